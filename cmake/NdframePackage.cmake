@@ -1,0 +1,38 @@
+# ndframe_package(NAME SOURCES ... [DEPENDS packages ...] [LIBRARIES third-party targets ...] [PUBLIC_LIBRARIES ...])
+# One static library `ndframe_NAME` (installed as ndframe::NAME) with its headers in packages/NAME/include/ndframe/NAME.
+function(ndframe_package name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})
+  set(target ndframe_${name})
+  add_library(${target} STATIC ${ARG_SOURCES})
+  add_library(ndframe::${name} ALIAS ${target})
+  target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
+                                              $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
+  target_compile_features(${target} PUBLIC cxx_std_17)
+  list(TRANSFORM ARG_DEPENDS PREPEND ndframe_)
+  target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} ${ARG_PUBLIC_LIBRARIES}
+                                  PRIVATE $<BUILD_INTERFACE:ndframe_options> ${ARG_LIBRARIES})
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${name})
+  install(TARGETS ${target} EXPORT ndframeTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR})
+  install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
+endfunction()
+
+# ndframe_test(NAME SOURCES ... PACKAGES ...): a GoogleTest program; every TEST in it becomes one ctest entry.
+function(ndframe_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PACKAGES;LIBRARIES" ${ARGN})
+  add_executable(${name} ${ARG_SOURCES})
+  list(TRANSFORM ARG_PACKAGES PREPEND ndframe_)
+  target_link_libraries(${name} PRIVATE ndframe_options ${ARG_PACKAGES} ${ARG_LIBRARIES} GTest::gtest GTest::gmock ndframe_test_main)
+  target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
+  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600
+                       ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1")
+endfunction()
+
+# ndframe_mpi_test(NAME RANKS r1 r2 ...): the same program again as one ctest entry per rank count.
+function(ndframe_mpi_test name)
+  cmake_parse_arguments(ARG "" "" "RANKS" ${ARGN})
+  foreach(ranks IN LISTS ARG_RANKS)
+    add_test(NAME ${name}.np${ranks} COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${ranks} $<TARGET_FILE:${name}>)
+    set_tests_properties(${name}.np${ranks} PROPERTIES PROCESSORS 2 TIMEOUT 600
+                         ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OPENBLAS_NUM_THREADS=1")
+  endforeach()
+endfunction()

@@ -1,0 +1,38 @@
+# Libraries that ndframe stands on, each as one target `ndframe_thirdparty::NAME`. Also read by the installed package,
+# so that a client links the same libraries. Debian's find modules for these are missing or incomplete (docs/dependencies.md).
+
+find_package(MPI REQUIRED COMPONENTS C CXX)
+find_package(Trilinos 13.2 REQUIRED COMPONENTS MueLu Amesos2 Ifpack2 Belos Tpetra TeuchosParameterList TeuchosCore)
+find_package(fmt REQUIRED)
+find_package(Threads REQUIRED)
+
+function(ndframe_third_party name)
+  cmake_parse_arguments(ARG "" "HEADER" "LIBRARIES;HEADER_SUFFIXES" ${ARGN})
+  if(TARGET ndframe_thirdparty::${name})
+    return()
+  endif()
+  find_path(NDFRAME_${name}_INCLUDE_DIR ${ARG_HEADER} PATH_SUFFIXES ${ARG_HEADER_SUFFIXES} REQUIRED)
+  add_library(ndframe_thirdparty::${name} INTERFACE IMPORTED)
+  target_include_directories(ndframe_thirdparty::${name} SYSTEM INTERFACE ${NDFRAME_${name}_INCLUDE_DIR})
+  foreach(library IN LISTS ARG_LIBRARIES)
+    find_library(NDFRAME_${library}_LIBRARY ${library} REQUIRED)
+    target_link_libraries(ndframe_thirdparty::${name} INTERFACE ${NDFRAME_${library}_LIBRARY})
+  endforeach()
+endfunction()
+
+ndframe_third_party(Cholmod HEADER cholmod.h HEADER_SUFFIXES suitesparse LIBRARIES cholmod)
+ndframe_third_party(Mumps HEADER dmumps_c.h LIBRARIES dmumps)
+ndframe_third_party(Metis HEADER metis.h LIBRARIES metis)
+ndframe_third_party(Lapack HEADER cblas.h HEADER_SUFFIXES x86_64-linux-gnu LIBRARIES openblas)
+ndframe_third_party(Exodus HEADER exodusII.h LIBRARIES exoIIv2c)
+ndframe_third_party(MuParser HEADER muParser.h LIBRARIES muparser)
+ndframe_third_party(TinyXml2 HEADER tinyxml2.h LIBRARIES tinyxml2)
+
+if(NOT TARGET ndframe_thirdparty::Teuchos)
+  add_library(ndframe_thirdparty::Teuchos INTERFACE IMPORTED)
+  target_include_directories(ndframe_thirdparty::Teuchos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+  target_link_libraries(ndframe_thirdparty::Teuchos INTERFACE ${TeuchosParameterList_LIBRARIES} ${TeuchosCore_LIBRARIES})
+  add_library(ndframe_thirdparty::Trilinos INTERFACE IMPORTED)
+  target_include_directories(ndframe_thirdparty::Trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
+  target_link_libraries(ndframe_thirdparty::Trilinos INTERFACE ${Trilinos_LIBRARIES})
+endif()

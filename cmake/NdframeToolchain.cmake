@@ -1,0 +1,23 @@
+# Compiler settings shared by all packages: warnings, sanitizers, ccache and lld where the machine has them.
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release CACHE STRING "Build type" FORCE)
+endif()
+
+find_program(NDFRAME_CCACHE ccache)
+if(NDFRAME_CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${NDFRAME_CCACHE})
+endif()
+
+find_program(NDFRAME_LLD ld.lld)
+
+add_library(ndframe_options INTERFACE)
+target_compile_options(ndframe_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
+if(NDFRAME_LLD)
+  target_link_options(ndframe_options INTERFACE -fuse-ld=lld)
+endif()
+if(NDFRAME_SANITIZE)
+  target_compile_options(ndframe_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
+                                                   -fno-omit-frame-pointer)
+  target_link_options(ndframe_options INTERFACE -fsanitize=address,undefined)
+endif()

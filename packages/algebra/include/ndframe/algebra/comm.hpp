@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+using Vector = std::vector<double>;
+
+/// The processes of a run. A run without mpirun has one and starts no MPI; MPI itself is started on first need only.
+///
+/// Meshes, interface vectors and solutions are replicated on all ranks; only the matrix rows and the factors are
+/// distributed. All functions are collective.
+class Comm
+{
+public:
+  /// Joins the processes that mpirun started (recognised by the launcher's environment); else a single process.
+  static Comm world(int& argc, char**& argv);
+  /// One process, no MPI.
+  static Comm single() { return Comm(0, 1); }
+
+  int rank() const { return rank_; }
+  int size() const { return size_; }
+
+  /// Element-wise sum over ranks, the result on every rank.
+  void sum(Vector& values) const;
+  double sum(double value) const;
+  double max(double value) const;
+  std::int64_t sum(std::int64_t value) const;
+  std::int64_t max(std::int64_t value) const;
+  /// Rank 0's value on every rank.
+  void broadcast(Vector& values) const;
+  void broadcast(std::string& text) const;
+  void barrier() const;
+
+private:
+  Comm(int rank, int size) : rank_(rank), size_(size) {}
+  int rank_;
+  int size_;
+};
+
+/// Starts MPI if it is not running (MUMPS needs it even on one rank). Finalised at exit by finishMpi().
+void startMpi();
+bool mpiIsRunning();
+/// Ends MPI and Kokkos if they were started; called once at the end of main.
+void finishMpi();
+
+} // namespace ndframe

@@ -1,0 +1,64 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/algebra/comm.hpp"
+
+namespace ndframe
+{
+
+/// Column-major dense matrix.
+class DenseMatrix
+{
+public:
+  DenseMatrix() = default;
+  DenseMatrix(int rows, int cols) : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), 0.0) {}
+  /// One column.
+  explicit DenseMatrix(Vector column) : rows_(int(column.size())), cols_(1), values_(std::move(column)) {}
+
+  int rows() const { return rows_; }
+  int cols() const { return cols_; }
+  double& operator()(int i, int j) { return values_[std::size_t(i) + std::size_t(j) * std::size_t(rows_)]; }
+  double operator()(int i, int j) const { return values_[std::size_t(i) + std::size_t(j) * std::size_t(rows_)]; }
+  double* col(int j) { return values_.data() + std::size_t(j) * std::size_t(rows_); }
+  const double* col(int j) const { return values_.data() + std::size_t(j) * std::size_t(rows_); }
+  Vector column(int j) const { return Vector(col(j), col(j) + rows_); }
+  double* data() { return values_.data(); }
+  const double* data() const { return values_.data(); }
+
+private:
+  int rows_ = 0, cols_ = 0;
+  std::vector<double> values_;
+};
+
+/// y = A x for symmetric A (both triangles stored), BLAS dsymv.
+Vector multiplySymmetric(const DenseMatrix& A, const Vector& x);
+/// y = A x.
+Vector multiply(const DenseMatrix& A, const Vector& x);
+
+/// Cholesky factor of a dense symmetric positive definite matrix (LAPACK dpotrf).
+class DenseCholesky
+{
+public:
+  /// Throws NotPositiveDefinite (with the row) when a pivot is not above `relativePivot` times the largest diagonal entry.
+  explicit DenseCholesky(DenseMatrix A, double relativePivot = 1e-13);
+  Vector solve(Vector b) const;
+  int size() const { return factor_.rows(); }
+
+private:
+  DenseMatrix factor_;
+};
+
+struct NotPositiveDefinite
+{
+  int row; ///< first row whose pivot vanishes
+};
+
+/// Orthonormal basis (columns) of the null space of A, singular values below `relativeTolerance` times the largest are zero.
+/// A may have zero rows or be zero: then the whole space is returned.
+DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance);
+
+double dot(const Vector& a, const Vector& b);
+double norm(const Vector& a);
+
+} // namespace ndframe

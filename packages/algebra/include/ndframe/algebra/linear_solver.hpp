@@ -1,0 +1,86 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ndframe/algebra/block_matrix.hpp"
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/dense.hpp"
+#include "ndframe/base/ledger.hpp"
+#include "ndframe/base/registry.hpp"
+
+namespace ndframe
+{
+
+/// What a dof is to the solver.
+enum class DofRole : unsigned char
+{
+  Interior, ///< eliminated (i)
+  Fixed,    ///< prescribed by a support; its row and column are left out
+  Kept      ///< interface normal, kept in the condensed system (c)
+};
+
+/// One body's matrix with the roles of its dofs. The matrix must outlive the factor (it is not copied for products).
+struct SolverProblem
+{
+  const BlockMatrix* matrix = nullptr;
+  std::vector<DofRole> roles; ///< one per dof
+  std::vector<int> kept;      ///< the Kept dofs, in the order of the condensed system
+  DenseMatrix nearNullSpace;  ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
+  std::vector<double> nodePoints; ///< dim * numNodes coordinates
+};
+
+/// A body factored once: K split into interior (i) and kept (c) dofs,
+///
+///   [ K_ii K_ic ] [u_i]   [f_i]
+///   [ K_ci K_cc ] [u_c] = [f_c + r],   S = K_cc - K_ci K_ii^-1 K_ic,   g = f_c - K_ci K_ii^-1 f_i,   S u_c = g + r.
+///
+/// K_ii must be regular (positive definite); K itself may be singular (a floating body held by its kept dofs only).
+/// Vectors are replicated on all ranks. Counts "back-solves" (one per right-hand side) in the ledger.
+class CondensedBody
+{
+public:
+  virtual ~CondensedBody() = default;
+
+  /// u with the kept values given: u_c = kept, K_ii u_i = load_i - K_ic u_c; fixed dofs zero.
+  /// load: numDofs x m (kept and fixed rows are ignored), kept: n_c x m.
+  virtual DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const = 0;
+
+  /// g = load_c - K_ci K_ii^-1 load_i, n_c x m.
+  virtual DenseMatrix reduce(const DenseMatrix& load) const = 0;
+
+  /// S u for one vector of kept values, by one back-solve.
+  virtual Vector applySchur(const Vector& kept) const = 0;
+
+  /// The dense Schur complement S, n_c x n_c, both triangles. Direct solvers take it from the factor; Krylov pays n_c solves.
+  virtual DenseMatrix schurComplement() const = 0;
+
+  /// True when schurComplement() comes with the factor.
+  virtual bool hasCheapSchur() const = 0;
+
+  virtual std::string description() const = 0; ///< e.g. "Cholmod, METIS nested dissection, 1.3e6 nonzeros"
+};
+
+/// A way to factor a body. Counts "factorisations" in the ledger and times the stages "order" and "factor".
+class LinearSolver
+{
+public:
+  virtual ~LinearSolver() = default;
+  /// Throws SingularBody when K_ii is not positive definite.
+  virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const = 0;
+  virtual std::string name() const = 0;
+};
+
+/// K_ii is singular or not positive definite: the body has a free rigid motion, or the material is not positive definite.
+class SingularBody : public std::runtime_error
+{
+public:
+  SingularBody(const std::string& what, int dof) : std::runtime_error(what), dof(dof) {}
+  int dof; ///< -1 when the solver cannot tell
+};
+
+/// "Automatic" (Cholmod on one rank, Mumps on several), "Cholmod", "Mumps", "Krylov".
+void registerLinearSolvers(Registry<LinearSolver>& registry);
+
+} // namespace ndframe

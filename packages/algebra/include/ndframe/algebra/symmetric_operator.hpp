@@ -1,0 +1,33 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ndframe/algebra/dense.hpp"
+
+namespace ndframe
+{
+
+/// Solves A_FF x_F = b_F for one set F; entries of the result outside F are zero.
+class RestrictedInverse
+{
+public:
+  virtual ~RestrictedInverse() = default;
+  virtual Vector solve(const Vector& b) const = 0;
+};
+
+/// A symmetric positive semi-definite operator on a small replicated vector (an interface), stored or applied.
+class SymmetricOperator
+{
+public:
+  virtual ~SymmetricOperator() = default;
+  virtual int size() const = 0;
+  virtual Vector apply(const Vector& x) const = 0;
+  /// The inverse on the free entries (`isFree` has size()). Throws NotPositiveDefinite when A_FF is singular.
+  virtual std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree) const = 0;
+};
+
+/// A stored dense matrix; inverses by Cholesky.
+std::unique_ptr<SymmetricOperator> makeDenseOperator(DenseMatrix A);
+
+} // namespace ndframe

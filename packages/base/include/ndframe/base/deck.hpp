@@ -1,0 +1,45 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+/// A deck as written: a tree of lists and untyped entries that remember their lines.
+struct DeckEntry
+{
+  std::string name;
+  std::string type;  ///< "bool", "int", "double", "string", "Array(int)", ...; empty when it came from `--set`
+  std::string value; ///< as written
+  std::string file;  ///< empty when it came from `--set`
+  int line = 0;
+};
+
+struct DeckList
+{
+  std::string name;
+  std::string file;
+  int line = 0;
+  std::vector<DeckEntry> entries;
+  std::vector<DeckList> lists;
+
+  const DeckEntry* findEntry(const std::string& entryName) const;
+  const DeckList* findList(const std::string& listName) const;
+};
+
+/// Reads a Teuchos XML deck. Unreadable files, XML that does not parse, DOCTYPE and entity declarations (never expanded),
+/// unknown elements, missing attributes, duplicated keys and duplicated sublists (Teuchos would merge them) are InputErrors,
+/// reported together where the parser can go on.
+DeckList readDeck(const std::string& path);
+
+/// The same from a text; `name` stands for the file in messages.
+DeckList parseDeck(const std::string& xml, const std::string& name);
+
+/// Applies "Coupling/Stopping/Tolerance=1e-4": replaces the entry or adds it, creating lists on the way.
+/// The entry is validated later like the rest of the deck.
+void applySetting(DeckList& deck, const std::string& setting, Diagnostics& diagnostics);
+
+} // namespace ndframe

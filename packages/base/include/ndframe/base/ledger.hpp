@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+class Log;
+
+/// What a run did: exact counts (factorisations, back-solves, sweeps, ...) and, per stage, seconds and peak memory.
+///
+/// Tests assert on the counts; the seconds are for people. One rank's view: counts are the same on all ranks.
+class Ledger
+{
+public:
+  struct Stage
+  {
+    std::string name;
+    double seconds = 0.0;
+    std::int64_t peakBytes = 0; ///< largest resident size while the stage ran (VmHWM, reset at its start)
+  };
+
+  /// Times a stage from construction to destruction. Stages of the same name are added up. Stages do not nest.
+  class Timer
+  {
+  public:
+    Timer(Ledger& ledger, std::string name, const Log* log);
+    ~Timer();
+    Timer(const Timer&) = delete;
+    Timer& operator=(const Timer&) = delete;
+
+  private:
+    Ledger& ledger_;
+    std::string name_;
+    const Log* log_;
+    double start_;
+  };
+
+  void count(const std::string& what, std::int64_t amount = 1) { counts_[what] += amount; }
+  /// 0 for what never happened.
+  std::int64_t counted(const std::string& what) const;
+  const std::map<std::string, std::int64_t>& counts() const { return counts_; }
+  const std::vector<Stage>& stages() const { return stages_; }
+  /// Times a stage; with a log given, a terminal shows a live line once the stage lasts longer than a second.
+  [[nodiscard]] Timer time(std::string stage, const Log* log = nullptr) { return Timer(*this, std::move(stage), log); }
+
+private:
+  std::map<std::string, std::int64_t> counts_;
+  std::vector<Stage> stages_;
+};
+
+/// Largest resident size of this process so far, in bytes (VmHWM).
+std::int64_t peakMemory();
+
+/// Wall-clock seconds since an arbitrary origin.
+double wallSeconds();
+
+} // namespace ndframe

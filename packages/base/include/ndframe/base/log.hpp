@@ -1,0 +1,49 @@
+#pragma once
+
+#include <memory>
+#include <ostream>
+#include <string>
+
+namespace ndframe
+{
+
+enum class Verbosity
+{
+  Quiet,
+  Normal,
+  Verbose
+};
+
+/// The screen. Only the rank that is told to speaks. No state other than the live line of a terminal.
+class Log
+{
+public:
+  /// `terminal`: the stream is a terminal, so a live line may be drawn (and erased) on it.
+  Log(std::ostream& stream, Verbosity verbosity, bool speaks, bool terminal);
+  ~Log();
+  Log(const Log&) = delete;
+  Log& operator=(const Log&) = delete;
+
+  /// Header, sweeps, tables: everything a normal run prints. `text` is one or several lines without the last newline.
+  void line(const std::string& text) const;
+  /// Details, only with -v.
+  void detail(const std::string& text) const;
+  /// Shown even with -q.
+  void warning(const std::string& text) const;
+
+  /// Draws "  <what> ..." on a terminal once a second has passed, until stopLive(); nothing on a pipe.
+  void startLive(const std::string& what) const;
+  void stopLive() const;
+
+private:
+  class Live;
+  std::ostream& stream_;
+  Verbosity verbosity_;
+  bool speaks_;
+  std::unique_ptr<Live> live_; ///< null unless the stream is a terminal
+};
+
+/// A sink for tests and library use.
+const Log& silentLog();
+
+} // namespace ndframe

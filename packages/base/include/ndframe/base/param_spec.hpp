@@ -1,0 +1,151 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+#include <vector>
+
+namespace Teuchos
+{
+class ParameterList;
+}
+
+namespace ndframe
+{
+
+/// A value as it stands in a deck.
+using Value = std::variant<bool, int, double, std::string, std::vector<int>, std::vector<double>, std::vector<std::string>>;
+
+/// What a parameter accepts. An int is accepted where a double is wanted; an Expression accepts a number
+/// or a text in x, y, z and is kept as text.
+enum class Kind
+{
+  Bool,
+  Int,
+  Double,
+  String,
+  Expression,
+  Ints,
+  Doubles,
+  Strings
+};
+
+/// The values a parameter may take, with the text that help and messages show ("(0, 2)", ">= 1", "Right | Crossed").
+struct Range
+{
+  std::string text;                           ///< empty: no restriction beyond the kind (doubles are always finite)
+  std::function<bool(const Value&)> contains; ///< empty: everything
+};
+
+Range inOpenRange(double low, double high);
+Range inClosedRange(double low, double high);
+Range above(double low);
+Range atLeast(double low);
+Range oneOf(std::vector<std::string> names);
+
+/// One key of a list: name, kind, default, range and documentation stand here and nowhere else.
+struct ParamSpec
+{
+  /// A parameter with a default; its kind follows from the default's type.
+  ParamSpec(std::string name, Value defaultValue, Range range, std::string doc);
+  ParamSpec(std::string name, Value defaultValue, std::string doc);
+
+  static ParamSpec required(std::string name, Kind kind, Range range, std::string doc);
+  static ParamSpec required(std::string name, Kind kind, std::string doc);
+  /// May be absent; Params::has() tells.
+  static ParamSpec optional(std::string name, Kind kind, Range range, std::string doc);
+  static ParamSpec optional(std::string name, Kind kind, std::string doc);
+  /// An expression in x, y, z with a default such as "0".
+  static ParamSpec expression(std::string name, std::string defaultText, std::string doc);
+
+  std::string name;
+  Kind kind;
+  bool isRequired = false;
+  std::optional<Value> defaultValue;
+  Range range;
+  std::string doc;
+
+private:
+  ParamSpec(std::string name, Kind kind, bool isRequired, Range range, std::string doc);
+};
+
+struct ListSpec;
+
+/// A component as help and validation see it.
+struct ComponentInfo
+{
+  std::string name;
+  std::string doc;
+  std::vector<ParamSpec> params;
+  std::vector<ListSpec> lists;
+};
+
+/// The components that the key "Type" of a list chooses from.
+struct Choices
+{
+  std::vector<ComponentInfo> components;
+  std::string defaultType; ///< empty: "Type" is required
+};
+
+/// One list of the deck.
+struct ListSpec
+{
+  std::string name;
+  std::string doc;
+  bool isRequired = false;            ///< absent lists that are not required are filled with their defaults ...
+  bool onlyIfGiven = false;           ///< ... unless this is set: then absence means "not wanted"
+  std::vector<ParamSpec> params;      ///< keys of this list
+  std::vector<ListSpec> lists;        ///< sublists with fixed names
+  std::shared_ptr<ListSpec> each;     ///< user-named sublists, all of this shape
+  std::optional<Choices> choices;     ///< "Type" picks a component whose keys belong to this list too
+  /// A list handed on to a library: any keys, checked by this function (returns one message per mistake).
+  std::function<std::vector<std::string>(const Teuchos::ParameterList&)> passThrough;
+};
+
+/// Names with the values they stand for: gives the range of a parameter and its conversion, so that names are written once.
+template <class T>
+class Names
+{
+public:
+  Names(std::initializer_list<std::pair<std::string, T>> entries) : entries_(entries) {}
+
+  Range range() const
+  {
+    std::vector<std::string> names;
+    for (const auto& entry : entries_)
+      names.push_back(entry.first);
+    return oneOf(std::move(names));
+  }
+  /// The value of a name that validation has let through.
+  T value(const std::string& name) const
+  {
+    for (const auto& entry : entries_)
+      if (entry.first == name)
+        return entry.second;
+    throwUnknownName(name);
+  }
+  const std::string& name(T value) const
+  {
+    for (const auto& entry : entries_)
+      if (entry.second == value)
+        return entry.first;
+    throwUnknownName("?");
+  }
+
+private:
+  [[noreturn]] static void throwUnknownName(const std::string& name);
+  std::vector<std::pair<std::string, T>> entries_;
+};
+
+[[noreturn]] void failUnknownName(const std::string& name);
+
+template <class T>
+void Names<T>::throwUnknownName(const std::string& name)
+{
+  failUnknownName(name);
+}
+
+} // namespace ndframe

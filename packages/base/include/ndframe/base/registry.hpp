@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/params.hpp"
+#include "ndframe/base/param_spec.hpp"
+
+namespace ndframe
+{
+
+/// The components of one kind: name, documentation, valid parameters and builder stand together in one entry.
+///
+/// Filled by explicit registerX(registry) calls (a static initialiser would be dropped from a static archive).
+template <class Product>
+class Registry
+{
+public:
+  using Builder = std::function<std::unique_ptr<Product>(const Params&)>;
+
+  /// `kind` is what messages call the components, e.g. "relaxation".
+  explicit Registry(std::string kind, std::string defaultType = {}) : kind_(std::move(kind))
+  {
+    choices_.defaultType = std::move(defaultType);
+  }
+
+  void add(std::string name, std::string doc, std::vector<ParamSpec> params, Builder builder, std::vector<ListSpec> lists = {})
+  {
+    for (const auto& component : choices_.components)
+      NDFRAME_ASSERT(component.name != name, kind_ + " \"" + name + "\" is registered twice");
+    choices_.components.push_back({std::move(name), std::move(doc), std::move(params), std::move(lists)});
+    builders_.push_back(std::move(builder));
+  }
+
+  /// Builds what the validated list's "Type" names.
+  std::unique_ptr<Product> build(const Params& params) const
+  {
+    const auto type = params.get<std::string>("Type");
+    for (std::size_t i = 0; i < builders_.size(); ++i)
+      if (choices_.components[i].name == type)
+        return builders_[i](params);
+    throw InternalError(kind_ + " \"" + type + "\" passed validation but is not registered");
+  }
+
+  const std::string& kind() const { return kind_; }
+  const Choices& choices() const { return choices_; }
+
+private:
+  std::string kind_;
+  Choices choices_;
+  std::vector<Builder> builders_;
+};
+
+} // namespace ndframe

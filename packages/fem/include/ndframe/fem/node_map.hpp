@@ -1,0 +1,43 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// The nodes of a Lagrange space of order 1 or 2 on a mesh of straight simplices.
+///
+/// Nodes 0..numPoints-1 are the mesh's points; order 2 adds one node per edge, in the middle of it.
+/// Local order in a cell: vertices, then edges in the order of cellEdges<dim>() (gmsh's and Exodus's for triangles:
+/// 01, 12, 20; tetrahedra as in Exodus: 01, 12, 20, 03, 13, 23).
+struct NodeMap
+{
+  int dim = 0;
+  int order = 0;
+  int nodesPerCell = 0;
+  int nodesPerFacet = 0;
+  std::vector<int> cellNodes; ///< nodesPerCell * numCells
+  std::vector<double> points; ///< dim * numNodes
+
+  int numNodes() const { return dim == 0 ? 0 : int(points.size()) / dim; }
+  int numCells() const { return nodesPerCell == 0 ? 0 : int(cellNodes.size()) / nodesPerCell; }
+  const int* cell(int c) const { return cellNodes.data() + std::size_t(c) * std::size_t(nodesPerCell); }
+  const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
+};
+
+/// order: 1 or 2.
+NodeMap makeNodeMap(const Mesh& mesh, int order);
+
+/// Local numbers of a facet's nodes: its vertices in increasing local number, then (order 2) its edges in the order
+/// 01, 12, 20 of these vertices. nodesPerFacet entries.
+const int* facetLocalNodes(int dim, int order, int localFacet);
+
+/// Node numbers of a facet in the order of facetLocalNodes.
+void facetNodes(const NodeMap& map, Facet facet, int* nodes);
+
+/// All nodes of a side, ascending, without repetition.
+std::vector<int> sideNodes(const NodeMap& map, const Side& side);
+
+} // namespace ndframe

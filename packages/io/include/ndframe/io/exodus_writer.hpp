@@ -1,0 +1,55 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/fem/node_map.hpp"
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// One scalar variable with its values.
+struct NamedField
+{
+  std::string name;
+  Vector values;
+};
+
+/// One body becomes one element block; its named sides become side sets "BODY:SIDE" (node numbers and element numbers of the
+/// bodies follow each other).
+struct ExodusBody
+{
+  std::string name;
+  const Mesh* mesh = nullptr;
+  const NodeMap* nodes = nullptr;
+};
+
+/// A side set that carries variables: the contact interface as seen from one body.
+struct ExodusContactSide
+{
+  std::string name; ///< interface name
+  int body = 0;     ///< index into the bodies
+  std::vector<Facet> facets;
+};
+
+/// The values of one step. Every body has the same nodal and the same element variables, every contact side the same
+/// side-set variables.
+struct ExodusStep
+{
+  double time = 0.0;                                ///< sweep number
+  std::vector<std::vector<NamedField>> nodal;       ///< per body, one value per node
+  std::vector<std::vector<NamedField>> element;     ///< per body, one value per cell
+  std::vector<std::vector<NamedField>> contactSide; ///< per contact side, one value per facet
+  std::vector<NamedField> global;                   ///< one value each
+};
+
+/// Writes an Exodus II file (NetCDF-3, 64-bit offset): TRI3/TRI6/TETRA4/TETRA10 blocks, side sets of all named sides, contact
+/// side sets with variables, several steps. `path` is written as it is: wrap in writeAtomically. Throws std::runtime_error
+/// with the library's reason.
+void writeExodus(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
+                 const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
+                 const std::vector<std::string>& infoLines);
+
+} // namespace ndframe

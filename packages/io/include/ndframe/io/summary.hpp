@@ -1,0 +1,114 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+/// What a run leaves in NAME.summary.json. Plain values; docs/summary.schema.json describes the file.
+struct BodySummary
+{
+  std::string name;
+  std::int64_t dofs = 0; ///< dim * nodes, supports included
+  std::int64_t elements = 0;
+  int order = 0;
+  std::string solver;
+  std::string heldBy; ///< "x: roller at left; y: contact only"
+  double energy = 0.0; ///< a(u,u) = int K eps:eps, no 1/2
+};
+
+struct InterfaceSummary
+{
+  std::string name;
+  std::string dirichletBody, neumannBody;
+  int nodes = 0;
+  int closedNodes = 0;
+  std::vector<double> forceOnDirichlet; ///< resultant vector of t_dir on the Dirichlet body
+  std::vector<double> forceOnNeumann;   ///< resultant vector of -t_neu on the Neumann body
+  double contactForce = 0.0;            ///< - int t_dir . n_c dS, positive in compression
+  double contactLength = 0.0;           ///< measure of the facets whose nodes are all closed
+  std::vector<std::vector<double>> endPoints; ///< of the closed nodes: the two farthest apart (2-D)
+  double largestPressure = 0.0;
+  double largestPenetration = 0.0; ///< max (u1_N - u2_N - g) over the nodes, 0 if none
+};
+
+struct SweepSummary
+{
+  int sweep = 0;
+  double epsTau = 0.0;
+  double theta = 0.0;
+  int statusChanges = 0;
+  int statusPasses = 0;
+  int closed = 0;
+  int open = 0;
+  double forceOnDirichlet = 0.0; ///< resultants along n_c: int t_dir
+  double forceOnNeumann = 0.0;   ///< int -t_neu
+  double penetration = 0.0;
+  std::string note; ///< e.g. "theta clipped"
+};
+
+struct CouplingSummary
+{
+  std::string type;
+  int sweeps = 0;
+  bool converged = false;
+  std::string reason; ///< why it stopped, one sentence
+  std::vector<SweepSummary> history;
+};
+
+/// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).
+struct ResidualSummary
+{
+  double equilibrium = 0.0;     ///< largest |K u - f - contact force| over the free dofs / largest nodal load or reaction
+  double complementarity = 0.0; ///< largest |(u1_N - u2_N - g)_i (C Lambda)_i| / (largest |gap or u| * largest nodal force)
+  double penetration = 0.0;     ///< largest positive u1_N - u2_N - g / largest |u|
+  double tension = 0.0;         ///< largest positive nodal contact force / largest nodal force
+};
+
+struct StageSummary
+{
+  std::string name;
+  double seconds = 0.0;
+  std::int64_t peakBytes = 0;
+};
+
+struct ExpectationSummary
+{
+  std::string name;
+  double value = 0.0;     ///< computed
+  double expected = 0.0;
+  double tolerance = 0.0;
+  bool met = false;
+};
+
+struct RunSummary
+{
+  std::string version;
+  std::string title;
+  std::string deckJson; ///< the effective deck (base/params.hpp: toJson)
+  int ranks = 1;
+  std::vector<BodySummary> bodies;
+  double energy = 0.0; ///< sum over bodies
+  std::vector<InterfaceSummary> interfaces;
+  std::optional<CouplingSummary> coupling; ///< absent without interfaces
+  ResidualSummary residuals;
+  std::vector<ExpectationSummary> expectations;
+  std::map<std::string, std::int64_t> counts;
+  std::vector<StageSummary> stages;
+  double totalSeconds = 0.0;
+  std::int64_t peakBytes = 0;
+};
+
+/// The summary as JSON text (two-space indentation, numbers with 17 significant digits so that they read back exactly).
+std::string toJson(const RunSummary& summary);
+
+/// Looks a number up by a path such as "bodies/punch/energy", "interfaces/contact/contact_force", "coupling/sweeps",
+/// "energy", "ledger/counts/factorisations": list entries are found by their "name" (or by index). Booleans count as 0/1.
+/// Empty when there is no number at that path.
+std::optional<double> summaryValue(const RunSummary& summary, const std::string& path);
+
+} // namespace ndframe

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+/// A facet by its cell and its number there: local facet k is the one opposite to local vertex k.
+struct Facet
+{
+  int cell;
+  int local;
+};
+
+/// A named part of the boundary.
+struct Side
+{
+  std::string name;
+  std::vector<Facet> facets;
+};
+
+/// Straight-sided simplices: triangles (dim 2) or tetrahedra (dim 3), given by their vertices only.
+///
+/// Nodes of higher order belong to the dof map (fem). Cells are positively oriented (checked by checkMesh).
+/// Every rank holds the whole mesh.
+struct Mesh
+{
+  int dim = 0;
+  std::vector<double> points; ///< dim * numPoints, point by point
+  std::vector<int> cells;     ///< (dim + 1) * numCells, cell by cell
+  std::vector<Side> sides;
+  std::vector<std::string> notes; ///< what a user should know about how the mesh was read (e.g. curved edges straightened)
+
+  int numPoints() const { return dim == 0 ? 0 : int(points.size()) / dim; }
+  int numCells() const { return dim == 0 ? 0 : int(cells.size()) / (dim + 1); }
+  const double* point(int i) const { return points.data() + std::size_t(i) * std::size_t(dim); }
+  const int* cell(int c) const { return cells.data() + std::size_t(c) * std::size_t(dim + 1); }
+  const Side* findSide(const std::string& name) const;
+};
+
+/// Vertices of a facet in increasing local number (dim of them).
+void facetVertices(const Mesh& mesh, Facet facet, int* vertices);
+
+/// Outward unit normal of a facet (dim components); returns its measure (length or area).
+double facetNormal(const Mesh& mesh, Facet facet, double* normal);
+
+/// Signed measure of a cell (area or volume).
+double cellMeasure(const Mesh& mesh, int cell);
+
+/// Everything wrong with a mesh that a solver could not cope with, one sentence each: no cells, vertex numbers out of range,
+/// inverted or degenerate cells (how many, the first and where), coordinates that are not finite, facets shared by more than
+/// two cells, a side's facet that is not on the boundary. Empty when the mesh is sound.
+std::vector<std::string> checkMesh(const Mesh& mesh);
+
+/// Length of the diagonal of the bounding box.
+double diameter(const Mesh& mesh);
+
+} // namespace ndframe
