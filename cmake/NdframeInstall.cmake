@@ -1,1 +1,15 @@
-# filled by the install step
+# `cmake --install`: bin/ndframe, the static libraries, their headers, and a CMake package that defines ndframe::PACKAGE.
+include(CMakePackageConfigHelpers)
+
+set(NDFRAME_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ndframe)
+if(TARGET ndframe) # not when only some packages are built
+  install(TARGETS ndframe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
+endif()
+install(EXPORT ndframeTargets NAMESPACE ndframe:: DESTINATION ${NDFRAME_CMAKE_DIR})
+
+configure_package_config_file(cmake/ndframeConfig.cmake.in ${PROJECT_BINARY_DIR}/ndframeConfig.cmake
+                              INSTALL_DESTINATION ${NDFRAME_CMAKE_DIR})
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/ndframeConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${PROJECT_BINARY_DIR}/ndframeConfig.cmake ${PROJECT_BINARY_DIR}/ndframeConfigVersion.cmake
+              cmake/NdframeThirdParty.cmake
+        DESTINATION ${NDFRAME_CMAKE_DIR})

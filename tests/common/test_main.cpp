@@ -9,7 +9,10 @@ namespace
 std::optional<ndframe::Comm> worldComm;
 }
 
-const ndframe::Comm& ndframe::test::comm() { return *worldComm; }
+const ndframe::Comm& ndframe::test::comm()
+{
+  return *worldComm;
+}
 
 int main(int argc, char** argv)
 {

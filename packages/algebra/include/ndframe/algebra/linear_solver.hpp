@@ -76,7 +76,7 @@ public:
 class SingularBody : public std::runtime_error
 {
 public:
-  SingularBody(const std::string& what, int dof) : std::runtime_error(what), dof(dof) {}
+  SingularBody(const std::string& what, int singularDof) : std::runtime_error(what), dof(singularDof) {}
   int dof; ///< -1 when the solver cannot tell
 };
 

@@ -23,8 +23,11 @@ public:
   virtual ~SymmetricOperator() = default;
   virtual int size() const = 0;
   virtual Vector apply(const Vector& x) const = 0;
-  /// The inverse on the free entries (`isFree` has size()). Throws NotPositiveDefinite when A_FF is singular.
-  virtual std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree) const = 0;
+  /// The inverse of A_FF + shift I on the free entries (`isFree` has size(), shift >= 0). Throws NotPositiveDefinite when that
+  /// is singular. The operator must outlive the inverse.
+  virtual std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const = 0;
+  /// The stored matrix; null when the operator is only applied.
+  virtual const DenseMatrix* dense() const = 0;
 };
 
 /// A stored dense matrix; inverses by Cholesky.

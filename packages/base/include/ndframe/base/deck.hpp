@@ -30,9 +30,9 @@ struct DeckList
   const DeckList* findList(const std::string& listName) const;
 };
 
-/// Reads a Teuchos XML deck. Unreadable files, XML that does not parse, DOCTYPE and entity declarations (never expanded),
-/// unknown elements, missing attributes, duplicated keys and duplicated sublists (Teuchos would merge them) are InputErrors,
-/// reported together where the parser can go on.
+/// Reads a Teuchos XML deck. Unreadable files, XML that does not parse, DOCTYPE and entity declarations (never
+/// expanded), unknown elements, missing attributes, duplicated keys and duplicated sublists (Teuchos would merge them)
+/// are InputErrors, reported together where the parser can go on. Limits: UTF-8, 4 MB, a hundred levels of lists.
 DeckList readDeck(const std::string& path);
 
 /// The same from a text; `name` stands for the file in messages.

@@ -2,6 +2,7 @@
 
 #include <stdexcept>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace ndframe
@@ -10,7 +11,7 @@ namespace ndframe
 /// One mistake in the user's input: where it stands and how to mend it.
 struct Diagnostic
 {
-  std::string file;    ///< deck or mesh file; empty when the input came from `--set`
+  std::string file;    ///< deck or mesh file, "--set" for a setting of the command line; may be empty
   int line = 0;        ///< 1-based, 0 when unknown
   std::string path;    ///< list path such as "Bodies/punch/Material"
   std::string message; ///< what is wrong and how to mend it, one sentence
@@ -65,8 +66,7 @@ public:
 
 /// Asserts an invariant in every build type; a failure is a bug and carries its place.
 #define NDFRAME_ASSERT(condition, message)                                                                             \
-  do                                                                                                                   \
-  {                                                                                                                    \
+  do {                                                                                                                 \
     if (!(condition))                                                                                                  \
       ::ndframe::failAssertion(#condition, (message), __FILE__, __LINE__);                                             \
   } while (false)

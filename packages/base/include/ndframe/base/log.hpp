@@ -37,6 +37,8 @@ public:
 
 private:
   class Live;
+  void print(const std::string& text) const;
+
   std::ostream& stream_;
   Verbosity verbosity_;
   bool speaks_;

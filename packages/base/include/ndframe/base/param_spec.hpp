@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <initializer_list>
 #include <memory>
 #include <optional>
 #include <string>
@@ -17,7 +18,8 @@ namespace ndframe
 {
 
 /// A value as it stands in a deck.
-using Value = std::variant<bool, int, double, std::string, std::vector<int>, std::vector<double>, std::vector<std::string>>;
+using Value =
+    std::variant<bool, int, double, std::string, std::vector<int>, std::vector<double>, std::vector<std::string>>;
 
 /// What a parameter accepts. An int is accepted where a double is wanted; an Expression accepts a number
 /// or a text in x, y, z and is kept as text.
@@ -95,17 +97,20 @@ struct ListSpec
 {
   std::string name;
   std::string doc;
-  bool isRequired = false;            ///< absent lists that are not required are filled with their defaults ...
-  bool onlyIfGiven = false;           ///< ... unless this is set: then absence means "not wanted"
-  std::vector<ParamSpec> params;      ///< keys of this list
-  std::vector<ListSpec> lists;        ///< sublists with fixed names
-  std::shared_ptr<ListSpec> each;     ///< user-named sublists, all of this shape
-  std::optional<Choices> choices;     ///< "Type" picks a component whose keys belong to this list too
+  bool isRequired = false;        ///< absent lists that are not required are filled with their defaults ...
+  bool onlyIfGiven = false;       ///< ... unless this is set: then absence means "not wanted"
+  std::vector<ParamSpec> params;  ///< keys of this list
+  std::vector<ListSpec> lists;    ///< sublists with fixed names
+  std::shared_ptr<ListSpec> each; ///< user-named sublists, all of this shape
+  std::optional<Choices> choices; ///< "Type" picks a component whose keys belong to this list too
   /// A list handed on to a library: any keys, checked by this function (returns one message per mistake).
   std::function<std::vector<std::string>(const Teuchos::ParameterList&)> passThrough;
 };
 
-/// Names with the values they stand for: gives the range of a parameter and its conversion, so that names are written once.
+[[noreturn]] void failUnknownName(const std::string& name);
+
+/// Names with the values they stand for: gives the range of a parameter and its conversion, so that names are written
+/// once.
 template <class T>
 class Names
 {
@@ -125,27 +130,18 @@ public:
     for (const auto& entry : entries_)
       if (entry.first == name)
         return entry.second;
-    throwUnknownName(name);
+    failUnknownName(name);
   }
   const std::string& name(T value) const
   {
     for (const auto& entry : entries_)
       if (entry.second == value)
         return entry.first;
-    throwUnknownName("?");
+    failUnknownName("?");
   }
 
 private:
-  [[noreturn]] static void throwUnknownName(const std::string& name);
   std::vector<std::pair<std::string, T>> entries_;
 };
-
-[[noreturn]] void failUnknownName(const std::string& name);
-
-template <class T>
-void Names<T>::throwUnknownName(const std::string& name)
-{
-  failUnknownName(name);
-}
 
 } // namespace ndframe

@@ -41,19 +41,22 @@ public:
   /// All sublists, in deck order (for user-named ones).
   std::vector<Params> subs() const;
 
-  /// A mistake that shows only later (a side that does not exist, say), with the place of `key` (or of the list: empty key).
+  /// A mistake that shows only later (a side that does not exist, say), with the place of `key` (or of the list: empty
+  /// key).
   Diagnostic mistake(const std::string& key, const std::string& message) const;
 
   /// The whole list, defaults included, as Teuchos sees it; for libraries and for echoing the effective deck.
   Teuchos::ParameterList teuchos() const;
 
+  const Node& node() const { return *node_; } ///< for this package's writers
+
 private:
   std::shared_ptr<const Node> node_;
 };
 
-/// Checks a deck against its specification and fills in the defaults. All mistakes are collected: unknown names (with the
-/// nearest valid one), wrong types, values out of range or not finite, missing required keys and lists, expressions that do
-/// not parse, unknown components.
+/// Checks a deck against its specification and fills in the defaults. All mistakes are collected: unknown names (with
+/// the nearest valid one), wrong types, values out of range or not finite, missing required keys and lists, expressions
+/// that do not parse, unknown components. The result may be used only when nothing was added to `diagnostics`.
 Params validate(const DeckList& deck, const ListSpec& spec, Diagnostics& diagnostics);
 
 /// The effective deck as Teuchos XML, which reads back to the same Params.

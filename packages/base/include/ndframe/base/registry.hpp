@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/base/params.hpp"
 #include "ndframe/base/param_spec.hpp"
+#include "ndframe/base/params.hpp"
 
 namespace ndframe
 {
@@ -28,7 +28,8 @@ public:
     choices_.defaultType = std::move(defaultType);
   }
 
-  void add(std::string name, std::string doc, std::vector<ParamSpec> params, Builder builder, std::vector<ListSpec> lists = {})
+  void add(std::string name, std::string doc, std::vector<ParamSpec> params, Builder builder,
+           std::vector<ListSpec> lists = {})
   {
     for (const auto& component : choices_.components)
       NDFRAME_ASSERT(component.name != name, kind_ + " \"" + name + "\" is registered twice");

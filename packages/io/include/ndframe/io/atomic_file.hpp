@@ -9,10 +9,12 @@ namespace ndframe
 
 /// Writes a file under a temporary name in the same folder, then renames it: nobody ever sees half a file.
 ///
-/// `write` gets the temporary path and throws on failure; the temporary file is then removed and the error passed on.
-/// An unwritable folder or a full disk ends as InputError naming `path` and the system's reason.
-/// Returns the number of bytes written.
-std::int64_t writeAtomically(const std::string& path, const std::function<void(const std::string& temporaryPath)>& write);
+/// `write` gets the temporary path and throws on failure; the temporary file is then removed. Its std::runtime_error, a
+/// missing or unwritable folder, a full disk or a target that is no regular file end as InputError naming `path` and
+/// the reason; other exceptions (bugs) pass through. Returns the number of bytes written. Limit: no fsync, so it guards
+/// against a crash of the program, not of the machine.
+std::int64_t writeAtomically(const std::string& path,
+                             const std::function<void(const std::string& temporaryPath)>& write);
 
 /// The same for a text.
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text);

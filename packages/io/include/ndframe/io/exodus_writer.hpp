@@ -17,8 +17,8 @@ struct NamedField
   Vector values;
 };
 
-/// One body becomes one element block; its named sides become side sets "BODY:SIDE" (node numbers and element numbers of the
-/// bodies follow each other).
+/// One body becomes one element block; its named sides become side sets "BODY:SIDE" (node numbers and element numbers
+/// of the bodies follow each other).
 struct ExodusBody
 {
   std::string name;
@@ -29,7 +29,7 @@ struct ExodusBody
 /// A side set that carries variables: the contact interface as seen from one body.
 struct ExodusContactSide
 {
-  std::string name; ///< interface name
+  std::string name; ///< of the side set, e.g. the interface's
   int body = 0;     ///< index into the bodies
   std::vector<Facet> facets;
 };
@@ -45,9 +45,12 @@ struct ExodusStep
   std::vector<NamedField> global;                   ///< one value each
 };
 
-/// Writes an Exodus II file (NetCDF-3, 64-bit offset): TRI3/TRI6/TETRA4/TETRA10 blocks, side sets of all named sides, contact
-/// side sets with variables, several steps. `path` is written as it is: wrap in writeAtomically. Throws std::runtime_error
-/// with the library's reason.
+/// Writes an Exodus II file (NetCDF-3, 64-bit offset): TRI3/TRI6/TETRA4/TETRA10 blocks, side sets of all named sides,
+/// contact side sets with variables, several steps. `path` is written as it is: wrap in writeAtomically. Throws
+/// std::runtime_error with the library's reason.
+///
+/// The format's limits: the title is cut after 80 bytes; a longer info line goes on in the next record after a
+/// backslash; names of more than 255 bytes and more than 2^31 - 1 nodes or elements are refused.
 void writeExodus(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
                  const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
                  const std::vector<std::string>& infoLines);

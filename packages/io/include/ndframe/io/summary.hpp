@@ -17,7 +17,7 @@ struct BodySummary
   std::int64_t elements = 0;
   int order = 0;
   std::string solver;
-  std::string heldBy; ///< "x: roller at left; y: contact only"
+  std::string heldBy;  ///< "x: roller at left; y: contact only"
   double energy = 0.0; ///< a(u,u) = int K eps:eps, no 1/2
 };
 
@@ -27,10 +27,10 @@ struct InterfaceSummary
   std::string dirichletBody, neumannBody;
   int nodes = 0;
   int closedNodes = 0;
-  std::vector<double> forceOnDirichlet; ///< resultant vector of t_dir on the Dirichlet body
-  std::vector<double> forceOnNeumann;   ///< resultant vector of -t_neu on the Neumann body
-  double contactForce = 0.0;            ///< - int t_dir . n_c dS, positive in compression
-  double contactLength = 0.0;           ///< measure of the facets whose nodes are all closed
+  std::vector<double> forceOnDirichlet;       ///< resultant vector of t_dir on the Dirichlet body
+  std::vector<double> forceOnNeumann;         ///< resultant vector of -t_neu on the Neumann body
+  double contactForce = 0.0;                  ///< - int t_dir . n_c dS, positive in compression
+  double contactLength = 0.0;                 ///< measure of the facets whose nodes are all closed
   std::vector<std::vector<double>> endPoints; ///< of the closed nodes: the two farthest apart (2-D)
   double largestPressure = 0.0;
   double largestPenetration = 0.0; ///< max (u1_N - u2_N - g) over the nodes, 0 if none
@@ -63,10 +63,11 @@ struct CouplingSummary
 /// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).
 struct ResidualSummary
 {
-  double equilibrium = 0.0;     ///< largest |K u - f - contact force| over the free dofs / largest nodal load or reaction
-  double complementarity = 0.0; ///< largest |(u1_N - u2_N - g)_i (C Lambda)_i| / (largest |gap or u| * largest nodal force)
-  double penetration = 0.0;     ///< largest positive u1_N - u2_N - g / largest |u|
-  double tension = 0.0;         ///< largest positive nodal contact force / largest nodal force
+  double equilibrium = 0.0; ///< largest |K u - f - contact force| over the free dofs / largest nodal load or reaction
+  double complementarity =
+      0.0;                  ///< largest |(u1_N - u2_N - g)_i (C Lambda)_i| / (largest |gap or u| * largest nodal force)
+  double penetration = 0.0; ///< largest positive u1_N - u2_N - g / largest |u|
+  double tension = 0.0;     ///< largest positive nodal contact force / largest nodal force
 };
 
 struct StageSummary
@@ -79,7 +80,7 @@ struct StageSummary
 struct ExpectationSummary
 {
   std::string name;
-  double value = 0.0;     ///< computed
+  double value = 0.0; ///< computed
   double expected = 0.0;
   double tolerance = 0.0;
   bool met = false;
@@ -103,12 +104,13 @@ struct RunSummary
   std::int64_t peakBytes = 0;
 };
 
-/// The summary as JSON text (two-space indentation, numbers with 17 significant digits so that they read back exactly).
+/// The summary as JSON text (two-space indentation; numbers in the shortest form that reads back exactly; NaN and
+/// infinity are null).
 std::string toJson(const RunSummary& summary);
 
 /// Looks a number up by a path such as "bodies/punch/energy", "interfaces/contact/contact_force", "coupling/sweeps",
-/// "energy", "ledger/counts/factorisations": list entries are found by their "name" (or by index). Booleans count as 0/1.
-/// Empty when there is no number at that path.
+/// "energy", "ledger/counts/factorisations": list entries are found by their "name" (or by index). Booleans count as
+/// 0/1. Empty when there is no finite number at that path.
 std::optional<double> summaryValue(const RunSummary& summary, const std::string& path);
 
 } // namespace ndframe

@@ -1,0 +1,3 @@
+#include "ndframe/driver/main.hpp"
+
+int main(int argc, char** argv) { return ndframe::runMain(argc, argv); }

@@ -1,0 +1,105 @@
+#include "ndframe/algebra/dense.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <cblas.h>
+
+#include "lapack.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+Vector multiplySymmetric(const DenseMatrix& A, const Vector& x)
+{
+  NDFRAME_ASSERT(A.rows() == A.cols() && A.cols() == int(x.size()), "shapes do not match");
+  Vector y(x.size(), 0.0);
+  if (!x.empty())
+    cblas_dsymv(CblasColMajor, CblasLower, A.rows(), 1.0, A.data(), A.rows(), x.data(), 1, 0.0, y.data(), 1);
+  return y;
+}
+
+Vector multiply(const DenseMatrix& A, const Vector& x)
+{
+  NDFRAME_ASSERT(A.cols() == int(x.size()), "shapes do not match");
+  Vector y(std::size_t(A.rows()), 0.0);
+  if (A.rows() > 0 && A.cols() > 0)
+    cblas_dgemv(CblasColMajor, CblasNoTrans, A.rows(), A.cols(), 1.0, A.data(), A.rows(), x.data(), 1, 0.0, y.data(),
+                1);
+  return y;
+}
+
+DenseCholesky::DenseCholesky(DenseMatrix A, double relativePivot) : factor_(std::move(A))
+{
+  const int n = factor_.rows();
+  NDFRAME_ASSERT(n == factor_.cols(), "a Cholesky factor needs a square matrix");
+  if (n == 0)
+    return;
+  double largest = 0.0;
+  for (int i = 0; i < n; ++i)
+    largest = std::max(largest, factor_(i, i));
+  int info = 0;
+  dpotrf_("L", &n, factor_.data(), &n, &info);
+  NDFRAME_ASSERT(info >= 0, "dpotrf refused an argument");
+  const int done = info > 0 ? info - 1 : n;
+  for (int i = 0; i < done; ++i)
+    if (factor_(i, i) * factor_(i, i) <= relativePivot * largest)
+      throw NotPositiveDefinite{i};
+  if (info > 0)
+    throw NotPositiveDefinite{info - 1};
+}
+
+Vector DenseCholesky::solve(Vector b) const
+{
+  const int n = factor_.rows(), one = 1;
+  NDFRAME_ASSERT(n == int(b.size()), "shapes do not match");
+  int info = 0;
+  if (n > 0)
+    dpotrs_("L", &n, &one, factor_.data(), &n, b.data(), &n, &info);
+  NDFRAME_ASSERT(info == 0, "dpotrs refused an argument");
+  return b;
+}
+
+DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance)
+{
+  const int m = A.rows(), n = A.cols(), lda = std::max(1, m), least = std::min(m, n);
+  DenseMatrix copy = A, rightT(n, n);
+  for (int i = 0; i < n; ++i)
+    rightT(i, i) = 1.0;
+  Vector singular(std::size_t(n), 0.0);
+  if (least > 0) {
+    int info = 0, query = -1;
+    const int one = 1;
+    double best = 0.0;
+    dgesvd_("N", "A", &m, &n, copy.data(), &lda, singular.data(), nullptr, &one, rightT.data(), &n, &best, &query,
+            &info);
+    const int length = int(best);
+    Vector work(std::size_t(length), 0.0);
+    dgesvd_("N", "A", &m, &n, copy.data(), &lda, singular.data(), nullptr, &one, rightT.data(), &n, work.data(),
+            &length, &info);
+    NDFRAME_ASSERT(info == 0, "the singular value decomposition failed (are all entries finite?)");
+  }
+  // Singular values descend, and those that a wide matrix does not have are zero.
+  int rank = 0;
+  while (rank < n && singular[std::size_t(rank)] > relativeTolerance * singular[0])
+    ++rank;
+  DenseMatrix basis(n, n - rank);
+  for (int j = rank; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      basis(i, j - rank) = rightT(j, i);
+  return basis;
+}
+
+double dot(const Vector& a, const Vector& b)
+{
+  NDFRAME_ASSERT(a.size() == b.size(), "shapes do not match");
+  return cblas_ddot(int(a.size()), a.data(), 1, b.data(), 1);
+}
+
+double norm(const Vector& a)
+{
+  return cblas_dnrm2(int(a.size()), a.data(), 1);
+}
+
+} // namespace ndframe

@@ -1,0 +1,176 @@
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "belos_cg.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "preconditioner.hpp"
+#include "solver_problem.hpp"
+#include "solvers.hpp"
+#include "split_body.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+struct KrylovOptions
+{
+  double tolerance;
+  int maxIterations;
+};
+
+/// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
+/// dof.
+class KrylovBody final : public SplitBody
+{
+public:
+  KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
+             const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
+      : SplitBody(problem, comm, ledger), options_(options), preconditionerName_(preconditioner.name()),
+        cg_(problem, comm, preconditioner, belos)
+  {}
+
+  /// Throws NotConverged and SingularBody.
+  DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
+  {
+    checkShapes(load, kept);
+    DenseMatrix u(numDofs(), load.cols());
+    for (int j = 0; j < u.cols(); ++j) {
+      Vector start(std::size_t(numDofs()), 0.0);
+      for (int c = 0; c < numKept(); ++c)
+        start[std::size_t(kept_[std::size_t(c)])] = kept(c, j);
+      const Vector solution = solve(load.column(j), std::move(start));
+      std::copy(solution.begin(), solution.end(), u.col(j));
+    }
+    return u;
+  }
+
+  DenseMatrix schurComplement() const override
+  {
+    const int n = numKept();
+    DenseMatrix S(n, n);
+    for (int j = 0; j < n; ++j) {
+      Vector unit(std::size_t(n), 0.0);
+      unit[std::size_t(j)] = 1.0;
+      const Vector column = applySchur(unit);
+      std::copy(column.begin(), column.end(), S.col(j));
+    }
+    for (int j = 0; j < n; ++j) // symmetric but for the tolerance of the solves
+      for (int i = 0; i < j; ++i)
+        S(i, j) = S(j, i) = 0.5 * (S(i, j) + S(j, i));
+    return S;
+  }
+
+  bool hasCheapSchur() const override { return false; }
+
+  std::string description() const override
+  {
+    return fmt::format("Krylov, Belos CG, {}, tolerance {:.0e}", preconditionerName_, options_.tolerance);
+  }
+
+private:
+  /// load - K u on the interior dofs, zero elsewhere.
+  Vector interiorResidual(const Vector& load, const Vector& u) const
+  {
+    Vector residual = multiply(matrix_, u, comm_);
+    for (std::size_t dof = 0; dof < residual.size(); ++dof)
+      residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
+    return residual;
+  }
+
+  /// Improves u (its kept and fixed values are given) until the true residual is small: CG follows a residual of its
+  /// own that drifts, so it is started again on what is left.
+  Vector solve(const Vector& load, Vector u) const
+  {
+    Vector residual = interiorResidual(load, u);
+    const double initial = norm(residual);
+    double current = initial;
+    int iterations = 0;
+    while (!(current <= options_.tolerance * initial)) {
+      if (iterations >= options_.maxIterations || !std::isfinite(current))
+        throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
+                                       "Iterations\" or use another preconditioner or a direct solver.",
+                                       current / initial, options_.tolerance, iterations));
+      const double reduction = 0.5 * options_.tolerance * initial / current;
+      const BelosCg::Result step = cg_.solve(residual, reduction, options_.maxIterations - iterations);
+      for (std::size_t dof = 0; dof < u.size(); ++dof)
+        u[dof] += step.x[dof];
+      iterations += std::max(step.iterations, 1);
+      residual = interiorResidual(load, u);
+      current = norm(residual);
+    }
+    ledger_.count("back-solves");
+    ledger_.count("Krylov solves");
+    ledger_.count("Krylov iterations", iterations);
+    return u;
+  }
+
+  KrylovOptions options_;
+  std::string preconditionerName_;
+  BelosCg cg_;
+};
+
+class Krylov final : public LinearSolver
+{
+public:
+  Krylov(KrylovOptions options, std::unique_ptr<Preconditioner> preconditioner, Teuchos::ParameterList belos)
+      : options_(options), preconditioner_(std::move(preconditioner)), belos_(std::move(belos))
+  {}
+
+  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  {
+    checkProblem(problem, comm);
+    const auto timer = ledger.time("factor");
+    return std::make_unique<KrylovBody>(problem, comm, ledger, options_, *preconditioner_, belos_);
+  }
+
+  std::string name() const override { return "Krylov"; }
+
+private:
+  KrylovOptions options_;
+  std::unique_ptr<Preconditioner> preconditioner_;
+  Teuchos::ParameterList belos_;
+};
+
+Registry<Preconditioner> preconditioners()
+{
+  Registry<Preconditioner> registry("preconditioner", "MueLu");
+  registerMueLu(registry);
+  registerIfpack2(registry);
+  return registry;
+}
+
+std::vector<ListSpec> krylovLists()
+{
+  ListSpec belos;
+  belos.name = "Belos";
+  belos.doc = "Parameters of Belos's pseudo-block conjugate gradients, e.g. \"Verbosity\".";
+  belos.passThrough = belosMistakes;
+  ListSpec preconditioner;
+  preconditioner.name = "Preconditioner";
+  preconditioner.doc = "What makes the conjugate gradients converge.";
+  preconditioner.choices = preconditioners().choices();
+  return {belos, preconditioner};
+}
+
+std::unique_ptr<LinearSolver> makeKrylov(const Params& params)
+{
+  const KrylovOptions options = {params.get<double>("Tolerance"), params.get<int>("Maximum Iterations")};
+  return std::make_unique<Krylov>(options, preconditioners().build(params.sub("Preconditioner")),
+                                  params.sub("Belos").teuchos());
+}
+
+} // namespace
+
+void registerKrylov(Registry<LinearSolver>& registry)
+{
+  registry.add(
+      "Krylov", "Preconditioned conjugate gradients, any number of ranks; memory grows only with the mesh.",
+      {{"Tolerance", 1e-10, inOpenRange(0.0, 1.0), "True residual of a solve relative to its right-hand side."},
+       {"Maximum Iterations", 1000, atLeast(1.0), "Iterations of one solve."}},
+      makeKrylov, krylovLists());
+}
+
+} // namespace ndframe

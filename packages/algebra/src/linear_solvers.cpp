@@ -1,0 +1,36 @@
+#include "solvers.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// The direct solver that is fastest for the number of ranks.
+class Automatic final : public LinearSolver
+{
+public:
+  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  {
+    return (comm.size() == 1 ? makeCholmod() : makeMumps())->factor(problem, comm, ledger);
+  }
+  std::string name() const override { return "Automatic"; }
+};
+
+void registerAutomatic(Registry<LinearSolver>& registry)
+{
+  registry.add("Automatic", "Cholmod on one rank, Mumps on several.", {},
+               [](const Params&) { return std::make_unique<Automatic>(); });
+}
+
+} // namespace
+
+void registerLinearSolvers(Registry<LinearSolver>& registry)
+{
+  registerAutomatic(registry);
+  registerCholmod(registry);
+  registerMumps(registry);
+  registerKrylov(registry);
+}
+
+} // namespace ndframe

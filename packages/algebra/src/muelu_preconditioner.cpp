@@ -1,0 +1,88 @@
+#include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <MueLu_MasterList.hpp>
+
+#include "library_list.hpp"
+#include "preconditioner.hpp"
+#include "tpetra_system.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// Smoothed aggregation that keeps the rigid motions, with Chebyshev smoothing.
+///
+/// The coarsest problem is solved by MueLu's direct solver on one rank. That solver (Amesos2 KLU2) gives wrong answers
+/// on several ranks; there the coarsest level is made small and smoothed instead.
+class MueLuPreconditioner final : public Preconditioner
+{
+public:
+  explicit MueLuPreconditioner(Teuchos::ParameterList list) : list_(std::move(list)) {}
+
+  std::shared_ptr<PreconditionerHandle> build(const TpetraSystem& system) const override
+  {
+    Teuchos::ParameterList list = withDefaults(system.isParallel);
+    list.set("number of equations", system.dim);
+    Teuchos::ParameterList& data = list.sublist("user data");
+    if (!system.modes.is_null())
+      data.set("Nullspace", system.modes);
+    if (!system.coordinates.is_null())
+      data.set("Coordinates", system.coordinates);
+    const Teuchos::RCP<TpetraOperator> matrix = system.matrix;
+    return std::make_shared<PreconditionerHandle>(
+        PreconditionerHandle{MueLu::CreateTpetraPreconditioner(matrix, list)});
+  }
+
+  std::string name() const override { return "MueLu"; }
+  /// MueLu 13.2 takes the communicator of its summary, printed or not, for one of MPI.
+  bool needsMpi() const override { return true; }
+
+private:
+  /// The user's choice of a smoother or coarse solver comes with parameters of its own.
+  Teuchos::ParameterList withDefaults(bool isParallel) const
+  {
+    Teuchos::ParameterList list;
+    list.set("verbosity", "none");
+    list.set("multigrid algorithm", "sa");
+    if (!list_.isParameter("smoother: type")) {
+      list.set("smoother: type", "CHEBYSHEV");
+      list.sublist("smoother: params").set("chebyshev: degree", 2);
+    }
+    if (isParallel && !list_.isParameter("coarse: type")) {
+      list.set("coarse: max size", 200);
+      list.set("coarse: type", "CHEBYSHEV");
+      list.sublist("coarse: params").set("chebyshev: degree", 10);
+    }
+    list.setParameters(list_);
+    return list;
+  }
+
+  Teuchos::ParameterList list_;
+};
+
+std::vector<std::string> mueLuMistakes(const Teuchos::ParameterList& list)
+{
+  return mistakesIn(list, *MueLu::MasterList::List(), "MueLu",
+                    {"number of equations", "user data", "Nullspace", "Coordinates"});
+}
+
+} // namespace
+
+void registerMueLu(Registry<Preconditioner>& registry)
+{
+  ListSpec list;
+  list.name = "MueLu";
+  list.doc = "Parameters of MueLu's own list, e.g. \"aggregation: drop tol\".";
+  list.passThrough = mueLuMistakes;
+  registry.add("MueLu",
+               "Algebraic multigrid that knows the rigid motions; the number of iterations hardly grows with the mesh.",
+               {},
+               [](const Params& params) {
+                 return std::make_unique<MueLuPreconditioner>(
+                     conformed(params.sub("MueLu").teuchos(), *MueLu::MasterList::List()));
+               },
+               {list});
+}
+
+} // namespace ndframe

@@ -1,0 +1,289 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "mumps_instance.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "ordering.hpp"
+#include "solver_problem.hpp"
+#include "solvers.hpp"
+#include "split_body.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// A pivot of the scaled matrix (unit diagonal) below this is round-off; the same as Cholmod's.
+constexpr double smallestPivot = 1e-12;
+
+/// This rank's rows of the lower triangle on the free dofs, numbered from one.
+struct LowerEntries
+{
+  std::vector<MUMPS_INT> rows;
+  std::vector<MUMPS_INT> cols;
+  std::vector<double> values;
+};
+
+LowerEntries ownLowerEntries(const BlockMatrix& K, const FreeDofs& free)
+{
+  LowerEntries entries;
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
+      for (int i = 0; i < K.dim; ++i)
+        for (int j = 0; j < K.dim; ++j) {
+          const int row = free.number[std::size_t(K.rows[r] * K.dim + i)];
+          const int col = free.number[std::size_t(K.cols[std::size_t(b)] * K.dim + j)];
+          if (row < 0 || col < 0 || col > row)
+            continue;
+          entries.rows.push_back(row + 1);
+          entries.cols.push_back(col + 1);
+          entries.values.push_back(K.values[std::size_t((b * K.dim + i) * K.dim + j)]);
+        }
+  return entries;
+}
+
+/// MUMPS wants, for every variable, its position.
+std::vector<MUMPS_INT> positionsFromOne(const std::vector<int>& order)
+{
+  std::vector<MUMPS_INT> positions(order.size());
+  for (std::size_t k = 0; k < order.size(); ++k)
+    positions[std::size_t(order[k])] = MUMPS_INT(k) + 1;
+  return positions;
+}
+
+[[noreturn]] void rethrow(const MumpsFailure& failure)
+{
+  switch (failure.kind()) {
+  case MumpsFailure::Kind::Singular:
+    throw SingularBody(failure.what(), -1);
+  case MumpsFailure::Kind::Memory:
+  case MumpsFailure::Kind::Workspace:
+    throw InputError(fmt::format("{}; use Krylov as linear solver, more machines or a coarser mesh.", failure.what()));
+  case MumpsFailure::Kind::Other:
+    break;
+  }
+  throw InternalError(failure.what());
+}
+
+/// Partial factorisation of K on the free dofs, the kept dofs being MUMPS's Schur variables: S arrives on the host with
+/// the factor, and solves run in two halves (reduction to S, expansion from the kept values).
+class MumpsBody final : public SplitBody
+{
+public:
+  MumpsBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, FreeDofs free)
+      : SplitBody(problem, comm, ledger), free_(std::move(free)), mumps_(comm)
+  {}
+
+  /// `order` on rank 0: position -> free number. Throws SingularBody.
+  void factor(const std::vector<int>& order)
+  {
+    LowerEntries entries = ownLowerEntries(matrix_, free_);
+    std::vector<MUMPS_INT> positions = positionsFromOne(order), schurVariables = keptFromOne();
+    setUp(entries, positions, schurVariables);
+    try {
+      mumps_.analyse();
+      NDFRAME_ASSERT(mumps_.infog(7) == 1, "MUMPS did not take the ordering given to it");
+      mumps_.factor();
+    } catch (const MumpsFailure& failure) {
+      rethrow(failure);
+    }
+    checkPivots();
+    mumps_.data().irn_loc = mumps_.data().jcn_loc = mumps_.data().perm_in = mumps_.data().listvar_schur = nullptr;
+    mumps_.data().a_loc = nullptr;
+  }
+
+  std::int64_t numNonzeros() const
+  {
+    const std::int64_t entries = mumps_.infog(29);
+    return entries >= 0 ? entries : -entries * 1000000; // MUMPS counts in millions when an int does not hold it
+  }
+
+  DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
+  {
+    checkShapes(load, kept);
+    Vector x = gather(load);
+    ledger_.count("back-solves", load.cols());
+    if (numKept() == 0)
+      solve(x, load.cols(), Half::Both, nullptr);
+    else {
+      Vector reduced(std::size_t(numKept()) * std::size_t(load.cols()));
+      solve(x, load.cols(), Half::Reduction, reduced.data());
+      std::copy_n(kept.data(), reduced.size(), reduced.data());
+      solve(x, load.cols(), Half::Expansion, reduced.data());
+    }
+    comm_.broadcast(x);
+    return scatter(x, kept);
+  }
+
+  DenseMatrix reduce(const DenseMatrix& load) const override
+  {
+    NDFRAME_ASSERT(load.rows() == numDofs(), "a load needs one row per dof");
+    DenseMatrix g(numKept(), load.cols());
+    if (numKept() == 0)
+      return g;
+    ledger_.count("back-solves", load.cols());
+    Vector x = gather(load), reduced(std::size_t(g.rows()) * std::size_t(g.cols()));
+    solve(x, load.cols(), Half::Reduction, reduced.data());
+    comm_.broadcast(reduced);
+    std::copy(reduced.begin(), reduced.end(), g.data());
+    return g;
+  }
+
+  DenseMatrix schurComplement() const override
+  {
+    Vector rows = schur_;
+    comm_.broadcast(rows);
+    const int n = numKept();
+    DenseMatrix S(n, n);
+    for (int i = 0; i < n; ++i) // MUMPS gives the lower triangle, row after row
+      for (int j = 0; j <= i; ++j)
+        S(i, j) = S(j, i) = rows[std::size_t(i) * std::size_t(n) + std::size_t(j)];
+    return S;
+  }
+
+  bool hasCheapSchur() const override { return true; }
+
+  std::string description() const override
+  {
+    return fmt::format("Mumps, METIS nested dissection, {:.2g} nonzeros, {} rank{}", double(numNonzeros()),
+                       comm_.size(), comm_.size() == 1 ? "" : "s");
+  }
+
+private:
+  /// ICNTL(26)
+  enum class Half
+  {
+    Both = 0,
+    Reduction = 1,
+    Expansion = 2
+  };
+
+  std::vector<MUMPS_INT> keptFromOne() const
+  {
+    std::vector<MUMPS_INT> variables;
+    for (const int dof : kept_)
+      variables.push_back(free_.number[std::size_t(dof)] + 1);
+    return variables;
+  }
+
+  void setUp(LowerEntries& entries, std::vector<MUMPS_INT>& positions, std::vector<MUMPS_INT>& schurVariables)
+  {
+    DMUMPS_STRUC_C& data = mumps_.data();
+    data.n = free_.size();
+    data.nnz_loc = MUMPS_INT8(entries.values.size());
+    data.irn_loc = entries.rows.data();
+    data.jcn_loc = entries.cols.data();
+    data.a_loc = entries.values.data();
+    data.perm_in = positions.data();
+    mumps_.icntl(18) = 3; // every rank gives its entries
+    mumps_.icntl(28) = 1; // analysis on the host
+    mumps_.icntl(7) = 1;  // our ordering; MUMPS would drop its own METIS for AMD once a Schur complement is asked for
+    mumps_.icntl(13) = 1; // no ScaLAPACK: it would hide the pivots of the last front
+    mumps_.cntl(1) = 0.0; // pivots from the diagonal only
+    mumps_.icntl(24) = 1; // report vanishing pivots
+    mumps_.cntl(3) = smallestPivot;
+    if (numKept() == 0)
+      return;
+    mumps_.icntl(19) = 1; // Schur complement on the host
+    data.size_schur = numKept();
+    data.listvar_schur = schurVariables.data();
+    if (comm_.rank() == 0)
+      schur_.resize(std::size_t(numKept()) * std::size_t(numKept()));
+    data.schur = schur_.data();
+  }
+
+  void checkPivots() const
+  {
+    Vector dof(1, -1.0);
+    const int numNull = mumps_.infog(28), numNegative = mumps_.infog(12);
+    if (numNull == 0 && numNegative == 0)
+      return;
+    if (numNull > 0 && comm_.rank() == 0)
+      dof[0] = free_.dofs[std::size_t(mumps_.data().pivnul_list[0]) - 1];
+    comm_.broadcast(dof);
+    throw SingularBody(
+        fmt::format("the stiffness matrix is not positive definite: {} vanishing and {} negative pivots{}", numNull,
+                    numNegative, numNull > 0 ? fmt::format(", the first at dof {}", dof[0]) : ""),
+        int(dof[0]));
+  }
+
+  Vector gather(const DenseMatrix& load) const
+  {
+    Vector x;
+    if (comm_.rank() != 0)
+      return x;
+    x.reserve(free_.dofs.size() * std::size_t(load.cols()));
+    for (int j = 0; j < load.cols(); ++j)
+      for (const int dof : free_.dofs)
+        x.push_back(load(dof, j));
+    return x;
+  }
+
+  DenseMatrix scatter(const Vector& x, const DenseMatrix& kept) const
+  {
+    DenseMatrix u(numDofs(), kept.cols());
+    auto value = x.begin();
+    for (int j = 0; j < u.cols(); ++j) {
+      for (const int dof : free_.dofs)
+        u(dof, j) = *value++;
+      for (int c = 0; c < numKept(); ++c)
+        u(kept_[std::size_t(c)], j) = kept(c, j);
+    }
+    return u;
+  }
+
+  /// x (and the reduced values) on the host.
+  void solve(Vector& x, int numColumns, Half half, double* reduced) const
+  {
+    if (numColumns == 0)
+      return;
+    DMUMPS_STRUC_C& data = mumps_.data();
+    data.rhs = x.data();
+    data.lrhs = data.n;
+    data.nrhs = numColumns;
+    data.redrhs = reduced;
+    data.lredrhs = numKept();
+    mumps_.icntl(26) = int(half);
+    mumps_.solve();
+  }
+
+  FreeDofs free_;
+  Vector schur_; ///< on the host
+  mutable MumpsInstance mumps_;
+};
+
+class Mumps final : public LinearSolver
+{
+public:
+  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  {
+    checkProblem(problem, comm);
+    FreeDofs free(problem.roles);
+    const std::vector<int> order = eliminationOrder(problem, free, comm, ledger);
+    const auto timer = ledger.time("factor");
+    auto body = std::make_unique<MumpsBody>(problem, comm, ledger, std::move(free));
+    body->factor(order);
+    ledger.count("factorisations");
+    ledger.count("factor nonzeros", body->numNonzeros());
+    return body;
+  }
+
+  std::string name() const override { return "Mumps"; }
+};
+
+} // namespace
+
+std::unique_ptr<LinearSolver> makeMumps()
+{
+  return std::make_unique<Mumps>();
+}
+
+void registerMumps(Registry<LinearSolver>& registry)
+{
+  registry.add("Mumps", "Distributed multifrontal factorisation, any number of ranks.", {},
+               [](const Params&) { return makeMumps(); });
+}
+
+} // namespace ndframe

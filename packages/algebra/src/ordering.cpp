@@ -1,0 +1,160 @@
+#include "ordering.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include <metis.h>
+#include <mpi.h>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+using Indices = std::vector<idx_t>;
+
+/// The nodes that have interior dofs, numbered in ascending order.
+struct InteriorNodes
+{
+  std::vector<int> nodes;
+  std::vector<int> number; ///< -1 for other nodes
+};
+
+/// Rows of the interior nodes' graph, without loops.
+struct GraphRows
+{
+  Indices vertices; ///< the vertex of each row
+  Indices degrees;
+  Indices neighbours; ///< of all rows, one after the other
+};
+
+InteriorNodes findInteriorNodes(const SolverProblem& problem)
+{
+  const int dim = problem.matrix->dim, numNodes = problem.matrix->numNodes;
+  InteriorNodes interior;
+  interior.number.assign(std::size_t(numNodes), -1);
+  for (int node = 0; node < numNodes; ++node) {
+    const auto first = problem.roles.begin() + std::ptrdiff_t(node) * dim;
+    if (std::find(first, first + dim, DofRole::Interior) == first + dim)
+      continue;
+    interior.number[std::size_t(node)] = int(interior.nodes.size());
+    interior.nodes.push_back(node);
+  }
+  return interior;
+}
+
+GraphRows ownRows(const BlockMatrix& K, const InteriorNodes& interior)
+{
+  GraphRows graph;
+  graph.neighbours.reserve(K.cols.size());
+  for (std::size_t r = 0; r < K.rows.size(); ++r) {
+    const int vertex = interior.number[std::size_t(K.rows[r])];
+    if (vertex < 0)
+      continue;
+    const std::size_t before = graph.neighbours.size();
+    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
+      const int neighbour = interior.number[std::size_t(K.cols[std::size_t(b)])];
+      if (neighbour >= 0 && neighbour != vertex)
+        graph.neighbours.push_back(neighbour);
+    }
+    graph.vertices.push_back(vertex);
+    graph.degrees.push_back(idx_t(graph.neighbours.size() - before));
+  }
+  return graph;
+}
+
+/// The ranks' pieces, one after the other, on rank 0.
+Indices gathered(const Indices& piece, const Comm& comm)
+{
+  const int length = int(piece.size());
+  std::vector<int> lengths(std::size_t(comm.size())), starts(std::size_t(comm.size()) + 1, 0);
+  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  std::int64_t total = 0;
+  for (std::size_t rank = 0; rank < lengths.size(); ++rank) {
+    total += lengths[rank];
+    starts[rank + 1] = int(total);
+  }
+  NDFRAME_ASSERT(total <= std::numeric_limits<int>::max(), "the graph is too large for MPI_Gatherv");
+  Indices all(std::size_t(comm.rank() == 0 ? total : 0));
+  static_assert(sizeof(idx_t) == sizeof(int), "METIS must use 32-bit integers");
+  MPI_Gatherv(piece.data(), length, MPI_INT, all.data(), lengths.data(), starts.data(), MPI_INT, 0, MPI_COMM_WORLD);
+  return all;
+}
+
+/// Rank 0 gets the rows of all ranks, the others none.
+GraphRows gathered(GraphRows own, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return own;
+  return {gathered(own.vertices, comm), gathered(own.degrees, comm), gathered(own.neighbours, comm)};
+}
+
+/// METIS's arrays from rows in any order.
+struct Adjacency
+{
+  Indices starts;
+  Indices neighbours;
+};
+
+Adjacency sortedByVertex(GraphRows rows, std::size_t numVertices)
+{
+  NDFRAME_ASSERT(rows.vertices.size() == numVertices, "every node must be owned by one rank");
+  Adjacency graph{Indices(numVertices + 1, 0), {}};
+  for (std::size_t r = 0; r < numVertices; ++r)
+    graph.starts[std::size_t(rows.vertices[r]) + 1] = rows.degrees[r];
+  for (std::size_t v = 0; v < numVertices; ++v)
+    graph.starts[v + 1] += graph.starts[v];
+  if (std::is_sorted(rows.vertices.begin(), rows.vertices.end())) {
+    graph.neighbours = std::move(rows.neighbours);
+    return graph;
+  }
+  graph.neighbours.resize(rows.neighbours.size());
+  auto next = rows.neighbours.begin();
+  for (std::size_t r = 0; r < numVertices; ++r) {
+    std::copy_n(next, rows.degrees[r], graph.neighbours.begin() + graph.starts[std::size_t(rows.vertices[r])]);
+    next += rows.degrees[r];
+  }
+  return graph;
+}
+
+/// Position -> vertex.
+Indices nestedDissection(Adjacency graph)
+{
+  const std::size_t size = graph.starts.size() - 1;
+  Indices vertexAt(size), position(size), options(METIS_NOPTIONS);
+  if (size == 0)
+    return vertexAt;
+  METIS_SetDefaultOptions(options.data());
+  options[METIS_OPTION_NUMBERING] = 0;
+  idx_t numVertices = idx_t(size);
+  const int status = METIS_NodeND(&numVertices, graph.starts.data(), graph.neighbours.data(), nullptr, options.data(),
+                                  vertexAt.data(), position.data());
+  NDFRAME_ASSERT(status == METIS_OK, "METIS_NodeND failed");
+  return vertexAt;
+}
+
+} // namespace
+
+std::vector<int> eliminationOrder(const SolverProblem& problem, const FreeDofs& free, const Comm& comm, Ledger& ledger)
+{
+  const auto timer = ledger.time("order");
+  const int dim = problem.matrix->dim;
+  const InteriorNodes interior = findInteriorNodes(problem);
+  GraphRows rows = gathered(ownRows(*problem.matrix, interior), comm);
+  if (comm.rank() != 0)
+    return {};
+  std::vector<int> order;
+  order.reserve(free.dofs.size());
+  for (const idx_t vertex : nestedDissection(sortedByVertex(std::move(rows), interior.nodes.size())))
+    for (int i = 0, dof = interior.nodes[std::size_t(vertex)] * dim; i < dim; ++i, ++dof)
+      if (problem.roles[std::size_t(dof)] == DofRole::Interior)
+        order.push_back(free.number[std::size_t(dof)]);
+  for (const int dof : problem.kept)
+    order.push_back(free.number[std::size_t(dof)]);
+  return order;
+}
+
+} // namespace ndframe

@@ -1,0 +1,71 @@
+#include "split_body.hpp"
+
+#include <algorithm>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// (K u)_dof, zero when another rank owns the row.
+double rowTimes(const BlockMatrix& K, int dof, const double* u)
+{
+  const int node = dof / K.dim, component = dof % K.dim;
+  const auto row = std::lower_bound(K.rows.begin(), K.rows.end(), node);
+  if (row == K.rows.end() || *row != node)
+    return 0.0;
+  const auto r = std::size_t(row - K.rows.begin());
+  double sum = 0.0;
+  for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
+    const double* entry = K.values.data() + (b * K.dim + component) * K.dim;
+    const double* column = u + std::size_t(K.cols[std::size_t(b)]) * std::size_t(K.dim);
+    for (int j = 0; j < K.dim; ++j)
+      sum += entry[j] * column[j];
+  }
+  return sum;
+}
+
+} // namespace
+
+SplitBody::SplitBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger)
+    : matrix_(*problem.matrix), roles_(problem.roles), kept_(problem.kept), comm_(comm), ledger_(ledger)
+{}
+
+DenseMatrix SplitBody::reduce(const DenseMatrix& load) const
+{
+  DenseMatrix g = keptRowsTimes(expand(load, DenseMatrix(numKept(), load.cols())));
+  for (int j = 0; j < g.cols(); ++j)
+    for (int c = 0; c < g.rows(); ++c)
+      g(c, j) = load(kept_[std::size_t(c)], j) - g(c, j);
+  return g;
+}
+
+Vector SplitBody::applySchur(const Vector& kept) const
+{
+  return keptRowsTimes(expand(DenseMatrix(numDofs(), 1), DenseMatrix(kept))).column(0);
+}
+
+void SplitBody::checkShapes(const DenseMatrix& load, const DenseMatrix& kept) const
+{
+  NDFRAME_ASSERT(load.rows() == numDofs(), "a load needs one row per dof");
+  NDFRAME_ASSERT(kept.rows() == numKept(), "kept values need one row per kept dof");
+  NDFRAME_ASSERT(load.cols() == kept.cols(), "loads and kept values need as many columns");
+}
+
+DenseMatrix SplitBody::keptRowsTimes(const DenseMatrix& u) const
+{
+  Vector products(kept_.size() * std::size_t(u.cols()));
+  auto product = products.begin();
+  for (int j = 0; j < u.cols(); ++j)
+    for (const int dof : kept_)
+      *product++ = rowTimes(matrix_, dof, u.col(j));
+  comm_.sum(products);
+  DenseMatrix result(numKept(), u.cols());
+  std::copy(products.begin(), products.end(), result.data());
+  return result;
+}
+
+} // namespace ndframe

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/algebra/linear_solver.hpp"
+
+namespace ndframe
+{
+
+/// What the factored bodies share: the split into interior and kept dofs, and what follows from expand() alone.
+class SplitBody : public CondensedBody
+{
+public:
+  /// g = load_c - (K u)_c with u = expand(load, 0).
+  DenseMatrix reduce(const DenseMatrix& load) const override;
+  /// S u_c = (K u)_c with u = expand(0, u_c).
+  Vector applySchur(const Vector& kept) const override;
+
+protected:
+  SplitBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger);
+
+  int numDofs() const { return matrix_.numDofs(); }
+  int numKept() const { return int(kept_.size()); }
+  /// Asserts the shapes of an expansion's arguments.
+  void checkShapes(const DenseMatrix& load, const DenseMatrix& kept) const;
+  /// (K u)_c for all columns of u; collective.
+  DenseMatrix keptRowsTimes(const DenseMatrix& u) const;
+
+  const BlockMatrix& matrix_;
+  std::vector<DofRole> roles_;
+  std::vector<int> kept_;
+  Comm comm_;
+  Ledger& ledger_;
+};
+
+} // namespace ndframe

@@ -1,0 +1,178 @@
+#include "tpetra_system.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include <Teuchos_DefaultMpiComm.hpp>
+#include <Teuchos_DefaultSerialComm.hpp>
+
+#include "kokkos_runtime.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+using Global = TpetraMap::global_ordinal_type;
+using Local = TpetraMap::local_ordinal_type;
+
+Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm, bool withMpi)
+{
+  if (comm.size() > 1)
+    return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
+  if (!withMpi)
+    return Teuchos::rcp(new Teuchos::SerialComm<int>());
+  startMpi();
+  return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
+}
+
+/// `perNode` consecutive numbers for each node.
+Teuchos::RCP<const TpetraMap> mapOf(const std::vector<int>& nodes, int perNode,
+                                    const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+{
+  std::vector<Global> numbers;
+  numbers.reserve(nodes.size() * std::size_t(perNode));
+  for (const int node : nodes)
+    for (int i = 0; i < perNode; ++i)
+      numbers.push_back(Global(node) * perNode + i);
+  const auto unknownTotal = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
+  return Teuchos::rcp(new TpetraMap(unknownTotal, Teuchos::arrayViewFromVector(numbers), 0, comm));
+}
+
+/// The nodes of this rank's columns: its own first, in the order of its rows, then those of other ranks.
+struct ColumnNodes
+{
+  explicit ColumnNodes(const BlockMatrix& K) : nodes(K.rows), local(std::size_t(K.numNodes), -1)
+  {
+    for (std::size_t r = 0; r < nodes.size(); ++r)
+      local[std::size_t(nodes[r])] = int(r);
+    for (const int node : K.cols)
+      if (local[std::size_t(node)] < 0) {
+        local[std::size_t(node)] = int(nodes.size());
+        nodes.push_back(node);
+      }
+  }
+
+  std::vector<int> nodes;
+  std::vector<int> local; ///< node -> column node of this rank, -1 for nodes that it does not see
+};
+
+struct LocalRows
+{
+  std::vector<std::size_t> starts = {0};
+  std::vector<Local> cols;
+  std::vector<double> values;
+};
+
+/// Appends row `component` of block row r, restricted to interior columns, in ascending order of local columns
+/// (a Tpetra matrix with unsorted rows gives wrong results on several ranks).
+void appendRow(const SolverProblem& problem, const ColumnNodes& columns, std::size_t r, int component, LocalRows& rows)
+{
+  const BlockMatrix& K = *problem.matrix;
+  std::vector<std::pair<Local, double>> row;
+  for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
+    const int node = K.cols[std::size_t(b)];
+    for (int j = 0; j < K.dim; ++j)
+      if (problem.roles[std::size_t(node * K.dim + j)] == DofRole::Interior)
+        row.emplace_back(columns.local[std::size_t(node)] * K.dim + j,
+                         K.values[std::size_t((b * K.dim + component) * K.dim + j)]);
+  }
+  std::sort(row.begin(), row.end());
+  for (const auto& [column, value] : row) {
+    rows.cols.push_back(column);
+    rows.values.push_back(value);
+  }
+}
+
+LocalRows interiorRows(const SolverProblem& problem, const ColumnNodes& columns, double decoupledDiagonal)
+{
+  const BlockMatrix& K = *problem.matrix;
+  LocalRows rows;
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (int i = 0; i < K.dim; ++i) {
+      if (problem.roles[std::size_t(K.rows[r] * K.dim + i)] == DofRole::Interior)
+        appendRow(problem, columns, r, i, rows);
+      else {
+        rows.cols.push_back(Local(r) * K.dim + i);
+        rows.values.push_back(decoupledDiagonal);
+      }
+      rows.starts.push_back(rows.cols.size());
+    }
+  return rows;
+}
+
+template <class View, class Values>
+View copyOf(const Values& values)
+{
+  typename View::non_const_type view("ndframe", values.size());
+  const auto host = Kokkos::create_mirror_view(view);
+  std::copy(values.begin(), values.end(), host.data());
+  Kokkos::deep_copy(view, host);
+  return view;
+}
+
+double meanDiagonal(const SolverProblem& problem, const Comm& comm)
+{
+  const Vector d = diagonal(*problem.matrix, comm);
+  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
+}
+
+Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, const Comm& comm,
+                                      const Teuchos::RCP<const TpetraMap>& dofMap)
+{
+  const BlockMatrix& K = *problem.matrix;
+  const ColumnNodes columns(K);
+  const LocalRows rows = interiorRows(problem, columns, meanDiagonal(problem, comm));
+  using Graph = TpetraMatrix::local_graph_device_type;
+  const auto matrix =
+      Teuchos::rcp(new TpetraMatrix(dofMap, mapOf(columns.nodes, K.dim, dofMap->getComm()),
+                                    copyOf<Graph::row_map_type>(rows.starts), copyOf<Graph::entries_type>(rows.cols),
+                                    copyOf<TpetraMatrix::local_matrix_device_type::values_type>(rows.values)));
+  matrix->expertStaticFillComplete(dofMap, dofMap);
+  return matrix;
+}
+
+Teuchos::RCP<TpetraVectors> makeModes(const SolverProblem& problem, const Teuchos::RCP<const TpetraMap>& dofMap)
+{
+  const DenseMatrix& given = problem.nearNullSpace;
+  if (given.cols() == 0)
+    return Teuchos::null;
+  const auto modes = Teuchos::rcp(new TpetraVectors(dofMap, std::size_t(given.cols())));
+  for (int m = 0; m < given.cols(); ++m)
+    for (Local i = 0; i < Local(dofMap->getNodeNumElements()); ++i) {
+      const auto dof = std::size_t(dofMap->getGlobalElement(i));
+      if (problem.roles[dof] == DofRole::Interior)
+        modes->replaceLocalValue(i, std::size_t(m), given(int(dof), m));
+    }
+  return modes;
+}
+
+Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
+                                            const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+{
+  const BlockMatrix& K = *problem.matrix;
+  if (problem.nodePoints.empty())
+    return Teuchos::null;
+  const auto points = Teuchos::rcp(new TpetraVectors(mapOf(K.rows, 1, comm), std::size_t(K.dim)));
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (int i = 0; i < K.dim; ++i)
+      points->replaceLocalValue(Local(r), std::size_t(i), problem.nodePoints[std::size_t(K.rows[r] * K.dim + i)]);
+  return points;
+}
+
+} // namespace
+
+TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm, bool withMpi)
+    : dim(problem.matrix->dim), isParallel(comm.size() > 1)
+{
+  startKokkos();
+  const auto communicator = teuchosComm(comm, withMpi);
+  dofMap = mapOf(problem.matrix->rows, dim, communicator);
+  matrix = makeMatrix(problem, comm, dofMap);
+  modes = makeModes(problem, dofMap);
+  coordinates = makeCoordinates(problem, communicator);
+}
+
+} // namespace ndframe

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ndframe/algebra/block_matrix.hpp"
+#include "ndframe/assembly/dof_layout.hpp"
+#include "ndframe/assembly/side_condition.hpp"
+#include "ndframe/mechanics/elasticity.hpp"
+
+namespace ndframe
+{
+
+/// A body as the deck describes it, discretised.
+struct BodyModel
+{
+  std::string name;
+  Mesh mesh;
+  NodeMap nodes;
+  Elasticity law;
+  std::vector<std::unique_ptr<Support>> supports;
+  std::vector<std::unique_ptr<Load>> loads;
+
+  int numDofs() const { return nodes.numNodes() * nodes.dim; }
+  /// Side by name; null if the mesh has none of that name.
+  const Side* side(const std::string& sideName) const { return mesh.findSide(sideName); }
+};
+
+/// The linear system of one body in its dofs: K u = f + contact forces + reactions.
+///
+/// K_ij = a(phi_i, phi_j), complete rows of the owned nodes, supports not imposed (the layout says which dofs are
+/// fixed).
+struct BodySystem
+{
+  DofLayout dofs;
+  BlockMatrix K;
+  Vector load; ///< f, in the nodes' own axes
+
+  /// f - K u_prescribed: the load once the fixed dofs are moved to their values.
+  Vector effectiveLoad(const Comm& comm) const;
+};
+
+/// Assembles K on the owned nodes and f. Kernels are exact for straight elements.
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes);
+
+/// f of equation (19) for a set of loads, in the nodes' own axes: a new load case needs nothing else.
+Vector assembleLoad(const BodyModel& body, const Frames& frames);
+
+} // namespace ndframe

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+#include <map>
+#include <vector>
+
+#include "ndframe/assembly/side_condition.hpp"
+
+namespace ndframe
+{
+
+using Direction = std::array<double, 3>;
+
+/// The prescribed displacements of a body, node by node, reduced to orthonormal directions.
+class ConstraintSet
+{
+public:
+  struct Node
+  {
+    int count = 0; ///< independent directions
+    std::array<Direction, 3> direction{};
+    std::array<double, 3> value{};
+  };
+
+  /// `lengthScale`: what a displacement is compared with when two supports meet at a node (a body's size).
+  ConstraintSet(int dim, double lengthScale) : dim_(dim), lengthScale_(lengthScale) {}
+
+  /// False when the constraint contradicts those already there.
+  bool add(const NodeConstraint& constraint);
+
+  /// The part of a direction that stays free at a node (the direction minus its prescribed part).
+  Direction freePart(int node, const Direction& direction) const;
+
+  const std::map<int, Node>& nodes() const { return nodes_; }
+  int dim() const { return dim_; }
+
+private:
+  int dim_;
+  double lengthScale_;
+  std::map<int, Node> nodes_;
+};
+
+/// The constraints of all supports of a body; supports that contradict each other at a node are the user's mistake.
+ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& supports, const Mesh& mesh,
+                                 const NodeMap& nodes);
+
+double dotProduct(const Direction& a, const Direction& b);
+
+} // namespace ndframe

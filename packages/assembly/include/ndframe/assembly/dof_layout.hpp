@@ -1,0 +1,65 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/assembly/constraint_set.hpp"
+
+namespace ndframe
+{
+
+/// Axes of the displacement components at each node. Most nodes use x, y, z; nodes on inclined rollers or interfaces
+/// have axes of their own, so that every prescribed or kept component is a dof.
+class Frames
+{
+public:
+  Frames(int dim, int numNodes) : dim_(dim), index_(std::size_t(numNodes), -1) {}
+
+  bool isTurned(int node) const { return index_[std::size_t(node)] >= 0; }
+  bool anyTurned() const { return !axes_.empty(); }
+  /// dim x dim, row k = axis of component k; only for turned nodes.
+  const double* axes(int node) const { return axes_.data() + std::size_t(index_[std::size_t(node)] * dim_ * dim_); }
+  void turn(int node, const double* axes);
+
+  /// Components in the nodes' own axes from global components, and back; vectors of numNodes * dim.
+  Vector toLocal(const Vector& global) const;
+  Vector toGlobal(const Vector& local) const;
+
+private:
+  int dim_;
+  std::vector<int> index_;
+  std::vector<double> axes_;
+};
+
+/// A point of an interface seen from one body: the normal displacement of this node is asked for.
+struct TraceNormal
+{
+  int node;
+  Direction normal; ///< n_c
+};
+
+/// How a normal displacement depends on a dof: u_N = scale * s + offset. Scale is 1 unless the normal is oblique to a
+/// support's direction at the same node (or points against the axis).
+struct TraceDof
+{
+  int dof;
+  double scale;
+  double offset;
+};
+
+/// What every dof of a body is. dof = node * dim + component in the node's own axes.
+struct DofLayout
+{
+  Frames frames;
+  std::vector<DofRole> roles;
+  Vector prescribed;           ///< values of the fixed dofs, zero elsewhere
+  std::vector<TraceDof> trace; ///< one per trace normal
+
+  std::vector<int> keptDofs() const;
+};
+
+/// Chooses axes so that supports fix dofs and interface normals are dofs; one trace normal per node, and its free part
+/// must not vanish (ConstraintSet::freePart).
+DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces);
+
+} // namespace ndframe

@@ -1,0 +1,109 @@
+#include "ndframe/assembly/body_system.hpp"
+
+#include <algorithm>
+
+#include "ndframe/mechanics/kernels.hpp"
+#include "sparsity.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Turns the dofs of one node of an element matrix into the node's own axes: rows and columns of that node.
+void turnElementNode(double* K, int dofs, int dim, int a, const double* axes)
+{
+  double turned[3];
+  for (int j = 0; j < dofs; ++j) {
+    for (int k = 0; k < dim; ++k) {
+      turned[k] = 0.0;
+      for (int i = 0; i < dim; ++i)
+        turned[k] += axes[k * dim + i] * K[(a * dim + i) * dofs + j];
+    }
+    for (int k = 0; k < dim; ++k)
+      K[(a * dim + k) * dofs + j] = turned[k];
+  }
+  for (int row = 0; row < dofs; ++row) {
+    for (int k = 0; k < dim; ++k) {
+      turned[k] = 0.0;
+      for (int i = 0; i < dim; ++i)
+        turned[k] += axes[k * dim + i] * K[row * dofs + a * dim + i];
+    }
+    for (int k = 0; k < dim; ++k)
+      K[row * dofs + a * dim + k] = turned[k];
+  }
+}
+
+/// Adds an element matrix to the rows that this rank owns (rowIndex < 0: another rank's).
+void scatter(BlockMatrix& K, const int* nodes, int nodesPerCell, const std::vector<int>& rowIndex,
+             const double* element)
+{
+  const int dim = K.dim, dofs = nodesPerCell * dim;
+  for (int a = 0; a < nodesPerCell; ++a) {
+    const int row = rowIndex[std::size_t(nodes[a])];
+    if (row < 0)
+      continue;
+    for (int b = 0; b < nodesPerCell; ++b) {
+      double* block = K.block(row, nodes[b]);
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          block[i * dim + j] += element[(a * dim + i) * dofs + b * dim + j];
+    }
+  }
+}
+
+template <int dim, int order>
+void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const std::vector<int>& rowIndex)
+{
+  constexpr int nodesPerCell = Lagrange<dim, order>::nodes, dofs = nodesPerCell * dim;
+  const QuadratureRule rule = simplexRule(dim, 2 * (order - 1));
+  double points[(dim + 1) * dim], element[dofs * dofs];
+  for (int c = 0; c < body.mesh.numCells(); ++c) {
+    const int* nodes = body.nodes.cell(c);
+    if (std::none_of(nodes, nodes + nodesPerCell, [&](int node) { return rowIndex[std::size_t(node)] >= 0; }))
+      continue;
+    for (int v = 0; v <= dim; ++v)
+      std::copy_n(body.mesh.point(body.mesh.cell(c)[v]), dim, points + v * dim);
+    elementStiffness<dim, order>(points, body.law, rule, element);
+    if (frames.anyTurned())
+      for (int a = 0; a < nodesPerCell; ++a)
+        if (frames.isTurned(nodes[a]))
+          turnElementNode(element, dofs, dim, a, frames.axes(nodes[a]));
+    scatter(K, nodes, nodesPerCell, rowIndex, element);
+  }
+}
+
+} // namespace
+
+Vector assembleLoad(const BodyModel& body, const Frames& frames)
+{
+  Vector load(std::size_t(body.numDofs()), 0.0);
+  for (const auto& term : body.loads)
+    term->addTo(load, body.mesh, body.nodes);
+  return frames.toLocal(load);
+}
+
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes)
+{
+  BodySystem system{std::move(dofs), makeSparsity(body.nodes, std::move(ownedNodes)), {}};
+  std::vector<int> rowIndex(std::size_t(body.nodes.numNodes()), -1);
+  for (std::size_t r = 0; r < system.K.rows.size(); ++r)
+    rowIndex[std::size_t(system.K.rows[r])] = int(r);
+  withDimAndOrder(body.mesh.dim, body.nodes.order,
+                  [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, rowIndex); });
+  system.load = assembleLoad(body, system.dofs.frames);
+  return system;
+}
+
+Vector BodySystem::effectiveLoad(const Comm& comm) const
+{
+  if (std::all_of(dofs.prescribed.begin(), dofs.prescribed.end(), [](double value) { return value == 0.0; }))
+    return load;
+  const Vector moved = multiply(K, dofs.prescribed, comm);
+  Vector effective = load;
+  for (std::size_t i = 0; i < effective.size(); ++i)
+    effective[i] -= moved[i];
+  return effective;
+}
+
+} // namespace ndframe

@@ -1,0 +1,164 @@
+#include "ndframe/assembly/dof_layout.hpp"
+
+#include <cmath>
+#include <utility>
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr double aligned = 1e-14; ///< a unit vector this close to an axis is that axis
+
+/// The axis (0, 1, 2) that a unit vector lies on, or -1.
+int axisOf(const Direction& d)
+{
+  for (int k = 0; k < 3; ++k)
+    if (std::abs(std::abs(d[std::size_t(k)]) - 1.0) < aligned)
+      return k;
+  return -1;
+}
+
+/// Completes orthonormal directions to a basis of the space (dim rows).
+std::vector<Direction> completeBasis(std::vector<Direction> basis, int dim)
+{
+  while (int(basis.size()) < dim) {
+    Direction best{};
+    double longest = 0.0;
+    for (int k = 0; k < dim; ++k) {
+      Direction rest{};
+      rest[std::size_t(k)] = 1.0;
+      for (const auto& known : basis) {
+        const double along = known[std::size_t(k)];
+        for (std::size_t i = 0; i < 3; ++i)
+          rest[i] -= along * known[i];
+      }
+      const double length = std::sqrt(dotProduct(rest, rest));
+      if (length > longest) {
+        longest = length;
+        for (std::size_t i = 0; i < 3; ++i)
+          best[i] = rest[i] / length;
+      }
+    }
+    basis.push_back(best);
+  }
+  return basis;
+}
+
+/// Component and sign of each direction at a node; turns the node's axes where they are not all along x, y, z.
+std::vector<std::pair<int, double>> placeDirections(Frames& frames, int dim, int node,
+                                                    const std::vector<Direction>& given)
+{
+  std::vector<std::pair<int, double>> places;
+  for (const auto& direction : given)
+    if (const int axis = axisOf(direction); axis >= 0)
+      places.emplace_back(axis, direction[std::size_t(axis)]);
+  if (places.size() == given.size())
+    return places;
+  places.clear();
+  double axes[9];
+  const auto basis = completeBasis(given, dim);
+  for (int k = 0; k < dim; ++k)
+    for (int i = 0; i < dim; ++i)
+      axes[k * dim + i] = basis[std::size_t(k)][std::size_t(i)];
+  frames.turn(node, axes);
+  for (int k = 0; k < int(given.size()); ++k)
+    places.emplace_back(k, 1.0);
+  return places;
+}
+
+void layOutNode(DofLayout& layout, int dim, int node, const ConstraintSet::Node* fixed, const TraceNormal* trace,
+                const ConstraintSet& constraints)
+{
+  std::vector<Direction> directions;
+  const int numFixed = fixed == nullptr ? 0 : fixed->count;
+  for (int k = 0; k < numFixed; ++k)
+    directions.push_back(fixed->direction[std::size_t(k)]);
+  double scale = 1.0, offset = 0.0;
+  if (trace != nullptr) {
+    Direction free = constraints.freePart(node, trace->normal);
+    scale = std::sqrt(dotProduct(free, free));
+    NDFRAME_ASSERT(scale > 0.0, "the normal displacement of a trace node is prescribed");
+    for (double& component : free)
+      component /= scale;
+    directions.push_back(free);
+    for (int k = 0; k < numFixed; ++k)
+      offset += dotProduct(trace->normal, directions[std::size_t(k)]) * fixed->value[std::size_t(k)];
+  }
+  const auto places = placeDirections(layout.frames, dim, node, directions);
+  for (int k = 0; k < numFixed; ++k) {
+    const auto [component, sign] = places[std::size_t(k)];
+    const auto dof = std::size_t(node * dim + component);
+    layout.roles[dof] = DofRole::Fixed;
+    layout.prescribed[dof] = sign * fixed->value[std::size_t(k)];
+  }
+  if (trace != nullptr) {
+    const auto [component, sign] = places.back();
+    layout.roles[std::size_t(node * dim + component)] = DofRole::Kept;
+    layout.trace.push_back({node * dim + component, sign * scale, offset});
+  }
+}
+
+} // namespace
+
+void Frames::turn(int node, const double* axes)
+{
+  index_[std::size_t(node)] = int(axes_.size()) / (dim_ * dim_);
+  axes_.insert(axes_.end(), axes, axes + dim_ * dim_);
+}
+
+Vector Frames::toLocal(const Vector& global) const
+{
+  Vector local = global;
+  for (std::size_t node = 0; anyTurned() && node < index_.size(); ++node)
+    if (isTurned(int(node)))
+      for (int k = 0; k < dim_; ++k) {
+        double& value = local[node * std::size_t(dim_) + std::size_t(k)] = 0.0;
+        for (int i = 0; i < dim_; ++i)
+          value += axes(int(node))[k * dim_ + i] * global[node * std::size_t(dim_) + std::size_t(i)];
+      }
+  return local;
+}
+
+Vector Frames::toGlobal(const Vector& local) const
+{
+  Vector global = local;
+  for (std::size_t node = 0; anyTurned() && node < index_.size(); ++node)
+    if (isTurned(int(node)))
+      for (int i = 0; i < dim_; ++i) {
+        double& value = global[node * std::size_t(dim_) + std::size_t(i)] = 0.0;
+        for (int k = 0; k < dim_; ++k)
+          value += axes(int(node))[k * dim_ + i] * local[node * std::size_t(dim_) + std::size_t(k)];
+      }
+  return global;
+}
+
+std::vector<int> DofLayout::keptDofs() const
+{
+  std::vector<int> kept;
+  kept.reserve(trace.size());
+  for (const auto& t : trace)
+    kept.push_back(t.dof);
+  return kept;
+}
+
+DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces)
+{
+  const auto numDofs = std::size_t(nodes.numNodes() * nodes.dim);
+  DofLayout layout{
+      Frames(nodes.dim, nodes.numNodes()), std::vector<DofRole>(numDofs, DofRole::Interior), Vector(numDofs, 0.0), {}};
+  std::vector<char> isTrace(std::size_t(nodes.numNodes()), 0);
+  for (const auto& trace : traces) {
+    NDFRAME_ASSERT(!isTrace[std::size_t(trace.node)], "a node has one trace normal");
+    isTrace[std::size_t(trace.node)] = 1;
+    const auto fixed = constraints.nodes().find(trace.node);
+    layOutNode(layout, nodes.dim, trace.node, fixed == constraints.nodes().end() ? nullptr : &fixed->second, &trace,
+               constraints);
+  }
+  for (const auto& [node, fixed] : constraints.nodes())
+    if (!isTrace[std::size_t(node)])
+      layOutNode(layout, nodes.dim, node, &fixed, nullptr, constraints);
+  return layout;
+}
+
+} // namespace ndframe

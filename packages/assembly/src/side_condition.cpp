@@ -1,0 +1,60 @@
+#include "ndframe/assembly/side_condition.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/expression.hpp"
+#include "ndframe/base/help.hpp"
+
+namespace ndframe
+{
+
+ParamSpec sideSpec()
+{
+  return ParamSpec::required("Side", Kind::String, "Name of the side of this body's mesh.");
+}
+
+std::string sideNames(const Mesh& mesh)
+{
+  if (mesh.sides.empty())
+    return "this mesh has no named sides";
+  std::string text = "the sides of this body are: ";
+  for (std::size_t s = 0; s < mesh.sides.size(); ++s)
+    text += (s == 0 ? "" : ", ") + mesh.sides[s].name;
+  return text;
+}
+
+void SideCondition::check(const Mesh& mesh, Diagnostics& diagnostics) const
+{
+  if (!params_.has("Side") || mesh.findSide(params_.get<std::string>("Side")) != nullptr)
+    return;
+  diagnostics.add(params_.mistake(
+      "Side", fmt::format("there is no side \"{}\"; {}.", params_.get<std::string>("Side"), sideNames(mesh))));
+}
+
+std::string SideCondition::description() const
+{
+  std::string type = params_.get<std::string>("Type");
+  std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return params_.has("Side") ? type + " at " + params_.get<std::string>("Side") : type;
+}
+
+const Side& SideCondition::side(const Mesh& mesh) const
+{
+  const Side* found = mesh.findSide(params_.get<std::string>("Side"));
+  NDFRAME_ASSERT(found != nullptr, "side conditions are checked before they are used");
+  return *found;
+}
+
+double SideCondition::evaluate(const Expression& expression, const char* key, const double* x, int dim) const
+{
+  const double value = expression(x[0], x[1], dim == 3 ? x[2] : 0.0);
+  if (!std::isfinite(value))
+    throw InputError(params_.mistake(key, fmt::format("\"{}\" is {} at ({:g}, {:g}{}).", expression.text(), value, x[0],
+                                                      x[1], dim == 3 ? fmt::format(", {:g}", x[2]) : "")));
+  return value;
+}
+
+} // namespace ndframe

@@ -1,0 +1,182 @@
+#include <algorithm>
+#include <stdexcept>
+
+#include <Teuchos_ParameterList.hpp>
+#include <fmt/format.h>
+
+#include "checked_value.hpp"
+#include "ndframe/base/params.hpp"
+#include "params_node.hpp"
+#include "spec_view.hpp"
+#include "text.hpp"
+#include "unknown_name.hpp"
+#include "value_text.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// How messages call the place of an entry or a list: settings of the command line have no file.
+std::string origin(const std::string& file)
+{
+  return file.empty() ? "--set" : file;
+}
+
+template <class Items>
+std::vector<std::string> namesOf(const Items& items)
+{
+  std::vector<std::string> names;
+  names.reserve(items.size());
+  for (const auto& item : items)
+    names.push_back(item.name);
+  return names;
+}
+
+/// Walks deck and specification together and collects what does not fit.
+class Validator
+{
+public:
+  explicit Validator(const ListSpec& root) : root_(root) {}
+
+  std::shared_ptr<const Params::Node> list(const DeckList& given, const ListSpec& spec, const std::string& path)
+  {
+    const ComponentInfo* component = chosenComponent(given, spec);
+    const ListContext context{root_, spec, component, viewOf(spec, component)};
+    auto node = std::make_shared<Params::Node>();
+    node->name = given.name;
+    node->path = path;
+    node->file = origin(given.file);
+    node->line = given.line;
+    checkNames(given, context, path);
+    for (const auto& param : context.view.params)
+      addEntry(*node, given, param, context.view);
+    for (const auto* sublist : context.view.lists)
+      addList(*node, given, *sublist, context.view);
+    if (spec.each)
+      for (const auto& named : given.lists)
+        if (context.view.findList(named.name) == nullptr)
+          node->lists.push_back(list(named, *spec.each, joinPath(path, named.name)));
+    return node;
+  }
+
+  /// In the order of the lines, as a user reads the deck.
+  std::vector<Diagnostic> sorted() const
+  {
+    auto list = diagnostics_.list();
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+    return list;
+  }
+
+private:
+  void mistake(const std::string& file, int line, const std::string& path, std::string message)
+  {
+    if (!message.empty())
+      diagnostics_.add({origin(file), line, path, std::move(message)});
+  }
+
+  static const ComponentInfo* chosenComponent(const DeckList& given, const ListSpec& spec)
+  {
+    if (!spec.choices)
+      return nullptr;
+    const DeckEntry* type = given.findEntry("Type");
+    return findComponent(spec, type != nullptr ? type->value : spec.choices->defaultType);
+  }
+
+  void checkNames(const DeckList& given, const ListContext& context, const std::string& path)
+  {
+    for (const auto& entry : given.entries)
+      if (context.view.findParam(entry.name) == nullptr)
+        mistake(entry.file, entry.line, path, unknownKeyMessage(context, entry.name));
+    if (context.spec.each)
+      return;
+    for (const auto& sublist : given.lists)
+      if (context.view.findList(sublist.name) == nullptr)
+        mistake(sublist.file, sublist.line, path, unknownListMessage(context, sublist.name));
+  }
+
+  void addEntry(Params::Node& node, const DeckList& given, const ParamSpec& spec, const SpecView& view)
+  {
+    const DeckEntry* entry = given.findEntry(spec.name);
+    if (entry != nullptr)
+      addGiven(node, *entry, [&] { return std::pair(spec.kind, checkedValue(*entry, spec)); });
+    else if (spec.defaultValue)
+      node.entries.push_back({spec.name, spec.kind, *spec.defaultValue, false, node.file, node.line});
+    else if (spec.isRequired && !isMisspelt(namesOf(given.entries), view.paramNames(), spec.name))
+      mistake(given.file, given.line, node.path, missingMessage(spec));
+  }
+
+  /// `typedValue` gives kind and value, or throws std::invalid_argument with what is wrong with the entry.
+  template <class TypedValue>
+  void addGiven(Params::Node& node, const DeckEntry& entry, TypedValue typedValue)
+  {
+    try {
+      auto [kind, value] = typedValue();
+      node.entries.push_back({entry.name, kind, std::move(value), true, origin(entry.file), entry.line});
+    } catch (const std::invalid_argument& error) {
+      mistake(entry.file, entry.line, node.path, error.what());
+    }
+  }
+
+  void addList(Params::Node& node, const DeckList& parent, const ListSpec& spec, const SpecView& view)
+  {
+    const DeckList* given = parent.findList(spec.name);
+    const std::string path = joinPath(node.path, spec.name);
+    if (given == nullptr && spec.isRequired && !isMisspelt(namesOf(parent.lists), view.listNames(), spec.name))
+      mistake(parent.file, parent.line, node.path, fmt::format("the list {} is missing.", inQuotes(spec.name)));
+    if (given == nullptr && (spec.isRequired || spec.onlyIfGiven))
+      return;
+    if (spec.passThrough)
+      node.lists.push_back(passThroughList(given, parent, spec, path));
+    else
+      node.lists.push_back(
+          list(given != nullptr ? *given : DeckList{spec.name, parent.file, parent.line, {}, {}}, spec, path));
+  }
+
+  std::shared_ptr<const Params::Node> passThroughList(const DeckList* given, const DeckList& parent,
+                                                      const ListSpec& spec, const std::string& path)
+  {
+    if (given == nullptr)
+      return asWritten({spec.name, parent.file, parent.line, {}, {}}, path);
+    auto node = asWritten(*given, path);
+    for (const auto& message : spec.passThrough(toTeuchos(*node)))
+      mistake(given->file, given->line, path, message);
+    return node;
+  }
+
+  /// A list that no spec describes: the types are those that the deck states, or what a setting looks like.
+  std::shared_ptr<const Params::Node> asWritten(const DeckList& given, const std::string& path)
+  {
+    auto node = std::make_shared<Params::Node>();
+    node->name = given.name;
+    node->path = path;
+    node->file = origin(given.file);
+    node->line = given.line;
+    for (const auto& entry : given.entries)
+      addGiven(*node, entry, [&] {
+        Value value = statedValue(entry);
+        return std::pair(kindOf(value), std::move(value));
+      });
+    for (const auto& sublist : given.lists)
+      node->lists.push_back(asWritten(sublist, joinPath(path, sublist.name)));
+    return node;
+  }
+
+  const ListSpec& root_;
+  Diagnostics diagnostics_;
+};
+
+} // namespace
+
+Params validate(const DeckList& deck, const ListSpec& spec, Diagnostics& diagnostics)
+{
+  Validator validator(spec);
+  Params params(validator.list(deck, spec, {}));
+  for (auto& diagnostic : validator.sorted())
+    diagnostics.add(std::move(diagnostic));
+  return params;
+}
+
+} // namespace ndframe

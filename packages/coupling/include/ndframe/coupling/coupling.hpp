@@ -1,0 +1,63 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "ndframe/base/ledger.hpp"
+#include "ndframe/base/registry.hpp"
+#include "ndframe/coupling/relaxation_controller.hpp"
+#include "ndframe/interface/body_trace.hpp"
+
+namespace ndframe
+{
+
+/// The interface state after a sweep. The final state pairs u1, Lambda_dir(p) with u2, Lambda_neu(p-1).
+struct InterfaceState
+{
+  Vector uDirichlet, uNeumann;               ///< normal displacements per unknown
+  Vector forceDirichlet, forceNeumann;       ///< C Lambda_dir, C Lambda_neu per unknown
+  Vector tractionDirichlet, tractionNeumann; ///< Lambda per interface node (all nodes of the contact matrix)
+  std::vector<char> closed;                  ///< status per unknown
+};
+
+/// One line of the history.
+struct SweepRecord
+{
+  int sweep = 0;
+  double epsTau = 0.0; ///< |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|)
+  double theta = 0.0;  ///< factor used for the next traction; 0 where there is none
+  int statusChanges = 0, statusPasses = 0;
+  int closed = 0, open = 0;
+  double forceDirichlet = 0.0, forceNeumann = 0.0; ///< resultants int t_N dS of Lambda_dir and Lambda_neu
+  double penetration = 0.0;                        ///< max (u1_N - u2_N - g), at least 0
+  std::string note;
+};
+
+struct CouplingResult
+{
+  InterfaceState state;
+  std::vector<SweepRecord> history;
+  bool converged = false;
+  std::string reason; ///< why it stopped: "eps_tau 0.091 < 0.1"
+};
+
+/// Called after every sweep, for the screen and for those who want all states.
+using SweepObserver = std::function<void(const SweepRecord&, const InterfaceState&)>;
+
+/// How the bodies are brought together on the interface.
+class Coupling
+{
+public:
+  virtual ~Coupling() = default;
+  /// Throws NotConverged when there is no state to return at all (the load pulls the bodies apart).
+  virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const = 0;
+  /// True when the bodies are solved one after the other: then a body is Dirichlet or Neumann on all its interfaces,
+  /// and the Neumann bodies must be held by their supports alone.
+  virtual bool alternates() const = 0;
+};
+
+/// "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before.
+void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
+
+} // namespace ndframe

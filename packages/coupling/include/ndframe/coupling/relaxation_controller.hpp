@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/base/registry.hpp"
+
+namespace ndframe
+{
+
+/// The next interface traction and how it was found.
+struct RelaxedTraction
+{
+  Vector traction;  ///< Lambda_neu(p)
+  double theta;     ///< the factor used, dimensionless
+  std::string note; ///< something the user should see in this sweep's line; usually empty
+};
+
+/// Chooses the relaxation factor theta_p of the update (18), (27):
+///
+///   Lambda_neu(p) = theta_p Lambda_dir(p) + (1 - theta_p) Lambda_neu(p-1).
+class RelaxationController
+{
+public:
+  virtual ~RelaxationController() = default;
+  /// Forgets everything: a new run of the iteration begins.
+  virtual void start() = 0;
+  /// dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1), both per interface node, a stress.
+  virtual RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) = 0;
+};
+
+/// The update (27) with a given factor.
+Vector relax(const Vector& dirichlet, const Vector& neumann, double theta);
+
+/// "Constant", "Aitken".
+void registerRelaxations(Registry<RelaxationController>& registry);
+
+} // namespace ndframe

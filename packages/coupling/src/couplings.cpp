@@ -1,0 +1,12 @@
+#include "sweep.hpp"
+
+namespace ndframe
+{
+
+void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations)
+{
+  registerNeumannDirichlet(registry, relaxations);
+  registerMonolithic(registry);
+}
+
+} // namespace ndframe

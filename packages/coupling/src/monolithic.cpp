@@ -1,0 +1,55 @@
+#include "sweep.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// The paper's "global resolution": all bodies in one active set, no iteration between them.
+///
+/// Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N; the energy is the sum over the bodies' condensed
+/// operators. The result is the limit of the Neumann-Dirichlet iteration on the same mesh.
+class Monolithic final : public Coupling
+{
+public:
+  bool alternates() const override { return false; }
+
+  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const override
+  {
+    const auto n = std::size_t(system.size());
+    const RoleSystem bodies = gatherJump(system);
+    std::vector<char> constrained(2 * n, 0);
+    std::fill_n(constrained.begin(), n, char(1));
+    Vector bound(2 * n, 0.0);
+    std::copy(system.gap.begin(), system.gap.end(), bound.begin());
+    UnilateralProblem problem(*bodies.S, constrained, bodies.freeMotions, bodies.motionNames, ledger);
+    const UnilateralState status = problem.solve(bodies.g, bound, constrained);
+
+    CouplingResult result;
+    InterfaceState& state = result.state;
+    const auto half = std::ptrdiff_t(n);
+    state.uNeumann.assign(status.u.begin() + half, status.u.end());
+    for (std::size_t i = 0; i < n; ++i)
+      state.uDirichlet.push_back(status.u[i] + status.u[n + i]);
+    state.closed.assign(status.closed.begin(), status.closed.begin() + half);
+    state.forceDirichlet.assign(status.force.begin(), status.force.begin() + half);
+    state.forceNeumann = state.forceDirichlet;
+    state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
+    result.converged = true;
+    result.reason = "both bodies solved together";
+    result.history.push_back(recordSweep(1, system, state, status));
+    observe(result.history.back(), state);
+    ledger.count("sweeps");
+    return result;
+  }
+};
+
+} // namespace
+
+void registerMonolithic(Registry<Coupling>& registry)
+{
+  registry.add("Monolithic", "All bodies in one active set (the paper's global resolution): no iteration error.", {},
+               [](const Params&) { return std::make_unique<Monolithic>(); });
+}
+
+} // namespace ndframe

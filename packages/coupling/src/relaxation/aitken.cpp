@@ -1,0 +1,69 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "ndframe/algebra/dense.hpp"
+#include "relaxations.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Factors that Aitken's formula may propose; anything outside is set to the nearer end and reported.
+constexpr double smallestTheta = 1e-3, largestTheta = 1.99;
+
+/// Aitken's dynamic relaxation of the interface traction (Irons and Tuck 1969).
+///
+///   theta_p = - theta_{p-1} <r_{p-1}, r_p - r_{p-1}> / |r_p - r_{p-1}|^2,   r_p = Lambda_dir(p) - Lambda_neu(p-1)
+///   (18), (27)
+///
+/// The first sweep uses `Initial Theta`. Theta is dimensionless and stays in [0.001, 1.99]; a clipped value is reported
+/// in the history. Limits: one factor for the whole interface; while statuses still change it may overshoot for one
+/// sweep.
+class Aitken final : public RelaxationController
+{
+public:
+  explicit Aitken(double initialTheta) : initialTheta_(initialTheta), theta_(initialTheta) {}
+
+  void start() override
+  {
+    theta_ = initialTheta_;
+    residual_.clear();
+  }
+
+  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  {
+    Vector residual(dirichlet.size());
+    for (std::size_t i = 0; i < residual.size(); ++i)
+      residual[i] = dirichlet[i] - neumann[i];
+    std::string note;
+    if (!residual_.empty()) {
+      Vector change(residual.size());
+      for (std::size_t i = 0; i < change.size(); ++i)
+        change[i] = residual[i] - residual_[i];
+      const double squared = dot(change, change);
+      const double proposed = squared > 0.0 ? -theta_ * dot(residual_, change) / squared : theta_;
+      theta_ = std::clamp(proposed, smallestTheta, largestTheta);
+      if (theta_ != proposed)
+        note = fmt::format("theta {:.3g} clipped", proposed);
+    }
+    residual_ = std::move(residual);
+    return {relax(dirichlet, neumann, theta_), theta_, std::move(note)};
+  }
+
+private:
+  double initialTheta_, theta_;
+  Vector residual_; ///< of the sweep before; empty in the first
+};
+
+} // namespace
+
+void registerAitken(Registry<RelaxationController>& registry)
+{
+  registry.add("Aitken", "Dynamic relaxation from the last two residuals; no factor to tune.",
+               {{"Initial Theta", 0.5, inOpenRange(0.0, 2.0), "Factor of the first sweep."}},
+               [](const Params& p) { return std::make_unique<Aitken>(p.get<double>("Initial Theta")); });
+}
+
+} // namespace ndframe

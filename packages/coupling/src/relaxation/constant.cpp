@@ -1,0 +1,35 @@
+#include "relaxations.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A fixed factor, as in the paper's examples.
+///
+/// Converges for 0 < theta < theta*, where theta* < 2 falls with the ratio of the Dirichlet to the Neumann body's
+/// stiffness.
+class Constant final : public RelaxationController
+{
+public:
+  explicit Constant(double theta) : theta_(theta) {}
+  void start() override {}
+  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  {
+    return {relax(dirichlet, neumann, theta_), theta_, {}};
+  }
+
+private:
+  double theta_;
+};
+
+} // namespace
+
+void registerConstant(Registry<RelaxationController>& registry)
+{
+  registry.add("Constant", "The same factor in every sweep.",
+               {{"Theta", 0.5, inOpenRange(0.0, 2.0), "Relaxation factor theta of (27)."}},
+               [](const Params& p) { return std::make_unique<Constant>(p.get<double>("Theta")); });
+}
+
+} // namespace ndframe

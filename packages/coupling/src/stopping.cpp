@@ -1,0 +1,51 @@
+#include "stopping.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ndframe/algebra/dense.hpp"
+
+namespace ndframe
+{
+
+double Stopping::measure(const Vector& dirichlet, const Vector& neumann)
+{
+  double difference = 0.0, sum = 0.0;
+  double scale = 0.0;
+  for (std::size_t i = 0; i < dirichlet.size(); ++i)
+    scale = std::max({scale, std::abs(dirichlet[i]), std::abs(neumann[i])});
+  if (scale == 0.0)
+    return 0.0;
+  for (std::size_t i = 0; i < dirichlet.size(); ++i) {
+    difference += std::pow((dirichlet[i] - neumann[i]) / scale, 2);
+    sum += std::pow((dirichlet[i] + neumann[i]) / scale, 2);
+  }
+  return 2.0 * std::sqrt(difference / sum);
+}
+
+bool Stopping::ends(const SweepRecord& last, CouplingResult& result) const
+{
+  result.converged = last.epsTau < tolerance_;
+  if (result.converged)
+    result.reason = fmt::format("eps_tau {:.3g} < {:g}", last.epsTau, tolerance_);
+  else if (!std::isfinite(last.epsTau))
+    result.reason = fmt::format("the iteration diverged in sweep {}; a smaller Theta or Aitken may help", last.sweep);
+  else if (last.sweep >= maximumSweeps_)
+    result.reason = fmt::format("eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps)", last.epsTau,
+                                tolerance_, maximumSweeps_);
+  return !result.reason.empty();
+}
+
+ListSpec Stopping::spec()
+{
+  ListSpec list;
+  list.name = "Stopping";
+  list.doc = "When the sweeps end.";
+  list.params = {{"Tolerance", 0.01, above(0.0), "The iteration stops when eps_tau falls below this."},
+                 {"Maximum Sweeps", 200, atLeast(1), "More sweeps than this count as not converged (exit code 3)."}};
+  return list;
+}
+
+} // namespace ndframe

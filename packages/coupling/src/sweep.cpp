@@ -1,0 +1,98 @@
+#include "sweep.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ndframe/interface/composed_operator.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Adds a body's free motions, seen at the system's unknowns through `inputs`, as columns.
+void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs, bool jump)
+{
+  DenseMatrix all(role.freeMotions.rows(), role.freeMotions.cols() + body.freeMotions.cols());
+  std::copy_n(role.freeMotions.data(), std::size_t(all.rows()) * std::size_t(role.freeMotions.cols()), all.data());
+  for (int j = 0; j < body.freeMotions.cols(); ++j)
+    for (std::size_t k = 0; k < inputs.size(); ++k) {
+      const double along = body.freeMotions(int(k), j);
+      double* column = all.col(role.freeMotions.cols() + j);
+      if (!jump)
+        column[inputs[k][0]] = along;
+      else if (body.onDirichletSide[k])
+        column[inputs[k][1]] += along;
+      else {
+        column[inputs[k][0]] += along;
+        column[inputs[k][0] - all.rows() / 2] -= along;
+      }
+    }
+  role.freeMotions = std::move(all);
+  role.motionNames.insert(role.motionNames.end(), body.motionNames.begin(), body.motionNames.end());
+}
+
+void appendLoad(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs)
+{
+  for (std::size_t k = 0; k < inputs.size(); ++k)
+    for (const int i : inputs[k])
+      if (i >= 0)
+        role.g[std::size_t(i)] += body.g[k];
+}
+
+} // namespace
+
+RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
+{
+  RoleSystem role{nullptr, Vector(std::size_t(system.size()), 0.0), DenseMatrix(system.size(), 0), {}};
+  std::vector<OperatorPart> parts;
+  for (const auto& body : system.bodies) {
+    if (body.unknowns.empty() || bool(body.onDirichletSide.front()) != dirichlet)
+      continue;
+    std::vector<std::array<int, 2>> inputs;
+    for (const int unknown : body.unknowns)
+      inputs.push_back({unknown, -1});
+    appendLoad(role, body, inputs);
+    appendMotions(role, body, inputs, false);
+    parts.push_back({body.S, std::move(inputs)});
+  }
+  role.S = composeOperators(std::move(parts), system.size());
+  return role;
+}
+
+RoleSystem gatherJump(const InterfaceSystem& system)
+{
+  const int n = system.size();
+  RoleSystem role{nullptr, Vector(std::size_t(2 * n), 0.0), DenseMatrix(2 * n, 0), {}};
+  std::vector<OperatorPart> parts;
+  for (const auto& body : system.bodies) {
+    std::vector<std::array<int, 2>> inputs;
+    for (std::size_t k = 0; k < body.unknowns.size(); ++k)
+      inputs.push_back({n + body.unknowns[k], body.onDirichletSide[k] ? body.unknowns[k] : -1});
+    appendLoad(role, body, inputs);
+    appendMotions(role, body, inputs, true);
+    parts.push_back({body.S, std::move(inputs)});
+  }
+  role.S = composeOperators(std::move(parts), 2 * n);
+  return role;
+}
+
+SweepRecord recordSweep(int sweep, const InterfaceSystem& system, const InterfaceState& state,
+                        const UnilateralState& status)
+{
+  SweepRecord record;
+  record.sweep = sweep;
+  record.statusChanges = status.changes;
+  record.statusPasses = status.passes;
+  record.closed = int(std::count(state.closed.begin(), state.closed.end(), char(1)));
+  record.open = system.size() - record.closed;
+  record.forceDirichlet = std::accumulate(state.forceDirichlet.begin(), state.forceDirichlet.end(), 0.0);
+  record.forceNeumann = std::accumulate(state.forceNeumann.begin(), state.forceNeumann.end(), 0.0);
+  for (std::size_t i = 0; i < state.closed.size(); ++i)
+    record.penetration = std::max(record.penetration, state.uDirichlet[i] - state.uNeumann[i] - system.gap[i]);
+  if (status.cycled)
+    record.note = "the status method cycled; finished one node at a time";
+  return record;
+}
+
+} // namespace ndframe

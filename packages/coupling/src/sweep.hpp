@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ndframe/coupling/coupling.hpp"
+#include "ndframe/subdomain/unilateral_problem.hpp"
+
+namespace ndframe
+{
+
+/// The bodies that are Dirichlet (or Neumann) bodies, as one operator on the interface unknowns.
+struct RoleSystem
+{
+  std::shared_ptr<const SymmetricOperator> S;
+  Vector g;
+  DenseMatrix freeMotions;
+  std::vector<std::string> motionNames;
+};
+RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet);
+
+/// All bodies on the unknowns (w, d): w = u1_N - u2_N the jump, d = u2_N.
+RoleSystem gatherJump(const InterfaceSystem& system);
+
+/// What one sweep has to report.
+SweepRecord recordSweep(int sweep, const InterfaceSystem& system, const InterfaceState& state,
+                        const UnilateralState& status);
+
+void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
+void registerMonolithic(Registry<Coupling>& registry);
+
+} // namespace ndframe

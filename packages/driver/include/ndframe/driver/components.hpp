@@ -1,0 +1,39 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/assembly/side_condition.hpp"
+#include "ndframe/coupling/coupling.hpp"
+#include "ndframe/interface/interface_operators.hpp"
+#include "ndframe/mechanics/material_law.hpp"
+#include "ndframe/mesh/mesh_source.hpp"
+
+namespace ndframe
+{
+
+/// All components a deck can name. Builders keep references between registries: the object stays where it was made.
+struct Components
+{
+  Registry<MeshSource> meshSources{"mesh"};
+  Registry<MaterialLaw> materials{"material", "Isotropic"};
+  Registry<Support> supports{"support"};
+  Registry<Load> loads{"load"};
+  Registry<LinearSolver> linearSolvers{"linear solver", "Automatic"};
+  Registry<InterfaceOperator> interfaceOperators{"interface operator", "Automatic"};
+  Registry<RelaxationController> relaxations{"relaxation", "Constant"};
+  Registry<Coupling> couplings{"coupling", "Neumann-Dirichlet"};
+
+  Components() = default;
+  Components(const Components&) = delete;
+  Components& operator=(const Components&) = delete;
+};
+
+/// Adds components of another project: called before those that build on others (couplings use relaxations).
+using Extension = std::function<void(Components&)>;
+
+/// Registers everything that ndframe ships, and the extension's components.
+std::unique_ptr<Components> makeComponents(const Extension& extend = {});
+
+} // namespace ndframe

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ndframe/driver/components.hpp"
+
+namespace ndframe
+{
+
+/// Exit codes of the program.
+enum class ExitCode
+{
+  Right = 0,
+  Bug = 1,
+  UserInput = 2,
+  NotConverged = 3,
+  ExpectationMissed = 4
+};
+
+/// The whole program: reads the command line, runs the deck, writes the results. A project with components of its own
+/// calls it from its main with an extension that registers them.
+int runMain(int argc, char** argv, const Extension& extend = {});
+
+} // namespace ndframe

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/assembly/rigid_modes.hpp"
+#include "ndframe/driver/components.hpp"
+#include "ndframe/interface/interface_mesh.hpp"
+
+namespace ndframe
+{
+
+/// The scene: what the deck says, read and checked, before anything is assembled.
+struct Model
+{
+  std::vector<BodyModel> bodies;
+  std::vector<ConstraintSet> constraints; ///< per body
+  std::vector<RigidBasis> rigid;          ///< per body
+  std::vector<DenseMatrix> freeMotions;   ///< per body: columns span the rigid motions that its supports leave free
+  std::vector<InterfaceMesh> interfaces;
+
+  int bodyIndex(const std::string& name) const; ///< -1 if there is none
+};
+
+/// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is
+/// reported at once (InputError): sides that do not exist, hypotheses that do not suit the mesh, sides that do not
+/// match, bodies that overlap, bodies that nothing holds.
+Model buildModel(const Params& deck, const Components& components);
+
+/// Refuses bodies with rigid motions that neither supports nor contact can stop, naming the motions. `alternates`: the
+/// coupling solves the bodies one after the other, so Neumann bodies must be held by their supports alone.
+void checkHeld(const Model& model, const Params& deck, bool alternates, Diagnostics& diagnostics);
+
+/// "roller at left; by contact: translation along y"
+std::string heldBy(const Model& model, int body);
+
+} // namespace ndframe

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/base/params.hpp"
+
+namespace ndframe
+{
+
+/// A stage of a run, whether this deck needs it, and why (not).
+struct PlannedStage
+{
+  std::string name;
+  bool runs;
+  std::string why;
+};
+
+/// What a deck will run: printed by --plan, followed by the run, compared with the ledger by tests.
+class Plan
+{
+public:
+  Plan(const Params& deck, int ranks);
+
+  bool runs(const std::string& stage) const;
+  const std::vector<PlannedStage>& stages() const { return stages_; }
+  std::string text() const;
+
+private:
+  void add(std::string name, bool runs, std::string whyRuns, std::string whySkipped);
+  std::vector<PlannedStage> stages_;
+};
+
+} // namespace ndframe

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/base/log.hpp"
+#include "ndframe/driver/solution.hpp"
+
+namespace ndframe
+{
+
+/// Everything a run computed; the values that writers and tests look at.
+struct Run
+{
+  Model model;
+  CondensedModel condensed;
+  CouplingResult coupling;            ///< empty history without interfaces
+  std::vector<InterfaceState> states; ///< those that are kept: the last one, or one per sweep
+  std::vector<BodyFields> fields;     ///< per body, per kept state
+  std::vector<ContactNode> contact;   ///< final state
+  RunSummary summary;
+  double startSeconds = 0.0; ///< wall clock when the run began
+};
+
+/// Runs a validated deck up to the summary; writes no files. `name` is the deck as messages call it.
+/// Throws InputError for mistakes that show only with the meshes, NotConverged when there is no state to return.
+Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log);
+
+/// Reads and checks everything that --check checks: meshes, pairing, supports, expectations.
+Model checkDeck(const Params& deck, const Components& components, Ledger& ledger, const Log& log);
+
+/// Writes what Output asks for; returns the files' names. Only rank 0 writes; a failure is everybody's InputError.
+std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
+                                      Ledger& ledger, const Log& log);
+
+} // namespace ndframe

@@ -1,0 +1,22 @@
+#include "ndframe/driver/components.hpp"
+
+namespace ndframe
+{
+
+std::unique_ptr<Components> makeComponents(const Extension& extend)
+{
+  auto components = std::make_unique<Components>();
+  registerMeshSources(components->meshSources);
+  registerMaterials(components->materials);
+  registerSupports(components->supports);
+  registerLoads(components->loads);
+  registerLinearSolvers(components->linearSolvers);
+  registerInterfaceOperators(components->interfaceOperators);
+  registerRelaxations(components->relaxations);
+  if (extend)
+    extend(*components);
+  registerCouplings(components->couplings, components->relaxations);
+  return components;
+}
+
+} // namespace ndframe

@@ -1,0 +1,121 @@
+#include "ndframe/driver/deck_spec.hpp"
+
+#include "outputs.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+ListSpec makeList(std::string name, std::string doc)
+{
+  ListSpec list;
+  list.name = std::move(name);
+  list.doc = std::move(doc);
+  return list;
+}
+
+ListSpec makeChoice(std::string name, std::string doc, const Choices& choices)
+{
+  ListSpec list = makeList(std::move(name), std::move(doc));
+  list.choices = choices;
+  return list;
+}
+
+/// A list whose sublists the user names, all of one shape.
+ListSpec makeNamed(std::string name, std::string doc, ListSpec each)
+{
+  ListSpec list = makeList(std::move(name), std::move(doc));
+  list.each = std::make_shared<ListSpec>(std::move(each));
+  return list;
+}
+
+ListSpec bodySpec(const Components& components)
+{
+  ListSpec body = makeList("BODY", "One elastic body; the list's name is the body's name.");
+  ListSpec mesh = makeChoice("Mesh", "Where the mesh comes from.", components.meshSources.choices());
+  ListSpec material = makeChoice("Material", "The elastic law.", components.materials.choices());
+  mesh.isRequired = material.isRequired = true;
+  body.lists = {std::move(mesh), std::move(material),
+                makeNamed("Supports",
+                          "Prescribed displacements, one named list each. A body that contact holds needs only what "
+                          "contact cannot hold.",
+                          makeChoice("SUPPORT", "One support.", components.supports.choices())),
+                makeNamed("Loads", "Forces on the body, one named list each; they add up.",
+                          makeChoice("LOAD", "One load.", components.loads.choices()))};
+  return body;
+}
+
+ListSpec interfaceSpec()
+{
+  ListSpec list = makeList("INTERFACE", "Two sides that may touch. Their nodes must match.");
+  list.params = {
+      ParamSpec::required("Dirichlet Body", Kind::String,
+                          "Body 1 of the paper: solves the unilateral problem; may float, held by contact alone."),
+      ParamSpec::required("Dirichlet Side", Kind::String, "Its side; the outward normal there is n_c."),
+      ParamSpec::required("Neumann Body", Kind::String,
+                          "Body 2 of the paper: receives the contact traction; must be held by its supports."),
+      ParamSpec::required("Neumann Side", Kind::String, "Its side."),
+      ParamSpec::expression("Gap", "0",
+                            "Opening g >= 0 between the sides along n_c before loading, a length: "
+                            "u1_N - u2_N <= g. The meshes touch all the same.")};
+  return list;
+}
+
+ListSpec outputSpec()
+{
+  ListSpec list =
+      makeList("Output", "What is written, and where. Files appear under their final name only when complete.");
+  list.params = {
+      {"Directory", std::string("."), "Folder of the results, relative to the working directory; made if missing."},
+      {"Name", std::string(""), "Beginning of the file names; empty: the deck's file name without its ending."},
+      {"Exodus", true, "Write NAME.e for ParaView."},
+      {"Summary", true, "Write NAME.summary.json."},
+      {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
+      {"Steps", std::string("Final"), stepsNames().range(),
+       "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."}};
+  return list;
+}
+
+ListSpec expectationSpec()
+{
+  ListSpec list = makeList("EXPECTATION", "One number that the run must reproduce (exit code 4 when it does not).");
+  list.params = {ParamSpec::required("Quantity", Kind::String,
+                                     "Path of the number in the summary, e.g. \"energy\", \"bodies/punch/energy\", "
+                                     "\"interfaces/contact/contact_force\", \"coupling/sweeps\"."),
+                 ParamSpec::required("Value", Kind::Double, "Expected value."),
+                 ParamSpec::required("Tolerance", Kind::Double, atLeast(0.0), "Largest absolute difference.")};
+  return list;
+}
+
+} // namespace
+
+const Names<StepsWritten>& stepsNames()
+{
+  static const Names<StepsWritten> names{{"Final", StepsWritten::Final}, {"All Sweeps", StepsWritten::AllSweeps}};
+  return names;
+}
+
+ListSpec makeDeckSpec(const Components& components)
+{
+  ListSpec deck = makeList("", "The deck.");
+  deck.params = {
+      {"Title", std::string(""), "One line that describes the scene; shown on the screen and in the results."}};
+  ListSpec bodies = makeNamed("Bodies", "The elastic bodies.", bodySpec(components));
+  bodies.isRequired = true;
+  ListSpec discretization = makeList("Discretization", "The finite elements.");
+  discretization.params = {{"Order", 2, inClosedRange(1, 2), "Degree of the displacements on every simplex."}};
+  deck.lists = {
+      std::move(bodies),
+      makeNamed("Interfaces", "Where bodies may touch. Without it every body is solved alone.", interfaceSpec()),
+      std::move(discretization),
+      makeChoice("Coupling", "How the bodies are brought together.", components.couplings.choices()),
+      makeChoice("Linear Solver", "How each body's matrix is factored.", components.linearSolvers.choices()),
+      makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
+                 components.interfaceOperators.choices()),
+      outputSpec(),
+      makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec())};
+  return deck;
+}
+
+} // namespace ndframe

@@ -1,0 +1,148 @@
+#include "ndframe/driver/model.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/help.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Reads one body; mistakes are collected and leave the body incomplete.
+BodyModel buildBody(const Params& params, const Components& components, int order, Diagnostics& diagnostics)
+{
+  BodyModel body;
+  body.name = params.name();
+  body.mesh = components.meshSources.build(params.sub("Mesh"))->read();
+  const auto material = components.materials.build(params.sub("Material"));
+  const bool isSpatial = material->hypothesis() == Hypothesis::ThreeDimensional;
+  if (isSpatial != (body.mesh.dim == 3))
+    diagnostics.add(
+        params.sub("Material")
+            .mistake("Hypothesis", fmt::format("\"{}\" does not suit a mesh of dimension {}; use {}.",
+                                               hypothesisNames().name(material->hypothesis()), body.mesh.dim,
+                                               isSpatial ? "Plane Strain or Plane Stress" : "Three Dimensional")));
+  body.law = material->elasticity();
+  body.nodes = makeNodeMap(body.mesh, order);
+  for (const auto& support : params.sub("Supports").subs())
+    body.supports.push_back(components.supports.build(support));
+  for (const auto& load : params.sub("Loads").subs())
+    body.loads.push_back(components.loads.build(load));
+  for (const auto& support : body.supports)
+    support->check(body.mesh, diagnostics);
+  for (const auto& load : body.loads)
+    load->check(body.mesh, diagnostics);
+  return body;
+}
+
+/// Runs `step`, moving an InputError into the collection.
+template <class Step>
+void collecting(Diagnostics& diagnostics, const Step& step)
+{
+  try {
+    step();
+  } catch (const InputError& error) {
+    for (const auto& diagnostic : error.list())
+      diagnostics.add(diagnostic);
+  }
+}
+
+int findBody(const Model& model, const Params& definition, const char* key, Diagnostics& diagnostics)
+{
+  const auto name = definition.get<std::string>(key);
+  const int index = model.bodyIndex(name);
+  if (index >= 0)
+    return index;
+  std::vector<std::string> names;
+  for (const auto& body : model.bodies)
+    names.push_back(body.name);
+  const auto nearest = nearestName(name, names);
+  diagnostics.add(
+      definition.mistake(key, fmt::format("there is no body \"{}\"; {}", name,
+                                          nearest.empty() ? fmt::format("the bodies are: {}.", fmt::join(names, ", "))
+                                                          : fmt::format("did you mean \"{}\"?", nearest))));
+  return -1;
+}
+
+void addInterface(Model& model, const Params& definition, Diagnostics& diagnostics)
+{
+  const int first = findBody(model, definition, "Dirichlet Body", diagnostics);
+  const int second = findBody(model, definition, "Neumann Body", diagnostics);
+  if (first < 0 || second < 0)
+    return;
+  const auto &dirichlet = model.bodies[std::size_t(first)], &neumann = model.bodies[std::size_t(second)];
+  if (first == second)
+    throw InputError(definition.mistake("Neumann Body", "a body cannot touch itself; name two different bodies."));
+  if (dirichlet.mesh.dim != neumann.mesh.dim)
+    throw InputError(definition.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
+                                                        dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
+  if (dirichlet.mesh.dim == 3)
+    throw InputError(definition.mistake("",
+                                        "contact between three-dimensional bodies is not available in this version; "
+                                        "three-dimensional bodies can be solved alone."));
+  InterfaceMesh interface = pairSides(definition, dirichlet, neumann);
+  interface.dirichletBody = first;
+  interface.neumannBody = second;
+  model.interfaces.push_back(std::move(interface));
+}
+
+/// A node's normal displacement can be one dof only: a node may lie on one interface of its body.
+void refuseSharedNodes(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  std::vector<std::set<int>> taken(model.bodies.size());
+  for (const auto& interface : model.interfaces)
+    for (const auto& [body, nodes] : {std::pair(interface.dirichletBody, &interface.dirichletNodes),
+                                      std::pair(interface.neumannBody, &interface.neumannNodes)})
+      for (const int node : *nodes)
+        if (!taken[std::size_t(body)].insert(node).second) {
+          const double* x = model.bodies[std::size_t(body)].nodes.point(node);
+          diagnostics.add(deck.sub("Interfaces")
+                              .sub(interface.name)
+                              .mistake("", fmt::format("shares the node at ({:g}, {:g}) of \"{}\" with another "
+                                                       "interface; leave it out of one of them "
+                                                       "(split the side).",
+                                                       x[0], x[1], model.bodies[std::size_t(body)].name)));
+          return;
+        }
+}
+
+} // namespace
+
+int Model::bodyIndex(const std::string& name) const
+{
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    if (bodies[b].name == name)
+      return int(b);
+  return -1;
+}
+
+Model buildModel(const Params& deck, const Components& components)
+{
+  Model model;
+  Diagnostics diagnostics;
+  const int order = deck.sub("Discretization").get<int>("Order");
+  if (deck.sub("Bodies").subs().empty())
+    diagnostics.add(deck.sub("Bodies").mistake("", "has no bodies; name at least one list in it."));
+  for (const auto& params : deck.sub("Bodies").subs())
+    collecting(diagnostics, [&] { model.bodies.push_back(buildBody(params, components, order, diagnostics)); });
+  diagnostics.throwIfAny();
+  for (const auto& body : model.bodies)
+    collecting(diagnostics,
+               [&] { model.constraints.push_back(collectConstraints(body.supports, body.mesh, body.nodes)); });
+  for (const auto& definition : deck.sub("Interfaces").subs())
+    collecting(diagnostics, [&] { addInterface(model, definition, diagnostics); });
+  refuseSharedNodes(model, deck, diagnostics);
+  diagnostics.throwIfAny();
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    model.rigid.push_back(rigidBasis(model.bodies[b].mesh));
+    model.freeMotions.push_back(
+        nullSpace(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), rigidTolerance));
+  }
+  return model;
+}
+
+} // namespace ndframe

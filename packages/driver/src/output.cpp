@@ -1,0 +1,199 @@
+#include <array>
+#include <filesystem>
+
+#include <fmt/format.h>
+
+#include "ndframe/assembly/fields.hpp"
+#include "ndframe/driver/plan.hpp"
+#include "ndframe/driver/run.hpp"
+#include "ndframe/io/atomic_file.hpp"
+#include "ndframe/io/exodus_writer.hpp"
+#include "outputs.hpp"
+#include "summarize.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr const char* axisNames[3] = {"x", "y", "z"};
+
+std::vector<NamedField> nodalFields(const Run& run, std::size_t body, std::size_t step)
+{
+  const BodyModel& model = run.model.bodies[body];
+  const auto dim = std::size_t(model.mesh.dim), nodes = std::size_t(model.nodes.numNodes());
+  std::vector<NamedField> fields;
+  for (std::size_t k = 0; k < dim; ++k) {
+    fields.push_back({std::string("disp_") + axisNames[k], Vector(nodes)});
+    for (std::size_t i = 0; i < nodes; ++i)
+      fields.back().values[i] = run.fields[body].displacement[step][i * dim + k];
+  }
+  return fields;
+}
+
+std::vector<NamedField> elementFields(const Run& run, std::size_t body, std::size_t step)
+{
+  static const std::array<std::pair<const char*, std::size_t>, 6> components{
+      {{"xx", 0}, {"yy", 1}, {"zz", 2}, {"xy", 3}, {"yz", 4}, {"xz", 5}}};
+  const BodyModel& model = run.model.bodies[body];
+  const auto stress = cellStress(model, run.fields[body].displacement[step]);
+  std::vector<NamedField> fields;
+  for (std::size_t c = 0; c < (model.mesh.dim == 2 ? 4U : 6U); ++c) {
+    fields.push_back({std::string("stress_") + components[c].first, Vector(stress.size())});
+    for (std::size_t e = 0; e < stress.size(); ++e)
+      fields.back().values[e] = stress[e][components[c].second];
+  }
+  fields.push_back({"von_mises", Vector(stress.size())});
+  for (std::size_t e = 0; e < stress.size(); ++e)
+    fields.back().values[e] = vonMises(stress[e]);
+  return fields;
+}
+
+/// Means over the facets' nodes of pressure and gap; status 1 where all nodes are closed.
+std::vector<NamedField> contactFields(const InterfaceMesh& interface, const std::vector<ContactNode>& contact,
+                                      std::size_t firstNode)
+{
+  std::vector<NamedField> fields{{"contact_pressure", {}}, {"contact_gap", {}}, {"contact_status", {}}};
+  const int nodes = interface.nodesPerFacet();
+  for (int f = 0; f < interface.numFacets(); ++f) {
+    double pressure = 0.0, gap = 0.0, closed = 1.0;
+    for (int a = 0; a < nodes; ++a) {
+      const auto& node = contact[firstNode + std::size_t(interface.facets[std::size_t(f * nodes + a)])];
+      pressure -= node.tractionDirichlet / nodes;
+      gap += node.gap / nodes;
+      closed = node.closed ? closed : 0.0;
+    }
+    fields[0].values.push_back(pressure);
+    fields[1].values.push_back(gap);
+    fields[2].values.push_back(closed);
+  }
+  return fields;
+}
+
+/// Pressure at the interface nodes of one body, zero elsewhere.
+NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<ContactNode>& contact)
+{
+  NamedField field{"contact_pressure", Vector(std::size_t(run.model.bodies[body].nodes.numNodes()), 0.0)};
+  std::size_t firstNode = 0;
+  for (const auto& interface : run.model.interfaces) {
+    for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
+      if (interface.dirichletBody == int(body))
+        field.values[std::size_t(interface.dirichletNodes[i])] = -contact[firstNode + i].tractionDirichlet;
+      if (interface.neumannBody == int(body))
+        field.values[std::size_t(interface.neumannNodes[i])] = -contact[firstNode + i].tractionNeumann;
+    }
+    firstNode += std::size_t(interface.numNodes());
+  }
+  return field;
+}
+
+ExodusStep exodusStep(const Run& run, std::size_t step)
+{
+  ExodusStep out;
+  const bool touches = !run.model.interfaces.empty();
+  const bool isFinal = step + 1 == run.states.size();
+  const std::size_t sweep = !touches ? 0 : (isFinal ? run.coupling.history.size() : step + 1);
+  out.time = double(sweep);
+  const auto contact = contactNodes(run.model, run.condensed, run.states[step], run.fields, step);
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    out.nodal.push_back(nodalFields(run, b, step));
+    if (touches)
+      out.nodal.back().push_back(nodalPressure(run, b, contact));
+    out.element.push_back(elementFields(run, b, step));
+  }
+  std::size_t firstNode = 0;
+  for (const auto& interface : run.model.interfaces) {
+    for (int side = 0; side < 2; ++side)
+      out.contactSide.push_back(contactFields(interface, contact, firstNode));
+    firstNode += std::size_t(interface.numNodes());
+  }
+  if (touches)
+    out.global = {{"eps_tau", {run.coupling.history[sweep - 1].epsTau}},
+                  {"converged", {isFinal && run.coupling.converged ? 1.0 : 0.0}}};
+  return out;
+}
+
+void writeExodusFile(const Run& run, const std::vector<ExodusStep>& steps, const std::string& path,
+                     const std::string& deckName)
+{
+  std::vector<ExodusBody> bodies;
+  for (const auto& body : run.model.bodies)
+    bodies.push_back({body.name, &body.mesh, &body.nodes});
+  std::vector<ExodusContactSide> sides;
+  for (const auto& interface : run.model.interfaces) {
+    sides.push_back({interface.name + ":dirichlet", interface.dirichletBody, interface.dirichletFacets});
+    sides.push_back({interface.name + ":neumann", interface.neumannBody, interface.neumannFacets});
+  }
+  writeExodus(path, run.summary.title, bodies, sides, steps, {"ndframe " + versionText(), "deck " + deckName});
+}
+
+/// Folder (made if missing) and beginning of the file names.
+std::filesystem::path outputStem(const Params& output, const std::string& deckName)
+{
+  const std::filesystem::path folder = output.get<std::string>("Directory");
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw InputError(output.mistake(
+        "Directory", fmt::format("cannot make the folder \"{}\": {}.", folder.string(), failure.message())));
+  const auto name = output.get<std::string>("Name");
+  return (folder / (name.empty() ? std::filesystem::path(deckName).stem().string() : name)).lexically_normal();
+}
+
+/// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.
+std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::string& deckName, Ledger& ledger,
+                                    const Log& log)
+{
+  const Params output = deck.sub("Output");
+  const Plan plan(deck, run.summary.ranks);
+  const std::string stem = outputStem(output, deckName).string();
+  std::vector<std::string> written;
+  std::vector<ExodusStep> steps;
+  if (plan.runs("stress")) {
+    const auto timer = ledger.time("stress", &log);
+    for (std::size_t s = 0; s < run.states.size(); ++s)
+      steps.push_back(exodusStep(run, s));
+  }
+  if (plan.runs("write")) {
+    const auto timer = ledger.time("write", &log);
+    if (output.get<bool>("Exodus")) {
+      written.push_back(stem + ".e");
+      ledger.count("bytes written", writeAtomically(written.back(), [&](const std::string& temporary) {
+                     writeExodusFile(run, steps, temporary, deckName);
+                   }));
+    }
+    if (plan.runs("contact table")) {
+      written.push_back(stem + ".contact.csv");
+      ledger.count("bytes written",
+                   writeTextAtomically(written.back(), contactCsv(run.contact, run.model.bodies.front().mesh.dim)));
+    }
+  }
+  copyLedger(run.summary, ledger, run.startSeconds);
+  if (output.get<bool>("Summary")) {
+    written.push_back(stem + ".summary.json");
+    writeTextAtomically(written.back(), toJson(run.summary));
+  }
+  return written;
+}
+
+} // namespace
+
+std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
+                                      Ledger& ledger, const Log& log)
+{
+  std::vector<std::string> written;
+  std::string failure;
+  if (comm.rank() == 0) {
+    try {
+      written = writeFiles(run, deck, name, ledger, log);
+    } catch (const std::exception& error) {
+      failure = error.what();
+    }
+  }
+  comm.broadcast(failure);
+  if (!failure.empty())
+    throw InputError(failure);
+  return written;
+}
+
+} // namespace ndframe

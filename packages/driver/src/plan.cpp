@@ -1,0 +1,70 @@
+#include "ndframe/driver/plan.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+
+namespace ndframe
+{
+namespace
+{
+
+/// True if a component of this type stands in one of the bodies' lists.
+bool anyBody(const Params& deck, const char* list, const std::string& type)
+{
+  const auto bodies = deck.sub("Bodies").subs();
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [&](const Params& body) { return body.sub(list).get<std::string>("Type") == type; });
+}
+
+} // namespace
+
+Plan::Plan(const Params& deck, int ranks)
+{
+  const auto bodies = deck.sub("Bodies").subs().size(), interfaces = deck.sub("Interfaces").subs().size();
+  const Params output = deck.sub("Output");
+  const bool touches = interfaces > 0, exodus = output.get<bool>("Exodus");
+  const auto solver = deck.sub("Linear Solver").get<std::string>("Type");
+  const std::string noInterface = "the deck has no interface";
+  add("gmsh", anyBody(deck, "Mesh", "Gmsh"), "a body's mesh is a gmsh file", "no gmsh mesh: the library is not loaded");
+  add("mpi", ranks > 1 || solver == "Mumps", fmt::format("{} processes, linear solver {}", ranks, solver),
+      "one process: MPI is not started");
+  add("read", true, fmt::format("{} bodies", bodies), {});
+  add("check", true, "sides, pairing and supports are checked before anything is assembled", {});
+  add("assemble", true, fmt::format("{} matrices", bodies), {});
+  add("factor", true, fmt::format("once per body, {} in all ({})", bodies, solver), {});
+  add("interface", touches, fmt::format("{} interfaces condensed", interfaces), noInterface);
+  add("couple", touches, deck.sub("Coupling").get<std::string>("Type"), noInterface);
+  add("recover", true, "interior displacements, one back-solve a body and state", {});
+  add("stress", exodus, "for the Exodus file", "no Exodus file is written");
+  const bool contact = touches && output.get<bool>("Contact Table");
+  add("write", exodus || contact || output.get<bool>("Summary"),
+      fmt::format("to {}", output.get<std::string>("Directory")), "the deck asks for no file");
+  add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
+  const auto expected = deck.sub("Expect").subs().size();
+  add("expect", expected > 0, fmt::format("{} numbers", expected), "the deck expects nothing");
+}
+
+void Plan::add(std::string name, bool runs, std::string whyRuns, std::string whySkipped)
+{
+  stages_.push_back({std::move(name), runs, runs ? std::move(whyRuns) : std::move(whySkipped)});
+}
+
+bool Plan::runs(const std::string& stage) const
+{
+  for (const auto& planned : stages_)
+    if (planned.name == stage)
+      return planned.runs;
+  throw InternalError("no stage \"" + stage + "\" in the plan");
+}
+
+std::string Plan::text() const
+{
+  std::string text = fmt::format("  {:<15} {:<6} {}\n", "stage", "", "why");
+  for (const auto& stage : stages_)
+    text += fmt::format("  {:<15} {:<6} {}\n", stage.name, stage.runs ? "run" : "skip", stage.why);
+  text.pop_back();
+  return text;
+}
+
+} // namespace ndframe

@@ -1,0 +1,112 @@
+#include "screen.hpp"
+
+#include <algorithm>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+namespace ndframe
+{
+namespace
+{
+
+/// 12345678 -> "12 345 678".
+std::string grouped(std::int64_t number)
+{
+  std::string digits = std::to_string(number);
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(std::size_t(at), " ");
+  return digits;
+}
+
+std::size_t nameWidth(const RunSummary& summary)
+{
+  std::size_t width = 10;
+  for (const auto& body : summary.bodies)
+    width = std::max(width, body.name.size());
+  for (const auto& interface : summary.interfaces)
+    width = std::max(width, interface.name.size());
+  return width;
+}
+
+std::string megabytes(std::int64_t bytes)
+{
+  return fmt::format("{:.0f}", double(bytes) / 1e6);
+}
+
+} // namespace
+
+std::string headerText(const RunSummary& summary, const Model& model)
+{
+  const auto width = nameWidth(summary);
+  std::string text =
+      fmt::format("  {:<{}} {:>11} {:>11} {:>6}   {:<9}  {}", "body", width, "dofs",
+                  model.bodies.front().mesh.dim == 2 ? "triangles" : "tetrahedra", "order", "solver", "held by");
+  for (const auto& body : summary.bodies)
+    text += fmt::format("\n  {:<{}} {:>11} {:>11} {:>6}   {:<9}  {}", body.name, width, grouped(body.dofs),
+                        grouped(body.elements), body.order, body.solver, body.heldBy);
+  for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
+    const auto& interface = model.interfaces[i];
+    const double widest = *std::max_element(interface.gap.begin(), interface.gap.end());
+    text += fmt::format("\n  {:<{}} {:>11} interface nodes, matching, {}; Dirichlet side on {}, Neumann side on {}",
+                        interface.name, width, grouped(interface.numNodes()),
+                        widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap",
+                        summary.interfaces[i].dirichletBody, summary.interfaces[i].neumannBody);
+  }
+  for (const auto& body : model.bodies)
+    for (const auto& note : body.mesh.notes)
+      text += fmt::format("\n  {:<{}} note: {}", body.name, width, note);
+  return text;
+}
+
+std::string sweepTitle(const InterfaceMesh& interface, const Model& model)
+{
+  const auto on = [&](int body) {
+    return model.interfaces.size() > 1
+               ? std::string("force on ") + (body == interface.dirichletBody ? "Dirichlet" : "Neumann")
+               : "force on " + model.bodies[std::size_t(body)].name;
+  };
+  return fmt::format("  sweep    eps_tau   theta     closed/all   changed   {:>18}   {:>18}   penetration",
+                     on(interface.dirichletBody), on(interface.neumannBody));
+}
+
+std::string sweepLine(const SweepRecord& record)
+{
+  return fmt::format("  {:>5}   {:>8.2e}   {:>5}   {:>12}   {:>7}   {:>18.6g}   {:>18.6g}   {:>11.1e}{}", record.sweep,
+                     record.epsTau, record.theta > 0.0 ? fmt::format("{:.3f}", record.theta) : "-",
+                     fmt::format("{}/{}", record.closed, record.closed + record.open), record.statusChanges,
+                     record.forceDirichlet, record.forceNeumann, record.penetration,
+                     record.note.empty() ? "" : "   " + record.note);
+}
+
+std::string closingText(const RunSummary& summary, bool stages)
+{
+  const auto width = nameWidth(summary);
+  std::string text = fmt::format("  {:<{}} {:>18}", "body", width, "energy a(u,u)");
+  for (const auto& body : summary.bodies)
+    text += fmt::format("\n  {:<{}} {:>18.8g}", body.name, width, body.energy);
+  if (summary.bodies.size() > 1)
+    text += fmt::format("\n  {:<{}} {:>18.8g}", "all", width, summary.energy);
+  if (!summary.interfaces.empty())
+    text += fmt::format("\n\n  {:<{}} {:>14} {:>15} {:>17} {:>12}   {}", "interface", width, "contact force",
+                        "contact length", "largest pressure", "penetration", "from - to");
+  for (const auto& interface : summary.interfaces) {
+    std::string ends;
+    for (const auto& point : interface.endPoints)
+      ends += fmt::format("{}({:.5g})", ends.empty() ? "" : " - ", fmt::join(point, ", "));
+    text += fmt::format("\n  {:<{}} {:>14.6g} {:>15.6g} {:>17.6g} {:>12.1e}   {}", interface.name, width,
+                        interface.contactForce, interface.contactLength, interface.largestPressure,
+                        interface.largestPenetration, ends.empty() ? "no contact" : ends);
+  }
+  text += fmt::format("\n\n  residuals: equilibrium {:.1e}, complementarity {:.1e}, penetration {:.1e}, tension {:.1e}",
+                      summary.residuals.equilibrium, summary.residuals.complementarity, summary.residuals.penetration,
+                      summary.residuals.tension);
+  if (!stages)
+    return text;
+  text += fmt::format("\n\n  {:<12} {:>9} {:>8}", "stage", "seconds", "MB");
+  for (const auto& stage : summary.stages)
+    text += fmt::format("\n  {:<12} {:>9.3f} {:>8}", stage.name, stage.seconds, megabytes(stage.peakBytes));
+  return text;
+}
+
+} // namespace ndframe

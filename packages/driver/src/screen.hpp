@@ -1,0 +1,22 @@
+#pragma once
+
+#include <string>
+
+#include "ndframe/coupling/coupling.hpp"
+#include "ndframe/driver/model.hpp"
+#include "ndframe/io/summary.hpp"
+
+namespace ndframe
+{
+
+/// The header: bodies, dofs, solver, what holds them, interfaces.
+std::string headerText(const RunSummary& summary, const Model& model);
+
+/// Title line of the sweeps, and one line a sweep.
+std::string sweepTitle(const InterfaceMesh& interface, const Model& model);
+std::string sweepLine(const SweepRecord& record);
+
+/// The closing tables: energies, contact, residuals and, if `stages`, seconds and memory per stage.
+std::string closingText(const RunSummary& summary, bool stages);
+
+} // namespace ndframe

@@ -1,0 +1,174 @@
+#include "summarize.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/assembly/fields.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+void addResultant(std::vector<double>& sum, double force, const Direction& normal)
+{
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] += force * normal[k];
+}
+
+/// Forces of one interface: nodal forces C Lambda along the node normals.
+void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+{
+  summary.forceOnDirichlet.assign(std::size_t(interface.dim), 0.0);
+  summary.forceOnNeumann.assign(std::size_t(interface.dim), 0.0);
+  const auto& system = run.condensed.interface;
+  for (std::size_t k = 0; k < system.nodeOfUnknown.size(); ++k) {
+    const auto node = std::size_t(system.nodeOfUnknown[k]);
+    if (node < firstNode || node >= firstNode + std::size_t(interface.numNodes()))
+      continue;
+    const Direction& normal = interface.normals[node - firstNode];
+    addResultant(summary.forceOnDirichlet, run.coupling.state.forceDirichlet[k], normal);
+    addResultant(summary.forceOnNeumann, -run.coupling.state.forceNeumann[k], normal);
+    summary.contactForce -= run.coupling.state.forceDirichlet[k];
+  }
+}
+
+/// Length of the facets that are closed at all their nodes; nodes held by supports do not count against a facet.
+double closedLength(const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+{
+  std::vector<char> isOpen(run.contact.size(), 0);
+  for (const int node : run.condensed.interface.nodeOfUnknown)
+    isOpen[std::size_t(node)] = !run.contact[std::size_t(node)].closed;
+  double length = 0.0;
+  const int nodes = interface.nodesPerFacet();
+  for (int f = 0; f < interface.numFacets(); ++f) {
+    const auto* facet = interface.facets.data() + f * nodes;
+    if (std::none_of(facet, facet + nodes, [&](int i) { return isOpen[firstNode + std::size_t(i)]; }))
+      length += interface.measures[std::size_t(f)];
+  }
+  return length;
+}
+
+/// The two closed nodes that are farthest apart (one if there is only one).
+std::vector<std::vector<double>> endPoints(const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+{
+  const auto distance = [&](int a, int b) {
+    double squared = 0.0;
+    for (int k = 0; k < interface.dim; ++k)
+      squared += std::pow(interface.point(a)[k] - interface.point(b)[k], 2);
+    return squared;
+  };
+  // The node farthest from any closed node is an end; the one farthest from it is the other.
+  const auto farthest = [&](int from) {
+    int best = -1;
+    for (int i = 0; i < interface.numNodes(); ++i)
+      if (run.contact[firstNode + std::size_t(i)].closed && (best < 0 || distance(from, i) > distance(from, best)))
+        best = i;
+    return best;
+  };
+  const int any = farthest(0);
+  if (any < 0)
+    return {};
+  const int first = farthest(any), second = farthest(first);
+  std::vector<std::vector<double>> ends;
+  for (const int end : {std::min(first, second), std::max(first, second)})
+    ends.emplace_back(interface.point(end), interface.point(end) + interface.dim);
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+void completeInterfaces(Run& run)
+{
+  std::size_t firstNode = 0;
+  for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
+    const auto& interface = run.model.interfaces[i];
+    auto& summary = run.summary.interfaces[i];
+    addForces(summary, interface, run, firstNode);
+    summary.contactLength = closedLength(interface, run, firstNode);
+    summary.endPoints = endPoints(interface, run, firstNode);
+    for (int k = 0; k < interface.numNodes(); ++k) {
+      const ContactNode& node = run.contact[firstNode + std::size_t(k)];
+      summary.closedNodes += node.closed;
+      summary.largestPressure = std::max(summary.largestPressure, -node.tractionDirichlet);
+      summary.largestPenetration = std::max(summary.largestPenetration, -node.gap);
+    }
+    firstNode += std::size_t(interface.numNodes());
+  }
+}
+
+void completeCoupling(RunSummary& summary, const CouplingResult& result)
+{
+  auto& coupling = *summary.coupling;
+  coupling.sweeps = int(result.history.size());
+  coupling.converged = result.converged;
+  coupling.reason = result.reason;
+  for (const auto& record : result.history)
+    coupling.history.push_back({record.sweep, record.epsTau, record.theta, record.statusChanges, record.statusPasses,
+                                record.closed, record.open, record.forceDirichlet, record.forceNeumann,
+                                record.penetration, record.note});
+}
+
+} // namespace
+
+std::string versionText()
+{
+  return NDFRAME_VERSION;
+}
+
+RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks)
+{
+  RunSummary summary;
+  summary.version = versionText();
+  summary.title = deck.get<std::string>("Title");
+  summary.deckJson = toJson(deck);
+  summary.ranks = ranks;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    BodySummary body;
+    body.name = model.bodies[b].name;
+    body.dofs = model.bodies[b].numDofs();
+    body.elements = model.bodies[b].mesh.numCells();
+    body.order = model.bodies[b].nodes.order;
+    body.solver = solver.name();
+    body.heldBy = heldBy(model, int(b));
+    summary.bodies.push_back(std::move(body));
+  }
+  for (const auto& interface : model.interfaces) {
+    InterfaceSummary outline;
+    outline.name = interface.name;
+    outline.dirichletBody = model.bodies[std::size_t(interface.dirichletBody)].name;
+    outline.neumannBody = model.bodies[std::size_t(interface.neumannBody)].name;
+    outline.nodes = interface.numNodes();
+    summary.interfaces.push_back(std::move(outline));
+  }
+  if (!model.interfaces.empty()) {
+    summary.coupling.emplace();
+    summary.coupling->type = deck.sub("Coupling").get<std::string>("Type");
+  }
+  return summary;
+}
+
+void completeSummary(Run& run, const Params& deck, const Comm& comm)
+{
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    run.summary.bodies[b].energy = energy(run.condensed.systems[b], run.fields[b].u.back(), comm);
+    run.summary.energy += run.summary.bodies[b].energy;
+  }
+  if (run.summary.coupling) {
+    completeInterfaces(run);
+    completeCoupling(run.summary, run.coupling);
+  }
+  run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
+  checkExpectations(run.summary, deck);
+}
+
+void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)
+{
+  summary.counts = ledger.counts();
+  summary.stages.clear();
+  for (const auto& stage : ledger.stages())
+    summary.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
+  summary.totalSeconds = wallSeconds() - startSeconds;
+  summary.peakBytes = peakMemory();
+}
+
+} // namespace ndframe

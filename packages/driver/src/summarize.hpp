@@ -1,0 +1,27 @@
+#pragma once
+
+#include "ndframe/base/ledger.hpp"
+#include "ndframe/driver/run.hpp"
+
+namespace ndframe
+{
+
+/// Version of this build.
+std::string versionText();
+
+/// The summary of a scene before anything is solved: names, sizes, all numbers zero.
+RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks);
+
+/// Fills in what the run computed.
+void completeSummary(Run& run, const Params& deck, const Comm& comm);
+
+/// Copies counts, stages and memory; called again after the files are written.
+void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);
+
+/// Compares the Expect list with the summary.
+void checkExpectations(RunSummary& summary, const Params& deck);
+
+/// Refuses expectations that name a quantity that this deck does not have.
+void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics);
+
+} // namespace ndframe

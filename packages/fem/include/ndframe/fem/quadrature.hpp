@@ -1,0 +1,24 @@
+#pragma once
+
+#include <vector>
+
+namespace ndframe
+{
+
+/// Points in barycentric coordinates with weights that add up to 1 (multiply by the measure of the simplex).
+struct QuadratureRule
+{
+  int dim = 0;
+  std::vector<double> lambda; ///< (dim + 1) per point
+  std::vector<double> weights;
+
+  int size() const { return int(weights.size()); }
+  const double* point(int q) const { return lambda.data() + std::size_t(q) * std::size_t(dim + 1); }
+};
+
+/// A rule on the simplex of dimension 1, 2 or 3 that is exact for polynomials up to `degree`, all weights positive and
+/// all points inside. Degree <= 2 uses the symmetric rule with dim + 1 points, higher degrees the collapsed Gauss
+/// product.
+QuadratureRule simplexRule(int dim, int degree);
+
+} // namespace ndframe

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/assembly/rigid_modes.hpp"
+#include "ndframe/interface/contact_matrix.hpp"
+#include "ndframe/interface/interface_operators.hpp"
+
+namespace ndframe
+{
+
+/// A body as the interface sees it:  S u_N = g + r,  r the nodal forces along n_c that act on this body.
+struct BodyTrace
+{
+  int body = 0;                      ///< index into the list of bodies
+  std::vector<int> unknowns;         ///< the interface unknown of each kept dof
+  std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there
+  std::shared_ptr<const SymmetricOperator> S;
+  Vector g;                ///< reduced load, per kept dof
+  DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
+  std::vector<std::string> motionNames;
+};
+
+/// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies;
+/// nodes where a support prescribes it carry no contact traction.
+struct InterfaceSystem
+{
+  std::vector<int> nodeOfUnknown; ///< node number in the numbering of the contact matrix
+  Vector gap;                     ///< per unknown
+  std::vector<BodyTrace> bodies;
+  std::shared_ptr<const ContactMatrix> C;
+
+  int size() const { return int(nodeOfUnknown.size()); }
+  /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns (zero at the other nodes).
+  Vector traction(const Vector& force) const;
+  /// The forces r = C Lambda at the unknowns.
+  Vector force(const Vector& traction) const;
+};
+
+/// S in the normal displacements of the trace: u_N = a s + b gives S_N = a^-1 S a^-1. The condensed body must outlive
+/// it.
+std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body, const std::vector<TraceDof>& trace,
+                                                       const InterfaceOperator& representation);
+
+/// g in the normal displacements of the trace: g_N = a^-1 g + S_N b. load: BodySystem::effectiveLoad.
+Vector traceLoad(const CondensedBody& body, const std::vector<TraceDof>& trace, const SymmetricOperator& S,
+                 const Vector& load);
+
+/// The kept dofs' values s = (u_N - b) / a.
+Vector keptValues(const std::vector<TraceDof>& trace, const Vector& normalDisplacement);
+
+/// Normal displacements of rigid motions (columns: coefficients in the basis) at interface nodes.
+DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, const std::vector<const double*>& points,
+                         const std::vector<Direction>& normals);
+
+} // namespace ndframe

@@ -1,0 +1,78 @@
+#include "ndframe/interface/applied_operator.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+class ConjugateGradients final : public RestrictedInverse
+{
+public:
+  ConjugateGradients(const AppliedOperator& A, std::vector<char> isFree, double shift)
+      : A_(A), isFree_(std::move(isFree)), shift_(shift)
+  {}
+
+  Vector solve(const Vector& b) const override
+  {
+    const int mostIterations = 200 + 10 * A_.size();
+    Vector x(b.size(), 0.0), r = restricted(b), p = r;
+    double rr = dot(r, r);
+    const double target = A_.tolerance() * A_.tolerance() * rr;
+    for (int iteration = 0; rr > target; ++iteration) {
+      if (iteration == mostIterations)
+        throw NotConverged(
+            fmt::format("conjugate gradients on the interface stopped at a relative residual of {:.1e} after "
+                        "{} iterations; use the condensed interface operator.",
+                        std::sqrt(rr / target) * A_.tolerance(), iteration));
+      const Vector Ap = applyRestricted(p);
+      const double curvature = dot(p, Ap);
+      if (!(curvature > 0.0))
+        throw NotPositiveDefinite{-1};
+      const double step = rr / curvature;
+      for (std::size_t i = 0; i < x.size(); ++i) {
+        x[i] += step * p[i];
+        r[i] -= step * Ap[i];
+      }
+      const double next = dot(r, r);
+      for (std::size_t i = 0; i < p.size(); ++i)
+        p[i] = r[i] + next / rr * p[i];
+      rr = next;
+    }
+    return x;
+  }
+
+private:
+  Vector restricted(Vector v) const
+  {
+    for (std::size_t i = 0; i < v.size(); ++i)
+      if (!isFree_[i])
+        v[i] = 0.0;
+    return v;
+  }
+  Vector applyRestricted(const Vector& p) const
+  {
+    Vector Ap = A_.apply(p);
+    for (std::size_t i = 0; i < p.size(); ++i)
+      Ap[i] += shift_ * p[i];
+    return restricted(std::move(Ap));
+  }
+
+  const AppliedOperator& A_;
+  std::vector<char> isFree_;
+  double shift_;
+};
+
+} // namespace
+
+std::unique_ptr<RestrictedInverse> AppliedOperator::inverseOn(const std::vector<char>& isFree, double shift) const
+{
+  return std::make_unique<ConjugateGradients>(*this, isFree, shift);
+}
+
+} // namespace ndframe

@@ -1,0 +1,44 @@
+#include "operators.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Condensed where S comes with the factor and stays small, else matrix free.
+class AutomaticOperator final : public InterfaceOperator
+{
+public:
+  explicit AutomaticOperator(int largestCondensed) : largestCondensed_(largestCondensed) {}
+  std::unique_ptr<SymmetricOperator> represent(const CondensedBody& body, int size) const override
+  {
+    if (body.hasCheapSchur() && size <= largestCondensed_)
+      return makeDenseOperator(body.schurComplement());
+    return makeMatrixFree(body, size, interfaceTolerance);
+  }
+
+private:
+  int largestCondensed_;
+};
+
+} // namespace
+
+void registerAutomaticOperator(Registry<InterfaceOperator>& registry)
+{
+  registry.add(
+      "Automatic",
+      "Condensed where the dense Schur complement comes with the factorisation and the interface is not larger than "
+      "`Largest Condensed`; else matrix free.",
+      {ParamSpec("Largest Condensed", 3000, atLeast(0),
+                 "Interface nodes up to which S is stored (8 n^2 bytes a body).")},
+      [](const Params& p) { return std::make_unique<AutomaticOperator>(p.get<int>("Largest Condensed")); });
+}
+
+void registerInterfaceOperators(Registry<InterfaceOperator>& registry)
+{
+  registerAutomaticOperator(registry);
+  registerCondensedOperator(registry);
+  registerMatrixFreeOperator(registry);
+}
+
+} // namespace ndframe

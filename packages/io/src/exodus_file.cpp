@@ -1,0 +1,77 @@
+#include "exodus_file.hpp"
+
+#include <algorithm>
+#include <cstring>
+#include <stdexcept>
+
+#include <fmt/format.h>
+
+namespace ndframe
+{
+
+ExodusFile::ExodusFile(const std::string& path)
+{
+  int memoryWordSize = sizeof(double);
+  int fileWordSize = sizeof(double);
+  id_ = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &memoryWordSize, &fileWordSize);
+  check(std::min(id_, 0), "the file");
+}
+
+ExodusFile::~ExodusFile()
+{
+  if (id_ >= 0)
+    ex_close(id_);
+}
+
+void ExodusFile::close()
+{
+  const int id = id_;
+  id_ = -1;
+  check(ex_close(id), "the end of the file");
+}
+
+void ExodusFile::check(int status, const char* what)
+{
+  if (status == 0)
+    return;
+  const char* message = "";
+  const char* function = "";
+  int code = 0;
+  ex_get_err(&message, &function, &code);
+  // Positive codes are the system's (disk full, ...), the others the library's own.
+  throw std::runtime_error(fmt::format("Exodus could not write {}: {} ({}, code {}{}{})", what, message, function, code,
+                                       code > 0 ? ": " : "", code > 0 ? std::strerror(code) : ""));
+}
+
+CStrings::CStrings(std::vector<std::string> texts) : texts_(std::move(texts))
+{
+  for (auto& text : texts_)
+    pointers_.push_back(text.data());
+}
+
+std::string headOf(const std::string& text, std::size_t bytes)
+{
+  if (text.size() <= bytes)
+    return text;
+  const auto continues = [](char c) { return (static_cast<unsigned char>(c) & 0xC0U) == 0x80U; };
+  auto end = bytes;
+  while (end > 0 && continues(text[end]))
+    --end;
+  return text.substr(0, end > 0 ? end : bytes);
+}
+
+std::vector<std::string> wrapInfoLines(const std::vector<std::string>& lines)
+{
+  std::vector<std::string> records;
+  for (auto rest : lines) {
+    while (rest.size() > MAX_LINE_LENGTH) {
+      const auto head = headOf(rest, MAX_LINE_LENGTH - 1);
+      records.push_back(head + '\\');
+      rest.erase(0, head.size());
+    }
+    records.push_back(rest);
+  }
+  return records;
+}
+
+} // namespace ndframe

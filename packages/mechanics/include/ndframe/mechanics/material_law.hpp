@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ndframe/base/registry.hpp"
+#include "ndframe/mechanics/elasticity.hpp"
+
+namespace ndframe
+{
+
+/// A material as the deck describes it.
+class MaterialLaw
+{
+public:
+  virtual ~MaterialLaw() = default;
+  virtual Hypothesis hypothesis() const = 0;
+  virtual Elasticity elasticity() const = 0;
+};
+
+/// "Isotropic", "Orthotropic".
+void registerMaterials(Registry<MaterialLaw>& registry);
+
+} // namespace ndframe

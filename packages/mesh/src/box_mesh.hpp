@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <string>
+#include <vector>
+
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+enum class BoxPattern
+{
+  Right,
+  Alternating,
+  Crossed
+};
+
+/// A named part of one of the box's sides: the facets of the cells [firstCell, lastCell) counted along one direction.
+struct BoxPart
+{
+  std::string name;
+  int normal; ///< direction of the side's normal: 0, 1, 2 for x, y, z
+  bool upper; ///< the side at the larger coordinate
+  int along;  ///< direction in which the part is cut out, different from `normal`
+  int firstCell;
+  int lastCell;
+};
+
+/// A tensor-product grid whose bricks are cut into simplices.
+struct BoxGrid
+{
+  std::vector<std::vector<double>> lines; ///< increasing coordinates per direction; their number is the dimension
+  BoxPattern pattern;
+  double rotation; ///< degrees about the origin (the z axis)
+  std::vector<BoxPart> parts;
+};
+
+/// Simplices per brick.
+int simplicesPerBrick(int dim, BoxPattern pattern);
+
+/// Points of the grid with x running fastest, followed by the centres of crossed bricks; one side per part.
+Mesh boxMesh(const BoxGrid& grid);
+
+} // namespace ndframe

@@ -1,0 +1,195 @@
+#include <algorithm>
+#include <array>
+#include <numeric>
+#include <string_view>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "exodus_input.hpp"
+#include "file_error.hpp"
+#include "mesh_builder.hpp"
+#include "mesh_sources.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// Exodus's order of the middle nodes.
+constexpr MidNodes midNodes{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
+
+/// The facet (by its opposite vertex) that Exodus's side numbers 1, 2, ... stand for. The sides of a triangle are its
+/// vertices 12, 23, 31; those of a tetrahedron 124, 234, 134, 123.
+constexpr std::array<int, 4> facetOfSide{2, 0, 1, 3};
+
+/// Exodus's element types by how their names begin. Blocks of curves and points are left out.
+struct Shape
+{
+  std::string_view prefix;
+  int dim;
+  bool simplex;
+};
+
+constexpr std::array<Shape, 8> shapes{{{"TRI", 2, true},
+                                       {"TET", 3, true},
+                                       {"QUAD", 2, false},
+                                       {"SHELL", 2, false},
+                                       {"HEX", 3, false},
+                                       {"WEDGE", 3, false},
+                                       {"PYR", 3, false},
+                                       {"NSIDED", 2, false}}};
+
+const Shape& shapeOf(const ExodusBlock& block)
+{
+  static constexpr Shape lowDimensional{"", 1, false};
+  const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
+    return block.type.compare(0, shape.prefix.size(), shape.prefix) == 0;
+  });
+  return found == shapes.end() ? lowDimensional : *found;
+}
+
+/// Turns an Exodus file into a mesh.
+class ExodusConverter
+{
+public:
+  /// wanted: names or numbers of the blocks to keep; empty for all.
+  ExodusConverter(const std::string& path, const std::vector<std::string>& wanted)
+      : file_(path), wanted_(wanted), blocks_(chosenBlocks()), dim_(dimension()), builder_(dim_, file_.coordinates()),
+        cellOfElement_(file_.numElements(), -1)
+  {}
+
+  Mesh convert();
+
+private:
+  std::vector<ExodusBlock> chosenBlocks() const;
+  int dimension() const;
+  void addBlock(const ExodusBlock& block);
+  void addSide(const ExodusSideSet& set);
+
+  ExodusInput file_;
+  const std::vector<std::string>& wanted_;
+  std::vector<ExodusBlock> blocks_;
+  int dim_;
+  MeshBuilder builder_;
+  std::vector<int> cellOfElement_;
+};
+
+std::vector<ExodusBlock> ExodusConverter::chosenBlocks() const
+{
+  std::vector<ExodusBlock> all = file_.blocks();
+  if (wanted_.empty())
+    return all;
+  std::vector<ExodusBlock> chosen;
+  for (const std::string& wanted : wanted_) {
+    const auto found = std::find_if(all.begin(), all.end(), [&](const ExodusBlock& block) {
+      return block.name == wanted || std::to_string(block.id) == wanted;
+    });
+    if (found == all.end()) {
+      std::vector<std::string> names;
+      for (const ExodusBlock& block : all)
+        names.push_back(block.name);
+      throw FileError(fmt::format("there is no element block \"{}\"; there are: {}.", wanted, fmt::join(names, ", ")));
+    }
+    chosen.push_back(*found);
+  }
+  return chosen;
+}
+
+int ExodusConverter::dimension() const
+{
+  int dim = 0;
+  for (const ExodusBlock& block : blocks_)
+    if (block.numElements > 0)
+      dim = std::max(dim, shapeOf(block).dim);
+  if (dim < 2 || dim > file_.dim())
+    throw FileError("the mesh has no triangles and no tetrahedra.");
+  return dim;
+}
+
+void ExodusConverter::addBlock(const ExodusBlock& block)
+{
+  const int vertices = dim_ + 1;
+  const int secondOrder = vertices * (dim_ + 2) / 2;
+  if (!shapeOf(block).simplex || (block.nodesPerElement != vertices && block.nodesPerElement != secondOrder))
+    throw FileError(fmt::format("the elements of block {} are of type {} with {} nodes; only TRI3, TRI6, TETRA4 and "
+                                "TETRA10 are read.",
+                                block.name, block.type, block.nodesPerElement));
+  std::vector<std::int64_t> numbers(block.numElements);
+  std::iota(numbers.begin(), numbers.end(), block.firstElement + 1);
+  for (int e = 0; e < block.numElements; ++e)
+    cellOfElement_[block.firstElement + e] = builder_.cells().numCells() + e;
+  builder_.addCells(file_.nodes(block), block.nodesPerElement, numbers, midNodes);
+}
+
+void ExodusConverter::addSide(const ExodusSideSet& set)
+{
+  // In three dimensions the first two sides of a triangle are its faces.
+  const int firstSide = dim_ < file_.dim() ? 3 : 1;
+  std::vector<Facet> facets;
+  for (std::size_t i = 0; i < set.elements.size(); ++i) {
+    const int element = set.elements[i];
+    if (element < 1 || element > file_.numElements())
+      throw FileError(
+          fmt::format("side set {} names element {}, but there are {}.", set.name, element, file_.numElements()));
+    const int cell = cellOfElement_[element - 1];
+    if (cell < 0)
+      continue; // of a block that is left out
+    const int side = set.sides[i];
+    if (side < firstSide || side > firstSide + dim_)
+      throw FileError(
+          fmt::format("side set {} names side {} of element {}, which does not exist.", set.name, side, element));
+    facets.push_back({cell, facetOfSide[side - firstSide]});
+  }
+  if (!facets.empty())
+    builder_.addSide(set.name, std::move(facets));
+  else if (wanted_.empty())
+    builder_.addNote(fmt::format("The side set {} is empty and is left out.", set.name));
+}
+
+Mesh ExodusConverter::convert()
+{
+  for (const ExodusBlock& block : blocks_)
+    if (shapeOf(block).dim == dim_ && block.numElements > 0)
+      addBlock(block);
+  for (const ExodusSideSet& set : file_.sideSets())
+    addSide(set);
+  return builder_.finish();
+}
+
+/// A mesh in an Exodus file.
+class Exodus final : public MeshSource
+{
+public:
+  explicit Exodus(const Params& params) : params_(params) {}
+
+  Mesh read() const override
+  {
+    const auto path = params_.get<std::string>("File");
+    try {
+      return ExodusConverter(path, params_.get<std::vector<std::string>>("Blocks")).convert();
+    } catch (const FileError& error) {
+      throw InputError(params_.mistake("File", fmt::format("{}: {}", path, error.what())));
+    }
+  }
+
+private:
+  Params params_;
+};
+
+} // namespace
+
+void registerExodus(Registry<MeshSource>& registry)
+{
+  registry.add(
+      "Exodus",
+      "A mesh of triangles or tetrahedra in an Exodus II file. Side sets are the sides, by their names (unnamed "
+      "ones: sideset_ID). Second-order elements are read by their vertices.",
+      {ParamSpec::required("File", Kind::String, "The Exodus file; relative names count from the working directory."),
+       {"Blocks", std::vector<std::string>{},
+        "Names or numbers of the element blocks that make the body. Empty: all of the highest dimension."}},
+      [](const Params& params) { return std::make_unique<Exodus>(params); });
+}
+
+} // namespace ndframe

@@ -1,0 +1,191 @@
+#include "gmsh_library.hpp"
+
+#include <cstdlib>
+#include <dlfcn.h>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include <fmt/format.h>
+#include <gmshc.h>
+
+#include "file_error.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// The functions that are used, bound at run time; nothing links gmsh.
+class Library
+{
+public:
+  static const Library& get()
+  {
+    static const Library library;
+    return library;
+  }
+
+  decltype(&gmshInitialize) initialize = bind<decltype(&gmshInitialize)>("gmshInitialize");
+  decltype(&gmshFinalize) finalize = bind<decltype(&gmshFinalize)>("gmshFinalize");
+  decltype(&gmshOptionSetNumber) setNumber = bind<decltype(&gmshOptionSetNumber)>("gmshOptionSetNumber");
+  decltype(&gmshOptionGetNumber) getNumber = bind<decltype(&gmshOptionGetNumber)>("gmshOptionGetNumber");
+  decltype(&gmshOpen) open = bind<decltype(&gmshOpen)>("gmshOpen");
+  decltype(&gmshModelGetDimension) dimension = bind<decltype(&gmshModelGetDimension)>("gmshModelGetDimension");
+  decltype(&gmshModelMeshGenerate) generate = bind<decltype(&gmshModelMeshGenerate)>("gmshModelMeshGenerate");
+  decltype(&gmshWrite) write = bind<decltype(&gmshWrite)>("gmshWrite");
+  decltype(&gmshLoggerStart) startLog = bind<decltype(&gmshLoggerStart)>("gmshLoggerStart");
+  decltype(&gmshLoggerStop) stopLog = bind<decltype(&gmshLoggerStop)>("gmshLoggerStop");
+  decltype(&gmshLoggerGet) getLog = bind<decltype(&gmshLoggerGet)>("gmshLoggerGet");
+  decltype(&gmshFree) free = bind<decltype(&gmshFree)>("gmshFree");
+
+private:
+  template <class Function>
+  static Function bind(const char* name)
+  {
+    static void* const handle = dlopen(NDFRAME_GMSH_SONAME, RTLD_LAZY | RTLD_LOCAL);
+    if (!handle)
+      throw InputError(
+          fmt::format("a .geo file needs the gmsh library, which cannot be loaded ({}); install it or mesh "
+                      "the file beforehand (gmsh -2 FILE.geo).",
+                      dlerror()));
+    void* const symbol = dlsym(handle, name);
+    NDFRAME_ASSERT(symbol, fmt::format("{} has no function {}", NDFRAME_GMSH_SONAME, name));
+    return reinterpret_cast<Function>(symbol);
+  }
+};
+
+/// gmsh between initialisation and finalisation, silent on the terminal.
+class Session
+{
+public:
+  Session()
+  {
+    int error = 0;
+    gmsh_.initialize(0, nullptr, 0, &error);
+    NDFRAME_ASSERT(error == 0, "gmsh cannot be initialised");
+    setNumber("General.Terminal", 0);
+    gmsh_.startLog(&error);
+  }
+  ~Session()
+  {
+    int error = 0;
+    gmsh_.stopLog(&error); // or the next session would find these messages
+    gmsh_.finalize(&error);
+  }
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  void setNumber(const char* option, double value)
+  {
+    int error = 0;
+    gmsh_.setNumber(option, value, &error);
+    NDFRAME_ASSERT(error == 0, fmt::format("gmsh has no option {}", option));
+  }
+
+  double number(const char* option) const
+  {
+    int error = 0;
+    double value = 0.0;
+    gmsh_.getNumber(option, &value, &error);
+    NDFRAME_ASSERT(error == 0, fmt::format("gmsh has no option {}", option));
+    return value;
+  }
+
+  void open(const std::string& path)
+  {
+    int error = 0;
+    gmsh_.open(path.c_str(), &error);
+    requireSuccess(error, "gmsh cannot read the script");
+  }
+
+  void generate()
+  {
+    int error = 0;
+    const int dim = gmsh_.dimension(&error);
+    gmsh_.generate(dim, &error);
+    requireSuccess(error, "gmsh cannot mesh the script");
+  }
+
+  void write(const std::string& path)
+  {
+    int error = 0;
+    gmsh_.write(path.c_str(), &error);
+    requireSuccess(error, "gmsh cannot write its mesh to " + path);
+  }
+
+private:
+  /// Some of gmsh's errors only appear in its log.
+  void requireSuccess(int error, const std::string& what)
+  {
+    std::string messages;
+    char** lines = nullptr;
+    std::size_t count = 0;
+    int logError = 0;
+    gmsh_.getLog(&lines, &count, &logError);
+    for (std::size_t i = 0; i < count; ++i) {
+      const std::string line = lines[i];
+      if (line.compare(0, 7, "Error: ") == 0)
+        messages += (messages.empty() ? "" : "; ") + line.substr(7);
+      gmsh_.free(lines[i]);
+    }
+    gmsh_.free(lines);
+    if (error != 0 || !messages.empty())
+      throw FileError(what + (messages.empty() ? "." : ": " + messages + "."));
+  }
+
+  const Library& gmsh_ = Library::get();
+};
+
+/// A file name ending in .msh in a new directory, removed with everything in it.
+class TemporaryFile
+{
+public:
+  TemporaryFile()
+  {
+    std::error_code noDirectory; // leaves the path empty: the working directory
+    std::string pattern = (std::filesystem::temp_directory_path(noDirectory) / "ndframe-XXXXXX").string();
+    if (!mkdtemp(pattern.data()))
+      throw InputError(
+          fmt::format("no temporary directory can be made as {}; set TMPDIR to a writable place.", pattern));
+    directory_ = pattern;
+  }
+  ~TemporaryFile()
+  {
+    std::error_code ignored;
+    std::filesystem::remove_all(directory_, ignored);
+  }
+  TemporaryFile(const TemporaryFile&) = delete;
+  TemporaryFile& operator=(const TemporaryFile&) = delete;
+
+  std::string path() const { return (directory_ / "mesh.msh").string(); }
+
+private:
+  std::filesystem::path directory_;
+};
+
+} // namespace
+
+std::string meshGeoFile(const std::string& path, double sizeFactor)
+{
+  const TemporaryFile mesh;
+  {
+    Session gmsh;
+    gmsh.open(path);
+    // After opening: a script may set these options too.
+    gmsh.setNumber("Mesh.MeshSizeFactor", sizeFactor * gmsh.number("Mesh.MeshSizeFactor"));
+    gmsh.setNumber("Mesh.SaveAll", 1);
+    gmsh.setNumber("Mesh.MshFileVersion", 4.1);
+    gmsh.setNumber("Mesh.Binary", 1);
+    gmsh.generate();
+    gmsh.write(mesh.path());
+  }
+  std::ifstream stream(mesh.path(), std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  return std::move(text).str();
+}
+
+} // namespace ndframe

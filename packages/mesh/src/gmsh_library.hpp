@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+
+namespace ndframe
+{
+
+/// Meshes a gmsh script (.geo) and returns the text of the mesh as a binary .msh file of format 4.1.
+///
+/// The gmsh library is loaded with dlopen at the first call, so that programs that need no gmsh neither wait for it nor
+/// need it. Elements of all entities are kept, with their physical groups. sizeFactor multiplies the sizes of the
+/// script. Throws FileError with gmsh's own messages when the script is wrong, InputError when the library is missing.
+std::string meshGeoFile(const std::string& path, double sizeFactor);
+
+} // namespace ndframe

@@ -1,0 +1,196 @@
+#include "netcdf_header.hpp"
+
+#include <cstdint>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "file_error.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+constexpr std::uint64_t maxNameLength = 1024;
+constexpr std::uint64_t maxDimensions = 1024; // of one variable (NC_MAX_VAR_DIMS)
+
+/// Walks through a classic header ("The NetCDF Classic Format Specification").
+class ClassicHeader
+{
+public:
+  ClassicHeader(std::ifstream& in, std::uint64_t fileSize, int version)
+      : in_(in), fileSize_(fileSize), version_(version)
+  {}
+
+  /// Throws FileError unless the header is well formed and all its data lie within the file.
+  void check();
+
+private:
+  struct Variable
+  {
+    std::uint64_t begin;
+    std::uint64_t bytes;
+    bool isRecord;
+  };
+
+  [[noreturn]] static void fail() { throw FileError("the netCDF header is damaged."); }
+  [[noreturn]] static void failShort()
+  {
+    throw FileError("the file is shorter than its header says; it may have been cut off.");
+  }
+  std::uint64_t big(int bytes);
+  std::uint64_t count() { return big(version_ == 5 ? 8 : 4); }
+  std::uint64_t listLength(std::uint64_t tag);
+  void skip(std::uint64_t bytes);
+  void skipName();
+  void skipAttributes();
+  std::uint64_t typeSize();
+  Variable variable(const std::vector<std::uint64_t>& dimensions);
+  static std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
+
+  std::ifstream& in_;
+  std::uint64_t fileSize_;
+  int version_;
+};
+
+std::uint64_t ClassicHeader::big(int bytes)
+{
+  std::uint64_t value = 0;
+  for (int i = 0; i < bytes; ++i) {
+    const int byte = in_.get();
+    if (byte < 0)
+      fail();
+    value = value << 8 | std::uint64_t(byte);
+  }
+  return value;
+}
+
+std::uint64_t ClassicHeader::listLength(std::uint64_t tag)
+{
+  const std::uint64_t found = big(4);
+  const std::uint64_t length = count();
+  if (length > fileSize_ / 4 || (found != tag && (found != 0 || length != 0)))
+    fail();
+  return length;
+}
+
+void ClassicHeader::skip(std::uint64_t bytes)
+{
+  if (bytes > fileSize_)
+    fail();
+  in_.seekg(std::streamoff(bytes), std::ios::cur);
+}
+
+void ClassicHeader::skipName()
+{
+  const std::uint64_t length = count();
+  if (length > maxNameLength)
+    fail();
+  skip(padded(length));
+}
+
+std::uint64_t ClassicHeader::typeSize()
+{
+  // byte, char, short, int, float, double, then those of CDF-5: ubyte, ushort, uint, int64, uint64
+  static constexpr std::uint64_t sizes[] = {1, 1, 2, 4, 4, 8, 1, 2, 4, 8, 8};
+  const std::uint64_t type = big(4);
+  if (type < 1 || type > (version_ == 5 ? 11 : 6))
+    fail();
+  return sizes[type - 1];
+}
+
+void ClassicHeader::skipAttributes()
+{
+  for (std::uint64_t n = listLength(0x0C); n > 0; --n) {
+    skipName();
+    const std::uint64_t size = typeSize();
+    const std::uint64_t values = count();
+    if (values > fileSize_)
+      fail();
+    skip(padded(size * values));
+  }
+}
+
+ClassicHeader::Variable ClassicHeader::variable(const std::vector<std::uint64_t>& dimensions)
+{
+  skipName();
+  const std::uint64_t rank = count();
+  if (rank > maxDimensions)
+    fail();
+  bool isRecord = false;
+  std::uint64_t values = 1;
+  for (std::uint64_t i = 0; i < rank; ++i) {
+    const std::uint64_t id = count();
+    if (id >= dimensions.size())
+      fail();
+    isRecord = isRecord || (i == 0 && dimensions[id] == 0);
+    if (!(i == 0 && isRecord))
+      values *= dimensions[id];
+    if (values > fileSize_) // every value takes a byte at least
+      failShort();
+  }
+  skipAttributes();
+  const std::uint64_t bytes = values * typeSize();
+  count(); // the size as written, which large variables overflow
+  const std::uint64_t begin = big(version_ == 1 ? 4 : 8);
+  if (begin > fileSize_)
+    failShort();
+  return {begin, bytes, isRecord};
+}
+
+void ClassicHeader::check()
+{
+  const std::uint64_t records = count();
+  const bool streaming = records == (version_ == 5 ? ~std::uint64_t(0) : 0xFFFFFFFF);
+  std::vector<std::uint64_t> dimensions(listLength(0x0A));
+  for (std::uint64_t& length : dimensions) {
+    skipName();
+    length = count();
+  }
+  skipAttributes();
+  std::vector<Variable> variables(listLength(0x0B));
+  std::uint64_t recordBytes = 0;
+  int recordVariables = 0;
+  for (Variable& v : variables) {
+    v = variable(dimensions);
+    recordBytes += v.isRecord ? padded(v.bytes) : 0;
+    recordVariables += v.isRecord ? 1 : 0;
+  }
+  for (const Variable& v : variables) {
+    // A single record variable is not padded.
+    const std::uint64_t stride = recordVariables == 1 ? v.bytes : recordBytes;
+    const std::uint64_t previous = v.isRecord && records > 0 && !streaming ? records - 1 : 0;
+    if (stride > 0 && previous > fileSize_ / stride)
+      fail();
+    const bool empty = v.isRecord && (records == 0 || streaming);
+    if (!empty && v.begin + v.bytes + previous * stride > fileSize_)
+      failShort();
+  }
+}
+
+} // namespace
+
+void checkNetcdfHeader(const std::string& path)
+{
+  if (std::filesystem::is_directory(path))
+    throw FileError("this is a directory, not a file.");
+  std::ifstream in(path, std::ios::binary);
+  char magic[4] = {};
+  if (!in)
+    throw FileError("the file cannot be read; relative names count from the working directory.");
+  const std::uint64_t fileSize = std::filesystem::file_size(path);
+  in.read(magic, 4);
+  if (std::memcmp(magic, "\x89HDF", 4) == 0)
+    return;
+  const int version = magic[3];
+  if (std::memcmp(magic, "CDF", 3) != 0 || (version != 1 && version != 2 && version != 5))
+    throw FileError("the file is not netCDF, so it is no Exodus file.");
+  ClassicHeader(in, fileSize, version).check();
+}
+
+} // namespace ndframe

@@ -1,0 +1,41 @@
+#include "ndframe/mesh/partition.hpp"
+
+#include <fmt/format.h>
+#include <metis.h>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerCell, int numNodes, int parts)
+{
+  NDFRAME_ASSERT(parts >= 1 && nodesPerCell >= 1 && cellNodes.size() % std::size_t(nodesPerCell) == 0,
+                 "a partition needs whole cells and at least one part");
+  std::vector<int> owner(numNodes, 0);
+  if (parts == 1 || numNodes == 0)
+    return owner;
+
+  static_assert(sizeof(idx_t) == sizeof(int), "METIS is built with 32-bit indices");
+  idx_t numCells = idx_t(cellNodes.size()) / nodesPerCell;
+  std::vector<idx_t> offsets(numCells + 1);
+  for (idx_t c = 0; c <= numCells; ++c)
+    offsets[c] = c * nodesPerCell;
+  idx_t options[METIS_NOPTIONS];
+  METIS_SetDefaultOptions(options);
+  options[METIS_OPTION_SEED] = 0;
+  options[METIS_OPTION_NUMBERING] = 0;
+
+  idx_t nodes = numNodes;
+  idx_t numParts = parts;
+  idx_t cut = 0;
+  std::vector<idx_t> cellOwner(numCells);
+  // METIS takes the connectivity by non-const pointer but does not change it with C numbering.
+  const int status =
+      METIS_PartMeshNodal(&numCells, &nodes, offsets.data(), const_cast<idx_t*>(cellNodes.data()), nullptr, nullptr,
+                          &numParts, nullptr, options, &cut, cellOwner.data(), owner.data());
+  NDFRAME_ASSERT(status == METIS_OK, fmt::format("METIS_PartMeshNodal returned {}", status));
+  return owner;
+}
+
+} // namespace ndframe

@@ -1,0 +1,160 @@
+#include "ndframe/subdomain/unilateral_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr double roundOff = 1e-11;      ///< signs and gaps below this, relative to the largest, are zero
+constexpr double proximalDecay = 1e-1;  ///< weight of the proximal term, relative to the stiffness: 0.1, 0.01, ...
+constexpr int largestProximalRun = 12;  ///< passes without enough contact after which the body counts as pulled off
+constexpr double holdTolerance = 1e-12; ///< of the squared singular values of the closed nodes' rigid traces
+
+double largest(const Vector& values)
+{
+  double m = 0.0;
+  for (const double value : values)
+    m = std::max(m, std::abs(value));
+  return m;
+}
+
+std::string joined(const std::vector<std::string>& names)
+{
+  std::string text;
+  for (const auto& name : names)
+    text += (text.empty() ? "" : ", ") + name;
+  return text;
+}
+
+int countDifferences(const std::vector<char>& a, const std::vector<char>& b)
+{
+  int n = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    n += a[i] != b[i];
+  return n;
+}
+
+} // namespace
+
+struct UnilateralProblem::Pass
+{
+  Vector u, force;
+};
+
+UnilateralProblem::UnilateralProblem(const SymmetricOperator& A, std::vector<char> constrained, DenseMatrix rigidTraces,
+                                     std::vector<std::string> motions, Ledger& ledger)
+    : A_(A), constrained_(std::move(constrained)), rigidTraces_(std::move(rigidTraces)), motions_(std::move(motions)),
+      ledger_(ledger)
+{}
+
+bool UnilateralProblem::holds(const std::vector<char>& closed) const
+{
+  if (rigidTraces_.cols() == 0)
+    return true;
+  DenseMatrix gram(rigidTraces_.cols(), rigidTraces_.cols());
+  for (int i = 0; i < rigidTraces_.rows(); ++i)
+    if (closed[std::size_t(i)])
+      for (int a = 0; a < gram.rows(); ++a)
+        for (int c = 0; c < gram.cols(); ++c)
+          gram(a, c) += rigidTraces_(i, a) * rigidTraces_(i, c);
+  return nullSpace(gram, holdTolerance).cols() == 0;
+}
+
+double UnilateralProblem::stiffnessScale() const
+{
+  Vector zigzag(std::size_t(A_.size()));
+  for (std::size_t i = 0; i < zigzag.size(); ++i)
+    zigzag[i] = i % 2 == 0 ? 1.0 : -1.0;
+  return dot(zigzag, A_.apply(zigzag)) / dot(zigzag, zigzag);
+}
+
+void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
+                                    Pass& pass)
+{
+  const auto n = std::size_t(A_.size());
+  Vector given(n, 0.0);
+  std::vector<char> isFree(n, 1);
+  for (std::size_t i = 0; i < n; ++i)
+    if (closed[i]) {
+      given[i] = bound[i];
+      isFree[i] = 0;
+    }
+  if (!factor_ || closed != factoredSet_ || shift != factoredShift_) {
+    factor_.reset();
+    factor_ = A_.inverseOn(isFree, shift);
+    factoredSet_ = closed;
+    factoredShift_ = shift;
+    ledger_.count("interface factorisations");
+  }
+  const Vector fromGiven = A_.apply(given);
+  Vector rhs(n);
+  for (std::size_t i = 0; i < n; ++i)
+    rhs[i] = b[i] - fromGiven[i] + shift * (pass.u.empty() ? 0.0 : pass.u[i]);
+  Vector u = factor_->solve(rhs);
+  for (std::size_t i = 0; i < n; ++i)
+    u[i] += given[i];
+  pass.force = A_.apply(u);
+  for (std::size_t i = 0; i < n; ++i)
+    pass.force[i] = closed[i] ? pass.force[i] - b[i] : 0.0;
+  pass.u = std::move(u);
+}
+
+/// Nodes whose status contradicts the solution: closed ones under tension, open ones that penetrate.
+std::vector<int> UnilateralProblem::violations(const Vector& b, const Vector& bound, const Pass& pass,
+                                               const std::vector<char>& closed) const
+{
+  const double noForce = roundOff * std::max(largest(pass.force), largest(b));
+  const double noGap = roundOff * std::max(largest(pass.u), largest(bound));
+  std::vector<int> wrong;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (constrained_[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))
+      wrong.push_back(int(i));
+  return wrong;
+}
+
+UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, std::vector<char> closed)
+{
+  const std::vector<char> start = closed;
+  const int mostPasses = 100 + 10 * A_.size();
+  UnilateralState state;
+  Pass pass;
+  std::set<std::vector<char>> seen;
+  for (int proximal = 0; state.passes < mostPasses;) {
+    const bool held = holds(closed);
+    proximal = held ? 0 : proximal + 1;
+    if (proximal > largestProximalRun)
+      throw NotConverged(
+          fmt::format("the load pulls the bodies apart: contact opens and nothing stops {}.", joined(motions_)));
+    solveClosed(b, bound, closed, held ? 0.0 : std::pow(proximalDecay, proximal) * stiffnessScale(), pass);
+    ++state.passes;
+    ledger_.count("status passes");
+    const auto wrong = violations(b, bound, pass, closed);
+    if (wrong.empty() && held) {
+      state.changes = countDifferences(start, closed);
+      ledger_.count("status changes", state.changes);
+      state.u = std::move(pass.u);
+      state.force = std::move(pass.force);
+      state.closed = std::move(closed);
+      return state;
+    }
+    state.cycled = state.cycled || (held && !seen.insert(closed).second);
+    for (const int i : wrong) {
+      closed[std::size_t(i)] = !closed[std::size_t(i)];
+      if (state.cycled)
+        break;
+    }
+  }
+  throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}.",
+                                 mostPasses, state.cycled ? " (it cycled)" : ""));
+}
+
+} // namespace ndframe

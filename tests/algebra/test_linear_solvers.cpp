@@ -1,0 +1,100 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "algebra/sample_bodies.hpp"
+#include "common/test_main.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+class AnySolver : public testing::TestWithParam<const char*>
+{};
+
+std::string singularityFound(const std::string& solver, const SolverProblem& problem)
+{
+  Ledger ledger;
+  try {
+    test::makeSolver(solver)->factor(problem, test::comm(), ledger);
+    return "none";
+  } catch (const SingularBody& singular) {
+    EXPECT_GE(singular.dof, 0);
+    return singular.what();
+  }
+}
+
+} // namespace
+
+TEST_P(AnySolver, RefusesABodyThatARigidMotionLeavesUnheld)
+{
+  const test::SampleBody body = test::trussBody({5, 4}, test::comm());
+  EXPECT_THAT(singularityFound(GetParam(), body.problemWithoutKept(test::Support::None)),
+              testing::HasSubstr("a rigid motion of the body moves none of its fixed or interface dofs"));
+  EXPECT_THAT(singularityFound(GetParam(), body.problemWithoutKept(test::Support::Guide)),
+              testing::HasSubstr("dof 1 moves most"));
+  EXPECT_EQ(singularityFound(GetParam(), body.problem(test::Support::Guide)), "none");
+}
+
+TEST_P(AnySolver, IgnoresNearNullSpaceThatCostsEnergy)
+{
+  const test::SampleBody body = test::trussBody({5, 4}, test::comm());
+  SolverProblem problem = body.problemWithoutKept(test::Support::Clamp);
+  problem.nearNullSpace = DenseMatrix(body.matrix.numDofs(), 1);
+  problem.nearNullSpace(body.matrix.numDofs() - 1, 0) = 1.0; // an unheld dof that its neighbours hold
+  EXPECT_EQ(singularityFound(GetParam(), problem), "none");
+}
+
+TEST_P(AnySolver, RefusesABodyWithAllDofsFixed)
+{
+  const test::SampleBody body = test::trussBody({1, 1}, test::comm());
+  Ledger ledger;
+  EXPECT_THROW(test::makeSolver(GetParam())
+                   ->factor(test::problemWith(body.matrix, {}, {0, 1, 2, 3, 4, 5, 6, 7}), test::comm(), ledger),
+               InputError);
+}
+
+TEST_P(AnySolver, RefusesRolesThatDisagreeWithTheKeptDofs)
+{
+  const test::SampleBody body = test::trussBody({2, 2}, test::comm());
+  Ledger ledger;
+  SolverProblem problem = body.problem(test::Support::Clamp);
+  problem.kept.pop_back();
+  EXPECT_THROW(test::makeSolver(GetParam())->factor(problem, test::comm(), ledger), InternalError);
+}
+
+INSTANTIATE_TEST_SUITE_P(Solvers, AnySolver, testing::Values("Automatic", "Mumps", "Krylov"),
+                         [](const auto& solver) { return std::string(solver.param); });
+
+TEST(Automatic, IsCholmodOnOneRankAndMumpsOnSeveral)
+{
+  const test::SampleBody body = test::trussBody({3, 2}, test::comm());
+  const SolverProblem problem = body.problem(test::Support::Clamp);
+  Ledger ledger;
+  EXPECT_THAT(test::makeSolver("Automatic")->factor(problem, test::comm(), ledger)->description(),
+              testing::StartsWith(test::comm().size() == 1 ? "Cholmod" : "Mumps"));
+}
+
+TEST(LinearSolvers, UnknownTypeIsAnsweredWithTheKnownOnes)
+{
+  const std::string text = test::complaint("Pardiso", "");
+  for (const char* name : {"Automatic", "Cholmod", "Mumps", "Krylov"})
+    EXPECT_THAT(text, testing::HasSubstr(name));
+}
+
+TEST(LinearSolvers, AnswerOfSeveralRanksIsThatOfOne)
+{
+  const test::SampleBody own = test::trussBody({9, 7}, test::comm()), whole = test::trussBody({9, 7}, Comm::single());
+  const SolverProblem distributed = own.problem(test::Support::Guide), alone = whole.problem(test::Support::Guide);
+  Ledger ledger;
+  const DenseMatrix S = test::makeSolver("Cholmod")->factor(alone, Comm::single(), ledger)->schurComplement();
+  EXPECT_LT(test::relativeDifference(
+                test::makeSolver("Mumps")->factor(distributed, test::comm(), ledger)->schurComplement(), S),
+            1e-12);
+  EXPECT_LT(test::relativeDifference(
+                test::makeSolver("Krylov")->factor(distributed, test::comm(), ledger)->schurComplement(), S),
+            1e-8);
+}
+
+} // namespace ndframe

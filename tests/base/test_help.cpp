@@ -1,0 +1,112 @@
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "base/sample_spec.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/help.hpp"
+
+using namespace ndframe;
+using test::sampleSpec;
+using testing::HasSubstr;
+using testing::Not;
+
+TEST(Help, OfTheDeckShowsItsParametersAndLists)
+{
+  const std::string text = helpText(sampleSpec(), "");
+  EXPECT_THAT(text, HasSubstr("A deck for the tests."));
+  EXPECT_THAT(
+      text,
+      HasSubstr("    Pattern  (string, default Right, Right | Alternating | Crossed)\n      How squares are cut.\n"));
+  EXPECT_THAT(text, HasSubstr("    Gap  (number or expression in x, y, z, default 0)\n"));
+  EXPECT_THAT(text, HasSubstr("    Bodies/  (required)\n      The bodies by name.\n"));
+  EXPECT_THAT(text, HasSubstr("    Output/  (only if given)\n"));
+}
+
+TEST(Help, FindsAListByPathByNameAndByAUsersName)
+{
+  const std::string stopping = helpText(sampleSpec(), "Coupling/Stopping");
+  EXPECT_THAT(stopping, HasSubstr("Coupling/Stopping\n  When the sweeps end.\n"));
+  EXPECT_THAT(stopping, HasSubstr("Tolerance  (double, default 0.001, > 0)"));
+  EXPECT_EQ(helpText(sampleSpec(), "Stopping"), stopping);
+  EXPECT_EQ(helpText(sampleSpec(), "Bodies/punch/Material"), helpText(sampleSpec(), "Material"));
+}
+
+TEST(Help, OfAListShowsItsComponents)
+{
+  const std::string text = helpText(sampleSpec(), "Relaxation");
+  EXPECT_THAT(text, HasSubstr("    Type  (string, default Constant, Constant | Aitken)"));
+  EXPECT_THAT(text,
+              HasSubstr("    Constant\n      A fixed factor.\n        Theta  (double, default 0.5, in (0, 2))\n"));
+  EXPECT_THAT(text, HasSubstr("        History/  (optional)\n"));
+}
+
+TEST(Help, FindsAComponent)
+{
+  const std::string text = helpText(sampleSpec(), "Aitken");
+  EXPECT_THAT(text, HasSubstr("Coupling/Relaxation, Type = Aitken\n  From the last two residuals.\n"));
+  EXPECT_THAT(text, HasSubstr("Initial Theta"));
+  EXPECT_THAT(text, Not(HasSubstr("Constant")));
+}
+
+TEST(Help, AnswersUnknownNamesWithTheNearest)
+{
+  try {
+    helpText(sampleSpec(), "Relaxtion");
+    FAIL() << "nothing was thrown";
+  } catch (const InputError& error) {
+    EXPECT_STREQ(error.what(), "there is no list or component \"Relaxtion\"; did you mean \"Relaxation\"?");
+  }
+  EXPECT_THROW(helpText(sampleSpec(), "quite another thing"), InputError);
+}
+
+TEST(Help, KeepsToAHundredColumns)
+{
+  ListSpec spec;
+  for (int i = 0; i < 60; ++i)
+    spec.doc += "many words " + std::to_string(i) + " ";
+  std::istringstream lines(helpText(spec, ""));
+  int count = 0;
+  for (std::string line; std::getline(lines, line); ++count)
+    EXPECT_LE(line.size(), 100U);
+  EXPECT_GT(count, 8);
+}
+
+TEST(ComponentList, NamesAllComponentsByTheirLists)
+{
+  EXPECT_EQ(componentList(sampleSpec()), "Bodies/*/Material\n"
+                                         "  Isotropic    Two constants.\n"
+                                         "  Orthotropic  Three axes.\n"
+                                         "\n"
+                                         "Coupling/Relaxation\n"
+                                         "  Constant  A fixed factor. (default)\n"
+                                         "  Aitken    From the last two residuals.\n");
+}
+
+TEST(Reference, HasASectionPerListAndComponentAndARowPerParameter)
+{
+  const std::string text = referenceMarkdown(sampleSpec());
+  EXPECT_THAT(text, HasSubstr("# Deck reference\n\n"));
+  EXPECT_THAT(text, HasSubstr("\n## `Coupling/Stopping`\n\nWhen the sweeps end.\n\n| Parameter |"));
+  EXPECT_THAT(text,
+              HasSubstr("| `Pattern` | string | Right | Right \\| Alternating \\| Crossed | How squares are cut. |\n"));
+  EXPECT_THAT(text, HasSubstr("\n### `Coupling/Relaxation`, `Type` = `Aitken`\n"));
+  EXPECT_THAT(text, HasSubstr("\n## `Coupling/Relaxation/History` (of `Aitken`)\n"));
+  EXPECT_THAT(text, HasSubstr("| On eps\\_tau. |"));
+  EXPECT_EQ(text, referenceMarkdown(sampleSpec()));
+  EXPECT_EQ(text.back(), '\n');
+  EXPECT_THAT(text, Not(HasSubstr("\n\n\n")));
+}
+
+TEST(NearestName, FindsMisspellingsAndNothingElse)
+{
+  const std::vector<std::string> names{"Young Modulus", "Poisson Ratio", "Type", "Order"};
+  EXPECT_EQ(nearestName("Poisons Ratio", names), "Poisson Ratio");
+  EXPECT_EQ(nearestName("young modulus", names), "Young Modulus");
+  EXPECT_EQ(nearestName("Tpye", names), "Type");
+  EXPECT_EQ(nearestName("Odre", names), "Order");
+  EXPECT_EQ(nearestName("Density", names), "");
+  EXPECT_EQ(nearestName("", names), "");
+  EXPECT_EQ(nearestName("Type", {}), "");
+  EXPECT_EQ(nearestName(std::string(100000, 'x'), names), "");
+}

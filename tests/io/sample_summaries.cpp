@@ -1,0 +1,53 @@
+#include "io/sample_summaries.hpp"
+
+#include <limits>
+
+namespace ndframe::test
+{
+
+RunSummary singleBodySummary()
+{
+  RunSummary summary;
+  summary.version = "0.1.0";
+  summary.title = "Beam";
+  summary.deckJson = R"({"Title": "Beam", "Bodies": {"beam": {"Mesh": {"Type": "Box", "Cells": [4, 1, 1]}}}})";
+  summary.bodies = {{"beam", 1986, 468, 2, "Cholmod", "clamp at left", 1.0 / 3.0}};
+  summary.energy = 1.0 / 3.0;
+  summary.residuals = {1e-15, 0.0, 0.0, 0.0};
+  summary.counts = {{"factorisations", 1}, {"bytes written", 5'000'000'000}};
+  summary.stages = {{"read", 0.25, 1'000'000}, {"factor", 0.5, 6'000'000'000}};
+  summary.totalSeconds = 0.75;
+  summary.peakBytes = 6'000'000'000;
+  return summary;
+}
+
+RunSummary contactSummary()
+{
+  auto summary = singleBodySummary();
+  summary.title = "Punch on a foundation";
+  summary.ranks = 2;
+  summary.bodies = {{"punch", 1986, 468, 2, "Cholmod", "x: roller at left; y: contact only", 0.5},
+                    {"foundation", 3842, 924, 2, "Cholmod", "clamp at bottom", 1.0}};
+  summary.energy = 1.5;
+  InterfaceSummary interface;
+  interface.name = "contact";
+  interface.dirichletBody = "punch";
+  interface.neumannBody = "foundation";
+  interface.nodes = 61;
+  interface.closedNodes = 60;
+  interface.forceOnDirichlet = {0.0, 1.0};
+  interface.forceOnNeumann = {0.0, -0.9375};
+  interface.contactForce = 1.0;
+  interface.contactLength = 0.957;
+  interface.endPoints = {{0.0, 1.0}, {0.957, 1.0}};
+  interface.largestPressure = 1.75;
+  interface.largestPenetration = 3.1e-17;
+  summary.interfaces = {interface};
+  const SweepSummary first{1, 2.0, 0.5, 1, 2, 60, 1, -1.0, 0.0, 0.0, "first"};
+  const SweepSummary second{2, std::numeric_limits<double>::quiet_NaN(), 0.5, 0, 1, 60, 1, -1.0, -0.5, 0.0, ""};
+  summary.coupling = CouplingSummary{"Neumann-Dirichlet", 2, true, "eps_tau 0.091 < 0.1", {first, second}};
+  summary.expectations = {{"coupling/sweeps", 2.0, 2.0, 0.0, true}};
+  return summary;
+}
+
+} // namespace ndframe::test

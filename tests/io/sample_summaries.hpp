@@ -1,0 +1,14 @@
+#pragma once
+
+#include "ndframe/io/summary.hpp"
+
+namespace ndframe::test
+{
+
+/// Two bodies, one interface, two sweeps, every list filled; one value is not a number.
+RunSummary contactSummary();
+
+/// One body, nothing else.
+RunSummary singleBodySummary();
+
+} // namespace ndframe::test

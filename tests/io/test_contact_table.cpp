@@ -1,0 +1,83 @@
+#include "ndframe/io/contact_table.hpp"
+
+#include <sstream>
+
+#include <gmock/gmock.h>
+
+#include "ndframe/base/diagnostics.hpp"
+
+using namespace ndframe;
+
+namespace
+{
+
+std::vector<std::string> split(const std::string& text, char separator)
+{
+  std::vector<std::string> parts;
+  std::istringstream stream(text);
+  for (std::string part; std::getline(stream, part, separator);)
+    parts.push_back(part);
+  return parts;
+}
+
+ContactNode sampleNode(std::vector<double> point)
+{
+  ContactNode node;
+  node.interface = "contact";
+  node.point = std::move(point);
+  node.uDirichlet = 1.0 / 3.0;
+  node.uNeumann = -1e-300;
+  node.gap = 0.1;
+  node.tractionDirichlet = -1.75e9;
+  node.tractionNeumann = -1.0;
+  node.nodalForce = -0.0625;
+  node.closed = true;
+  return node;
+}
+
+} // namespace
+
+TEST(ContactTable, NamesItsColumnsInTheFirstLine)
+{
+  EXPECT_EQ(contactCsv({}, 2), "interface,x,y,u_dirichlet,u_neumann,gap,traction_dirichlet,traction_neumann,"
+                               "nodal_force,closed\n");
+  EXPECT_EQ(split(contactCsv({}, 3), ',').size(), 11U);
+}
+
+TEST(ContactTable, NumbersReadBackExactly)
+{
+  const auto node = sampleNode({0.1, 2.0 / 3.0, -7.0});
+  const auto lines = split(contactCsv({node}, 3), '\n');
+  ASSERT_EQ(lines.size(), 2U);
+  const auto cells = split(lines[1], ',');
+  ASSERT_EQ(cells.size(), 11U);
+  EXPECT_EQ(cells[0], "contact");
+  std::vector<double> values;
+  for (std::size_t i = 1; i < 10; ++i)
+    values.push_back(std::stod(cells[i]));
+  EXPECT_THAT(values, testing::ElementsAre(0.1, 2.0 / 3.0, -7.0, node.uDirichlet, node.uNeumann, node.gap,
+                                           node.tractionDirichlet, node.tractionNeumann, node.nodalForce));
+  EXPECT_EQ(cells[10], "1");
+}
+
+TEST(ContactTable, HasOneLinePerNodeInTheOrderGiven)
+{
+  auto open = sampleNode({2.0, 0.0});
+  open.closed = false;
+  const auto lines = split(contactCsv({sampleNode({3.0, 0.0}), open}, 2), '\n');
+  ASSERT_EQ(lines.size(), 3U);
+  EXPECT_THAT(lines[1], testing::AllOf(testing::StartsWith("contact,3,0,"), testing::EndsWith(",1")));
+  EXPECT_THAT(lines[2], testing::AllOf(testing::StartsWith("contact,2,0,"), testing::EndsWith(",0")));
+}
+
+TEST(ContactTable, QuotesNamesThatHoldSeparators)
+{
+  auto node = sampleNode({0.0, 0.0});
+  node.interface = "left, \"inner\"";
+  EXPECT_THAT(contactCsv({node}, 2), testing::HasSubstr("\n\"left, \"\"inner\"\"\",0,0,"));
+}
+
+TEST(ContactTable, WantsDimCoordinatesPerNode)
+{
+  EXPECT_THROW(contactCsv({sampleNode({0.0, 0.0})}, 3), InternalError);
+}

@@ -1,0 +1,107 @@
+#include "ndframe/io/summary.hpp"
+
+#include <limits>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "io/sample_summaries.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+using namespace ndframe;
+using ndframe::test::contactSummary;
+using ndframe::test::singleBodySummary;
+using Json = nlohmann::ordered_json;
+
+TEST(Summary, NumbersReadBackExactly)
+{
+  auto summary = singleBodySummary();
+  for (const double value : {1.0 / 3.0, 1e-300, -1.7976931348623157e308, 5e-324, 0.1, 123456789.0}) {
+    summary.energy = value;
+    EXPECT_EQ(Json::parse(toJson(summary))["energy"].get<double>(), value);
+  }
+  EXPECT_EQ(Json::parse(toJson(summary))["ledger"]["peak_bytes"].get<std::int64_t>(), 6'000'000'000);
+}
+
+TEST(Summary, NotANumberAndInfinityAreNull)
+{
+  auto summary = singleBodySummary();
+  summary.energy = std::numeric_limits<double>::quiet_NaN();
+  summary.totalSeconds = -std::numeric_limits<double>::infinity();
+  const auto json = Json::parse(toJson(summary));
+  EXPECT_TRUE(json["energy"].is_null());
+  EXPECT_TRUE(json["ledger"]["total_seconds"].is_null());
+}
+
+TEST(Summary, HoldsTheDeckAsAnObject)
+{
+  const auto json = Json::parse(toJson(singleBodySummary()));
+  EXPECT_EQ(json["deck"]["Bodies"]["beam"]["Mesh"]["Cells"], Json({4, 1, 1}));
+  EXPECT_EQ(json["deck"], Json::parse(singleBodySummary().deckJson));
+}
+
+TEST(Summary, RefusesADeckThatIsNotAnObject)
+{
+  auto summary = singleBodySummary();
+  for (const auto* deck : {"", "{", "[1]", "3"}) {
+    summary.deckJson = deck;
+    EXPECT_THROW(toJson(summary), InternalError) << deck;
+  }
+}
+
+TEST(Summary, CouplingIsNullWithoutInterfaces)
+{
+  EXPECT_TRUE(Json::parse(toJson(singleBodySummary()))["coupling"].is_null());
+  EXPECT_EQ(Json::parse(toJson(contactSummary()))["coupling"]["history"].size(), 2U);
+}
+
+TEST(Summary, SurvivesNamesThatAreNotUtf8)
+{
+  auto summary = singleBodySummary();
+  summary.bodies[0].name = "b\xe9ton \"1\"\n";
+  EXPECT_EQ(Json::parse(toJson(summary))["bodies"][0]["name"], "b\uFFFDton \"1\"\n");
+}
+
+TEST(SummaryValue, FindsListEntriesByName)
+{
+  const auto summary = contactSummary();
+  EXPECT_EQ(summaryValue(summary, "energy"), 1.5);
+  EXPECT_EQ(summaryValue(summary, "bodies/foundation/energy"), 1.0);
+  EXPECT_EQ(summaryValue(summary, "interfaces/contact/contact_force"), 1.0);
+  EXPECT_EQ(summaryValue(summary, "ledger/counts/factorisations"), 1.0);
+  EXPECT_EQ(summaryValue(summary, "ledger/stages/factor/seconds"), 0.5);
+  EXPECT_EQ(summaryValue(summary, "deck/Bodies/beam/Mesh/Cells/0"), 4.0);
+}
+
+TEST(SummaryValue, FindsListEntriesByIndex)
+{
+  const auto summary = contactSummary();
+  EXPECT_EQ(summaryValue(summary, "bodies/1/dofs"), 3842.0);
+  EXPECT_EQ(summaryValue(summary, "coupling/history/0/eps_tau"), 2.0);
+  EXPECT_EQ(summaryValue(summary, "interfaces/contact/end_points/1/0"), 0.957);
+}
+
+TEST(SummaryValue, PrefersANameToAnIndex)
+{
+  auto summary = contactSummary();
+  summary.bodies[0].name = "1";
+  EXPECT_EQ(summaryValue(summary, "bodies/1/dofs"), 1986.0);
+}
+
+TEST(SummaryValue, CountsBooleansAsNumbers)
+{
+  auto summary = contactSummary();
+  EXPECT_EQ(summaryValue(summary, "coupling/converged"), 1.0);
+  summary.coupling->converged = false;
+  EXPECT_EQ(summaryValue(summary, "coupling/converged"), 0.0);
+}
+
+TEST(SummaryValue, IsEmptyWhereThereIsNoNumber)
+{
+  const auto summary = contactSummary();
+  for (const auto* path : {"", "/", "energy/", "energy/x", "bodies", "bodies/2/dofs", "bodies/-1/dofs", "bodies//dofs",
+                           "bodies/anvil/dofs", "bodies/99999999999999999999/dofs", "bodies/punch/name",
+                           "coupling/history/1/eps_tau", "Energy"})
+    EXPECT_EQ(summaryValue(summary, path), std::nullopt) << path;
+  EXPECT_EQ(summaryValue(singleBodySummary(), "coupling/sweeps"), std::nullopt);
+}

@@ -1,0 +1,18 @@
+// The unit square. The group "rim" holds all curves, which format 2.2 writes as a second copy of every segment.
+Point(1) = {0, 0, 0, 0.4};
+Point(2) = {1, 0, 0, 0.4};
+Point(3) = {1, 1, 0, 0.4};
+Point(4) = {0, 1, 0, 0.4};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4};
+Plane Surface(1) = {1};
+Physical Curve("bottom") = {1};
+Physical Curve("right") = {2};
+Physical Curve("top") = {3};
+Physical Curve("left") = {4};
+Physical Curve("rim") = {1, 2, 3, 4};
+Physical Surface("square") = {1};
+Physical Surface("everything") = {1};

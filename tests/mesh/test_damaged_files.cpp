@@ -1,0 +1,98 @@
+#include <algorithm>
+#include <cmath>
+#include <random>
+
+#include <exodusII.h>
+#include <gtest/gtest.h>
+
+#include "mesh_deck.hpp"
+#include "mesh_files.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace
+{
+
+using namespace ndframe;
+using namespace ndframe::test;
+
+/// A damaged file is either refused by an InputError or read as a sound mesh; anything else is a failure of the test.
+/// Returns true when it was refused.
+bool isRefused(const std::string& type, const std::string& contents)
+{
+  try {
+    const Mesh mesh = readMesh(text("Type", type) + text("File", scratchFile("damaged", contents)));
+    EXPECT_TRUE(checkMesh(mesh).empty());
+    return false;
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("damaged: "), std::string::npos) << error.what();
+    return true;
+  }
+}
+
+void expectEveryTruncationIsRefused(const std::string& type, const std::string& contents, std::size_t needed,
+                                    std::size_t step)
+{
+  for (std::size_t length = 0; length < needed; length += step)
+    ASSERT_TRUE(isRefused(type, contents.substr(0, length))) << "cut to " << length << " of " << contents.size();
+}
+
+/// Overwrites one to three bytes; in an ASCII file by characters that occur in one.
+void surviveMutations(const std::string& type, const std::string& contents, bool binary, int rounds)
+{
+  const std::string alphabet = "0123456789 .-e\n$x\"";
+  std::mt19937 random(7);
+  const auto upTo = [&](std::size_t n) { return std::uniform_int_distribution<std::size_t>(0, n - 1)(random); };
+  for (int round = 0; round < rounds; ++round) {
+    std::string damaged = contents;
+    for (std::size_t k = 0; k <= upTo(3); ++k)
+      damaged[upTo(damaged.size())] = binary ? char(upTo(256)) : alphabet[upTo(alphabet.size())];
+    isRefused(type, damaged);
+  }
+}
+
+std::string exodusFile(int format)
+{
+  const std::string path = scratchPath("sound.e");
+  const Mesh mesh =
+      readMesh(text("Type", "Box") + doubles("Lower", "0, 0") + doubles("Upper", "1, 1") + ints("Cells", "3, 3"));
+  writeExodus(path, asExodusSample(mesh), format);
+  return contentsOf(path);
+}
+
+class DamagedMsh : public testing::TestWithParam<const char*>
+{};
+
+TEST_P(DamagedMsh, TruncatedFilesAreRefused)
+{
+  const std::string contents = contentsOf(dataPath(GetParam()));
+  // Without the last end of line the file is still whole.
+  expectEveryTruncationIsRefused("Gmsh", contents, contents.size() - 1, 7);
+}
+
+TEST_P(DamagedMsh, MutatedFilesAreRefusedOrSound)
+{
+  const bool binary = std::string(GetParam()).find("binary") != std::string::npos;
+  surviveMutations("Gmsh", contentsOf(dataPath(GetParam())), binary, 400);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DamagedMsh,
+                         testing::Values("square-2.2-ascii.msh", "square-2.2-binary.msh", "square-4.1-ascii.msh",
+                                         "square-4.1-binary.msh", "cube-4.1-binary.msh"));
+
+class DamagedExodus : public testing::TestWithParam<int>
+{};
+
+TEST_P(DamagedExodus, TruncatedFilesAreRefused)
+{
+  const std::string contents = exodusFile(GetParam());
+  expectEveryTruncationIsRefused("Exodus", contents, contents.size() - 3, 13);
+}
+
+TEST_P(DamagedExodus, MutatedFilesAreRefusedOrSound)
+{
+  surviveMutations("Exodus", exodusFile(GetParam()), true, 400);
+}
+
+INSTANTIATE_TEST_SUITE_P(All, DamagedExodus, testing::Values(EX_NORMAL_MODEL, EX_LARGE_MODEL, EX_NETCDF4));
+
+} // namespace

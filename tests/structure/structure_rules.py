@@ -1,0 +1,219 @@
+"""The rules that keep the house in order. Each is a function of a Tree that yields Problems; RULES lists them all."""
+
+import dataclasses
+import pathlib
+import re
+
+import cpp_text
+
+# A package may include what stands after its arrow and, transitively, what those may include.
+ARROWS = {
+    "base": [],
+    "algebra": ["base"],
+    "mesh": ["base"],
+    "fem": ["mesh"],
+    "mechanics": ["fem"],
+    "assembly": ["mechanics", "algebra"],
+    "subdomain": ["assembly"],
+    "interface": ["assembly"],
+    "coupling": ["subdomain", "interface"],
+    "recovery": ["assembly"],
+    "estimation": ["recovery"],
+    "io": ["mesh", "fem", "algebra"],
+    "driver": ["coupling", "estimation", "io"],
+}
+
+HEAVY_HEADER = re.compile(r"(Tpetra_|Belos|Ifpack2|Amesos2|MueLu|Kokkos)|(cholmod|[dszc]mumps_c|mpi)\.h$")
+HEAVY_HOME = "packages/algebra/src/"
+
+MAX_LINES = {".cpp": 300, ".hpp": 150}
+MAX_FUNCTION_LINES = 40
+MAX_COMPARED_NAMES = 2
+
+CODE_SUFFIXES = {".cpp", ".hpp"}
+TEXT_SUFFIXES = CODE_SUFFIXES | {".py", ".cmake", ".txt", ".xml", ".json", ".sh"}
+UNFINISHED = re.compile(r"\b(TO" r"DO|FIX" r"ME|XX" r"X)\b")
+
+
+@dataclasses.dataclass(frozen=True)
+class Problem:
+    file: str
+    line: int
+    message: str
+
+    def __str__(self):
+        return f"{self.file}:{self.line}: {self.message}"
+
+
+class SourceFile:
+    def __init__(self, root, path):
+        self.path = path
+        self.name = str(path.relative_to(root))
+        self.raw = path.read_text(errors="replace")
+
+    @property
+    def package(self):
+        parts = self.name.split("/")
+        return parts[1] if parts[0] == "packages" else None
+
+    def includes(self):
+        """(line, header) of every include."""
+        for number, line in enumerate(self.raw.splitlines(), start=1):
+            match = re.match(r'\s*#\s*include\s*[<"]([^>"]+)[>"]', line)
+            if match:
+                yield number, match[1]
+
+
+class Tree:
+    """The sources below `root`."""
+
+    def __init__(self, root):
+        self.root = pathlib.Path(root)
+        files = [p for top in ("packages", "apps", "tests", "cmake") for p in sorted((self.root / top).rglob("*"))]
+        self.texts = [SourceFile(self.root, p) for p in files if p.is_file() and p.suffix in TEXT_SUFFIXES]
+        self.code = [f for f in self.texts if f.path.suffix in CODE_SUFFIXES]
+        self.product_code = [f for f in self.code if not f.name.startswith("tests/")]
+
+    def packages(self):
+        return sorted(p.name for p in (self.root / "packages").iterdir() if p.is_dir())
+
+
+def reachable(package, arrows):
+    """All packages that `package` may include."""
+    found, waiting = set(), list(arrows.get(package, []))
+    while waiting:
+        following = waiting.pop()
+        if following not in found:
+            found.add(following)
+            waiting += arrows.get(following, [])
+    return found
+
+
+def arrows_have_no_cycle(tree, arrows=ARROWS):
+    for package in arrows:
+        if package in reachable(package, arrows):
+            yield Problem("tests/structure/structure_rules.py", 1, f"the arrows lead from {package} back to {package}")
+
+
+def packages_are_in_the_table(tree):
+    for package in tree.packages():
+        if package not in ARROWS:
+            yield Problem(f"packages/{package}", 1, f"package {package} has no arrows in the table of structure_rules.py")
+
+
+def package_of(header):
+    match = re.match(r"ndframe/([^/]+)/", header)
+    return match[1] if match else None
+
+
+def includes_follow_the_arrows(tree):
+    for file in tree.product_code:
+        allowed = reachable(file.package, ARROWS) | {file.package} if file.package else set(ARROWS)
+        for line, header in file.includes():
+            package = package_of(header)
+            if package and package not in allowed:
+                yield Problem(file.name, line, f"{file.package} may not include {package}: it is against the arrows")
+            if ".." in header.split("/") or header.startswith("packages/"):
+                yield Problem(file.name, line, f"{header} reaches into another folder; include \"ndframe/PACKAGE/...\"")
+
+
+def headers_do_not_include_each_other(tree):
+    by_header = {f.name.split("/include/")[1]: f for f in tree.product_code if "/include/" in f.name}
+    graph = {name: [h for _, h in f.includes() if h in by_header] for name, f in by_header.items()}
+    for name, file in by_header.items():
+        if name in reachable(name, graph):
+            yield Problem(file.name, 1, f"{name} includes itself through other headers")
+
+
+def cmake_depends_follow_the_arrows(tree):
+    for package in tree.packages():
+        lists = tree.root / "packages" / package / "CMakeLists.txt"
+        name = f"packages/{package}/CMakeLists.txt"
+        if not lists.is_file():
+            yield Problem(name, 1, "the package has no CMakeLists.txt")
+            continue
+        depends = cmake_depends(lists.read_text())
+        for other in depends - reachable(package, ARROWS):
+            yield Problem(name, 1, f"DEPENDS {other} is against the arrows")
+        linked = depends.union(*(reachable(other, ARROWS) for other in depends)) | {package}
+        for file in tree.product_code:
+            for line, header in file.includes() if file.package == package else ():
+                if package_of(header) not in linked | {None}:
+                    yield Problem(file.name, line, f"{package_of(header)} is included but not among the DEPENDS of {name}")
+
+
+def cmake_depends(text):
+    text = re.sub(r"#.*", "", text)
+    match = re.search(r"ndframe_package\s*\([^)]*?\bDEPENDS\b([^)]*)", text)
+    words = match[1].split() if match else []
+    ends = [i for i, word in enumerate(words) if word in ("SOURCES", "LIBRARIES", "PUBLIC_LIBRARIES")]
+    return set(words[: ends[0]] if ends else words)
+
+
+def heavy_headers_stay_in_algebra(tree):
+    for file in tree.code:
+        for line, header in file.includes():
+            if HEAVY_HEADER.match(header.split("/")[-1]) and not file.name.startswith(HEAVY_HOME):
+                yield Problem(file.name, line, f"{header} is a heavy header; only {HEAVY_HOME} may see it")
+
+
+def files_are_short(tree):
+    for file in tree.product_code:
+        lines, limit = len(file.raw.splitlines()), MAX_LINES[file.path.suffix]
+        if lines > limit:
+            yield Problem(file.name, limit + 1, f"{lines} lines; a {file.path.suffix} has at most {limit}")
+
+
+def functions_are_short(tree):
+    for file in tree.product_code:
+        for function in cpp_text.functions(file.raw):
+            if function.num_lines > MAX_FUNCTION_LINES:
+                yield Problem(
+                    file.name,
+                    function.line,
+                    f"{function.name} has {function.num_lines} lines; a function has at most {MAX_FUNCTION_LINES}",
+                )
+
+
+def names_are_looked_up_not_compared(tree):
+    comparison = re.compile(r'[=!]=\s*"[^"]*"|"[^"]*"\s*[=!]=')
+    for file in tree.product_code:
+        for function in cpp_text.functions(file.raw):
+            found = (function.text[slice(*match.span())] for match in comparison.finditer(function.code))
+            names = sorted({comparison_text.strip("=! \n") for comparison_text in found})
+            if len(names) > MAX_COMPARED_NAMES:
+                message = f"{function.name} compares with {', '.join(names)}; use Names<T>, a Registry or a table"
+                yield Problem(file.name, function.line, message)
+
+
+def nothing_is_unfinished(tree):
+    for file in tree.texts:
+        for number, line in enumerate(file.raw.splitlines(), start=1):
+            match = UNFINISHED.search(line)
+            if match:
+                yield Problem(file.name, number, f"{match[1]}: finish it or open an issue")
+
+
+def headers_are_guarded(tree):
+    for file in tree.code:
+        if file.path.suffix == ".hpp" and not re.search(r"^#pragma once$", file.raw, re.MULTILINE):
+            yield Problem(file.name, 1, "#pragma once is missing")
+
+
+RULES = [
+    arrows_have_no_cycle,
+    packages_are_in_the_table,
+    includes_follow_the_arrows,
+    headers_do_not_include_each_other,
+    cmake_depends_follow_the_arrows,
+    heavy_headers_stay_in_algebra,
+    files_are_short,
+    functions_are_short,
+    names_are_looked_up_not_compared,
+    nothing_is_unfinished,
+    headers_are_guarded,
+]
+
+
+def problems(tree):
+    return [problem for rule in RULES for problem in rule(tree)]
