@@ -1,10 +1,7 @@
-# `cmake --install`: bin/ndframe, the static libraries, their headers, and a CMake package that defines ndframe::PACKAGE.
+# `cmake --install` also gives a CMake package: find_package(ndframe) defines ndframe::PACKAGE.
 include(CMakePackageConfigHelpers)
 
 set(NDFRAME_CMAKE_DIR ${CMAKE_INSTALL_LIBDIR}/cmake/ndframe)
-if(TARGET ndframe) # not when only some packages are built
-  install(TARGETS ndframe RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
-endif()
 install(EXPORT ndframeTargets NAMESPACE ndframe:: DESTINATION ${NDFRAME_CMAKE_DIR})
 
 configure_package_config_file(cmake/ndframeConfig.cmake.in ${PROJECT_BINARY_DIR}/ndframeConfig.cmake

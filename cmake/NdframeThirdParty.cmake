@@ -5,6 +5,7 @@ find_package(MPI REQUIRED COMPONENTS C CXX)
 find_package(Trilinos 13.2 REQUIRED COMPONENTS MueLu Amesos2 Ifpack2 Belos Tpetra TeuchosParameterList TeuchosCore)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
+find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
 
 function(ndframe_third_party name)

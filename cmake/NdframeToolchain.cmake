@@ -15,6 +15,8 @@ add_library(ndframe_options INTERFACE)
 target_compile_options(ndframe_options INTERFACE -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion)
 if(NDFRAME_LLD)
   target_link_options(ndframe_options INTERFACE -fuse-ld=lld)
+  # lld 14 keeps the empty unwind entry of an empty .cold partition of g++ 12: a throw there would abort.
+  target_compile_options(ndframe_options INTERFACE -fno-reorder-blocks-and-partition)
 endif()
 if(NDFRAME_SANITIZE)
   target_compile_options(ndframe_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined

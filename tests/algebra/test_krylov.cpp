@@ -53,8 +53,6 @@ protected:
       load[dof] = problem.roles[dof] == DofRole::Interior ? load[dof] : 0.0;
       residual.push_back(problem.roles[dof] == DofRole::Interior ? load[dof] - force[dof] : 0.0);
     }
-    if (getenv("DBG"))
-      printf("%s: %ld it\n", xml.c_str(), ledger.counted("Krylov iterations"));
     return norm(residual) / norm(load);
   }
 

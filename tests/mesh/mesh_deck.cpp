@@ -162,10 +162,12 @@ double distanceFromPlane(const Mesh& mesh, const Side& side, const double* norma
   return largest;
 }
 
-void expectSameMesh(const Mesh& a, const Mesh& b)
+void expectSameMesh(const Mesh& a, const Mesh& b, double tolerance)
 {
   EXPECT_EQ(a.dim, b.dim);
-  EXPECT_EQ(a.points, b.points);
+  ASSERT_EQ(a.points.size(), b.points.size());
+  for (std::size_t i = 0; i < a.points.size(); ++i)
+    EXPECT_NEAR(a.points[i], b.points[i], tolerance);
   EXPECT_EQ(a.cells, b.cells);
   const auto sorted = [](const Mesh& mesh) {
     std::map<std::string, std::vector<std::pair<int, int>>> sides;

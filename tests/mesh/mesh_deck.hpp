@@ -37,7 +37,7 @@ double boundaryDefect(const Mesh& mesh);
 /// Smallest and largest distance of the vertices of a side from the line or plane normal.x = offset.
 double distanceFromPlane(const Mesh& mesh, const Side& side, const double* normal, double offset);
 
-/// Equality of everything but the notes.
-void expectSameMesh(const Mesh& a, const Mesh& b);
+/// Equality of everything but the notes; coordinates up to an absolute tolerance.
+void expectSameMesh(const Mesh& a, const Mesh& b, double tolerance = 0.0);
 
 } // namespace ndframe::test

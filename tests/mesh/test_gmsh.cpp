@@ -80,7 +80,7 @@ TEST(Gmsh, ReadsTheFourKindsOfFilesThatGmshWritesAlike)
     EXPECT_NEAR(measure(mesh, *mesh.findSide(side)), 1.0, 1e-14) << side;
   EXPECT_NEAR(measure(mesh, *mesh.findSide("rim")), 4.0, 1e-14);
   for (const char* file : {"square-4.1-binary.msh", "square-2.2-ascii.msh", "square-2.2-binary.msh"})
-    expectSameMesh(readMesh(gmsh(dataPath(file))), mesh);
+    expectSameMesh(readMesh(gmsh(dataPath(file))), mesh, 1e-15); // ASCII files have 16 digits
 }
 
 TEST(Gmsh, ReadsSecondOrderTetrahedraByTheirVertices)
@@ -110,8 +110,9 @@ TEST(Gmsh, MeshesScriptsOnTheFly)
 
 TEST(Gmsh, LoadsTheLibraryOnlyForScripts)
 {
+  const bool before = isLoaded("libgmsh"); // by another test of this process
   readMesh(gmsh(dataPath("square-4.1-binary.msh")));
-  EXPECT_FALSE(isLoaded("libgmsh"));
+  EXPECT_EQ(isLoaded("libgmsh"), before);
   readMesh(gmsh(dataPath("square.geo")));
   EXPECT_TRUE(isLoaded("libgmsh"));
 }

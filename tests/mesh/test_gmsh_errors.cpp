@@ -35,7 +35,7 @@ TEST(GmshErrors, NameTheDeckTheListAndTheFile)
   EXPECT_THAT(
       messageOf(gmsh("nowhere.msh")),
       HasSubstr(
-          "test.xml:4: Mesh: nowhere.msh: the file cannot be read; relative names count from the working directory."));
+          "test.xml:4: Mesh: nowhere.msh: the file cannot be read; relative names count from the deck's folder."));
   EXPECT_THAT(messageOf(gmsh(testing::TempDir())), HasSubstr("this is a directory, not a file."));
 }
 
@@ -58,7 +58,7 @@ TEST(GmshErrors, SectionsMustBeThereOnce)
 {
   EXPECT_THAT(messageFor(header), HasSubstr("the file has no section $Nodes; it may have been cut off."));
   EXPECT_THAT(messageFor(header + nodes), HasSubstr("the file has no section $Elements"));
-  EXPECT_THAT(messageFor(header + nodes + nodes), HasSubstr("line 11: a second section $Nodes."));
+  EXPECT_THAT(messageFor(header + nodes + nodes), HasSubstr("line 12: a second section $Nodes."));
   EXPECT_THAT(messageFor(header + nodes + "$NodeData\n1 2 3\n"), HasSubstr("the section $NodeData has no end"));
   EXPECT_THAT(messageFor(header + nodes + "7 8 9\n"), HasSubstr("\"7 8 9\" stands where a section should begin."));
   EXPECT_THAT(messageFor("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PartitionedEntities\n"),
@@ -149,7 +149,7 @@ TEST(GmshErrors, ScriptsReportGmshsOwnMessage)
   EXPECT_THAT(messageOf(gmsh(scratchFile("wrong.geo", "Point(1) = {0, 0;\n"))),
               AllOf(HasSubstr("gmsh cannot read the script"), HasSubstr("line 1")));
   EXPECT_THAT(messageOf(gmsh(scratchFile("none.geo", "Point(1) = {0, 0, 0};\n"))),
-              HasSubstr("no triangles and no tetrahedra"));
+              HasSubstr("the script makes no surface and no volume."));
   EXPECT_THAT(messageOf(gmsh("nowhere.geo")), HasSubstr("the file cannot be read"));
 }
 

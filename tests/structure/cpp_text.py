@@ -93,5 +93,8 @@ def _closing(code, opening):
 def _function(text, code, start, end):
     begin = start + re.search(r"\S", code[start:]).start()
     head = code[begin : code.index("{", begin)]
-    first_line, num_lines = code.count("\n", 0, begin) + 1, code.count("\n", begin, end) + 1
-    return Function(_name(head), first_line, num_lines, code[begin : end + 1], text[begin : end + 1])
+    as_written = text[begin : end + 1]
+    # The lines of a raw string are data, not code.
+    data_lines = sum(token[0].count("\n") for token in _TOKEN.finditer(as_written) if token[0].startswith("R"))
+    num_lines = as_written.count("\n") + 1 - data_lines
+    return Function(_name(head), code.count("\n", 0, begin) + 1, num_lines, code[begin : end + 1], as_written)

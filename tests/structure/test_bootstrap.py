@@ -40,7 +40,7 @@ class Bootstrap(unittest.TestCase):
             (self.tools / name).symlink_to(shutil.which(name))
         for name, text in STAND_INS.items():
             self.write_program(self.tools / name, text)
-        self.write_program(self.clone / "build/release/apps/ndframe", PROGRAM)
+        self.write_program(self.clone / "build/release/bin/ndframe", PROGRAM)
         self.packages = self.call("packages").stdout.split()
         self.install(self.packages)
         (self.folder / "notes").touch()

@@ -199,6 +199,10 @@ class FunctionFinder(unittest.TestCase):
             '''
         self.assertEqual(self.names(text), [("f", 4, 5), ("h", 10, 1)])
 
+    def test_lines_of_a_raw_string_do_not_count(self):
+        text = 'S f()\n{\n  return R"(a\n{\nb\n)";\n}\nint g() { return 1; }\n'
+        self.assertEqual(self.names(text), [("f", 1, 4), ("g", 8, 1)])
+
     def test_signatures(self):
         text = """\
             auto f(int) -> std::vector<int> {}

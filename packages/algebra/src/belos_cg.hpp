@@ -23,7 +23,7 @@ public:
 
   struct Result
   {
-    Vector x;       ///< replicated; zero on fixed and kept dofs
+    Vector x;       ///< replicated; round-off on fixed and kept dofs
     int iterations; ///< of this call
   };
 

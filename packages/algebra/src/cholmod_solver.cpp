@@ -185,7 +185,7 @@ public:
     return std::make_unique<CholmodBody>(problem, comm, ledger, std::move(free), shift, std::move(factor));
   }
 
-  std::string name() const override { return "Cholmod"; }
+  std::string name(int) const override { return "Cholmod"; }
 };
 
 } // namespace

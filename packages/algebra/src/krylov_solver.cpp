@@ -96,7 +96,8 @@ private:
       const double reduction = 0.5 * options_.tolerance * initial / current;
       const BelosCg::Result step = cg_.solve(residual, reduction, options_.maxIterations - iterations);
       for (std::size_t dof = 0; dof < u.size(); ++dof)
-        u[dof] += step.x[dof];
+        if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
+          u[dof] += step.x[dof];
       iterations += std::max(step.iterations, 1);
       residual = interiorResidual(load, u);
       current = norm(residual);
@@ -126,7 +127,7 @@ public:
     return std::make_unique<KrylovBody>(problem, comm, ledger, options_, *preconditioner_, belos_);
   }
 
-  std::string name() const override { return "Krylov"; }
+  std::string name(int) const override { return "Krylov"; }
 
 private:
   KrylovOptions options_;

@@ -14,7 +14,7 @@ public:
   {
     return (comm.size() == 1 ? makeCholmod() : makeMumps())->factor(problem, comm, ledger);
   }
-  std::string name() const override { return "Automatic"; }
+  std::string name(int ranks) const override { return (ranks == 1 ? makeCholmod() : makeMumps())->name(ranks); }
 };
 
 void registerAutomatic(Registry<LinearSolver>& registry)

@@ -13,7 +13,7 @@ namespace
 {
 
 constexpr int firstJob = -1, lastJob = -2, factorJob = 2;
-constexpr int symmetric = 2;
+constexpr int positiveDefinite = 1;
 
 /// ICNTL(14), the percentage of memory beyond the estimate: doubled from its default up to this.
 constexpr int largestMemoryMargin = 2000;
@@ -58,7 +58,7 @@ MumpsInstance::MumpsInstance(const Comm& comm)
   startMpi();
   data_.comm_fortran = MUMPS_INT(MPI_Comm_c2f(comm.size() == 1 ? MPI_COMM_SELF : MPI_COMM_WORLD));
   data_.par = 1;
-  data_.sym = symmetric;
+  data_.sym = positiveDefinite;
   run(firstJob);
   for (int stream = 1; stream <= 3; ++stream)
     icntl(stream) = -1;

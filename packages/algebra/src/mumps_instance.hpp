@@ -43,8 +43,8 @@ public:
   DMUMPS_STRUC_C& data() { return data_; }
   const DMUMPS_STRUC_C& data() const { return data_; }
   MUMPS_INT& icntl(int i) { return data_.icntl[i - 1]; }
-  double& cntl(int i) { return data_.cntl[i - 1]; }
   int infog(int i) const { return data_.infog[i - 1]; }
+  double rinfog(int i) const { return data_.rinfog[i - 1]; }
 
   /// Throws MumpsFailure.
   void analyse() { run(1); }

@@ -15,7 +15,7 @@ namespace ndframe
 namespace
 {
 
-/// A pivot of the scaled matrix (unit diagonal) below this is round-off; the same as Cholmod's.
+/// A pivot of the scaled matrix below this is round-off; the same as Cholmod's.
 constexpr double smallestPivot = 1e-12;
 
 /// This rank's rows of the lower triangle on the free dofs, numbered from one.
@@ -181,9 +181,7 @@ private:
     mumps_.icntl(28) = 1; // analysis on the host
     mumps_.icntl(7) = 1;  // our ordering; MUMPS would drop its own METIS for AMD once a Schur complement is asked for
     mumps_.icntl(13) = 1; // no ScaLAPACK: it would hide the pivots of the last front
-    mumps_.cntl(1) = 0.0; // pivots from the diagonal only
-    mumps_.icntl(24) = 1; // report vanishing pivots
-    mumps_.cntl(3) = smallestPivot;
+    mumps_.icntl(8) = 7;  // scale the diagonal to about one, which gives the smallest pivot a meaning
     if (numKept() == 0)
       return;
     mumps_.icntl(19) = 1; // Schur complement on the host
@@ -194,19 +192,17 @@ private:
     data.schur = schur_.data();
   }
 
+  /// MUMPS keeps no record of where a pivot went wrong (with pivots from the diagonal only, as befits the problem).
   void checkPivots() const
   {
-    Vector dof(1, -1.0);
-    const int numNull = mumps_.infog(28), numNegative = mumps_.infog(12);
-    if (numNull == 0 && numNegative == 0)
-      return;
-    if (numNull > 0 && comm_.rank() == 0)
-      dof[0] = free_.dofs[std::size_t(mumps_.data().pivnul_list[0]) - 1];
-    comm_.broadcast(dof);
-    throw SingularBody(
-        fmt::format("the stiffness matrix is not positive definite: {} vanishing and {} negative pivots{}", numNull,
-                    numNegative, numNull > 0 ? fmt::format(", the first at dof {}", dof[0]) : ""),
-        int(dof[0]));
+    const int numNegative = mumps_.infog(12);
+    const double smallest = mumps_.rinfog(19);
+    if (numNegative > 0 || !(smallest > smallestPivot))
+      throw SingularBody(
+          fmt::format("the stiffness matrix is not positive definite: {} negative pivots, the smallest of "
+                      "all {:.1e} relative to the diagonal",
+                      numNegative, smallest),
+          -1);
   }
 
   Vector gather(const DenseMatrix& load) const
@@ -260,6 +256,8 @@ public:
   std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
   {
     checkProblem(problem, comm);
+    if (std::count(problem.roles.begin(), problem.roles.end(), DofRole::Interior) == 0)
+      throw InputError("Mumps needs a body with dofs besides those of the interface; use Cholmod or a finer mesh.");
     FreeDofs free(problem.roles);
     const std::vector<int> order = eliminationOrder(problem, free, comm, ledger);
     const auto timer = ledger.time("factor");
@@ -270,7 +268,7 @@ public:
     return body;
   }
 
-  std::string name() const override { return "Mumps"; }
+  std::string name(int) const override { return "Mumps"; }
 };
 
 } // namespace

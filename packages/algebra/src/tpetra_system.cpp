@@ -141,11 +141,8 @@ Teuchos::RCP<TpetraVectors> makeModes(const SolverProblem& problem, const Teucho
     return Teuchos::null;
   const auto modes = Teuchos::rcp(new TpetraVectors(dofMap, std::size_t(given.cols())));
   for (int m = 0; m < given.cols(); ++m)
-    for (Local i = 0; i < Local(dofMap->getNodeNumElements()); ++i) {
-      const auto dof = std::size_t(dofMap->getGlobalElement(i));
-      if (problem.roles[dof] == DofRole::Interior)
-        modes->replaceLocalValue(i, std::size_t(m), given(int(dof), m));
-    }
+    for (Local i = 0; i < Local(dofMap->getNodeNumElements()); ++i)
+      modes->replaceLocalValue(i, std::size_t(m), given(int(dofMap->getGlobalElement(i)), m));
   return modes;
 }
 

@@ -32,7 +32,7 @@ struct TpetraSystem
   bool isParallel;
   Teuchos::RCP<const TpetraMap> dofMap;
   Teuchos::RCP<TpetraMatrix> matrix;
-  Teuchos::RCP<TpetraVectors> modes;       ///< near null space, zero in decoupled rows; null without modes
+  Teuchos::RCP<TpetraVectors> modes;       ///< near null space; null without modes
   Teuchos::RCP<TpetraVectors> coordinates; ///< one row per node; null without points
 };
 

@@ -1,6 +1,7 @@
 #include "ndframe/base/params.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <Teuchos_Array.hpp>
 #include <Teuchos_ParameterList.hpp>
@@ -113,6 +114,13 @@ Expression Params::expression(const std::string& key) const
   NDFRAME_ASSERT(entry.kind == Kind::Expression,
                  fmt::format("\"{}\": {} is not an expression", node_->path, inQuotes(key)));
   return Expression(std::get<std::string>(entry.value));
+}
+
+std::string Params::file(const std::string& key) const
+{
+  const std::filesystem::path name = get<std::string>(key);
+  const auto& entry = entryOf(*node_, key);
+  return (std::filesystem::path(entry.file).parent_path() / name).string();
 }
 
 bool Params::hasSub(const std::string& list) const

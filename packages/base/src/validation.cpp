@@ -34,6 +34,34 @@ std::vector<std::string> namesOf(const Items& items)
   return names;
 }
 
+/// True when a component other than `chosen` has this key or sublist and the chosen one has not.
+bool belongsToAnother(const ListSpec& spec, const ComponentInfo* chosen, const std::string& name)
+{
+  const auto has = [&](const ComponentInfo* component) {
+    const SpecView view = viewOf(spec, component);
+    return view.findParam(name) != nullptr || view.findList(name) != nullptr;
+  };
+  const auto& components = spec.choices->components;
+  return !has(chosen) && std::any_of(components.begin(), components.end(), [&](const auto& c) { return has(&c); });
+}
+
+/// A component chosen with `--set` replaces the deck's: what the deck says of the other one goes with it.
+DeckList withoutReplaced(DeckList given, const ListSpec& spec, const ComponentInfo* chosen)
+{
+  const auto isReplaced = [&](const auto& item) {
+    return !item.file.empty() && belongsToAnother(spec, chosen, item.name);
+  };
+  given.entries.erase(std::remove_if(given.entries.begin(), given.entries.end(), isReplaced), given.entries.end());
+  given.lists.erase(std::remove_if(given.lists.begin(), given.lists.end(), isReplaced), given.lists.end());
+  return given;
+}
+
+bool isReplacedBySetting(const DeckList& given, const ListSpec& spec)
+{
+  const DeckEntry* type = spec.choices ? given.findEntry("Type") : nullptr;
+  return type != nullptr && type->file.empty();
+}
+
 /// Walks deck and specification together and collects what does not fit.
 class Validator
 {
@@ -43,6 +71,24 @@ public:
   std::shared_ptr<const Params::Node> list(const DeckList& given, const ListSpec& spec, const std::string& path)
   {
     const ComponentInfo* component = chosenComponent(given, spec);
+    if (component != nullptr && isReplacedBySetting(given, spec))
+      return list(withoutReplaced(given, spec, component), spec, component, path);
+    return list(given, spec, component, path);
+  }
+
+  /// In the order of the lines, as a user reads the deck.
+  std::vector<Diagnostic> sorted() const
+  {
+    auto list = diagnostics_.list();
+    std::stable_sort(list.begin(), list.end(),
+                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
+    return list;
+  }
+
+private:
+  std::shared_ptr<const Params::Node> list(const DeckList& given, const ListSpec& spec, const ComponentInfo* component,
+                                           const std::string& path)
+  {
     const ListContext context{root_, spec, component, viewOf(spec, component)};
     auto node = std::make_shared<Params::Node>();
     node->name = given.name;
@@ -61,16 +107,6 @@ public:
     return node;
   }
 
-  /// In the order of the lines, as a user reads the deck.
-  std::vector<Diagnostic> sorted() const
-  {
-    auto list = diagnostics_.list();
-    std::stable_sort(list.begin(), list.end(),
-                     [](const Diagnostic& a, const Diagnostic& b) { return a.line < b.line; });
-    return list;
-  }
-
-private:
   void mistake(const std::string& file, int line, const std::string& path, std::string message)
   {
     if (!message.empty())

@@ -99,16 +99,23 @@ Params readParams(const CommandLine& options, const Components& components)
   return params;
 }
 
+/// Errors and misses go to the standard error stream, also with -q; one rank speaks.
+void complain(const Comm& comm, const std::string& text)
+{
+  if (comm.rank() == 0)
+    std::cerr << text << std::endl;
+}
+
 /// Says which expectations were missed; true if none was.
-bool reportExpectations(const RunSummary& summary, const Log& log)
+bool reportExpectations(const RunSummary& summary, const Comm& comm, const Log& log)
 {
   bool allMet = true;
   for (const auto& e : summary.expectations) {
     if (e.met)
       log.line(fmt::format("  expected {}: {:.10g}, right within {:g}", e.name, e.value, e.tolerance));
     else
-      log.warning(
-          fmt::format("  MISSED {}: {:.10g} instead of {:.10g} +- {:g}", e.name, e.value, e.expected, e.tolerance));
+      complain(comm, fmt::format("  MISSED {}: {:.10g} instead of {:.10g} +- {:g}", e.name, e.value, e.expected,
+                                 e.tolerance));
     allMet = allMet && e.met;
   }
   return allMet;
@@ -124,12 +131,12 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
   copyLedger(run.summary, ledger, run.startSeconds);
   log.line("\n" + closingText(run.summary, true));
   log.line("");
-  const bool allMet = reportExpectations(run.summary, log);
+  const bool allMet = reportExpectations(run.summary, comm, log);
   log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
                        written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
   if (run.summary.coupling && !run.summary.coupling->converged) {
-    log.warning(fmt::format("not converged: {}; the results are marked so.", run.summary.coupling->reason));
+    complain(comm, fmt::format("not converged: {}; the results are marked so.", run.summary.coupling->reason));
     return ExitCode::NotConverged;
   }
   return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;
@@ -154,12 +161,12 @@ ExitCode runCommand(const CommandLine& options, const Components& components, co
   return solveDeck(deck, options, components, comm, log, computed);
 }
 
-ExitCode reportInputError(const InputError& error, bool computed, const Log& log)
+ExitCode reportInputError(const InputError& error, bool computed, const Comm& comm)
 {
-  log.warning(error.what());
+  complain(comm, error.what());
   const auto count = error.list().size();
-  log.warning(fmt::format("{} error{}; {}", count, count == 1 ? "" : "s",
-                          computed ? "the results could not be written." : "nothing was computed."));
+  complain(comm, fmt::format("{} error{}; {}", count, count == 1 ? "" : "s",
+                             computed ? "the results could not be written." : "nothing was computed."));
   return ExitCode::UserInput;
 }
 
@@ -176,16 +183,17 @@ ExitCode guarded(const CommandLine& options, const CLI::App& app, const Componen
       return ExitCode::Right;
     return runCommand(options, components, comm, log, computed);
   } catch (const InputError& error) {
-    return reportInputError(error, computed, log);
+    return reportInputError(error, computed, comm);
   } catch (const NotConverged& error) {
-    log.warning(fmt::format("not converged: {}", error.what()));
+    complain(comm, fmt::format("not converged: {}", error.what()));
     return ExitCode::NotConverged;
   } catch (const std::bad_alloc&) {
-    log.warning(
+    complain(
+        comm,
         "this deck needs more memory than the process may take; use a coarser mesh, more ranks or a Krylov solver.");
     return ExitCode::UserInput;
   } catch (const std::exception& error) {
-    log.warning(fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
+    complain(comm, fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
     return ExitCode::Bug;
   }
 }

@@ -33,19 +33,14 @@ void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const 
   }
 }
 
-/// Length of the facets that are closed at all their nodes; nodes held by supports do not count against a facet.
-double closedLength(const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+/// Length of the contact: every closed node counts with int psi_i dS, so that an end inside a facet is seen.
+double closedLength(const Run& run, std::size_t firstNode, std::size_t numNodes)
 {
-  std::vector<char> isOpen(run.contact.size(), 0);
-  for (const int node : run.condensed.interface.nodeOfUnknown)
-    isOpen[std::size_t(node)] = !run.contact[std::size_t(node)].closed;
+  const ContactMatrix& C = *run.condensed.interface.C;
+  const Vector share = C.apply(Vector(std::size_t(C.size()), 1.0));
   double length = 0.0;
-  const int nodes = interface.nodesPerFacet();
-  for (int f = 0; f < interface.numFacets(); ++f) {
-    const auto* facet = interface.facets.data() + f * nodes;
-    if (std::none_of(facet, facet + nodes, [&](int i) { return isOpen[firstNode + std::size_t(i)]; }))
-      length += interface.measures[std::size_t(f)];
-  }
+  for (std::size_t i = firstNode; i < firstNode + numNodes; ++i)
+    length += run.contact[i].closed ? share[i] : 0.0;
   return length;
 }
 
@@ -84,7 +79,7 @@ void completeInterfaces(Run& run)
     const auto& interface = run.model.interfaces[i];
     auto& summary = run.summary.interfaces[i];
     addForces(summary, interface, run, firstNode);
-    summary.contactLength = closedLength(interface, run, firstNode);
+    summary.contactLength = closedLength(run, firstNode, std::size_t(interface.numNodes()));
     summary.endPoints = endPoints(interface, run, firstNode);
     for (int k = 0; k < interface.numNodes(); ++k) {
       const ContactNode& node = run.contact[firstNode + std::size_t(k)];
@@ -128,7 +123,7 @@ RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSo
     body.dofs = model.bodies[b].numDofs();
     body.elements = model.bodies[b].mesh.numCells();
     body.order = model.bodies[b].nodes.order;
-    body.solver = solver.name();
+    body.solver = solver.name(ranks);
     body.heldBy = heldBy(model, int(b));
     summary.bodies.push_back(std::move(body));
   }

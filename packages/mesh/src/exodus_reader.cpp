@@ -166,7 +166,7 @@ public:
 
   Mesh read() const override
   {
-    const auto path = params_.get<std::string>("File");
+    const auto path = params_.file("File");
     try {
       return ExodusConverter(path, params_.get<std::vector<std::string>>("Blocks")).convert();
     } catch (const FileError& error) {
@@ -186,7 +186,7 @@ void registerExodus(Registry<MeshSource>& registry)
       "Exodus",
       "A mesh of triangles or tetrahedra in an Exodus II file. Side sets are the sides, by their names (unnamed "
       "ones: sideset_ID). Second-order elements are read by their vertices.",
-      {ParamSpec::required("File", Kind::String, "The Exodus file; relative names count from the working directory."),
+      {ParamSpec::required("File", Kind::String, "The Exodus file; relative names count from the deck's folder."),
        {"Blocks", std::vector<std::string>{},
         "Names or numbers of the element blocks that make the body. Empty: all of the highest dimension."}},
       [](const Params& params) { return std::make_unique<Exodus>(params); });

@@ -181,7 +181,7 @@ std::string readText(const std::string& path)
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream)
-    throw FileError("the file cannot be read; relative names count from the working directory.");
+    throw FileError("the file cannot be read; relative names count from the deck's folder.");
   return std::move(text).str();
 }
 
@@ -189,7 +189,7 @@ std::string readText(const std::string& path)
 class Gmsh final : public MeshSource
 {
 public:
-  explicit Gmsh(const Params& params) : params_(params), path_(params.get<std::string>("File"))
+  explicit Gmsh(const Params& params) : params_(params), path_(params.file("File"))
   {
     if (params_.isGiven("Mesh Size Factor") && !isScript())
       throw InputError(
@@ -225,7 +225,7 @@ void registerGmsh(Registry<MeshSource>& registry)
       "physical_TAG). Second-order elements are read by their vertices.",
       {ParamSpec::required("File", Kind::String,
                            "A .msh file (format 2.2 or 4.1, ASCII or binary) or a .geo script to be meshed on the fly; "
-                           "relative names count from the working directory."),
+                           "relative names count from the deck's folder."),
        {"Regions", std::vector<std::string>{},
         "Physical groups of cells that make the body, e.g. one of two bodies in the file. Empty: all of them, or all "
         "cells if there are no such groups."},

@@ -105,6 +105,8 @@ public:
   {
     int error = 0;
     const int dim = gmsh_.dimension(&error);
+    if (dim < 2)
+      throw FileError("the script makes no surface and no volume.");
     gmsh_.generate(dim, &error);
     requireSuccess(error, "gmsh cannot mesh the script");
   }

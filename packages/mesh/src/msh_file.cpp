@@ -91,7 +91,7 @@ void MshParser::header()
   if ((encoding != 0 && encoding != 1) || in_.wordInteger() != 8)
     throw FileError("the file type must be 0 (ASCII) or 1 (binary) and the data size 8.");
   if (encoding == 1) {
-    in_.line();
+    in_.endLine();
     in_.setBinary(true);
     if (in_.int32() != 1)
       throw FileError("the file was written on a machine with another byte order.");

@@ -1,5 +1,6 @@
 #include "netcdf_header.hpp"
 
+#include <array>
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
@@ -18,6 +19,11 @@ namespace
 
 constexpr std::uint64_t maxNameLength = 1024;
 constexpr std::uint64_t maxDimensions = 1024; // of one variable (NC_MAX_VAR_DIMS)
+
+[[noreturn]] void failShort()
+{
+  throw FileError("the file is shorter than its header says; it may have been cut off.");
+}
 
 /// Walks through a classic header ("The NetCDF Classic Format Specification").
 class ClassicHeader
@@ -39,10 +45,6 @@ private:
   };
 
   [[noreturn]] static void fail() { throw FileError("the netCDF header is damaged."); }
-  [[noreturn]] static void failShort()
-  {
-    throw FileError("the file is shorter than its header says; it may have been cut off.");
-  }
   std::uint64_t big(int bytes);
   std::uint64_t count() { return big(version_ == 5 ? 8 : 4); }
   std::uint64_t listLength(std::uint64_t tag);
@@ -173,6 +175,21 @@ void ClassicHeader::check()
   }
 }
 
+/// The superblock tells where the file ends (HDF5 file format specification, II.A); 8-byte little-endian addresses.
+void checkHdf5Length(const std::array<char, 52>& head, std::uint64_t fileSize)
+{
+  static constexpr std::array<std::size_t, 4> places{40, 44, 28, 28}; // by the superblock's version
+  const auto version = std::uint8_t(head[8]);
+  if (version >= places.size())
+    throw FileError("the HDF5 header is damaged.");
+  const std::size_t place = places[version];
+  std::uint64_t end = 0;
+  for (std::size_t i = 8; i-- > 0;)
+    end = end << 8 | std::uint8_t(head[place + i]);
+  if (end > fileSize)
+    failShort();
+}
+
 } // namespace
 
 void checkNetcdfHeader(const std::string& path)
@@ -180,16 +197,18 @@ void checkNetcdfHeader(const std::string& path)
   if (std::filesystem::is_directory(path))
     throw FileError("this is a directory, not a file.");
   std::ifstream in(path, std::ios::binary);
-  char magic[4] = {};
   if (!in)
-    throw FileError("the file cannot be read; relative names count from the working directory.");
+    throw FileError("the file cannot be read; relative names count from the deck's folder.");
   const std::uint64_t fileSize = std::filesystem::file_size(path);
-  in.read(magic, 4);
-  if (std::memcmp(magic, "\x89HDF", 4) == 0)
-    return;
-  const int version = magic[3];
-  if (std::memcmp(magic, "CDF", 3) != 0 || (version != 1 && version != 2 && version != 5))
+  std::array<char, 52> head{};
+  in.read(head.data(), head.size());
+  const int version = head[3];
+  if (std::memcmp(head.data(), "\x89HDF\r\n\x1a\n", 8) == 0)
+    return checkHdf5Length(head, fileSize);
+  if (std::memcmp(head.data(), "CDF", 3) != 0 || (version != 1 && version != 2 && version != 5))
     throw FileError("the file is not netCDF, so it is no Exodus file.");
+  in.clear();
+  in.seekg(4);
   ClassicHeader(in, fileSize, version).check();
 }
 

@@ -1,9 +1,6 @@
-// A program of another project with a relaxation controller of its own: client DECK.
+// A program of another project: ndframe with a relaxation controller of its own.
 
-#include <iostream>
-
-#include "ndframe/driver/components.hpp"
-#include "ndframe/driver/deck_spec.hpp"
+#include "ndframe/driver/main.hpp"
 
 namespace
 {
@@ -14,7 +11,7 @@ using namespace ndframe;
 class Averaging final : public RelaxationController
 {
 public:
-  explicit Averaging(int firstSweep) : firstSweep_(firstSweep) {}
+  explicit Averaging(int firstSweep) : firstSweep_(firstSweep), sweep_(firstSweep) {}
   void start() override { sweep_ = firstSweep_; }
   RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
   {
@@ -23,8 +20,7 @@ public:
   }
 
 private:
-  int firstSweep_;
-  int sweep_ = 1;
+  int firstSweep_, sweep_;
 };
 
 void registerAveraging(Components& components)
@@ -38,15 +34,5 @@ void registerAveraging(Components& components)
 
 int main(int argc, char** argv)
 {
-  if (argc != 2)
-    return 2;
-  const auto components = makeComponents(registerAveraging);
-  Diagnostics diagnostics;
-  const auto deck = validate(readDeck(argv[1]), makeDeckSpec(*components), diagnostics);
-  diagnostics.throwIfAny();
-  const auto controller = components->relaxations.build(deck.sub("Coupling").sub("Relaxation"));
-  controller->start();
-  const auto theta = controller->next({1.0}, {0.0}).theta;
-  std::cout << "first theta of the deck's relaxation: " << theta << '\n';
-  return theta == 0.25 ? 0 : 1;
+  return ndframe::runMain(argc, argv, registerAveraging);
 }

@@ -69,7 +69,8 @@ public:
   virtual ~LinearSolver() = default;
   /// Throws SingularBody when K_ii is not positive definite.
   virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const = 0;
-  virtual std::string name() const = 0;
+  /// The solver that factors a body on so many ranks.
+  virtual std::string name(int ranks) const = 0;
 };
 
 /// K_ii is singular or not positive definite: the body has a free rigid motion, or the material is not positive definite.

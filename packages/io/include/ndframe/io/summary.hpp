@@ -30,7 +30,7 @@ struct InterfaceSummary
   std::vector<double> forceOnDirichlet;       ///< resultant vector of t_dir on the Dirichlet body
   std::vector<double> forceOnNeumann;         ///< resultant vector of -t_neu on the Neumann body
   double contactForce = 0.0;                  ///< - int t_dir . n_c dS, positive in compression
-  double contactLength = 0.0;                 ///< measure of the facets whose nodes are all closed
+  double contactLength = 0.0;                 ///< sum of int psi_i dS over the closed nodes i
   std::vector<std::vector<double>> endPoints; ///< of the closed nodes: the two farthest apart (2-D)
   double largestPressure = 0.0;
   double largestPenetration = 0.0; ///< max (u1_N - u2_N - g) over the nodes, 0 if none
@@ -46,7 +46,7 @@ struct SweepSummary
   int closed = 0;
   int open = 0;
   double forceOnDirichlet = 0.0; ///< resultants along n_c: int t_dir
-  double forceOnNeumann = 0.0;   ///< int -t_neu
+  double forceOnNeumann = 0.0;   ///< int t_neu
   double penetration = 0.0;
   std::string note; ///< e.g. "theta clipped"
 };
