@@ -186,6 +186,7 @@ public:
   }
 
   std::string name(int) const override { return "Cholmod"; }
+  bool needsMpi(int) const override { return false; }
 };
 
 } // namespace

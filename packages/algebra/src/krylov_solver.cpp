@@ -128,6 +128,7 @@ public:
   }
 
   std::string name(int) const override { return "Krylov"; }
+  bool needsMpi(int ranks) const override { return ranks > 1 || preconditioner_->needsMpi(); }
 
 private:
   KrylovOptions options_;

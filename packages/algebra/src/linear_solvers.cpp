@@ -12,9 +12,13 @@ class Automatic final : public LinearSolver
 public:
   std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
   {
-    return (comm.size() == 1 ? makeCholmod() : makeMumps())->factor(problem, comm, ledger);
+    return choose(comm.size())->factor(problem, comm, ledger);
   }
-  std::string name(int ranks) const override { return (ranks == 1 ? makeCholmod() : makeMumps())->name(ranks); }
+  std::string name(int ranks) const override { return choose(ranks)->name(ranks); }
+  bool needsMpi(int ranks) const override { return choose(ranks)->needsMpi(ranks); }
+
+private:
+  static std::unique_ptr<LinearSolver> choose(int ranks) { return ranks == 1 ? makeCholmod() : makeMumps(); }
 };
 
 void registerAutomatic(Registry<LinearSolver>& registry)

@@ -269,6 +269,7 @@ public:
   }
 
   std::string name(int) const override { return "Mumps"; }
+  bool needsMpi(int) const override { return true; }
 };
 
 } // namespace

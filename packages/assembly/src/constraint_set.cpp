@@ -9,10 +9,25 @@ namespace ndframe
 {
 namespace
 {
-/// Directions closer than this (sine of the angle) are one direction.
-constexpr double parallel = 1e-7;
+/// Directions closer than this (sine of the angle) are one direction: the normals of two sides on one line differ by
+/// the rounding of a mesh file's coordinates.
+constexpr double parallel = 1e-5;
 /// Two supports agree at a node when their displacements differ by less than this, relative to the body's size.
 constexpr double agreement = 1e-12;
+
+/// The supports before `last` that hold a node, by their places in the deck.
+std::string heldByOthers(const std::vector<std::unique_ptr<Support>>& supports, std::size_t last, const Mesh& mesh,
+                         const NodeMap& nodes, int node)
+{
+  std::vector<std::string> places;
+  for (std::size_t s = 0; s < last; ++s) {
+    const auto constraints = supports[s]->constraints(mesh, nodes);
+    if (std::any_of(constraints.begin(), constraints.end(), [node](const auto& c) { return c.node == node; }))
+      places.push_back(fmt::format("{} ({})", supports[s]->params().path(), supports[s]->description()));
+  }
+  return fmt::format("{}", fmt::join(places, " and "));
+}
+
 } // namespace
 
 double dotProduct(const Direction& a, const Direction& b)
@@ -65,14 +80,14 @@ ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& su
 {
   ConstraintSet set(mesh.dim, diameter(mesh));
   Diagnostics diagnostics;
-  for (const auto& support : supports)
-    for (const auto& constraint : support->constraints(mesh, nodes))
+  for (std::size_t s = 0; s < supports.size(); ++s)
+    for (const auto& constraint : supports[s]->constraints(mesh, nodes))
       if (!set.add(constraint)) {
-        const double* x = nodes.point(constraint.node);
-        diagnostics.add(support->params().mistake(
-            "", fmt::format(
-                    "contradicts another support at ({:g}, {:g}{}), which prescribes a different displacement there.",
-                    x[0], x[1], mesh.dim == 3 ? fmt::format(", {:g}", x[2]) : "")));
+        diagnostics.add(supports[s]->params().mistake(
+            "", fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of "
+                            "one of them (split the side) or let them agree.",
+                            heldByOthers(supports, s, mesh, nodes, constraint.node),
+                            pointText(nodes.point(constraint.node), mesh.dim))));
         break;
       }
   diagnostics.throwIfAny();

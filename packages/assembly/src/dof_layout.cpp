@@ -8,13 +8,13 @@ namespace ndframe
 namespace
 {
 
-constexpr double aligned = 1e-14; ///< a unit vector this close to an axis is that axis
+constexpr double aligned = 1e-14; ///< a unit vector that leaves an axis by less than this lies on it
 
 /// The axis (0, 1, 2) that a unit vector lies on, or -1.
 int axisOf(const Direction& d)
 {
   for (int k = 0; k < 3; ++k)
-    if (std::abs(std::abs(d[std::size_t(k)]) - 1.0) < aligned)
+    if (std::hypot(d[std::size_t((k + 1) % 3)], d[std::size_t((k + 2) % 3)]) < aligned)
       return k;
   return -1;
 }

@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "ndframe/assembly/side_condition.hpp"
@@ -16,7 +14,7 @@ namespace
 constexpr int loadDegree = 6;
 
 /// Adds int_simplex q . v for one simplex of dimension `dim` inside a space of dimension `space`.
-/// nodes: node numbers; points: the vertices' coordinates; density(x, q) fills q.
+/// nodes: node numbers; vertices: their coordinates; density(x, q) fills q.
 template <int dim, int order, class Density>
 void addSimplex(const int* nodes, const double* const* vertices, int space, double measure, const QuadratureRule& rule,
                 const Density& density, Vector& load)

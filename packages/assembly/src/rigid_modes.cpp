@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -9,6 +10,8 @@ namespace ndframe
 {
 namespace
 {
+
+constexpr double pure = 1e-6; ///< parts of a unit motion below this are round-off
 
 /// What is left of `candidate` after removing its part in the orthonormal `basis`.
 Vector remainder(Vector candidate, const std::vector<Vector>& basis)
@@ -21,17 +24,83 @@ Vector remainder(Vector candidate, const std::vector<Vector>& basis)
   return candidate;
 }
 
+/// The part of a motion that is not in `named`, of unit length and joined to it; nothing when it is round-off.
+std::optional<Vector> takeNew(const Vector& motion, std::vector<Vector>& named)
+{
+  Vector rest = remainder(motion, named);
+  const double size = norm(rest);
+  if (size < pure)
+    return std::nullopt;
+  for (double& value : rest)
+    value /= size;
+  named.push_back(rest);
+  return rest;
+}
+
+std::vector<Vector> columns(const DenseMatrix& matrix)
+{
+  std::vector<Vector> all;
+  for (int j = 0; j < matrix.cols(); ++j)
+    all.push_back(matrix.column(j));
+  return all;
+}
+
+/// Orthonormal basis of the motions among `motions` (orthonormal columns) that do not turn the body.
+std::vector<Vector> translationsAmong(const RigidBasis& basis, const DenseMatrix& motions)
+{
+  DenseMatrix turning(basis.size() - basis.dim, motions.cols());
+  for (int i = 0; i < turning.rows(); ++i)
+    for (int j = 0; j < turning.cols(); ++j)
+      turning(i, j) = std::abs(motions(basis.dim + i, j)) < pure ? 0.0 : motions(basis.dim + i, j);
+  std::vector<Vector> translations;
+  for (const auto& combination : columns(nullSpace(turning, pure)))
+    translations.push_back(multiply(motions, combination));
+  return translations;
+}
+
+/// "(0.5, 1)"; entries that are round-off against `scale` are zero.
+std::string tuple(const Vector& values, double scale)
+{
+  std::vector<std::string> texts;
+  for (const double value : values)
+    texts.push_back(fmt::format("{:.3g}", std::abs(value) < pure * scale ? 0.0 : value));
+  return fmt::format("({})", fmt::join(texts, ", "));
+}
+
+/// Turns a unit vector so that its largest entry is positive.
+Vector positive(Vector direction)
+{
+  const auto largest = *std::max_element(direction.begin(), direction.end(),
+                                         [](double a, double b) { return std::abs(a) + pure < std::abs(b); });
+  if (largest < 0.0)
+    for (double& value : direction)
+      value = -value;
+  return direction;
+}
+
+std::string describeTranslation(const RigidBasis& basis, const Vector& c)
+{
+  constexpr const char* axis[3] = {"x", "y", "z"};
+  const Vector direction = positive(Vector(c.begin(), c.begin() + basis.dim));
+  for (std::size_t k = 0; k < direction.size(); ++k)
+    if (direction[k] > 1.0 - pure)
+      return fmt::format("translation along {}", axis[k]);
+  return fmt::format("translation along {}", tuple(direction, 1.0));
+}
+
 std::string describeRotation(const RigidBasis& basis, const Vector& c)
 {
   if (basis.dim == 3) {
-    const double size = std::sqrt(c[3] * c[3] + c[4] * c[4] + c[5] * c[5]);
-    return fmt::format("rotation about the axis ({:.3g}, {:.3g}, {:.3g})", c[3] / size + 0.0, c[4] / size + 0.0,
-                       c[5] / size + 0.0);
+    Vector direction(c.begin() + 3, c.end());
+    const double size = norm(direction);
+    for (double& value : direction)
+      value /= size;
+    return fmt::format("rotation about the axis {}", tuple(positive(direction), 1.0));
   }
   // t + w/L e_z x (x - x_c) = 0 at the centre of rotation.
   const double rate = c[2] / basis.length;
-  return fmt::format("rotation about ({:.3g}, {:.3g})", basis.centre[0] - c[1] / rate + 0.0,
-                     basis.centre[1] + c[0] / rate + 0.0);
+  return fmt::format("rotation about {}",
+                     tuple({basis.centre[0] - c[1] / rate, basis.centre[1] + c[0] / rate}, basis.length));
 }
 
 } // namespace
@@ -96,38 +165,23 @@ DenseMatrix supportRows(const RigidBasis& basis, const NodeMap& nodes, const Con
   return matrix;
 }
 
-std::vector<std::string> describeMotions(const RigidBasis& basis, const DenseMatrix& coefficients)
+std::vector<std::string> describeMotions(const RigidBasis& basis, const DenseMatrix& motions)
 {
-  constexpr double pure = 1e-6;
-  constexpr const char* axis[3] = {"x", "y", "z"};
-  std::vector<Vector> span;
-  for (int j = 0; j < coefficients.cols(); ++j)
-    span.push_back(coefficients.column(j));
+  const auto translations = translationsAmong(basis, motions);
   std::vector<std::string> names;
   std::vector<Vector> named;
   for (int m = 0; m < basis.dim; ++m) {
     Vector unit(std::size_t(basis.size()), 0.0);
     unit[std::size_t(m)] = 1.0;
-    if (norm(remainder(unit, span)) < pure) {
-      names.push_back(fmt::format("translation along {}", axis[m]));
-      named.push_back(unit);
-    }
+    if (norm(remainder(unit, translations)) < pure)
+      names.push_back(describeTranslation(basis, *takeNew(unit, named)));
   }
-  for (const auto& motion : span) {
-    Vector rest = remainder(motion, named);
-    const double size = norm(rest);
-    if (size < pure)
-      continue;
-    for (double& value : rest)
-      value /= size;
-    double turning = 0.0;
-    for (std::size_t m = std::size_t(basis.dim); m < rest.size(); ++m)
-      turning = std::max(turning, std::abs(rest[m]));
-    names.push_back(turning > pure ? describeRotation(basis, rest)
-                                   : fmt::format("translation along ({:.3g}, {:.3g}, {:.3g})", rest[0], rest[1],
-                                                 basis.dim == 3 ? rest[2] : 0.0));
-    named.push_back(rest);
-  }
+  for (const auto& translation : translations)
+    if (const auto rest = takeNew(translation, named))
+      names.push_back(describeTranslation(basis, *rest));
+  for (const auto& motion : columns(motions))
+    if (const auto rest = takeNew(motion, named))
+      names.push_back(describeRotation(basis, *rest));
   return names;
 }
 

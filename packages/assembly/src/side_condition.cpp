@@ -1,12 +1,12 @@
 #include "ndframe/assembly/side_condition.hpp"
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 
 #include <fmt/format.h>
 
 #include "ndframe/base/expression.hpp"
-#include "ndframe/base/help.hpp"
 
 namespace ndframe
 {
@@ -24,6 +24,11 @@ std::string sideNames(const Mesh& mesh)
   for (std::size_t s = 0; s < mesh.sides.size(); ++s)
     text += (s == 0 ? "" : ", ") + mesh.sides[s].name;
   return text;
+}
+
+std::string pointText(const double* x, int dim)
+{
+  return dim == 3 ? fmt::format("({:g}, {:g}, {:g})", x[0], x[1], x[2]) : fmt::format("({:g}, {:g})", x[0], x[1]);
 }
 
 void SideCondition::check(const Mesh& mesh, Diagnostics& diagnostics) const
@@ -52,8 +57,8 @@ double SideCondition::evaluate(const Expression& expression, const char* key, co
 {
   const double value = expression(x[0], x[1], dim == 3 ? x[2] : 0.0);
   if (!std::isfinite(value))
-    throw InputError(params_.mistake(key, fmt::format("\"{}\" is {} at ({:g}, {:g}{}).", expression.text(), value, x[0],
-                                                      x[1], dim == 3 ? fmt::format(", {:g}", x[2]) : "")));
+    throw InputError(
+        params_.mistake(key, fmt::format("\"{}\" is {} at {}.", expression.text(), value, pointText(x, dim))));
   return value;
 }
 

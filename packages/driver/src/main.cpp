@@ -149,7 +149,7 @@ ExitCode runCommand(const CommandLine& options, const Components& components, co
   const auto title = deck.get<std::string>("Title");
   log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), title, options.deck));
   if (options.plan) {
-    log.line(Plan(deck, comm.size()).text());
+    log.line(Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text());
     return ExitCode::Right;
   }
   if (options.check) {

@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "ndframe/assembly/fields.hpp"
-#include "ndframe/driver/plan.hpp"
 #include "ndframe/driver/run.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_writer.hpp"
@@ -145,7 +144,7 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
                                     const Log& log)
 {
   const Params output = deck.sub("Output");
-  const Plan plan(deck, run.summary.ranks);
+  const Plan& plan = run.plan;
   const std::string stem = outputStem(output, deckName).string();
   std::vector<std::string> written;
   std::vector<ExodusStep> steps;

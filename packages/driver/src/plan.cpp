@@ -19,20 +19,19 @@ bool anyBody(const Params& deck, const char* list, const std::string& type)
 
 } // namespace
 
-Plan::Plan(const Params& deck, int ranks)
+Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
 {
   const auto bodies = deck.sub("Bodies").subs().size(), interfaces = deck.sub("Interfaces").subs().size();
   const Params output = deck.sub("Output");
   const bool touches = interfaces > 0, exodus = output.get<bool>("Exodus");
-  const auto solver = deck.sub("Linear Solver").get<std::string>("Type");
   const std::string noInterface = "the deck has no interface";
   add("gmsh", anyBody(deck, "Mesh", "Gmsh"), "a body's mesh is a gmsh file", "no gmsh mesh: the library is not loaded");
-  add("mpi", ranks > 1 || solver == "Mumps", fmt::format("{} processes, linear solver {}", ranks, solver),
-      "one process: MPI is not started");
+  add("mpi", ranks > 1 || solver.needsMpi(ranks),
+      fmt::format("{} processes, linear solver {}", ranks, solver.name(ranks)), "one process: MPI is not started");
   add("read", true, fmt::format("{} bodies", bodies), {});
   add("check", true, "sides, pairing and supports are checked before anything is assembled", {});
   add("assemble", true, fmt::format("{} matrices", bodies), {});
-  add("factor", true, fmt::format("once per body, {} in all ({})", bodies, solver), {});
+  add("factor", true, fmt::format("once per body, {} in all ({})", bodies, solver.name(ranks)), {});
   add("interface", touches, fmt::format("{} interfaces condensed", interfaces), noInterface);
   add("couple", touches, deck.sub("Coupling").get<std::string>("Type"), noInterface);
   add("recover", true, "interior displacements, one back-solve a body and state", {});

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "ndframe/driver/plan.hpp"
 #include "outputs.hpp"
 #include "screen.hpp"
 #include "summarize.hpp"
@@ -72,12 +71,13 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
   const auto representation = components.interfaceOperators.build(deck.sub("Interface Operator"));
   Run run;
   run.startSeconds = start;
+  run.plan = Plan(deck, *solver, comm.size());
   run.model = checkDeck(deck, components, ledger, log);
   run.summary = outlineSummary(run.model, deck, *solver, comm.size());
   log.line(headerText(run.summary, run.model));
 
   run.condensed = condense(run.model, *solver, *representation, comm, ledger, log);
-  if (Plan(deck, comm.size()).runs("couple"))
+  if (run.plan.runs("couple"))
     couple(run, deck, *coupling, ledger, log);
   else
     run.states.emplace_back();

@@ -24,11 +24,9 @@ struct GaussRule
   std::vector<double> points, weights; ///< on (0, 1), weights add up to 1
 };
 
-/// Gauss-Legendre rule with n >= 1 points, roots by Newton's method.
+/// Gauss-Legendre rule with n >= 2 points, roots by Newton's method.
 GaussRule gauss(int n)
 {
-  if (n == 1)
-    return {{0.5}, {1.0}};
   GaussRule rule;
   for (int i = 0; i < n; ++i) {
     double x = std::cos(M_PI * (i + 0.75) / (n + 0.5));

@@ -1,6 +1,8 @@
 #include "ndframe/interface/applied_operator.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -10,6 +12,9 @@ namespace ndframe
 {
 namespace
 {
+
+/// A search direction with less stiffness than this, relative to the stiffest one, is in the null space.
+constexpr double noStiffness = 1e-13;
 
 class ConjugateGradients final : public RestrictedInverse
 {
@@ -22,7 +27,7 @@ public:
   {
     const int mostIterations = 200 + 10 * A_.size();
     Vector x(b.size(), 0.0), r = restricted(b), p = r;
-    double rr = dot(r, r);
+    double rr = dot(r, r), stiffest = 0.0;
     const double target = A_.tolerance() * A_.tolerance() * rr;
     for (int iteration = 0; rr > target; ++iteration) {
       if (iteration == mostIterations)
@@ -31,8 +36,9 @@ public:
                         "{} iterations; use the condensed interface operator.",
                         std::sqrt(rr / target) * A_.tolerance(), iteration));
       const Vector Ap = applyRestricted(p);
-      const double curvature = dot(p, Ap);
-      if (!(curvature > 0.0))
+      const double curvature = dot(p, Ap), stiffness = curvature / dot(p, p);
+      stiffest = std::max(stiffest, stiffness);
+      if (!(stiffness > noStiffness * stiffest))
         throw NotPositiveDefinite{-1};
       const double step = rr / curvature;
       for (std::size_t i = 0; i < x.size(); ++i) {

@@ -9,7 +9,8 @@ namespace ndframe
 {
 namespace
 {
-constexpr int zz = 2; ///< Voigt place of e_zz in space
+constexpr int zz = 2;              ///< Voigt place of e_zz in space
+constexpr double singular = 1e-12; ///< a relative determinant below this is round-off
 
 double entry(const SpatialStiffness& C, int i, int j)
 {
@@ -62,7 +63,7 @@ SpatialStiffness rotateAboutZ(const SpatialStiffness& C, double angle)
   return turned;
 }
 
-bool orthotropicStiffness(const std::array<double, 9>& S, const std::array<double, 3>& shear, SpatialStiffness& C)
+std::optional<SpatialStiffness> orthotropicStiffness(const std::array<double, 9>& S, const std::array<double, 3>& shear)
 {
   const auto at = [&S](int i, int j) { return S[std::size_t(3 * (i % 3) + j % 3)]; };
   const auto cofactor = [&at](int i, int j) {
@@ -70,15 +71,17 @@ bool orthotropicStiffness(const std::array<double, 9>& S, const std::array<doubl
   };
   const double det = at(0, 0) * cofactor(0, 0) + at(0, 1) * cofactor(0, 1) + at(0, 2) * cofactor(0, 2);
   const double minor = at(0, 0) * at(1, 1) - at(0, 1) * at(1, 0);
-  if (!(at(0, 0) > 0.0 && minor > 0.0 && det > 0.0))
-    return false;
-  C.fill(0.0);
+  // The principal minors relative to those of the diagonal, which do not depend on the unit.
+  const double area = at(0, 0) * at(1, 1), volume = area * at(2, 2);
+  if (!(at(0, 0) > 0.0 && minor > singular * area && det > singular * volume))
+    return std::nullopt;
+  SpatialStiffness C{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j)
       C[std::size_t(6 * i + j)] = cofactor(j, i) / det;
     C[std::size_t(7 * (i + 3))] = shear[std::size_t(i)];
   }
-  return true;
+  return C;
 }
 
 double vonMises(const std::array<double, 6>& s)

@@ -32,15 +32,14 @@ std::unique_ptr<MaterialLaw> buildOrthotropic(const Params& p)
   const double E1 = value("Young Modulus 1"), E2 = value("Young Modulus 2"), E3 = value("Young Modulus 3");
   const double s12 = -value("Poisson Ratio 12") / E1, s13 = -value("Poisson Ratio 13") / E1,
                s23 = -value("Poisson Ratio 23") / E2;
-  SpatialStiffness stiffness{};
-  const bool stable = orthotropicStiffness(
-      {1.0 / E1, s12, s13, s12, 1.0 / E2, s23, s13, s23, 1.0 / E3},
-      {value("Shear Modulus 12"), value("Shear Modulus 23"), value("Shear Modulus 13")}, stiffness);
-  if (!stable)
+  const auto stiffness =
+      orthotropicStiffness({1.0 / E1, s12, s13, s12, 1.0 / E2, s23, s13, s23, 1.0 / E3},
+                           {value("Shear Modulus 12"), value("Shear Modulus 23"), value("Shear Modulus 13")});
+  if (!stiffness)
     throw InputError(p.mistake("",
                                "the compliance of this material is not positive definite; Poisson ratios must satisfy "
                                "nu_ij^2 < E_i / E_j and leave a positive determinant."));
-  return std::make_unique<Orthotropic>(rotateAboutZ(stiffness, value("Angle") * M_PI / 180.0),
+  return std::make_unique<Orthotropic>(rotateAboutZ(*stiffness, value("Angle") * M_PI / 180.0),
                                        hypothesisNames().value(p.get<std::string>("Hypothesis")));
 }
 

@@ -33,6 +33,7 @@ ExodusInput::Handle::Handle(const std::string& path)
   if (id_ < 0)
     throw FileError("the file is damaged or no Exodus file.");
   ex_set_max_name_length(id_, maxNameLength);
+  ex_set_int64_status(id_, 0); // all integers come as int, whatever the file's own attribute says
 }
 
 ExodusInput::Handle::~Handle()
@@ -87,7 +88,8 @@ std::vector<double> ExodusInput::coordinates() const
   std::array<std::vector<double>, 3> x;
   for (auto& component : x)
     component.resize(numNodes_, 0.0);
-  require(ex_get_coord(file_, x[0].data(), x[1].data(), x[2].data()), "coordinates");
+  // The partial readers check the shapes in the file against what is asked for, the others overrun the arrays.
+  require(ex_get_partial_coord(file_, 1, numNodes_, x[0].data(), x[1].data(), x[2].data()), "coordinates");
   std::vector<double> points;
   points.reserve(std::size_t(3) * numNodes_);
   for (int node = 0; node < numNodes_; ++node)
@@ -126,7 +128,8 @@ std::vector<int> ExodusInput::nodes(const ExodusBlock& block) const
 {
   std::vector<int> numbers(std::size_t(block.numElements) * block.nodesPerElement);
   if (!numbers.empty())
-    require(ex_get_conn(file_, EX_ELEM_BLOCK, block.id, numbers.data(), nullptr, nullptr), "elements");
+    require(ex_get_partial_conn(file_, EX_ELEM_BLOCK, block.id, 1, block.numElements, numbers.data(), nullptr, nullptr),
+            "elements");
   for (int& number : numbers) {
     if (number < 1 || number > numNodes_)
       throw FileError(fmt::format("an element uses node {}, but there are {} nodes.", number, numNodes_));
@@ -145,7 +148,7 @@ std::vector<ExodusSideSet> ExodusInput::sideSets() const
     ExodusSideSet set{name(EX_SIDE_SET, id, "sideset"), std::vector<int>(plausible(count, "sides in a set")), {}};
     set.sides.resize(set.elements.size());
     if (count > 0)
-      require(ex_get_set(file_, EX_SIDE_SET, id, set.elements.data(), set.sides.data()), "side sets");
+      require(ex_get_n_side_set(file_, id, 1, count, set.elements.data(), set.sides.data()), "side sets");
     list.push_back(std::move(set));
   }
   return list;

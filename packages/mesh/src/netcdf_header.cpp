@@ -5,6 +5,7 @@
 #include <cstring>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <vector>
 
 #include <fmt/format.h>
@@ -25,6 +26,18 @@ constexpr std::uint64_t maxDimensions = 1024; // of one variable (NC_MAX_VAR_DIM
   throw FileError("the file is shorter than its header says; it may have been cut off.");
 }
 
+/// The dimension of the variables that the Exodus library copies into arrays of that length without looking at their
+/// own; empty for all others.
+std::string exodusDimension(const std::string& variable)
+{
+  static const std::map<std::string, std::string> dimensions{{"eb_prop1", "num_el_blk"},
+                                                             {"eb_status", "num_el_blk"},
+                                                             {"ss_prop1", "num_side_sets"},
+                                                             {"ss_status", "num_side_sets"}};
+  const auto found = dimensions.find(variable);
+  return found == dimensions.end() ? std::string() : found->second;
+}
+
 /// Walks through a classic header ("The NetCDF Classic Format Specification").
 class ClassicHeader
 {
@@ -37,6 +50,11 @@ public:
   void check();
 
 private:
+  struct Dimension
+  {
+    std::string name;
+    std::uint64_t length;
+  };
   struct Variable
   {
     std::uint64_t begin;
@@ -49,10 +67,10 @@ private:
   std::uint64_t count() { return big(version_ == 5 ? 8 : 4); }
   std::uint64_t listLength(std::uint64_t tag);
   void skip(std::uint64_t bytes);
-  void skipName();
+  std::string name();
   void skipAttributes();
   std::uint64_t typeSize();
-  Variable variable(const std::vector<std::uint64_t>& dimensions);
+  Variable variable(const std::vector<Dimension>& dimensions);
   static std::uint64_t padded(std::uint64_t bytes) { return (bytes + 3) / 4 * 4; }
 
   std::ifstream& in_;
@@ -88,12 +106,15 @@ void ClassicHeader::skip(std::uint64_t bytes)
   in_.seekg(std::streamoff(bytes), std::ios::cur);
 }
 
-void ClassicHeader::skipName()
+std::string ClassicHeader::name()
 {
   const std::uint64_t length = count();
   if (length > maxNameLength)
     fail();
-  skip(padded(length));
+  std::string text(length, ' ');
+  in_.read(text.data(), std::streamsize(length));
+  skip(padded(length) - length);
+  return text;
 }
 
 std::uint64_t ClassicHeader::typeSize()
@@ -109,7 +130,7 @@ std::uint64_t ClassicHeader::typeSize()
 void ClassicHeader::skipAttributes()
 {
   for (std::uint64_t n = listLength(0x0C); n > 0; --n) {
-    skipName();
+    name();
     const std::uint64_t size = typeSize();
     const std::uint64_t values = count();
     if (values > fileSize_)
@@ -118,9 +139,9 @@ void ClassicHeader::skipAttributes()
   }
 }
 
-ClassicHeader::Variable ClassicHeader::variable(const std::vector<std::uint64_t>& dimensions)
+ClassicHeader::Variable ClassicHeader::variable(const std::vector<Dimension>& dimensions)
 {
-  skipName();
+  const std::string dimensionNeeded = exodusDimension(name());
   const std::uint64_t rank = count();
   if (rank > maxDimensions)
     fail();
@@ -128,12 +149,12 @@ ClassicHeader::Variable ClassicHeader::variable(const std::vector<std::uint64_t>
   std::uint64_t values = 1;
   for (std::uint64_t i = 0; i < rank; ++i) {
     const std::uint64_t id = count();
-    if (id >= dimensions.size())
+    if (id >= dimensions.size() || (!dimensionNeeded.empty() && dimensions[id].name != dimensionNeeded))
       fail();
-    isRecord = isRecord || (i == 0 && dimensions[id] == 0);
-    if (!(i == 0 && isRecord))
-      values *= dimensions[id];
-    if (values > fileSize_) // every value takes a byte at least
+    const std::uint64_t length = dimensions[id].length;
+    isRecord = isRecord || (i == 0 && length == 0);
+    values *= i == 0 && isRecord ? 1 : length;
+    if (length > fileSize_ || values > fileSize_) // every value takes a byte at least
       failShort();
   }
   skipAttributes();
@@ -149,10 +170,10 @@ void ClassicHeader::check()
 {
   const std::uint64_t records = count();
   const bool streaming = records == (version_ == 5 ? ~std::uint64_t(0) : 0xFFFFFFFF);
-  std::vector<std::uint64_t> dimensions(listLength(0x0A));
-  for (std::uint64_t& length : dimensions) {
-    skipName();
-    length = count();
+  std::vector<Dimension> dimensions(listLength(0x0A));
+  for (Dimension& dimension : dimensions) {
+    dimension.name = name();
+    dimension.length = count();
   }
   skipAttributes();
   std::vector<Variable> variables(listLength(0x0B));

@@ -74,7 +74,8 @@ double UnilateralProblem::stiffnessScale() const
   Vector zigzag(std::size_t(A_.size()));
   for (std::size_t i = 0; i < zigzag.size(); ++i)
     zigzag[i] = i % 2 == 0 ? 1.0 : -1.0;
-  return dot(zigzag, A_.apply(zigzag)) / dot(zigzag, zigzag);
+  const double scale = dot(zigzag, A_.apply(zigzag)) / dot(zigzag, zigzag);
+  return scale > 0.0 ? scale : 1.0; // A = 0, a body that can only move rigidly: any weight will do
 }
 
 void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
@@ -134,7 +135,12 @@ UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, s
     if (proximal > largestProximalRun)
       throw NotConverged(
           fmt::format("the load pulls the bodies apart: contact opens and nothing stops {}.", joined(motions_)));
-    solveClosed(b, bound, closed, held ? 0.0 : std::pow(proximalDecay, proximal) * stiffnessScale(), pass);
+    try {
+      solveClosed(b, bound, closed, held ? 0.0 : std::pow(proximalDecay, proximal) * stiffnessScale(), pass);
+    } catch (const NotPositiveDefinite&) {
+      throw NotConverged(fmt::format("the closed nodes do not hold the bodies{}.",
+                                     motions_.empty() ? "" : " against " + joined(motions_)));
+    }
     ++state.passes;
     ledger_.count("status passes");
     const auto wrong = violations(b, bound, pass, closed);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -67,10 +68,13 @@ class LinearSolver
 {
 public:
   virtual ~LinearSolver() = default;
-  /// Throws SingularBody when K_ii is not positive definite.
+  /// Throws SingularBody when K_ii is not positive definite (conjugate gradients may find out in a solve only), InputError
+  /// when the solver cannot treat the problem (memory, ranks, nothing free). The ledger must outlive the factor. Collective.
   virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const = 0;
   /// The solver that factors a body on so many ranks.
   virtual std::string name(int ranks) const = 0;
+  /// True when it calls MPI on so many ranks; a single process starts MPI for nothing else.
+  virtual bool needsMpi(int ranks) const = 0;
 };
 
 /// K_ii is singular or not positive definite: the body has a free rigid motion, or the material is not positive definite.

@@ -31,9 +31,9 @@ DenseMatrix rigidModes(const RigidBasis& basis, const NodeMap& nodes, const Fram
 /// Rows that rigid motions must annul to be held by supports: one row per prescribed direction, columns = modes.
 DenseMatrix supportRows(const RigidBasis& basis, const NodeMap& nodes, const ConstraintSet& constraints);
 
-/// Names of the motions spanned by the columns (coefficients in the basis): "translation along x",
-/// "rotation about (0.5, 1)", "rotation about the axis (0, 0, 1)".
-std::vector<std::string> describeMotions(const RigidBasis& basis, const DenseMatrix& coefficients);
+/// Names of the motions spanned by the columns (orthonormal coefficients in the basis): "translation along x",
+/// "translation along (0.8, 0.6)", "rotation about (0.5, 1)", "rotation about the axis (0, 0, 1)".
+std::vector<std::string> describeMotions(const RigidBasis& basis, const DenseMatrix& motions);
 
 /// Singular values below this, relative to the largest, are free motions.
 inline constexpr double rigidTolerance = 1e-9;

@@ -73,4 +73,7 @@ ParamSpec sideSpec();
 /// "the sides of this body are: left, right" for messages about a side that does not exist.
 std::string sideNames(const Mesh& mesh);
 
+/// "(0.5, 1)" for messages.
+std::string pointText(const double* point, int dim);
+
 } // namespace ndframe

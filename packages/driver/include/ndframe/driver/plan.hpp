@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/base/params.hpp"
 
 namespace ndframe
@@ -20,7 +21,8 @@ struct PlannedStage
 class Plan
 {
 public:
-  Plan(const Params& deck, int ranks);
+  Plan() = default;
+  Plan(const Params& deck, const LinearSolver& solver, int ranks);
 
   bool runs(const std::string& stage) const;
   const std::vector<PlannedStage>& stages() const { return stages_; }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ndframe/base/log.hpp"
+#include "ndframe/driver/plan.hpp"
 #include "ndframe/driver/solution.hpp"
 
 namespace ndframe
@@ -12,6 +13,7 @@ namespace ndframe
 /// Everything a run computed; the values that writers and tests look at.
 struct Run
 {
+  Plan plan;
   Model model;
   CondensedModel condensed;
   CouplingResult coupling;            ///< empty history without interfaces

@@ -10,8 +10,8 @@ namespace ndframe
 /// The nodes of a Lagrange space of order 1 or 2 on a mesh of straight simplices.
 ///
 /// Nodes 0..numPoints-1 are the mesh's points; order 2 adds one node per edge, in the middle of it.
-/// Local order in a cell: vertices, then edges in the order of cellEdges<dim>() (gmsh's and Exodus's for triangles:
-/// 01, 12, 20; tetrahedra as in Exodus: 01, 12, 20, 03, 13, 23).
+/// Local order in a cell: vertices, then edges in the order of SimplexEdges<dim>, Exodus's: 01, 12, 20 for triangles,
+/// 01, 12, 20, 03, 13, 23 for tetrahedra.
 struct NodeMap
 {
   int dim = 0;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <optional>
 
 #include "ndframe/base/param_spec.hpp"
 
@@ -41,9 +42,9 @@ Elasticity reduceTo(Hypothesis hypothesis, const SpatialStiffness& spatial);
 SpatialStiffness rotateAboutZ(const SpatialStiffness& spatial, double angle);
 
 /// Stiffness of a material with three planes of symmetry from its normal compliances (3 x 3, row-major, symmetric) and
-/// its shear moduli G_xy, G_yz, G_xz. Returns false when the normal compliances are not positive definite.
-bool orthotropicStiffness(const std::array<double, 9>& compliance, const std::array<double, 3>& shear,
-                          SpatialStiffness& stiffness);
+/// its shear moduli G_xy, G_yz, G_xz. Nothing when the normal compliances are not positive definite beyond round-off.
+std::optional<SpatialStiffness> orthotropicStiffness(const std::array<double, 9>& compliance,
+                                                     const std::array<double, 3>& shear);
 
 /// The von Mises stress of (xx, yy, zz, xy, yz, xz).
 double vonMises(const std::array<double, 6>& stress);
