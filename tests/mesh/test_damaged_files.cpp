@@ -88,6 +88,24 @@ TEST_P(DamagedExodus, TruncatedFilesAreRefused)
   expectEveryTruncationIsRefused("Exodus", contents, contents.size() - 3, contents.size() / 100);
 }
 
+/// Offset of the number of the dimension of a variable (of rank 1) in a classic header.
+std::size_t dimensionOf(const std::string& contents, const std::string& variable)
+{
+  const std::size_t padded = (variable.size() + 3) / 4 * 4;
+  return contents.find(std::string("\0\0\0", 3) + char(variable.size()) + variable) + 4 + padded + 4;
+}
+
+TEST(DamagedExodusHeader, ArraysOfAnotherLengthThanTheirDimensionAreRefused)
+{
+  const std::string contents = exodusFile(EX_LARGE_MODEL);
+  const std::string longer = contents.substr(dimensionOf(contents, "elem_ss1"), 4);
+  for (const char* variable : {"eb_prop1", "eb_status", "ss_prop1", "ss_status"}) {
+    std::string damaged = contents;
+    damaged.replace(dimensionOf(contents, variable), 4, longer);
+    EXPECT_TRUE(isRefused("Exodus", damaged)) << variable;
+  }
+}
+
 TEST_P(DamagedExodus, MutatedFilesAreRefusedOrSound)
 {
   surviveMutations("Exodus", exodusFile(GetParam()), true, 200);

@@ -52,6 +52,7 @@ TEST_P(DeckMeshes, HoldTwoBodiesThatMatchAlongTheContact)
     EXPECT_NEAR(measure(*body, *body->findSide("left")), 1.0, 1e-12);
     EXPECT_NEAR(measure(*body, *body->findSide("right")), 1.0, 1e-12);
     EXPECT_LT(boundaryDefect(*body), 1e-14);
+    EXPECT_THAT(body->notes, testing::IsEmpty());
   }
   EXPECT_NE(punch.findSide("top"), nullptr);
   EXPECT_EQ(punch.findSide("free top"), nullptr);

@@ -49,6 +49,13 @@ TEST(Exodus, ReadsBackEveryFormatOfTheLibrary)
       expectSameMesh(readMesh(exodus(asExodusSample(mesh), "", format)), mesh);
 }
 
+TEST(Exodus, ReadsFilesOf64BitData)
+{
+  const Mesh mesh = readMesh(text("Type", "Exodus") + text("File", dataPath("square-cdf5.e")));
+  expectSameMesh(mesh, readMesh(text("Type", "Box") + doubles("Lower", "0, 0") + doubles("Upper", "1, 1") +
+                                ints("Cells", "2, 2")));
+}
+
 TEST(Exodus, MixesOrdersAndNamesUnnamedSets)
 {
   const Mesh mesh = readMesh(exodus(twoBlocks()));

@@ -43,18 +43,17 @@ void resetHighWaterMark()
 
 } // namespace
 
-Ledger::Timer::Timer(Ledger& ledger, std::string name, const Log* log)
-    : ledger_(ledger), name_(std::move(name)), log_(log), start_(wallSeconds())
+Ledger::Timer::Timer(Ledger& ledger, std::string name) : ledger_(ledger), name_(std::move(name)), start_(wallSeconds())
 {
   resetHighWaterMark();
-  if (log_)
-    log_->startLive(name_);
+  if (ledger_.live_)
+    ledger_.live_->startLive(name_);
 }
 
 Ledger::Timer::~Timer()
 {
-  if (log_)
-    log_->stopLive();
+  if (ledger_.live_)
+    ledger_.live_->stopLive();
   auto& stages = ledger_.stages_;
   auto stage = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == name_; });
   if (stage == stages.end())

@@ -45,9 +45,10 @@ public:
     relaxation_->start();
     do {
       const Vector force = system.force(traction);
-      const Vector u2 = neumann.solve(force); // (25)
+      Vector u2;
       UnilateralState step;
       try {
+        u2 = neumann.solve(force);                                    // (25)
         step = dirichlet.solve(body1.g, sum(u2, system.gap), closed); // (26)
       } catch (const NotConverged& failure) {
         if (result.history.empty())
@@ -63,7 +64,7 @@ public:
       report(system, result, step, relaxed);
       observe(result.history.back(), result.state);
       ledger.count("sweeps");
-    } while (!stopping_.ends(result.history.back(), result));
+    } while (!stopping_.ends(result));
     return result;
   }
 

@@ -9,6 +9,29 @@
 
 namespace ndframe
 {
+namespace
+{
+
+constexpr double divergence = 1e30; ///< growth of the contact force that only an unstable iteration reaches
+constexpr const char* advice = "a smaller Theta or Aitken may help";
+
+/// All contact forces on the Dirichlet bodies press, so that their resultant is their size.
+bool diverges(const std::vector<SweepRecord>& history)
+{
+  const auto first =
+      std::find_if(history.begin(), history.end(), [](const SweepRecord& r) { return r.forceDirichlet != 0.0; });
+  const double force = history.back().forceDirichlet;
+  return !std::isfinite(force) ||
+         (first != history.end() && std::abs(force) > divergence * std::abs(first->forceDirichlet));
+}
+
+/// Whether the second half of the sweeps has brought eps_tau down.
+bool isFalling(const std::vector<SweepRecord>& history)
+{
+  return history.back().epsTau < history[(history.size() - 1) / 2].epsTau;
+}
+
+} // namespace
 
 double Stopping::measure(const Vector& dirichlet, const Vector& neumann)
 {
@@ -25,16 +48,18 @@ double Stopping::measure(const Vector& dirichlet, const Vector& neumann)
   return 2.0 * std::sqrt(difference / sum);
 }
 
-bool Stopping::ends(const SweepRecord& last, CouplingResult& result) const
+bool Stopping::ends(CouplingResult& result) const
 {
+  const SweepRecord& last = result.history.back();
   result.converged = last.epsTau < tolerance_;
   if (result.converged)
     result.reason = fmt::format("eps_tau {:.3g} < {:g}", last.epsTau, tolerance_);
-  else if (!std::isfinite(last.epsTau))
-    result.reason = fmt::format("the iteration diverged in sweep {}; a smaller Theta or Aitken may help", last.sweep);
+  else if (diverges(result.history))
+    result.reason = fmt::format("the iteration diverges (sweep {}); {}", last.sweep, advice);
   else if (last.sweep >= maximumSweeps_)
-    result.reason = fmt::format("eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps)", last.epsTau,
-                                tolerance_, maximumSweeps_);
+    result.reason =
+        fmt::format("eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps){}", last.epsTau, tolerance_,
+                    maximumSweeps_, isFalling(result.history) ? "" : fmt::format(" and does not fall; {}", advice));
   return !result.reason.empty();
 }
 

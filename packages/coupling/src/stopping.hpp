@@ -17,8 +17,8 @@ public:
   /// eps_tau = |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|); 0 when both vanish.
   static double measure(const Vector& dirichlet, const Vector& neumann);
 
-  /// True when the iteration must end; fills in the verdict.
-  bool ends(const SweepRecord& last, CouplingResult& result) const;
+  /// True when the iteration must end after the sweeps in the history; fills in the verdict.
+  bool ends(CouplingResult& result) const;
 
   static ListSpec spec();
 

@@ -49,6 +49,9 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
   for (const auto& body : system.bodies) {
     if (body.unknowns.empty() || bool(body.onDirichletSide.front()) != dirichlet)
       continue;
+    NDFRAME_ASSERT(std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
+                               [dirichlet](char side) { return bool(side) == dirichlet; }),
+                   "a body is the Dirichlet body of one interface and the Neumann body of another");
     std::vector<std::array<int, 2>> inputs;
     for (const int unknown : body.unknowns)
       inputs.push_back({unknown, -1});

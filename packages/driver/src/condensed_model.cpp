@@ -21,12 +21,6 @@ struct BodyTraceNodes
   std::vector<const double*> points;
 };
 
-bool isFree(const ConstraintSet& constraints, int node, const Direction& normal)
-{
-  const Direction free = constraints.freePart(node, normal);
-  return dotProduct(free, free) > 0.0;
-}
-
 /// Numbers the unknowns and hands each to its two bodies.
 std::vector<BodyTraceNodes> numberUnknowns(const Model& model, InterfaceSystem& system)
 {
@@ -34,20 +28,17 @@ std::vector<BodyTraceNodes> numberUnknowns(const Model& model, InterfaceSystem& 
   int node = 0;
   for (const auto& interface : model.interfaces)
     for (int i = 0; i < interface.numNodes(); ++i, ++node) {
-      const Direction& normal = interface.normals[std::size_t(i)];
-      const int first = interface.dirichletNodes[std::size_t(i)], second = interface.neumannNodes[std::size_t(i)];
-      if (!isFree(model.constraints[std::size_t(interface.dirichletBody)], first, normal) ||
-          !isFree(model.constraints[std::size_t(interface.neumannBody)], second, normal))
+      if (!model.carriesContact(interface, i))
         continue;
       const auto add = [&](int body, int bodyNode, bool onDirichletSide) {
         auto& b = bodies[std::size_t(body)];
-        b.traces.push_back({bodyNode, normal});
+        b.traces.push_back({bodyNode, interface.normals[std::size_t(i)]});
         b.unknowns.push_back(system.size());
         b.onDirichletSide.push_back(onDirichletSide);
         b.points.push_back(interface.point(i));
       };
-      add(interface.dirichletBody, first, true);
-      add(interface.neumannBody, second, false);
+      add(interface.dirichletBody, interface.dirichletNodes[std::size_t(i)], true);
+      add(interface.neumannBody, interface.neumannNodes[std::size_t(i)], false);
       system.nodeOfUnknown.push_back(node);
       system.gap.push_back(interface.gap[std::size_t(i)]);
     }
@@ -124,7 +115,7 @@ CondensedModel condense(const Model& model, const LinearSolver& solver, const In
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
     {
-      const auto timer = ledger.time("assemble", &log);
+      const auto timer = ledger.time("assemble");
       auto layout = makeDofLayout(body.nodes, model.constraints[b], traceNodes[b].traces);
       result.systems.push_back(assembleBody(body, std::move(layout), ownedNodes(body, comm)));
       result.loads.push_back(result.systems.back().effectiveLoad(comm));
@@ -134,7 +125,7 @@ CondensedModel condense(const Model& model, const LinearSolver& solver, const In
     log.detail(fmt::format("  {}: {}", body.name, result.condensed.back()->description()));
     if (traceNodes[b].traces.empty())
       continue;
-    const auto timer = ledger.time("interface", &log);
+    const auto timer = ledger.time("interface");
     BodyTrace trace = makeTrace(model, int(b), traceNodes[b]);
     trace.S = traceOperator(*result.condensed.back(), system.dofs.trace, representation);
     trace.g = traceLoad(*result.condensed.back(), system.dofs.trace, *trace.S, result.loads.back());

@@ -124,19 +124,20 @@ bool reportExpectations(const RunSummary& summary, const Comm& comm, const Log& 
 ExitCode solveDeck(const Params& deck, const CommandLine& options, const Components& components, const Comm& comm,
                    const Log& log, bool& computed)
 {
-  Ledger ledger;
+  Ledger ledger(&log);
   Run run = runDeck(deck, components, comm, ledger, log);
   computed = true;
-  const auto written = writeResults(run, deck, options.deck, comm, ledger, log);
+  const auto written = writeResults(run, deck, options.deck, comm, ledger);
   copyLedger(run.summary, ledger, run.startSeconds);
-  log.line("\n" + closingText(run.summary, true));
-  log.line("");
+  if (!run.states.empty())
+    log.line("\n" + closingText(run.summary));
+  log.line("\n" + stageText(run.summary) + "\n");
   const bool allMet = reportExpectations(run.summary, comm, log);
   log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
                        written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
-  if (run.summary.coupling && !run.summary.coupling->converged) {
-    complain(comm, fmt::format("not converged: {}; the results are marked so.", run.summary.coupling->reason));
+  if (!run.failure.empty()) {
+    complain(comm, fmt::format("not converged: {}; the results are marked so.", run.failure));
     return ExitCode::NotConverged;
   }
   return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;
@@ -153,8 +154,8 @@ ExitCode runCommand(const CommandLine& options, const Components& components, co
     return ExitCode::Right;
   }
   if (options.check) {
-    Ledger ledger;
-    checkDeck(deck, components, ledger, log);
+    Ledger ledger(&log);
+    checkDeck(deck, components, ledger);
     log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
     return ExitCode::Right;
   }

@@ -110,6 +110,20 @@ void refuseSharedNodes(const Model& model, const Params& deck, Diagnostics& diag
         }
 }
 
+void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  for (const auto& interface : model.interfaces) {
+    bool carries = false;
+    for (int i = 0; i < interface.numNodes(); ++i)
+      carries = carries || model.carriesContact(interface, i);
+    if (!carries)
+      diagnostics.add(deck.sub("Interfaces")
+                          .sub(interface.name)
+                          .mistake("", "supports prescribe the normal displacement of every node of a side: contact "
+                                       "has nothing to decide here."));
+  }
+}
+
 } // namespace
 
 int Model::bodyIndex(const std::string& name) const
@@ -118,6 +132,16 @@ int Model::bodyIndex(const std::string& name) const
     if (bodies[b].name == name)
       return int(b);
   return -1;
+}
+
+bool Model::carriesContact(const InterfaceMesh& interface, int node) const
+{
+  const auto isFree = [&](int body, int bodyNode) {
+    const Direction free = constraints[std::size_t(body)].freePart(bodyNode, interface.normals[std::size_t(node)]);
+    return dotProduct(free, free) > 0.0;
+  };
+  return isFree(interface.dirichletBody, interface.dirichletNodes[std::size_t(node)]) &&
+         isFree(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
 }
 
 Model buildModel(const Params& deck, const Components& components)
@@ -136,6 +160,8 @@ Model buildModel(const Params& deck, const Components& components)
   for (const auto& definition : deck.sub("Interfaces").subs())
     collecting(diagnostics, [&] { addInterface(model, definition, diagnostics); });
   refuseSharedNodes(model, deck, diagnostics);
+  diagnostics.throwIfAny();
+  refuseIdleInterfaces(model, deck, diagnostics);
   diagnostics.throwIfAny();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     model.rigid.push_back(rigidBasis(model.bodies[b].mesh));

@@ -140,21 +140,20 @@ std::filesystem::path outputStem(const Params& output, const std::string& deckNa
 }
 
 /// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.
-std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::string& deckName, Ledger& ledger,
-                                    const Log& log)
+std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::string& deckName, Ledger& ledger)
 {
   const Params output = deck.sub("Output");
   const Plan& plan = run.plan;
   const std::string stem = outputStem(output, deckName).string();
   std::vector<std::string> written;
   std::vector<ExodusStep> steps;
-  if (plan.runs("stress")) {
-    const auto timer = ledger.time("stress", &log);
+  if (plan.runs("stress") && !run.states.empty()) {
+    const auto timer = ledger.time("stress");
     for (std::size_t s = 0; s < run.states.size(); ++s)
       steps.push_back(exodusStep(run, s));
   }
-  if (plan.runs("write")) {
-    const auto timer = ledger.time("write", &log);
+  if (plan.runs("write") && !run.states.empty()) {
+    const auto timer = ledger.time("write");
     if (output.get<bool>("Exodus")) {
       written.push_back(stem + ".e");
       ledger.count("bytes written", writeAtomically(written.back(), [&](const std::string& temporary) {
@@ -178,13 +177,13 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
 } // namespace
 
 std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
-                                      Ledger& ledger, const Log& log)
+                                      Ledger& ledger)
 {
   std::vector<std::string> written;
   std::string failure;
   if (comm.rank() == 0) {
     try {
-      written = writeFiles(run, deck, name, ledger, log);
+      written = writeFiles(run, deck, name, ledger);
     } catch (const std::exception& error) {
       failure = error.what();
     }

@@ -9,6 +9,11 @@ namespace ndframe
 namespace
 {
 
+std::string counted(std::size_t number, const std::string& one, const std::string& several)
+{
+  return fmt::format("{} {}", number, number == 1 ? one : several);
+}
+
 /// True if a component of this type stands in one of the bodies' lists.
 bool anyBody(const Params& deck, const char* list, const std::string& type)
 {
@@ -27,12 +32,13 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   const std::string noInterface = "the deck has no interface";
   add("gmsh", anyBody(deck, "Mesh", "Gmsh"), "a body's mesh is a gmsh file", "no gmsh mesh: the library is not loaded");
   add("mpi", ranks > 1 || solver.needsMpi(ranks),
-      fmt::format("{} processes, linear solver {}", ranks, solver.name(ranks)), "one process: MPI is not started");
-  add("read", true, fmt::format("{} bodies", bodies), {});
+      fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
+      "one process: MPI is not started");
+  add("read", true, counted(bodies, "body", "bodies"), {});
   add("check", true, "sides, pairing and supports are checked before anything is assembled", {});
-  add("assemble", true, fmt::format("{} matrices", bodies), {});
+  add("assemble", true, counted(bodies, "matrix", "matrices"), {});
   add("factor", true, fmt::format("once per body, {} in all ({})", bodies, solver.name(ranks)), {});
-  add("interface", touches, fmt::format("{} interfaces condensed", interfaces), noInterface);
+  add("interface", touches, counted(interfaces, "interface", "interfaces") + " condensed", noInterface);
   add("couple", touches, deck.sub("Coupling").get<std::string>("Type"), noInterface);
   add("recover", true, "interior displacements, one back-solve a body and state", {});
   add("stress", exodus, "for the Exodus file", "no Exodus file is written");
@@ -41,7 +47,7 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
       fmt::format("to {}", output.get<std::string>("Directory")), "the deck asks for no file");
   add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
   const auto expected = deck.sub("Expect").subs().size();
-  add("expect", expected > 0, fmt::format("{} numbers", expected), "the deck expects nothing");
+  add("expect", expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");
 }
 
 void Plan::add(std::string name, bool runs, std::string whyRuns, std::string whySkipped)

@@ -14,36 +14,56 @@ namespace
 /// Residuals above this are a failed solve, whatever the iteration says.
 constexpr double largestImbalance = 1e-6;
 
-/// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
+/// Couples the bodies; keeps the last state or, when asked, the state of every sweep. Without any state (the load pulls
+/// the bodies apart) none is kept and the reason stands in the result.
 void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledger, const Log& log)
 {
   const bool keepAll = stepsNames().value(deck.sub("Output").get<std::string>("Steps")) == StepsWritten::AllSweeps;
   log.line("\n" + sweepTitle(run.model.interfaces.front(), run.model));
   {
     const auto timer = ledger.time("couple");
-    run.coupling = coupling.solve(
-        run.condensed.interface,
-        [&](const SweepRecord& record, const InterfaceState& state) {
-          log.line(sweepLine(record));
-          if (keepAll)
-            run.states.push_back(state);
-        },
-        ledger);
+    const auto observe = [&](const SweepRecord& record, const InterfaceState& state) {
+      log.line(sweepLine(record));
+      if (keepAll)
+        run.states.push_back(state);
+    };
+    try {
+      run.coupling = coupling.solve(run.condensed.interface, observe, ledger);
+      if (!keepAll)
+        run.states = {run.coupling.state};
+    } catch (const NotConverged& failure) {
+      run.coupling.reason = failure.what();
+    }
   }
-  if (!keepAll)
-    run.states = {run.coupling.state};
   log.line(fmt::format("  {}: {}", run.coupling.converged ? "stopped" : "NOT CONVERGED", run.coupling.reason));
 }
 
-Model readModel(const Params& deck, const Components& components, const Coupling& coupling, Ledger& ledger,
-                const Log& log)
+/// Why the result may not be trusted; empty when it may.
+std::string failureOf(Run& run)
+{
+  auto& coupling = run.summary.coupling;
+  const double imbalance = run.summary.residuals.equilibrium;
+  if (coupling && !coupling->converged)
+    return coupling->reason;
+  if (imbalance <= largestImbalance)
+    return {};
+  const auto reason =
+      fmt::format("the forces are out of balance by {:.1e}: the matrix is too ill-conditioned", imbalance);
+  if (coupling) {
+    coupling->converged = false;
+    coupling->reason = reason;
+  }
+  return reason;
+}
+
+Model readModel(const Params& deck, const Components& components, const Coupling& coupling, Ledger& ledger)
 {
   Model model;
   {
-    const auto timer = ledger.time("read", &log);
+    const auto timer = ledger.time("read");
     model = buildModel(deck, components);
   }
-  const auto timer = ledger.time("check", &log);
+  const auto timer = ledger.time("check");
   Diagnostics diagnostics;
   checkHeld(model, deck, coupling.alternates(), diagnostics);
   diagnostics.throwIfAny();
@@ -52,11 +72,11 @@ Model readModel(const Params& deck, const Components& components, const Coupling
 
 } // namespace
 
-Model checkDeck(const Params& deck, const Components& components, Ledger& ledger, const Log& log)
+Model checkDeck(const Params& deck, const Components& components, Ledger& ledger)
 {
   const auto coupling = components.couplings.build(deck.sub("Coupling"));
   const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
-  Model model = readModel(deck, components, *coupling, ledger, log);
+  Model model = readModel(deck, components, *coupling, ledger);
   Diagnostics diagnostics;
   checkExpectationNames(outlineSummary(model, deck, *solver, 1), deck, diagnostics);
   diagnostics.throwIfAny();
@@ -72,7 +92,7 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
   Run run;
   run.startSeconds = start;
   run.plan = Plan(deck, *solver, comm.size());
-  run.model = checkDeck(deck, components, ledger, log);
+  run.model = checkDeck(deck, components, ledger);
   run.summary = outlineSummary(run.model, deck, *solver, comm.size());
   log.line(headerText(run.summary, run.model));
 
@@ -81,14 +101,12 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
     couple(run, deck, *coupling, ledger, log);
   else
     run.states.emplace_back();
-  run.fields = recoverFields(run.model, run.condensed, run.states, ledger, log);
-  run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
-  completeSummary(run, deck, comm);
-  if (run.summary.coupling && run.summary.residuals.equilibrium > largestImbalance) {
-    run.summary.coupling->converged = false;
-    run.summary.coupling->reason +=
-        fmt::format("; but the forces are out of balance by {:.1e}", run.summary.residuals.equilibrium);
+  if (!run.states.empty()) {
+    run.fields = recoverFields(run.model, run.condensed, run.states, ledger);
+    run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
   }
+  completeSummary(run, deck, comm);
+  run.failure = failureOf(run);
   copyLedger(run.summary, ledger, start);
   return run;
 }

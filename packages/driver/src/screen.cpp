@@ -29,11 +29,6 @@ std::size_t nameWidth(const RunSummary& summary)
   return width;
 }
 
-std::string megabytes(std::int64_t bytes)
-{
-  return fmt::format("{:.0f}", double(bytes) / 1e6);
-}
-
 } // namespace
 
 std::string headerText(const RunSummary& summary, const Model& model)
@@ -66,7 +61,7 @@ std::string sweepTitle(const InterfaceMesh& interface, const Model& model)
                ? std::string("force on ") + (body == interface.dirichletBody ? "Dirichlet" : "Neumann")
                : "force on " + model.bodies[std::size_t(body)].name;
   };
-  return fmt::format("  sweep    eps_tau   theta     closed/all   changed   {:>18}   {:>18}   penetration",
+  return fmt::format("  sweep    eps_tau   theta     closed/open   changed   {:>18}   {:>18}   penetration",
                      on(interface.dirichletBody), on(interface.neumannBody));
 }
 
@@ -74,12 +69,11 @@ std::string sweepLine(const SweepRecord& record)
 {
   return fmt::format("  {:>5}   {:>8.2e}   {:>5}   {:>12}   {:>7}   {:>18.6g}   {:>18.6g}   {:>11.1e}{}", record.sweep,
                      record.epsTau, record.theta > 0.0 ? fmt::format("{:.3f}", record.theta) : "-",
-                     fmt::format("{}/{}", record.closed, record.closed + record.open), record.statusChanges,
-                     record.forceDirichlet, record.forceNeumann, record.penetration,
-                     record.note.empty() ? "" : "   " + record.note);
+                     fmt::format("{}/{}", record.closed, record.open), record.statusChanges, record.forceDirichlet,
+                     record.forceNeumann, record.penetration, record.note.empty() ? "" : "   " + record.note);
 }
 
-std::string closingText(const RunSummary& summary, bool stages)
+std::string closingText(const RunSummary& summary)
 {
   const auto width = nameWidth(summary);
   std::string text = fmt::format("  {:<{}} {:>18}", "body", width, "energy a(u,u)");
@@ -101,11 +95,14 @@ std::string closingText(const RunSummary& summary, bool stages)
   text += fmt::format("\n\n  residuals: equilibrium {:.1e}, complementarity {:.1e}, penetration {:.1e}, tension {:.1e}",
                       summary.residuals.equilibrium, summary.residuals.complementarity, summary.residuals.penetration,
                       summary.residuals.tension);
-  if (!stages)
-    return text;
-  text += fmt::format("\n\n  {:<12} {:>9} {:>8}", "stage", "seconds", "MB");
+  return text;
+}
+
+std::string stageText(const RunSummary& summary)
+{
+  std::string text = fmt::format("  {:<12} {:>9} {:>8}", "stage", "seconds", "MB");
   for (const auto& stage : summary.stages)
-    text += fmt::format("\n  {:<12} {:>9.3f} {:>8}", stage.name, stage.seconds, megabytes(stage.peakBytes));
+    text += fmt::format("\n  {:<12} {:>9.3f} {:>8.0f}", stage.name, stage.seconds, double(stage.peakBytes) / 1e6);
   return text;
 }
 

@@ -16,7 +16,10 @@ std::string headerText(const RunSummary& summary, const Model& model);
 std::string sweepTitle(const InterfaceMesh& interface, const Model& model);
 std::string sweepLine(const SweepRecord& record);
 
-/// The closing tables: energies, contact, residuals and, if `stages`, seconds and memory per stage.
-std::string closingText(const RunSummary& summary, bool stages);
+/// The closing tables: energies, contact, residuals.
+std::string closingText(const RunSummary& summary);
+
+/// Seconds and memory of every stage.
+std::string stageText(const RunSummary& summary);
 
 } // namespace ndframe

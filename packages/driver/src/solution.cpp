@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/base/log.hpp"
-
 namespace ndframe
 {
 namespace
@@ -69,9 +67,9 @@ double ratio(double value, double scale)
 } // namespace
 
 std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& condensed,
-                                      const std::vector<InterfaceState>& states, Ledger& ledger, const Log& log)
+                                      const std::vector<InterfaceState>& states, Ledger& ledger)
 {
-  const auto timer = ledger.time("recover", &log);
+  const auto timer = ledger.time("recover");
   std::vector<BodyFields> all(model.bodies.size());
   const int steps = int(states.size());
   for (std::size_t b = 0; b < all.size(); ++b) {

@@ -144,14 +144,15 @@ RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSo
 
 void completeSummary(Run& run, const Params& deck, const Comm& comm)
 {
+  if (run.summary.coupling)
+    completeCoupling(run.summary, run.coupling);
+  if (run.states.empty())
+    return;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     run.summary.bodies[b].energy = energy(run.condensed.systems[b], run.fields[b].u.back(), comm);
     run.summary.energy += run.summary.bodies[b].energy;
   }
-  if (run.summary.coupling) {
-    completeInterfaces(run);
-    completeCoupling(run.summary, run.coupling);
-  }
+  completeInterfaces(run);
   run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
   checkExpectations(run.summary, deck);
 }

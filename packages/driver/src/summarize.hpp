@@ -12,7 +12,7 @@ std::string versionText();
 /// The summary of a scene before anything is solved: names, sizes, all numbers zero.
 RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks);
 
-/// Fills in what the run computed.
+/// Fills in what the run computed; without a solution only why there is none.
 void completeSummary(Run& run, const Params& deck, const Comm& comm);
 
 /// Copies counts, stages and memory; called again after the files are written.

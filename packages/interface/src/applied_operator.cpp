@@ -81,4 +81,13 @@ std::unique_ptr<RestrictedInverse> AppliedOperator::inverseOn(const std::vector<
   return std::make_unique<ConjugateGradients>(*this, isFree, shift);
 }
 
+double toleranceOf(const SymmetricOperator& S)
+{
+  if (S.dense() != nullptr)
+    return 0.0;
+  const auto* applied = dynamic_cast<const AppliedOperator*>(&S);
+  NDFRAME_ASSERT(applied != nullptr, "an interface operator is neither stored nor an AppliedOperator");
+  return applied->tolerance();
+}
+
 } // namespace ndframe

@@ -48,7 +48,7 @@ std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body
         scaled(i, j) *= inverse[std::size_t(i)] * inverse[std::size_t(j)];
     return makeDenseOperator(std::move(scaled));
   }
-  const double tolerance = dynamic_cast<const AppliedOperator&>(*S).tolerance();
+  const double tolerance = toleranceOf(*S);
   return std::make_shared<ScaledOperator>(std::move(S), std::move(inverse), tolerance);
 }
 

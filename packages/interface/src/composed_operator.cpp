@@ -74,8 +74,7 @@ std::shared_ptr<const SymmetricOperator> composeOperators(std::vector<OperatorPa
     return makeDenseOperator(sumOfParts(parts, size));
   double tolerance = 0.0;
   for (const auto& part : parts)
-    if (const auto* applied = dynamic_cast<const AppliedOperator*>(part.S.get()))
-      tolerance = std::max(tolerance, applied->tolerance());
+    tolerance = std::max(tolerance, toleranceOf(*part.S));
   return std::make_shared<ComposedOperator>(std::move(parts), size, tolerance);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
@@ -15,6 +16,8 @@ namespace
 
 /// Nodes of the two sides are one point when they are closer than this, relative to the shortest facet.
 constexpr double sameNode = 1e-5;
+/// Two nodes face each other when their distance lies along the normal, up to this cosine.
+constexpr double facing = 0.999;
 
 /// The nodes of one side as nanoflann wants them.
 struct NodeCloud
@@ -57,59 +60,69 @@ double shortestFacet(const BodyModel& body, const Side& side)
   return body.mesh.dim == 2 ? shortest : std::sqrt(shortest);
 }
 
-/// For each node of `from` the index of the nearest one in `to` and the distance.
-struct Nearest
+/// Two sides: for each node of `from` the nearest one of `to` and how far it is.
+struct Comparison
 {
-  std::vector<std::size_t> index;
+  const NodeCloud& from;
+  const NodeCloud& to;
+  std::vector<std::size_t> nearest;
   std::vector<double> distance;
+
+  std::size_t worst() const
+  {
+    return std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
+  }
+  double largestDistance() const { return distance[worst()]; }
+  std::string worstPosition() const { return position(from.map.point(from.nodes[worst()]), from.map.dim); }
 };
 
-Nearest nearestNodes(const NodeCloud& from, const NodeCloud& to)
+Comparison compare(const NodeCloud& from, const NodeCloud& to)
 {
   const Tree tree(from.map.dim, to, nanoflann::KDTreeSingleIndexAdaptorParams(10));
-  Nearest nearest;
+  Comparison comparison{from, to, {}, {}};
   for (const int node : from.nodes) {
     std::size_t index = 0;
     double squared = 0.0;
     nanoflann::KNNResultSet<double> result(1);
     result.init(&index, &squared);
     tree.findNeighbors(result, from.map.point(node), nanoflann::SearchParams());
-    nearest.index.push_back(index);
-    nearest.distance.push_back(std::sqrt(squared));
+    comparison.nearest.push_back(index);
+    comparison.distance.push_back(std::sqrt(squared));
   }
-  return nearest;
+  return comparison;
 }
 
-/// Says how two sides miss each other: overlapping, apart along the normal, or with different nodes.
-[[noreturn]] void reportMismatch(const Params& definition, const InterfaceMesh& interface, const NodeCloud& from,
-                                 const NodeCloud& to, const Nearest& nearest, double tolerance, bool fromDirichlet,
-                                 const std::string& names)
+/// Sides whose nodes face each other along the normal, but not at the same place, overlap or are apart.
+void refuseOffset(const Params& definition, const Comparison& sides, const std::vector<Direction>& normals,
+                  const std::string& names)
 {
-  const auto worst =
-      std::size_t(std::max_element(nearest.distance.begin(), nearest.distance.end()) - nearest.distance.begin());
-  const double* x = from.map.point(from.nodes[worst]);
-  const double* y = to.map.point(to.nodes[nearest.index[worst]]);
-  const double distance = nearest.distance[worst];
-  if (fromDirichlet) {
-    double along = 0.0;
-    for (int k = 0; k < interface.dim; ++k)
-      along += (y[k] - x[k]) * interface.normals[worst][std::size_t(k)];
-    if (std::abs(along) > 0.999 * distance && along < 0.0)
-      throw InputError(definition.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}).",
-                                                          distance, position(x, interface.dim), names)));
-    if (std::abs(along) > 0.999 * distance)
-      throw InputError(definition.mistake(
-          "Gap",
-          fmt::format("the sides are apart by {:.3g} at {} ({}); let the meshes touch and give the opening as Gap.",
-                      distance, position(x, interface.dim), names)));
-  }
+  const std::size_t worst = sides.worst();
+  const double* x = sides.from.map.point(sides.from.nodes[worst]);
+  const double* y = sides.to.map.point(sides.to.nodes[sides.nearest[worst]]);
+  const double distance = sides.largestDistance();
+  double along = 0.0;
+  for (int k = 0; k < sides.from.map.dim; ++k)
+    along += (y[k] - x[k]) * normals[worst][std::size_t(k)];
+  if (along < -facing * distance)
+    throw InputError(definition.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}).",
+                                                        distance, sides.worstPosition(), names)));
+  if (along > facing * distance)
+    throw InputError(definition.mistake(
+        "Gap",
+        fmt::format("the sides are apart by {:.3g} at {} ({}); let the meshes touch and give the opening as Gap.",
+                    distance, sides.worstPosition(), names)));
+}
+
+void refuseMissing(const Params& definition, const Comparison& sides, double tolerance, const std::string& names)
+{
   const auto missing =
-      std::count_if(nearest.distance.begin(), nearest.distance.end(), [&](double d) { return d > tolerance; });
-  throw InputError(definition.mistake(
-      "",
-      fmt::format("the sides do not match ({}): {} of {} nodes have no partner, the largest distance is {:.3g} at {}; "
-                  "give both sides the same nodes (split the longer side).",
-                  names, missing, nearest.distance.size(), distance, position(x, interface.dim))));
+      std::count_if(sides.distance.begin(), sides.distance.end(), [&](double d) { return d > tolerance; });
+  if (missing > 0)
+    throw InputError(definition.mistake(
+        "",
+        fmt::format("the sides do not match ({}): {} of {} nodes have no partner, the largest distance is {:.3g} at "
+                    "{}; give both sides the same nodes (split the longer side).",
+                    names, missing, sides.distance.size(), sides.largestDistance(), sides.worstPosition())));
 }
 
 /// Node normals: the facets' normals weighted by their measure. Also numbers the facets' nodes.
@@ -219,16 +232,13 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
 
   const std::string names = fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
   const double tolerance = sameNode * std::min(shortestFacet(dirichlet, first), shortestFacet(neumann, second));
-  const Nearest forward = nearestNodes(mine, theirs), backward = nearestNodes(theirs, mine);
-  const auto misses = [tolerance](const Nearest& n) {
-    return *std::max_element(n.distance.begin(), n.distance.end()) > tolerance;
-  };
-  if (misses(forward))
-    reportMismatch(definition, interface, mine, theirs, forward, tolerance, true, names);
-  if (misses(backward))
-    reportMismatch(definition, interface, theirs, mine, backward, tolerance, false, names);
+  const Comparison forward = compare(mine, theirs);
+  if (forward.largestDistance() > tolerance)
+    refuseOffset(definition, forward, interface.normals, names);
+  refuseMissing(definition, forward, tolerance, names);
+  refuseMissing(definition, compare(theirs, mine), tolerance, names);
   for (std::size_t i = 0; i < mine.nodes.size(); ++i) {
-    interface.neumannNodes.push_back(theirs.nodes[forward.index[i]]);
+    interface.neumannNodes.push_back(theirs.nodes[forward.nearest[i]]);
     const double* x = dirichlet.nodes.point(mine.nodes[i]);
     interface.points.insert(interface.points.end(), x, x + interface.dim);
   }

@@ -72,7 +72,8 @@ std::vector<std::string> checkArrays(const Mesh& mesh)
   return mistakes;
 }
 
-void checkCells(const Mesh& mesh, std::vector<std::string>& mistakes)
+/// Returns true when all cells are positively oriented.
+bool checkCells(const Mesh& mesh, std::vector<std::string>& mistakes)
 {
   Tally inverted;
   Tally degenerate;
@@ -89,6 +90,7 @@ void checkCells(const Mesh& mesh, std::vector<std::string>& mistakes)
     if (tally.count > 0)
       mistakes.push_back(fmt::format("{} of {} cells are {}; the first is cell {} at {}.", tally.count, mesh.numCells(),
                                      what, tally.first, cellPosition(mesh, tally.first)));
+  return inverted.count + degenerate.count == 0;
 }
 
 void checkPoints(const Mesh& mesh, std::vector<std::string>& mistakes)
@@ -119,8 +121,9 @@ int facetParity(const Mesh& mesh, int facetNumber)
   return sign;
 }
 
-/// Checks how cells meet; returns for every facet whether it lies on the boundary.
-std::vector<bool> checkFacets(const Mesh& mesh, std::vector<std::string>& mistakes)
+/// Checks how cells meet (overlaps only if all cells are positively oriented); returns for every facet whether it lies
+/// on the boundary.
+std::vector<bool> checkFacets(const Mesh& mesh, bool allPositive, std::vector<std::string>& mistakes)
 {
   const VertexTuples facets = allFacets(mesh, mesh.numPoints());
   std::vector<bool> onBoundary(facets.size(), false);
@@ -138,7 +141,7 @@ std::vector<bool> checkFacets(const Mesh& mesh, std::vector<std::string>& mistak
   if (crowded.count > 0)
     mistakes.push_back(fmt::format("{} facets are shared by more than two cells; the first is one of cell {} at {}.",
                                    crowded.count, crowded.first, cellPosition(mesh, crowded.first)));
-  if (folded.count > 0)
+  if (allPositive && folded.count > 0)
     mistakes.push_back(fmt::format("{} facets have both their cells on the same side, so these overlap (or are listed "
                                    "twice); the first is one of cell {} at {}.",
                                    folded.count, folded.first, cellPosition(mesh, folded.first)));
@@ -177,9 +180,9 @@ std::vector<std::string> checkMesh(const Mesh& mesh)
   std::vector<std::string> mistakes = checkArrays(mesh);
   if (!mistakes.empty())
     return mistakes;
-  checkCells(mesh, mistakes);
+  const bool allPositive = checkCells(mesh, mistakes);
   checkPoints(mesh, mistakes);
-  const std::vector<bool> onBoundary = checkFacets(mesh, mistakes);
+  const std::vector<bool> onBoundary = checkFacets(mesh, allPositive, mistakes);
   for (const Side& side : mesh.sides) {
     if (mesh.findSide(side.name) != &side)
       mistakes.push_back(fmt::format("two sides are called \"{}\".", side.name));

@@ -134,7 +134,7 @@ UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, s
     proximal = held ? 0 : proximal + 1;
     if (proximal > largestProximalRun)
       throw NotConverged(
-          fmt::format("the load pulls the bodies apart: contact opens and nothing stops {}.", joined(motions_)));
+          fmt::format("the load pulls the bodies apart: contact opens and nothing stops {}", joined(motions_)));
     try {
       solveClosed(b, bound, closed, held ? 0.0 : std::pow(proximalDecay, proximal) * stiffnessScale(), pass);
     } catch (const NotPositiveDefinite&) {

@@ -27,7 +27,7 @@ public:
   class Timer
   {
   public:
-    Timer(Ledger& ledger, std::string name, const Log* log);
+    Timer(Ledger& ledger, std::string name);
     ~Timer();
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
@@ -35,19 +35,22 @@ public:
   private:
     Ledger& ledger_;
     std::string name_;
-    const Log* log_;
     double start_;
   };
+
+  /// With a log given, a terminal shows a live line for every stage that lasts longer than a second.
+  explicit Ledger(const Log* live = nullptr) : live_(live) {}
 
   void count(const std::string& what, std::int64_t amount = 1) { counts_[what] += amount; }
   /// 0 for what never happened.
   std::int64_t counted(const std::string& what) const;
   const std::map<std::string, std::int64_t>& counts() const { return counts_; }
   const std::vector<Stage>& stages() const { return stages_; }
-  /// Times a stage; with a log given, a terminal shows a live line once the stage lasts longer than a second.
-  [[nodiscard]] Timer time(std::string stage, const Log* log = nullptr) { return Timer(*this, std::move(stage), log); }
+  /// Times a stage as long as the result lives.
+  [[nodiscard]] Timer time(std::string stage) { return Timer(*this, std::move(stage)); }
 
 private:
+  const Log* live_;
   std::map<std::string, std::int64_t> counts_;
   std::vector<Stage> stages_;
 };

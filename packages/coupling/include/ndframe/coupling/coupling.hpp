@@ -57,7 +57,8 @@ public:
   virtual bool alternates() const = 0;
 };
 
-/// "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before.
+/// "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before; their registry
+/// must outlive this one.
 void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 
 } // namespace ndframe

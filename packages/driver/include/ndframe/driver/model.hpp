@@ -19,6 +19,9 @@ struct Model
   std::vector<DenseMatrix> freeMotions;   ///< per body: columns span the rigid motions that its supports leave free
   std::vector<InterfaceMesh> interfaces;
 
+  /// False where a support prescribes the normal displacement of an interface node on either body.
+  bool carriesContact(const InterfaceMesh& interface, int node) const;
+
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
 };
 

@@ -16,23 +16,25 @@ struct Run
   Plan plan;
   Model model;
   CondensedModel condensed;
-  CouplingResult coupling;            ///< empty history without interfaces
-  std::vector<InterfaceState> states; ///< those that are kept: the last one, or one per sweep
-  std::vector<BodyFields> fields;     ///< per body, per kept state
-  std::vector<ContactNode> contact;   ///< final state
+  CouplingResult coupling; ///< empty history without interfaces
+  std::vector<InterfaceState>
+      states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
+  std::vector<BodyFields> fields;   ///< per body, per kept state
+  std::vector<ContactNode> contact; ///< final state
   RunSummary summary;
+  std::string failure;       ///< why the result may not be trusted (exit code 3); empty when it may
   double startSeconds = 0.0; ///< wall clock when the run began
 };
 
 /// Runs a validated deck up to the summary; writes no files. `name` is the deck as messages call it.
-/// Throws InputError for mistakes that show only with the meshes, NotConverged when there is no state to return.
+/// Throws InputError for mistakes that show only with the meshes, NotConverged when a linear solver gives up.
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log);
 
 /// Reads and checks everything that --check checks: meshes, pairing, supports, expectations.
-Model checkDeck(const Params& deck, const Components& components, Ledger& ledger, const Log& log);
+Model checkDeck(const Params& deck, const Components& components, Ledger& ledger);
 
 /// Writes what Output asks for; returns the files' names. Only rank 0 writes; a failure is everybody's InputError.
 std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
-                                      Ledger& ledger, const Log& log);
+                                      Ledger& ledger);
 
 } // namespace ndframe

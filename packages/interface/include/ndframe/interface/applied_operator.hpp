@@ -24,4 +24,7 @@ private:
   double tolerance_;
 };
 
+/// The tolerance of an operator that is only applied; 0 for a stored one.
+double toleranceOf(const SymmetricOperator& S);
+
 } // namespace ndframe

@@ -14,7 +14,8 @@ class InterfaceOperator
 {
 public:
   virtual ~InterfaceOperator() = default;
-  /// S of a condensed body with `size` kept dofs, in the order of the kept dofs. The body must outlive the operator.
+  /// S of a condensed body with `size` kept dofs, in the order of the kept dofs. The body must outlive the operator,
+  /// which is either stored (`dense()` shows the matrix) or an AppliedOperator.
   virtual std::unique_ptr<SymmetricOperator> represent(const CondensedBody& body, int size) const = 0;
 };
 

@@ -30,7 +30,8 @@ struct Mesh
   std::vector<double> points; ///< dim * numPoints, point by point
   std::vector<int> cells;     ///< (dim + 1) * numCells, cell by cell
   std::vector<Side> sides;
-  std::vector<std::string> notes; ///< what a user should know about how the mesh was read (e.g. curved edges straightened)
+  std::vector<std::string>
+      notes; ///< what a user should know about how the mesh was read (e.g. curved edges straightened)
 
   int numPoints() const { return dim == 0 ? 0 : int(points.size()) / dim; }
   int numCells() const { return dim == 0 ? 0 : int(cells.size()) / (dim + 1); }
@@ -48,9 +49,12 @@ double facetNormal(const Mesh& mesh, Facet facet, double* normal);
 /// Signed measure of a cell (area or volume).
 double cellMeasure(const Mesh& mesh, int cell);
 
-/// Everything wrong with a mesh that a solver could not cope with, one sentence each: no cells, vertex numbers out of range,
-/// inverted or degenerate cells (how many, the first and where), coordinates that are not finite, facets shared by more than
-/// two cells, a side's facet that is not on the boundary. Empty when the mesh is sound.
+/// Everything wrong with a mesh that a solver could not cope with, one sentence each: no cells, vertex numbers out of
+/// range, coordinates that are not finite, inverted or degenerate cells (how many, the first and where), points of no
+/// cell, facets shared by more than two cells, neighbours that overlap, and of the sides: a name or a facet given
+/// twice, a facet that does not exist or is not on the boundary. Empty when the mesh is sound. Bodies of several parts
+/// that do not touch are sound. A cell is degenerate when its measure is below the round-off of its longest edge to the
+/// power dim.
 std::vector<std::string> checkMesh(const Mesh& mesh);
 
 /// Length of the diagonal of the bounding box.

@@ -1,0 +1,97 @@
+// Different ways to the same discrete solution must meet in it.
+
+#include <gtest/gtest.h>
+
+#include "driver/scene.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+
+namespace
+{
+
+struct Tolerances
+{
+  double displacement, traction;
+};
+
+void expectSameSolution(const Run& a, const Run& b, Tolerances tolerance)
+{
+  for (int body = 0; body < int(b.model.bodies.size()); ++body)
+    EXPECT_LT(relativeDifference(displacement(a, body), displacement(b, body)), tolerance.displacement) << body;
+  EXPECT_LT(relativeDifference(traction(a), traction(b)), tolerance.traction);
+  EXPECT_EQ(statuses(a), statuses(b));
+  EXPECT_NEAR(a.summary.energy / b.summary.energy, 1.0, tolerance.displacement);
+}
+
+constexpr Tolerances sharp{1e-10, 1e-9};
+
+class TwoBodies : public testing::TestWithParam<const char*>
+{
+protected:
+  static Scene iterated() { return Scene(GetParam()).set("Coupling/Stopping/Tolerance=1e-12"); }
+  static Scene together() { return Scene(GetParam()).set("Coupling/Type=Monolithic"); }
+};
+
+} // namespace
+
+TEST_P(TwoBodies, AreBroughtByTheIterationToTheMonolithicSolution)
+{
+  const auto reference = together().run();
+  for (const char* relaxation : {"Coupling/Relaxation/Type=Constant", "Coupling/Relaxation/Type=Aitken"}) {
+    const auto outcome = iterated().set(relaxation).run();
+    EXPECT_TRUE(outcome.run.coupling.converged) << relaxation;
+    expectSameSolution(outcome.run, reference.run, sharp);
+  }
+}
+
+TEST_P(TwoBodies, AreBroughtThereFasterByAitken)
+{
+  EXPECT_LT(iterated().set("Coupling/Relaxation/Type=Aitken").run().run.coupling.history.size(),
+            iterated().run().run.coupling.history.size());
+}
+
+TEST_P(TwoBodies, DoNotDependOnTheStartingTraction)
+{
+  const auto zero = iterated().run(), balanced = iterated().set("Coupling/Initial Traction=Balanced").run();
+  expectSameSolution(balanced.run, zero.run, sharp);
+}
+
+TEST_P(TwoBodies, DoNotDependOnTheInterfaceOperator)
+{
+  for (const auto& scene : {iterated(), together()}) {
+    const auto condensed = Scene(scene).set("Interface Operator/Type=Condensed").run();
+    const auto matrixFree = Scene(scene).set("Interface Operator/Type=Matrix Free").run();
+    EXPECT_EQ(matrixFree.run.coupling.history.size(), condensed.run.coupling.history.size());
+    expectSameSolution(matrixFree.run, condensed.run, sharp);
+  }
+}
+
+TEST_P(TwoBodies, DoNotDependOnTheLinearSolver)
+{
+  const auto cholmod = together().set("Linear Solver/Type=Cholmod").run();
+  expectSameSolution(together().set("Linear Solver/Type=Mumps").run().run, cholmod.run, sharp);
+  const auto krylov = together().set("Linear Solver/Type=Krylov").set("Linear Solver/Tolerance=1e-11").run();
+  // A residual is amplified by the matrix's condition.
+  expectSameSolution(krylov.run, cholmod.run, {1e-8, 1e-6});
+}
+
+TEST_P(TwoBodies, AreInEquilibriumAndDoNotPullOnEachOther)
+{
+  for (const auto& scene : {iterated(), together()}) {
+    const auto residuals = scene.run().run.summary.residuals;
+    EXPECT_LT(residuals.equilibrium, 1e-11);
+    EXPECT_LT(residuals.complementarity, 1e-10);
+    EXPECT_LT(residuals.penetration, 1e-10);
+    EXPECT_LT(residuals.tension, 1e-10);
+  }
+}
+
+TEST(ContactLoss, HasOpenAndClosedNodes)
+{
+  const auto& contact = Scene("contact-loss").set("Coupling/Type=Monolithic").run().run.summary.interfaces.front();
+  EXPECT_GT(contact.closedNodes, 0);
+  EXPECT_LT(contact.closedNodes, contact.nodes);
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, TwoBodies, testing::Values("punch", "contact-loss", "hertz"));
