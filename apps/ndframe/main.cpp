@@ -1,3 +1,6 @@
 #include "ndframe/driver/main.hpp"
 
-int main(int argc, char** argv) { return ndframe::runMain(argc, argv); }
+int main(int argc, char** argv)
+{
+  return ndframe::runMain(argc, argv);
+}

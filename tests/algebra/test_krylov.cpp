@@ -134,13 +134,6 @@ TEST_F(KrylovTest, WorksWithoutMotionsAndPoints)
   EXPECT_LE(residualOf(""), 1e-10);
 }
 
-TEST_F(KrylovTest, Ifpack2OnOneProcessNeedsNoMpi)
-{
-  const bool before = mpiIsRunning();
-  residualOf(ifpack2("RILUK"));
-  EXPECT_EQ(mpiIsRunning(), before);
-}
-
 TEST_F(KrylovTest, DoesNotPromiseACheapSchurComplement)
 {
   const auto condensed = test::makeSolver("Krylov")->factor(problem, test::comm(), ledger);

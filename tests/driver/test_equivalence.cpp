@@ -26,11 +26,30 @@ void expectSameSolution(const Run& a, const Run& b, Tolerances tolerance)
 
 constexpr Tolerances sharp{1e-10, 1e-9};
 
-class TwoBodies : public testing::TestWithParam<const char*>
+/// A shipped deck on a mesh that is coarse enough for solvers that iterate within iterations.
+struct Coarse
+{
+  const char* deck;
+  std::vector<const char*> cells;
+};
+
+void PrintTo(const Coarse& coarse, std::ostream* out)
+{
+  *out << coarse.deck;
+}
+
+class TwoBodies : public testing::TestWithParam<Coarse>
 {
 protected:
-  static Scene iterated() { return Scene(GetParam()).set("Coupling/Stopping/Tolerance=1e-12"); }
-  static Scene together() { return Scene(GetParam()).set("Coupling/Type=Monolithic"); }
+  static Scene coarse()
+  {
+    Scene scene(GetParam().deck);
+    for (const char* cells : GetParam().cells)
+      scene.set(cells);
+    return scene;
+  }
+  static Scene iterated() { return coarse().set("Coupling/Stopping/Tolerance=1e-12"); }
+  static Scene together() { return coarse().set("Coupling/Type=Monolithic"); }
 };
 
 } // namespace
@@ -62,7 +81,8 @@ TEST_P(TwoBodies, DoNotDependOnTheInterfaceOperator)
   for (const auto& scene : {iterated(), together()}) {
     const auto condensed = Scene(scene).set("Interface Operator/Type=Condensed").run();
     const auto matrixFree = Scene(scene).set("Interface Operator/Type=Matrix Free").run();
-    EXPECT_EQ(matrixFree.run.coupling.history.size(), condensed.run.coupling.history.size());
+    // At 1e-12 round-off may decide which sweep is the last.
+    EXPECT_NEAR(double(matrixFree.run.coupling.history.size()), double(condensed.run.coupling.history.size()), 1.0);
     expectSameSolution(matrixFree.run, condensed.run, sharp);
   }
 }
@@ -94,4 +114,8 @@ TEST(ContactLoss, HasOpenAndClosedNodes)
   EXPECT_LT(contact.closedNodes, contact.nodes);
 }
 
-INSTANTIATE_TEST_SUITE_P(Decks, TwoBodies, testing::Values("punch", "contact-loss", "hertz"));
+INSTANTIATE_TEST_SUITE_P(
+    Decks, TwoBodies,
+    testing::Values(Coarse{"punch", {"Bodies/punch/Mesh/Cells={8, 8}", "Bodies/foundation/Mesh/Cells={16, 8}"}},
+                    Coarse{"contact-loss", {"Bodies/upper/Mesh/Cells={10, 8}", "Bodies/lower/Mesh/Cells={20, 20}"}},
+                    Coarse{"hertz", {"Bodies/cylinder/Mesh/Cells={16, 8}", "Bodies/block/Mesh/Cells={16, 8}"}}));

@@ -1,4 +1,5 @@
-// Uniform compression: the exact solution is linear, so every mesh, order, rotation and hypothesis gives it to round-off.
+// Uniform compression: the exact solution is linear, so every mesh, order, rotation and hypothesis gives it to
+// round-off.
 
 #include <array>
 #include <cmath>
@@ -29,7 +30,8 @@ struct Strain
   double widen = 0.0, shrink = 0.0, outOfPlaneStress = 0.0;
 };
 
-/// The exact fields of the deck "patch": blocks of E = 1 and E = 2, the lower one on a roller, both on a roller at x = 0.
+/// The exact fields of the deck "patch": blocks of E = 1 and E = 2, the lower one on a roller, both on a roller at x =
+/// 0.
 void expectExactFields(const Run& run, const std::array<Strain, 2>& strains, double degrees)
 {
   const double angle = degrees * M_PI / 180.0, c = std::cos(angle), s = std::sin(angle);
@@ -117,10 +119,9 @@ TEST_P(Patch, IsExactWithAnOrthotropicLaw)
 {
   Scene orthotropic = scene();
   setBoth(orthotropic, "Material/Type=Orthotropic");
-  for (const char* entry :
-       {"Young Modulus 1=4", "Young Modulus 2=2", "Young Modulus 3=3", "Poisson Ratio 12=0.3", "Poisson Ratio 13=0.2",
-        "Poisson Ratio 23=0.1", "Shear Modulus 12=1", "Shear Modulus 13=1", "Shear Modulus 23=1",
-        "Hypothesis=Plane Stress"})
+  for (const char* entry : {"Young Modulus 1=4", "Young Modulus 2=2", "Young Modulus 3=3", "Poisson Ratio 12=0.3",
+                            "Poisson Ratio 13=0.2", "Poisson Ratio 23=0.1", "Shear Modulus 12=1", "Shear Modulus 13=1",
+                            "Shear Modulus 23=1", "Hypothesis=Plane Stress"})
     setBoth(orthotropic, fmt::format("Material/{}", entry));
   setBoth(orthotropic, fmt::format("Material/Angle={}", GetParam().degrees + 90.0));
   expectExactFields(orthotropic.run().run, {Strain{0.3 / 4, 0.25, 0.0}, Strain{0.3 / 4, 0.25, 0.0}},
@@ -142,8 +143,7 @@ INSTANTIATE_TEST_SUITE_P(Meshes, Patch,
                          testing::Values(PatchCase{"Right", 1, 0.0, balanced},
                                          PatchCase{"Alternating", 2, 30.0, balanced},
                                          PatchCase{"Crossed", 1, 30.0, together},
-                                         PatchCase{"Crossed", 2, 30.0, balanced},
-                                         PatchCase{"Right", 2, 0.0, together},
+                                         PatchCase{"Crossed", 2, 30.0, balanced}, PatchCase{"Right", 2, 0.0, together},
                                          PatchCase{"Alternating", 1, 200.0, together}));
 
 TEST(PatchDeck, StopsAfterTheSweepsOfTheClosedForm)

@@ -71,8 +71,7 @@ struct BelosCg::Parts
 
 BelosCg::BelosCg(const SolverProblem& problem, const Comm& comm, const Preconditioner& preconditioner,
                  Teuchos::ParameterList list)
-    : parts_(new Parts{TpetraSystem(problem, comm, preconditioner.needsMpi()), nullptr, comm,
-                       quietUnlessAsked(conformed(list, validBelos()))})
+    : parts_(new Parts{TpetraSystem(problem, comm), nullptr, comm, quietUnlessAsked(conformed(list, validBelos()))})
 {
   try {
     parts_->preconditioner = preconditioner.build(parts_->system);

@@ -34,7 +34,6 @@ public:
   }
 
   std::string name() const override { return "Ifpack2 " + method_; }
-  bool needsMpi() const override { return false; }
 
 private:
   std::string method_;

@@ -128,7 +128,7 @@ public:
   }
 
   std::string name(int) const override { return "Krylov"; }
-  bool needsMpi(int ranks) const override { return ranks > 1 || preconditioner_->needsMpi(); }
+  bool needsMpi(int) const override { return true; } // Ifpack2 and MueLu call it even on one process
 
 private:
   KrylovOptions options_;

@@ -35,8 +35,6 @@ public:
   }
 
   std::string name() const override { return "MueLu"; }
-  /// MueLu 13.2 takes the communicator of its summary, printed or not, for one of MPI.
-  bool needsMpi() const override { return true; }
 
 private:
   /// The user's choice of a smoother or coarse solver comes with parameters of its own.

@@ -17,8 +17,6 @@ public:
   virtual ~Preconditioner() = default;
   virtual std::shared_ptr<PreconditionerHandle> build(const TpetraSystem& system) const = 0;
   virtual std::string name() const = 0;
-  /// True when the library calls MPI even on a single process.
-  virtual bool needsMpi() const = 0;
 };
 
 /// One function per component file.

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include <Teuchos_DefaultMpiComm.hpp>
-#include <Teuchos_DefaultSerialComm.hpp>
 
 #include "kokkos_runtime.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -18,13 +17,11 @@ namespace
 using Global = TpetraMap::global_ordinal_type;
 using Local = TpetraMap::local_ordinal_type;
 
-Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm, bool withMpi)
+Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm)
 {
   if (comm.size() > 1)
     return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
-  if (!withMpi)
-    return Teuchos::rcp(new Teuchos::SerialComm<int>());
-  startMpi();
+  startMpi(); // Ifpack2 and MueLu take Teuchos's serial communicator for one of MPI
   return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
 }
 
@@ -161,11 +158,11 @@ Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
 
 } // namespace
 
-TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm, bool withMpi)
+TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm)
     : dim(problem.matrix->dim), isParallel(comm.size() > 1)
 {
   startKokkos();
-  const auto communicator = teuchosComm(comm, withMpi);
+  const auto communicator = teuchosComm(comm);
   dofMap = mapOf(problem.matrix->rows, dim, communicator);
   matrix = makeMatrix(problem, comm, dofMap);
   modes = makeModes(problem, dofMap);

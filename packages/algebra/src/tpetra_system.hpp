@@ -25,8 +25,7 @@ using TpetraOperator = Tpetra::Operator<double>;
 /// Each rank holds the rows of its nodes.
 struct TpetraSystem
 {
-  /// A single process has a communicator without MPI unless `withMpi` asks for one.
-  TpetraSystem(const SolverProblem& problem, const Comm& comm, bool withMpi);
+  TpetraSystem(const SolverProblem& problem, const Comm& comm);
 
   int dim;
   bool isParallel;

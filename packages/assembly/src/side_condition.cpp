@@ -57,8 +57,8 @@ double SideCondition::evaluate(const Expression& expression, const char* key, co
 {
   const double value = expression(x[0], x[1], dim == 3 ? x[2] : 0.0);
   if (!std::isfinite(value))
-    throw InputError(
-        params_.mistake(key, fmt::format("\"{}\" is {} at {}.", expression.text(), value, pointText(x, dim))));
+    throw InputError(params_.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it counts.",
+                                                      key, expression.text(), std::abs(value), pointText(x, dim))));
   return value;
 }
 

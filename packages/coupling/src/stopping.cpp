@@ -25,10 +25,10 @@ bool diverges(const std::vector<SweepRecord>& history)
          (first != history.end() && std::abs(force) > divergence * std::abs(first->forceDirichlet));
 }
 
-/// Whether the second half of the sweeps has brought eps_tau down.
+/// Whether the second half of the sweeps has brought eps_tau down; one sweep cannot tell.
 bool isFalling(const std::vector<SweepRecord>& history)
 {
-  return history.back().epsTau < history[(history.size() - 1) / 2].epsTau;
+  return history.size() == 1 || history.back().epsTau < history[(history.size() - 1) / 2].epsTau;
 }
 
 } // namespace

@@ -62,13 +62,20 @@ ListSpec interfaceSpec()
   return list;
 }
 
+Range plainFileName()
+{
+  return {"a file name without a folder",
+          [](const Value& value) { return std::get<std::string>(value).find('/') == std::string::npos; }};
+}
+
 ListSpec outputSpec()
 {
   ListSpec list =
       makeList("Output", "What is written, and where. Files appear under their final name only when complete.");
   list.params = {
       {"Directory", std::string("."), "Folder of the results, relative to the working directory; made if missing."},
-      {"Name", std::string(""), "Beginning of the file names; empty: the deck's file name without its ending."},
+      {"Name", std::string(""), plainFileName(),
+       "Beginning of the file names; empty: the deck's file name without its ending."},
       {"Exodus", true, "Write NAME.e for ParaView."},
       {"Summary", true, "Write NAME.summary.json."},
       {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},

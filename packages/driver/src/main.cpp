@@ -15,6 +15,7 @@
 #include "ndframe/driver/deck_spec.hpp"
 #include "ndframe/driver/plan.hpp"
 #include "ndframe/driver/run.hpp"
+#include "outputs.hpp"
 #include "screen.hpp"
 #include "summarize.hpp"
 
@@ -153,6 +154,7 @@ ExitCode runCommand(const CommandLine& options, const Components& components, co
     log.line(Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text());
     return ExitCode::Right;
   }
+  checkOutputFolder(deck.sub("Output"));
   if (options.check) {
     Ledger ledger(&log);
     checkDeck(deck, components, ledger);

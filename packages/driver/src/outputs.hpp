@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/base/param_spec.hpp"
+#include "ndframe/base/params.hpp"
 
 namespace ndframe
 {
@@ -13,5 +13,8 @@ enum class StepsWritten
 };
 
 const Names<StepsWritten>& stepsNames();
+
+/// Refuses an output folder that cannot be made or written in, before anything is computed. `output`: the list Output.
+void checkOutputFolder(const Params& output);
 
 } // namespace ndframe

@@ -1,6 +1,7 @@
 #include "ndframe/driver/plan.hpp"
 
 #include <algorithm>
+#include <filesystem>
 
 #include <fmt/format.h>
 
@@ -9,17 +10,21 @@ namespace ndframe
 namespace
 {
 
+/// "1 body", "2 bodies".
 std::string counted(std::size_t number, const std::string& one, const std::string& several)
 {
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-/// True if a component of this type stands in one of the bodies' lists.
-bool anyBody(const Params& deck, const char* list, const std::string& type)
+/// True if a body's mesh is a script that the gmsh library has to mesh; mesh files are read without it.
+bool meshesByGmsh(const Params& deck)
 {
   const auto bodies = deck.sub("Bodies").subs();
-  return std::any_of(bodies.begin(), bodies.end(),
-                     [&](const Params& body) { return body.sub(list).get<std::string>("Type") == type; });
+  return std::any_of(bodies.begin(), bodies.end(), [](const Params& body) {
+    const Params mesh = body.sub("Mesh");
+    return mesh.get<std::string>("Type") == "Gmsh" &&
+           std::filesystem::path(mesh.get<std::string>("File")).extension() == ".geo";
+  });
 }
 
 } // namespace
@@ -30,7 +35,7 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   const Params output = deck.sub("Output");
   const bool touches = interfaces > 0, exodus = output.get<bool>("Exodus");
   const std::string noInterface = "the deck has no interface";
-  add("gmsh", anyBody(deck, "Mesh", "Gmsh"), "a body's mesh is a gmsh file", "no gmsh mesh: the library is not loaded");
+  add("gmsh", meshesByGmsh(deck), "a body's mesh is a .geo script", "no .geo script: the library is not loaded");
   add("mpi", ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");

@@ -104,7 +104,8 @@ void refuseOffset(const Params& definition, const Comparison& sides, const std::
   for (int k = 0; k < sides.from.map.dim; ++k)
     along += (y[k] - x[k]) * normals[worst][std::size_t(k)];
   if (along < -facing * distance)
-    throw InputError(definition.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}).",
+    throw InputError(definition.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}); move "
+                                                        "one of the meshes.",
                                                         distance, sides.worstPosition(), names)));
   if (along > facing * distance)
     throw InputError(definition.mistake(
@@ -186,7 +187,8 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
       throw InputError(definition.mistake(
           "",
           fmt::format(
-              "the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}.",
+              "the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
+              "name the sides that face each other.",
               dirichlet.name, neumann.name,
               position(interface.point(interface.facets[std::size_t(f * interface.nodesPerFacet())]), interface.dim))));
   }
@@ -202,7 +204,8 @@ void evaluateGap(const Params& definition, InterfaceMesh& interface)
     interface.gap.push_back(gap(x[0], x[1], interface.dim == 3 ? x[2] : 0.0));
     if (!std::isfinite(interface.gap.back()))
       throw InputError(definition.mistake(
-          "Gap", fmt::format("\"{}\" is {} at {}.", gap.text(), interface.gap.back(), position(x, interface.dim))));
+          "Gap", fmt::format("Gap = \"{}\" is {} at {}; it must be finite on the whole side.", gap.text(),
+                             std::abs(interface.gap.back()), position(x, interface.dim))));
     if (interface.gap.back() < deepest) {
       deepest = interface.gap.back();
       where = i;

@@ -76,6 +76,14 @@ private:
   std::vector<int> cellOfElement_;
 };
 
+std::vector<std::string> namesOf(const std::vector<ExodusBlock>& blocks)
+{
+  std::vector<std::string> names;
+  for (const ExodusBlock& block : blocks)
+    names.push_back(block.name);
+  return names;
+}
+
 std::vector<ExodusBlock> ExodusConverter::chosenBlocks() const
 {
   std::vector<ExodusBlock> all = file_.blocks();
@@ -86,12 +94,9 @@ std::vector<ExodusBlock> ExodusConverter::chosenBlocks() const
     const auto found = std::find_if(all.begin(), all.end(), [&](const ExodusBlock& block) {
       return block.name == wanted || std::to_string(block.id) == wanted;
     });
-    if (found == all.end()) {
-      std::vector<std::string> names;
-      for (const ExodusBlock& block : all)
-        names.push_back(block.name);
-      throw FileError(fmt::format("there is no element block \"{}\"; there are: {}.", wanted, fmt::join(names, ", ")));
-    }
+    if (found == all.end())
+      throw FileError(
+          fmt::format("there is no element block \"{}\"; there are: {}.", wanted, fmt::join(namesOf(all), ", ")));
     chosen.push_back(*found);
   }
   return chosen;
@@ -155,7 +160,12 @@ Mesh ExodusConverter::convert()
       addBlock(block);
   for (const ExodusSideSet& set : file_.sideSets())
     addSide(set);
-  return builder_.finish();
+  try {
+    return builder_.finish();
+  } catch (const FileError& error) {
+    throw FileError(error.what() +
+                    choiceHint(wanted_.empty() ? namesOf(blocks_) : std::vector<std::string>{}, "Blocks"));
+  }
 }
 
 /// A mesh in an Exodus file.

@@ -2,6 +2,10 @@
 
 #include <stdexcept>
 #include <string>
+#include <vector>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 
 namespace ndframe
 {
@@ -13,5 +17,13 @@ class FileError : public std::runtime_error
 public:
   using std::runtime_error::runtime_error;
 };
+
+/// Follows a mesh error when the file holds several bodies and the deck chose none of them; else empty.
+inline std::string choiceHint(const std::vector<std::string>& bodies, const char* key)
+{
+  return bodies.size() < 2
+             ? ""
+             : fmt::format(" The file holds {}: choose the body's with {}.", fmt::join(bodies, ", "), key);
+}
 
 } // namespace ndframe

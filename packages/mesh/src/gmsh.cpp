@@ -55,6 +55,7 @@ private:
   void noteEmptyGroups();
   /// Tags of the physical groups of a dimension that have elements.
   std::set<int> groupsOf(int dim) const;
+  std::vector<std::string> regionNames() const;
   std::set<int> selectedRegions() const;
   std::vector<Facet> facetsOf(int tag, const std::string& name, const VertexTuples& facets) const;
 
@@ -84,7 +85,12 @@ Mesh GmshConverter::convert()
   addCells();
   addSides();
   noteEmptyGroups();
-  return builder_.finish();
+  try {
+    return builder_.finish();
+  } catch (const FileError& error) {
+    throw FileError(error.what() +
+                    choiceHint(regions_.empty() ? regionNames() : std::vector<std::string>{}, "Regions"));
+  }
 }
 
 std::set<int> GmshConverter::groupsOf(int dim) const
@@ -96,18 +102,24 @@ std::set<int> GmshConverter::groupsOf(int dim) const
   return tags;
 }
 
+std::vector<std::string> GmshConverter::regionNames() const
+{
+  std::vector<std::string> names;
+  for (const int tag : groupsOf(dim_))
+    names.push_back(groupName(file_, dim_, tag));
+  return names;
+}
+
 std::set<int> GmshConverter::selectedRegions() const
 {
   const std::set<int> all = groupsOf(dim_);
   if (regions_.empty())
     return all;
   std::set<int> selected;
-  std::vector<std::string> names;
-  for (const int tag : all) {
-    names.push_back(groupName(file_, dim_, tag));
-    if (std::find(regions_.begin(), regions_.end(), names.back()) != regions_.end())
+  const std::vector<std::string> names = regionNames();
+  for (const int tag : all)
+    if (std::find(regions_.begin(), regions_.end(), groupName(file_, dim_, tag)) != regions_.end())
       selected.insert(tag);
-  }
   for (const std::string& region : regions_)
     if (std::find(names.begin(), names.end(), region) == names.end())
       throw FileError(fmt::format("there is no physical group \"{}\" of cells; there are: {}.", region,

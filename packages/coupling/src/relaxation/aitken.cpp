@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "ndframe/algebra/dense.hpp"
@@ -10,17 +8,18 @@ namespace ndframe
 namespace
 {
 
-/// Factors that Aitken's formula may propose; anything outside is set to the nearer end and reported.
-constexpr double smallestTheta = 1e-3, largestTheta = 1.99;
+/// Factors that may be used, an open range. A proposal outside says that the last two residuals do not belong to one
+/// linear iteration (statuses changed); clipping it to a small factor would stop the iteration for good.
+constexpr double lowestTheta = 0.0, highestTheta = 2.0;
 
 /// Aitken's dynamic relaxation of the interface traction (Irons and Tuck 1969).
 ///
 ///   theta_p = - theta_{p-1} <r_{p-1}, r_p - r_{p-1}> / |r_p - r_{p-1}|^2,   r_p = Lambda_dir(p) - Lambda_neu(p-1)
 ///   (18), (27)
 ///
-/// The first sweep uses `Initial Theta`. Theta is dimensionless and stays in [0.001, 1.99]; a clipped value is reported
-/// in the history. Limits: one factor for the whole interface; while statuses still change it may overshoot for one
-/// sweep.
+/// The first sweep uses `Initial Theta`. Theta is dimensionless and stays in (0, 2): a proposal outside leaves the
+/// factor as it is and is reported in the history. Limits: one factor for the whole interface; while statuses still
+/// change it may overshoot for one sweep.
 class Aitken final : public RelaxationController
 {
 public:
@@ -44,9 +43,10 @@ public:
         change[i] = residual[i] - residual_[i];
       const double squared = dot(change, change);
       const double proposed = squared > 0.0 ? -theta_ * dot(residual_, change) / squared : theta_;
-      theta_ = std::clamp(proposed, smallestTheta, largestTheta);
-      if (theta_ != proposed)
-        note = fmt::format("theta {:.3g} clipped", proposed);
+      if (proposed > lowestTheta && proposed < highestTheta)
+        theta_ = proposed;
+      else
+        note = fmt::format("theta {:.3g} refused", proposed);
     }
     residual_ = std::move(residual);
     return {relax(dirichlet, neumann, theta_), theta_, std::move(note)};

@@ -10,15 +10,16 @@ namespace ndframe
 
 /// Symmetric sparse matrix of dim x dim blocks, one block row per mesh node; dof = node * dim + component.
 ///
-/// A rank holds the complete rows of the nodes it owns (`rows`, ascending; all nodes on one rank); column numbers are global.
+/// A rank holds the complete rows of the nodes it owns (`rows`, ascending; all nodes on one rank); column numbers are
+/// global.
 struct BlockMatrix
 {
   int dim = 0;
   int numNodes = 0;
-  std::vector<int> rows;             ///< owned nodes, ascending
-  std::vector<std::int64_t> rowPtr;  ///< size rows.size() + 1, counts blocks
-  std::vector<int> cols;             ///< node numbers, ascending in a row
-  std::vector<double> values;        ///< dim*dim per block, row-major inside a block
+  std::vector<int> rows;            ///< owned nodes, ascending
+  std::vector<std::int64_t> rowPtr; ///< size rows.size() + 1, counts blocks
+  std::vector<int> cols;            ///< node numbers, ascending in a row
+  std::vector<double> values;       ///< dim*dim per block, row-major inside a block
 
   int numDofs() const { return numNodes * dim; }
   std::int64_t numBlocks() const { return std::int64_t(cols.size()); }

@@ -40,7 +40,8 @@ Vector multiply(const DenseMatrix& A, const Vector& x);
 class DenseCholesky
 {
 public:
-  /// Throws NotPositiveDefinite (with the row) when a pivot is not above `relativePivot` times the largest diagonal entry.
+  /// Throws NotPositiveDefinite (with the row) when a pivot is not above `relativePivot` times the largest diagonal
+  /// entry.
   explicit DenseCholesky(DenseMatrix A, double relativePivot = 1e-13);
   Vector solve(Vector b) const;
   int size() const { return factor_.rows(); }
@@ -54,8 +55,8 @@ struct NotPositiveDefinite
   int row; ///< first row whose pivot vanishes
 };
 
-/// Orthonormal basis (columns) of the null space of A, singular values below `relativeTolerance` times the largest are zero.
-/// A may have zero rows or be zero: then the whole space is returned.
+/// Orthonormal basis (columns) of the null space of A, singular values below `relativeTolerance` times the largest are
+/// zero. A may have zero rows or be zero: then the whole space is returned.
 DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance);
 
 double dot(const Vector& a, const Vector& b);

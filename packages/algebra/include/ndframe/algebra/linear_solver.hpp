@@ -26,9 +26,9 @@ enum class DofRole : unsigned char
 struct SolverProblem
 {
   const BlockMatrix* matrix = nullptr;
-  std::vector<DofRole> roles; ///< one per dof
-  std::vector<int> kept;      ///< the Kept dofs, in the order of the condensed system
-  DenseMatrix nearNullSpace;  ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
+  std::vector<DofRole> roles;     ///< one per dof
+  std::vector<int> kept;          ///< the Kept dofs, in the order of the condensed system
+  DenseMatrix nearNullSpace;      ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
   std::vector<double> nodePoints; ///< dim * numNodes coordinates
 };
 
@@ -54,7 +54,8 @@ public:
   /// S u for one vector of kept values, by one back-solve.
   virtual Vector applySchur(const Vector& kept) const = 0;
 
-  /// The dense Schur complement S, n_c x n_c, both triangles. Direct solvers take it from the factor; Krylov pays n_c solves.
+  /// The dense Schur complement S, n_c x n_c, both triangles. Direct solvers take it from the factor; Krylov pays n_c
+  /// solves.
   virtual DenseMatrix schurComplement() const = 0;
 
   /// True when schurComplement() comes with the factor.
@@ -68,16 +69,19 @@ class LinearSolver
 {
 public:
   virtual ~LinearSolver() = default;
-  /// Throws SingularBody when K_ii is not positive definite (conjugate gradients may find out in a solve only), InputError
-  /// when the solver cannot treat the problem (memory, ranks, nothing free). The ledger must outlive the factor. Collective.
-  virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const = 0;
+  /// Throws SingularBody when K_ii is not positive definite (conjugate gradients may find out in a solve only),
+  /// InputError when the solver cannot treat the problem (memory, ranks, nothing free). The ledger must outlive the
+  /// factor. Collective.
+  virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm,
+                                                Ledger& ledger) const = 0;
   /// The solver that factors a body on so many ranks.
   virtual std::string name(int ranks) const = 0;
   /// True when it calls MPI on so many ranks; a single process starts MPI for nothing else.
   virtual bool needsMpi(int ranks) const = 0;
 };
 
-/// K_ii is singular or not positive definite: the body has a free rigid motion, or the material is not positive definite.
+/// K_ii is singular or not positive definite: the body has a free rigid motion, or the material is not positive
+/// definite.
 class SingularBody : public std::runtime_error
 {
 public:

@@ -23,8 +23,8 @@ public:
   virtual ~SymmetricOperator() = default;
   virtual int size() const = 0;
   virtual Vector apply(const Vector& x) const = 0;
-  /// The inverse of A_FF + shift I on the free entries (`isFree` has size(), shift >= 0). Throws NotPositiveDefinite when that
-  /// is singular. The operator must outlive the inverse.
+  /// The inverse of A_FF + shift I on the free entries (`isFree` has size(), shift >= 0). Throws NotPositiveDefinite
+  /// when that is singular. The operator must outlive the inverse.
   virtual std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const = 0;
   /// The stored matrix; null when the operator is only applied.
   virtual const DenseMatrix* dense() const = 0;

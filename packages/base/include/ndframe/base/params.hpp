@@ -33,7 +33,8 @@ public:
   /// Asking for a key that the spec does not have, or for another type, is a bug (InternalError).
   template <class T>
   T get(const std::string& key) const;
-  /// A file named in the deck: relative names count from the deck's folder, those of `--set` from the working directory.
+  /// A file named in the deck: relative names count from the deck's folder, those of `--set` from the working
+  /// directory.
   std::string file(const std::string& key) const;
   /// The compiled expression of a key of Kind::Expression.
   Expression expression(const std::string& key) const;

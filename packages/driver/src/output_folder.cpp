@@ -1,0 +1,26 @@
+#include <filesystem>
+
+#include <unistd.h>
+
+#include <fmt/format.h>
+
+#include "outputs.hpp"
+
+namespace ndframe
+{
+
+void checkOutputFolder(const Params& output)
+{
+  const bool writes = output.get<bool>("Exodus") || output.get<bool>("Summary") || output.get<bool>("Contact Table");
+  std::filesystem::path folder = std::filesystem::absolute(output.get<std::string>("Directory"));
+  std::error_code none;
+  while (!std::filesystem::exists(folder, none) && folder.has_relative_path())
+    folder = folder.parent_path(); // missing folders are made
+  const bool isFolder = std::filesystem::is_directory(folder, none);
+  if (writes && (!isFolder || access(folder.c_str(), W_OK) != 0))
+    throw InputError(output.mistake(
+        "Directory", fmt::format("\"{}\" is not a folder that can be written in; name another Directory.",
+                                 isFolder ? folder.string() : output.get<std::string>("Directory"))));
+}
+
+} // namespace ndframe

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ndframe/coupling/coupling.hpp"
+
+namespace ndframe::test
+{
+
+/// The relaxation controllers that ndframe ships, and those a test adds.
+Registry<RelaxationController>& relaxations();
+
+/// The list `Relaxation` with these entries ("Type" among them); InputError goes through.
+std::unique_ptr<RelaxationController> makeRelaxation(const std::string& entries);
+
+/// The list `Coupling` with these entries and lists.
+std::unique_ptr<Coupling> makeCoupling(const std::string& entries);
+/// Neumann-Dirichlet; `more`: further entries and lists.
+std::unique_ptr<Coupling> neumannDirichlet(double tolerance, const std::string& more = {}, int maximumSweeps = 1000);
+std::string relaxation(const std::string& type, const std::string& key, double value);
+
+CouplingResult run(const Coupling& coupling, const InterfaceSystem& system);
+CouplingResult run(const Coupling& coupling, const InterfaceSystem& system, Ledger& ledger);
+
+/// A system without bodies on a straight interface of this many equal P1 facets.
+InterfaceSystem emptySystem(int nodes);
+/// A body that touches the listed unknowns with one role; `floats`: contact alone holds it against translation.
+BodyTrace makeBody(std::vector<int> unknowns, bool isDirichlet, DenseMatrix S, Vector g, bool floats = false);
+
+/// stiffness (I + a random positive part): bodies that the iteration can bring together.
+DenseMatrix mildStiffness(int size, unsigned seed, double stiffness);
+/// A chain that floats, soft enough for theta = 0.5: the iteration amplifies no round-off.
+DenseMatrix softChain(int size);
+/// The contact matrix, stored.
+DenseMatrix storedContactMatrix(const InterfaceSystem& system);
+
+/// A floating block pressed by the uniform pressure 1 onto a foundation that follows the pressure: the patch test.
+InterfaceSystem patchSystem();
+/// A held (or floating) body over another one, random loads and gaps: part of the contact opens.
+InterfaceSystem randomSystem(unsigned seed, bool floats);
+
+/// Every body's equation: S1 u1 = g1 + C Lambda_dir,  S2 u2 = g2 - C Lambda_neu, and the tractions belong to the
+/// forces.
+void expectEquilibrium(const InterfaceSystem& system, const InterfaceState& state, double tolerance = 1e-11);
+/// u1 - u2 <= gap, forces <= 0, product zero.
+void expectComplementarity(const InterfaceSystem& system, const InterfaceState& state, double tolerance = 1e-11);
+/// Displacements, tractions and statuses.
+void expectSameState(const InterfaceState& a, const InterfaceState& b, double tolerance);
+
+} // namespace ndframe::test

@@ -1,0 +1,93 @@
+#include <cmath>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "stopping.hpp"
+
+using namespace ndframe;
+using testing::AllOf;
+using testing::HasSubstr;
+using testing::Not;
+
+namespace
+{
+
+/// The verdict after sweeps with these values of eps_tau and these contact forces on the Dirichlet body.
+CouplingResult verdict(const Stopping& stopping, const Vector& epsTau, const Vector& force)
+{
+  CouplingResult result;
+  for (std::size_t i = 0; i < epsTau.size(); ++i) {
+    SweepRecord record;
+    record.sweep = int(i) + 1;
+    record.epsTau = epsTau[i];
+    record.forceDirichlet = force[i];
+    result.history.push_back(record);
+  }
+  const bool ends = stopping.ends(result);
+  EXPECT_EQ(ends, !result.reason.empty());
+  return result;
+}
+
+} // namespace
+
+TEST(StoppingMeasure, IsTheRelativeDifference)
+{
+  EXPECT_NEAR(Stopping::measure({3.0, 4.0}, {3.0, 2.0}), 2.0 * 2.0 / std::sqrt(72.0), 1e-15);
+  EXPECT_EQ(Stopping::measure({-1.0, -2.0}, {-1.0, -2.0}), 0.0);
+}
+
+TEST(StoppingMeasure, IsTwoForAZeroStart)
+{
+  EXPECT_EQ(Stopping::measure({-3.0, -1.0}, {0.0, 0.0}), 2.0);
+}
+
+TEST(StoppingMeasure, IsZeroWhereThereIsNoTraction)
+{
+  EXPECT_EQ(Stopping::measure({0.0, 0.0}, {0.0, 0.0}), 0.0);
+}
+
+TEST(StoppingMeasure, DoesNotDependOnTheUnitOfStress)
+{
+  const Vector a{-1.0, -2.5, 0.25}, b{-1.5, -2.0, 0.5};
+  const double plain = Stopping::measure(a, b);
+  for (const double unit : {1e300, 1e9, 1e-9, 1e-300}) {
+    Vector scaledA = a, scaledB = b;
+    for (std::size_t i = 0; i < a.size(); ++i) {
+      scaledA[i] *= unit;
+      scaledB[i] *= unit;
+    }
+    EXPECT_NEAR(Stopping::measure(scaledA, scaledB), plain, 1e-14) << unit;
+  }
+}
+
+TEST(Stopping, EndsBelowTheTolerance)
+{
+  const Stopping stopping(0.1, 10);
+  EXPECT_EQ(verdict(stopping, {2.0, 0.1}, {-1.0, -1.0}).reason, "");
+  const auto result = verdict(stopping, {2.0, 0.0912}, {-1.0, -1.0});
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.reason, "eps_tau 0.0912 < 0.1");
+}
+
+TEST(Stopping, MaximumSweepsIsNotConverged)
+{
+  const auto result = verdict(Stopping(0.1, 3), {2.0, 0.5, 0.25}, {-1.0, -1.0, -1.0});
+  EXPECT_FALSE(result.converged);
+  EXPECT_THAT(result.reason, AllOf(HasSubstr("eps_tau 0.25 has not fallen below 0.1 in 3 sweeps (Maximum Sweeps)"),
+                                   Not(HasSubstr("Theta"))));
+}
+
+TEST(Stopping, SweepsThatDoNotHelpAdviseAboutTheta)
+{
+  EXPECT_THAT(verdict(Stopping(0.1, 4), {2.0, 1.5, 1.4, 1.5}, {-1.0, -1.0, -1.0, -1.0}).reason,
+              HasSubstr("and does not fall; a smaller Theta or Aitken may help"));
+}
+
+TEST(Stopping, ForcesThatGrowWithoutBoundDiverge)
+{
+  const auto result = verdict(Stopping(0.1, 100), {2.0, 2.0, 1.9}, {0.0, -1e-3, -1e28});
+  EXPECT_FALSE(result.converged);
+  EXPECT_THAT(result.reason, HasSubstr("diverges (sweep 3); a smaller Theta or Aitken may help"));
+  EXPECT_THAT(verdict(Stopping(0.1, 100), {2.0, std::nan("")}, {-1.0, std::nan("")}).reason, HasSubstr("diverges"));
+}

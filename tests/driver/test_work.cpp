@@ -1,0 +1,164 @@
+// What a run does, and what it does not do: the ledger counts it exactly.
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+
+#include "driver/program.hpp"
+#include "driver/scene.hpp"
+#include "ndframe/base/log.hpp"
+#include "ndframe/driver/plan.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+
+namespace
+{
+
+bool gmshIsLoaded()
+{
+  return contentsOf("/proc/self/maps").find("libgmsh") != std::string::npos;
+}
+
+/// A scene condensed, for several solutions with the same factors.
+struct Condensed
+{
+  explicit Condensed(const Scene& scene) : deck(scene.params()), model(buildModel(deck, components()))
+  {
+    solver = components().linearSolvers.build(deck.sub("Linear Solver"));
+    representation = components().interfaceOperators.build(deck.sub("Interface Operator"));
+    condensed = condense(model, *solver, *representation, Comm::single(), ledger, silentLog());
+  }
+  CouplingResult couple(const std::string& setting)
+  {
+    const Params other = Scene("punch").set(setting).params();
+    return components()
+        .couplings.build(other.sub("Coupling"))
+        ->solve(
+            condensed.interface, [](auto&&...) {}, ledger);
+  }
+
+  Ledger ledger;
+  Params deck;
+  Model model;
+  std::unique_ptr<LinearSolver> solver;
+  std::unique_ptr<InterfaceOperator> representation;
+  CondensedModel condensed;
+};
+
+std::string deckName(const testing::TestParamInfo<std::string>& deck)
+{
+  std::string name = deck.param;
+  std::replace(name.begin(), name.end(), '-', '_');
+  return name;
+}
+
+class ShippedDeck : public testing::TestWithParam<std::string>
+{};
+
+} // namespace
+
+TEST_P(ShippedDeck, DoesWhatItsPlanSays)
+{
+  const bool mpiBefore = mpiIsRunning(), gmshBefore = gmshIsLoaded();
+  const auto outcome = Scene(GetParam()).run();
+  const Plan& plan = outcome.run.plan;
+  for (const auto& stage : outcome.ledger->stages())
+    EXPECT_TRUE(plan.runs(stage.name == "order" ? "factor" : stage.name)) << stage.name;
+  for (const auto& planned : plan.stages()) {
+    if (planned.runs && testing::Matches(testing::AnyOf("read", "check", "assemble", "factor", "interface", "couple",
+                                                        "recover"))(planned.name))
+      EXPECT_THAT(outcome.ledger->stages(), testing::Contains(testing::Field(&Ledger::Stage::name, planned.name)));
+  }
+  // ctest runs every case in a process of its own; in one process only the first user of a library tells something.
+  if (!mpiBefore) {
+    EXPECT_EQ(mpiIsRunning(), plan.runs("mpi"));
+  }
+  if (!gmshBefore) {
+    EXPECT_EQ(gmshIsLoaded(), plan.runs("gmsh"));
+  }
+}
+
+TEST_P(ShippedDeck, FactorsEveryBodyOnce)
+{
+  const auto outcome = Scene(GetParam()).run();
+  const bool isKrylov = GetParam() == "krylov";
+  EXPECT_EQ(outcome.ledger->counted("factorisations"), isKrylov ? 0 : int(outcome.run.model.bodies.size()));
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeck, testing::ValuesIn(shippedDecks()), deckName);
+
+TEST(Ledger, CountsTwoFactorisationsHoweverManySweeps)
+{
+  for (const char* setting : {"Coupling/Stopping/Tolerance=0.1", "Coupling/Stopping/Tolerance=1e-12",
+                              "Coupling/Relaxation/Type=Aitken", "Coupling/Type=Monolithic"})
+  {
+    const auto outcome = Scene("contact-loss").set(setting).run();
+    EXPECT_EQ(outcome.ledger->counted("factorisations"), 2) << setting;
+    EXPECT_EQ(outcome.ledger->counted("sweeps"), outcome.run.summary.coupling->sweeps) << setting;
+    // One right-hand side a body to reduce its load, one to recover its interior.
+    EXPECT_EQ(outcome.ledger->counted("back-solves"), 4) << setting;
+  }
+}
+
+TEST(Ledger, CountsOneBackSolveABodyAndSweepForAllSweeps)
+{
+  const auto outcome = Scene("contact-loss").set("Output/Steps=All Sweeps").run();
+  EXPECT_EQ(outcome.ledger->counted("back-solves"), 2 + 2 * outcome.run.summary.coupling->sweeps);
+}
+
+TEST(Ledger, CountsNoFactorisationForASecondTolerance)
+{
+  Condensed scene(Scene("contact-loss"));
+  EXPECT_EQ(scene.ledger.counted("factorisations"), 2);
+  const auto backSolves = scene.ledger.counted("back-solves");
+  const auto loose = scene.couple("Coupling/Stopping/Tolerance=0.1");
+  const auto sharp = scene.couple("Coupling/Stopping/Tolerance=1e-9");
+  EXPECT_LT(loose.history.size(), sharp.history.size());
+  EXPECT_EQ(scene.ledger.counted("factorisations"), 2);
+  EXPECT_EQ(scene.ledger.counted("back-solves"), backSolves);
+}
+
+TEST(Ledger, CountsNoFactorisationForASecondLoadCase)
+{
+  Condensed scene(Scene("contact-loss"));
+  const auto first = scene.couple("Coupling/Type=Monolithic");
+  const auto backSolves = scene.ledger.counted("back-solves");
+  const Params doubled = Scene("contact-loss").set("Bodies/upper/Loads/press/Value=2").params();
+  scene.model.bodies[0].loads.front() =
+      components().loads.build(doubled.sub("Bodies").sub("upper").sub("Loads").sub("press"));
+  reloadCondensed(scene.condensed, scene.model, Comm::single());
+  const auto second = scene.couple("Coupling/Type=Monolithic");
+  EXPECT_EQ(scene.ledger.counted("factorisations"), 2);
+  EXPECT_EQ(scene.ledger.counted("back-solves"), backSolves + 2);
+  // Without a gap the solution is homogeneous of degree one in the load.
+  EXPECT_EQ(second.state.closed, first.state.closed);
+  for (std::size_t i = 0; i < first.state.uNeumann.size(); ++i)
+    EXPECT_NEAR(second.state.uNeumann[i], 2 * first.state.uNeumann[i], 1e-11);
+}
+
+TEST(Ledger, CountsNothingOfTheInterfaceWithoutOne)
+{
+  const auto outcome = Scene("beam-3d").run();
+  EXPECT_EQ(outcome.ledger->counted("factorisations"), 1);
+  EXPECT_EQ(outcome.ledger->counted("back-solves"), 1);
+  for (const char* count : {"sweeps", "interface factorisations", "status passes", "status changes", "Neumann solves"})
+    EXPECT_EQ(outcome.ledger->counts().count(count), 0U) << count;
+  EXPECT_FALSE(outcome.run.summary.coupling);
+  EXPECT_TRUE(outcome.run.contact.empty());
+  EXPECT_EQ(outcome.run.condensed.interface.C, nullptr);
+}
+
+TEST(Plan, SkipsWhatTheDeckSwitchesOff)
+{
+  const auto planOf = [](const Scene& scene, int ranks) {
+    const Params deck = scene.params();
+    return Plan(deck, *components().linearSolvers.build(deck.sub("Linear Solver")), ranks);
+  };
+  EXPECT_FALSE(planOf(Scene("punch").set("Output/Exodus=false"), 1).runs("stress"));
+  EXPECT_TRUE(planOf(Scene("punch").set("Output/Exodus=false"), 1).runs("write"));
+  EXPECT_FALSE(planOf(Scene("punch").set("Output/Contact Table=false"), 1).runs("contact table"));
+  EXPECT_FALSE(planOf(Scene("beam-3d"), 1).runs("contact table"));
+  EXPECT_FALSE(planOf(Scene("punch"), 1).runs("mpi"));
+  EXPECT_TRUE(planOf(Scene("punch"), 2).runs("mpi"));
+}

@@ -1,0 +1,172 @@
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "algebra/sample_bodies.hpp"
+#include "common/test_main.hpp"
+#include "interface/box_bodies.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+
+namespace
+{
+
+/// A box whose left side is moved by 0.1 along x, with traces at its bottom along a normal that is oblique to that
+/// direction: at the corner the normal displacement is u_N = a s + b with a != 1, b != 0.
+struct ObliqueBox
+{
+  explicit ObliqueBox(const std::string& displacement = "0.1")
+      : model(boxBody("body", box("0, 0", "2, 1", "3, 2"), 2,
+                      list("wall", text("Type", "Displacement") + text("Side", "left") + text("X", displacement)) +
+                          list("top", text("Type", "Roller") + text("Side", "top")))),
+        traces(bottom()), body(model, traces), load(randomVector(std::size_t(model.numDofs()), 1))
+  {
+    body.system.load = body.system.dofs.frames.toLocal(load);
+  }
+
+  std::vector<TraceNormal> bottom() const
+  {
+    std::vector<TraceNormal> result;
+    for (const int node : sideNodes(model.nodes, *model.side("bottom")))
+      result.push_back({node, {0.6, -0.8, 0.0}});
+    return result;
+  }
+  std::shared_ptr<const SymmetricOperator> schur(const std::string& type) const
+  {
+    return traceOperator(*body.condensed, body.system.dofs.trace, *makeInterfaceOperator(type));
+  }
+  Vector reducedLoad(const SymmetricOperator& S) const
+  {
+    return traceLoad(*body.condensed, body.system.dofs.trace, S, body.system.effectiveLoad(comm()));
+  }
+  /// The whole body's displacement under the load, with these normal displacements; global axes.
+  Vector displacement(const Vector& normalDisplacement) const
+  {
+    const Vector kept = keptValues(body.system.dofs.trace, normalDisplacement);
+    Vector u = body.condensed->expand(DenseMatrix(body.system.effectiveLoad(comm())), DenseMatrix(kept)).column(0);
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] += body.system.dofs.prescribed[i];
+    return body.system.dofs.frames.toGlobal(u);
+  }
+  /// K u - f of the uncondensed body, in global axes.
+  Vector reaction(const Vector& u) const
+  {
+    auto plain = makeDofLayout(model.nodes, ConstraintSet(2, 1.0), {});
+    std::vector<int> all;
+    for (int i = 0; i < model.nodes.numNodes(); ++i)
+      all.push_back(i);
+    Vector r = multiply(assembleBody(model, std::move(plain), all).K, u, comm());
+    for (std::size_t i = 0; i < r.size(); ++i)
+      r[i] -= load[i];
+    return r;
+  }
+
+  BodyModel model;
+  std::vector<TraceNormal> traces;
+  CondensedBox body;
+  Vector load;
+};
+
+} // namespace
+
+TEST(BodyTrace, CornerOfAnObliqueNormalIsScaledAndMoved)
+{
+  const ObliqueBox box;
+  int scaled = 0;
+  for (const auto& t : box.body.system.dofs.trace)
+    if (std::abs(std::abs(t.scale) - 1.0) > 1e-12) {
+      ++scaled;
+      EXPECT_NEAR(std::abs(t.scale), 0.8, 1e-14);
+      EXPECT_NEAR(t.offset, 0.06, 1e-15);
+    }
+  EXPECT_EQ(scaled, 1);
+}
+
+TEST(BodyTrace, NormalDisplacementsAreThoseThatWereAskedFor)
+{
+  const ObliqueBox box;
+  const Vector normal = randomVector(box.traces.size(), 2), u = box.displacement(normal);
+  for (std::size_t i = 0; i < normal.size(); ++i) {
+    const auto node = std::size_t(box.traces[i].node);
+    EXPECT_NEAR(0.6 * u[2 * node] - 0.8 * u[2 * node + 1], normal[i], 1e-14);
+  }
+  for (const int node : sideNodes(box.model.nodes, *box.model.side("left")))
+    EXPECT_NEAR(u[2 * std::size_t(node)], 0.1, 1e-15);
+}
+
+TEST(BodyTrace, CondensedEquationIsThatOfTheUncondensedBody)
+{
+  // S u_N = g + r, with r n the forces that the uncondensed body needs at the interface and no force anywhere else.
+  const ObliqueBox box;
+  for (const char* type : {"Condensed", "Matrix Free"}) {
+    const auto S = box.schur(type);
+    const Vector normal = randomVector(box.traces.size(), 2), Su = S->apply(normal), g = box.reducedLoad(*S);
+    Vector reaction = box.reaction(box.displacement(normal));
+    for (std::size_t i = 0; i < normal.size(); ++i) {
+      const auto node = std::size_t(box.traces[i].node);
+      const double r = Su[i] - g[i];
+      reaction[2 * node] -= 0.6 * r;
+      reaction[2 * node + 1] += 0.8 * r;
+    }
+    for (int node = 0; node < box.model.nodes.numNodes(); ++node) {
+      const double* x = box.model.nodes.point(node);
+      const auto dof = std::size_t(2 * node);
+      EXPECT_NEAR(x[0] > 0.0 ? reaction[dof] : 0.0, 0.0, 1e-12) << type << " at " << x[0] << ", " << x[1];
+      EXPECT_NEAR(x[1] < 1.0 ? reaction[dof + 1] : 0.0, 0.0, 1e-12) << type << " at " << x[0] << ", " << x[1];
+    }
+  }
+}
+
+TEST(BodyTrace, ScaledOperatorIsTheSameStoredAndApplied)
+{
+  const ObliqueBox box;
+  const auto stored = box.schur("Condensed"), applied = box.schur("Matrix Free");
+  ASSERT_NE(stored->dense(), nullptr);
+  ASSERT_EQ(applied->dense(), nullptr);
+  const Vector x = randomVector(box.traces.size(), 3);
+  EXPECT_LT(relativeDifference(applied->apply(x), stored->apply(x)), 1e-12);
+  const std::vector<char> all(x.size(), 1);
+  EXPECT_LT(relativeDifference(applied->inverseOn(all, 0.0)->solve(x), stored->inverseOn(all, 0.0)->solve(x)), 1e-10);
+}
+
+TEST(BodyTrace, LoadIsReducedByItselfWhereNothingIsMoved)
+{
+  const ObliqueBox moved("0.1"), still("0");
+  const auto S = still.schur("Condensed");
+  for (const auto& t : still.body.system.dofs.trace)
+    EXPECT_EQ(t.offset, 0.0);
+  EXPECT_GT(relativeDifference(moved.reducedLoad(*S), still.reducedLoad(*S)), 1e-3);
+}
+
+TEST(MotionTraces, AreTheNormalComponentsOfRigidMotions)
+{
+  RigidBasis basis;
+  basis.dim = 2;
+  basis.centre = {1.0, 1.0, 0.0};
+  basis.length = 2.0;
+  DenseMatrix motions(3, 2); // translation along y; translation along x plus twice the rotation
+  motions(1, 0) = 1.0;
+  motions(0, 1) = 1.0;
+  motions(2, 1) = 2.0;
+  const double a[] = {1.0, 1.0}, b[] = {3.0, 0.0};
+  const auto traces = motionTraces(basis, motions, {a, b}, {{0.0, -1.0, 0.0}, {0.6, -0.8, 0.0}});
+  EXPECT_NEAR(traces(0, 0), -1.0, 1e-15);
+  EXPECT_NEAR(traces(1, 0), -0.8, 1e-15);
+  EXPECT_NEAR(traces(0, 1), 0.0, 1e-15);
+  // The rotation at b: (1, 2) / length = (0.5, 1), twice that and (1, 0): (2, 2) . n = -0.4.
+  EXPECT_NEAR(traces(1, 1), -0.4, 1e-15);
+}
+
+TEST(InterfaceSystem, TractionAndForceUndoEachOther)
+{
+  InterfaceSystem system;
+  system.C = std::make_shared<ContactMatrix>(std::vector<InterfaceMesh>{straightInterface({0.0, 1.0, 4.0, 4.5}, 2)});
+  system.nodeOfUnknown = {1, 2, 4, 6}; // a support prescribes the others
+  const Vector force = randomVector(4, 1), traction = system.traction(force);
+  ASSERT_EQ(traction.size(), 7u);
+  EXPECT_LT(relativeDifference(system.force(traction), force), 1e-14);
+  const Vector nodal = system.C->apply(traction);
+  for (const std::size_t node : {0, 3, 5})
+    EXPECT_NEAR(nodal[node], 0.0, 1e-14);
+}
