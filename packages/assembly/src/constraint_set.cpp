@@ -80,16 +80,17 @@ ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& su
 {
   ConstraintSet set(mesh.dim, diameter(mesh));
   Diagnostics diagnostics;
-  for (std::size_t s = 0; s < supports.size(); ++s)
+  for (std::size_t s = 0; s < supports.size(); ++s) {
+    int clash = -1; // one point per support tells enough
     for (const auto& constraint : supports[s]->constraints(mesh, nodes))
-      if (!set.add(constraint)) {
-        diagnostics.add(supports[s]->params().mistake(
-            "", fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of "
-                            "one of them (split the side) or let them agree.",
-                            heldByOthers(supports, s, mesh, nodes, constraint.node),
-                            pointText(nodes.point(constraint.node), mesh.dim))));
-        break;
-      }
+      if (!set.add(constraint) && clash < 0)
+        clash = constraint.node;
+    if (clash >= 0)
+      diagnostics.add(supports[s]->params().mistake(
+          "", fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of "
+                          "one of them (split the side) or let them agree.",
+                          heldByOthers(supports, s, mesh, nodes, clash), pointText(nodes.point(clash), mesh.dim))));
+  }
   diagnostics.throwIfAny();
   return set;
 }

@@ -95,7 +95,7 @@ protected:
   {
     Components c;
     for (int k = 0; k < dim; ++k) {
-      c.values.push_back(params().expression(keys[k]));
+      c.values.push_back(params().expression(keys.at(std::size_t(k))));
       c.vary = c.vary || !c.values.back().isConstant();
     }
     return c;
@@ -103,11 +103,11 @@ protected:
   void evaluateAll(const Components& c, const double* x, double* q, int dim) const
   {
     for (int k = 0; k < dim; ++k)
-      q[k] = evaluate(c.values[std::size_t(k)], keys[k], x, dim);
+      q[k] = evaluate(c.values[std::size_t(k)], keys.at(std::size_t(k)), x, dim);
   }
 
 private:
-  static constexpr const char* keys[3] = {"X", "Y", "Z"};
+  static constexpr std::array<const char*, 3> keys{"X", "Y", "Z"};
 };
 
 /// t = given vector on a side, equation (3).

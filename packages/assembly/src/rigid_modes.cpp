@@ -80,7 +80,7 @@ Vector positive(Vector direction)
 
 std::string describeTranslation(const RigidBasis& basis, const Vector& c)
 {
-  constexpr const char* axis[3] = {"x", "y", "z"};
+  constexpr std::array<const char*, 3> axis{"x", "y", "z"};
   const Vector direction = positive(Vector(c.begin(), c.begin() + basis.dim));
   for (std::size_t k = 0; k < direction.size(); ++k)
     if (direction[k] > 1.0 - pure)

@@ -3,9 +3,10 @@
 namespace ndframe
 {
 
-std::string defaultDeck()
+namespace
 {
-  return R"xml(<ParameterList name="default">
+
+constexpr const char* text = R"xml(<ParameterList name="default">
   <Parameter name="Title" type="string" value="Two blocks pressed together"/>
   <ParameterList name="Bodies">
     <ParameterList name="upper">
@@ -62,6 +63,12 @@ std::string defaultDeck()
   </ParameterList>
 </ParameterList>
 )xml";
+
+} // namespace
+
+std::string defaultDeck()
+{
+  return text;
 }
 
 } // namespace ndframe

@@ -15,7 +15,7 @@ namespace ndframe
 namespace
 {
 
-constexpr const char* axisNames[3] = {"x", "y", "z"};
+constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
 
 std::vector<NamedField> nodalFields(const Run& run, std::size_t body, std::size_t step)
 {
@@ -23,7 +23,7 @@ std::vector<NamedField> nodalFields(const Run& run, std::size_t body, std::size_
   const auto dim = std::size_t(model.mesh.dim), nodes = std::size_t(model.nodes.numNodes());
   std::vector<NamedField> fields;
   for (std::size_t k = 0; k < dim; ++k) {
-    fields.push_back({std::string("disp_") + axisNames[k], Vector(nodes)});
+    fields.push_back({std::string("disp_") + axisNames.at(k), Vector(nodes)});
     for (std::size_t i = 0; i < nodes; ++i)
       fields.back().values[i] = run.fields[body].displacement[step][i * dim + k];
   }

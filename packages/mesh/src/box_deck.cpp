@@ -120,7 +120,7 @@ void BoxDeck::readProfiles()
 
 SizeProfile BoxDeck::readSizes(const Params& list)
 {
-  const SizeProfile profile{list.get<std::vector<double>>("At"), list.get<std::vector<double>>("Size")};
+  SizeProfile profile{list.get<std::vector<double>>("At"), list.get<std::vector<double>>("Size")};
   if (profile.at.empty() || profile.at.size() != profile.size.size())
     mistake(list, "Size",
             fmt::format("{} sizes for {} points; give one for each point, and at least one.", profile.size.size(),

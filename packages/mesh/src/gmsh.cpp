@@ -112,7 +112,7 @@ std::vector<std::string> GmshConverter::regionNames() const
 
 std::set<int> GmshConverter::selectedRegions() const
 {
-  const std::set<int> all = groupsOf(dim_);
+  std::set<int> all = groupsOf(dim_);
   if (regions_.empty())
     return all;
   std::set<int> selected;

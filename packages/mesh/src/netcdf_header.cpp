@@ -223,7 +223,7 @@ void checkNetcdfHeader(const std::string& path)
   const std::uint64_t fileSize = std::filesystem::file_size(path);
   std::array<char, 52> head{};
   in.read(head.data(), head.size());
-  const int version = head[3];
+  const int version = static_cast<unsigned char>(head[3]);
   if (std::memcmp(head.data(), "\x89HDF\r\n\x1a\n", 8) == 0)
     return checkHdf5Length(head, fileSize);
   if (std::memcmp(head.data(), "CDF", 3) != 0 || (version != 1 && version != 2 && version != 5))
