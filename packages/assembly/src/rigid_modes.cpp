@@ -1,6 +1,7 @@
 #include "ndframe/assembly/rigid_modes.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -84,7 +85,7 @@ std::string describeTranslation(const RigidBasis& basis, const Vector& c)
   const Vector direction = positive(Vector(c.begin(), c.begin() + basis.dim));
   for (std::size_t k = 0; k < direction.size(); ++k)
     if (direction[k] > 1.0 - pure)
-      return fmt::format("translation along {}", axis[k]);
+      return fmt::format("translation along {}", axis.at(std::size_t(k)));
   return fmt::format("translation along {}", tuple(direction, 1.0));
 }
 

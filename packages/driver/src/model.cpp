@@ -51,6 +51,16 @@ void collecting(Diagnostics& diagnostics, const Step& step)
   }
 }
 
+/// Loads that are not finite somewhere are found before anything is solved; their values are not kept.
+void evaluateLoads(const BodyModel& body, Diagnostics& diagnostics)
+{
+  for (const auto& load : body.loads)
+    collecting(diagnostics, [&] {
+      Vector values(std::size_t(body.numDofs()), 0.0);
+      load->addTo(values, body.mesh, body.nodes);
+    });
+}
+
 int findBody(const Model& model, const Params& definition, const char* key, Diagnostics& diagnostics)
 {
   const auto name = definition.get<std::string>(key);
@@ -157,6 +167,8 @@ Model buildModel(const Params& deck, const Components& components)
   for (const auto& body : model.bodies)
     collecting(diagnostics,
                [&] { model.constraints.push_back(collectConstraints(body.supports, body.mesh, body.nodes)); });
+  for (const auto& body : model.bodies)
+    evaluateLoads(body, diagnostics);
   for (const auto& definition : deck.sub("Interfaces").subs())
     collecting(diagnostics, [&] { addInterface(model, definition, diagnostics); });
   refuseSharedNodes(model, deck, diagnostics);

@@ -1,0 +1,190 @@
+"""Reads what the program writes with other people's tools: read_results.py NDFRAME DECKS SCHEMA.
+
+The Exodus file by netCDF, the summary by a JSON schema validator; the effective deck of the summary runs again.
+"""
+
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.sax.saxutils
+
+import jsonschema
+import netCDF4
+import numpy
+
+NDFRAME, DECKS, SCHEMA = sys.argv[1:4]
+SIDE_VERTICES = numpy.array([(0, 1), (1, 2), (2, 0)])
+
+
+class Run:
+    """One run of the program in a folder of its own."""
+
+    def __init__(self, deck, *settings):
+        self.folder = tempfile.TemporaryDirectory()
+        arguments = [part for setting in settings for part in ("--set", setting)]
+        subprocess.run([NDFRAME, "-q", "-i", deck, *arguments], cwd=self.folder.name, check=True)
+        files = pathlib.Path(self.folder.name)
+        self.summary = json.loads(next(files.glob("*.summary.json")).read_text())
+        self.exodus = netCDF4.Dataset(next(files.glob("*.e")))
+        self.table = [line.split(",") for path in files.glob("*.csv") for line in path.read_text().splitlines()]
+
+    def names(self, variable):
+        return [b"".join(row.compressed()).decode() for row in self.exodus[variable][:]]
+
+    def points(self):
+        return numpy.stack([self.exodus[f"coord{axis}"][:] for axis in "xyz"[: len(self.exodus.dimensions["num_dim"])]], 1)
+
+    def nodal(self, name, step=-1):
+        return self.exodus[f"vals_nod_var{self.names('name_nod_var').index(name) + 1}"][step].data
+
+    def element(self, name, block, step=-1):
+        return self.exodus[f"vals_elem_var{self.names('name_elem_var').index(name) + 1}eb{block + 1}"][step].data
+
+    def side(self, name, side_set, step=-1):
+        number = self.names("ss_names").index(side_set) + 1
+        return self.exodus[f"vals_sset_var{self.names('name_sset_var').index(name) + 1}ss{number}"][step].data
+
+    def side_middles(self, side_set):
+        number = self.names("ss_names").index(side_set) + 1
+        blocks = [self.exodus[f"connect{b + 1}"][:].data for b in range(len(self.names("eb_names")))]
+        cells = numpy.concatenate([block[:, :3] for block in blocks]) - 1
+        elements, sides = self.exodus[f"elem_ss{number}"][:] - 1, self.exodus[f"side_ss{number}"][:] - 1
+        return self.points()[numpy.take_along_axis(cells[elements], SIDE_VERTICES[sides], axis=1)].mean(axis=1)
+
+
+def shipped(name):
+    return str(pathlib.Path(DECKS) / f"{name}.xml")
+
+
+def as_deck(name, node):
+    """The JSON deck of a summary as Teuchos XML."""
+    quoted = xml.sax.saxutils.quoteattr
+    if isinstance(node, dict):
+        inside = "".join(as_deck(key, value) for key, value in node.items())
+        return f"<ParameterList name={quoted(name)}>{inside}</ParameterList>\n"
+    kinds = {bool: "bool", int: "int", float: "double", str: "string"}
+    if isinstance(node, list):
+        kind = f"Array({kinds[type(node[0])] if node else 'string'})"
+        value = "{" + ", ".join(map(str, node)) + "}"
+    else:
+        kind, value = kinds[type(node)], str(node).lower() if isinstance(node, bool) else str(node)
+    return f"<Parameter name={quoted(name)} type={quoted(kind)} value={quoted(value)}/>\n"
+
+
+def results(summary):
+    """A summary without what differs from run to run."""
+    kept = {key: value for key, value in summary.items() if key != "ledger"}
+    return kept | {"counts": {k: n for k, n in summary["ledger"]["counts"].items() if k != "bytes written"}}
+
+
+class ExodusFile(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.loss = Run(shipped("contact-loss"))
+        cls.sweeps = Run(shipped("contact-loss"), "Output/Steps=All Sweeps")
+        cls.patch = Run(shipped("patch"), "Coupling/Type=Monolithic", "Expect/sweeps by the closed form/Value=1")
+        cls.beam = Run(shipped("beam-3d"))
+
+    def test_bodies_are_blocks(self):
+        self.assertEqual(self.loss.names("eb_names"), ["upper", "lower"])
+        for block, body in enumerate(self.loss.summary["bodies"]):
+            connectivity = self.loss.exodus[f"connect{block + 1}"]
+            self.assertEqual(connectivity.elem_type, "TRI6")
+            self.assertEqual(len(connectivity), body["elements"])
+        self.assertEqual(2 * len(self.loss.points()), sum(body["dofs"] for body in self.loss.summary["bodies"]))
+
+    def test_order_one_gives_linear_elements(self):
+        linear = Run(shipped("punch"), "Discretization/Order=1")
+        self.assertEqual(linear.exodus["connect1"].elem_type, "TRI3")
+
+    def test_one_step_or_one_per_sweep(self):
+        count = self.sweeps.summary["coupling"]["sweeps"]
+        self.assertGreater(count, 2)
+        numpy.testing.assert_array_equal(self.loss.exodus["time_whole"][:], [count])
+        numpy.testing.assert_array_equal(self.sweeps.exodus["time_whole"][:], numpy.arange(1, count + 1))
+        for name in ("disp_x", "disp_y"):
+            numpy.testing.assert_allclose(self.sweeps.nodal(name), self.loss.nodal(name), atol=1e-12)
+        globals_ = self.sweeps.exodus["vals_glo_var"][:]
+        eps = [record["eps_tau"] for record in self.sweeps.summary["coupling"]["history"]]
+        numpy.testing.assert_allclose(globals_[:, self.sweeps.names("name_glo_var").index("eps_tau")], eps)
+        converged = globals_[:, self.sweeps.names("name_glo_var").index("converged")]
+        numpy.testing.assert_array_equal(converged, [0] * (count - 1) + [1])
+
+    def test_displacement_of_the_patch(self):
+        x, y = self.patch.points().T
+        upper = numpy.arange(len(x)) < self.patch.summary["bodies"][0]["dofs"] // 2
+        numpy.testing.assert_allclose(self.patch.nodal("disp_x"), numpy.where(upper, 0.39, 0.195) * x, atol=1e-11)
+        exact = numpy.where(upper, -0.455 - 0.91 * y, -0.455 * (y + 1))
+        numpy.testing.assert_allclose(self.patch.nodal("disp_y"), exact, atol=1e-11)
+
+    def test_stress_and_von_mises_of_the_patch(self):
+        exact = {"stress_xx": 0, "stress_yy": -1, "stress_zz": -0.3, "stress_xy": 0, "von_mises": numpy.sqrt(0.79)}
+        for block in (0, 1):
+            for name, value in exact.items():
+                numpy.testing.assert_allclose(self.patch.element(name, block), value, atol=1e-10, err_msg=name)
+
+    def test_a_solid_has_six_stresses_and_no_contact(self):
+        self.assertEqual(self.beam.exodus["connect1"].elem_type, "TETRA10")
+        self.assertEqual(self.beam.names("name_nod_var"), ["disp_x", "disp_y", "disp_z"])
+        names = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_xz", "von_mises"]
+        self.assertEqual(self.beam.names("name_elem_var"), names)
+        self.assertNotIn("num_sset_var", self.beam.exodus.dimensions)
+        middles = self.beam.points()[self.beam.exodus["connect1"][:, :4] - 1].mean(axis=1)
+        numpy.testing.assert_allclose(self.beam.element("stress_xx", 0), middles[:, 1], atol=1e-10)
+
+    def test_contact_stands_on_both_side_sets(self):
+        for body in ("dirichlet", "neumann"):
+            side_set = f"contact:{body}"
+            middles = self.loss.side_middles(side_set)
+            numpy.testing.assert_allclose(middles[:, 1], 0, atol=1e-14)
+            status, gap = (self.loss.side(f"contact_{name}", side_set) for name in ("status", "gap"))
+            pressure = self.loss.side("contact_pressure", side_set)
+            numpy.testing.assert_array_equal(status[middles[:, 0] < 0.9], 1)
+            self.assertEqual(status[middles[:, 0] > 0.97].max(), 0)
+            numpy.testing.assert_allclose(gap[status == 1], 0, atol=1e-12)
+            self.assertGreater(gap[status == 0].max(), 1e-4)
+            self.assertGreater(pressure[middles[:, 0] < 0.5].min(), 0.3)
+            self.assertAlmostEqual(pressure.mean(), 0.5, delta=0.02)
+
+    def test_nodal_pressure_is_that_of_the_table(self):
+        header, *rows = self.loss.table
+        pressure = {float(row[1]): -float(row[header.index("traction_dirichlet")]) for row in rows}
+        upper = self.loss.summary["bodies"][0]["dofs"] // 2
+        points, values = self.loss.points()[:upper], self.loss.nodal("contact_pressure")[:upper]
+        for (x, y), value in zip(points, values):
+            self.assertAlmostEqual(value, pressure[x] if y == 0 else 0.0, places=12)
+
+
+class Summary(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.runs = {name: Run(shipped(name)) for name in ("punch", "contact-loss", "beam-3d", "patch")}
+
+    def test_follows_the_schema(self):
+        validator = jsonschema.Draft7Validator(json.loads(pathlib.Path(SCHEMA).read_text()))
+        for run in self.runs.values():
+            validator.validate(run.summary)
+
+    def test_effective_deck_gives_the_same_run(self):
+        for name, run in self.runs.items():
+            with self.subTest(deck=name), tempfile.TemporaryDirectory() as folder:
+                deck = pathlib.Path(folder) / f"{name}.xml"
+                deck.write_text(as_deck(name, run.summary["deck"]))
+                self.assertEqual(results(Run(str(deck)).summary), results(run.summary))
+
+    def test_energies_add_up(self):
+        for run in self.runs.values():
+            self.assertAlmostEqual(run.summary["energy"], sum(body["energy"] for body in run.summary["bodies"]), places=12)
+
+    def test_forces_balance(self):
+        contact = self.runs["contact-loss"].summary["interfaces"][0]
+        numpy.testing.assert_allclose(contact["force_on_dirichlet"], [0, 0.5], atol=1e-10)
+        last = self.runs["contact-loss"].summary["coupling"]["history"][-1]
+        numpy.testing.assert_allclose(contact["force_on_neumann"], [0, last["force_on_neumann"]], atol=1e-12)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])

@@ -1,0 +1,243 @@
+// The program's options, exit codes and screen.
+
+#include <algorithm>
+#include <cctype>
+
+#include <gmock/gmock.h>
+#include <nlohmann/json.hpp>
+
+#include "driver/program.hpp"
+#include "driver/scene.hpp"
+#include "io/temporary_folder.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::EndsWith;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+using testing::StartsWith;
+using Json = nlohmann::json;
+
+namespace
+{
+
+/// A call of the program in a folder of its own.
+class Program : public testing::Test
+{
+protected:
+  ProgramResult call(const std::vector<std::string>& arguments) const { return runProgram(arguments, path(".")); }
+  /// The punch with settings.
+  ProgramResult punch(const std::vector<std::string>& settings) const
+  {
+    std::vector<std::string> arguments{"-i", shippedDeck("punch")};
+    for (const auto& setting : settings)
+      arguments.insert(arguments.end(), {"--set", setting});
+    return call(arguments);
+  }
+  std::string path(const std::string& name) const { return folder_.file(name); }
+  std::vector<std::string> files() const { return filesIn(path(".")); }
+  Json summary(const std::string& name) const { return Json::parse(contentsOf(path(name + ".summary.json"))); }
+
+private:
+  TemporaryFolder folder_;
+};
+
+class ShippedDeckRun : public Program, public testing::WithParamInterface<std::string>
+{};
+
+} // namespace
+
+TEST_P(ShippedDeckRun, EndsWithExitCodeZero)
+{
+  const auto result = call({"-i", shippedDeck(GetParam())});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_EQ(result.err, "");
+  const auto expectations = summary(GetParam())["expectations"];
+  EXPECT_FALSE(expectations.empty()) << "every shipped deck says what it must give";
+  for (const auto& expectation : expectations)
+    EXPECT_TRUE(expectation["met"]) << expectation;
+}
+
+INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeckRun, testing::ValuesIn(shippedDecks()),
+                         [](const testing::TestParamInfo<std::string>& deck) {
+                           std::string name = deck.param;
+                           std::replace(name.begin(), name.end(), '-', '_');
+                           return name;
+                         });
+
+TEST_F(Program, WithoutADeckSaysHowToGiveOne)
+{
+  const auto result = call({});
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_EQ(result.err, "no deck was given; run `ndframe -i decks/punch.xml`, or `ndframe --help`.\n"
+                        "1 error; nothing was computed.\n");
+}
+
+TEST_F(Program, RefusesDecksThatCannotBeRead)
+{
+  const auto missing = call({"-i", "nothing.xml"});
+  EXPECT_EQ(missing.exitCode, 2);
+  EXPECT_EQ(missing.err, "nothing.xml: cannot be opened: No such file or directory.\n1 error; nothing was computed.\n");
+  const auto folder = call({"-i", "."});
+  EXPECT_EQ(folder.exitCode, 2);
+  EXPECT_EQ(folder.err, ".: is a directory, not a deck.\n1 error; nothing was computed.\n");
+  writeFile(path("empty.xml"), "");
+  const auto empty = call({"empty.xml"});
+  EXPECT_EQ(empty.exitCode, 2);
+  EXPECT_THAT(empty.err, StartsWith("empty.xml"));
+}
+
+TEST_F(Program, RefusesUnknownOptionsAndSecondDecks)
+{
+  const auto unknown = call({"--quick"});
+  EXPECT_EQ(unknown.exitCode, 2);
+  EXPECT_THAT(unknown.err, AllOf(HasSubstr("--quick"), HasSubstr("`ndframe --help` shows the options.")));
+  EXPECT_EQ(call({shippedDeck("punch"), shippedDeck("patch")}).exitCode, 2);
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Program, NotConvergedEndsWithThreeAndMarkedResults)
+{
+  const auto result = punch({"Coupling/Stopping/Maximum Sweeps=3"});
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_EQ(result.err, "not converged: eps_tau 0.363 has not fallen below 0.1 in 3 sweeps (Maximum Sweeps); the "
+                        "results are marked so.\n");
+  EXPECT_THAT(files(), ElementsAre("punch.contact.csv", "punch.e", "punch.summary.json"));
+  const auto coupling = summary("punch")["coupling"];
+  EXPECT_EQ(coupling["converged"], false);
+  EXPECT_EQ(coupling["sweeps"], 3);
+  EXPECT_THAT(coupling["reason"], HasSubstr("Maximum Sweeps"));
+}
+
+TEST_F(Program, PullingABodyOffEndsWithThreeAndNamesTheMotion)
+{
+  for (const char* coupling : {"Coupling/Type=Neumann-Dirichlet", "Coupling/Type=Monolithic"}) {
+    const auto result = punch({coupling, "Bodies/punch/Loads/press/Value=-1"});
+    EXPECT_EQ(result.exitCode, 3) << coupling;
+    EXPECT_THAT(result.err, HasSubstr("not converged: the load pulls the bodies apart: contact opens and nothing stops "
+                                      "translation along y of punch"));
+    EXPECT_EQ(summary("punch")["coupling"]["converged"], false);
+  }
+}
+
+TEST_F(Program, AMissedExpectationEndsWithFour)
+{
+  const auto result =
+      punch({"Expect/mine/Quantity=coupling/sweeps", "Expect/mine/Value=99", "Expect/mine/Tolerance=1"});
+  EXPECT_EQ(result.exitCode, 4);
+  EXPECT_EQ(result.err, "  MISSED mine: 6 instead of 99 +- 1\n");
+  EXPECT_THAT(files(), testing::SizeIs(3));
+}
+
+TEST_F(Program, ExpectsNumbersOfASweepAndMissesThoseOfASweepThatWasNotMade)
+{
+  const std::vector<std::string> settings{"Expect/mine/Value=2", "Expect/mine/Tolerance=1e-12"};
+  auto first = settings, hundredth = settings;
+  first.push_back("Expect/mine/Quantity=coupling/history/0/eps_tau");
+  hundredth.push_back("Expect/mine/Quantity=coupling/history/99/eps_tau");
+  EXPECT_EQ(punch(first).exitCode, 0);
+  EXPECT_EQ(punch(hundredth).exitCode, 4);
+  EXPECT_TRUE(summary("punch")["expectations"].back()["value"].is_null());
+}
+
+TEST_F(Program, ChecksWithoutSolvingOrWriting)
+{
+  const auto result = call({"--check", shippedDeck("punch")});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.out, HasSubstr("the deck is right"));
+  EXPECT_THAT(result.out, Not(HasSubstr("sweep")));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Program, PlansWithoutReadingAMesh)
+{
+  const auto result = call({"--plan", shippedDeck("gmsh-msh2"), "--set", "Bodies/punch/Mesh/File=nothing.msh", "--set",
+                            "Output/Exodus=false"});
+  EXPECT_EQ(result.exitCode, 0);
+  for (const char* line :
+       {"  gmsh            skip   no .geo script: the library is not loaded\n",
+        "  mpi             skip   one process: MPI is not started\n", "  couple          run    Monolithic\n",
+        "  stress          skip   no Exodus file is written\n", "  read            run    2 bodies\n"})
+    EXPECT_THAT(result.out, HasSubstr(line));
+  EXPECT_THAT(files(), IsEmpty());
+}
+
+TEST_F(Program, ListsAllComponents)
+{
+  const auto result = call({"--list"});
+  EXPECT_EQ(result.exitCode, 0);
+  for (const auto* choices : {&components().meshSources.choices(), &components().materials.choices(),
+                              &components().supports.choices(), &components().loads.choices(),
+                              &components().linearSolvers.choices(), &components().interfaceOperators.choices(),
+                              &components().relaxations.choices(), &components().couplings.choices()})
+    for (const auto& component : choices->components)
+      EXPECT_THAT(result.out, HasSubstr("\n  " + component.name + " "));
+}
+
+TEST_F(Program, ExplainsItselfAndEveryList)
+{
+  const auto help = call({"--help"});
+  EXPECT_EQ(help.exitCode, 0);
+  for (const char* text : {"--input", "--check", "--plan", "--set", "--help", "--list", "--dump-defaults", "--version",
+                           "--quiet", "--verbose", "Exit codes: 0 right"})
+    EXPECT_THAT(help.out, HasSubstr(text));
+  const auto aitken = call({"--help", "Aitken"});
+  EXPECT_EQ(aitken.exitCode, 0);
+  EXPECT_THAT(aitken.out, AllOf(HasSubstr("Initial Theta"), HasSubstr("in (0, 2)")));
+  EXPECT_THAT(call({"--help", "Coupling/Stopping"}).out, HasSubstr("Maximum Sweeps"));
+  const auto wrong = call({"--help", "Aitkin"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("did you mean \"Aitken\"?"));
+}
+
+TEST_F(Program, ShowsItsVersion)
+{
+  const auto result = call({"--version"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.out, testing::MatchesRegex("ndframe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+}
+
+TEST_F(Program, DumpsDefaultsThatRunAndDumpToThemselves)
+{
+  const auto dump = call({"--dump-defaults"});
+  EXPECT_EQ(dump.exitCode, 0);
+  writeFile(path("defaults.xml"), dump.out);
+  const auto result = call({"defaults.xml"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_EQ(toXml(Scene::fromFile(path("defaults.xml")).params()), dump.out);
+}
+
+TEST_F(Program, IsSilentWithQAndTellsMoreWithV)
+{
+  const auto quiet = call({"-q", shippedDeck("punch")});
+  EXPECT_EQ(quiet.exitCode, 0);
+  EXPECT_EQ(quiet.out + quiet.err, "");
+  const auto verbose = call({"-v", shippedDeck("punch")}), normal = call({shippedDeck("punch")});
+  EXPECT_GT(verbose.out.size(), normal.out.size());
+  EXPECT_THAT(verbose.out, HasSubstr("nonzeros"));
+}
+
+TEST_F(Program, ShowsHeaderSweepsAndTablesOnAPipeWithoutControlCharacters)
+{
+  const auto result = call({shippedDeck("contact-loss")});
+  for (const char* text : {"Punch with partial contact loss", "dofs", "interface nodes", "eps_tau", "theta", "changed",
+                           "force on upper", "force on lower", "penetration", "energy a(u,u)", "contact force",
+                           "contact length", "largest pressure", "seconds", "MB", "wrote contact-loss.e"})
+    EXPECT_THAT(result.out, HasSubstr(text));
+  for (const unsigned char c : result.out)
+    EXPECT_TRUE(c == '\n' || !std::iscntrl(c)) << int(c);
+  const auto sweeps = summary("contact-loss")["coupling"]["sweeps"].get<int>();
+  EXPECT_THAT(result.out,
+              HasSubstr("\n  " + std::string(5 - std::to_string(sweeps).size(), ' ') + std::to_string(sweeps) + "   "));
+}
+
+TEST_F(Program, ReferenceIsUpToDate)
+{
+  const auto reference = call({"--reference"});
+  EXPECT_EQ(reference.exitCode, 0);
+  EXPECT_TRUE(contentsOf(NDFRAME_REFERENCE) == reference.out)
+      << "docs/reference.md is out of date; write it anew:  ndframe --reference > docs/reference.md";
+}
