@@ -78,10 +78,16 @@ TEST(Stopping, MaximumSweepsIsNotConverged)
                                    Not(HasSubstr("Theta"))));
 }
 
+TEST(Stopping, OneSweepCannotTellWhetherItHelps)
+{
+  EXPECT_THAT(verdict(Stopping(0.1, 1), {2.0}, {-1.0}).reason, Not(HasSubstr("Theta")));
+}
+
 TEST(Stopping, SweepsThatDoNotHelpAdviseAboutTheta)
 {
-  EXPECT_THAT(verdict(Stopping(0.1, 4), {2.0, 1.5, 1.4, 1.5}, {-1.0, -1.0, -1.0, -1.0}).reason,
-              HasSubstr("and does not fall; a smaller Theta or Aitken may help"));
+  for (const Vector& jumping : {Vector{2.0, 1.5, 1.4, 1.5}, Vector{2.0, 1.4, 1.9, 1.4}, Vector{1.4, 2.0, 1.4, 1.9}})
+    EXPECT_THAT(verdict(Stopping(0.1, 4), jumping, Vector(4, -1.0)).reason,
+                HasSubstr("and hardly falls; a smaller Theta or Aitken may help"));
 }
 
 TEST(Stopping, ForcesThatGrowWithoutBoundDiverge)

@@ -20,22 +20,22 @@ SIDE_VERTICES = numpy.array([(0, 1), (1, 2), (2, 0)])
 
 
 class Run:
-    """One run of the program in a folder of its own."""
+    """What one run of the program leaves."""
 
     def __init__(self, deck, *settings):
-        self.folder = tempfile.TemporaryDirectory()
         arguments = [part for setting in settings for part in ("--set", setting)]
-        subprocess.run([NDFRAME, "-q", "-i", deck, *arguments], cwd=self.folder.name, check=True)
-        files = pathlib.Path(self.folder.name)
-        self.summary = json.loads(next(files.glob("*.summary.json")).read_text())
-        self.exodus = netCDF4.Dataset(next(files.glob("*.e")))
-        self.table = [line.split(",") for path in files.glob("*.csv") for line in path.read_text().splitlines()]
+        with tempfile.TemporaryDirectory() as folder:
+            subprocess.run([NDFRAME, "-q", "-i", deck, *arguments], cwd=folder, check=True)
+            files = pathlib.Path(folder)
+            self.summary = json.loads(next(files.glob("*.summary.json")).read_text())
+            self.exodus = netCDF4.Dataset("memory", memory=next(files.glob("*.e")).read_bytes())
+            self.table = [line.split(",") for path in files.glob("*.csv") for line in path.read_text().splitlines()]
 
     def names(self, variable):
         return [b"".join(row.compressed()).decode() for row in self.exodus[variable][:]]
 
     def points(self):
-        return numpy.stack([self.exodus[f"coord{axis}"][:] for axis in "xyz"[: len(self.exodus.dimensions["num_dim"])]], 1)
+        return numpy.stack([self.exodus[f"coord{axis}"][:] for axis in "xyz"[: self.exodus.dimensions["num_dim"].size]], 1)
 
     def nodal(self, name, step=-1):
         return self.exodus[f"vals_nod_var{self.names('name_nod_var').index(name) + 1}"][step].data

@@ -25,10 +25,16 @@ bool diverges(const std::vector<SweepRecord>& history)
          (first != history.end() && std::abs(force) > divergence * std::abs(first->forceDirichlet));
 }
 
-/// Whether the second half of the sweeps has brought eps_tau down; one sweep cannot tell.
+/// Whether the best sweep of the second half has at most half the eps_tau of the best one before; one sweep cannot
+/// tell. The best ones, because an iteration with too large a theta jumps to and fro.
 bool isFalling(const std::vector<SweepRecord>& history)
 {
-  return history.size() == 1 || history.back().epsTau < history[(history.size() - 1) / 2].epsTau;
+  if (history.size() == 1)
+    return true;
+  const auto middle = history.begin() + std::ptrdiff_t((history.size() + 1) / 2);
+  const auto smaller = [](const SweepRecord& a, const SweepRecord& b) { return a.epsTau < b.epsTau; };
+  return std::min_element(middle, history.end(), smaller)->epsTau <=
+         0.5 * std::min_element(history.begin(), middle, smaller)->epsTau;
 }
 
 } // namespace
@@ -59,7 +65,7 @@ bool Stopping::ends(CouplingResult& result) const
   else if (last.sweep >= maximumSweeps_)
     result.reason =
         fmt::format("eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps){}", last.epsTau, tolerance_,
-                    maximumSweeps_, isFalling(result.history) ? "" : fmt::format(" and does not fall; {}", advice));
+                    maximumSweeps_, isFalling(result.history) ? "" : fmt::format(" and hardly falls; {}", advice));
   return !result.reason.empty();
 }
 
