@@ -103,8 +103,8 @@ TEST_F(Program, NotConvergedEndsWithThreeAndMarkedResults)
 {
   const auto result = punch({"Coupling/Stopping/Maximum Sweeps=3"});
   EXPECT_EQ(result.exitCode, 3);
-  EXPECT_EQ(result.err, "not converged: eps_tau 0.363 has not fallen below 0.1 in 3 sweeps (Maximum Sweeps); the "
-                        "results are marked so.\n");
+  EXPECT_THAT(result.err, AllOf(StartsWith("not converged: eps_tau 0.363 "), HasSubstr("in 3 sweeps (Maximum Sweeps)"),
+                                EndsWith("; the results are marked so.\n")));
   EXPECT_THAT(files(), ElementsAre("punch.contact.csv", "punch.e", "punch.summary.json"));
   const auto coupling = summary("punch")["coupling"];
   EXPECT_EQ(coupling["converged"], false);

@@ -68,12 +68,11 @@ std::unique_ptr<CondensedBody> factorBody(const BodyModel& body, const RigidBasi
     return solver.factor(problem, comm, ledger);
   } catch (const SingularBody& failure) {
     const int node = failure.dof < 0 ? -1 : failure.dof / body.mesh.dim;
-    throw InputError(fmt::format(
-        "Bodies/{}: its matrix is singular{}: is a part of the mesh not connected to the rest, or an "
-        "element nearly flat? ({})",
-        body.name,
-        node < 0 ? "" : fmt::format(" at ({:g}, {:g})", body.nodes.point(node)[0], body.nodes.point(node)[1]),
-        failure.what()));
+    throw InputError(
+        fmt::format("Bodies/{}: its matrix is singular{}: is a part of the mesh not connected to the rest, or an "
+                    "element nearly flat? ({})",
+                    body.name, node < 0 ? std::string() : " at " + pointText(body.nodes.point(node), body.mesh.dim),
+                    failure.what()));
   }
 }
 

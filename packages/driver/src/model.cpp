@@ -109,13 +109,14 @@ void refuseSharedNodes(const Model& model, const Params& deck, Diagnostics& diag
                                       std::pair(interface.neumannBody, &interface.neumannNodes)})
       for (const int node : *nodes)
         if (!taken[std::size_t(body)].insert(node).second) {
-          const double* x = model.bodies[std::size_t(body)].nodes.point(node);
-          diagnostics.add(deck.sub("Interfaces")
-                              .sub(interface.name)
-                              .mistake("", fmt::format("shares the node at ({:g}, {:g}) of \"{}\" with another "
-                                                       "interface; leave it out of one of them "
-                                                       "(split the side).",
-                                                       x[0], x[1], model.bodies[std::size_t(body)].name)));
+          const BodyModel& owner = model.bodies[std::size_t(body)];
+          diagnostics.add(
+              deck.sub("Interfaces")
+                  .sub(interface.name)
+                  .mistake("", fmt::format("shares the node at {} of \"{}\" with another "
+                                           "interface; leave it out of one of them "
+                                           "(split the side).",
+                                           pointText(owner.nodes.point(node), owner.mesh.dim), owner.name)));
           return;
         }
 }

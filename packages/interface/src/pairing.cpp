@@ -37,11 +37,6 @@ struct NodeCloud
 using Tree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, -1, std::size_t>;
 
-std::string position(const double* x, int dim)
-{
-  return dim == 2 ? fmt::format("({:g}, {:g})", x[0], x[1]) : fmt::format("({:g}, {:g}, {:g})", x[0], x[1], x[2]);
-}
-
 const Side& findSide(const Params& definition, const char* key, const BodyModel& body)
 {
   const auto name = definition.get<std::string>(key);
@@ -73,7 +68,7 @@ struct Comparison
     return std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
   double largestDistance() const { return distance[worst()]; }
-  std::string worstPosition() const { return position(from.map.point(from.nodes[worst()]), from.map.dim); }
+  std::string worstPosition() const { return pointText(from.map.point(from.nodes[worst()]), from.map.dim); }
 };
 
 Comparison compare(const NodeCloud& from, const NodeCloud& to)
@@ -186,11 +181,11 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
     if (dotProduct(n1, n2) > 0.0)
       throw InputError(definition.mistake(
           "",
-          fmt::format(
-              "the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
-              "name the sides that face each other.",
-              dirichlet.name, neumann.name,
-              position(interface.point(interface.facets[std::size_t(f * interface.nodesPerFacet())]), interface.dim))));
+          fmt::format("the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
+                      "name the sides that face each other.",
+                      dirichlet.name, neumann.name,
+                      pointText(interface.point(interface.facets[std::size_t(f * interface.nodesPerFacet())]),
+                                interface.dim))));
   }
 }
 
@@ -205,7 +200,7 @@ void evaluateGap(const Params& definition, InterfaceMesh& interface)
     if (!std::isfinite(interface.gap.back()))
       throw InputError(definition.mistake(
           "Gap", fmt::format("Gap = \"{}\" is {} at {}; it must be finite on the whole side.", gap.text(),
-                             std::abs(interface.gap.back()), position(x, interface.dim))));
+                             std::abs(interface.gap.back()), pointText(x, interface.dim))));
     if (interface.gap.back() < deepest) {
       deepest = interface.gap.back();
       where = i;
@@ -215,7 +210,7 @@ void evaluateGap(const Params& definition, InterfaceMesh& interface)
     throw InputError(
         definition.mistake("Gap", fmt::format("the bodies overlap at the start: the gap is {:.3g} at {}; it must "
                                               "not be negative.",
-                                              deepest, position(interface.point(where), interface.dim))));
+                                              deepest, pointText(interface.point(where), interface.dim))));
 }
 
 } // namespace
