@@ -109,7 +109,7 @@ TEST_P(TwoBodies, AreInEquilibriumAndDoNotPullOnEachOther)
 
 TEST(ContactLoss, HasOpenAndClosedNodes)
 {
-  const auto& contact = Scene("contact-loss").set("Coupling/Type=Monolithic").run().run.summary.interfaces.front();
+  const auto contact = Scene("contact-loss").set("Coupling/Type=Monolithic").run().run.summary.interfaces.front();
   EXPECT_GT(contact.closedNodes, 0);
   EXPECT_LT(contact.closedNodes, contact.nodes);
 }
