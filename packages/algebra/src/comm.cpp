@@ -116,6 +116,12 @@ void Comm::barrier() const
     MPI_Barrier(MPI_COMM_WORLD);
 }
 
+void Comm::abort(int exitCode) const
+{
+  if (size_ > 1)
+    MPI_Abort(MPI_COMM_WORLD, exitCode);
+}
+
 void startMpi()
 {
   initMpi(nullptr, nullptr);

@@ -13,6 +13,7 @@ namespace
 {
 
 constexpr double divergence = 1e30; ///< growth of the contact force that only an unstable iteration reaches
+constexpr double clearly = 0.9;     ///< a fall by less than a tenth in half of all sweeps is none
 constexpr const char* advice = "a smaller Theta or Aitken may help";
 
 /// All contact forces on the Dirichlet bodies press, so that their resultant is their size.
@@ -25,8 +26,8 @@ bool diverges(const std::vector<SweepRecord>& history)
          (first != history.end() && std::abs(force) > divergence * std::abs(first->forceDirichlet));
 }
 
-/// Whether the best sweep of the second half has at most half the eps_tau of the best one before; one sweep cannot
-/// tell. The best ones, because an iteration with too large a theta jumps to and fro.
+/// Whether the best sweep of the second half has clearly less eps_tau than the best one before; one sweep cannot tell.
+/// The best ones, because an iteration with too large a theta jumps to and fro.
 bool isFalling(const std::vector<SweepRecord>& history)
 {
   if (history.size() == 1)
@@ -34,7 +35,7 @@ bool isFalling(const std::vector<SweepRecord>& history)
   const auto middle = history.begin() + std::ptrdiff_t((history.size() + 1) / 2);
   const auto smaller = [](const SweepRecord& a, const SweepRecord& b) { return a.epsTau < b.epsTau; };
   return std::min_element(middle, history.end(), smaller)->epsTau <=
-         0.5 * std::min_element(history.begin(), middle, smaller)->epsTau;
+         clearly * std::min_element(history.begin(), middle, smaller)->epsTau;
 }
 
 } // namespace

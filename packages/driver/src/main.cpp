@@ -173,6 +173,14 @@ ExitCode reportInputError(const InputError& error, bool computed, const Comm& co
   return ExitCode::UserInput;
 }
 
+/// A failure that the other ranks may know nothing of: whoever has it speaks, and all processes end.
+ExitCode failAlone(const Comm& comm, ExitCode code, const std::string& text)
+{
+  std::cerr << text << std::endl;
+  comm.abort(int(code));
+  return code;
+}
+
 /// Turns everything that can go wrong into a message and an exit code.
 ExitCode guarded(const CommandLine& options, const CLI::App& app, const Components& components, const Comm& comm,
                  const Log& log)
@@ -191,13 +199,13 @@ ExitCode guarded(const CommandLine& options, const CLI::App& app, const Componen
     complain(comm, fmt::format("not converged: {}", error.what()));
     return ExitCode::NotConverged;
   } catch (const std::bad_alloc&) {
-    complain(
-        comm,
-        "this deck needs more memory than the process may take; use a coarser mesh, more ranks or a Krylov solver.");
-    return ExitCode::UserInput;
+    return failAlone(
+        comm, ExitCode::UserInput,
+        "this deck needs more memory than the process may take; use a coarser mesh, more ranks or a Krylov "
+        "solver.");
   } catch (const std::exception& error) {
-    complain(comm, fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
-    return ExitCode::Bug;
+    return failAlone(comm, ExitCode::Bug,
+                     fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
   }
 }
 

@@ -184,7 +184,7 @@ std::vector<std::string> writeResults(Run& run, const Params& deck, const std::s
   if (comm.rank() == 0) {
     try {
       written = writeFiles(run, deck, name, ledger);
-    } catch (const std::exception& error) {
+    } catch (const InputError& error) {
       failure = error.what();
     }
   }

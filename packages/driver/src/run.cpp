@@ -56,7 +56,8 @@ std::string failureOf(Run& run)
   return reason;
 }
 
-Model readModel(const Params& deck, const Components& components, const Coupling& coupling, Ledger& ledger)
+Model readModel(const Params& deck, const Components& components, const Coupling& coupling, const LinearSolver& solver,
+                Ledger& ledger)
 {
   Model model;
   {
@@ -66,6 +67,7 @@ Model readModel(const Params& deck, const Components& components, const Coupling
   const auto timer = ledger.time("check");
   Diagnostics diagnostics;
   checkHeld(model, deck, coupling.alternates(), diagnostics);
+  checkExpectationNames(outlineSummary(model, deck, solver, 1), deck, diagnostics);
   diagnostics.throwIfAny();
   return model;
 }
@@ -76,11 +78,7 @@ Model checkDeck(const Params& deck, const Components& components, Ledger& ledger
 {
   const auto coupling = components.couplings.build(deck.sub("Coupling"));
   const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
-  Model model = readModel(deck, components, *coupling, ledger);
-  Diagnostics diagnostics;
-  checkExpectationNames(outlineSummary(model, deck, *solver, 1), deck, diagnostics);
-  diagnostics.throwIfAny();
-  return model;
+  return readModel(deck, components, *coupling, *solver, ledger);
 }
 
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log)
@@ -92,7 +90,7 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
   Run run;
   run.startSeconds = start;
   run.plan = Plan(deck, *solver, comm.size());
-  run.model = checkDeck(deck, components, ledger);
+  run.model = readModel(deck, components, *coupling, *solver, ledger);
   run.summary = outlineSummary(run.model, deck, *solver, comm.size());
   log.line(headerText(run.summary, run.model));
 

@@ -34,6 +34,9 @@ public:
   void broadcast(Vector& values) const;
   void broadcast(std::string& text) const;
   void barrier() const;
+  /// Ends all processes of a run at once, where one has failed in a way that the others do not know of: they would wait
+  /// for it in the next collective call. Does nothing on a single process.
+  void abort(int exitCode) const;
 
 private:
   Comm(int rank, int size) : rank_(rank), size_(size) {}
