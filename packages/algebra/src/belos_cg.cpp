@@ -70,7 +70,7 @@ struct BelosCg::Parts
 };
 
 BelosCg::BelosCg(const SolverProblem& problem, const Comm& comm, const Preconditioner& preconditioner,
-                 Teuchos::ParameterList list)
+                 const Teuchos::ParameterList& list)
     : parts_(new Parts{TpetraSystem(problem, comm), nullptr, comm, quietUnlessAsked(conformed(list, validBelos()))})
 {
   try {

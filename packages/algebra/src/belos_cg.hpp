@@ -18,7 +18,7 @@ class BelosCg
 public:
   /// `list`: parameters of Belos's solver.
   BelosCg(const SolverProblem& problem, const Comm& comm, const Preconditioner& preconditioner,
-          Teuchos::ParameterList list);
+          const Teuchos::ParameterList& list);
   ~BelosCg();
 
   struct Result

@@ -15,8 +15,8 @@ namespace
 class Ifpack2Preconditioner final : public Preconditioner
 {
 public:
-  Ifpack2Preconditioner(std::string method, Teuchos::ParameterList list)
-      : method_(std::move(method)), list_(std::move(list))
+  Ifpack2Preconditioner(std::string method, const Teuchos::ParameterList& list)
+      : method_(std::move(method)), list_(list)
   {}
 
   std::shared_ptr<PreconditionerHandle> build(const TpetraSystem& system) const override

@@ -116,8 +116,8 @@ private:
 class Krylov final : public LinearSolver
 {
 public:
-  Krylov(KrylovOptions options, std::unique_ptr<Preconditioner> preconditioner, Teuchos::ParameterList belos)
-      : options_(options), preconditioner_(std::move(preconditioner)), belos_(std::move(belos))
+  Krylov(KrylovOptions options, std::unique_ptr<Preconditioner> preconditioner, const Teuchos::ParameterList& belos)
+      : options_(options), preconditioner_(std::move(preconditioner)), belos_(belos)
   {}
 
   std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override

@@ -18,7 +18,7 @@ namespace
 class MueLuPreconditioner final : public Preconditioner
 {
 public:
-  explicit MueLuPreconditioner(Teuchos::ParameterList list) : list_(std::move(list)) {}
+  explicit MueLuPreconditioner(const Teuchos::ParameterList& list) : list_(list) {}
 
   std::shared_ptr<PreconditionerHandle> build(const TpetraSystem& system) const override
   {

@@ -5,6 +5,8 @@
 
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/driver/run.hpp"
+#include "ndframe/fem/lagrange.hpp"
+#include "ndframe/fem/quadrature.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_writer.hpp"
 #include "outputs.hpp"
@@ -48,18 +50,36 @@ std::vector<NamedField> elementFields(const Run& run, std::size_t body, std::siz
   return fields;
 }
 
-/// Means over the facets' nodes of pressure and gap; status 1 where all nodes are closed.
+/// Means of the basis functions over a facet: int N_a dS / measure.
+std::vector<double> facetWeights(const InterfaceMesh& interface)
+{
+  const auto rule = simplexRule(interface.dim - 1, interface.order);
+  return withDimAndOrder(interface.dim, interface.order, [&](auto d, auto p) {
+    using Basis = Lagrange<d() - 1, p()>;
+    std::vector<double> weights(std::size_t(Basis::nodes), 0.0);
+    double N[Basis::nodes];
+    for (int q = 0; q < rule.size(); ++q) {
+      Basis::values(rule.point(q), N);
+      for (std::size_t a = 0; a < weights.size(); ++a)
+        weights[a] += rule.weights[std::size_t(q)] * N[a];
+    }
+    return weights;
+  });
+}
+
+/// Mean pressure of one side (`traction`: Lambda_dir or Lambda_neu) and mean gap of every facet; status 1 where all
+/// nodes are closed.
 std::vector<NamedField> contactFields(const InterfaceMesh& interface, const std::vector<ContactNode>& contact,
-                                      std::size_t firstNode)
+                                      std::size_t firstNode, double ContactNode::*traction)
 {
   std::vector<NamedField> fields{{"contact_pressure", {}}, {"contact_gap", {}}, {"contact_status", {}}};
-  const int nodes = interface.nodesPerFacet();
-  for (int f = 0; f < interface.numFacets(); ++f) {
+  const auto weights = facetWeights(interface);
+  for (std::size_t f = 0; f < std::size_t(interface.numFacets()); ++f) {
     double pressure = 0.0, gap = 0.0, closed = 1.0;
-    for (int a = 0; a < nodes; ++a) {
-      const auto& node = contact[firstNode + std::size_t(interface.facets[std::size_t(f * nodes + a)])];
-      pressure -= node.tractionDirichlet / nodes;
-      gap += node.gap / nodes;
+    for (std::size_t a = 0; a < weights.size(); ++a) {
+      const auto& node = contact[firstNode + std::size_t(interface.facets[f * weights.size() + a])];
+      pressure -= weights[a] * node.*traction;
+      gap += weights[a] * node.gap;
       closed = node.closed ? closed : 0.0;
     }
     fields[0].values.push_back(pressure);
@@ -102,8 +122,8 @@ ExodusStep exodusStep(const Run& run, std::size_t step)
   }
   std::size_t firstNode = 0;
   for (const auto& interface : run.model.interfaces) {
-    for (int side = 0; side < 2; ++side)
-      out.contactSide.push_back(contactFields(interface, contact, firstNode));
+    for (const auto traction : {&ContactNode::tractionDirichlet, &ContactNode::tractionNeumann})
+      out.contactSide.push_back(contactFields(interface, contact, firstNode, traction));
     firstNode += std::size_t(interface.numNodes());
   }
   if (touches)

@@ -47,8 +47,7 @@ std::string failureOf(Run& run)
     return coupling->reason;
   if (imbalance <= largestImbalance)
     return {};
-  const auto reason =
-      fmt::format("the forces are out of balance by {:.1e}: the matrix is too ill-conditioned", imbalance);
+  auto reason = fmt::format("the forces are out of balance by {:.1e}: the matrix is too ill-conditioned", imbalance);
   if (coupling) {
     coupling->converged = false;
     coupling->reason = reason;
