@@ -20,7 +20,6 @@ std::string written(Verbosity verbosity, bool speaks, bool terminal)
     log.startLive("factor");
     log.line("line");
     log.detail("detail");
-    log.warning("careful");
     log.stopLive();
   }
   return stream.str();
@@ -62,9 +61,9 @@ private:
 
 TEST(Log, SaysWhatTheVerbosityAsksFor)
 {
-  EXPECT_EQ(written(Verbosity::Quiet, true, false), "warning: careful\n");
-  EXPECT_EQ(written(Verbosity::Normal, true, false), "line\nwarning: careful\n");
-  EXPECT_EQ(written(Verbosity::Verbose, true, false), "line\ndetail\nwarning: careful\n");
+  EXPECT_EQ(written(Verbosity::Quiet, true, false), "");
+  EXPECT_EQ(written(Verbosity::Normal, true, false), "line\n");
+  EXPECT_EQ(written(Verbosity::Verbose, true, false), "line\ndetail\n");
 }
 
 TEST(Log, OfAnotherRankIsSilent)
@@ -94,7 +93,6 @@ TEST(Log, DrawsALongStageOnATerminalAndErasesItBeforeTheNextLine)
 TEST(Log, CanBeSilent)
 {
   silentLog().line("nowhere");
-  silentLog().warning("nowhere");
   silentLog().startLive("nowhere");
   silentLog().stopLive();
 }

@@ -44,13 +44,6 @@ int mpiCount(std::size_t n)
   return int(n);
 }
 
-template <class T>
-T allReduced(T value, MPI_Datatype type, MPI_Op operation)
-{
-  MPI_Allreduce(MPI_IN_PLACE, &value, 1, type, operation, MPI_COMM_WORLD);
-  return value;
-}
-
 } // namespace
 
 Comm Comm::world(int& argc, char**& argv)
@@ -70,24 +63,11 @@ void Comm::sum(Vector& values) const
     MPI_Allreduce(MPI_IN_PLACE, values.data(), mpiCount(values.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
 }
 
-double Comm::sum(double value) const
-{
-  return size_ > 1 ? allReduced(value, MPI_DOUBLE, MPI_SUM) : value;
-}
-
-double Comm::max(double value) const
-{
-  return size_ > 1 ? allReduced(value, MPI_DOUBLE, MPI_MAX) : value;
-}
-
 std::int64_t Comm::sum(std::int64_t value) const
 {
-  return size_ > 1 ? allReduced(value, MPI_INT64_T, MPI_SUM) : value;
-}
-
-std::int64_t Comm::max(std::int64_t value) const
-{
-  return size_ > 1 ? allReduced(value, MPI_INT64_T, MPI_MAX) : value;
+  if (size_ > 1)
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+  return value;
 }
 
 void Comm::broadcast(Vector& values) const
@@ -108,12 +88,6 @@ void Comm::broadcast(std::string& text) const
   MPI_Bcast(&length, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
   text.resize(std::size_t(length));
   MPI_Bcast(text.data(), mpiCount(text.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
-}
-
-void Comm::barrier() const
-{
-  if (size_ > 1)
-    MPI_Barrier(MPI_COMM_WORLD);
 }
 
 void Comm::abort(int exitCode) const

@@ -121,11 +121,6 @@ void Log::detail(const std::string& text) const
     print(text);
 }
 
-void Log::warning(const std::string& text) const
-{
-  print("warning: " + text);
-}
-
 void Log::startLive(const std::string& what) const
 {
   if (live_)

@@ -60,8 +60,8 @@ std::vector<double> facetWeights(const InterfaceMesh& interface)
     double N[Basis::nodes];
     for (int q = 0; q < rule.size(); ++q) {
       Basis::values(rule.point(q), N);
-      for (std::size_t a = 0; a < weights.size(); ++a)
-        weights[a] += rule.weights[std::size_t(q)] * N[a];
+      for (int a = 0; a < Basis::nodes; ++a)
+        weights[std::size_t(a)] += rule.weights[std::size_t(q)] * N[a];
     }
     return weights;
   });

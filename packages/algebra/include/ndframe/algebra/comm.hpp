@@ -26,14 +26,10 @@ public:
 
   /// Element-wise sum over ranks, the result on every rank.
   void sum(Vector& values) const;
-  double sum(double value) const;
-  double max(double value) const;
   std::int64_t sum(std::int64_t value) const;
-  std::int64_t max(std::int64_t value) const;
   /// Rank 0's value on every rank.
   void broadcast(Vector& values) const;
   void broadcast(std::string& text) const;
-  void barrier() const;
   /// Ends all processes of a run at once, where one has failed in a way that the others do not know of: they would wait
   /// for it in the next collective call. Does nothing on a single process.
   void abort(int exitCode) const;

@@ -28,8 +28,6 @@ public:
   void line(const std::string& text) const;
   /// Details, only with -v.
   void detail(const std::string& text) const;
-  /// Shown even with -q.
-  void warning(const std::string& text) const;
 
   /// Draws "  <what> ..." on a terminal once a second has passed, until stopLive(); nothing on a pipe.
   void startLive(const std::string& what) const;
