@@ -155,6 +155,22 @@ bool Model::carriesContact(const InterfaceMesh& interface, int node) const
          isFree(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
 }
 
+void checkRoles(const Params& deck, Diagnostics& diagnostics)
+{
+  std::set<std::string> dirichlet;
+  for (const auto& interface : deck.sub("Interfaces").subs())
+    dirichlet.insert(interface.get<std::string>("Dirichlet Body"));
+  for (const auto& interface : deck.sub("Interfaces").subs()) {
+    const auto name = interface.get<std::string>("Neumann Body");
+    if (dirichlet.count(name) > 0 && name != interface.get<std::string>("Dirichlet Body"))
+      diagnostics.add(interface.mistake(
+          "Neumann Body",
+          fmt::format("\"{}\" is the Dirichlet body of another interface; Neumann-Dirichlet solves a body "
+                      "in one role: exchange the roles here, or use the Monolithic coupling.",
+                      name)));
+  }
+}
+
 Model buildModel(const Params& deck, const Components& components)
 {
   Model model;

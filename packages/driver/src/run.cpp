@@ -58,13 +58,16 @@ std::string failureOf(Run& run)
 Model readModel(const Params& deck, const Components& components, const Coupling& coupling, const LinearSolver& solver,
                 Ledger& ledger)
 {
+  Diagnostics diagnostics;
+  if (coupling.alternates())
+    checkRoles(deck, diagnostics);
+  diagnostics.throwIfAny();
   Model model;
   {
     const auto timer = ledger.time("read");
     model = buildModel(deck, components);
   }
   const auto timer = ledger.time("check");
-  Diagnostics diagnostics;
   checkHeld(model, deck, coupling.alternates(), diagnostics);
   checkExpectationNames(outlineSummary(model, deck, solver, 1), deck, diagnostics);
   diagnostics.throwIfAny();

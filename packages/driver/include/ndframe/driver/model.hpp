@@ -30,6 +30,10 @@ struct Model
 /// match, bodies that overlap, bodies that nothing holds.
 Model buildModel(const Params& deck, const Components& components);
 
+/// Refuses bodies that are the Dirichlet body of one interface and the Neumann body of another: a coupling that solves
+/// the bodies one after the other needs one role per body. Looks at the deck only.
+void checkRoles(const Params& deck, Diagnostics& diagnostics);
+
 /// Refuses bodies with rigid motions that neither supports nor contact can stop, naming the motions. `alternates`: the
 /// coupling solves the bodies one after the other, so Neumann bodies must be held by their supports alone.
 void checkHeld(const Model& model, const Params& deck, bool alternates, Diagnostics& diagnostics);
