@@ -65,7 +65,7 @@ TEST(Dense, ProductIsTheSumOverColumns)
 TEST(Dense, ProductsOfEmptyMatricesAreZero)
 {
   EXPECT_TRUE(multiply(DenseMatrix(0, 3), Vector(3, 1.0)).empty());
-  EXPECT_EQ(multiply(DenseMatrix(2, 0), {}), Vector(2, 0.0));
+  EXPECT_EQ(multiply(DenseMatrix(2, 0), Vector()), Vector(2, 0.0));
   EXPECT_TRUE(multiplySymmetric(DenseMatrix(0, 0), {}).empty());
 }
 
@@ -82,11 +82,36 @@ TEST(Dense, ProductRefusesShapesThatDoNotMatch)
   EXPECT_THROW(multiplySymmetric(DenseMatrix(2, 3), Vector(3)), InternalError);
 }
 
+TEST(Dense, ProductsOfMatricesAreProductsWithTheirColumns)
+{
+  const DenseMatrix A = randomMatrix(4, 3, 6), B = randomMatrix(3, 2, 7), C = randomMatrix(4, 2, 8);
+  const DenseMatrix AB = multiply(A, B), AtC = multiplyTransposed(A, C);
+  ASSERT_EQ(AtC.rows(), 3);
+  for (int j = 0; j < 2; ++j) {
+    EXPECT_LT(test::relativeDifference(AB.column(j), multiply(A, B.column(j))), 1e-15);
+    for (int i = 0; i < 3; ++i)
+      EXPECT_NEAR(AtC(i, j), dot(A.column(i), C.column(j)), 1e-15);
+  }
+  EXPECT_EQ(multiply(DenseMatrix(2, 0), DenseMatrix(0, 3)).column(2), Vector(2, 0.0));
+  EXPECT_THROW(multiply(A, C), InternalError);
+  EXPECT_THROW(multiplyTransposed(A, B), InternalError);
+}
+
 TEST(DenseCholesky, SolveInvertsTheProduct)
 {
   const DenseMatrix A = positiveDefinite(20);
   const Vector x = test::randomVector(20, 9);
   EXPECT_LT(test::relativeDifference(DenseCholesky(A).solve(multiply(A, x)), x), 1e-12);
+}
+
+TEST(DenseCholesky, HalvesOfASolutionMakeTheWholeAndCarryTheEnergy)
+{
+  const DenseMatrix A = positiveDefinite(12);
+  const Vector b = test::randomVector(12, 4);
+  const DenseCholesky factor(A);
+  const Vector half = factor.solveLower(b);
+  EXPECT_LT(test::relativeDifference(factor.solveUpper(half), factor.solve(b)), 1e-14);
+  EXPECT_NEAR(dot(half, half) / dot(b, factor.solve(b)), 1.0, 1e-14);
 }
 
 TEST(DenseCholesky, NamesTheFirstVanishingPivot)
@@ -155,6 +180,40 @@ TEST(Dense, DotAndNormAreEuclidean)
   EXPECT_EQ(norm({3.0, 4.0}), 5.0);
   EXPECT_EQ(norm({}), 0.0);
   EXPECT_NEAR(norm({3e200, 4e200}) / 5e200, 1.0, 1e-15);
+}
+
+TEST(PseudoInverse, FulfilsThePenroseConditions)
+{
+  DenseMatrix tall = randomMatrix(7, 4, 9);
+  for (int i = 0; i < 7; ++i)
+    tall(i, 3) = tall(i, 0) - tall(i, 1); // rank 3
+  DenseMatrix wide(4, 7);
+  for (int i = 0; i < 7; ++i)
+    for (int j = 0; j < 4; ++j)
+      wide(j, i) = tall(i, j);
+  for (const DenseMatrix& A : {tall, wide, DenseMatrix(3, 2)}) {
+    const DenseMatrix P = pseudoInverse(A, 1e-12), AP = multiply(A, P), PA = multiply(P, A);
+    const DenseMatrix again = multiply(AP, A), inverse = multiply(PA, P);
+    ASSERT_EQ(P.rows(), A.cols());
+    for (int i = 0; i < A.rows(); ++i)
+      for (int j = 0; j < A.cols(); ++j) {
+        EXPECT_NEAR(again(i, j), A(i, j), 1e-13);
+        EXPECT_NEAR(inverse(j, i), P(j, i), 1e-13);
+      }
+    for (int i = 0; i < AP.rows(); ++i)
+      for (int j = 0; j < i; ++j)
+        EXPECT_NEAR(AP(i, j), AP(j, i), 1e-13);
+    for (int i = 0; i < PA.rows(); ++i)
+      for (int j = 0; j < i; ++j)
+        EXPECT_NEAR(PA(i, j), PA(j, i), 1e-13);
+  }
+}
+
+TEST(PseudoInverse, OfNothingIsNothing)
+{
+  const DenseMatrix P = pseudoInverse(DenseMatrix(0, 3), 1e-12);
+  EXPECT_EQ(P.rows(), 3);
+  EXPECT_EQ(P.cols(), 0);
 }
 
 } // namespace ndframe

@@ -30,6 +30,31 @@ Vector multiply(const DenseMatrix& A, const Vector& x)
   return y;
 }
 
+namespace
+{
+
+DenseMatrix product(CBLAS_TRANSPOSE transpose, int rows, int inner, const DenseMatrix& A, const DenseMatrix& B)
+{
+  NDFRAME_ASSERT(inner == B.rows(), "shapes do not match");
+  DenseMatrix C(rows, B.cols());
+  if (rows > 0 && inner > 0 && B.cols() > 0)
+    cblas_dgemm(CblasColMajor, transpose, CblasNoTrans, rows, B.cols(), inner, 1.0, A.data(), A.rows(), B.data(), inner,
+                0.0, C.data(), rows);
+  return C;
+}
+
+} // namespace
+
+DenseMatrix multiply(const DenseMatrix& A, const DenseMatrix& B)
+{
+  return product(CblasNoTrans, A.rows(), A.cols(), A, B);
+}
+
+DenseMatrix multiplyTransposed(const DenseMatrix& A, const DenseMatrix& B)
+{
+  return product(CblasTrans, A.cols(), A.rows(), A, B);
+}
+
 DenseCholesky::DenseCholesky(DenseMatrix A, double relativePivot) : factor_(std::move(A))
 {
   const int n = factor_.rows();
@@ -61,6 +86,24 @@ Vector DenseCholesky::solve(Vector b) const
   return b;
 }
 
+Vector DenseCholesky::solveLower(Vector b) const
+{
+  const int n = factor_.rows();
+  NDFRAME_ASSERT(n == int(b.size()), "shapes do not match");
+  if (n > 0)
+    cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, n, factor_.data(), n, b.data(), 1);
+  return b;
+}
+
+Vector DenseCholesky::solveUpper(Vector b) const
+{
+  const int n = factor_.rows();
+  NDFRAME_ASSERT(n == int(b.size()), "shapes do not match");
+  if (n > 0)
+    cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, n, factor_.data(), n, b.data(), 1);
+  return b;
+}
+
 DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance)
 {
   const int m = A.rows(), n = A.cols(), lda = std::max(1, m), least = std::min(m, n);
@@ -89,6 +132,31 @@ DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance)
     for (int i = 0; i < n; ++i)
       basis(i, j - rank) = rightT(j, i);
   return basis;
+}
+
+DenseMatrix pseudoInverse(const DenseMatrix& A, double relativeTolerance)
+{
+  const int m = A.rows(), n = A.cols(), least = std::min(m, n), query = -1;
+  if (least == 0)
+    return DenseMatrix(n, m);
+  DenseMatrix copy = A, left(m, least), rightT(least, n);
+  Vector singular(std::size_t(least), 0.0), work(1);
+  int info = 0;
+  const auto decompose = [&](const int* length) {
+    dgesvd_("S", "S", &m, &n, copy.data(), &m, singular.data(), left.data(), &m, rightT.data(), &least, work.data(),
+            length, &info);
+  };
+  decompose(&query);
+  const int length = int(work[0]);
+  work.resize(std::size_t(length));
+  decompose(&length);
+  NDFRAME_ASSERT(info == 0, "the singular value decomposition failed (are all entries finite?)");
+  DenseMatrix leftT(least, m);
+  for (int k = 0; k < least; ++k)
+    if (const double value = singular[std::size_t(k)]; value > relativeTolerance * singular[0])
+      for (int i = 0; i < m; ++i)
+        leftT(k, i) = left(i, k) / value;
+  return multiplyTransposed(rightT, leftT);
 }
 
 double dot(const Vector& a, const Vector& b)

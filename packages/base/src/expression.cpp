@@ -15,6 +15,7 @@ struct Expression::Parser
   mu::Parser parser;
   double x = 0.0, y = 0.0, z = 0.0; ///< muParser reads the variables from here
   bool isConstant = false;
+  double constant = 0.0; ///< its value: parsed expressions are slow
 };
 
 namespace
@@ -54,7 +55,7 @@ Expression::Expression(const std::string& text) : text_(text), parser_(std::make
   parser.DefineVar("z", &parser_->z);
   try {
     parser.SetExpr(text);
-    parser.Eval();
+    parser_->constant = parser.Eval();
     parser_->isConstant = parser.GetUsedVar().empty();
   } catch (const mu::ParserError& error) {
     throw std::invalid_argument(reason(error));
@@ -65,6 +66,8 @@ Expression::Expression(const std::string& text) : text_(text), parser_(std::make
 
 double Expression::operator()(double x, double y, double z) const
 {
+  if (parser_->isConstant)
+    return parser_->constant;
   parser_->x = x;
   parser_->y = y;
   parser_->z = z;

@@ -35,6 +35,9 @@ private:
 Vector multiplySymmetric(const DenseMatrix& A, const Vector& x);
 /// y = A x.
 Vector multiply(const DenseMatrix& A, const Vector& x);
+/// A B and A^T B, BLAS dgemm.
+DenseMatrix multiply(const DenseMatrix& A, const DenseMatrix& B);
+DenseMatrix multiplyTransposed(const DenseMatrix& A, const DenseMatrix& B);
 
 /// Cholesky factor of a dense symmetric positive definite matrix (LAPACK dpotrf).
 class DenseCholesky
@@ -44,6 +47,9 @@ public:
   /// entry.
   explicit DenseCholesky(DenseMatrix A, double relativePivot = 1e-13);
   Vector solve(Vector b) const;
+  /// L^-1 b and L^-T b, A = L L^T: half a solution each.
+  Vector solveLower(Vector b) const;
+  Vector solveUpper(Vector b) const;
   int size() const { return factor_.rows(); }
 
 private:
@@ -58,6 +64,9 @@ struct NotPositiveDefinite
 /// Orthonormal basis (columns) of the null space of A, singular values below `relativeTolerance` times the largest are
 /// zero. A may have zero rows or be zero: then the whole space is returned.
 DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance);
+
+/// Moore-Penrose inverse, cols x rows; singular values below `relativeTolerance` times the largest are zero.
+DenseMatrix pseudoInverse(const DenseMatrix& A, double relativeTolerance);
 
 double dot(const Vector& a, const Vector& b);
 double norm(const Vector& a);
