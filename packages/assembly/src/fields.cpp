@@ -9,19 +9,31 @@ namespace ndframe
 namespace
 {
 
+/// Coordinates of a cell's vertices and displacements of its nodes.
+template <int dim, int order>
+struct CellValues
+{
+  double points[(dim + 1) * dim], u[Lagrange<dim, order>::nodes * dim];
+
+  CellValues(const BodyModel& body, const Vector& displacement, int c)
+  {
+    for (int v = 0; v <= dim; ++v)
+      std::copy_n(body.mesh.point(body.mesh.cell(c)[v]), dim, points + v * dim);
+    for (int a = 0; a < Lagrange<dim, order>::nodes; ++a)
+      std::copy_n(displacement.data() + std::size_t(body.nodes.cell(c)[a]) * dim, dim, u + a * dim);
+  }
+};
+
 template <int dim, int order>
 std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, const Vector& displacement)
 {
-  constexpr int nodesPerCell = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
+  constexpr int strains = dim == 2 ? 3 : 6;
   std::vector<std::array<double, 6>> all(std::size_t(body.mesh.numCells()));
-  double centroid[dim + 1], points[(dim + 1) * dim], u[nodesPerCell * dim], strain[strains], stress[strains];
+  double centroid[dim + 1], strain[strains], stress[strains];
   std::fill(centroid, centroid + dim + 1, 1.0 / (dim + 1));
   for (int c = 0; c < body.mesh.numCells(); ++c) {
-    for (int v = 0; v <= dim; ++v)
-      std::copy_n(body.mesh.point(body.mesh.cell(c)[v]), dim, points + v * dim);
-    for (int a = 0; a < nodesPerCell; ++a)
-      std::copy_n(displacement.data() + std::size_t(body.nodes.cell(c)[a] * dim), dim, u + a * dim);
-    stressAt<dim, order>(points, body.law, centroid, u, strain, stress);
+    const CellValues<dim, order> cell(body, displacement, c);
+    stressAt<dim, order>(cell.points, body.law, centroid, cell.u, strain, stress);
     if constexpr (dim == 3)
       std::copy_n(stress, 6, all[std::size_t(c)].begin());
     else {
@@ -34,7 +46,33 @@ std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, cons
   return all;
 }
 
+template <int dim, int order>
+Vector strainEnergies(const BodyModel& body, const Vector& displacement)
+{
+  constexpr int strains = dim == 2 ? 3 : 6;
+  const QuadratureRule rule = simplexRule(dim, 2 * (order - 1));
+  Vector all(std::size_t(body.mesh.numCells()), 0.0);
+  double strain[strains], stress[strains];
+  for (int c = 0; c < body.mesh.numCells(); ++c) {
+    const CellValues<dim, order> cell(body, displacement, c);
+    for (int g = 0; g < rule.size(); ++g) {
+      stressAt<dim, order>(cell.points, body.law, rule.point(g), cell.u, strain, stress);
+      double density = 0.0;
+      for (int i = 0; i < strains; ++i)
+        density += stress[i] * strain[i];
+      all[std::size_t(c)] += cellMeasure(body.mesh, c) * rule.weights[std::size_t(g)] * density;
+    }
+  }
+  return all;
+}
+
 } // namespace
+
+Vector cellEnergies(const BodyModel& body, const Vector& displacement)
+{
+  return withDimAndOrder(body.mesh.dim, body.nodes.order,
+                         [&](auto d, auto p) { return strainEnergies<d(), p()>(body, displacement); });
+}
 
 std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vector& displacement)
 {

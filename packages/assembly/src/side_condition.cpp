@@ -62,4 +62,24 @@ double SideCondition::evaluate(const Expression& expression, const char* key, co
   return value;
 }
 
+double Support::value(int, int, const double*) const
+{
+  return 0.0;
+}
+
+std::vector<NodeConstraint> Support::constraints(const Mesh& mesh, const NodeMap& nodes) const
+{
+  const auto held = directions(mesh);
+  std::vector<NodeConstraint> all;
+  for (const int node : sideNodes(nodes, side(mesh)))
+    for (std::size_t k = 0; k < held.size(); ++k)
+      all.push_back({node, held[k], value(mesh.dim, int(k), nodes.point(node))});
+  return all;
+}
+
+const std::vector<Facet>* Load::facets(const Mesh& mesh) const
+{
+  return params().has("Side") ? &side(mesh).facets : nullptr;
+}
+
 } // namespace ndframe

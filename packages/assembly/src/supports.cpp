@@ -11,7 +11,7 @@ namespace ndframe
 namespace
 {
 
-constexpr std::array<std::array<double, 3>, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+constexpr std::array<Direction, 3> axes{{{1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
 constexpr std::array<const char*, 3> axisNames{"X", "Y", "Z"};
 
 /// u = 0 on a side, equation (1).
@@ -19,14 +19,7 @@ class Clamp final : public Support
 {
 public:
   using Support::Support;
-  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const override
-  {
-    std::vector<NodeConstraint> all;
-    for (const int node : sideNodes(nodes, side(mesh)))
-      for (int k = 0; k < mesh.dim; ++k)
-        all.push_back({node, axes[std::size_t(k)], 0.0});
-    return all;
-  }
+  std::vector<Direction> directions(const Mesh& mesh) const override { return {axes.begin(), axes.begin() + mesh.dim}; }
 };
 
 /// u . n = 0 on a flat side with outward normal n: a symmetry plane or a frictionless guide, inclined or not.
@@ -55,21 +48,17 @@ public:
                       found->name, 360.0 / M_PI * std::asin(std::min(1.0, 0.5 * bend)))));
   }
 
-  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const override
+  std::vector<Direction> directions(const Mesh& mesh) const override
   {
-    const auto n = normal(mesh, side(mesh).facets.front());
-    std::vector<NodeConstraint> all;
-    for (const int node : sideNodes(nodes, side(mesh)))
-      all.push_back({node, n, 0.0});
-    return all;
+    return {normal(mesh, side(mesh).facets.front())};
   }
 
 private:
   static constexpr double flatness = 1e-5; ///< of the unit normals' difference; mesh files carry some 8 digits
 
-  static std::array<double, 3> normal(const Mesh& mesh, Facet facet)
+  static Direction normal(const Mesh& mesh, Facet facet)
   {
-    std::array<double, 3> n{};
+    Direction n{};
     facetNormal(mesh, facet, n.data());
     return n;
   }
@@ -79,29 +68,48 @@ private:
 class Displacement final : public Support
 {
 public:
-  using Support::Support;
+  explicit Displacement(const Params& params) : Support(params)
+  {
+    for (std::size_t k = 0; k < axes.size(); ++k)
+      if (params.has(axisNames[k]))
+        given_.push_back({k, params.expression(axisNames[k])});
+  }
 
   void check(const Mesh& mesh, Diagnostics& diagnostics) const override
   {
     Support::check(mesh, diagnostics);
-    if (!params().has("X") && !params().has("Y") && !params().has("Z"))
+    if (given_.empty())
       diagnostics.add(params().mistake("", "prescribes no component; give at least one of X, Y, Z."));
     if (mesh.dim == 2 && params().has("Z"))
       diagnostics.add(params().mistake("Z", "this body is two-dimensional and has no z displacement."));
   }
 
-  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const override
+  std::vector<Direction> directions(const Mesh&) const override
   {
-    std::vector<NodeConstraint> all;
-    for (std::size_t k = 0; k < std::size_t(mesh.dim); ++k) {
-      if (!params().has(axisNames[k]))
-        continue;
-      const Expression value = params().expression(axisNames[k]);
-      for (const int node : sideNodes(nodes, side(mesh)))
-        all.push_back({node, axes[k], evaluate(value, axisNames[k], nodes.point(node), mesh.dim)});
-    }
+    std::vector<Direction> all;
+    for (const auto& component : given_)
+      all.push_back(axes[component.axis]);
     return all;
   }
+
+  double value(int dim, int k, const double* point) const override
+  {
+    const auto& component = given_[std::size_t(k)];
+    return evaluate(component.value, axisNames[component.axis], point, dim);
+  }
+
+  bool isConstant() const override
+  {
+    return std::all_of(given_.begin(), given_.end(), [](const auto& c) { return c.value.isConstant(); });
+  }
+
+private:
+  struct Component
+  {
+    std::size_t axis;
+    Expression value;
+  };
+  std::vector<Component> given_;
 };
 
 template <class Component>

@@ -9,8 +9,6 @@
 namespace ndframe
 {
 
-using Direction = std::array<double, 3>;
-
 /// The prescribed displacements of a body, node by node, reduced to orthonormal directions.
 class ConstraintSet
 {

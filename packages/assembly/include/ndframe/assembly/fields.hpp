@@ -12,6 +12,9 @@ namespace ndframe
 /// displacement: numNodes * dim, global axes. For order 2 the mean equals the value at the centroid.
 std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vector& displacement);
 
+/// int_E K eps(v) : eps(v) of every cell. displacement: v, numNodes * dim, global axes.
+Vector cellEnergies(const BodyModel& body, const Vector& displacement);
+
 /// a(u, u) = int K eps(u) : eps(u) (no 1/2) = u . K u, u in the nodes' own axes.
 double energy(const BodySystem& system, const Vector& u, const Comm& comm);
 

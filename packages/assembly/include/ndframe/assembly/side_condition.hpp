@@ -13,11 +13,13 @@
 namespace ndframe
 {
 
+using Direction = std::array<double, 3>;
+
 /// One scalar equation u . direction = value at a node (unit vector; a length).
 struct NodeConstraint
 {
   int node;
-  std::array<double, 3> direction;
+  Direction direction;
   double value;
 };
 
@@ -44,21 +46,36 @@ private:
   Params params_;
 };
 
-/// Prescribes displacements on a side.
+/// Prescribes displacements on a side: u . direction_k = value_k, the same directions on all its facets.
 class Support : public SideCondition
 {
 public:
   using SideCondition::SideCondition;
-  virtual std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const = 0;
+  /// The directions, unit vectors.
+  virtual std::vector<Direction> directions(const Mesh& mesh) const = 0;
+  /// The displacement along the k-th of them at a point of a body of dimension `dim`: a length.
+  virtual double value(int dim, int k, const double* point) const;
+  /// The values are the same everywhere.
+  virtual bool isConstant() const { return true; }
+
+  const std::vector<Facet>& facets(const Mesh& mesh) const { return side(mesh).facets; }
+  /// The equations at all nodes of the side.
+  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const;
 };
 
-/// Adds to the load vector.
+/// A force per area on the facets of a side, or a force per volume in all cells, given by its value at a point.
 class Load : public SideCondition
 {
 public:
   using SideCondition::SideCondition;
-  /// Adds int p . v dS or int b . v dV to `load` (numNodes * dim, global axes).
-  virtual void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const = 0;
+  /// The facets it acts on; null: it acts in all cells.
+  const std::vector<Facet>* facets(const Mesh& mesh) const;
+  /// It has one value on a facet, or in all cells.
+  virtual bool isConstant() const = 0;
+  /// Fills q (dim components) at a point; normal: the facet's outward normal, null in a cell.
+  virtual void density(int dim, const double* point, const double* normal, double* q) const = 0;
+  /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp).
+  void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const;
 };
 
 /// "Clamp", "Roller", "Displacement".
