@@ -1,0 +1,243 @@
+#include "ndframe/estimation/residual.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mechanics/kernels.hpp"
+#include "ndframe/recovery/smallest_stiffness.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// The residuals of one body as moments, like the data: orthonormal bases make their norms sums of squares.
+struct Residuals
+{
+  Vector facets; ///< per cell, sorted facet, mode, component: int (sigma_h n) L_k, then the jump
+  Vector cells;  ///< per cell, load mode, component: int (b + div sigma_h) m_k
+};
+
+/// Where the moments of a facet begin.
+std::size_t facetOffset(const Mesh& mesh, int cell, int sorted, int facetData)
+{
+  return std::size_t(cell * (mesh.dim + 1) + sorted) * std::size_t(facetData);
+}
+
+std::size_t facetOffset(const Mesh& mesh, Facet facet, int facetData)
+{
+  return facetOffset(mesh, facet.cell, sortedFacet(mesh, facet), facetData);
+}
+
+/// A cell's vertices and displacements.
+template <int dim, int order>
+struct CellField
+{
+  static constexpr int nodes = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
+  const Elasticity& law;
+  double points[(dim + 1) * dim], u[nodes * dim];
+
+  CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.law)
+  {
+    for (int v = 0; v <= dim; ++v)
+      std::copy_n(body.mesh.point(body.mesh.cell(cell)[v]), dim, points + v * dim);
+    for (int a = 0; a < nodes; ++a)
+      std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a] * dim), dim, u + a * dim);
+  }
+  void stress(const double* lambda, double* sigma) const
+  {
+    double strain[strains];
+    stressAt<dim, order>(points, law, lambda, u, strain, sigma);
+  }
+  /// Constant: sigma_h is linear at most, so its divergence follows from its values at the vertices.
+  void addDivergence(double factor, double* div) const
+  {
+    double gradLambda[(dim + 1) * dim], sigma[strains], part[dim];
+    barycentricGradients<dim>(points, gradLambda);
+    for (int v = 0; v <= dim; ++v) {
+      double lambda[dim + 1] = {};
+      lambda[v] = 1.0;
+      stress(lambda, sigma);
+      divergenceForce<dim>(gradLambda + v * dim, sigma, part);
+      for (int k = 0; k < dim; ++k)
+        div[k] += factor * part[k];
+    }
+  }
+};
+
+/// Adds the moments of sigma_h n on one facet of a cell.
+template <int dim, int order>
+void addTraction(const Mesh& mesh, const CellField<dim, order>& field, int cell, int sorted, const MomentBasis& basis,
+                 const QuadratureRule& rule, double* moments)
+{
+  const SortedCell vertices = sortedCell(mesh, cell);
+  double normal[dim], sigma[CellField<dim, order>::strains], traction[dim];
+  const double measure = facetNormal(mesh, {cell, vertices.local[std::size_t(sorted)]}, normal);
+  Vector L(std::size_t(basis.size()));
+  for (int g = 0; g < rule.size(); ++g) {
+    double lambda[dim + 1] = {};
+    for (int v = 0; v < dim; ++v)
+      lambda[vertices.local[std::size_t(v < sorted ? v : v + 1)]] = rule.point(g)[v];
+    field.stress(lambda, sigma);
+    divergenceForce<dim>(normal, sigma, traction);
+    basis.values(rule.point(g), L.data());
+    for (int k = 0; k < basis.size(); ++k)
+      for (int i = 0; i < dim; ++i)
+        moments[k * dim + i] += measure * rule.weights[std::size_t(g)] * L[std::size_t(k)] * traction[i];
+  }
+}
+
+/// sigma_h n on all facets and div sigma_h in all cells.
+template <int dim, int order>
+Residuals stressMoments(const BodyModel& body, const Vector& displacement, int degree)
+{
+  const MomentBasis facet = facetBasis(dim, degree), load = loadBasis(dim, degree);
+  const QuadratureRule rule = simplexRule(dim - 1, order - 1 + degree);
+  const int facetData = facet.size() * dim, loadData = load.size() * dim, numCells = body.mesh.numCells();
+  Residuals residuals{Vector(std::size_t(numCells * (dim + 1) * facetData), 0.0),
+                      Vector(std::size_t(numCells * loadData), 0.0)};
+  for (int cell = 0; cell < numCells; ++cell) {
+    const CellField<dim, order> field(body, displacement, cell);
+    for (int i = 0; i <= dim; ++i)
+      addTraction(body.mesh, field, cell, i, facet, rule,
+                  residuals.facets.data() + facetOffset(body.mesh, cell, i, facetData));
+    field.addDivergence(cellMeasure(body.mesh, cell), residuals.cells.data() + std::size_t(cell * loadData));
+  }
+  return residuals;
+}
+
+/// Adds factor times the sum of the shares of `vertices` vertices.
+void addShares(const double* shares, int vertices, std::size_t size, double factor, double* moments)
+{
+  for (int v = 0; v < vertices; ++v)
+    for (std::size_t i = 0; i < size; ++i)
+      moments[i] += factor * *shares++;
+}
+
+/// Takes the parts along the supported directions away: a reaction acts there.
+void removeReaction(const BoundaryFacet& boundary, int dim, int modes, double* moments)
+{
+  for (int s = 0; s < boundary.supported; ++s)
+    for (int k = 0; k < modes; ++k) {
+      const Direction& direction = boundary.directions[std::size_t(s)];
+      double along = 0.0;
+      for (int i = 0; i < dim; ++i)
+        along += moments[k * dim + i] * direction[std::size_t(i)];
+      for (int i = 0; i < dim; ++i)
+        moments[k * dim + i] -= along * direction[std::size_t(i)];
+    }
+}
+
+/// sigma_h n - p on the boundary, b + div sigma_h inside.
+void takeLoads(const Mesh& mesh, const StaticData& data, const Vector* contact, Residuals& residuals)
+{
+  const int modes = facetBasis(data.dim, data.degree).size(), facetData = modes * data.dim;
+  const auto size = std::size_t(facetData), shares = size * std::size_t(data.dim);
+  for (std::size_t f = 0; f < data.contact.size() && contact != nullptr; ++f)
+    addShares(contact->data() + f * shares, data.dim, size, -1.0,
+              residuals.facets.data() + facetOffset(mesh, data.contact[f], facetData));
+  for (std::size_t f = 0; f < data.boundary.size(); ++f) {
+    double* moments = residuals.facets.data() + facetOffset(mesh, data.boundary[f].facet, facetData);
+    addShares(data.facetShares.data() + f * shares, data.dim, size, -1.0, moments);
+    removeReaction(data.boundary[f], data.dim, modes, moments);
+  }
+  if (data.cellShares.empty())
+    return;
+  const std::size_t loadData = residuals.cells.size() / std::size_t(mesh.numCells());
+  for (std::size_t c = 0; c < std::size_t(mesh.numCells()); ++c)
+    addShares(data.cellShares.data() + c * loadData * std::size_t(data.dim + 1), data.dim + 1, loadData, 1.0,
+              residuals.cells.data() + c * loadData);
+}
+
+/// A facet of a cell by its vertices: equal keys are neighbours.
+struct FacetKey
+{
+  std::array<int, 3> vertices{};
+  int cell, sorted;
+
+  bool operator<(const FacetKey& other) const { return vertices < other.vertices; }
+};
+
+std::vector<FacetKey> facetsByVertices(const Mesh& mesh)
+{
+  std::vector<FacetKey> keys;
+  for (int cell = 0; cell < mesh.numCells(); ++cell) {
+    const SortedCell sorted = sortedCell(mesh, cell);
+    for (int i = 0; i <= mesh.dim; ++i) {
+      FacetKey key{{}, cell, i};
+      for (int v = 0; v < mesh.dim; ++v)
+        key.vertices[std::size_t(v)] = sorted.vertices[std::size_t(v < i ? v : v + 1)];
+      keys.push_back(key);
+    }
+  }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+/// The longest of the edges between `count` vertices.
+double longestEdge(const Mesh& mesh, const int* vertices, int count)
+{
+  double longest = 0.0;
+  for (int b = 1; b < count; ++b)
+    for (int a = 0; a < b; ++a) {
+      double squared = 0.0;
+      for (int k = 0; k < mesh.dim; ++k)
+        squared += std::pow(mesh.point(vertices[a])[k] - mesh.point(vertices[b])[k], 2);
+      longest = std::max(longest, squared);
+    }
+  return std::sqrt(longest);
+}
+
+double squaredNorm(const double* moments, std::size_t size, double measure)
+{
+  double sum = 0.0;
+  for (std::size_t i = 0; i < size; ++i)
+    sum += moments[i] * moments[i];
+  return sum / measure;
+}
+
+/// Adds h_f |J_f|^2 to the cells of every facet, half to each of two.
+void addJumps(const Mesh& mesh, const Vector& tractions, int facetData, Vector& squared)
+{
+  const auto keys = facetsByVertices(mesh);
+  const auto size = std::size_t(facetData);
+  double normal[3];
+  Vector jump(size);
+  for (std::size_t first = 0, end = 0; first < keys.size(); first = end) {
+    std::fill(jump.begin(), jump.end(), 0.0);
+    for (end = first; end < keys.size() && keys[end].vertices == keys[first].vertices; ++end)
+      addShares(tractions.data() + facetOffset(mesh, keys[end].cell, keys[end].sorted, facetData), 1, size, 1.0,
+                jump.data());
+    const int local = sortedCell(mesh, keys[first].cell).local[std::size_t(keys[first].sorted)];
+    const double norm = squaredNorm(jump.data(), size, facetNormal(mesh, {keys[first].cell, local}, normal));
+    const double h = longestEdge(mesh, keys[first].vertices.data(), mesh.dim);
+    for (std::size_t i = first; i < end; ++i)
+      squared[std::size_t(keys[i].cell)] += h * norm / double(end - first);
+  }
+}
+
+} // namespace
+
+Vector residualIndicator(const BodyModel& body, const StaticData& data, const FieldInput& field)
+{
+  const Mesh& mesh = body.mesh;
+  NDFRAME_ASSERT(data.dim == mesh.dim && data.order == body.nodes.order, "the data are this body's");
+  Residuals residuals = withDimAndOrder(data.dim, data.order, [&](auto d, auto p) {
+    return stressMoments<d(), p()>(body, *field.displacement, data.degree);
+  });
+  takeLoads(mesh, data, field.contact, residuals);
+  Vector squared(std::size_t(mesh.numCells()));
+  const std::size_t loadData = residuals.cells.size() / squared.size();
+  for (std::size_t c = 0; c < squared.size(); ++c) {
+    const double h = longestEdge(mesh, mesh.cell(int(c)), mesh.dim + 1);
+    squared[c] = h * h * squaredNorm(residuals.cells.data() + c * loadData, loadData, cellMeasure(mesh, int(c)));
+  }
+  addJumps(mesh, residuals.facets, facetBasis(data.dim, data.degree).size() * data.dim, squared);
+  const double stiffness = smallestStiffness(body.law);
+  for (double& value : squared)
+    value /= stiffness;
+  return squared;
+}
+
+} // namespace ndframe

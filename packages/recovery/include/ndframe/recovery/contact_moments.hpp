@@ -1,0 +1,29 @@
+#pragma once
+
+#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/recovery/contact_traction.hpp"
+
+namespace ndframe
+{
+
+/// Per contact facet and mode (degree + 1 values): int (u1_N - u2_N) L_k dS, N along the facet's n_c. Exact for
+/// degree >= order of the displacements. displacement: per body, numNodes * dim, global axes.
+Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+                   const std::vector<Vector>& displacement, int degree);
+
+/// The nodal forces that tractions put on one body, numNodes * dim, global axes: int t_N n_c . v dS with `onDirichlet`
+/// on facets where it is the Dirichlet body, - int t_N n_c . v dS with `onNeumann` on the others.
+Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<ContactFacet>& facets,
+                     const ContactTraction& onDirichlet, const ContactTraction& onNeumann);
+
+/// Per facet 2 int t_N w dS from the moments of w: the contact term of (42), not negative for admissible t_N, w <= 0.
+Vector contactContributions(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& w);
+
+/// Per contact facet and mode: int f L_k dS of the function with the given values at the interface nodes.
+Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree);
+
+/// Per facet and interface node of the facet (ContactFacet::nodes): int psi_i f dS for f given by its nodal values, row
+/// i of the facet's contact matrix: (order + 1) x (order + 1), row-major, over the facet's measure.
+std::vector<double> facetContactMatrix(int order);
+
+} // namespace ndframe

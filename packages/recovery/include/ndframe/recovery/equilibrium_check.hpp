@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ndframe/recovery/cell_energy.hpp"
+
+namespace ndframe
+{
+
+/// Largest violations of equilibrium of sigma^, pointwise, each relative to the largest stress of its kind in the body.
+struct EquilibriumDefects
+{
+  double divergence = 0.0; ///< |div sigma^ + b_h| * cell size / largest stress
+  double interior = 0.0;   ///< jump of sigma^ n between the sub-cells of a cell
+  double jumps = 0.0;      ///< jump of sigma^ n between cells
+  double loads = 0.0;      ///< |sigma^ n - p_h| on loaded, free and contact facets, along directions without support
+
+  double largest() const;
+};
+
+/// Evaluates sigma^ in every cell and looks at the polynomials themselves; independent of how sigma^ was found.
+EquilibriumDefects checkEquilibrium(const BodyModel& body, const StaticData& data, const FieldInput& field,
+                                    const StressCorrection& correction);
+
+} // namespace ndframe

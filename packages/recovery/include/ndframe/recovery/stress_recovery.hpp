@@ -1,0 +1,65 @@
+#pragma once
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/base/ledger.hpp"
+#include "ndframe/base/registry.hpp"
+#include "ndframe/recovery/contact_traction.hpp"
+#include "ndframe/recovery/stress_correction.hpp"
+
+namespace ndframe
+{
+
+/// All bodies and interfaces as recovery sees them.
+struct RecoveryScene
+{
+  std::vector<const BodyModel*> bodies;
+  std::vector<StaticData> data;     ///< per body; its contact facets are those of `facets` that it takes part in
+  std::vector<ContactFacet> facets; ///< of all interfaces; empty without contact
+};
+
+/// Stresses of all bodies in finite element equilibrium with the loads and with tractions on the interfaces.
+struct SceneField
+{
+  std::vector<const Vector*> displacement; ///< u~ per body, global axes
+  ContactTraction onDirichlet;             ///< t_N as the Dirichlet bodies feel it (along n_c)
+  ContactTraction onNeumann;               ///< t_N as the Neumann bodies feel it (against n_c); for one and the same
+                                           ///< admissible traction a copy of the other
+  /// The traction may be changed: it stays the same on both sides, polynomial of degree q that may jump, <= 0 in its
+  /// Bernstein coefficients, in balance with the loads; it becomes the one that makes the bound small (docs/theory.md).
+  /// Both tractions must be equal and admissible.
+  bool optimise = false;
+  /// With `optimise`: per contact facet and mode, int (u~1_N - u~2_N - g) L_k, the linear term of the bound.
+  Vector opening;
+};
+
+/// sigma^ = K eps(u~) + c on all bodies, and the tractions it carries on the interfaces.
+struct SceneStress
+{
+  std::vector<StressCorrection> corrections; ///< per body
+  ContactTraction onDirichlet, onNeumann;    ///< as given, or the optimised one twice
+};
+
+/// How equilibrated stresses are found.
+class StressRecovery
+{
+public:
+  virtual ~StressRecovery() = default;
+
+  /// All fields share geometry and factors. Collective; results are replicated.
+  /// Ledger counts: "stars" (star problems factored, whatever the number of fields), "star sweeps", "interface stars",
+  /// "element problems".
+  virtual std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields,
+                                           const Comm& comm, Ledger& ledger) const = 0;
+
+  /// Degree q of the stresses for displacements of order p.
+  virtual int degree(int order) const = 0;
+
+  /// Why it is not defined for bodies of this dimension and order, or cannot optimise tractions; empty when it can.
+  virtual std::string refusal(int dim, int order, bool optimise) const = 0;
+};
+
+/// "Star" (default; parameters Degree, Sweeps), "Element" (EET, 2-D; parameter Degree). Degree 0 (default) means the
+/// order of the displacement; one more is allowed.
+void registerRecoveries(Registry<StressRecovery>& registry);
+
+} // namespace ndframe

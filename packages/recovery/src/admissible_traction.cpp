@@ -1,0 +1,217 @@
+#include "ndframe/recovery/admissible_traction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "banded_program.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "quadratic_program.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Work below this, relative to that of a unit pressure, is round-off: the motion slides along the interface.
+constexpr double noWork = 1e-12;
+/// Loads that are out of reach by less than this, relative to their magnitude, are round-off.
+constexpr double unreachable = 1e-9;
+
+/// Positions of the interface nodes along the chains of facets, so that neighbours stay close: breadth first, every
+/// chain from one of its ends, closed chains from any node.
+class ChainOrder
+{
+public:
+  ChainOrder(const std::vector<ContactFacet>& facets, int numNodes, int nodesPerFacet)
+      : facets_(facets), nodesPerFacet_(nodesPerFacet), around_(std::size_t(numNodes)),
+        position_(std::size_t(numNodes), -1)
+  {
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      for (int i = 0; i < nodesPerFacet; ++i)
+        around_[std::size_t(facets[f].nodes[std::size_t(i)])].push_back(f);
+    for (const bool ends : {true, false})
+      for (const ContactFacet& facet : facets)
+        for (int i = 0; i < 2; ++i)
+          if (!ends || around_[std::size_t(facet.nodes[std::size_t(i)])].size() == 1)
+            number(facet.nodes[std::size_t(i)]);
+    NDFRAME_ASSERT(next_ == numNodes, "every interface node belongs to a facet");
+  }
+
+  int position(int node) const { return position_[std::size_t(node)]; }
+
+  int bandwidth() const
+  {
+    int width = 0;
+    for (const ContactFacet& facet : facets_)
+      for (int i = 0; i < nodesPerFacet_; ++i)
+        for (int j = 0; j < i; ++j)
+          width =
+              std::max(width, std::abs(position(facet.nodes[std::size_t(i)]) - position(facet.nodes[std::size_t(j)])));
+    return width;
+  }
+
+private:
+  /// Everything that hangs together with `start`, unless it has numbers already.
+  void number(int start)
+  {
+    std::vector<int> reached;
+    const auto reach = [&](int node) {
+      if (position_[std::size_t(node)] < 0) {
+        position_[std::size_t(node)] = next_++;
+        reached.push_back(node);
+      }
+    };
+    reach(start);
+    for (std::size_t at = 0; at < reached.size(); ++at)
+      for (const std::size_t f : around_[std::size_t(reached[at])])
+        for (int i = nodesPerFacet_ - 1; i >= 0; --i) // the middle comes before the other end
+          reach(facets_[f].nodes[std::size_t(i)]);
+  }
+
+  const std::vector<ContactFacet>& facets_;
+  int nodesPerFacet_;
+  std::vector<std::vector<std::size_t>> around_;
+  std::vector<int> position_;
+  int next_ = 0;
+};
+
+/// int B_i B_j over a facet of length 1, nodes in the order of ContactFacet::nodes.
+double bernsteinMass(int order, int i, int j)
+{
+  static constexpr double linear[2][2] = {{1. / 3, 1. / 6}, {1. / 6, 1. / 3}};
+  static constexpr double quadratic[3][3] = {
+      {1. / 5, 1. / 30, 1. / 10}, {1. / 30, 1. / 5, 1. / 10}, {1. / 10, 1. / 10, 2. / 15}};
+  return order == 1 ? linear[i][j] : quadratic[i][j];
+}
+
+/// The middle's Bernstein coefficient from its value, 2 m - (v_0 + v_1) / 2, in place.
+void toBernstein(const std::vector<ContactFacet>& facets, int order, Vector& values)
+{
+  for (const ContactFacet& facet : facets)
+    if (order == 2) {
+      double& middle = values[std::size_t(facet.nodes[2])];
+      middle = 2.0 * middle - 0.5 * (values[std::size_t(facet.nodes[0])] + values[std::size_t(facet.nodes[1])]);
+    }
+}
+
+void toNodal(const std::vector<ContactFacet>& facets, int order, Vector& coefficients)
+{
+  for (const ContactFacet& facet : facets)
+    if (order == 2) {
+      double& middle = coefficients[std::size_t(facet.nodes[2])];
+      middle =
+          0.5 * middle + 0.25 * (coefficients[std::size_t(facet.nodes[0])] + coefficients[std::size_t(facet.nodes[1])]);
+    }
+}
+
+/// The work of a unit Bernstein coefficient from that of nodal values: the transpose of toNodal, in place.
+void toBernsteinWork(const std::vector<ContactFacet>& facets, int order, Vector& work)
+{
+  for (const ContactFacet& facet : facets)
+    if (order == 2) {
+      double& middle = work[std::size_t(facet.nodes[2])];
+      for (const int end : {0, 1})
+        work[std::size_t(facet.nodes[std::size_t(end)])] += 0.25 * middle;
+      middle *= 0.5;
+    }
+}
+
+/// Mass matrix of the facets' Bernstein polynomials.
+BandMatrix massMatrix(const std::vector<ContactFacet>& facets, const ChainOrder& order, int numNodes, int p)
+{
+  BandMatrix M(numNodes, order.bandwidth());
+  for (const ContactFacet& facet : facets)
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= i; ++j)
+        M(order.position(facet.nodes[std::size_t(i)]), order.position(facet.nodes[std::size_t(j)])) +=
+            facet.measure * bernsteinMass(p, i, j);
+  return M;
+}
+
+Vector permuted(const Vector& nodal, const ChainOrder& order)
+{
+  Vector values(nodal.size());
+  for (std::size_t node = 0; node < nodal.size(); ++node)
+    values[std::size_t(order.position(int(node)))] = nodal[node];
+  return values;
+}
+
+/// The work of unit Bernstein coefficients, n x conditions; motions that slide along the interface do none.
+DenseMatrix workMatrix(const std::vector<ContactFacet>& facets, const ChainOrder& order, int p,
+                       const BalanceConditions& balance, int numNodes)
+{
+  double area = 0.0;
+  for (const ContactFacet& facet : facets)
+    area += facet.measure;
+  DenseMatrix W(numNodes, balance.work.rows());
+  for (int k = 0; k < W.cols(); ++k) {
+    Vector row;
+    for (int node = 0; node < numNodes; ++node)
+      row.push_back(balance.work(k, node));
+    toBernsteinWork(facets, p, row);
+    row = permuted(row, order);
+    const double total =
+        std::accumulate(row.begin(), row.end(), 0.0, [](double sum, double value) { return sum + std::abs(value); });
+    if (total > noWork * area)
+      std::copy(row.begin(), row.end(), W.col(k));
+  }
+  return W;
+}
+
+/// The motions that take part in a combination: "translation along y and rotation about (0, 1)".
+std::string namesOf(const Vector& combination, const std::vector<std::string>& names)
+{
+  constexpr double share = 0.1;
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (std::abs(combination[k]) > share * norm(combination))
+      text += (text.empty() ? "" : " and ") + names[k];
+  return text;
+}
+
+/// The value nearest to that of the conditions that some t_N <= 0 reaches. The rest is the nearest point of the polar
+/// cone {rho : W rho >= 0}; if it is not round-off, it is Farkas's proof that the loads cannot be balanced.
+Vector reachableValue(const DenseMatrix& W, const BalanceConditions& balance)
+{
+  const int conditions = W.cols();
+  QuadraticProgram polar{DenseMatrix(conditions, conditions), balance.value, DenseMatrix(W.rows(), conditions),
+                         Vector(std::size_t(W.rows()), 0.0)};
+  for (int k = 0; k < conditions; ++k) {
+    polar.H(k, k) = 1.0;
+    polar.h[std::size_t(k)] = -balance.value[std::size_t(k)];
+    for (int i = 0; i < W.rows(); ++i)
+      polar.B(i, k) = -W(i, k);
+  }
+  const auto rest = minimise(polar);
+  NDFRAME_ASSERT(rest, "zero lies in every cone");
+  const double magnitude = std::max(norm(balance.magnitude), norm(balance.value));
+  if (norm(rest->x) > unreachable * magnitude)
+    throw InfeasibleTraction{namesOf(rest->x, balance.names)};
+  return multiplyTransposed(polar.B, DenseMatrix(rest->multipliers)).column(0);
+}
+
+} // namespace
+
+Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
+                       const BalanceConditions& balance)
+{
+  NDFRAME_ASSERT(order == 1 || order == 2, "tractions of order 1 or 2");
+  NDFRAME_ASSERT(int(mean.size()) == numNodes, "one value per interface node is needed");
+  const ChainOrder chain(facets, numNodes, order + 1);
+  DenseMatrix W = workMatrix(facets, chain, order, balance, numNodes);
+  Vector reachable = reachableValue(W, balance);
+  BandedProgram program{massMatrix(facets, chain, numNodes, order), {}, std::move(W), std::move(reachable)};
+  Vector nearest = mean;
+  toBernstein(facets, order, nearest);
+  program.f = multiply(program.M, permuted(nearest, chain));
+  const Vector coefficients = minimise(program);
+  Vector nodal(mean.size());
+  for (int node = 0; node < numNodes; ++node)
+    nodal[std::size_t(node)] = coefficients[std::size_t(chain.position(node))];
+  toNodal(facets, order, nodal);
+  return nodal;
+}
+
+} // namespace ndframe

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ndframe/algebra/band.hpp"
+
+namespace ndframe
+{
+
+/// min 1/2 x^T M x - f^T x  subject to  x <= 0,  W^T x = r;  M positive definite and banded, n x n, few conditions.
+struct BandedProgram
+{
+  BandMatrix M;
+  Vector f;
+  DenseMatrix W; ///< n x conditions, in comparable units; columns may depend on each other or vanish
+  Vector r;
+};
+
+/// The minimum of a program that has admissible points.
+///
+/// Block principal pivoting (Judice and Pires 1994; Kim and Park 2011) for the bounds: every step solves for all
+/// entries not at their bound and exchanges those of the wrong sign; when that does not reduce their number three times
+/// in a row, only the last one is exchanged (Murty's rule, finite). The conditions enter through their multipliers with
+/// a vanishing proximal term, W^T x - e lambda = r - e lambda_old, so that every step is well posed even where too few
+/// entries are free to meet them; lambda_old is then moved until W^T x = r.
+///
+/// KKT conditions hold to 1e-12 relative, bounds exactly. Each step costs one banded factorisation.
+Vector minimise(const BandedProgram& program);
+
+} // namespace ndframe

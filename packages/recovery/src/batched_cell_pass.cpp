@@ -1,0 +1,109 @@
+#include "batched_cell_pass.hpp"
+
+#include <algorithm>
+
+#include "batched_tables.hpp"
+#include "batched_workspace.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr int edgeValues = 4, nodeValues = 12, stressValues = 9;
+
+/// From the first vertex to the others; vertices in the order of `local`.
+void takeEdges(const Mesh& mesh, int cell, const int* local, int lane, int lanes, double* values)
+{
+  const int* vertices = mesh.cell(cell);
+  const double* origin = mesh.point(vertices[local[0]]);
+  for (int a = 0; a < 2; ++a)
+    for (int i = 0; i < 2; ++i)
+      values[(2 * a + i) * lanes + lane] = mesh.point(vertices[local[a + 1]])[i] - origin[i];
+}
+
+/// At the vertices in the order of `local`, then in the middles of the edges opposite to them.
+void takeDisplacement(const NodeMap& nodes, const Vector& displacement, int cell, const int* local, int lane, int lanes,
+                      double* values)
+{
+  const int* cellNodes = nodes.cell(cell);
+  for (int a = 0; a < 3; ++a) {
+    const double* vertex = displacement.data() + 2 * cellNodes[local[a]];
+    const double* one = displacement.data() + 2 * cellNodes[local[(a + 1) % 3]];
+    const double* other = displacement.data() + 2 * cellNodes[local[(a + 2) % 3]];
+    // The edge opposite to local vertex l is number l + 1 of 01, 12, 20.
+    const double* middle =
+        nodes.order == 2 ? displacement.data() + 2 * cellNodes[3 + (local[a] + 1) % 3] : nullptr;
+    for (int i = 0; i < 2; ++i) {
+      values[(2 * a + i) * lanes + lane] = vertex[i];
+      values[(6 + 2 * a + i) * lanes + lane] = middle != nullptr ? middle[i] : 0.5 * (one[i] + other[i]);
+    }
+  }
+}
+
+} // namespace
+
+Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const Vector& displacement)
+{
+  constexpr int order[3] = {0, 1, 2};
+  const auto stiffness = planeStiffness(body.law);
+  const int lanes = kernels.lanes, cells = body.mesh.numCells();
+  AlignedDoubles memory(std::size_t((edgeValues + nodeValues + stressValues) * lanes));
+  CellBatch batch;
+  batch.edges = memory.data();
+  batch.displacement = batch.edges + edgeValues * lanes;
+  batch.stress = batch.displacement + nodeValues * lanes;
+  Vector stress(std::size_t(stressValues) * std::size_t(cells));
+  for (int first = 0; first < cells; first += lanes) {
+    const int count = std::min(lanes, cells - first);
+    for (int lane = 0; lane < lanes; ++lane) {
+      const int cell = first + std::min(lane, count - 1);
+      takeEdges(body.mesh, cell, order, lane, lanes, batch.edges);
+      takeDisplacement(body.nodes, displacement, cell, order, lane, lanes, batch.displacement);
+    }
+    kernels.vertexStress(stiffness.data(), batch);
+    double* out = stress.data() + std::size_t(stressValues) * std::size_t(first);
+    for (int lane = 0; lane < count; ++lane)
+      for (int i = 0; i < stressValues; ++i)
+        *out++ = batch.stress[i * lanes + lane];
+  }
+  return stress;
+}
+
+Vector batchedCellDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference,
+                            const BatchedKernels& kernels)
+{
+  const BatchedCellTables tables(correction.degree, body.law);
+  const auto distance = kernels.degree[correction.degree - 1].distance;
+  const int lanes = kernels.lanes, cells = body.mesh.numCells();
+  const int tractions = 6 * (correction.degree + 1), loads = 2 * loadModesOf(correction.degree);
+  AlignedDoubles memory(std::size_t((edgeValues + nodeValues + tractions + loads + 1) * lanes));
+  CellBatch batch;
+  batch.edges = memory.data();
+  batch.data = batch.edges + edgeValues * lanes;
+  batch.distance = batch.data + (tractions + loads) * lanes;
+  if (difference != nullptr)
+    batch.displacement = batch.distance + lanes;
+  Vector distances(std::size_t(cells), 0.0);
+  for (int first = 0; first < cells; first += lanes) {
+    const int count = std::min(lanes, cells - first);
+    for (int lane = 0; lane < lanes; ++lane) {
+      const int cell = first + std::min(lane, count - 1);
+      const SortedCell sorted = sortedCell(body.mesh, cell);
+      takeEdges(body.mesh, cell, sorted.local.data(), lane, lanes, batch.edges);
+      if (difference != nullptr)
+        takeDisplacement(body.nodes, *difference, cell, sorted.local.data(), lane, lanes, batch.displacement);
+      const double* traction = correction.tractions.data() + std::size_t(cell) * std::size_t(tractions);
+      for (int i = 0; i < tractions; ++i)
+        batch.data[i * lanes + lane] = traction[i];
+      const double* load = correction.loads.data() + std::size_t(cell) * std::size_t(loads);
+      for (int i = 0; i < loads; ++i)
+        batch.data[(tractions + i) * lanes + lane] = load[i];
+    }
+    distance(tables.tables(), batch);
+    std::copy_n(batch.distance, count, distances.begin() + first);
+  }
+  return distances;
+}
+
+} // namespace ndframe

@@ -1,0 +1,120 @@
+#include "interface_star.hpp"
+
+#include <algorithm>
+#include <map>
+#include <set>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A vertex of the mesh on a facet, by its place among the facet's ascending vertices.
+int meshVertex(const Mesh& mesh, Facet facet, int place)
+{
+  int vertices[2];
+  facetVertices(mesh, facet, vertices);
+  return place == 0 ? std::min(vertices[0], vertices[1]) : std::max(vertices[0], vertices[1]);
+}
+
+/// The first end of a facet as seen along n_c turned by 90 degrees.
+int firstEnd(const RecoveryScene& scene, const ContactFacet& facet)
+{
+  const Mesh& mesh = scene.bodies[std::size_t(facet.dirichletBody)]->mesh;
+  const double *a = mesh.point(meshVertex(mesh, facet.dirichlet, 0)),
+               *b = mesh.point(meshVertex(mesh, facet.dirichlet, 1));
+  return (b[1] - a[1]) * facet.normal[0] - (b[0] - a[0]) * facet.normal[1] > 0.0 ? 0 : 1;
+}
+
+/// Body `isNeumann` of the facets at a vertex: its own modes run backwards on reversed facets.
+InterfaceStar::Side makeSide(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
+                             const InterfaceVertex& vertex, bool isNeumann)
+{
+  std::vector<ReleasedFacet> released;
+  Vector signs;
+  int body = -1, meshPoint = -1;
+  for (const FacetEnd& end : vertex.ends) {
+    const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
+    const bool reversed = isNeumann && facet.reversed;
+    body = isNeumann ? facet.neumannBody : facet.dirichletBody;
+    released.push_back({isNeumann ? facet.neumann : facet.dirichlet, facet.normal});
+    const StarBody& star = *bodies[std::size_t(body)];
+    meshPoint = meshVertex(star.model().mesh, released.back().facet, reversed ? 1 - end.vertex : end.vertex);
+    for (int k = 0; k < star.facetModes(); ++k)
+      signs.push_back((reversed && k % 2 == 1) != isNeumann ? -1.0 : 1.0);
+  }
+  const StarBody& star = *bodies[std::size_t(body)];
+  return {body, StarSystem(star, star.star(meshPoint), released), std::move(signs)};
+}
+
+} // namespace
+
+std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
+{
+  std::map<int, std::vector<FacetEnd>> ends; // by interface node
+  std::map<int, int> next;
+  std::set<int> followers;
+  std::vector<int> starts;
+  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
+    const auto& nodes = scene.facets[f].nodes;
+    for (const int vertex : {0, 1})
+      ends[nodes[std::size_t(vertex)]].push_back({int(f), vertex});
+    const int first = firstEnd(scene, scene.facets[f]);
+    next[nodes[std::size_t(first)]] = nodes[std::size_t(1 - first)];
+    followers.insert(nodes[std::size_t(1 - first)]);
+    starts.push_back(nodes[std::size_t(first)]);
+  }
+  // open chains from their beginnings, then whatever is closed
+  std::stable_partition(starts.begin(), starts.end(), [&](int node) { return followers.count(node) == 0; });
+  std::vector<InterfaceVertex> vertices;
+  for (int node : starts)
+    for (auto found = ends.find(node); found != ends.end(); found = ends.find(node)) {
+      vertices.push_back({std::move(found->second)});
+      ends.erase(found);
+      if (const auto follower = next.find(node); follower != next.end())
+        node = follower->second;
+    }
+  return vertices;
+}
+
+Vector InterfaceStar::Side::own(Vector change) const
+{
+  for (std::size_t i = 0; i < change.size(); ++i)
+    change[i] *= signs[i];
+  return change;
+}
+
+InterfaceStar::InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
+                             const InterfaceVertex& vertex)
+    : scene_(scene),
+      vertex_(vertex), sides_{makeSide(scene, bodies, vertex, false), makeSide(scene, bodies, vertex, true)}
+{}
+
+TractionStep InterfaceStar::step(const std::array<StarFields, 2>& x, const Vector& opening) const
+{
+  const int size = int(sides_[0].signs.size()), modes = size / int(vertex_.ends.size());
+  const DenseMatrix rows[2] = {sides_[0].system.conditions(), sides_[1].system.conditions()};
+  DenseMatrix E(rows[0].rows() + rows[1].rows(), size), H(size, size);
+  Vector h;
+  for (int i = 0; i < size; ++i) {
+    const FacetEnd& end = vertex_.ends[std::size_t(i / modes)];
+    h.push_back(opening[std::size_t(end.facet * modes + i % modes)] / scene_.facets[std::size_t(end.facet)].measure);
+  }
+  for (std::size_t s = 0, first = 0; s < 2; first += std::size_t(rows[s++].rows())) {
+    const Side& side = sides_[s];
+    const DenseMatrix gradient = side.system.gradient(x[s]);
+    for (int j = 0; j < size; ++j) {
+      const double sign = side.signs[std::size_t(j)];
+      h[std::size_t(j)] += sign * gradient(j, 0);
+      for (int i = 0; i < size; ++i)
+        H(i, j) += sign * side.signs[std::size_t(i)] * side.system.stiffness()(i, j);
+      for (int i = 0; i < rows[s].rows(); ++i)
+        E(int(first) + i, j) = sign * rows[s](i, j);
+    }
+  }
+  return TractionStep(vertex_.ends, E, std::move(H), std::move(h));
+}
+
+} // namespace ndframe

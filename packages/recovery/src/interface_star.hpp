@@ -1,0 +1,49 @@
+#pragma once
+
+#include <array>
+
+#include "ndframe/recovery/stress_recovery.hpp"
+#include "star_system.hpp"
+#include "traction_step.hpp"
+
+namespace ndframe
+{
+
+/// A vertex of an interface and the contact facets (one or two) that meet there.
+struct InterfaceVertex
+{
+  std::vector<FacetEnd> ends;
+};
+
+/// All vertices, chain by chain as they lie along n_c turned by 90 degrees. A closed interface begins anywhere.
+std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene);
+
+/// The stars of one interface vertex in the Dirichlet and in the Neumann body, the normal traction on the vertex's
+/// facets free. Scene, bodies and vertex must outlive it.
+class InterfaceStar
+{
+public:
+  /// One body's part, released along n_c.
+  struct Side
+  {
+    int body;
+    StarSystem system;
+    Vector signs;
+
+    /// A change of the traction as the body feels it, in its own modes.
+    Vector own(Vector change) const;
+  };
+
+  InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex);
+
+  const std::array<Side, 2>& sides() const { return sides_; }
+  /// The step that lowers  |x|^2 + 2 int dt (u~1_N - u~2_N - g),  x: the stresses on the two stars, one field each.
+  TractionStep step(const std::array<StarFields, 2>& x, const Vector& opening) const;
+
+private:
+  const RecoveryScene& scene_;
+  const InterfaceVertex& vertex_;
+  std::array<Side, 2> sides_;
+};
+
+} // namespace ndframe

@@ -1,0 +1,237 @@
+#include "star_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/mechanics/kernels.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// sigma~ in a cell, linear: its values at the vertices and the cell's gradients, vertices ascending.
+struct CellStress
+{
+  double atVertex[4][6];
+  double gradient[4][3]; ///< of the barycentric coordinates
+  double measure;
+};
+
+template <int dim, int order>
+CellStress makeCellStress(const BodyModel& body, const StarCell& cell, const Vector& displacement)
+{
+  constexpr int nodes = Lagrange<dim, order>::nodes;
+  CellStress stress;
+  double points[(dim + 1) * dim], gradients[(dim + 1) * dim], u[nodes * dim], strain[6];
+  for (int v = 0; v <= dim; ++v)
+    std::copy_n(body.mesh.point(body.mesh.cell(cell.cell)[v]), dim, points + v * dim);
+  for (int a = 0; a < nodes; ++a)
+    std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell.cell)[a] * dim), dim, u + a * dim);
+  stress.measure = barycentricGradients<dim>(points, gradients);
+  for (int v = 0; v <= dim; ++v) {
+    const int local = cell.sorted.local[std::size_t(v)];
+    double lambda[dim + 1] = {};
+    lambda[local] = 1.0;
+    stressAt<dim, order>(points, body.law, lambda, u, strain, stress.atVertex[v]);
+    std::copy_n(gradients + local * dim, dim, stress.gradient[v]);
+  }
+  return stress;
+}
+
+CellStress cellStressOf(const StarBody& body, const StarCell& cell, const FieldInput& field)
+{
+  return withDimAndOrder(body.dim(), body.data().order, [&](auto d, auto p) {
+    return makeCellStress<d(), p()>(body.model(), cell, *field.displacement);
+  });
+}
+
+/// f -= factor * stress times a vector.
+void subtractForce(int dim, const double* direction, const double* stress, double factor, double* f)
+{
+  double force[3];
+  if (dim == 2)
+    divergenceForce<2>(direction, stress, force);
+  else
+    divergenceForce<3>(direction, stress, force);
+  for (int i = 0; i < dim; ++i)
+    f[i] -= factor * force[i];
+}
+
+/// Takes the part along the supported directions out of all modes.
+void clearSupported(const BoundaryFacet& facet, int dim, int modes, double* moments)
+{
+  for (int k = 0; k < modes; ++k)
+    for (int d = 0; d < facet.supported; ++d) {
+      const Direction& direction = facet.directions[std::size_t(d)];
+      double along = 0.0;
+      for (int i = 0; i < dim; ++i)
+        along += direction[std::size_t(i)] * moments[k * dim + i];
+      for (int i = 0; i < dim; ++i)
+        moments[k * dim + i] -= along * direction[std::size_t(i)];
+    }
+}
+
+} // namespace
+
+StarLoads::StarLoads(const StarBody& body, std::vector<FieldInput> fields)
+    : body_(&body), fields_(std::move(fields)),
+      facetShares_(facetBasis(body.dim(), body.data().degree), body.data().order),
+      cellShares_(loadBasis(body.dim(), body.data().degree), body.data().order)
+{}
+
+/// Minus the shares of sigma~ n on every spoke (outward for each cell) and of div sigma~. With the barycentric
+/// coordinate of the vertex opposite to a facet, |f| n = - dim |E| grad lambda.
+void StarLoads::addStress(const Star& star, int field, double* x) const
+{
+  const int dim = body_->dim(), data = body_->reference().data(), facetData = body_->facetData();
+  for (const StarCell& cell : star.cells) {
+    const CellStress stress = cellStressOf(*body_, cell, fields_[std::size_t(field)]);
+    for (int facet = 0; facet <= dim; ++facet) {
+      if (facet == cell.apex)
+        continue;
+      const int a = Star::apexOnFacet(cell.apex, facet);
+      for (int b = 0; b < dim; ++b)
+        for (int k = 0; k < body_->facetModes(); ++k) {
+          const double share =
+              body_->data().order == 1 ? facetShares_.ofOne(a)[k] / dim : facetShares_.ofLinear(a, b)[k];
+          subtractForce(dim, stress.gradient[facet], stress.atVertex[b < facet ? b : b + 1],
+                        -dim * stress.measure * share, x + facet * facetData + k * dim);
+        }
+    }
+    for (int v = 0; v <= dim && body_->data().order == 2; ++v)
+      for (int k = 0; k < body_->loadModes(); ++k)
+        subtractForce(dim, stress.gradient[v], stress.atVertex[v], stress.measure * cellShares_.ofOne(cell.apex)[k],
+                      x + body_->reference().tractions + k * dim);
+    x += data;
+  }
+}
+
+/// The shares of one facet out of a list: per facet, per vertex, per mode, per component.
+void StarLoads::addShare(const Star& star, const Spoke& spoke, const double* shares, int index, double* x) const
+{
+  const int facetData = body_->facetData();
+  const int apex = Star::apexOnFacet(star.cells[std::size_t(spoke.cell[0])].apex, spoke.facet[0]);
+  const double* share = shares + std::ptrdiff_t(index * body_->dim() + apex) * facetData;
+  double* target = x + spoke.cell[0] * body_->reference().data() + spoke.facet[0] * facetData;
+  for (int i = 0; i < facetData; ++i)
+    target[i] += share[i];
+}
+
+void StarLoads::addLoads(const Star& star, int field, double* x) const
+{
+  const StaticData& data = body_->data();
+  for (const Spoke& spoke : star.spokes) {
+    if (!spoke.onBoundary())
+      continue;
+    const int cell = star.cells[std::size_t(spoke.cell[0])].cell;
+    if (const int index = body_->boundaryIndex(cell, spoke.facet[0]); index >= 0 && !data.facetShares.empty())
+      addShare(star, spoke, data.facetShares.data(), index, x);
+    const Vector* contact = fields_[std::size_t(field)].contact;
+    if (const int index = body_->contactIndex(cell, spoke.facet[0]); index >= 0 && contact != nullptr)
+      addShare(star, spoke, contact->data(), index, x);
+  }
+  const int loads = body_->reference().loads;
+  for (std::size_t c = 0; c < star.cells.size() && !data.cellShares.empty(); ++c) {
+    const StarCell& cell = star.cells[c];
+    const double* share = data.cellShares.data() + std::ptrdiff_t(cell.cell * (data.dim + 1) + cell.apex) * loads;
+    double* target = x + int(c) * body_->reference().data() + body_->reference().tractions;
+    for (int i = 0; i < loads; ++i)
+      target[i] -= share[i];
+  }
+}
+
+StarFields StarLoads::initial(const Star& star) const
+{
+  const int data = body_->reference().data(), facetData = body_->facetData();
+  StarFields fields(int(star.cells.size()) * data, int(fields_.size()));
+  for (int field = 0; field < fields.cols(); ++field) {
+    double* x = fields.col(field);
+    addStress(star, field, x);
+    addLoads(star, field, x);
+    for (const Spoke& spoke : star.spokes) {
+      double* first = x + spoke.cell[0] * data + spoke.facet[0] * facetData;
+      if (!spoke.onBoundary()) {
+        double* second = x + spoke.cell[1] * data + spoke.facet[1] * facetData;
+        for (int i = 0; i < facetData; ++i) {
+          second[i] += first[i];
+          first[i] = 0.0;
+        }
+      } else if (const int index = body_->boundaryIndex(star.cells[std::size_t(spoke.cell[0])].cell, spoke.facet[0]);
+                 index >= 0)
+        clearSupported(body_->data().boundary[std::size_t(index)], body_->dim(), body_->facetModes(), first);
+    }
+  }
+  return fields;
+}
+
+Vector StarLoads::forces(const Star& star) const
+{
+  Vector result;
+  Vector x(star.cells.size() * std::size_t(body_->reference().data()));
+  for (int field = 0; field < int(fields_.size()); ++field) {
+    double sum = 0.0;
+    for (const auto addPart : {&StarLoads::addStress, &StarLoads::addLoads}) {
+      std::fill(x.begin(), x.end(), 0.0);
+      (this->*addPart)(star, field, x.data());
+      for (const double moment : x)
+        sum += std::abs(moment);
+    }
+    result.push_back(sum);
+  }
+  return result;
+}
+
+StressCorrection zeroCorrection(const StarBody& body)
+{
+  const std::size_t cells = std::size_t(body.model().mesh.numCells());
+  StressCorrection correction;
+  correction.dim = body.dim();
+  correction.degree = body.data().degree;
+  correction.tractions.assign(cells * std::size_t(body.reference().tractions), 0.0);
+  correction.loads.assign(cells * std::size_t(body.reference().loads), 0.0);
+  return correction;
+}
+
+namespace
+{
+
+/// Calls visit(value in x, value in the correction) for all data of a star.
+template <class Fields, class Visit>
+void visitData(const StarBody& body, const Star& star, Fields& x, const BodyCorrections& corrections,
+               const Visit& visit)
+{
+  const std::size_t tractions = std::size_t(body.reference().tractions), loads = std::size_t(body.reference().loads);
+  for (std::size_t field = 0; field < corrections.size(); ++field) {
+    auto* column = x.col(int(field));
+    for (const StarCell& cell : star.cells) {
+      double* traction = corrections[field]->tractions.data() + std::size_t(cell.cell) * tractions;
+      for (std::size_t i = 0; i < tractions; ++i)
+        visit(*column++, traction[i]);
+      double* load = corrections[field]->loads.data() + std::size_t(cell.cell) * loads;
+      for (std::size_t i = 0; i < loads; ++i)
+        visit(*column++, load[i]);
+    }
+  }
+}
+
+} // namespace
+
+StarFields gather(const StarBody& body, const Star& star, const BodyCorrections& corrections)
+{
+  StarFields x(int(star.cells.size()) * body.reference().data(), int(corrections.size()));
+  visitData(body, star, x, corrections, [](double& value, double stored) { value = stored; });
+  return x;
+}
+
+void scatter(const StarBody& body, const Star& star, const StarFields& x, const BodyCorrections& corrections)
+{
+  visitData(body, star, x, corrections, [](double value, double& stored) { stored = value; });
+}
+
+void add(const StarBody& body, const Star& star, const StarFields& x, const BodyCorrections& corrections)
+{
+  visitData(body, star, x, corrections, [](double value, double& stored) { stored += value; });
+}
+
+} // namespace ndframe

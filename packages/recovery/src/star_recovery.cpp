@@ -1,0 +1,144 @@
+#include "star_recovery.hpp"
+
+#include <algorithm>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "body_stars.hpp"
+#include "interface_stars.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// One recovery of all fields on all bodies, stage by stage.
+class StarStages
+{
+public:
+  StarStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm, Ledger& ledger)
+      : scene_(scene), fields_(fields), comm_(comm), ledger_(ledger)
+  {
+    bodies_.reserve(scene.bodies.size()); // interface stars point to their StarBody
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+      bodies_.emplace_back(*scene.bodies[body], scene.data[body]);
+    for (const SceneField& field : fields)
+      stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
+    if (std::any_of(fields.begin(), fields.end(), [](const SceneField& field) { return field.optimise; })) {
+      std::vector<const StarBody*> starBodies;
+      for (const BodyStars& body : bodies_)
+        starBodies.push_back(&body.body());
+      interfaces_.emplace(scene, std::move(starBodies));
+    }
+  }
+
+  void chooseTractions()
+  {
+    for (std::size_t field = 0; field < fields_.size(); ++field)
+      if (fields_[field].optimise)
+        stresses_[field].onDirichlet = stresses_[field].onNeumann = interfaces_->optimise(fields_[field], ledger_);
+  }
+
+  void solveStars()
+  {
+    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+      std::vector<Vector> contact;
+      for (const SceneStress& stress : stresses_)
+        contact.push_back(contactShares(scene_.facets, stress.onDirichlet, stress.onNeumann, int(body),
+                                        scene_.bodies[body]->mesh.dim));
+      std::vector<FieldInput> inputs;
+      for (std::size_t field = 0; field < fields_.size(); ++field)
+        inputs.push_back({fields_[field].displacement[body], &contact[field]});
+      corrections_.push_back(bodies_[body].solve(inputs, comm_, ledger_));
+    }
+  }
+
+  /// All stars of the bodies with their tractions as they are, then the interface stars of the fields whose tractions
+  /// may change.
+  void sweep()
+  {
+    for (std::size_t body = 0; body < bodies_.size(); ++body)
+      bodies_[body].sweep(corrections_[body], comm_, ledger_);
+    for (std::size_t field = 0; field < fields_.size(); ++field) {
+      if (!fields_[field].optimise)
+        continue;
+      std::vector<StressCorrection*> ofField;
+      for (std::vector<StressCorrection>& body : corrections_)
+        ofField.push_back(&body[field]);
+      interfaces_->sweep(fields_[field].opening, stresses_[field].onDirichlet, ofField, ledger_);
+      stresses_[field].onNeumann = stresses_[field].onDirichlet;
+    }
+    ledger_.count("star sweeps");
+  }
+
+  std::vector<SceneStress> finish()
+  {
+    for (std::vector<StressCorrection>& body : corrections_)
+      for (std::size_t field = 0; field < fields_.size(); ++field) {
+        StressCorrection& correction = body[field];
+        correction.defect = correction.force > 0.0 ? correction.imbalance / correction.force : 0.0;
+        stresses_[field].corrections.push_back(std::move(correction));
+      }
+    return std::move(stresses_);
+  }
+
+private:
+  const RecoveryScene& scene_;
+  const std::vector<SceneField>& fields_;
+  const Comm& comm_;
+  Ledger& ledger_;
+  std::vector<BodyStars> bodies_;
+  std::optional<InterfaceStars> interfaces_;               ///< when a field's traction may be changed
+  std::vector<SceneStress> stresses_;                      ///< per field
+  std::vector<std::vector<StressCorrection>> corrections_; ///< per body, per field
+};
+
+class StarRecovery final : public StressRecovery
+{
+public:
+  StarRecovery(int degree, int sweeps) : degree_(degree), sweeps_(sweeps) {}
+
+  std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
+                                   Ledger& ledger) const override
+  {
+    StarStages stages(scene, fields, comm, ledger);
+    stages.chooseTractions();
+    stages.solveStars();
+    for (int sweep = 0; sweep < sweeps_; ++sweep)
+      stages.sweep();
+    return stages.finish();
+  }
+
+  int degree(int order) const override { return degree_ == 0 ? order : degree_; }
+
+  std::string refusal(int dim, int order, bool optimise) const override
+  {
+    const int highest = dim == 2 ? order + 1 : 2;
+    if (degree(order) < order || degree(order) > highest)
+      return fmt::format("Degree = {} does not suit displacements of order {} in {} dimensions; it may be {}", degree_,
+                         order, dim,
+                         order == highest ? fmt::format("{}", order) : fmt::format("{} or {}", order, highest));
+    if (optimise && dim == 3)
+      return "the traction between bodies can be optimised in two dimensions only; choose the projected one";
+    return {};
+  }
+
+private:
+  int degree_, sweeps_;
+};
+
+} // namespace
+
+void registerStarRecovery(Registry<StressRecovery>& registry)
+{
+  registry.add(
+      "Star", "Least energy on the star of every vertex, all loads carried exactly; sharp also on stretched meshes.",
+      {{"Degree", 0, inClosedRange(0, 3),
+        "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
+       {"Sweeps", 0, atLeast(0),
+        "Sweeps over the stars that lower the bound further; each costs about as much as the recovery itself."}},
+      [](const Params& p) { return std::make_unique<StarRecovery>(p.get<int>("Degree"), p.get<int>("Sweeps")); });
+}
+
+} // namespace ndframe

@@ -1,0 +1,195 @@
+#include "ndframe/recovery/static_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "load_moments.hpp"
+#include "ndframe/recovery/cell_energy.hpp"
+#include "oscillation.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Degree of the richest stresses there are: they carry most of what the stresses of lower degree leave over.
+int richestDegree(int dim)
+{
+  return dim == 2 ? 3 : 2;
+}
+
+/// The independent directions that all supports prescribe on each facet they share, by facet: reduced like those at
+/// nodes.
+ConstraintSet supportedDirections(const BodyModel& body)
+{
+  ConstraintSet supported(body.mesh.dim, 1.0);
+  for (const auto& support : body.supports)
+    for (const Facet facet : support->facets(body.mesh))
+      for (const Direction& direction : support->directions(body.mesh))
+        supported.add({facet.cell * (body.mesh.dim + 1) + facet.local, direction, 0.0});
+  return supported;
+}
+
+/// Fills StaticData load by load.
+class DataBuilder
+{
+public:
+  DataBuilder(const BodyModel& body, StaticData& data)
+      : body_(body), data_(data),
+        onFacets_(LoadMoments::onFacets(data.dim, data.order, data.degree, richestDegree(data.dim))),
+        inCells_(LoadMoments::inCells(data.dim, data.order, data.degree, richestDegree(data.dim)))
+  {
+    data_.oscillation.assign(std::size_t(body.mesh.numCells()), 0.0);
+  }
+
+  void listBoundary();
+  void addLoad(const Load& load);
+  /// Turns the sums over each cell's loads, which are bounds for |eps(v)|, into squared bounds for the energy norm.
+  void finish();
+
+private:
+  int number(Facet facet) const { return facet.cell * (body_.mesh.dim + 1) + facet.local; }
+  void addOnFacet(LoadedSimplex simplex);
+  void addInCell(const LoadedSimplex& simplex);
+  static void addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values,
+                    double factor = 1.0);
+  StressCorrection& lifted();
+
+  const BodyModel& body_;
+  StaticData& data_;
+  LoadMoments onFacets_, inCells_;
+  std::map<int, std::size_t> place_; ///< in data.boundary, by facet
+  StressCorrection lifted_;          ///< carries what the shares leave over; empty until there is some
+};
+
+void DataBuilder::listBoundary()
+{
+  const auto supported = supportedDirections(body_);
+  std::map<int, BoundaryFacet> found;
+  const auto facetOf = [&](int number) { return Facet{number / (body_.mesh.dim + 1), number % (body_.mesh.dim + 1)}; };
+  for (const auto& [number, node] : supported.nodes())
+    found[number] = {facetOf(number), node.count, node.direction};
+  for (const auto& load : body_.loads)
+    if (const auto* facets = load->facets(body_.mesh))
+      for (const Facet facet : *facets)
+        found.insert({number(facet), {facet, 0, {}}});
+  for (const auto& [number, facet] : found) {
+    place_[number] = data_.boundary.size();
+    data_.boundary.push_back(facet);
+  }
+  const auto modes = std::size_t(facetBasis(data_.dim, data_.degree).size());
+  data_.facetShares.assign(found.size() * std::size_t(data_.dim * data_.dim) * modes, 0.0);
+}
+
+void DataBuilder::addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values, double factor)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+    all[place * values.size() + i] += factor * values[i];
+}
+
+StressCorrection& DataBuilder::lifted()
+{
+  if (lifted_.tractions.empty()) {
+    lifted_.dim = data_.dim;
+    lifted_.degree = richestDegree(data_.dim);
+    const auto perMode = std::size_t(body_.mesh.numCells() * data_.dim);
+    lifted_.tractions.assign(perMode * std::size_t((data_.dim + 1) * facetBasis(data_.dim, lifted_.degree).size()),
+                             0.0);
+    lifted_.loads.assign(perMode * std::size_t(loadBasis(data_.dim, lifted_.degree).size()), 0.0);
+  }
+  return lifted_;
+}
+
+/// Only what no support takes counts.
+void DataBuilder::addOnFacet(LoadedSimplex simplex)
+{
+  const std::size_t place = place_.at(number(simplex.facet)), dim = std::size_t(data_.dim);
+  const BoundaryFacet& facet = data_.boundary[place];
+  for (int s = 0; s < facet.supported; ++s) {
+    const Direction& direction = facet.directions[std::size_t(s)];
+    for (std::size_t i = 0; i < simplex.samples.values.size(); i += dim) {
+      double along = 0.0;
+      for (std::size_t k = 0; k < dim; ++k)
+        along += simplex.samples.values[i + k] * direction[k];
+      for (std::size_t k = 0; k < dim; ++k)
+        simplex.samples.values[i + k] -= along * direction[k];
+    }
+  }
+  const SimplexMoments moments = onFacets_.of(simplex);
+  addTo(data_.facetShares, place, moments.shares);
+  if (!moments.beyond.empty())
+    addTo(lifted().tractions,
+          std::size_t(simplex.facet.cell) * (dim + 1) + std::size_t(sortedFacet(body_.mesh, simplex.facet)),
+          moments.beyond);
+  if (moments.rest > 0.0)
+    data_.oscillation[std::size_t(simplex.facet.cell)] +=
+        facetOscillationConstant(body_.mesh, simplex.facet) * moments.rest;
+}
+
+void DataBuilder::addInCell(const LoadedSimplex& simplex)
+{
+  const auto cell = std::size_t(simplex.facet.cell);
+  const SimplexMoments moments = inCells_.of(simplex);
+  data_.cellShares.resize(moments.shares.size() * std::size_t(body_.mesh.numCells()), 0.0);
+  addTo(data_.cellShares, cell, moments.shares);
+  if (!moments.beyond.empty())
+    addTo(lifted().loads, cell, moments.beyond, -1.0); // moments of the divergence
+  if (moments.rest > 0.0)
+    data_.oscillation[cell] += cellOscillationConstant(body_.mesh, int(cell)) * moments.rest;
+}
+
+void DataBuilder::addLoad(const Load& load)
+{
+  double uncertainty = 0.0;
+  visitLoad(load, body_.mesh, [&](const LoadedSimplex& simplex) {
+    uncertainty = std::max(uncertainty, simplex.samples.uncertainty);
+    simplex.isCell ? addInCell(simplex) : addOnFacet(simplex);
+  });
+  if (uncertainty > 0.0)
+    data_.caveat +=
+        fmt::format("the {} of {} varies too abruptly inside a {} for its integrals to be certain (to {:.1g} "
+                    "of its size there); let its jumps fall on the mesh's edges. ",
+                    load.description(), body_.name, load.facets(body_.mesh) ? "facet" : "cell", uncertainty);
+}
+
+/// The stress tau with div tau = - (b - b_h) in a cell and tau n = p - p_h on its facets gives
+/// (b - b_h, v) + (p - p_h, v) = (tau, eps(v)) <= |tau| |v|; the constants bound what it does not carry.
+void DataBuilder::finish()
+{
+  const double stiffness = smallestStiffness(body_.law);
+  const Vector carried =
+      lifted_.tractions.empty() ? Vector(data_.oscillation.size(), 0.0) : cellDistances(body_, lifted_, nullptr);
+  bool oscillates = false;
+  for (std::size_t cell = 0; cell < carried.size(); ++cell) {
+    double& bound = data_.oscillation[cell];
+    oscillates = oscillates || bound > 0.0;
+    bound = std::pow(std::sqrt(carried[cell]) + bound / std::sqrt(stiffness), 2);
+  }
+  if (oscillates && data_.dim == 3)
+    data_.caveat +=
+        fmt::format("the loads of {} are not polynomials that its stresses carry, and the constant of their "
+                    "oscillation is not proven for tetrahedra. ",
+                    body_.name);
+}
+
+} // namespace
+
+StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact)
+{
+  StaticData data;
+  data.dim = body.mesh.dim;
+  data.order = body.nodes.order;
+  data.degree = degree;
+  data.contact = std::move(contact);
+  DataBuilder builder(body, data);
+  builder.listBoundary();
+  for (const auto& load : body.loads)
+    builder.addLoad(*load);
+  builder.finish();
+  return data;
+}
+
+} // namespace ndframe
