@@ -13,6 +13,7 @@ std::unique_ptr<Components> makeComponents(const Extension& extend)
   registerLinearSolvers(components->linearSolvers);
   registerInterfaceOperators(components->interfaceOperators);
   registerRelaxations(components->relaxations);
+  registerRecoveries(components->recoveries);
   if (extend)
     extend(*components);
   registerCouplings(components->couplings, components->relaxations);

@@ -1,5 +1,6 @@
 #include "ndframe/driver/deck_spec.hpp"
 
+#include "ndframe/driver/error_options.hpp"
 #include "outputs.hpp"
 
 namespace ndframe
@@ -80,7 +81,13 @@ ListSpec outputSpec()
       {"Summary", true, "Write NAME.summary.json."},
       {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
       {"Steps", std::string("Final"), stepsNames().range(),
-       "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."}};
+       "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."},
+      {"Equilibrated Stress", false,
+       "Add the stress in equilibrium with the loads to NAME.e, its mean in every element (sigma_hat_xx, ...; needs "
+       "the estimator Global)."},
+      {"Mean Stress", false,
+       "Add the mean of the computed and the equilibrated stress to NAME.e (mean_stress_xx, ...): its error is bounded "
+       "by about half of the bound (needs the estimator Global)."}};
   return list;
 }
 
@@ -120,6 +127,7 @@ ListSpec makeDeckSpec(const Components& components)
       makeChoice("Linear Solver", "How each body's matrix is factored.", components.linearSolvers.choices()),
       makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
                  components.interfaceOperators.choices()),
+      errorEstimationSpec(components.recoveries.choices()),
       outputSpec(),
       makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec())};
   return deck;

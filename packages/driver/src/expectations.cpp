@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/driver/error_options.hpp"
 #include "summarize.hpp"
 
 namespace ndframe
@@ -17,9 +18,36 @@ bool isLedgerPath(const std::string& path)
   return path.rfind("ledger/", 0) == 0;
 }
 
-/// The outline with one entry for what only the run can count: sweeps, ends of the contact, components.
-RunSummary withEveryQuantity(RunSummary outline)
+/// Every number that the certificate will hold.
+ErrorSummary everyError(const ErrorOptions& options)
 {
+  ErrorSummary errors;
+  const auto fill = [&](Estimator estimator, auto&... numbers) {
+    if (options.wants(estimator))
+      (numbers.emplace(), ...);
+  };
+  fill(Estimator::Global, errors.global, errors.meanStress, errors.meanStressRelative);
+  fill(Estimator::Algorithm, errors.algorithm);
+  fill(Estimator::Discretization, errors.discretization);
+  fill(Estimator::Split, errors.splitStress, errors.algorithm);
+  fill(Estimator::ZienkiewiczZhu, errors.zienkiewiczZhu);
+  fill(Estimator::Residual, errors.residual);
+  fill(Estimator::Reference, errors.reference);
+  if (options.checkEquilibrium)
+    errors.equilibrium.emplace();
+  if (errors.reference && errors.global) {
+    auto& reference = *errors.reference;
+    fill(Estimator::Reference, reference.stress, reference.meanStress, reference.effectivity,
+         reference.meanStressEffectivity);
+  }
+  return errors;
+}
+
+/// The outline with one entry for what only the run can count: sweeps, ends of the contact, components, errors.
+RunSummary withEveryQuantity(RunSummary outline, const Params& deck)
+{
+  if (estimatesErrors(deck))
+    outline.errors = everyError(errorOptions(deck));
   if (outline.coupling)
     outline.coupling->history.resize(1);
   for (auto& interface : outline.interfaces) {
@@ -40,7 +68,7 @@ std::string ofFirstSweep(const std::string& path)
 
 void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics)
 {
-  const RunSummary known = withEveryQuantity(outline);
+  const RunSummary known = withEveryQuantity(outline, deck);
   for (const auto& expectation : deck.sub("Expect").subs()) {
     const auto quantity = expectation.get<std::string>("Quantity");
     if (!isLedgerPath(quantity) && !summaryValue(known, ofFirstSweep(quantity)))

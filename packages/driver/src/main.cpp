@@ -10,6 +10,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "error_screen.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/help.hpp"
 #include "ndframe/driver/deck_spec.hpp"
@@ -60,9 +61,9 @@ void declareOptions(CLI::App& app, CommandLine& options)
   app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
 }
 
-constexpr const char* exitCodeText = "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged (results are "
-                                     "written and marked), 4 an expectation "
-                                     "missed.\n";
+constexpr const char* exitCodeText = "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged, or a bound "
+                                     "without the guarantee that the deck requires (results are written and marked), "
+                                     "4 an expectation missed.\n";
 
 /// The questions that need no deck; true when one was asked.
 bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out)
@@ -132,13 +133,15 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
   copyLedger(run.summary, ledger, run.startSeconds);
   if (!run.states.empty())
     log.line("\n" + closingText(run.summary));
+  if (run.summary.errors)
+    log.line("\n" + errorText(*run.summary.errors));
   log.line("\n" + stageText(run.summary) + "\n");
   const bool allMet = reportExpectations(run.summary, comm, log);
   log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
                        written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
   if (!run.failure.empty()) {
-    complain(comm, fmt::format("not converged: {}; the results are marked so.", run.failure));
+    complain(comm, fmt::format("{}; the results are marked so.", run.failure));
     return ExitCode::NotConverged;
   }
   return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;

@@ -12,12 +12,12 @@ namespace ndframe
 namespace
 {
 
-/// Reads one body; mistakes are collected and leave the body incomplete.
-BodyModel buildBody(const Params& params, const Components& components, int order, Diagnostics& diagnostics)
+/// Builds one body; mistakes are collected and leave the body incomplete.
+BodyModel buildBody(const Params& params, const Components& components, Mesh mesh, int order, Diagnostics& diagnostics)
 {
   BodyModel body;
   body.name = params.name();
-  body.mesh = components.meshSources.build(params.sub("Mesh"))->read();
+  body.mesh = std::move(mesh);
   const auto material = components.materials.build(params.sub("Material"));
   const bool isSpatial = material->hypothesis() == Hypothesis::ThreeDimensional;
   if (isSpatial != (body.mesh.dim == 3))
@@ -173,13 +173,20 @@ void checkRoles(const Params& deck, Diagnostics& diagnostics)
 
 Model buildModel(const Params& deck, const Components& components)
 {
+  return buildModel(deck, components,
+                    [&](const Params& body) { return components.meshSources.build(body.sub("Mesh"))->read(); });
+}
+
+Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf)
+{
   Model model;
   Diagnostics diagnostics;
   const int order = deck.sub("Discretization").get<int>("Order");
   if (deck.sub("Bodies").subs().empty())
     diagnostics.add(deck.sub("Bodies").mistake("", "has no bodies; name at least one list in it."));
   for (const auto& params : deck.sub("Bodies").subs())
-    collecting(diagnostics, [&] { model.bodies.push_back(buildBody(params, components, order, diagnostics)); });
+    collecting(diagnostics,
+               [&] { model.bodies.push_back(buildBody(params, components, meshOf(params), order, diagnostics)); });
   diagnostics.throwIfAny();
   for (const auto& body : model.bodies)
     collecting(diagnostics,

@@ -3,6 +3,7 @@
 
 #include <fmt/format.h>
 
+#include "error_fields.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/driver/run.hpp"
 #include "ndframe/fem/lagrange.hpp"
@@ -106,7 +107,12 @@ NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<Con
   return field;
 }
 
-ExodusStep exodusStep(const Run& run, std::size_t step)
+void append(std::vector<NamedField>& fields, std::vector<NamedField> more)
+{
+  fields.insert(fields.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
+}
+
+ExodusStep exodusStep(const Run& run, const Params& output, std::size_t step)
 {
   ExodusStep out;
   const bool touches = !run.model.interfaces.empty();
@@ -119,11 +125,15 @@ ExodusStep exodusStep(const Run& run, std::size_t step)
     if (touches)
       out.nodal.back().push_back(nodalPressure(run, b, contact));
     out.element.push_back(elementFields(run, b, step));
+    append(out.element.back(), elementErrorFields(run, output, b, isFinal));
   }
   std::size_t firstNode = 0;
-  for (const auto& interface : run.model.interfaces) {
-    for (const auto traction : {&ContactNode::tractionDirichlet, &ContactNode::tractionNeumann})
+  for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
+    const auto& interface = run.model.interfaces[i];
+    for (const auto traction : {&ContactNode::tractionDirichlet, &ContactNode::tractionNeumann}) {
       out.contactSide.push_back(contactFields(interface, contact, firstNode, traction));
+      append(out.contactSide.back(), admissiblePressure(run, i, isFinal));
+    }
     firstNode += std::size_t(interface.numNodes());
   }
   if (touches)
@@ -170,7 +180,7 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
   if (plan.runs("stress") && !run.states.empty()) {
     const auto timer = ledger.time("stress");
     for (std::size_t s = 0; s < run.states.size(); ++s)
-      steps.push_back(exodusStep(run, s));
+      steps.push_back(exodusStep(run, output, s));
   }
   if (plan.runs("write") && !run.states.empty()) {
     const auto timer = ledger.time("write");

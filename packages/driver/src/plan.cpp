@@ -4,6 +4,9 @@
 #include <filesystem>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/driver/error_options.hpp"
 
 namespace ndframe
 {
@@ -27,6 +30,15 @@ bool meshesByGmsh(const Params& deck)
   });
 }
 
+std::vector<std::string> measureNames(const ErrorOptions& options)
+{
+  std::vector<std::string> names;
+  for (const auto estimator : options.estimators)
+    if (estimator != Estimator::Reference)
+      names.push_back(estimatorNames().name(estimator));
+  return names;
+}
+
 } // namespace
 
 Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
@@ -46,6 +58,7 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   add("interface", touches, counted(interfaces, "interface", "interfaces") + " condensed", noInterface);
   add("couple", touches, deck.sub("Coupling").get<std::string>("Type"), noInterface);
   add("recover", true, "interior displacements, one back-solve a body and state", {});
+  addCertificate(deck);
   add("stress", exodus, "for the Exodus file", "no Exodus file is written");
   const bool contact = touches && output.get<bool>("Contact Table");
   add("write", exodus || contact || output.get<bool>("Summary"),
@@ -53,6 +66,29 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
   const auto expected = deck.sub("Expect").subs().size();
   add("expect", expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");
+}
+
+void Plan::addCertificate(const Params& deck)
+{
+  const bool estimates = estimatesErrors(deck);
+  add("certificate", estimates, "the error of the final state", "the deck has no list Error Estimation");
+  if (!estimates)
+    return;
+  const ErrorOptions options = errorOptions(deck);
+  const std::string noTraction =
+      options.touches ? "no estimator needs an admissible traction" : "the deck has no interface";
+  const std::string noStress = "no estimator needs an equilibrated stress";
+  const auto measures = measureNames(options);
+  add(certificateStage::traction, options.needsTraction(), tractionTypeNames().name(options.tractionType), noTraction);
+  add(certificateStage::fields, options.needsTraction(), "in equilibrium with it, with the existing factors",
+      noTraction);
+  add(certificateStage::recovery, options.recoversStress(),
+      deck.sub("Error Estimation").sub("Recovery").get<std::string>("Type"), noStress);
+  add(certificateStage::equilibrium, options.checkEquilibrium, "Check Equilibrium", "Check Equilibrium is off");
+  add(certificateStage::estimators, !measures.empty(), fmt::format("{}", fmt::join(measures, ", ")), "only Reference");
+  add(certificateStage::reference, options.wants(Estimator::Reference),
+      fmt::format("every edge halved {} times, at most {} dofs", options.refinements, options.maximumDofs),
+      "Estimators does not name Reference");
 }
 
 void Plan::add(std::string name, bool runs, std::string whyRuns, std::string whySkipped)
@@ -70,9 +106,9 @@ bool Plan::runs(const std::string& stage) const
 
 std::string Plan::text() const
 {
-  std::string text = fmt::format("  {:<15} {:<6} {}\n", "stage", "", "why");
+  std::string text = fmt::format("  {:<19} {:<6} {}\n", "stage", "", "why");
   for (const auto& stage : stages_)
-    text += fmt::format("  {:<15} {:<6} {}\n", stage.name, stage.runs ? "run" : "skip", stage.why);
+    text += fmt::format("  {:<19} {:<6} {}\n", stage.name, stage.runs ? "run" : "skip", stage.why);
   text.pop_back();
   return text;
 }

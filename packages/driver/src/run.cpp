@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "error_checks.hpp"
 #include "outputs.hpp"
 #include "screen.hpp"
 #include "summarize.hpp"
@@ -38,21 +39,29 @@ void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledg
   log.line(fmt::format("  {}: {}", run.coupling.converged ? "stopped" : "NOT CONVERGED", run.coupling.reason));
 }
 
+/// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
+std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Params& deck)
+{
+  if (!errors || errors->guaranteed || !errorOptions(deck).requireGuarantee)
+    return {};
+  return "the bound is not guaranteed: " + errors->reason;
+}
+
 /// Why the result may not be trusted; empty when it may.
-std::string failureOf(Run& run)
+std::string failureOf(Run& run, const Params& deck)
 {
   auto& coupling = run.summary.coupling;
   const double imbalance = run.summary.residuals.equilibrium;
   if (coupling && !coupling->converged)
-    return coupling->reason;
+    return "not converged: " + coupling->reason;
   if (imbalance <= largestImbalance)
-    return {};
+    return missingGuarantee(run.summary.errors, deck);
   auto reason = fmt::format("the forces are out of balance by {:.1e}: the matrix is too ill-conditioned", imbalance);
   if (coupling) {
     coupling->converged = false;
     coupling->reason = reason;
   }
-  return reason;
+  return "not converged: " + reason;
 }
 
 Model readModel(const Params& deck, const Components& components, const Coupling& coupling, const LinearSolver& solver,
@@ -61,6 +70,7 @@ Model readModel(const Params& deck, const Components& components, const Coupling
   Diagnostics diagnostics;
   if (coupling.alternates())
     checkRoles(deck, diagnostics);
+  checkErrorEstimation(deck, diagnostics);
   diagnostics.throwIfAny();
   Model model;
   {
@@ -69,6 +79,7 @@ Model readModel(const Params& deck, const Components& components, const Coupling
   }
   const auto timer = ledger.time("check");
   checkHeld(model, deck, coupling.alternates(), diagnostics);
+  checkRecovery(deck, components, model.bodies.front().mesh.dim, diagnostics);
   checkExpectationNames(outlineSummary(model, deck, solver, 1), deck, diagnostics);
   diagnostics.throwIfAny();
   return model;
@@ -104,9 +115,11 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
   if (!run.states.empty()) {
     run.fields = recoverFields(run.model, run.condensed, run.states, ledger);
     run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
+    if (run.plan.runs("certificate"))
+      run.certificate = certify(deck, components, run.model, run.condensed, run.coupling, run.fields, comm, ledger);
   }
   completeSummary(run, deck, comm);
-  run.failure = failureOf(run);
+  run.failure = failureOf(run, deck);
   copyLedger(run.summary, ledger, start);
   return run;
 }

@@ -10,15 +10,6 @@ namespace ndframe
 namespace
 {
 
-/// 12345678 -> "12 345 678".
-std::string grouped(std::int64_t number)
-{
-  std::string digits = std::to_string(number);
-  for (int at = int(digits.size()) - 3; at > 0; at -= 3)
-    digits.insert(std::size_t(at), " ");
-  return digits;
-}
-
 std::size_t nameWidth(const RunSummary& summary)
 {
   std::size_t width = 10;
@@ -30,6 +21,14 @@ std::size_t nameWidth(const RunSummary& summary)
 }
 
 } // namespace
+
+std::string grouped(std::int64_t number)
+{
+  std::string digits = std::to_string(number);
+  for (int at = int(digits.size()) - 3; at > 0; at -= 3)
+    digits.insert(std::size_t(at), " ");
+  return digits;
+}
 
 std::string headerText(const RunSummary& summary, const Model& model)
 {
@@ -100,9 +99,9 @@ std::string closingText(const RunSummary& summary)
 
 std::string stageText(const RunSummary& summary)
 {
-  std::string text = fmt::format("  {:<12} {:>9} {:>8}", "stage", "seconds", "MB");
+  std::string text = fmt::format("  {:<19} {:>9} {:>8}", "stage", "seconds", "MB");
   for (const auto& stage : summary.stages)
-    text += fmt::format("\n  {:<12} {:>9.3f} {:>8.0f}", stage.name, stage.seconds, double(stage.peakBytes) / 1e6);
+    text += fmt::format("\n  {:<19} {:>9.3f} {:>8.0f}", stage.name, stage.seconds, double(stage.peakBytes) / 1e6);
   return text;
 }
 

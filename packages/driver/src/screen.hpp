@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 
 #include "ndframe/coupling/coupling.hpp"
@@ -8,6 +9,9 @@
 
 namespace ndframe
 {
+
+/// 12345678 -> "12 345 678".
+std::string grouped(std::int64_t number);
 
 /// The header: bodies, dofs, solver, what holds them, interfaces.
 std::string headerText(const RunSummary& summary, const Model& model);

@@ -154,6 +154,8 @@ void completeSummary(Run& run, const Params& deck, const Comm& comm)
   }
   completeInterfaces(run);
   run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
+  if (run.certificate)
+    run.summary.errors = run.certificate->summary;
   checkExpectations(run.summary, deck);
 }
 

@@ -3,9 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include <nlohmann/json.hpp>
-
 #include "ndframe/base/diagnostics.hpp"
+#include "summary_json.hpp"
 
 // docs/summary.schema.json describes what is written here; tests/io holds the two together.
 
@@ -13,8 +12,6 @@ namespace ndframe
 {
 namespace
 {
-
-using Json = nlohmann::ordered_json;
 
 template <class Item, class Convert>
 Json arrayOf(const std::vector<Item>& items, Convert convert)
@@ -124,6 +121,7 @@ Json summaryJson(const RunSummary& summary)
           {"interfaces", arrayOf(summary.interfaces, interfaceJson)},
           {"coupling", couplingJson(summary.coupling)},
           {"residuals", residualsJson(summary.residuals)},
+          {"errors", errorsJson(summary.errors)},
           {"expectations", arrayOf(summary.expectations, expectationJson)},
           {"ledger", ledgerJson(summary)}};
 }

@@ -9,6 +9,7 @@
 #include "ndframe/interface/interface_operators.hpp"
 #include "ndframe/mechanics/material_law.hpp"
 #include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/recovery/stress_recovery.hpp"
 
 namespace ndframe
 {
@@ -24,6 +25,7 @@ struct Components
   Registry<InterfaceOperator> interfaceOperators{"interface operator", "Automatic"};
   Registry<RelaxationController> relaxations{"relaxation", "Constant"};
   Registry<Coupling> couplings{"coupling", "Neumann-Dirichlet"};
+  Registry<StressRecovery> recoveries{"recovery", "Star"};
 
   Components() = default;
   Components(const Components&) = delete;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "ndframe/assembly/body_system.hpp"
@@ -29,6 +30,12 @@ struct Model
 /// reported at once (InputError): sides that do not exist, hypotheses that do not suit the mesh, sides that do not
 /// match, bodies that overlap, bodies that nothing holds.
 Model buildModel(const Params& deck, const Components& components);
+
+/// The mesh of a body, given its list in the deck.
+using MeshOfBody = std::function<Mesh(const Params& body)>;
+
+/// The same scene on other meshes than those that the deck names.
+Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf);
 
 /// Refuses bodies that are the Dirichlet body of one interface and the Neumann body of another: a coupling that solves
 /// the bodies one after the other needs one role per body. Looks at the deck only.

@@ -17,7 +17,8 @@ struct PlannedStage
   std::string why;
 };
 
-/// What a deck will run: printed by --plan, followed by the run, compared with the ledger by tests.
+/// What a deck will run, the stages by the names that the ledger times them under: printed by --plan, followed by the
+/// run, compared with the ledger by tests.
 class Plan
 {
 public:
@@ -30,6 +31,7 @@ public:
 
 private:
   void add(std::string name, bool runs, std::string whyRuns, std::string whySkipped);
+  void addCertificate(const Params& deck);
   std::vector<PlannedStage> stages_;
 };
 

@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "ndframe/base/log.hpp"
+#include "ndframe/driver/certificate.hpp"
 #include "ndframe/driver/plan.hpp"
 #include "ndframe/driver/solution.hpp"
 
@@ -19,10 +21,11 @@ struct Run
   CouplingResult coupling; ///< empty history without interfaces
   std::vector<InterfaceState>
       states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
-  std::vector<BodyFields> fields;   ///< per body, per kept state
-  std::vector<ContactNode> contact; ///< final state
+  std::vector<BodyFields> fields;         ///< per body, per kept state
+  std::vector<ContactNode> contact;       ///< final state
+  std::optional<Certificate> certificate; ///< of the final state, when the deck asks for it
   RunSummary summary;
-  std::string failure;       ///< why the result may not be trusted (exit code 3); empty when it may
+  std::string failure;       ///< why the result may not be trusted, with what failed (exit code 3); empty when it may
   double startSeconds = 0.0; ///< wall clock when the run began
 };
 

@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/io/error_summary.hpp"
+
 namespace ndframe
 {
 
@@ -97,6 +99,7 @@ struct RunSummary
   std::vector<InterfaceSummary> interfaces;
   std::optional<CouplingSummary> coupling; ///< absent without interfaces
   ResidualSummary residuals;
+  std::optional<ErrorSummary> errors; ///< absent without Error Estimation
   std::vector<ExpectationSummary> expectations;
   std::map<std::string, std::int64_t> counts;
   std::vector<StageSummary> stages;

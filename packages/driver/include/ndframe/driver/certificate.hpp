@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+
+#include "ndframe/driver/condensed_model.hpp"
+#include "ndframe/driver/solution.hpp"
+#include "ndframe/io/summary.hpp"
+#include "ndframe/recovery/stress_recovery.hpp"
+
+namespace ndframe
+{
+
+/// What Error Estimation computed: numbers for the summary, fields for the Exodus file.
+struct Certificate
+{
+  ErrorSummary summary;
+  /// Contributions of the elements (42), not squared, per body and cell; empty when not asked for.
+  std::vector<Vector> etaGlobal, etaDiscretization, etaAlgorithm;
+  std::vector<ContactFacet> facets; ///< of all interfaces, in the order of their InterfaceMesh facets
+  ContactTraction traction;         ///< the admissible traction t^ of the global measure; empty shares without contact
+  std::vector<Vector> intermediate; ///< u~ per body, global axes; empty when not recovered
+  std::vector<Vector> admissible;   ///< u^ per body, global axes; empty when not recovered
+  std::vector<StressCorrection> corrections; ///< of the global stress, per body
+};
+
+/// Section 5: everything the deck's Error Estimation asks for, for the final state of a run. Collective.
+/// `fields`: the final state is their last. Throws InputError when no admissible traction exists.
+Certificate certify(const Params& deck, const Components& components, const Model& model,
+                    const CondensedModel& condensed, const CouplingResult& coupling,
+                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger);
+
+} // namespace ndframe

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ndframe/base/params.hpp"
+
+namespace ndframe
+{
+
+/// What can be said about the error.
+enum class Estimator
+{
+  Global,         ///< (39), (41): the bound
+  Algorithm,      ///< (50): what the stopped iteration adds, an indicator
+  Discretization, ///< (55): what the mesh adds, an indicator
+  Split,          ///< the bound as |sigma^ - sigma~| and the iteration's part
+  Reference,      ///< the error against a finer solution
+  ZienkiewiczZhu, ///< stress smoothing, for comparison
+  Residual        ///< residuals and jumps, for comparison
+};
+
+/// Strict: everything that makes the bound a bound. Paper: u^ = u_h, although it may penetrate between the nodes.
+enum class ErrorMode
+{
+  Strict,
+  Paper
+};
+
+/// The admissible traction: the one that makes the bound small, or the paper's projection of the computed one.
+enum class TractionType
+{
+  Optimal,
+  Projected
+};
+
+/// The traction of the Neumann side in the mean that is projected: the one that its body is in equilibrium with,
+/// or the one relaxed after the last sweep.
+enum class TractionMean
+{
+  Previous,
+  Updated
+};
+
+const Names<Estimator>& estimatorNames();
+const Names<ErrorMode>& errorModeNames();
+const Names<TractionType>& tractionTypeNames();
+const Names<TractionMean>& tractionMeanNames();
+
+/// The list Error Estimation, read.
+struct ErrorOptions
+{
+  std::vector<Estimator> estimators; ///< those of the deck; without the key Global and, with interfaces, its two parts
+  ErrorMode mode = ErrorMode::Strict;
+  TractionType tractionType = TractionType::Optimal;
+  TractionMean tractionMean = TractionMean::Previous;
+  bool checkEquilibrium = false;
+  bool requireGuarantee = false; ///< a bound that is not guaranteed is a failed run
+  int refinements = 0;           ///< of the reference: halvings of every edge
+  std::int64_t maximumDofs = 0;  ///< of the reference
+  bool touches = false;          ///< the deck has interfaces
+
+  bool wants(Estimator estimator) const;
+  bool needsTraction() const;        ///< an admissible traction and the fields u~ in equilibrium with it
+  bool recoversGlobalStress() const; ///< the equilibrated stress of the bound
+  bool recoversStress() const;       ///< that or the one of the separate problems
+  bool optimises() const;            ///< the recovery changes the traction
+};
+
+/// True when the deck asks for anything of it.
+bool estimatesErrors(const Params& deck);
+
+/// For decks that ask for it.
+ErrorOptions errorOptions(const Params& deck);
+
+/// The list's specification; `recoveries`: the ways to find equilibrated stresses.
+ListSpec errorEstimationSpec(const Choices& recoveries);
+
+/// Names of the stages in the plan and in the ledger.
+namespace certificateStage
+{
+inline constexpr const char* traction = "certify traction";
+inline constexpr const char* fields = "certify fields";
+inline constexpr const char* recovery = "certify recovery";
+inline constexpr const char* equilibrium = "certify equilibrium";
+inline constexpr const char* estimators = "certify estimators";
+inline constexpr const char* reference = "certify reference";
+} // namespace certificateStage
+
+} // namespace ndframe

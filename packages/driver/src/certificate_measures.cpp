@@ -1,0 +1,146 @@
+#include "certificate_measures.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ndframe/assembly/fields.hpp"
+#include "ndframe/recovery/cell_energy.hpp"
+#include "ndframe/recovery/contact_moments.hpp"
+#include "ndframe/recovery/equilibrium_check.hpp"
+#include "ndframe/recovery/prescribed_charge.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A star whose forces are out of balance by more than this (relative) was not given a finite element solution.
+constexpr double largestDefect = 1e-9;
+/// Signs are met up to this, relative to the field.
+constexpr double roundOff = 1e-12;
+
+Vector difference(Vector a, const Vector& b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+  return a;
+}
+
+bool isZero(const Vector& v)
+{
+  return std::all_of(v.begin(), v.end(), [](double value) { return value == 0.0; });
+}
+
+} // namespace
+
+AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, const RecoveryScene& recovery,
+                           ErrorMode mode)
+{
+  AdmissibleScene result;
+  result.gap = contactGap(deck, scene, mode);
+  result.displacement = admitDisplacements(scene, result.gap, mode);
+  std::vector<Vector> squares;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const auto prescribed = chargePrescribed(*scene.bodies[b]);
+    squares.push_back(recovery.data[b].oscillation);
+    result.oscillation += prescribed.charge;
+    for (const auto& caveat : {recovery.data[b].caveat, prescribed.caveat})
+      if (result.caveat.empty())
+        result.caveat = caveat;
+  }
+  result.oscillation += totalOf(squares);
+  return result;
+}
+
+ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
+                           const AdmissibleScene& admissible)
+{
+  std::vector<Vector> distances;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Vector v = difference(recovered.field.displacement[b], admissible.displacement.displacement[b]);
+    distances.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], isZero(v) ? nullptr : &v));
+  }
+  Vector contact;
+  if (!scene.facets.empty())
+    contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
+                                   openings(scene, admissible.displacement.displacement, admissible.gap));
+  ErrorMeasure measure = assembleMeasure(std::move(distances), scene.facets, contact);
+  measure.projection = admissible.displacement.charge;
+  measure.oscillation = admissible.oscillation;
+  return measure;
+}
+
+ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateField& field)
+{
+  std::vector<Vector> energies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    energies.push_back(cellEnergies(*scene.bodies[b], difference(field.displacement[b], scene.solved[b])));
+  const Vector gap = nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree);
+  const Vector opening = difference(jumpMoments(scene.bodies, scene.facets, scene.solved, scene.degree), gap);
+  return assembleMeasure(std::move(energies), scene.facets,
+                         contactContributions(scene.facets, field.onDirichlet, opening));
+}
+
+double correctionNorm(const CertifiedScene& scene, const RecoveredField& recovered)
+{
+  std::vector<Vector> energies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    energies.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], nullptr));
+  return totalOf(energies);
+}
+
+double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered)
+{
+  double largest = 0.0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Vector contact = sharesOf(scene, recovered.stress, int(b));
+    const FieldInput input{&recovered.field.displacement[b], contact.empty() ? nullptr : &contact};
+    const auto defects = checkEquilibrium(*scene.bodies[b], recovery.data[b], input, recovered.stress.corrections[b]);
+    largest = std::max(largest, defects.largest());
+  }
+  return largest;
+}
+
+Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
+                ErrorMode mode, double equilibrium)
+{
+  Guarantee guarantee;
+  guarantee.require(mode == ErrorMode::Strict, "Mode is Paper");
+  guarantee.accept(geometryCaveat(scene.model));
+  guarantee.accept(admissible.caveat);
+  guarantee.accept(admissible.gap.caveat);
+  guarantee.accept(admissible.displacement.caveat);
+  for (const auto& correction : recovered.stress.corrections)
+    guarantee.require(
+        correction.defect <= largestDefect,
+        fmt::format("the forces are out of balance by {:.1e} at a node (limit {:.0e}): solve more tightly",
+                    correction.defect, largestDefect));
+  guarantee.require(equilibrium <= largestDefect,
+                    fmt::format("the equilibrated stress is out of balance by {:.1e}", equilibrium));
+  if (scene.facets.empty() || mode == ErrorMode::Paper)
+    return guarantee;
+  guarantee.require(largestTension(scene, recovered.stress.onDirichlet) <= roundOff, "the traction pulls somewhere");
+  guarantee.require(largestPenetration(scene, admissible.displacement.displacement, admissible.gap) <= roundOff,
+                    "the displacement penetrates somewhere");
+  return guarantee;
+}
+
+ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double norm)
+{
+  const double absolute = measure.absolute();
+  return {absolute,           norm > 0.0 ? absolute / norm : 0.0,
+          measure.elements,   std::sqrt(std::max(measure.contact, 0.0)),
+          measure.projection, measure.oscillation};
+}
+
+std::vector<Vector> cellContributions(const ErrorMeasure& measure)
+{
+  std::vector<Vector> all;
+  for (const Vector& cells : measure.cells)
+    all.push_back(contributions(cells));
+  return all;
+}
+
+} // namespace ndframe

@@ -1,0 +1,52 @@
+#pragma once
+
+#include "certificate_steps.hpp"
+#include "ndframe/estimation/error_measure.hpp"
+#include "ndframe/io/summary.hpp"
+
+namespace ndframe
+{
+
+/// A recovered stress sigma^ = K eps(u~) + c with the fields it was made from.
+struct RecoveredField
+{
+  IntermediateField field;
+  SceneStress stress;
+};
+
+/// The displacement that a stress is compared with, and what the comparison has to add.
+struct AdmissibleScene
+{
+  GapBound gap;
+  AdmissibleDisplacement displacement;
+  double oscillation = 0.0; ///< loads and prescribed displacements that polynomials do not carry
+  std::string caveat;       ///< why the oscillation is not proven; empty when it is
+};
+
+/// u^, the gap and the data's oscillation.
+AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, const RecoveryScene& recovery,
+                           ErrorMode mode);
+
+/// (39): distance of the stress from K eps(u^), contact term, what is added.
+ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
+                           const AdmissibleScene& admissible);
+
+/// (50): distance of K eps(u~) from K eps(u_h), contact term with the projected traction at the nodes.
+ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateField& field);
+
+/// |sigma^ - sigma~|.
+double correctionNorm(const CertifiedScene& scene, const RecoveredField& recovered);
+
+/// Largest defect that checkEquilibrium finds in a stress.
+double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered);
+
+/// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found, 0 if not asked.
+Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
+                ErrorMode mode, double equilibrium);
+
+ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double norm);
+
+/// Contributions of the cells, per body, not squared.
+std::vector<Vector> cellContributions(const ErrorMeasure& measure);
+
+} // namespace ndframe

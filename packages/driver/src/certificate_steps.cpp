@@ -1,0 +1,200 @@
+#include "certificate_steps.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "intermediate_fields.hpp"
+#include "ndframe/assembly/fields.hpp"
+#include "ndframe/base/expression.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Normal jump u1_N - u2_N at the nodes of a contact facet: two ends, then (order 2) the middle.
+std::array<double, 3> facetJump(const CertifiedScene& scene, const ContactFacet& facet,
+                                const std::vector<Vector>& displacement)
+{
+  std::array<double, 3> jump{};
+  const auto add = [&](int body, Facet side, bool reversed, double sign) {
+    std::array<int, 3> nodes{};
+    facetNodes(scene.bodies[std::size_t(body)]->nodes, side, nodes.data());
+    if ((nodes[0] > nodes[1]) != reversed)
+      std::swap(nodes[0], nodes[1]);
+    for (std::size_t i = 0; i < std::size_t(scene.order + 1); ++i)
+      for (std::size_t k = 0; k < 2; ++k)
+        jump[i] += sign * facet.normal[k] * displacement[std::size_t(body)][std::size_t(nodes[i]) * 2 + k];
+  };
+  add(facet.dirichletBody, facet.dirichlet, false, 1.0);
+  add(facet.neumannBody, facet.neumann, facet.reversed, -1.0);
+  return jump;
+}
+
+double largest(const std::vector<Vector>& fields)
+{
+  double value = 0.0;
+  for (const Vector& field : fields)
+    for (const double entry : field)
+      value = std::max(value, std::abs(entry));
+  return value;
+}
+
+} // namespace
+
+void Guarantee::require(bool holds, const std::string& otherwise)
+{
+  if (!holds && reason_.empty())
+    reason_ = otherwise;
+}
+
+CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
+                         const std::vector<BodyFields>& fields, int degree, const Comm& comm)
+{
+  CertifiedScene scene{model, condensed, coupling, {}, {}, contactFacets(model), 0, degree, 0.0};
+  double total = 0.0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    scene.bodies.push_back(&model.bodies[b]);
+    scene.solved.push_back(fields[b].displacement.back());
+    total += energy(condensed.systems[b], fields[b].u.back(), comm);
+  }
+  scene.order = model.bodies.front().nodes.order;
+  scene.norm = std::sqrt(std::max(total, 0.0));
+  return scene;
+}
+
+RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
+{
+  RecoveryScene result;
+  result.bodies = scene.bodies;
+  result.facets = scene.facets;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    std::vector<Facet> contact;
+    for (const ContactFacet& facet : scene.facets) {
+      if (facet.dirichletBody == int(b))
+        contact.push_back(facet.dirichlet);
+      if (facet.neumannBody == int(b))
+        contact.push_back(facet.neumann);
+    }
+    result.data.push_back(makeStaticData(*scene.bodies[b], scene.degree, std::move(contact)));
+  }
+  return result;
+}
+
+SceneField makeSceneField(const IntermediateField& field)
+{
+  SceneField result;
+  for (const Vector& displacement : field.displacement)
+    result.displacement.push_back(&displacement);
+  result.onDirichlet = field.onDirichlet;
+  result.onNeumann = field.onNeumann;
+  return result;
+}
+
+Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body)
+{
+  if (scene.facets.empty())
+    return {};
+  return contactShares(scene.facets, stress.onDirichlet, stress.onNeumann, body,
+                       scene.bodies[std::size_t(body)]->mesh.dim);
+}
+
+Vector nodalGap(const Model& model)
+{
+  Vector gap;
+  for (const auto& interface : model.interfaces)
+    gap.insert(gap.end(), interface.gap.begin(), interface.gap.end());
+  return gap;
+}
+
+double largestTension(const CertifiedScene& scene, const ContactTraction& traction)
+{
+  double scale = 0.0;
+  for (std::size_t f = 0; f < scene.facets.size(); ++f)
+    scale = std::max(scale, std::abs(traction.moments(int(f)).front()) / scene.facets[f].measure);
+  const double tension = largestBernstein(traction, scene.facets);
+  return scale > 0.0 ? tension / scale : tension;
+}
+
+ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal)
+{
+  const auto balance = balanceConditions(scene.model, scene.condensed, scene.facets);
+  try {
+    const Vector projected =
+        projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance);
+    return tractionFromNodes(scene.facets, projected, scene.order, scene.degree);
+  } catch (const InfeasibleTraction& failure) {
+    throw InputError(fmt::format("Error Estimation: no pressure on the interfaces balances the loads ({}): the load "
+                                 "pulls the body off, so there is no equilibrated stress and no bound. Hold the body "
+                                 "or turn its load around.",
+                                 failure.motion));
+  }
+}
+
+void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields)
+{
+  for (auto* field : fields)
+    field->displacement = scene.solved;
+  for (const auto& trace : scene.condensed.interface.bodies) {
+    const auto b = std::size_t(trace.body);
+    std::vector<Vector> forces;
+    for (const auto* field : fields) {
+      Vector force = contactForces(*scene.bodies[b], trace.body, scene.facets, field->onDirichlet, field->onNeumann);
+      forces.push_back(std::move(force));
+    }
+    const Vector known = solvedForces(scene.condensed, trace.body, scene.coupling.state);
+    auto solutions = intermediateFields(scene.model, scene.condensed, trace.body, forces, known, scene.solved[b]);
+    for (std::size_t f = 0; f < fields.size(); ++f)
+      fields[f]->displacement[b] = std::move(solutions[f]);
+  }
+}
+
+GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode mode)
+{
+  if (scene.facets.empty())
+    return {};
+  if (mode == ErrorMode::Paper)
+    return {{}, nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree), {}};
+  std::vector<Expression> gaps;
+  for (const auto& interface : scene.model.interfaces)
+    gaps.insert(gaps.end(), std::size_t(interface.numFacets()),
+                deck.sub("Interfaces").sub(interface.name).expression("Gap"));
+  return boundGap(scene.bodies, scene.facets, scene.degree,
+                  [&](int facet, const double* point) { return gaps[std::size_t(facet)](point[0], point[1], 0.0); });
+}
+
+AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const GapBound& gap, ErrorMode mode)
+{
+  if (mode == ErrorMode::Paper || scene.facets.empty())
+    return {scene.solved, 0.0, 0, {}};
+  std::vector<const ConstraintSet*> constraints;
+  for (const auto& set : scene.model.constraints)
+    constraints.push_back(&set);
+  return admitDisplacement(scene.bodies, constraints, scene.facets, gap, scene.solved);
+}
+
+Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
+{
+  Vector moments = jumpMoments(scene.bodies, scene.facets, displacement, scene.degree);
+  for (std::size_t i = 0; i < moments.size(); ++i)
+    moments[i] -= gap.moments[i];
+  return moments;
+}
+
+double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
+{
+  double deepest = 0.0;
+  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
+    const auto jump = facetJump(scene, scene.facets[f], displacement);
+    const double* bound = gap.bernstein.data() + f * std::size_t(scene.order + 1);
+    deepest = std::max({deepest, jump[0] - bound[0], jump[1] - bound[scene.order]});
+    if (scene.order == 2)
+      deepest = std::max(deepest, 2.0 * jump[2] - 0.5 * (jump[0] + jump[1]) - bound[1]);
+  }
+  const double scale = largest(displacement);
+  return scale > 0.0 ? deepest / scale : deepest;
+}
+
+} // namespace ndframe

@@ -1,0 +1,145 @@
+#include "contact_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ndframe/coupling/relaxation_controller.hpp"
+#include "ndframe/recovery/contact_moments.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Coordinates of the two sides that differ by more than this, relative to a facet, are not the same line.
+constexpr double sameLine = 1e-11;
+
+/// The interface node at a body's node; the facet's nodes are few.
+int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
+{
+  const int* nodes = interface.facets.data() + std::ptrdiff_t(facet) * interface.nodesPerFacet();
+  const int* found = std::find_if(nodes, nodes + interface.nodesPerFacet(),
+                                  [&](int node) { return interface.dirichletNodes[std::size_t(node)] == bodyNode; });
+  return *found;
+}
+
+ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f, int firstNode)
+{
+  ContactFacet facet;
+  facet.dirichletBody = interface.dirichletBody;
+  facet.neumannBody = interface.neumannBody;
+  facet.dirichlet = interface.dirichletFacets[std::size_t(f)];
+  facet.neumann = interface.neumannFacets[std::size_t(f)];
+  const BodyModel& body = model.bodies[std::size_t(facet.dirichletBody)];
+  facet.measure = facetNormal(body.mesh, facet.dirichlet, facet.normal.data());
+  std::array<int, 3> nodes{};
+  facetNodes(body.nodes, facet.dirichlet, nodes.data());
+  if (nodes[0] > nodes[1])
+    std::swap(nodes[0], nodes[1]);
+  std::array<int, 3> ours{};
+  for (int i = 0; i < body.nodes.nodesPerFacet; ++i) {
+    ours[std::size_t(i)] = nodeAt(interface, f, nodes[std::size_t(i)]);
+    facet.nodes[std::size_t(i)] = firstNode + ours[std::size_t(i)];
+  }
+  facet.reversed = interface.neumannNodes[std::size_t(ours[0])] > interface.neumannNodes[std::size_t(ours[1])];
+  return facet;
+}
+
+/// int psi_i motion . n_c over the facets, with the sign with which a body feels t_N.
+Vector motionWork(const Model& model, int body, const Vector& motion, const std::vector<ContactFacet>& facets,
+                  int numNodes)
+{
+  const BodyModel& moved = model.bodies[std::size_t(body)];
+  const auto matrix = facetContactMatrix(moved.nodes.order);
+  const auto n = std::size_t(moved.nodes.order + 1);
+  Vector work(std::size_t(numNodes), 0.0);
+  for (const ContactFacet& facet : facets) {
+    const bool isDirichlet = facet.dirichletBody == body;
+    if (!isDirichlet && facet.neumannBody != body)
+      continue;
+    std::array<int, 3> nodes{};
+    facetNodes(moved.nodes, isDirichlet ? facet.dirichlet : facet.neumann, nodes.data());
+    if ((nodes[0] > nodes[1]) != (!isDirichlet && facet.reversed))
+      std::swap(nodes[0], nodes[1]);
+    for (std::size_t j = 0; j < n; ++j) {
+      double along = 0.0;
+      for (std::size_t k = 0; k < 2; ++k)
+        along += facet.normal[k] * motion[std::size_t(nodes[j]) * 2 + k];
+      for (std::size_t i = 0; i < n; ++i)
+        work[std::size_t(facet.nodes[i])] += (isDirichlet ? 1.0 : -1.0) * facet.measure * matrix[i * n + j] * along;
+    }
+  }
+  return work;
+}
+
+} // namespace
+
+std::vector<ContactFacet> contactFacets(const Model& model)
+{
+  std::vector<ContactFacet> facets;
+  int firstNode = 0;
+  for (const auto& interface : model.interfaces) {
+    for (int f = 0; f < interface.numFacets(); ++f)
+      facets.push_back(makeFacet(model, interface, f, firstNode));
+    firstNode += interface.numNodes();
+  }
+  return facets;
+}
+
+std::string geometryCaveat(const Model& model)
+{
+  for (const auto& interface : model.interfaces) {
+    const BodyModel &first = model.bodies[std::size_t(interface.dirichletBody)],
+                    &second = model.bodies[std::size_t(interface.neumannBody)];
+    const double shortest = *std::min_element(interface.measures.begin(), interface.measures.end());
+    for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
+      const double *x = first.nodes.point(interface.dirichletNodes[i]),
+                   *y = second.nodes.point(interface.neumannNodes[i]);
+      const double apart = std::hypot(x[0] - y[0], x[1] - y[1]);
+      if (apart > sameLine * (shortest + std::hypot(x[0], x[1])))
+        return fmt::format(
+            "the two sides of \"{}\" are {:.1e} apart at {}: give the meshes' coordinates with all digits",
+            interface.name, apart, pointText(x, interface.dim));
+    }
+  }
+  return {};
+}
+
+BalanceConditions balanceConditions(const Model& model, const CondensedModel& condensed,
+                                    const std::vector<ContactFacet>& facets)
+{
+  const int numNodes = condensed.interface.C->size();
+  std::vector<Vector> rows;
+  BalanceConditions conditions;
+  for (const auto& trace : condensed.interface.bodies) {
+    const auto b = std::size_t(trace.body);
+    const DenseMatrix& free = model.freeMotions[b];
+    if (free.cols() == 0)
+      continue;
+    const BodySystem& system = condensed.systems[b];
+    const DenseMatrix modes = rigidModes(model.rigid[b], model.bodies[b].nodes, system.dofs.frames);
+    for (int m = 0; m < free.cols(); ++m) {
+      const Vector motion = multiply(modes, free.column(m));
+      rows.push_back(motionWork(model, trace.body, system.dofs.frames.toGlobal(motion), facets, numNodes));
+      conditions.value.push_back(-dot(system.load, motion));
+      conditions.names.push_back(trace.motionNames[std::size_t(m)]);
+    }
+  }
+  conditions.work = DenseMatrix(int(rows.size()), numNodes);
+  for (int r = 0; r < conditions.work.rows(); ++r)
+    for (int i = 0; i < numNodes; ++i)
+      conditions.work(r, i) = rows[std::size_t(r)][std::size_t(i)];
+  return conditions;
+}
+
+Vector meanTraction(const CouplingResult& coupling, bool updated)
+{
+  const Vector& dirichlet = coupling.state.tractionDirichlet;
+  const Vector& previous = coupling.state.tractionNeumann;
+  const double theta = coupling.history.empty() ? 0.0 : coupling.history.back().theta;
+  return relax(dirichlet, updated ? relax(dirichlet, previous, theta) : previous, 0.5);
+}
+
+} // namespace ndframe

@@ -1,0 +1,101 @@
+#include "error_screen.hpp"
+
+#include <fmt/format.h>
+
+#include "advice.hpp"
+#include "screen.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr int nameColumn = 17;
+
+/// One line: what, the number, and its share of the solution.
+std::string line(const std::string& name, const std::string& sign, double absolute, std::optional<double> relative,
+                 const std::string& remark)
+{
+  const auto share = relative ? fmt::format("{:>7.2f} %", 100.0 * *relative) : "";
+  std::string text =
+      fmt::format("\n  {:<{}} {:>2} {:>11.4g} {:>9}   {}", name, nameColumn, sign, absolute, share, remark);
+  text.erase(text.find_last_not_of(' ') + 1);
+  return text;
+}
+
+std::string arrow(bool points, const std::string& words)
+{
+  return points && !words.empty() ? "<- " + words : "";
+}
+
+/// The bound with what it is worth, and that of the mean stress.
+std::string boundText(const ErrorSummary& errors)
+{
+  const bool holds = errors.guaranteed;
+  std::string text;
+  if (errors.global)
+    text += line("error in energy", holds ? "<=" : "~", errors.global->absolute, errors.global->relative,
+                 holds ? "of the solution, guaranteed" : "of the solution, not guaranteed: " + errors.reason);
+  return text;
+}
+
+std::string partsText(const ErrorSummary& errors)
+{
+  const bool isMesh = meshDominates(errors);
+  std::string text;
+  if (errors.discretization)
+    text += line("  mesh", "", errors.discretization->absolute, errors.discretization->relative,
+                 arrow(isMesh, errors.advice));
+  if (errors.algorithm)
+    text +=
+        line("  iteration", "", errors.algorithm->absolute, errors.algorithm->relative, arrow(!isMesh, errors.advice));
+  if (errors.splitStress)
+    text += line("  mesh, by Split", "", *errors.splitStress, {}, "");
+  return text;
+}
+
+std::string meanStressText(const ErrorSummary& errors)
+{
+  return errors.meanStress ? line("mean stress", errors.guaranteed ? "<=" : "~", *errors.meanStress,
+                                  errors.meanStressRelative, "error of the mean of computed and equilibrated stress")
+                           : "";
+}
+
+std::string referenceText(const ReferenceSummary& reference)
+{
+  std::string remark = fmt::format("against h/{}, {} dofs", 1 << reference.refinements, grouped(reference.dofs));
+  if (!reference.note.empty())
+    remark += fmt::format(" ({})", reference.note);
+  if (reference.effectivity)
+    remark += fmt::format("; the bound is {:.3f} times it", *reference.effectivity);
+  std::string text = line("reference", "=", reference.displacement, reference.relative, remark);
+  if (reference.meanStress)
+    text += line("  mean stress", "=", *reference.meanStress, {},
+                 reference.meanStressEffectivity
+                     ? fmt::format("its bound is {:.3f} times it", *reference.meanStressEffectivity)
+                     : "");
+  return text;
+}
+
+std::string comparisonsText(const ErrorSummary& errors)
+{
+  std::string text;
+  if (errors.zienkiewiczZhu)
+    text += line("Zienkiewicz-Zhu", "~", *errors.zienkiewiczZhu, {}, "not guaranteed");
+  if (errors.residual)
+    text += line("residual", "~", *errors.residual, {}, "not guaranteed");
+  if (errors.equilibrium)
+    text += fmt::format("\n  equilibrium of the recovered stress checked: largest defect {:.1e}", *errors.equilibrium);
+  return text;
+}
+
+} // namespace
+
+std::string errorText(const ErrorSummary& errors)
+{
+  const std::string text = boundText(errors) + partsText(errors) + meanStressText(errors) +
+                           (errors.reference ? referenceText(*errors.reference) : "") + comparisonsText(errors);
+  return text.substr(1);
+}
+
+} // namespace ndframe

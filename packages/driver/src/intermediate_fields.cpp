@@ -1,0 +1,185 @@
+#include "intermediate_fields.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ndframe
+{
+namespace
+{
+
+/// Forces that differ by less than this, relative to the largest, are the same.
+constexpr double sameForce = 1e-13;
+
+bool isFixed(const BodySystem& system, std::size_t dof)
+{
+  return system.dofs.roles[dof] == DofRole::Fixed;
+}
+
+/// True when two sets of nodal forces differ only where supports take the difference.
+bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
+{
+  const Vector first = system.dofs.frames.toLocal(a), second = system.dofs.frames.toLocal(b);
+  double difference = 0.0, scale = 0.0;
+  for (std::size_t i = 0; i < first.size(); ++i) {
+    scale = std::max({scale, std::abs(first[i]), std::abs(system.load[i])});
+    if (!isFixed(system, i))
+      difference = std::max(difference, std::abs(first[i] - second[i]));
+  }
+  return difference <= sameForce * scale;
+}
+
+/// As many kept dofs as the body has free motions, chosen so that holding them stops every motion: the rows of the
+/// motions' traces in the order of a pivoted orthogonalisation.
+std::vector<char> notHeld(const DenseMatrix& motions, int size)
+{
+  std::vector<char> isFree(std::size_t(size), 1);
+  DenseMatrix rest = motions;
+  for (int m = 0; m < motions.cols(); ++m) {
+    int pivot = 0;
+    double largest = -1.0;
+    for (int i = 0; i < rest.rows(); ++i) {
+      double square = 0.0;
+      for (int j = 0; j < rest.cols(); ++j)
+        square += rest(i, j) * rest(i, j);
+      if (square > largest) {
+        largest = square;
+        pivot = i;
+      }
+    }
+    isFree[std::size_t(pivot)] = 0;
+    Vector row;
+    for (int j = 0; j < rest.cols(); ++j)
+      row.push_back(rest(pivot, j) / std::sqrt(largest));
+    for (int i = 0; i < rest.rows(); ++i) {
+      double along = 0.0;
+      for (int j = 0; j < rest.cols(); ++j)
+        along += rest(i, j) * row[std::size_t(j)];
+      for (int j = 0; j < rest.cols(); ++j)
+        rest(i, j) -= along * row[std::size_t(j)];
+    }
+  }
+  return isFree;
+}
+
+/// Normal displacements of a field at a body's trace.
+Vector traceValues(const BodySystem& system, const Vector& solved)
+{
+  const Vector own = system.dofs.frames.toLocal(solved);
+  Vector values;
+  for (const auto& trace : system.dofs.trace)
+    values.push_back(trace.scale * own[std::size_t(trace.dof)] + trace.offset);
+  return values;
+}
+
+/// S u_N = g under the loads of one field; held entries keep the values of `start`.
+Vector solveTrace(const BodyTrace& trace, const RestrictedInverse& inverse, const std::vector<char>& isFree,
+                  const Vector& g, const Vector& start)
+{
+  Vector held = start;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (isFree[i])
+      held[i] = 0.0;
+  Vector right = trace.S->apply(held);
+  for (std::size_t i = 0; i < right.size(); ++i)
+    right[i] = g[i] - right[i];
+  Vector u = inverse.solve(right);
+  for (std::size_t i = 0; i < u.size(); ++i)
+    u[i] += held[i];
+  return u;
+}
+
+/// Effective load plus contact forces, in the nodes' own axes.
+Vector loaded(const BodySystem& system, const Vector& effective, const Vector& force)
+{
+  Vector load = system.dofs.frames.toLocal(force);
+  for (std::size_t i = 0; i < load.size(); ++i)
+    load[i] += effective[i];
+  return load;
+}
+
+/// g = reduced load plus contact forces. Forces that act on kept dofs only need no back-solve: true of every straight
+/// interface, where the nodes' normals are the facets'.
+Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& load)
+{
+  const auto b = std::size_t(body);
+  const BodySystem& system = condensed.systems[b];
+  const BodyTrace& trace = *condensed.trace(body);
+  double inside = 0.0, largest = 0.0;
+  Vector force = load;
+  for (std::size_t i = 0; i < force.size(); ++i) {
+    force[i] -= condensed.loads[b][i];
+    largest = std::max(largest, std::abs(force[i]));
+    if (system.dofs.roles[i] == DofRole::Interior)
+      inside = std::max(inside, std::abs(force[i]));
+  }
+  if (inside > sameForce * largest)
+    return traceLoad(*condensed.condensed[b], system.dofs.trace, *trace.S, load);
+  Vector g = trace.g;
+  for (std::size_t k = 0; k < g.size(); ++k)
+    g[k] += force[std::size_t(system.dofs.trace[k].dof)] / system.dofs.trace[k].scale;
+  return g;
+}
+
+/// The body's displacements for several right-hand sides at once.
+std::vector<Vector> expandAll(const BodySystem& system, const CondensedBody& body, const DenseMatrix& loads,
+                              const DenseMatrix& kept)
+{
+  const DenseMatrix u = body.expand(loads, kept);
+  std::vector<Vector> fields;
+  for (int f = 0; f < u.cols(); ++f) {
+    Vector full = u.column(f);
+    for (std::size_t i = 0; i < full.size(); ++i)
+      full[i] += system.dofs.prescribed[i];
+    fields.push_back(system.dofs.frames.toGlobal(full));
+  }
+  return fields;
+}
+
+} // namespace
+
+Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceState& state)
+{
+  const BodySystem& system = condensed.systems[std::size_t(body)];
+  const BodyTrace& trace = *condensed.trace(body);
+  Vector force(system.load.size(), 0.0);
+  for (std::size_t k = 0; k < trace.unknowns.size(); ++k) {
+    const auto unknown = std::size_t(trace.unknowns[k]);
+    const TraceDof& dof = system.dofs.trace[k];
+    force[std::size_t(dof.dof)] +=
+        dof.scale * (trace.onDirichletSide[k] ? state.forceDirichlet[unknown] : -state.forceNeumann[unknown]);
+  }
+  return system.dofs.frames.toGlobal(force);
+}
+
+std::vector<Vector> intermediateFields(const Model& model, const CondensedModel& condensed, int body,
+                                       const std::vector<Vector>& forces, const Vector& known, const Vector& solved)
+{
+  const auto b = std::size_t(body);
+  const BodySystem& system = condensed.systems[b];
+  const BodyTrace& trace = *condensed.trace(body);
+  std::vector<Vector> fields(forces.size(), solved);
+  std::vector<std::size_t> unknown;
+  for (std::size_t f = 0; f < forces.size(); ++f)
+    if (!areSame(system, forces[f], known))
+      unknown.push_back(f);
+  if (unknown.empty())
+    return fields;
+  const Vector start = traceValues(system, solved);
+  const auto isFree = notHeld(trace.freeMotions, int(start.size()));
+  const auto inverse = trace.S->inverseOn(isFree, 0.0);
+  DenseMatrix loads(model.bodies[b].numDofs(), int(unknown.size())), kept(int(start.size()), int(unknown.size()));
+  for (std::size_t j = 0; j < unknown.size(); ++j) {
+    const Vector load = loaded(system, condensed.loads[b], forces[unknown[j]]);
+    const Vector g = traceLoadUnder(condensed, body, load);
+    const Vector values = keptValues(system.dofs.trace, solveTrace(trace, *inverse, isFree, g, start));
+    std::copy(load.begin(), load.end(), loads.col(int(j)));
+    std::copy(values.begin(), values.end(), kept.col(int(j)));
+  }
+  const auto expanded = expandAll(system, *condensed.condensed[b], loads, kept);
+  for (std::size_t j = 0; j < unknown.size(); ++j)
+    fields[unknown[j]] = expanded[j];
+  return fields;
+}
+
+} // namespace ndframe

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+namespace ndframe
+{
+
+/// One error measure of the certificate, absolute in the energy norm and relative to sqrt(a(u_h, u_h)).
+struct ErrorMeasureSummary
+{
+  double absolute = 0.0, relative = 0.0;
+  double elements = 0.0;    ///< |sigma^ - K eps(u^)|, the distance of the two stresses
+  double contact = 0.0;     ///< sqrt(2 int t^ (w^ - g) dS)
+  double projection = 0.0;  ///< |u^ - u_h|: what making the displacement admissible costs
+  double oscillation = 0.0; ///< data that the polynomials do not carry
+};
+
+/// The true error as a finer solution shows it.
+struct ReferenceSummary
+{
+  int refinements = 0; ///< halvings of every edge
+  std::int64_t dofs = 0;
+  std::string note;          ///< why it is coarser than asked; empty when it is not
+  double displacement = 0.0; ///< |u_ref - u_h|, absolute
+  double relative = 0.0;
+  std::optional<double> stress, meanStress; ///< |sigma_ref - sigma^|, |sigma_ref - mean stress|: with Global
+  std::optional<double> effectivity, meanStressEffectivity;
+};
+
+/// The certificate: Error Estimation of the deck.
+struct ErrorSummary
+{
+  std::string mode;              ///< "Strict", "Paper"
+  std::string recovery;          ///< "Star", "Element"; empty when no stress was recovered
+  std::string interfaceTraction; ///< "Optimal", "Projected"; empty without contact
+  int degree = 0;
+  bool guaranteed = false;
+  std::string reason;                                   ///< why not; empty when guaranteed
+  std::optional<ErrorMeasureSummary> global;            ///< (39), (41): the bound
+  std::optional<ErrorMeasureSummary> algorithm;         ///< (50), an indicator
+  std::optional<ErrorMeasureSummary> discretization;    ///< (55), an indicator
+  std::optional<double> splitStress;                    ///< |sigma^ - sigma~|, the mesh part of Split, absolute
+  std::optional<double> meanStress, meanStressRelative; ///< sqrt(D^2/4 + c) + oscillation: bound of the mean stress
+  std::optional<double> zienkiewiczZhu, residual;       ///< unguaranteed comparisons, absolute
+  std::optional<double> equilibrium;                    ///< largest defect found by Check Equilibrium
+  std::optional<ReferenceSummary> reference;
+  std::string advice; ///< what would make the error smaller, in words; empty without both parts
+};
+
+} // namespace ndframe
