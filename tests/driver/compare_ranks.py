@@ -33,6 +33,12 @@ for ranks in (2, 3):
     for a, b in zip(one["interfaces"], other["interfaces"], strict=True):
         assert a["closed_nodes"] == b["closed_nodes"] and a["end_points"] == b["end_points"], (ranks, a, b)
         assert close(a["largest_pressure"], b["largest_pressure"], 1e-6), (ranks, a, b)
+    if one["errors"]:
+        for measure in ("global", "algorithm", "discretization"):
+            a, b = (summary["errors"][measure] for summary in (one, other))
+            assert (a is None) == (b is None), (ranks, measure)
+            assert a is None or close(a["absolute"], b["absolute"], 1e-8), (ranks, measure, a, b)
+        assert one["errors"]["global"]["guaranteed"] == other["errors"]["global"]["guaranteed"]
     if one["coupling"]:
         histories = one["coupling"]["history"], other["coupling"]["history"]
         for a, b in zip(*histories, strict=True):

@@ -160,10 +160,62 @@ class ExodusFile(unittest.TestCase):
             self.assertAlmostEqual(value, pressure[x] if y == 0 else 0.0, places=12)
 
 
+class Certificate(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.run_ = Run(shipped("certificate"))
+        cls.errors = cls.run_.summary["errors"]
+
+    def areas(self, block):
+        corners = self.run_.points()[self.run_.exodus[f"connect{block + 1}"][:, :3] - 1]
+        (ax, ay), (bx, by) = (corners[:, 1] - corners[:, 0]).T, (corners[:, 2] - corners[:, 0]).T
+        return (ax * by - ay * bx) / 2
+
+    def test_contributions_of_the_elements_add_up(self):
+        for name, key in (("eta_glob", "global"), ("eta_dis", "discretization"), ("eta_nda", "algorithm")):
+            squares = sum((self.run_.element(name, block) ** 2).sum() for block in (0, 1))
+            measure = self.errors[key]
+            total = measure["elements"] ** 2 + measure["contact"] ** 2
+            self.assertAlmostEqual(squares / total, 1, places=10, msg=name)
+
+    def test_admissible_pressure_presses_and_carries_the_load(self):
+        pressure, other = (self.run_.side("admissible_pressure", f"contact:{body}") for body in ("dirichlet", "neumann"))
+        numpy.testing.assert_array_equal(pressure, other)
+        self.assertGreater(pressure.min(), 0)
+        self.assertAlmostEqual(pressure.mean(), 1, places=10)  # facets of equal length, 1 in all
+
+    def test_equilibrated_stress_of_the_punch_has_the_means_of_its_loads(self):
+        # int sigma = int (sigma n) x: pressure 1 at y = 1, nothing along x, no friction.
+        areas = self.areas(0)
+        for name, mean in (("xx", 0), ("yy", -1)):
+            values = self.run_.element(f"sigma_hat_{name}", 0)
+            self.assertAlmostEqual((areas * values).sum() / areas.sum(), mean, places=9, msg=name)
+
+    def test_mean_stress_lies_between_the_two(self):
+        self.assertLess(self.errors["global"]["projection"], 1e-12)
+        for block in (0, 1):
+            for name in ("xx", "yy", "xy"):
+                computed, equilibrated = (self.run_.element(f"{kind}_{name}", block) for kind in ("stress", "sigma_hat"))
+                mean = self.run_.element(f"mean_stress_{name}", block)
+                numpy.testing.assert_allclose(mean, (computed + equilibrated) / 2, atol=1e-11)
+
+    def test_is_of_the_last_step_only(self):
+        sweeps = Run(shipped("certificate"), "Output/Steps=All Sweeps", "Error Estimation/Estimators={Global}",
+                     "Expect/the bound is above the error, and near it/Quantity=errors/global/guaranteed")
+        for value in (sweeps.element("eta_glob", 0, 0), sweeps.side("admissible_pressure", "contact:dirichlet", 0)):
+            self.assertTrue(numpy.isnan(value).all())
+        self.assertFalse(numpy.isnan(sweeps.element("eta_glob", 0)).any())
+
+    def test_writes_only_what_was_estimated(self):
+        algorithm = Run(shipped("punch"), "Error Estimation/Estimators={Algorithm}")
+        added = set(algorithm.names("name_elem_var")) - set(Run(shipped("punch")).names("name_elem_var"))
+        self.assertEqual(added, {"eta_nda"})
+
+
 class Summary(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
-        cls.runs = {name: Run(shipped(name)) for name in ("punch", "contact-loss", "beam-3d", "patch")}
+        cls.runs = {name: Run(shipped(name)) for name in ("punch", "contact-loss", "beam-3d", "patch", "certificate")}
 
     def test_follows_the_schema(self):
         validator = jsonschema.Draft7Validator(json.loads(pathlib.Path(SCHEMA).read_text()))

@@ -158,9 +158,10 @@ TEST_F(Program, PlansWithoutReadingAMesh)
                             "Output/Exodus=false"});
   EXPECT_EQ(result.exitCode, 0);
   for (const char* line :
-       {"  gmsh            skip   no .geo script: the library is not loaded\n",
-        "  mpi             skip   one process: MPI is not started\n", "  couple          run    Monolithic\n",
-        "  stress          skip   no Exodus file is written\n", "  read            run    2 bodies\n"})
+       {"  gmsh                skip   no .geo script: the library is not loaded\n",
+        "  mpi                 skip   one process: MPI is not started\n", "  couple              run    Monolithic\n",
+        "  certificate         skip   the deck has no list Error Estimation\n",
+        "  stress              skip   no Exodus file is written\n", "  read                run    2 bodies\n"})
     EXPECT_THAT(result.out, HasSubstr(line));
   EXPECT_THAT(files(), IsEmpty());
 }
@@ -169,10 +170,11 @@ TEST_F(Program, ListsAllComponents)
 {
   const auto result = call({"--list"});
   EXPECT_EQ(result.exitCode, 0);
-  for (const auto* choices : {&components().meshSources.choices(), &components().materials.choices(),
-                              &components().supports.choices(), &components().loads.choices(),
-                              &components().linearSolvers.choices(), &components().interfaceOperators.choices(),
-                              &components().relaxations.choices(), &components().couplings.choices()})
+  for (const auto* choices :
+       {&components().meshSources.choices(), &components().materials.choices(), &components().supports.choices(),
+        &components().loads.choices(), &components().linearSolvers.choices(),
+        &components().interfaceOperators.choices(), &components().relaxations.choices(),
+        &components().couplings.choices(), &components().recoveries.choices()})
     for (const auto& component : choices->components)
       EXPECT_THAT(result.out, HasSubstr("\n  " + component.name + " "));
 }
@@ -232,6 +234,39 @@ TEST_F(Program, ShowsHeaderSweepsAndTablesOnAPipeWithoutControlCharacters)
   const auto sweeps = summary("contact-loss")["coupling"]["sweeps"].get<int>();
   EXPECT_THAT(result.out,
               HasSubstr("\n  " + std::string(5 - std::to_string(sweeps).size(), ' ') + std::to_string(sweeps) + "   "));
+}
+
+TEST_F(Program, ShowsTheCertificateAndItsReasonWhenItIsNone)
+{
+  const auto strict = punch({"Error Estimation/Mode=Strict"});
+  EXPECT_EQ(strict.exitCode, 0);
+  EXPECT_THAT(strict.out,
+              testing::ContainsRegex("\n  error in energy +<= .* % +of the solution, guaranteed\n    mesh .* %"));
+  const auto paper = punch({"Error Estimation/Mode=Paper"});
+  EXPECT_EQ(paper.exitCode, 0);
+  EXPECT_THAT(paper.out, testing::ContainsRegex("\n  error in energy +~ .* not guaranteed: .*Paper"));
+  EXPECT_EQ(summary("punch")["errors"]["global"]["guaranteed"], false);
+}
+
+TEST_F(Program, AMissingGuaranteeEndsWithThreeOnlyWhereItIsRequired)
+{
+  const auto beam = [&](const std::string& isRequired) {
+    return call({"-i", shippedDeck("beam-3d"), "--set", "Bodies/beam/Loads/bending/X=sin(y)", "--set",
+                 "Expect/exact energy/Tolerance=1", "--set", "Error Estimation/Require Guarantee=" + isRequired});
+  };
+  EXPECT_EQ(beam("false").exitCode, 0);
+  const auto required = beam("true");
+  EXPECT_EQ(required.exitCode, 3);
+  EXPECT_THAT(required.err, AllOf(StartsWith("the bound is not guaranteed: "), HasSubstr("not proven for tetrahedra"),
+                                  EndsWith("; the results are marked so.\n")));
+  EXPECT_EQ(summary("beam-3d")["errors"]["global"]["guaranteed"], false);
+}
+
+TEST_F(Program, ExpectsNumbersOfTheCertificate)
+{
+  const auto result = punch({"Error Estimation/Estimators={Global}", "Expect/mine/Quantity=errors/global/guaranteed",
+                             "Expect/mine/Value=1", "Expect/mine/Tolerance=0"});
+  EXPECT_EQ(result.exitCode, 0) << result.err;
 }
 
 TEST_F(Program, ReferenceIsUpToDate)

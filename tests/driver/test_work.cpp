@@ -79,9 +79,12 @@ TEST_P(ShippedDeck, DoesWhatItsPlanSays)
   }
 }
 
-TEST_P(ShippedDeck, FactorsEveryBodyOnce)
+TEST_P(ShippedDeck, FactorsEveryBodyOnceWithACertificateToo)
 {
-  const auto outcome = Scene(GetParam()).run();
+  Scene scene(GetParam());
+  // A reference is a scene of its own, with factors of its own.
+  scene.changeAll("Estimators", [](const std::string&) { return "{Global, Algorithm, Discretization}"; });
+  const auto outcome = scene.run();
   const bool isKrylov = GetParam() == "krylov";
   EXPECT_EQ(outcome.ledger->counted("factorisations"), isKrylov ? 0 : int(outcome.run.model.bodies.size()));
 }
@@ -147,6 +150,17 @@ TEST(Ledger, CountsNothingOfTheInterfaceWithoutOne)
   EXPECT_FALSE(outcome.run.summary.coupling);
   EXPECT_TRUE(outcome.run.contact.empty());
   EXPECT_EQ(outcome.run.condensed.interface.C, nullptr);
+}
+
+TEST(Ledger, CountsNothingOfTheCertificateWithoutOne)
+{
+  const auto outcome = Scene("punch").run();
+  for (const char* count : {"stars", "star sweeps", "interface stars", "element problems"})
+    EXPECT_EQ(outcome.ledger->counts().count(count), 0U) << count;
+  for (const auto& stage : outcome.ledger->stages())
+    EXPECT_NE(stage.name.rfind("certify", 0), 0U) << stage.name;
+  EXPECT_FALSE(outcome.run.certificate);
+  EXPECT_FALSE(outcome.run.summary.errors);
 }
 
 TEST(Plan, SkipsWhatTheDeckSwitchesOff)

@@ -5,6 +5,33 @@
 namespace ndframe::test
 {
 
+namespace
+{
+
+ErrorSummary sampleErrors()
+{
+  ErrorSummary errors;
+  errors.mode = "Strict";
+  errors.recovery = "Star";
+  errors.interfaceTraction = "Optimal";
+  errors.degree = 2;
+  errors.reason = "the gap is too rough to be resolved";
+  errors.global = ErrorMeasureSummary{0.0625, 0.05, 0.0575, 0.01, 0.002, 0.001};
+  errors.algorithm = ErrorMeasureSummary{0.05, 0.04, 0.05, 0.0, 0.0, 0.0};
+  errors.discretization = ErrorMeasureSummary{0.03, 0.025, 0.03, 0.0, 0.0, 0.0};
+  errors.splitStress = 0.031;
+  errors.meanStress = 0.03125;
+  errors.meanStressRelative = 0.025;
+  errors.zienkiewiczZhu = 0.028;
+  errors.residual = 0.15;
+  errors.equilibrium = 3e-15;
+  errors.reference = ReferenceSummary{3, 300000, "", 0.06, 0.048, 0.03, 0.031, 1.04, 1.01};
+  errors.advice = "2 more sweeps would leave the mesh alone";
+  return errors;
+}
+
+} // namespace
+
 RunSummary singleBodySummary()
 {
   RunSummary summary;
@@ -46,6 +73,7 @@ RunSummary contactSummary()
   const SweepSummary first{1, 2.0, 0.5, 1, 2, 60, 1, -1.0, 0.0, 0.0, "first"};
   const SweepSummary second{2, std::numeric_limits<double>::quiet_NaN(), 0.5, 0, 1, 60, 1, -1.0, -0.5, 0.0, ""};
   summary.coupling = CouplingSummary{"Neumann-Dirichlet", 2, true, "eps_tau 0.091 < 0.1", {first, second}};
+  summary.errors = sampleErrors();
   summary.expectations = {{"coupling/sweeps", 2.0, 2.0, 0.0, true}};
   return summary;
 }

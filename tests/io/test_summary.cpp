@@ -55,6 +55,21 @@ TEST(Summary, CouplingIsNullWithoutInterfaces)
   EXPECT_EQ(Json::parse(toJson(contactSummary()))["coupling"]["history"].size(), 2U);
 }
 
+TEST(Summary, ErrorsAreNullWithoutACertificate)
+{
+  EXPECT_TRUE(Json::parse(toJson(singleBodySummary()))["errors"].is_null());
+}
+
+TEST(Summary, ErrorsThatWereNotComputedAreNull)
+{
+  auto summary = contactSummary();
+  summary.errors = ErrorSummary{};
+  const auto errors = Json::parse(toJson(summary))["errors"];
+  for (const auto* key : {"global", "algorithm", "discretization", "split_stress", "mean_stress", "zienkiewicz_zhu",
+                          "residual", "equilibrium", "reference"})
+    EXPECT_TRUE(errors[key].is_null()) << key;
+}
+
 TEST(Summary, SurvivesNamesThatAreNotUtf8)
 {
   auto summary = singleBodySummary();
@@ -94,6 +109,21 @@ TEST(SummaryValue, CountsBooleansAsNumbers)
   EXPECT_EQ(summaryValue(summary, "coupling/converged"), 1.0);
   summary.coupling->converged = false;
   EXPECT_EQ(summaryValue(summary, "coupling/converged"), 0.0);
+}
+
+TEST(SummaryValue, FindsTheNumbersOfTheCertificate)
+{
+  auto summary = contactSummary();
+  EXPECT_EQ(summaryValue(summary, "errors/global/absolute"), 0.0625);
+  EXPECT_EQ(summaryValue(summary, "errors/global/contact"), 0.01);
+  EXPECT_EQ(summaryValue(summary, "errors/algorithm/relative"), 0.04);
+  EXPECT_EQ(summaryValue(summary, "errors/mean_stress/relative"), 0.025);
+  EXPECT_EQ(summaryValue(summary, "errors/reference/effectivity"), 1.04);
+  EXPECT_EQ(summaryValue(summary, "errors/global/guaranteed"), 0.0);
+  summary.errors->guaranteed = true;
+  EXPECT_EQ(summaryValue(summary, "errors/global/guaranteed"), 1.0);
+  summary.errors->discretization.reset();
+  EXPECT_EQ(summaryValue(summary, "errors/discretization/absolute"), std::nullopt);
 }
 
 TEST(SummaryValue, IsEmptyWhereThereIsNoNumber)

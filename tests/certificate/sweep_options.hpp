@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace ndframe::test
+{
+
+struct SweepOptions
+{
+  int scenes = 200;
+  int first = 0; ///< the first scene's number: one scene again with --first N --scenes 1
+  std::uint64_t seed = 1;
+  std::string folder = "certificate-sweep"; ///< decks of violations, the table
+  bool keep = false;                        ///< keep all decks
+  std::string table;                        ///< CSV
+};
+
+/// --scenes N --seed S --first N --folder F --keep. Anything else ends the program with code 2.
+SweepOptions readOptions(int argc, char** argv);
+
+} // namespace ndframe::test

@@ -1,0 +1,111 @@
+#include "certificate/trial.hpp"
+
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+
+#include "ndframe/base/log.hpp"
+#include "ndframe/driver/deck_spec.hpp"
+#include "ndframe/driver/run.hpp"
+
+namespace ndframe::test
+{
+namespace
+{
+
+/// Round-off, relative to the bound.
+constexpr double roundOff = 1e-9;
+/// Largest defect of the recovered stress, relative.
+constexpr double largestDefect = 1e-10;
+
+/// Reasons for a bound without a guarantee that are limits of the theory, not mistakes.
+const std::vector<std::string> knownLimits{"not proven for tetrahedra", "charged in the plane only", "too abruptly",
+                                           "where supports hold both"};
+
+bool isKnownLimit(const std::string& reason)
+{
+  for (const auto& limit : knownLimits)
+    if (reason.find(limit) != std::string::npos)
+      return true;
+  return false;
+}
+
+const Components& allComponents()
+{
+  static const auto all = makeComponents();
+  return *all;
+}
+
+Run runFile(const std::string& path, Ledger& ledger)
+{
+  Diagnostics diagnostics;
+  const Params deck = validate(readDeck(path), makeDeckSpec(allComponents()), diagnostics);
+  diagnostics.throwIfAny();
+  return runDeck(deck, allComponents(), Comm::single(), ledger, silentLog());
+}
+
+void fill(Trial& trial, const std::string& deck)
+{
+  Ledger ledger;
+  try {
+    const Run run = runFile(deck, ledger);
+    trial.order = run.summary.bodies.front().order;
+    if (const auto& coupling = run.summary.coupling) {
+      trial.sweeps = coupling->sweeps;
+      trial.converged = coupling->converged;
+    }
+    trial.seconds = run.summary.totalSeconds;
+    if (!run.summary.errors) {
+      trial.refused = run.failure;
+      return;
+    }
+    trial.errors = *run.summary.errors;
+    trial.violations = judge(trial.errors);
+    trial.excused = !trial.errors.guaranteed && isKnownLimit(trial.errors.reason);
+    if (!trial.errors.guaranteed && !trial.excused)
+      trial.violations.push_back("not guaranteed: " + trial.errors.reason);
+  } catch (const InputError& error) {
+    trial.refused = error.what();
+  } catch (const std::exception& error) {
+    trial.violations.push_back(error.what());
+  }
+}
+
+} // namespace
+
+std::vector<std::string> judge(const ErrorSummary& errors)
+{
+  std::vector<std::string> wrong;
+  const auto require = [&](const char* what, double error, double bound) {
+    if (!(error <= bound * (1.0 + roundOff)))
+      wrong.push_back(fmt::format("{}: error {} above {} by {:.1e}", what, error, bound, error / bound - 1.0));
+  };
+  const auto& bound = *errors.global;
+  const auto& reference = *errors.reference;
+  const double stressBound = std::hypot(bound.elements, bound.contact) + bound.oscillation;
+  require("displacement", reference.displacement, bound.absolute);
+  require("stress", *reference.stress, stressBound);
+  require("mean stress", *reference.meanStress, *errors.meanStress);
+  require("equilibrium", *errors.equilibrium, largestDefect);
+  return wrong;
+}
+
+Trial runTrial(const DrawnScene& scene, int index, const std::string& folder, bool keep)
+{
+  namespace fs = std::filesystem;
+  const fs::path place = fs::path(folder) / fmt::format("scene-{}", index);
+  fs::create_directories(place);
+  const auto write = [&](const std::string& name, const std::string& text) { std::ofstream(place / name) << text; };
+  for (const auto& [name, text] : scene.files)
+    write(name, text);
+  write("sweep.xml", scene.deck.xml());
+  Trial trial;
+  trial.index = index;
+  trial.kind = scene.kind;
+  fill(trial, (place / "sweep.xml").string());
+  if (trial.violations.empty() && !keep)
+    fs::remove_all(place);
+  return trial;
+}
+
+} // namespace ndframe::test

@@ -1,0 +1,93 @@
+// The list Error Estimation: what it means, what runs because of it.
+
+#include <gmock/gmock.h>
+
+#include "driver/scene.hpp"
+#include "ndframe/driver/error_options.hpp"
+#include "ndframe/driver/plan.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+using testing::ElementsAre;
+using testing::UnorderedElementsAre;
+
+namespace
+{
+
+ErrorOptions optionsOf(Scene scene)
+{
+  return errorOptions(scene.params());
+}
+
+Plan planOf(const Scene& scene)
+{
+  const Params deck = scene.params();
+  return Plan(deck, *components().linearSolvers.build(deck.sub("Linear Solver")), 1);
+}
+
+/// The parts of the certificate that a scene's plan runs.
+std::vector<std::string> certificateParts(const Scene& scene)
+{
+  const Plan plan = planOf(scene);
+  std::vector<std::string> parts;
+  for (const auto& stage : plan.stages())
+    if (stage.runs && stage.name.rfind("certify ", 0) == 0)
+      parts.push_back(stage.name.substr(8));
+  return parts;
+}
+
+} // namespace
+
+TEST(ErrorEstimation, IsAbsentUnlessTheDeckNamesIt)
+{
+  EXPECT_FALSE(estimatesErrors(Scene("punch").params()));
+  EXPECT_TRUE(estimatesErrors(Scene("punch").set("Error Estimation/Mode=Strict").params()));
+}
+
+TEST(ErrorEstimation, EstimatesTheBoundAndItsPartsByDefault)
+{
+  const auto options = optionsOf(Scene("punch").set("Error Estimation/Mode=Strict"));
+  EXPECT_THAT(options.estimators,
+              UnorderedElementsAre(Estimator::Global, Estimator::Algorithm, Estimator::Discretization));
+  EXPECT_EQ(options.tractionType, TractionType::Optimal);
+  EXPECT_EQ(options.tractionMean, TractionMean::Previous);
+  EXPECT_EQ(options.refinements, 3);
+  EXPECT_EQ(options.maximumDofs, 2000000);
+  EXPECT_TRUE(options.optimises());
+}
+
+TEST(ErrorEstimation, EstimatesTheBoundAloneWithoutAnInterface)
+{
+  const auto options = optionsOf(Scene("beam-3d").set("Error Estimation/Mode=Strict"));
+  EXPECT_THAT(options.estimators, ElementsAre(Estimator::Global));
+  EXPECT_FALSE(options.needsTraction());
+  EXPECT_FALSE(options.optimises());
+  EXPECT_TRUE(options.recoversStress());
+}
+
+TEST(ErrorEstimation, OptimisesOnlyTheTractionOfTheBound)
+{
+  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Interface Traction/Type=Projected")).optimises());
+  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Estimators={Discretization}")).optimises());
+}
+
+TEST(Plan, HasOneLineForACertificateThatTheDeckDoesNotAskFor)
+{
+  EXPECT_FALSE(planOf(Scene("punch")).runs("certificate"));
+  EXPECT_THAT(certificateParts(Scene("punch")), testing::IsEmpty());
+  EXPECT_THROW(planOf(Scene("punch")).runs(certificateStage::recovery), InternalError);
+}
+
+TEST(Plan, RunsThePartsThatTheEstimatorsNeed)
+{
+  const auto parts = [](const std::string& estimators, const std::string& deck = "punch") {
+    return certificateParts(Scene(deck).set("Error Estimation/Estimators={" + estimators + "}"));
+  };
+  EXPECT_THAT(parts("Global"), ElementsAre("traction", "fields", "recovery", "estimators"));
+  EXPECT_THAT(parts("Global", "beam-3d"), ElementsAre("recovery", "estimators"));
+  EXPECT_THAT(parts("Algorithm"), ElementsAre("traction", "fields", "estimators"));
+  EXPECT_THAT(parts("Zienkiewicz-Zhu, Residual"), ElementsAre("estimators"));
+  EXPECT_THAT(parts("Reference"), ElementsAre("reference"));
+  EXPECT_THAT(certificateParts(Scene("punch").set("Error Estimation/Check Equilibrium=true")),
+              ElementsAre("traction", "fields", "recovery", "equilibrium", "estimators"));
+}

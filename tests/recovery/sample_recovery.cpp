@@ -1,0 +1,25 @@
+#include "sample_recovery.hpp"
+
+#include <fmt/format.h>
+
+namespace ndframe::test
+{
+
+std::unique_ptr<StressRecovery> makeRecovery(const std::string& type,
+                                             const std::vector<std::pair<std::string, int>>& entries)
+{
+  Registry<StressRecovery> registry("recovery", "Star");
+  registerRecoveries(registry);
+  ListSpec spec;
+  spec.choices = registry.choices();
+  std::string xml =
+      fmt::format(R"(<ParameterList name="Recovery"><Parameter name="Type" type="string" value="{}"/>)", type);
+  for (const auto& [key, value] : entries)
+    xml += fmt::format(R"(<Parameter name="{}" type="int" value="{}"/>)", key, value);
+  Diagnostics diagnostics;
+  const Params params = validate(parseDeck(xml + "</ParameterList>", "recovery.xml"), spec, diagnostics);
+  diagnostics.throwIfAny();
+  return registry.build(params);
+}
+
+} // namespace ndframe::test

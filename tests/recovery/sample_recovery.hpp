@@ -1,0 +1,15 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "ndframe/recovery/stress_recovery.hpp"
+
+namespace ndframe::test
+{
+
+/// A recovery as the deck names it: type "Star" or "Element", with its integer parameters.
+std::unique_ptr<StressRecovery> makeRecovery(const std::string& type,
+                                             const std::vector<std::pair<std::string, int>>& entries = {});
+
+} // namespace ndframe::test

@@ -1,0 +1,99 @@
+#include <numeric>
+
+#include <gtest/gtest.h>
+
+#include "batched_stars.hpp"
+#include "batched_workspace.hpp"
+#include "body_stars.hpp"
+#include "common/test_main.hpp"
+#include "recovery/sample_problems.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// Stars solved one by one and in batches are the same fields.
+constexpr double agreement = 1e-11;
+/// The same kernels with other instructions.
+constexpr double roundOff = 1e-12;
+
+struct PlaneSpace
+{
+  int order, degree;
+};
+
+std::vector<PlaneSpace> planeSpaces()
+{
+  return {{1, 1}, {1, 2}, {2, 2}, {2, 3}};
+}
+
+std::string planeSpaceName(const testing::TestParamInfo<PlaneSpace>& test)
+{
+  return "Order" + std::to_string(test.param.order) + "Degree" + std::to_string(test.param.degree);
+}
+
+std::vector<int> allVertices(const BodyModel& body)
+{
+  std::vector<int> vertices(std::size_t(body.mesh.numPoints()));
+  std::iota(vertices.begin(), vertices.end(), 0);
+  return vertices;
+}
+
+std::vector<StressCorrection> zeroCorrections(const test::Problem& problem, std::size_t fields)
+{
+  return std::vector<StressCorrection>(fields, zeroCorrection(StarBody(problem.body, problem.data)));
+}
+
+std::vector<StressCorrection> batched(const test::Problem& problem, const std::vector<FieldInput>& fields,
+                                      const BatchedKernels& kernels = *availableKernels().back())
+{
+  auto corrections = zeroCorrections(problem, fields.size());
+  const auto left = BatchedStars(problem.body, problem.data, kernels).add(fields, allVertices(problem.body), corrections);
+  EXPECT_TRUE(left.empty());
+  return corrections;
+}
+
+std::vector<StressCorrection> general(const test::Problem& problem, const std::vector<FieldInput>& fields)
+{
+  Ledger ledger;
+  return BodyStars(problem.body, problem.data).solve(fields, test::comm(), ledger);
+}
+
+double largestDifference(const Vector& a, const Vector& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+void expectSame(const StressCorrection& a, const StressCorrection& b, double tolerance, const std::string& what)
+{
+  EXPECT_LE(largestDifference(a.tractions, b.tractions), tolerance * test::largest(b.tractions)) << what;
+  EXPECT_LE(largestDifference(a.loads, b.loads), tolerance * (test::largest(b.loads) + b.force)) << what;
+}
+
+} // namespace
+
+struct BatchedStarsOf : testing::TestWithParam<PlaneSpace>
+{};
+
+TEST_P(BatchedStarsOf, AreThoseOfTheGeneralSolver)
+{
+  const auto [order, degree] = GetParam();
+  for (const std::string& kind : test::conditionKinds())
+    for (const double rotation : {0.0, 35.0}) {
+      const auto problem =
+          test::solved(test::makeBody(test::sampleMesh(2, rotation), order, test::conditions(2, kind)), degree);
+      const auto expected = general(problem, {problem.field()});
+      const auto found = batched(problem, {problem.field()});
+      expectSame(found[0], expected[0], agreement, kind);
+      EXPECT_LE(found[0].imbalance, roundOff * found[0].force) << kind;
+    }
+}
+
+INSTANTIATE_TEST_SUITE_P(PlaneSpaces, BatchedStarsOf, testing::ValuesIn(planeSpaces()), planeSpaceName);
+
+} // namespace ndframe
