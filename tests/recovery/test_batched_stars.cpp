@@ -50,7 +50,8 @@ std::vector<StressCorrection> batched(const test::Problem& problem, const std::v
                                       const BatchedKernels& kernels = *availableKernels().back())
 {
   auto corrections = zeroCorrections(problem, fields.size());
-  const auto left = BatchedStars(problem.body, problem.data, kernels).add(fields, allVertices(problem.body), corrections);
+  const auto left =
+      BatchedStars(problem.body, problem.data, kernels).add(fields, allVertices(problem.body), corrections);
   EXPECT_TRUE(left.empty());
   return corrections;
 }

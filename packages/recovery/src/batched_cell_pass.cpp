@@ -32,8 +32,7 @@ void takeDisplacement(const NodeMap& nodes, const Vector& displacement, int cell
     const double* one = displacement.data() + 2 * cellNodes[local[(a + 1) % 3]];
     const double* other = displacement.data() + 2 * cellNodes[local[(a + 2) % 3]];
     // The edge opposite to local vertex l is number l + 1 of 01, 12, 20.
-    const double* middle =
-        nodes.order == 2 ? displacement.data() + 2 * cellNodes[3 + (local[a] + 1) % 3] : nullptr;
+    const double* middle = nodes.order == 2 ? displacement.data() + 2 * cellNodes[3 + (local[a] + 1) % 3] : nullptr;
     for (int i = 0; i < 2; ++i) {
       values[(2 * a + i) * lanes + lane] = vertex[i];
       values[(6 + 2 * a + i) * lanes + lane] = middle != nullptr ? middle[i] : 0.5 * (one[i] + other[i]);

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "batched_kernels.hpp"
-#include "ndframe/recovery/stress_correction.hpp"
 #include "ndframe/assembly/body_system.hpp"
+#include "ndframe/recovery/stress_correction.hpp"
 
 namespace ndframe
 {

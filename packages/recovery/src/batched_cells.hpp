@@ -17,10 +17,9 @@ inline void vertexStrains(const CellShape& shape, const Lanes* v, Lanes (&strain
   const Vector2 v0 = load2(v), v1 = load2(v + 2), v2 = load2(v + 4);
   const Vector2 opposite0 = load2(v + 6), opposite1 = load2(v + 8), opposite2 = load2(v + 10);
   // Derivatives along d1, d2 at each vertex.
-  const Vector2 along[3][2] = {
-      {4.0 * opposite2 - 3.0 * v0 - v1, 4.0 * opposite1 - 3.0 * v0 - v2},
-      {3.0 * v1 + v0 - 4.0 * opposite2, 4.0 * (opposite0 - opposite2) + v0 - v2},
-      {4.0 * (opposite0 - opposite1) + v0 - v1, 3.0 * v2 + v0 - 4.0 * opposite1}};
+  const Vector2 along[3][2] = {{4.0 * opposite2 - 3.0 * v0 - v1, 4.0 * opposite1 - 3.0 * v0 - v2},
+                               {3.0 * v1 + v0 - 4.0 * opposite2, 4.0 * (opposite0 - opposite2) + v0 - v2},
+                               {4.0 * (opposite0 - opposite1) + v0 - v1, 3.0 * v2 + v0 - 4.0 * opposite1}};
   for (int a = 0; a < 3; ++a) {
     const Vector2 dx = shape.inverse * (shape.d2.y * along[a][0] - shape.d1.y * along[a][1]);
     const Vector2 dy = shape.inverse * (shape.d1.x * along[a][1] - shape.d2.x * along[a][0]);

@@ -32,8 +32,7 @@ struct SpokeTractions
   SpokeTractions(const Lanes* stress, Vector2 d1, Vector2 d2)
       : here1(traction(stress, -1.0 * turned(d1))), there1(traction(stress + 3, -1.0 * turned(d1))),
         here2(traction(stress, turned(d2))), there2(traction(stress + 6, turned(d2)))
-  {
-  }
+  {}
 
   Lanes size() const
   {

@@ -30,8 +30,7 @@ class EndConditions
 public:
   EndConditions(const FanProblem& fan, const FanEnd& end, const Vector& scale, DenseMatrix& rows, int firstRow)
       : fan_(fan), end_(end), scale_(scale), rows_(rows), row_(firstRow)
-  {
-  }
+  {}
 
   /// firstMode: column of the end's own modes.
   void add(int firstMode, double sign, const DenseMatrix* offset)

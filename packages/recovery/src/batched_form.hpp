@@ -13,7 +13,7 @@ namespace
 template <int q>
 struct Sizes
 {
-  static constexpr int modes = spokeModes(q);     ///< self-equilibrated modes of a spoke
+  static constexpr int modes = spokeModes(q);      ///< self-equilibrated modes of a spoke
   static constexpr int unknowns = cellUnknowns(q); ///< w, s_1, s_2
   static constexpr int bubbles = cellBubbles(q);
   static constexpr int facetData = 2 * (q + 1);
@@ -55,8 +55,7 @@ inline void pullBackCompliance(const CellShape& shape, const double* C, Lanes* c
 
 inline Lanes combine(const double* table, const Lanes* c)
 {
-  return (table[0] * c[0] + table[1] * c[1] + table[2] * c[2]) +
-         (table[3] * c[3] + table[4] * c[4] + table[5] * c[5]);
+  return (table[0] * c[0] + table[1] * c[1] + table[2] * c[2]) + (table[3] * c[3] + table[4] * c[4] + table[5] * c[5]);
 }
 
 /// Change of unknowns from those that all cells of a star share to a cell's reference axes, z^ = B z.
@@ -69,8 +68,7 @@ public:
         y2_(-shape.inverse * dot(shape.d2, shape.d2)), bend1_(0.5 / tables.arm * shape.slant1()),
         bend2_(0.5 / tables.arm * shape.slant2()), d1_(shape.inverse * shape.d1), d2_(shape.inverse * shape.d2),
         inverse_(shape.inverse)
-  {
-  }
+  {}
 
   /// v := B^T v, entries `stride` apart; only from the spokes on when the wrench's entries are not wanted.
   void transpose(Lanes* v, int stride, bool withWrench) const
@@ -91,8 +89,8 @@ public:
 
 private:
   static constexpr int first = Sizes<q>::firstSpoke, second = Sizes<q>::secondSpoke;
-  Lanes x_, y1_, y2_;      ///< n of each spoke in reference axes
-  Lanes bend1_, bend2_;    ///< tangential moment modes that go with a wrench
+  Lanes x_, y1_, y2_;   ///< n of each spoke in reference axes
+  Lanes bend1_, bend2_; ///< tangential moment modes that go with a wrench
   Vector2 d1_, d2_;
   Lanes inverse_;
 };
@@ -104,7 +102,7 @@ struct CellForm
 {
   static constexpr int n = Sizes<q>::unknowns, bubbles = Sizes<q>::bubbles, rows = bubbles + n;
   static constexpr int maxLoads = Sizes<q>::maxLoads;
-  Lanes A[n][n];        ///< upper triangle
+  Lanes A[n][n]; ///< upper triangle
   Lanes load[n][maxLoads];
 
   CellForm(const StarTables& tables, const LoadModes& loads, const CellShape& shape)

@@ -25,8 +25,8 @@ void BatchedPass::gatherSpokes()
   const Mesh& mesh = stars_.body.mesh;
   for (int spoke = 0; spoke <= batch_.cells; ++spoke)
     for (int lane = 0; lane < lanes_; ++lane) {
-      const int end = spoke < batch_.cells ? Rings::next(corner(lane, spoke))
-                                           : Rings::previous(corner(lane, batch_.cells - 1));
+      const int end =
+          spoke < batch_.cells ? Rings::next(corner(lane, spoke)) : Rings::previous(corner(lane, batch_.cells - 1));
       const double* from = mesh.point(mesh.cells[std::size_t(corner(lane, 0))]);
       const double* to = mesh.point(mesh.cells[std::size_t(end)]);
       for (int i = 0; i < 2; ++i)
@@ -91,8 +91,7 @@ void BatchedPass::scatter()
     for (int c = 0; c < batch_.cells; ++c)
       for (int lane = 0; lane < count_; ++lane) {
         const int here = corner(lane, c);
-        double* tractions =
-            corrections_[std::size_t(k)].tractions.data() + std::ptrdiff_t(here / 3) * 3 * facetData_;
+        double* tractions = corrections_[std::size_t(k)].tractions.data() + std::ptrdiff_t(here / 3) * 3 * facetData_;
         const double* source = batch_.tractions + place((k * batch_.cells + c) * 2 * facetData_, lane);
         const CornerFacets facets = facetsOf(stars_.rings, here);
         for (const CornerFacet facet : {facets.first, facets.second}) {

@@ -3,8 +3,8 @@
 namespace ndframe
 {
 
-/// How the loads of a star's cells enter: the modes of G that a kernel sees. Reference axes of a cell seen from its star:
-/// origin at the star's vertex, X_1 along the first spoke (counterclockwise), X_2 along the second.
+/// How the loads of a star's cells enter: the modes of G that a kernel sees. Reference axes of a cell seen from its
+/// star: origin at the star's vertex, X_1 along the first spoke (counterclockwise), X_2 along the second.
 struct LoadModes
 {
   int modes;              ///< load modes (then, for sweeps, modes of the traction on the rim)
@@ -22,38 +22,41 @@ struct LoadModes
 /// factors are forces over lengths), 2 q - 1 of them.
 struct StarTables
 {
-  const double* form; ///< upper triangle, row by row, over (bubbles, w, s_1, s_2): 6 coefficients of the compliance each
-  double arm;         ///< int s L_1 over a spoke's length, s from 0 at the vertex to 1
-  double shareHere[4], shareThere[4]; ///< per mode: share of a traction that is 1 at the vertex, at the spoke's other end
-  double compliance[6];               ///< of the material: upper triangle, row by row
-  LoadModes constant, full, withRim;  ///< no body force; body force; sweeps
+  const double*
+      form;   ///< upper triangle, row by row, over (bubbles, w, s_1, s_2): 6 coefficients of the compliance each
+  double arm; ///< int s L_1 over a spoke's length, s from 0 at the vertex to 1
+  double shareHere[4],
+      shareThere[4];    ///< per mode: share of a traction that is 1 at the vertex, at the spoke's other end
+  double compliance[6]; ///< of the material: upper triangle, row by row
+  LoadModes constant, full, withRim; ///< no body force; body force; sweeps
 };
 
-/// Stars of equal valence, one per lane; arrays as in lanes.hpp. `cells` = valence; a fan has one more spoke than cells,
-/// a closed star's last spoke is its first.
+/// Stars of equal valence, one per lane; arrays as in lanes.hpp. `cells` = valence; a fan has one more spoke than
+/// cells, a closed star's last spoke is its first.
 struct StarBatch
 {
   int cells = 0, fields = 0;
   bool closed = false;
   const LoadModes* loads = nullptr;
   // Given.
-  double* spokes = nullptr;    ///< (cells + 1) x 2: from the vertex to the other end
-  double* stress = nullptr;    ///< initial pass: fields x cells x 9: sigma~ at the vertex and at the ends of the two spokes
-  double* bodyLoad = nullptr;  ///< initial pass with body force: cells x modes x 2, shares
-  double* total = nullptr;     ///< sweeps: fields x cells x (2 spokes, loads, rim): current moments
+  double* spokes = nullptr; ///< (cells + 1) x 2: from the vertex to the other end
+  double* stress =
+      nullptr; ///< initial pass: fields x cells x 9: sigma~ at the vertex and at the ends of the two spokes
+  double* bodyLoad = nullptr; ///< initial pass with body force: cells x modes x 2, shares
+  double* total = nullptr;    ///< sweeps: fields x cells x (2 spokes, loads, rim): current moments
   // Between the kernels.
-  double* known = nullptr;     ///< fields x cells x (w, s_1, s_2, loads): data of the cells without the unknowns
-  double* jumps = nullptr;     ///< fields x (cells + 1) x 2 (q + 1): share of the jump on each spoke (fans' ends: traction)
-  double* offsets = nullptr;   ///< fields x (cells + 1) x 3: wrench through each spoke without the unknown one
-  double* panels = nullptr;    ///< cells x panelSize: the eliminated spokes
-  double* scratch = nullptr;   ///< fields x N
-  double* border = nullptr;    ///< N x N: what is left over (w, s_0, s_last), N = 4 q + 1
-  double* gradient = nullptr;  ///< fields x N
-  double* solution = nullptr;  ///< fields x N
+  double* known = nullptr; ///< fields x cells x (w, s_1, s_2, loads): data of the cells without the unknowns
+  double* jumps = nullptr; ///< fields x (cells + 1) x 2 (q + 1): share of the jump on each spoke (fans' ends: traction)
+  double* offsets = nullptr;  ///< fields x (cells + 1) x 3: wrench through each spoke without the unknown one
+  double* panels = nullptr;   ///< cells x panelSize: the eliminated spokes
+  double* scratch = nullptr;  ///< fields x N
+  double* border = nullptr;   ///< N x N: what is left over (w, s_0, s_last), N = 4 q + 1
+  double* gradient = nullptr; ///< fields x N
+  double* solution = nullptr; ///< fields x N
   // Results.
-  double* tractions = nullptr; ///< fields x (cells + 1) x 2 sides (cell before, cell after) x 2 (q + 1)
+  double* tractions = nullptr;  ///< fields x (cells + 1) x 2 sides (cell before, cell after) x 2 (q + 1)
   double* divergence = nullptr; ///< fields x cells x 2: int div sigma~
-  double* scale = nullptr;     ///< fields: the forces in the star
+  double* scale = nullptr;      ///< fields: the forces in the star
 };
 
 /// Cells, one per lane.
@@ -69,11 +72,11 @@ struct CellBatch
 /// The reference tables as the cells' kernels want them.
 struct CellTables
 {
-  const double* lift;       ///< per coefficient (of one stress component), per datum: 3 components
-  const double* bubble;     ///< per coefficient, per bubble: 3 components, times the measure of a sub-cell
-  const double* bubbleForm; ///< upper triangle over bubbles: 6 coefficients of the compliance each
-  const double* facetWork;  ///< facet modes x (2 ends, middle): mean values with shape functions of order 2
-  const double* loadWork;   ///< load modes x 6 nodes
+  const double* lift;                 ///< per coefficient (of one stress component), per datum: 3 components
+  const double* bubble;               ///< per coefficient, per bubble: 3 components, times the measure of a sub-cell
+  const double* bubbleForm;           ///< upper triangle over bubbles: 6 coefficients of the compliance each
+  const double* facetWork;            ///< facet modes x (2 ends, middle): mean values with shape functions of order 2
+  const double* loadWork;             ///< load modes x 6 nodes
   double compliance[6], stiffness[6]; ///< of the material: upper triangles, row by row
 };
 
@@ -125,7 +128,7 @@ struct BatchedKernels
   int lanes;
   /// Stress of a displacement of order 2; stiffness: upper triangle.
   void (*vertexStress)(const double* stiffness, const CellBatch&);
-  DegreeKernels degree[3];                                   ///< q = 1, 2, 3
+  DegreeKernels degree[3]; ///< q = 1, 2, 3
 };
 
 } // namespace ndframe

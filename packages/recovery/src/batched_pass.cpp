@@ -25,8 +25,7 @@ BatchedPass::BatchedPass(const BatchedStarData& stars, const StarFieldInputs* in
       workspace_(stars.data.degree, stars.kernels.lanes, maxCells, fields_, loadModesOfPass(stars, inputs == nullptr),
                  inputs == nullptr ? totalsPerCell(stars.data.degree) : 0),
       corners_(std::size_t(lanes_))
-{
-}
+{}
 
 void BatchedPass::run(const int* vertices, int count)
 {

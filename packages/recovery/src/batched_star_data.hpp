@@ -38,6 +38,7 @@ struct StarFieldInputs
 
 /// The end of a fan on facet `facet` (3 * cell + local) between `vertex` and `other`: directions, and the share of
 /// prescribed tractions for `fields` fields, zero in sweeps (inputs null).
-FanEnd fanEnd(const BatchedStarData& stars, int vertex, int other, int facet, const StarFieldInputs* inputs, int fields);
+FanEnd fanEnd(const BatchedStarData& stars, int vertex, int other, int facet, const StarFieldInputs* inputs,
+              int fields);
 
 } // namespace ndframe

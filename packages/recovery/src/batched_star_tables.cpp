@@ -58,10 +58,7 @@ public:
   double bend(const std::array<double, 3>& w) const { return -(w[2] + 0.5 * w[0]) / arm_; }
 
 private:
-  int size() const
-  {
-    return reference_.bubbles + cellUnknowns(degree_) + reference_.loads + 2 * reference_.facetModes;
-  }
+  int size() const { return reference_.bubbles + cellUnknowns(degree_) + reference_.loads + 2 * reference_.facetModes; }
 
   double& at(int facet, int mode, int component, int column)
   {

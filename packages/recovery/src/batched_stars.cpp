@@ -43,13 +43,11 @@ std::vector<int> runBatches(const BatchedStarData& stars, const StarFieldInputs*
 
 BatchedStars::BatchedStars(const BodyModel& body, const StaticData& data)
     : BatchedStars(body, data, *availableKernels().back())
-{
-}
+{}
 
 BatchedStars::BatchedStars(const BodyModel& body, const StaticData& data, const BatchedKernels& kernels)
     : data_(data.dim == 2 ? std::make_unique<BatchedStarData>(body, data, kernels) : nullptr)
-{
-}
+{}
 
 BatchedStars::~BatchedStars() = default;
 BatchedStars::BatchedStars(BatchedStars&&) noexcept = default;

@@ -1,8 +1,8 @@
 #pragma once
 
-// Included only by the kernels' translation units, each compiled for one instruction set. Nothing here (and nothing that
-// these units include) may have external linkage or come from the standard library: the linker would be free to take
-// a copy made for a machine that the program does not run on.
+// Included only by the kernels' translation units, each compiled for one instruction set. Nothing here (and nothing
+// that these units include) may have external linkage or come from the standard library: the linker would be free to
+// take a copy made for a machine that the program does not run on.
 
 namespace ndframe
 {

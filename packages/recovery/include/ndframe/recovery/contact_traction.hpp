@@ -14,9 +14,9 @@ struct ContactFacet
 {
   int dirichletBody = 0, neumannBody = 0;
   Facet dirichlet, neumann;
-  Direction normal{};   ///< n_c on this facet: outward normal of the Dirichlet body
-  double measure = 0.0; ///< length
-  bool reversed = false; ///< the ascending vertex order of the Neumann body runs the other way
+  Direction normal{};         ///< n_c on this facet: outward normal of the Dirichlet body
+  double measure = 0.0;       ///< length
+  bool reversed = false;      ///< the ascending vertex order of the Neumann body runs the other way
   std::array<int, 3> nodes{}; ///< interface nodes: Dirichlet body's ascending vertices, then (order 2) the middle
 };
 
@@ -32,8 +32,8 @@ struct ContactTraction
   Vector moments(int facet) const;
 };
 
-/// Bernstein coefficients (rows, ascending from a facet's first vertex) of the polynomials with unit moments (columns) on
-/// a facet of unit measure: sum_k T_k L_k / |f| has the coefficients bernsteinOfMoments T / |f|.
+/// Bernstein coefficients (rows, ascending from a facet's first vertex) of the polynomials with unit moments (columns)
+/// on a facet of unit measure: sum_k T_k L_k / |f| has the coefficients bernsteinOfMoments T / |f|.
 DenseMatrix bernsteinOfMoments(int degree);
 
 /// Largest Bernstein coefficient of t_N over all facets: not above 0 means t_N <= 0 everywhere.
