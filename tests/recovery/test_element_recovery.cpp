@@ -103,7 +103,7 @@ TEST_P(Elements, GiveEquilibriumWhateverTheConditions)
         // What u_h loses by rounding is multiplied by the bulk stiffness in its stress.
         const double tolerance = roundOff * std::max(1.0, 0.01 * law(0, 0) / law(2, 2));
         EXPECT_LT(checkEquilibrium(problem.body, problem.data, problem.field(), correction).largest(), tolerance);
-        EXPECT_LT(correction.defect, tolerance);
+        EXPECT_LT(correction.defect(), tolerance);
         EXPECT_GT(test::energyOf(problem.body, correction), 0.0);
       }
 }
@@ -224,7 +224,7 @@ TEST(ElementRecovery, ReportsAStressThatIsNotInEquilibrium)
 {
   auto problem = sample("clamped", {2, 2});
   problem.displacement[problem.displacement.size() / 2] += 1e-3 * test::largest(problem.displacement);
-  EXPECT_GT(recovered(problem).defect, 1e-4);
+  EXPECT_GT(recovered(problem).defect(), 1e-4);
 }
 
 TEST(ElementRecovery, RefusesAMeshThatTouchesItselfInAPoint)

@@ -212,8 +212,8 @@ TEST(StarRecovery, CountsItsWorkAndSolvesAllFieldsWithOneFactorEach)
     ASSERT_EQ(stress.corrections.size(), 1U);
     EXPECT_LT(test::largest(test::difference(stress.corrections[0].tractions, expected.tractions)),
               roundOff * expected.force);
-    EXPECT_LT(stress.corrections[0].defect, roundOff);
-    EXPECT_GT(stress.corrections[0].defect, 0.0);
+    EXPECT_LT(stress.corrections[0].defect(), roundOff);
+    EXPECT_GT(stress.corrections[0].defect(), 0.0);
   }
 }
 

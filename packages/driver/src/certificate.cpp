@@ -116,8 +116,10 @@ void Certifier::recoverStresses()
     fields.push_back(makeSceneField(separate_.field));
   }
   auto stresses = recovery_.recover(recoveryScene_, fields, comm_, ledger_);
-  for (std::size_t f = 0; f < wanted.size(); ++f)
+  for (std::size_t f = 0; f < wanted.size(); ++f) {
     wanted[f]->stress = std::move(stresses[f]);
+    settle(scene_, recoveryScene_, *wanted[f], ledger_);
+  }
 }
 
 void Certifier::checkStresses()

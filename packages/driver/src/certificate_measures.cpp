@@ -10,6 +10,7 @@
 #include "ndframe/recovery/contact_moments.hpp"
 #include "ndframe/recovery/equilibrium_check.hpp"
 #include "ndframe/recovery/prescribed_charge.hpp"
+#include "ndframe/recovery/settle_balance.hpp"
 
 namespace ndframe
 {
@@ -91,16 +92,30 @@ double correctionNorm(const CertifiedScene& scene, const RecoveredField& recover
   return totalOf(energies);
 }
 
+void settle(const CertifiedScene& scene, const RecoveryScene& recovery, RecoveredField& recovered, Ledger& ledger)
+{
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    StressCorrection& correction = recovered.stress.corrections[b];
+    if (!needsSettling(scene.bodies[b]->mesh, correction))
+      continue;
+    const Vector contact = sharesOf(scene, recovered.stress, int(b));
+    const FieldInput input{&recovered.field.displacement[b], contact.empty() ? nullptr : &contact};
+    settleBalance(*scene.bodies[b], recovery.data[b], input, correction);
+    ledger.count("settled stresses");
+  }
+}
+
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered)
 {
-  double largest = 0.0;
+  double largest = 0.0, scale = 0.0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Vector contact = sharesOf(scene, recovered.stress, int(b));
     const FieldInput input{&recovered.field.displacement[b], contact.empty() ? nullptr : &contact};
     const auto defects = checkEquilibrium(*scene.bodies[b], recovery.data[b], input, recovered.stress.corrections[b]);
-    largest = std::max(largest, defects.largest());
+    largest = std::max(largest, defects.largest() * defects.scale);
+    scale = std::max(scale, defects.scale);
   }
-  return largest;
+  return scale > 0.0 ? largest / scale : 0.0;
 }
 
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
@@ -112,11 +127,15 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   guarantee.accept(admissible.caveat);
   guarantee.accept(admissible.gap.caveat);
   guarantee.accept(admissible.displacement.caveat);
-  for (const auto& correction : recovered.stress.corrections)
-    guarantee.require(
-        correction.defect <= largestDefect,
-        fmt::format("the forces are out of balance by {:.1e} at a node (limit {:.0e}): solve more tightly",
-                    correction.defect, largestDefect));
+  double force = 0.0, imbalance = 0.0;
+  for (const auto& correction : recovered.stress.corrections) {
+    force = std::max(force, correction.force);
+    imbalance = std::max(imbalance, correction.imbalance);
+  }
+  guarantee.require(
+      imbalance <= largestDefect * force,
+      fmt::format("the forces are out of balance by {:.1e} of the largest at a node (limit {:.0e}): solve more tightly",
+                  imbalance / force, largestDefect));
   guarantee.require(equilibrium <= largestDefect,
                     fmt::format("the equilibrated stress is out of balance by {:.1e}", equilibrium));
   if (scene.facets.empty() || mode == ErrorMode::Paper)

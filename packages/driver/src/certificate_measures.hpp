@@ -37,7 +37,10 @@ ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateFie
 /// |sigma^ - sigma~|.
 double correctionNorm(const CertifiedScene& scene, const RecoveredField& recovered);
 
-/// Largest defect that checkEquilibrium finds in a stress.
+/// settleBalance for the bodies that need it. Ledger count "settled stresses".
+void settle(const CertifiedScene& scene, const RecoveryScene& recovery, RecoveredField& recovered, Ledger& ledger);
+
+/// Largest defect that checkEquilibrium finds in a stress, relative to the largest stress of the scene.
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered);
 
 /// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found, 0 if not asked.

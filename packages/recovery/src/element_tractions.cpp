@@ -180,7 +180,6 @@ StressCorrection ElementBalance::correction(int degree) const
   result.loads = forces_.loads;
   result.imbalance = imbalance_;
   result.force = force_;
-  result.defect = force_ > 0.0 ? imbalance_ / force_ : 0.0;
   result.tractions.reserve(edges_.twin.size() * std::size_t(2 * modes));
   for (int half = 0; half < int(edges_.twin.size()); ++half)
     for (int k = 0; k < modes; ++k) {

@@ -14,6 +14,9 @@ namespace ndframe
 namespace
 {
 
+/// A stress that is this small beside the terms that cancel in it shows their round-off: nothing is measured beside it.
+constexpr double visibleRoundOff = 1e-3;
+
 double largestOf(const Direction& vector)
 {
   return std::max({std::abs(vector[0]), std::abs(vector[1]), std::abs(vector[2])});
@@ -37,18 +40,13 @@ Direction gradient(const CellMap& map, int a)
   return result;
 }
 
-/// Length of the longest edge.
-double cellSize(const Mesh& mesh, int cell)
+/// The smallest height: a load b in the cell amounts to tractions of b times it.
+double cellHeight(const Mesh& mesh, int cell)
 {
-  double size = 0.0;
-  for (int a = 0; a <= mesh.dim; ++a)
-    for (int b = 0; b < a; ++b) {
-      double square = 0.0;
-      for (int i = 0; i < mesh.dim; ++i)
-        square += std::pow(mesh.point(mesh.cell(cell)[a])[i] - mesh.point(mesh.cell(cell)[b])[i], 2);
-      size = std::max(size, std::sqrt(square));
-    }
-  return size;
+  double largest = 0.0, normal[3];
+  for (int facet = 0; facet <= mesh.dim; ++facet)
+    largest = std::max(largest, facetNormal(mesh, {cell, facet}, normal));
+  return mesh.dim * cellMeasure(mesh, cell) / largest;
 }
 
 /// Goes through the cells once; tractions wait on their facet for the neighbour's. Defects are absolute until all cells
@@ -57,12 +55,14 @@ class EquilibriumSearch
 {
 public:
   EquilibriumSearch(const BodyModel& body, const StaticData& data, const FieldInput& field)
-      : mesh_(body.mesh), data_(data), prescribed_(body, data, field), load_(loadBasis(data.dim, data.degree)),
-        cellRule_(simplexRule(data.dim, 2 * data.degree)), facetRule_(simplexRule(data.dim - 1, 2 * data.degree))
+      : body_(body), displacement_(*field.displacement), mesh_(body.mesh), data_(data), prescribed_(body, data, field),
+        load_(loadBasis(data.dim, data.degree)), cellRule_(simplexRule(data.dim, 2 * data.degree)),
+        facetRule_(simplexRule(data.dim - 1, 2 * data.degree))
   {}
 
   void addCell(const SplitStress& stress, int cell)
   {
+    scale_ = std::max(scale_, visibleRoundOff * stressOfSums(stress.map, cell));
     checkDivergence(stress, cell);
     checkInside(stress);
     for (int facet = 0; facet <= mesh_.dim; ++facet)
@@ -78,6 +78,7 @@ private:
     std::vector<Direction> tractions; ///< outward
   };
 
+  double stressOfSums(const CellMap& map, int cell) const;
   Direction traction(const SplitStress& stress, int sub, const double* lambda, const Direction& normal);
   Direction bodyForce(int cell, const double* lambda) const;
   void checkDivergence(const SplitStress& stress, int cell);
@@ -85,6 +86,8 @@ private:
   void addFacet(const SplitStress& stress, Facet facet, int sorted);
   void checkBoundary(const Waiting& outer);
 
+  const BodyModel& body_;
+  const Vector& displacement_;
   const Mesh& mesh_;
   const StaticData& data_;
   PrescribedTractions prescribed_;
@@ -92,8 +95,24 @@ private:
   QuadratureRule cellRule_, facetRule_;
   std::map<std::array<int, 3>, Waiting> waiting_; ///< by the facet's vertices
   EquilibriumDefects defects_;
-  double largest_ = 0.0; ///< stress, traction or load
+  double scale_ = 0.0; ///< largest stress, traction or load
 };
+
+/// What the terms of K eps(u) would amount to if they did not cancel: largest modulus, gradient and displacement.
+double EquilibriumSearch::stressOfSums(const CellMap& map, int cell) const
+{
+  double modulus = 0.0, slope = 0.0, displacement = 0.0;
+  for (const double entry : body_.law.D)
+    modulus = std::max(modulus, std::abs(entry));
+  for (int a = 0; a <= mesh_.dim; ++a)
+    slope = std::max(slope, largestOf(gradient(map, a)));
+  const int nodes = body_.nodes.nodesPerCell;
+  for (int n = 0; n < nodes; ++n)
+    for (int i = 0; i < mesh_.dim; ++i)
+      displacement =
+          std::max(displacement, std::abs(displacement_[std::size_t(body_.nodes.cell(cell)[n] * mesh_.dim + i)]));
+  return modulus * slope * displacement;
+}
 
 Direction EquilibriumSearch::traction(const SplitStress& stress, int sub, const double* lambda, const Direction& normal)
 {
@@ -105,7 +124,7 @@ Direction EquilibriumSearch::traction(const SplitStress& stress, int sub, const 
       result[std::size_t(i)] += sigma[voigt(mesh_.dim, i, j)] * normal[std::size_t(j)];
   for (int s = 0; s < (mesh_.dim == 2 ? 3 : 6); ++s) {
     NDFRAME_ASSERT(std::isfinite(sigma[s]), "a stress is not a finite number");
-    largest_ = std::max(largest_, std::abs(sigma[s]));
+    scale_ = std::max(scale_, std::abs(sigma[s]));
   }
   return result;
 }
@@ -126,7 +145,7 @@ Direction EquilibriumSearch::bodyForce(int cell, const double* lambda) const
 
 void EquilibriumSearch::checkDivergence(const SplitStress& stress, int cell)
 {
-  const double size = cellSize(mesh_, cell);
+  const double height = cellHeight(mesh_, cell);
   for (int sub = 0; sub <= mesh_.dim; ++sub)
     for (int q = 0; q < cellRule_.size(); ++q) {
       double lambda[4];
@@ -134,8 +153,8 @@ void EquilibriumSearch::checkDivergence(const SplitStress& stress, int cell)
       Direction divergence{};
       stress.divergence(sub, lambda, divergence.data());
       const Direction force = bodyForce(cell, lambda);
-      defects_.divergence = std::max(defects_.divergence, size * largestOf(sum(divergence, force)));
-      largest_ = std::max(largest_, size * largestOf(force));
+      defects_.divergence = std::max(defects_.divergence, height * largestOf(sum(divergence, force)));
+      scale_ = std::max(scale_, height * largestOf(force));
     }
 }
 
@@ -188,7 +207,7 @@ void EquilibriumSearch::checkBoundary(const Waiting& outer)
     const Direction given = prescribed_.value(outer.facet, facetRule_.point(q));
     const Direction difference = sum(outer.tractions[std::size_t(q)], given, -1.0);
     defects_.loads = std::max(defects_.loads, largestOf(prescribed_.freePart(outer.facet, difference)));
-    largest_ = std::max(largest_, largestOf(given));
+    scale_ = std::max(scale_, largestOf(given));
   }
 }
 
@@ -196,8 +215,9 @@ EquilibriumDefects EquilibriumSearch::finish()
 {
   for (const auto& [vertices, outer] : waiting_)
     checkBoundary(outer);
-  const double scale = largest_ > 0.0 ? 1.0 / largest_ : 0.0;
-  return {defects_.divergence * scale, defects_.interior * scale, defects_.jumps * scale, defects_.loads * scale};
+  const double factor = scale_ > 0.0 ? 1.0 / scale_ : 0.0;
+  return {defects_.divergence * factor, defects_.interior * factor, defects_.jumps * factor, defects_.loads * factor,
+          scale_};
 }
 
 } // namespace

@@ -53,6 +53,18 @@ Direction PrescribedTractions::value(Facet facet, const double* point) const
   return traction;
 }
 
+const Vector* PrescribedTractions::moments(Facet facet) const
+{
+  const OnFacet* here = find(facet);
+  return here == nullptr ? nullptr : &here->moments;
+}
+
+bool PrescribedTractions::isSupported(Facet facet) const
+{
+  const OnFacet* here = find(facet);
+  return here != nullptr && here->support != nullptr && here->support->supported > 0;
+}
+
 Direction PrescribedTractions::freePart(Facet facet, Direction traction) const
 {
   const OnFacet* here = find(facet);

@@ -16,7 +16,11 @@ public:
 
   /// p_h at a point of a facet (barycentric coordinates by ascending vertices), global axes.
   Direction value(Facet facet, const double* point) const;
-  /// What of a traction on the facet supports do not take.
+  /// Moments of p_h on a facet, mode by mode; null where nothing is given.
+  const Vector* moments(Facet facet) const;
+  /// Supports take a part of the traction there.
+  bool isSupported(Facet facet) const;
+  /// What of a traction (or one of its moments) on the facet supports do not take.
   Direction freePart(Facet facet, Direction traction) const;
 
 private:

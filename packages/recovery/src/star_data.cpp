@@ -3,60 +3,12 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/mechanics/kernels.hpp"
+#include "cell_stress.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// sigma~ in a cell, linear: its values at the vertices and the cell's gradients, vertices ascending.
-struct CellStress
-{
-  double atVertex[4][6];
-  double gradient[4][3]; ///< of the barycentric coordinates
-  double measure;
-};
-
-template <int dim, int order>
-CellStress makeCellStress(const BodyModel& body, const StarCell& cell, const Vector& displacement)
-{
-  constexpr int nodes = Lagrange<dim, order>::nodes;
-  CellStress stress;
-  double points[(dim + 1) * dim], gradients[(dim + 1) * dim], u[nodes * dim], strain[6];
-  for (int v = 0; v <= dim; ++v)
-    std::copy_n(body.mesh.point(body.mesh.cell(cell.cell)[v]), dim, points + v * dim);
-  for (int a = 0; a < nodes; ++a)
-    std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell.cell)[a] * dim), dim, u + a * dim);
-  stress.measure = barycentricGradients<dim>(points, gradients);
-  for (int v = 0; v <= dim; ++v) {
-    const int local = cell.sorted.local[std::size_t(v)];
-    double lambda[dim + 1] = {};
-    lambda[local] = 1.0;
-    stressAt<dim, order>(points, body.law, lambda, u, strain, stress.atVertex[v]);
-    std::copy_n(gradients + local * dim, dim, stress.gradient[v]);
-  }
-  return stress;
-}
-
-CellStress cellStressOf(const StarBody& body, const StarCell& cell, const FieldInput& field)
-{
-  return withDimAndOrder(body.dim(), body.data().order, [&](auto d, auto p) {
-    return makeCellStress<d(), p()>(body.model(), cell, *field.displacement);
-  });
-}
-
-/// f -= factor * stress times a vector.
-void subtractForce(int dim, const double* direction, const double* stress, double factor, double* f)
-{
-  double force[3];
-  if (dim == 2)
-    divergenceForce<2>(direction, stress, force);
-  else
-    divergenceForce<3>(direction, stress, force);
-  for (int i = 0; i < dim; ++i)
-    f[i] -= factor * force[i];
-}
 
 /// Takes the part along the supported directions out of all modes.
 void clearSupported(const BoundaryFacet& facet, int dim, int modes, double* moments)
@@ -86,7 +38,8 @@ void StarLoads::addStress(const Star& star, int field, double* x) const
 {
   const int dim = body_->dim(), data = body_->reference().data(), facetData = body_->facetData();
   for (const StarCell& cell : star.cells) {
-    const CellStress stress = cellStressOf(*body_, cell, fields_[std::size_t(field)]);
+    const CellStress stress =
+        cellStress(body_->model(), cell.cell, cell.sorted, *fields_[std::size_t(field)].displacement);
     for (int facet = 0; facet <= dim; ++facet) {
       if (facet == cell.apex)
         continue;
@@ -95,14 +48,13 @@ void StarLoads::addStress(const Star& star, int field, double* x) const
         for (int k = 0; k < body_->facetModes(); ++k) {
           const double share =
               body_->data().order == 1 ? facetShares_.ofOne(a)[k] / dim : facetShares_.ofLinear(a, b)[k];
-          subtractForce(dim, stress.gradient[facet], stress.atVertex[b < facet ? b : b + 1],
-                        -dim * stress.measure * share, x + facet * facetData + k * dim);
+          addForce(stress, b < facet ? b : b + 1, facet, dim * stress.measure * share, x + facet * facetData + k * dim);
         }
     }
     for (int v = 0; v <= dim && body_->data().order == 2; ++v)
       for (int k = 0; k < body_->loadModes(); ++k)
-        subtractForce(dim, stress.gradient[v], stress.atVertex[v], stress.measure * cellShares_.ofOne(cell.apex)[k],
-                      x + body_->reference().tractions + k * dim);
+        addForce(stress, v, v, -stress.measure * cellShares_.ofOne(cell.apex)[k],
+                 x + body_->reference().tractions + k * dim);
     x += data;
   }
 }

@@ -75,11 +75,8 @@ public:
   std::vector<SceneStress> finish()
   {
     for (std::vector<StressCorrection>& body : corrections_)
-      for (std::size_t field = 0; field < fields_.size(); ++field) {
-        StressCorrection& correction = body[field];
-        correction.defect = correction.force > 0.0 ? correction.imbalance / correction.force : 0.0;
-        stresses_[field].corrections.push_back(std::move(correction));
-      }
+      for (std::size_t field = 0; field < fields_.size(); ++field)
+        stresses_[field].corrections.push_back(std::move(body[field]));
     return std::move(stresses_);
   }
 

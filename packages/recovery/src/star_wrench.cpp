@@ -102,6 +102,19 @@ DenseMatrix wrenchMap(int dim, const Vector& arms, int modes, double size)
   return map;
 }
 
+Vector wrenchAbout(int dim, Vector wrench, const Vector& from, const Vector& to, double size)
+{
+  Direction arm{}, force{};
+  for (std::size_t i = 0; i < std::size_t(dim); ++i) {
+    arm[i] = (from[i] - to[i]) / size;
+    force[i] = wrench[i];
+  }
+  const Direction moment = cross(arm, force);
+  for (int m = dim; m < wrenchSize(dim); ++m)
+    wrench[std::size_t(m)] += dim == 2 ? moment[2] : moment[std::size_t(m - dim)];
+  return wrench;
+}
+
 Vector meanCoordinates(const MomentBasis& basis)
 {
   const int corners = basis.dim() + 1;

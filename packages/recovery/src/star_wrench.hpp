@@ -18,6 +18,9 @@ constexpr int wrenchSize(int dim)
 ///   F = T_0,   M = sum_k arm_k x T_k,   arm_k = mean of (x - a) L_k.   arms: dim per mode.
 DenseMatrix wrenchMap(int dim, const Vector& arms, int modes, double size);
 
+/// A wrench about another point: M' = M + (from - to) x F.
+Vector wrenchAbout(int dim, Vector wrench, const Vector& from, const Vector& to, double size);
+
 /// The traction on a facet with vertex a, split into the part that carries its wrench and what is in balance by itself:
 ///
 ///   T = carrier w + modes y,   map T = w,   map carrier = 1,   map modes = 0.

@@ -26,9 +26,9 @@ struct StressCorrection
 
   double imbalance = 0.0; ///< largest wrench of a star (moments over its size) that had no support to take it
   double force = 0.0;     ///< largest force in a star: what its data and sigma~ amount to
-  /// imbalance / force, set when all stars are done: round-off when sigma~ is in finite element equilibrium with the
-  /// data. Not relative to each star's own forces: where the body is free of stress these are round-off themselves.
-  double defect = 0.0;
+  /// Round-off when sigma~ is in finite element equilibrium with the data. Not relative to each star's own forces:
+  /// where the body is free of stress these are round-off themselves.
+  double defect() const { return force > 0.0 ? imbalance / force : 0.0; }
 };
 
 } // namespace ndframe
