@@ -93,6 +93,13 @@ class Bootstrap(unittest.TestCase):
         self.assertEqual(run.stdout, f"in {self.folder} with -i my deck.xml\n")
         self.assertEqual(run.returncode, 3)
 
+    def test_paper_hands_the_program_and_its_arguments_to_the_script(self):
+        self.write_program(self.clone / "docs/paper/paper.py", "import sys; print(sys.argv[1:]); sys.exit(1)")
+        run = self.call("paper", "my folder")
+        self.assertTrue(self.notes()[-1].endswith(" ndframe"))
+        self.assertEqual(run.stdout, f"{[str(self.clone / 'build/release/bin/ndframe'), 'my folder']}\n")
+        self.assertEqual(run.returncode, 1)
+
     def test_second_run_is_silent_and_only_asks_ninja(self):
         self.call("run")
         (self.folder / "built").touch()
