@@ -8,6 +8,8 @@
 #include <numeric>
 #include <random>
 
+#include <malloc.h>
+
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
@@ -119,8 +121,8 @@ Params defaultsOf(const Choices& choices, const std::string& type)
   return params;
 }
 
-/// u_h, and the seconds that the factorisation takes.
-Vector solveBlock(const BodyModel& body, double& seconds)
+/// u_h; the ledger gets the factorisation's stages.
+Vector solveBlock(const BodyModel& body, Ledger& ledger)
 {
   Registry<LinearSolver> solvers("solver");
   registerLinearSolvers(solvers);
@@ -129,9 +131,7 @@ Vector solveBlock(const BodyModel& body, double& seconds)
   std::iota(nodes.begin(), nodes.end(), 0);
   const BodySystem system = assembleBody(body, makeDofLayout(body.nodes, makeConstraints(body), {}), nodes);
   SolverProblem problem{&system.K, system.dofs.roles, {}, {}, body.nodes.points};
-  Ledger ledger;
-  std::unique_ptr<CondensedBody> factor;
-  seconds = median(1, [&] { factor = solver->factor(problem, Comm::single(), ledger); });
+  const auto factor = solver->factor(problem, Comm::single(), ledger);
   const DenseMatrix u = factor->expand(DenseMatrix(system.effectiveLoad(Comm::single())), DenseMatrix(0, 1));
   Vector solution = u.column(0);
   for (std::size_t i = 0; i < solution.size(); ++i)
@@ -150,39 +150,64 @@ std::vector<StressCorrection> zeroCorrections(const BodyModel& body, int degree,
   return std::vector<StressCorrection>(std::size_t(fields), zero);
 }
 
-/// Vectors of a correction and the stress at the vertices, per triangle and field.
-double bytesPerTriangle(int degree)
+/// By how much the resident memory grows at most while `work` runs.
+std::int64_t peakGrowth(const std::function<void()>& work)
 {
-  const ReferenceStress& reference = referenceStress(2, degree);
-  return double(sizeof(double)) * (reference.tractions + reference.loads + 9);
+  malloc_trim(0); // what earlier work has freed does not hide what this one needs
+  Ledger ledger;
+  {
+    const auto timer = ledger.time("before");
+  }
+  {
+    const auto timer = ledger.time("work");
+    work();
+  }
+  return ledger.stages()[1].peakBytes - ledger.stages()[0].peakBytes;
 }
 
-struct Timing
+struct Measured
 {
-  double connectivity, stars, distances, imbalance;
+  double connectivity, stars, distances; ///< seconds
+  std::int64_t bytes;
+  double imbalance;
 };
 
-Timing measure(const BodyModel& body, const Vector& displacement, int degree, int numFields,
-               const BatchedKernels& kernels, int runs)
+Measured measure(const BodyModel& body, const Vector& displacement, int degree, int numFields,
+                 const BatchedKernels& kernels, int runs)
 {
   const StaticData data = makeData(body, degree);
   const std::vector<FieldInput> fields(std::size_t(numFields), FieldInput{&displacement, nullptr});
   std::vector<int> vertices(std::size_t(body.mesh.numPoints()));
   std::iota(vertices.begin(), vertices.end(), 0);
-  const BatchedStars stars(body, data, kernels);
   std::vector<StressCorrection> corrections;
-  Timing timing{};
-  timing.connectivity = median(runs, [&] { BatchedStars again(body, data, kernels); });
-  timing.stars = median(runs, [&] {
+  const auto solve = [&](const BatchedStars& stars) {
+    corrections.clear();
     corrections = zeroCorrections(body, degree, numFields);
     stars.add(fields, vertices, corrections);
-  });
-  timing.distances = median(runs, [&] {
+  };
+  const auto takeDistances = [&] {
     for (const StressCorrection& correction : corrections)
       batchedCellDistances(body, correction, &displacement, kernels);
+  };
+  Measured measured{};
+  measured.bytes = peakGrowth([&] {
+    solve(BatchedStars(body, data, kernels));
+    takeDistances();
   });
-  timing.imbalance = corrections[0].imbalance / corrections[0].force;
-  return timing;
+  const BatchedStars stars(body, data, kernels);
+  measured.connectivity = median(runs, [&] { BatchedStars again(body, data, kernels); });
+  measured.stars = median(runs, [&] { solve(stars); });
+  measured.distances = median(runs, takeDistances);
+  measured.imbalance = corrections[0].imbalance / corrections[0].force;
+  return measured;
+}
+
+void printRow(const Measured& m, const char* instructions, int degree, int fields, int cells)
+{
+  const double us = 1e6 / cells;
+  fmt::print("{:12}  {:6}  {:6}  {:6.2f}  {:12.2f}  {:6.2f}  {:9.2f}  {:12.0f}  {:9.1e}\n", instructions, degree,
+             fields, (m.connectivity + m.stars + m.distances) * us, m.connectivity * us, m.stars * us, m.distances * us,
+             double(m.bytes) / cells / fields, m.imbalance);
 }
 
 } // namespace
@@ -198,21 +223,16 @@ int main(int argc, char** argv)
   CLI11_PARSE(app, argc, argv);
 
   const BodyModel body = makeBlock(triangles);
-  const double perTriangle = 1e6 / body.mesh.numCells();
-  double factorisation = 0.0;
-  const Vector displacement = solveBlock(body, factorisation);
-  fmt::print("{} triangles, {} dofs; microseconds per triangle, medians of {} runs\n", body.mesh.numCells(),
-             body.numDofs(), runs);
-  fmt::print("factorisation with its ordering (Cholmod): {:.2f}\n\n", factorisation * perTriangle);
-  fmt::print("instructions  degree  fields   total  connectivity   stars  distances   bytes/field  imbalance\n");
+  const int cells = body.mesh.numCells();
+  Ledger ledger;
+  const Vector displacement = solveBlock(body, ledger);
+  fmt::print("{} triangles, {} dofs; microseconds per triangle, medians of {} runs\n", cells, body.numDofs(), runs);
+  for (const Ledger::Stage& stage : ledger.stages())
+    fmt::print("Cholmod, {}: {:.2f}\n", stage.name, stage.seconds * 1e6 / cells);
+  fmt::print("\ninstructions  degree  fields   total  connectivity   stars  distances   bytes/field  imbalance\n");
   for (const BatchedKernels* kernels : availableKernels())
     for (const int degree : {2, 3})
-      for (const int fields : {1, 3}) {
-        if (!instructions.empty() && instructions != kernels->name)
-          continue;
-        const Timing t = measure(body, displacement, degree, fields, *kernels, runs);
-        fmt::print("{:12}  {:6}  {:6}  {:6.2f}  {:12.2f}  {:6.2f}  {:9.2f}  {:12.0f}  {:9.1e}\n", kernels->name, degree,
-                   fields, (t.connectivity + t.stars + t.distances) * perTriangle, t.connectivity * perTriangle,
-                   t.stars * perTriangle, t.distances * perTriangle, bytesPerTriangle(degree), t.imbalance);
-      }
+      for (const int fields : {1, 3})
+        if (instructions.empty() || instructions == kernels->name)
+          printRow(measure(body, displacement, degree, fields, *kernels, runs), kernels->name, degree, fields, cells);
 }

@@ -59,7 +59,7 @@ std::vector<StressCorrection> batched(const test::Problem& problem, const std::v
 std::vector<StressCorrection> general(const test::Problem& problem, const std::vector<FieldInput>& fields)
 {
   Ledger ledger;
-  return BodyStars(problem.body, problem.data).solve(fields, test::comm(), ledger);
+  return BodyStars(problem.body, problem.data, StarKernels::General).solve(fields, test::comm(), ledger);
 }
 
 double largestDifference(const Vector& a, const Vector& b)
@@ -93,6 +93,28 @@ TEST_P(BatchedStarsOf, AreThoseOfTheGeneralSolver)
       expectSame(found[0], expected[0], agreement, kind);
       EXPECT_LE(found[0].imbalance, roundOff * found[0].force) << kind;
     }
+}
+
+TEST_P(BatchedStarsOf, AreTheSameWithAllInstructionsAndWhateverTheFieldsBesideThem)
+{
+  // Valences 4 to 8, numbers by chance, more stars of a valence than lanes and fewer.
+  const auto [order, degree] = GetParam();
+  for (const char* pattern : {"Alternating", "Crossed"}) {
+    const Mesh mesh = test::renumbered(test::shaken(test::box({4, 3}, pattern), 0.03, 2), 3);
+    const auto problem = test::solved(test::makeBody(mesh, order, test::conditions(2, "corner")), degree);
+    const Vector second = test::interpolate(problem.body.nodes, [](const double* x, double* u) {
+      u[0] = x[0] * x[1];
+      u[1] = x[0] - x[1];
+    });
+    const FieldInput other{&second, nullptr};
+    const auto expected = general(problem, {problem.field()});
+    for (const BatchedKernels* kernels : availableKernels()) {
+      const auto found = batched(problem, {other, problem.field(), other}, *kernels);
+      expectSame(found[1], expected[0], agreement, kernels->name);
+      expectSame(found[1], batched(problem, {problem.field()}, *kernels)[0], roundOff, kernels->name);
+      expectSame(found[0], found[2], roundOff, kernels->name);
+    }
+  }
 }
 
 INSTANTIATE_TEST_SUITE_P(PlaneSpaces, BatchedStarsOf, testing::ValuesIn(planeSpaces()), planeSpaceName);

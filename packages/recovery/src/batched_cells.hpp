@@ -29,110 +29,109 @@ inline void vertexStrains(const CellShape& shape, const Lanes* v, Lanes (&strain
   }
 }
 
-/// matrix: upper triangle of a symmetric 3 x 3 matrix, row by row.
-template <class Entry>
-void multiply3(const Entry* matrix, const Lanes* x, Lanes* y)
-{
-  y[0] = matrix[0] * x[0] + matrix[1] * x[1] + matrix[2] * x[2];
-  y[1] = matrix[1] * x[0] + matrix[3] * x[1] + matrix[4] * x[2];
-  y[2] = matrix[2] * x[0] + matrix[4] * x[1] + matrix[5] * x[2];
-}
-
 inline CellShape shapeOf(const CellBatch& batch)
 {
   return {load2(lanes(batch.edges)), load2(lanes(batch.edges) + 2)};
 }
 
-inline void vertexStress(const double* stiffness, const CellBatch& batch)
+/// K eps(v) at the vertices.
+inline void elasticStress(const double* stiffness, const CellShape& shape, const Lanes* v, Lanes (&stress)[3][3])
 {
   Lanes strain[3][3];
-  vertexStrains(shapeOf(batch), lanes(batch.displacement), strain);
-  for (int a = 0; a < 3; ++a)
-    multiply3(stiffness, strain[a], lanes(batch.stress) + 3 * a);
-}
-
-/// int K eps(v) : eps(v); the strain is linear, the rule of the mid-edge points exact.
-inline Lanes strainEnergy(const CellTables& tables, const CellShape& shape, const Lanes* v)
-{
-  Lanes strain[3][3], stress[3], sum{};
   vertexStrains(shape, v, strain);
-  for (int a = 0; a < 3; ++a) {
-    Lanes middle[3];
-    for (int i = 0; i < 3; ++i)
-      middle[i] = 0.5 * (strain[a][i] + strain[(a + 1) % 3][i]);
-    multiply3(tables.stiffness, middle, stress);
-    for (int i = 0; i < 3; ++i)
-      sum += middle[i] * stress[i];
-  }
-  return absolute(shape.det) / 6.0 * sum;
+  for (int a = 0; a < 3; ++a)
+    multiply3(stiffness, strain[a], stress[a]);
 }
 
-/// int c : eps(v) = int_dE c n . v - int div c . v.
-template <int q>
-Lanes work(const CellTables& tables, const Lanes* data, const Lanes* v)
+inline void vertexStress(const double* stiffness, const CellBatch& batch)
 {
-  constexpr int facetNodes[3][3] = {{1, 2, 3}, {0, 2, 4}, {0, 1, 5}};
-  Lanes sum{};
-  for (int facet = 0; facet < 3; ++facet)
-    for (int mode = 0; mode <= q; ++mode, data += 2)
-      for (int a = 0; a < 3; ++a)
-        sum += tables.facetWork[mode * 3 + a] * dot(load2(data), load2(v + 2 * facetNodes[facet][a]));
-  for (int mode = 0; mode < loadModesOf(q); ++mode, data += 2)
-    for (int a = 0; a < 6; ++a)
-      sum -= tables.loadWork[mode * 6 + a] * dot(load2(data), load2(v + 2 * a));
-  return sum;
+  Lanes stress[3][3];
+  elasticStress(stiffness, shapeOf(batch), lanes(batch.displacement), stress);
+  for (int i = 0; i < 9; ++i)
+    lanes(batch.stress)[i] = stress[i / 3][i % 3];
 }
 
-/// |c|^2 in the complementary energy norm: the energy of the lift less what the bubbles gain.
+/// The bubbles of least energy, added to the coefficients of a stress in reference axes.
 template <int q>
-Lanes correctionEnergy(const CellTables& tables, const CellShape& shape, const Lanes* data)
+void addBubbles(const CellTables& tables, const CellShape& shape, Lanes (&S)[Sizes<q>::coefficients][3])
 {
-  constexpr int values = 3 * Sizes<q>::facetData + 2 * loadModesOf(q), bubbles = Sizes<q>::bubbles;
-  constexpr int coefficients = 3 * (q + 1) * (q + 2) / 2;
-  Lanes c[6], x[values], gain[bubbles + 1] = {}, energy{};
+  constexpr int bubbles = Sizes<q>::bubbles;
+  Lanes c[6], A[bubbles][bubbles], y[bubbles] = {};
   pullBackCompliance(shape, tables.compliance, c);
+  const double *bubble = tables.bubble, *form = tables.bubbleForm;
+  for (const auto& coefficient : S) {
+    Lanes strain[3];
+    multiply3(c, coefficient, strain);
+    for (int b = 0; b < bubbles; ++b, bubble += 3)
+      y[b] += bubble[0] * strain[0] + bubble[1] * strain[1] + bubble[2] * strain[2];
+  }
+  for (int b = 0; b < bubbles; ++b)
+    for (int j = b; j < bubbles; ++j, form += 6)
+      A[b][j] = combine(form, c);
+  factor(A);
+  minimise(A, y);
+  bubble = tables.bubble;
+  for (auto& coefficient : S)
+    for (int b = 0; b < bubbles; ++b, bubble += 3)
+      add3(bubble, y[b], coefficient);
+}
+
+/// Coefficients of a correction in reference axes from its data.
+template <int q>
+void findStress(const CellTables& tables, const CellShape& shape, const Lanes* data,
+                Lanes (&S)[Sizes<q>::coefficients][3])
+{
+  constexpr int values = 3 * Sizes<q>::facetData + 2 * loadModesOf(q);
+  Lanes x[values];
   for (int i = 0; i < values; i += 2)
     store2(x + i, shape.pullBack(load2(data + i)));
-  const double *lift = tables.lift, *bubble = tables.bubble;
-  for (int i = 0; i < coefficients; ++i) {
-    Lanes S[3] = {}, strain[3];
-    for (int j = 0; j < values; ++j, lift += 3)
-      for (int a = 0; a < 3; ++a)
-        S[a] += lift[a] * x[j];
-    multiply3(c, S, strain);
-    energy += S[0] * strain[0] + S[1] * strain[1] + S[2] * strain[2];
-    for (int b = 0; b < bubbles; ++b, bubble += 3)
-      gain[b] += bubble[0] * strain[0] + bubble[1] * strain[1] + bubble[2] * strain[2];
-  }
-  if constexpr (bubbles > 0) {
-    Lanes A[bubbles][bubbles], y[bubbles];
-    const double* form = tables.bubbleForm;
-    for (int b = 0; b < bubbles; ++b) {
-      y[b] = gain[b];
-      for (int j = b; j < bubbles; ++j, form += 6)
-        A[b][j] = combine(form, c);
+  // Three coefficients side by side: one alone would wait for its own sums.
+  const double* lift = tables.lift;
+  for (int i = 0; i < Sizes<q>::coefficients; i += 3, lift += 9 * values) {
+    Lanes first[3] = {}, second[3] = {}, third[3] = {};
+    for (int j = 0; j < values; ++j) {
+      add3(lift + 3 * j, x[j], first);
+      add3(lift + 3 * (values + j), x[j], second);
+      add3(lift + 3 * (2 * values + j), x[j], third);
     }
-    factor(A);
-    minimise(A, y);
-    for (int b = 0; b < bubbles; ++b)
-      energy += gain[b] * y[b];
+    copy3(first, S[i]);
+    copy3(second, S[i + 1]);
+    copy3(third, S[i + 2]);
   }
-  return shape.det < 0.0 ? -energy : energy; // c was divided by det, not by its modulus
+  if constexpr (Sizes<q>::bubbles > 0)
+    addBubbles<q>(tables, shape, S);
 }
 
-/// |c|^2 + 2 <c, eps(v)> + |eps(v)|^2.
+/// |sigma|^2 of one coefficient in the complementary energy norm; root: lower triangle, row by row.
+inline Lanes square(const double* root, const Lanes* sigma)
+{
+  const Lanes x = root[0] * sigma[0], y = root[1] * sigma[0] + root[2] * sigma[1];
+  const Lanes z = root[3] * sigma[0] + root[4] * sigma[1] + root[5] * sigma[2];
+  return x * x + y * y + z * z;
+}
+
+/// |c + K eps(v)|^2 as a sum of squares: one that is small beside |c|^2 and |K eps(v)|^2 comes out right as well.
 template <int q>
 void distance(const CellTables& tables, const CellBatch& batch)
 {
+  constexpr int modes = Sizes<q>::coefficients / 3;
   const CellShape shape = shapeOf(batch);
-  const Lanes* data = lanes(batch.data);
-  Lanes sum = correctionEnergy<q>(tables, shape, data);
-  if (batch.displacement != nullptr) {
-    const Lanes* v = lanes(batch.displacement);
-    sum += 2.0 * work<q>(tables, data, v) + strainEnergy(tables, shape, v);
+  Lanes S[Sizes<q>::coefficients][3], axes[3][3], elastic[3][3] = {}, sum{};
+  findStress<q>(tables, shape, lanes(batch.data), S);
+  pushForward(shape, axes);
+  if (batch.displacement != nullptr)
+    elasticStress(tables.stiffness, shape, lanes(batch.displacement), elastic);
+  const Lanes inverse = absolute(shape.inverse);
+  for (int i = 0; i < Sizes<q>::coefficients; ++i) {
+    Lanes sigma[3] = {};
+    for (int a = 0; a < 3; ++a)
+      add3(axes[a], inverse * S[i][a], sigma);
+    if (i % modes < 3)
+      for (int vertex = 0; vertex < 3; ++vertex)
+        add3(elastic[vertex], tables.linear[(i / modes * 3 + i % modes) * 3 + vertex], sigma);
+    sum += square(tables.root, sigma);
   }
-  // A square, but for round-off.
-  lanes(batch.distance)[0] = sum < 0.0 ? Lanes{} : sum;
+  lanes(batch.distance)[0] = absolute(shape.det) * sum;
 }
 
 } // namespace

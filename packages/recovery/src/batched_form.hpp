@@ -1,7 +1,6 @@
 #pragma once
 
-#include "batched_kernels.hpp"
-#include "lanes.hpp"
+#include "batched_shape.hpp"
 
 // Part of the kernels' translation units (see lanes.hpp): the energy of one cell of a star.
 
@@ -9,54 +8,6 @@ namespace ndframe
 {
 namespace
 {
-
-template <int q>
-struct Sizes
-{
-  static constexpr int modes = spokeModes(q);      ///< self-equilibrated modes of a spoke
-  static constexpr int unknowns = cellUnknowns(q); ///< w, s_1, s_2
-  static constexpr int bubbles = cellBubbles(q);
-  static constexpr int facetData = 2 * (q + 1);
-  static constexpr int firstSpoke = 3, secondSpoke = 3 + modes;
-  static constexpr int maxLoads = 2 * (loadModesOf(q) + q + 1); ///< sweeps: loads and rim
-};
-
-/// A cell seen from the star's vertex: x = x_a + d1 X_1 + d2 X_2.
-struct CellShape
-{
-  Vector2 d1, d2;
-  Lanes det, inverse; ///< d1 x d2 > 0 and its reciprocal
-
-  CellShape(Vector2 first, Vector2 second) : d1(first), d2(second), det(cross(first, second)), inverse(1.0 / det) {}
-
-  /// F^-1 v.
-  Vector2 pullBack(Vector2 v) const { return inverse * Vector2{cross(v, d2), cross(d1, v)}; }
-  /// The tangential share of a moment mode that points along the other spoke: what the wrench needs of L_1 t apart from
-  /// n L_1 (the two spokes' cells must agree, so it is n, not the median, that carries the moment).
-  Lanes slant1() const { return -dot(d1, d2) / dot(d1, d1); }
-  Lanes slant2() const { return -dot(d1, d2) / dot(d2, d2); }
-};
-
-/// Entries of the compliance in reference axes over |det F|, the factors of the six tables.
-inline void pullBackCompliance(const CellShape& shape, const double* C, Lanes* c)
-{
-  const Vector2 a = shape.d1, b = shape.d2;
-  const Lanes S[3][3] = {{a.x * a.x, a.y * a.y, a.x * a.y},
-                         {b.x * b.x, b.y * b.y, b.x * b.y},
-                         {2.0 * a.x * b.x, 2.0 * a.y * b.y, a.x * b.y + a.y * b.x}};
-  for (int i = 0, entry = 0; i < 3; ++i) {
-    const Lanes xx = shape.inverse * (C[0] * S[i][0] + C[1] * S[i][1] + C[2] * S[i][2]);
-    const Lanes yy = shape.inverse * (C[1] * S[i][0] + C[3] * S[i][1] + C[4] * S[i][2]);
-    const Lanes xy = shape.inverse * (C[2] * S[i][0] + C[4] * S[i][1] + C[5] * S[i][2]);
-    for (int j = i; j < 3; ++j, ++entry)
-      c[entry] = xx * S[j][0] + yy * S[j][1] + xy * S[j][2];
-  }
-}
-
-inline Lanes combine(const double* table, const Lanes* c)
-{
-  return (table[0] * c[0] + table[1] * c[1] + table[2] * c[2]) + (table[3] * c[3] + table[4] * c[4] + table[5] * c[5]);
-}
 
 /// Change of unknowns from those that all cells of a star share to a cell's reference axes, z^ = B z.
 template <int q>

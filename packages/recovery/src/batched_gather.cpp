@@ -87,14 +87,14 @@ void BatchedPass::gatherTotals()
 
 void BatchedPass::scatter()
 {
-  for (int k = 0; k < fields_; ++k)
-    for (int c = 0; c < batch_.cells; ++c)
-      for (int lane = 0; lane < count_; ++lane) {
-        const int here = corner(lane, c);
+  for (int c = 0; c < batch_.cells; ++c)
+    for (int lane = 0; lane < count_; ++lane) {
+      const int here = corner(lane, c);
+      const CornerFacets facets = facetsOf(stars_.rings, here);
+      for (int k = 0; k < fields_; ++k) {
         double* tractions = corrections_[std::size_t(k)].tractions.data() + std::ptrdiff_t(here / 3) * 3 * facetData_;
         const double* source = batch_.tractions + place((k * batch_.cells + c) * 2 * facetData_, lane);
-        const CornerFacets facets = facetsOf(stars_.rings, here);
-        for (const CornerFacet facet : {facets.first, facets.second}) {
+        for (const CornerFacet& facet : {facets.first, facets.second}) {
           double* target = tractions + facet.number * facetData_;
           for (int mode = 0; mode <= stars_.data.degree; ++mode, source += 2 * lanes_, target += 2) {
             const double sign = facet.sign(mode);
@@ -103,23 +103,25 @@ void BatchedPass::scatter()
           }
         }
       }
+    }
 }
 
 /// Minus the vertex's shares of div sigma~ and of the body force.
 void BatchedPass::addLoads()
 {
   const int modes = loadModesOf(stars_.data.degree);
-  for (int k = 0; k < fields_; ++k)
-    for (int c = 0; c < batch_.cells; ++c)
-      for (int lane = 0; lane < count_; ++lane) {
-        const std::ptrdiff_t cell = corner(lane, c) / 3;
-        const int rank = stars_.rings.rank(corner(lane, c));
-        const double* share = stars_.loadShares.ofOne(rank);
+  for (int c = 0; c < batch_.cells; ++c)
+    for (int lane = 0; lane < count_; ++lane) {
+      const std::ptrdiff_t cell = corner(lane, c) / 3;
+      const int rank = stars_.rings.rank(corner(lane, c));
+      const double* share = stars_.loadShares.ofOne(rank);
+      for (int k = 0; k < fields_; ++k) {
         const double* divergence = batch_.divergence + place((k * batch_.cells + c) * 2, lane);
+        const double x = divergence[0], y = divergence[lanes_];
         double* loads = corrections_[std::size_t(k)].loads.data() + cell * 2 * modes;
         for (int mode = 0; mode < modes; ++mode) {
-          loads[2 * mode] -= share[mode] * divergence[0];
-          loads[2 * mode + 1] -= share[mode] * divergence[lanes_];
+          loads[2 * mode] -= share[mode] * x;
+          loads[2 * mode + 1] -= share[mode] * y;
         }
         if (batch_.bodyLoad == nullptr)
           continue;
@@ -127,6 +129,7 @@ void BatchedPass::addLoads()
         for (int i = 0; i < 2 * modes; ++i)
           loads[i] -= bodyLoad[i];
       }
+    }
 }
 
 } // namespace ndframe

@@ -72,12 +72,12 @@ struct CellBatch
 /// The reference tables as the cells' kernels want them.
 struct CellTables
 {
-  const double* lift;                 ///< per coefficient (of one stress component), per datum: 3 components
-  const double* bubble;               ///< per coefficient, per bubble: 3 components, times the measure of a sub-cell
-  const double* bubbleForm;           ///< upper triangle over bubbles: 6 coefficients of the compliance each
-  const double* facetWork;            ///< facet modes x (2 ends, middle): mean values with shape functions of order 2
-  const double* loadWork;             ///< load modes x 6 nodes
+  const double* lift;       ///< per coefficient (of one stress component), per datum: 3 components
+  const double* bubble;     ///< per coefficient, per bubble: 3 components
+  const double* bubbleForm; ///< upper triangle over bubbles: 6 coefficients of the compliance each
+  const double* linear;     ///< per sub-cell, 3 coefficients, per vertex: of the linear function that is 1 there
   double compliance[6], stiffness[6]; ///< of the material: upper triangles, row by row
+  double root[6];                     ///< sigma : compliance sigma = |root sigma|^2: lower triangle, row by row
 };
 
 // Internal linkage: see lanes.hpp.

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/fem/lagrange.hpp"
+#include "cell_form.hpp"
 #include "ndframe/fem/quadrature.hpp"
 #include "ndframe/recovery/static_data.hpp"
 #include "star_wrench.hpp"
@@ -30,23 +30,22 @@ QuadratureRule splitRule(int degree)
   return split;
 }
 
-/// Mean values of the functions of a basis times shape functions of order 2: size x nodes, row by row. `nodes` are the
-/// vertices, then the middles of the edges (in 2-D: opposite to vertex 0, 1, 2).
-template <int dim>
-std::vector<double> meanWithShapes(const MomentBasis& basis, const QuadratureRule& rule)
+/// Of the barycentric coordinates: sub-cell by sub-cell, the first three functions of a basis, vertex by vertex. The
+/// linear functions come first in a basis.
+std::vector<double> linearCoefficients(const MomentBasis& basis)
 {
-  constexpr int nodes = Lagrange<dim, 2>::nodes;
-  constexpr int place[6] = {0, 1, 2, dim == 1 ? 2 : 5, 3, 4}; // edges 01, 12, 20
-  std::vector<double> means(std::size_t(basis.size() * nodes), 0.0), m(std::size_t(basis.size()), 0.0);
-  double N[nodes];
-  for (int point = 0; point < rule.size(); ++point) {
-    basis.values(rule.point(point), m.data());
-    Lagrange<dim, 2>::values(rule.point(point), N);
-    for (int k = 0; k < basis.size(); ++k)
-      for (int a = 0; a < nodes; ++a)
-        means[std::size_t(k * nodes + place[a])] += rule.weights[std::size_t(point)] * m[std::size_t(k)] * N[a];
-  }
-  return means;
+  const QuadratureRule rule = simplexRule(2, 2);
+  std::vector<double> coefficients(27, 0.0), m(std::size_t(basis.size()));
+  double lambda[3];
+  for (int sub = 0; sub < 3; ++sub)
+    for (int point = 0; point < rule.size(); ++point) {
+      basis.values(rule.point(point), m.data());
+      SubCell{2, sub}.simplexCoordinates(rule.point(point), lambda);
+      for (int i = 0; i < 9; ++i)
+        coefficients[std::size_t(9 * sub + i)] +=
+            rule.weights[std::size_t(point)] * m[std::size_t(i / 3)] * lambda[i % 3];
+    }
+  return coefficients;
 }
 
 } // namespace
@@ -69,11 +68,9 @@ std::array<double, 6> planeCompliance(const Elasticity& law)
 }
 
 BatchedCellTables::BatchedCellTables(int degree, const Elasticity& law)
-    : facetWork_(meanWithShapes<1>(facetBasis(2, degree), simplexRule(1, degree + 2))),
-      loadWork_(meanWithShapes<2>(loadBasis(2, degree), splitRule(degree + 2)))
 {
   const ReferenceStress& reference = referenceStress(2, degree);
-  const int modes = reference.coefficients / 9;
+  const int modes = reference.basis.size(), data = reference.data();
   const double scale = std::sqrt(1.0 / 6.0); // of the sub-cells' measure: squares become integrals
   const auto append = [&](std::vector<double>& table, const DenseMatrix& from) {
     for (int sub = 0; sub < 3; ++sub)
@@ -84,14 +81,23 @@ BatchedCellTables::BatchedCellTables(int degree, const Elasticity& law)
   };
   append(lift_, reference.lift);
   append(bubble_, reference.bubble);
-  const int data = reference.data();
   for (int b = 0; b < reference.bubbles; ++b)
     for (int j = b; j < reference.bubbles; ++j)
       for (const DenseMatrix& energy : reference.energy)
         bubbleForm_.push_back(energy(data + b, data + j));
-  tables_ = {lift_.data(), bubble_.data(), bubbleForm_.data(), facetWork_.data(), loadWork_.data(), {}, {}};
+  for (const double value : linearCoefficients(reference.basis))
+    linear_.push_back(scale * value);
+  tables_ = {lift_.data(), bubble_.data(), bubbleForm_.data(), linear_.data(), {}, {}, {}};
   std::copy_n(planeCompliance(law).begin(), 6, tables_.compliance);
   std::copy_n(planeStiffness(law).begin(), 6, tables_.stiffness);
+  const DenseCholesky stiffness = stiffnessFactor(law);
+  for (int j = 0; j < 3; ++j) {
+    Vector column(3, 0.0);
+    column[std::size_t(j)] = 1.0;
+    column = stiffness.solveLower(std::move(column));
+    for (int i = j; i < 3; ++i)
+      tables_.root[i * (i + 1) / 2 + j] = column[std::size_t(i)];
+  }
 }
 
 LoadPermutations::LoadPermutations(int degree)

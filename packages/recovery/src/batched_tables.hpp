@@ -48,7 +48,7 @@ public:
   const CellTables& tables() const { return tables_; }
 
 private:
-  std::vector<double> lift_, bubble_, bubbleForm_, facetWork_, loadWork_;
+  std::vector<double> lift_, bubble_, bubbleForm_, linear_;
   CellTables tables_{};
 };
 

@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include "batched_cell_pass.hpp"
+#include "batched_workspace.hpp"
 #include "cell_form.hpp"
 #include "ndframe/mechanics/kernels.hpp"
 #include "sub_cell.hpp"
@@ -70,6 +72,8 @@ SplitStress equilibratedStress(const BodyModel& body, const Vector& displacement
 
 Vector cellDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference)
 {
+  if (body.mesh.dim == 2)
+    return batchedCellDistances(body, correction, difference, *availableKernels().back());
   Vector distances;
   for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
     SplitStress stress = correctionStress(body, correction, cell);

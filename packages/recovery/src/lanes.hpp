@@ -83,5 +83,33 @@ inline Vector2 traction(const Lanes* stress, Vector2 n)
   return {stress[0] * n.x + stress[2] * n.y, stress[2] * n.x + stress[1] * n.y};
 }
 
+// Stresses and strains (xx, yy, xy). Written out, since compilers keep the sums in registers only then, unless told to
+// optimise at any price.
+
+/// sum += x (entries).
+template <class Entry, class Factor>
+void add3(const Entry* entries, Factor x, Lanes* sum)
+{
+  sum[0] += entries[0] * x;
+  sum[1] += entries[1] * x;
+  sum[2] += entries[2] * x;
+}
+
+inline void copy3(const Lanes* from, Lanes* to)
+{
+  to[0] = from[0];
+  to[1] = from[1];
+  to[2] = from[2];
+}
+
+/// y = matrix x; matrix: upper triangle of a symmetric 3 x 3 matrix, row by row.
+template <class Entry>
+void multiply3(const Entry* matrix, const Lanes* x, Lanes* y)
+{
+  y[0] = matrix[0] * x[0] + matrix[1] * x[1] + matrix[2] * x[2];
+  y[1] = matrix[1] * x[0] + matrix[3] * x[1] + matrix[4] * x[2];
+  y[2] = matrix[2] * x[0] + matrix[4] * x[1] + matrix[5] * x[2];
+}
+
 } // namespace
 } // namespace ndframe
