@@ -104,7 +104,7 @@ void drawCertificate(DrawnScene& scene, int dim, bool touches, Draw& draw)
   scene.deck.set(list + "Interface Traction/Type", projects ? "Projected" : "Optimal");
   scene.deck.set(list + "Interface Traction/Mean", draw.chance(0.2) ? "Updated" : "Previous");
   scene.deck.set(list + "Reference/Refinements", 3);
-  scene.deck.set(list + "Reference/Maximum Dofs", 60000);
+  scene.deck.set(list + "Reference/Maximum Dofs", 400000);
 }
 
 DrawnScene drawScene(std::uint64_t seed, int index)

@@ -19,11 +19,17 @@ std::string fieldIn(int dim, const Frame& frame, Draw& draw)
   return text;
 }
 
+/// Solids get no sines: sampling them in tetrahedra to round-off takes minutes.
 void setVector(DrawnScene& scene, const std::string& list, int dim, double scale, const Frame& frame, Draw& draw)
 {
-  for (const char* component : {"X", "Y", "Z"})
-    if (dim == 3 || component[0] != 'Z')
-      scene.deck.set(list + "/" + component, fmt::format("{} * ({})", scale, fieldIn(dim, frame, draw)));
+  for (const char* component : {"X", "Y", "Z"}) {
+    if (dim == 2 && component[0] == 'Z')
+      continue;
+    std::string field = fieldIn(dim, frame, draw);
+    while (dim == 3 && field.find("sin") != std::string::npos)
+      field = fieldIn(dim, frame, draw);
+    scene.deck.set(list + "/" + component, fmt::format("{} * ({})", scale, field));
+  }
 }
 
 void drawSolidBox(DrawnScene& scene, const Frame& frame, Draw& draw)
@@ -32,7 +38,7 @@ void drawSolidBox(DrawnScene& scene, const Frame& frame, Draw& draw)
   scene.deck.set(list + "Type", "Box");
   scene.deck.set(list + "Lower", std::vector<double>{0.0, 0.0, 0.0});
   scene.deck.set(list + "Upper", std::vector<double>{1.0, draw.logarithmic(0.3, 1.0), draw.logarithmic(0.3, 1.0)});
-  scene.deck.set(list + "Cells", std::vector<int>{draw.integer(1, 3), draw.integer(1, 2), draw.integer(1, 2)});
+  scene.deck.set(list + "Cells", std::vector<int>{draw.integer(1, 2), draw.integer(1, 2), 1});
   scene.deck.set(list + "Pattern", draw.pick<std::string>({"Right", "Alternating"}));
   scene.deck.set(list + "Grading", std::vector<double>{draw.logarithmic(0.3, 3.0), 1.0, 1.0});
   scene.deck.set(list + "Rotation", frame.degrees);

@@ -18,19 +18,24 @@ SweepOptions readOptions(int argc, char** argv)
       {"--seed", [&](const std::string& value) { options.seed = std::stoull(value); }},
       {"--first", [&](const std::string& value) { options.first = std::stoi(value); }},
       {"--folder", [&](const std::string& value) { options.folder = value; }},
-      {"--keep", [&](const std::string& value) { options.keep = value == "yes"; }}};
+      {"--finest", [&](const std::string& value) { options.finest = std::stoi(value); }}};
+  const std::map<std::string, bool SweepOptions::*> flags{{"--keep", &SweepOptions::keep},
+                                                          {"--sharpness", &SweepOptions::sharpness}};
   try {
-    for (int i = 1; i < argc; i += 2) {
-      if (i + 1 == argc)
+    for (int i = 1; i < argc; ++i)
+      if (const auto flag = flags.find(argv[i]); flag != flags.end())
+        options.*flag->second = true;
+      else if (i + 1 < argc)
+        known.at(argv[i])(argv[i + 1]), ++i;
+      else
         throw std::invalid_argument("value");
-      known.at(argv[i])(argv[i + 1]);
-    }
   } catch (const std::exception&) {
-    std::fputs("certificate_sweep [--scenes N] [--seed S] [--first N] [--folder F] [--keep yes]\n", stderr);
+    std::fputs(
+        "certificate_sweep [--scenes N] [--seed S] [--first N] [--folder F] [--keep] [--sharpness [--finest N]]\n",
+        stderr);
     std::exit(2);
   }
   std::filesystem::create_directories(options.folder);
-  options.table = options.folder + "/sweep.csv";
   return options;
 }
 

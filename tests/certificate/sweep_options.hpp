@@ -13,10 +13,11 @@ struct SweepOptions
   std::uint64_t seed = 1;
   std::string folder = "certificate-sweep"; ///< decks of violations, the table
   bool keep = false;                        ///< keep all decks
-  std::string table;                        ///< CSV
+  bool sharpness = false;                   ///< measure effectivities instead of looking for violations
+  int finest = 24;                          ///< cells a side of the sharpness scenes, at most
 };
 
-/// --scenes N --seed S --first N --folder F --keep. Anything else ends the program with code 2.
+/// --scenes N --seed S --first N --folder F --keep --sharpness --finest N. Anything else ends the program with code 2.
 SweepOptions readOptions(int argc, char** argv);
 
 } // namespace ndframe::test
