@@ -165,6 +165,7 @@ class Certificate(unittest.TestCase):
     def setUpClass(cls):
         cls.run_ = Run(shipped("certificate"))
         cls.errors = cls.run_.summary["errors"]
+        cls.loss = Run(shipped("contact-loss"), "Error Estimation/Mode=Strict", "Interfaces/contact/Gap=1e-3 * x^2")
 
     def areas(self, block):
         corners = self.run_.points()[self.run_.exodus[f"connect{block + 1}"][:, :3] - 1]
@@ -172,11 +173,31 @@ class Certificate(unittest.TestCase):
         return (ax * by - ay * bx) / 2
 
     def test_contributions_of_the_elements_add_up(self):
-        for name, key in (("eta_glob", "global"), ("eta_dis", "discretization"), ("eta_nda", "algorithm")):
-            squares = sum((self.run_.element(name, block) ** 2).sum() for block in (0, 1))
-            measure = self.errors[key]
-            total = measure["elements"] ** 2 + measure["contact"] ** 2
-            self.assertAlmostEqual(squares / total, 1, places=10, msg=name)
+        for run in (self.run_, self.loss):
+            for name, key in (("eta_glob", "global"), ("eta_dis", "discretization"), ("eta_nda", "algorithm")):
+                squares = sum((run.element(name, block) ** 2).sum() for block in (0, 1))
+                measure = run.summary["errors"][key]
+                total = measure["elements"] ** 2 + measure["contact"] ** 2
+                self.assertAlmostEqual(squares / total, 1, places=10, msg=name)
+        self.assertGreater(self.loss.summary["errors"]["global"]["contact"], 0)
+
+    def test_parts_add_up_to_the_measure(self):
+        for run in (self.run_, self.loss):
+            for key in ("global", "discretization", "algorithm"):
+                part = run.summary["errors"][key]
+                total = numpy.hypot(part["elements"], part["contact"]) + part["projection"] + part["oscillation"]
+                if key == "algorithm" or part["contact"] == part["projection"] == part["oscillation"] == 0:
+                    self.assertAlmostEqual(part["absolute"] / total, 1, places=12, msg=key)
+                self.assertLess(part["absolute"], total * (1 + 1e-12), msg=key)
+                self.assertGreater(part["absolute"], part["elements"] * (1 - 1e-12), msg=key)
+                self.assertAlmostEqual(part["absolute"] / run.summary["energy"] ** 0.5, part["relative"], places=12)
+
+    def test_admissible_pressure_is_nothing_where_the_gap_is_open(self):
+        pressure, status = (self.loss.side(name, "contact:dirichlet") for name in ("admissible_pressure", "contact_status"))
+        self.assertGreaterEqual(pressure.min(), -1e-12)
+        self.assertAlmostEqual(pressure.mean(), 0.5, places=10)  # half of the top is under pressure 1
+        self.assertLess(pressure[status == 0].max(), 0.1)
+        self.assertGreater((status == 0).sum(), 0)
 
     def test_admissible_pressure_presses_and_carries_the_load(self):
         pressure, other = (self.run_.side("admissible_pressure", f"contact:{body}") for body in ("dirichlet", "neumann"))
@@ -228,6 +249,28 @@ class Summary(unittest.TestCase):
                 deck = pathlib.Path(folder) / f"{name}.xml"
                 deck.write_text(as_deck(name, run.summary["deck"]))
                 self.assertEqual(results(Run(str(deck)).summary), results(run.summary))
+
+    def test_has_every_number_of_the_certificate(self):
+        errors = self.runs["certificate"].summary["errors"]
+        measure = {"absolute", "relative", "elements", "contact", "projection", "oscillation"}
+        self.assertEqual(errors["global"].keys(), measure | {"guaranteed", "reason"})
+        for key in ("algorithm", "discretization"):
+            self.assertEqual(errors[key].keys(), measure)
+        self.assertEqual(errors["mean_stress"].keys(), {"absolute", "relative"})
+        self.assertIs(errors["global"]["guaranteed"], True)
+        self.assertEqual(errors["global"]["reason"], "")
+        self.assertEqual([key for key, value in errors.items() if value is None], [])
+        self.assertEqual([key for key, value in errors["reference"].items() if value is None], [])
+
+    def test_says_nothing_of_errors_without_the_list(self):
+        for name in ("punch", "contact-loss", "beam-3d", "patch"):
+            run = self.runs[name]
+            self.assertIsNone(run.summary["errors"])
+            stages = [stage["name"] for stage in run.summary["ledger"]["stages"]]
+            self.assertEqual([stage for stage in stages if stage.startswith("certify")], [])
+            self.assertEqual([count for count in run.summary["ledger"]["counts"] if "star" in count], [])
+            fields = run.names("name_elem_var") + (run.names("name_sset_var") if run.summary["interfaces"] else [])
+            self.assertEqual([name for name in fields if name.startswith(("eta", "sigma", "mean", "adm"))], [])
 
     def test_energies_add_up(self):
         for run in self.runs.values():

@@ -262,6 +262,18 @@ TEST_F(Program, AMissingGuaranteeEndsWithThreeOnlyWhereItIsRequired)
   EXPECT_EQ(summary("beam-3d")["errors"]["global"]["guaranteed"], false);
 }
 
+/// There is no solution, so there is no error of it.
+TEST_F(Program, PullingABodyOffLeavesNothingToCertify)
+{
+  const auto result = punch({"Error Estimation/Require Guarantee=true", "Bodies/punch/Loads/press/Value=-1"});
+  EXPECT_EQ(result.exitCode, 3);
+  EXPECT_THAT(result.err,
+              HasSubstr("the load pulls the bodies apart: contact opens and nothing stops translation along "
+                        "y of punch"));
+  EXPECT_THAT(result.out, testing::Not(HasSubstr("error in energy")));
+  EXPECT_TRUE(summary("punch")["errors"].is_null());
+}
+
 TEST_F(Program, ExpectsNumbersOfTheCertificate)
 {
   const auto result = punch({"Error Estimation/Estimators={Global}", "Expect/mine/Quantity=errors/global/guaranteed",

@@ -128,8 +128,8 @@ TEST(ErrorText, PutsTheAdviceBesideTheLargerPart)
 {
   ErrorSummary errors = everything();
   EXPECT_EQ(lineOf(errorText(errors), "  iteration"),
-            "    iteration                 0.05    2.50 %   <- 2 more sweeps would leave the mesh alone");
-  EXPECT_EQ(lineOf(errorText(errors), "  mesh"), "    mesh                      0.03    1.50 %");
+            "    iteration        ~        0.05    2.50 %   <- 2 more sweeps would leave the mesh alone");
+  EXPECT_EQ(lineOf(errorText(errors), "  mesh"), "    mesh             ~        0.03    1.50 %");
   errors.algorithm = measure(0.01);
   errors.advice = "a finer mesh would help, more sweeps would not";
   EXPECT_THAT(lineOf(errorText(errors), "  mesh"), HasSubstr("<- a finer mesh would help"));
@@ -142,8 +142,16 @@ TEST(ErrorText, MarksComparisonsAsNotGuaranteed)
   errors.zienkiewiczZhu = 0.05;
   errors.residual = 0.25;
   const auto text = errorText(errors);
-  EXPECT_EQ(text, "  Zienkiewicz-Zhu    ~        0.05             not guaranteed\n"
-                  "  residual           ~        0.25             not guaranteed");
+  EXPECT_EQ(text, "  Zienkiewicz-Zhu    ~        0.05             a comparison, not guaranteed\n"
+                  "  residual           ~        0.25             a comparison, not guaranteed");
+}
+
+TEST(ErrorText, ShowsTheMeshBySplitAsAPartOfTheBound)
+{
+  ErrorSummary errors = everything();
+  errors.splitStress = 0.03;
+  EXPECT_EQ(lineOf(errorText(errors), "  mesh, by Split"),
+            "    mesh, by Split   ~        0.03             the bound without the iteration's part");
 }
 
 TEST(ErrorText, ShowsTheReferenceWithTheEffectivity)

@@ -136,7 +136,7 @@ void Certifier::measureGlobal()
 {
   ErrorSummary& summary = result_.summary;
   globalMeasure_ = measureStress(scene_, global_, admissible_);
-  summary.global = summarizeMeasure(globalMeasure_, scene_.norm);
+  summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
   summary.meanStress = globalMeasure_.meanStress();
   summary.meanStressRelative = scene_.norm > 0.0 ? *summary.meanStress / scene_.norm : 0.0;
   const Guarantee guarantee = judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0));
@@ -191,12 +191,12 @@ void Certifier::measure()
     measureGlobal();
   if (wants(Estimator::Algorithm) || wants(Estimator::Split)) {
     const ErrorMeasure measure = measureAlgorithm(scene_, global_.field);
-    summary.algorithm = summarizeMeasure(measure, scene_.norm);
+    summary.algorithm = summarizeMeasure(measure, measure.sum(), scene_.norm);
     result_.etaAlgorithm = cellContributions(measure);
   }
   if (wants(Estimator::Discretization)) {
     const ErrorMeasure measure = measureStress(scene_, separate_, admissible_);
-    summary.discretization = summarizeMeasure(measure, scene_.norm);
+    summary.discretization = summarizeMeasure(measure, boundOf(measure, options_.mode), scene_.norm);
     result_.etaDiscretization = cellContributions(measure);
   }
   if (wants(Estimator::Split))
@@ -209,7 +209,8 @@ void Certifier::measure()
 void Certifier::compare(const Components& components)
 {
   const auto timer = ledger_.time(certificateStage::reference);
-  const CertifiedStress certified{result_.admissible, scene_.facets, result_.traction, globalMeasure_};
+  const CertifiedStress certified{result_.admissible, scene_.facets, result_.traction, globalMeasure_,
+                                  boundOf(globalMeasure_, options_.mode)};
   result_.summary.reference = compareWithReference(deck_, components, scene_.model, scene_.solved,
                                                    wants(Estimator::Global) ? &certified : nullptr,
                                                    {options_.refinements, options_.maximumDofs}, comm_);

@@ -42,18 +42,34 @@ AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, cons
   AdmissibleScene result;
   result.gap = contactGap(deck, scene, mode);
   result.displacement = admitDisplacements(scene, result.gap, mode);
-  std::vector<Vector> squares;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto prescribed = chargePrescribed(*scene.bodies[b]);
-    squares.push_back(recovery.data[b].oscillation);
-    result.oscillation += prescribed.charge;
+    result.oscillation.push_back(recovery.data[b].oscillation);
+    result.prescribed += prescribed.charge;
     for (const auto& caveat : {recovery.data[b].caveat, prescribed.caveat})
       if (result.caveat.empty())
         result.caveat = caveat;
   }
-  result.oscillation += totalOf(squares);
   return result;
 }
+
+namespace
+{
+
+/// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
+double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
+{
+  std::vector<Vector> squares;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Vector v = recovered.field.displacement[b];
+    for (std::size_t i = 0; i < v.size(); ++i)
+      v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
+    squares.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], &v));
+  }
+  return 0.5 * totalOf(squares);
+}
+
+} // namespace
 
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
                            const AdmissibleScene& admissible)
@@ -67,9 +83,11 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
   if (!scene.facets.empty())
     contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
                                    openings(scene, admissible.displacement.displacement, admissible.gap));
-  ErrorMeasure measure = assembleMeasure(std::move(distances), scene.facets, contact);
+  ErrorMeasure measure = assembleMeasure(std::move(distances), scene.facets, contact, admissible.oscillation);
+  measure.prescribed = admissible.prescribed;
   measure.projection = admissible.displacement.charge;
-  measure.oscillation = admissible.oscillation;
+  if (measure.projection > 0.0)
+    measure.aside = distanceFromMean(scene, recovered, admissible);
   return measure;
 }
 
@@ -146,12 +164,16 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   return guarantee;
 }
 
-ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double norm)
+double boundOf(const ErrorMeasure& measure, ErrorMode mode)
 {
-  const double absolute = measure.absolute();
+  return mode == ErrorMode::Strict ? measure.bound() : measure.sum();
+}
+
+ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double absolute, double norm)
+{
   return {absolute,           norm > 0.0 ? absolute / norm : 0.0,
           measure.elements,   std::sqrt(std::max(measure.contact, 0.0)),
-          measure.projection, measure.oscillation};
+          measure.projection, measure.oscillation + measure.prescribed};
 }
 
 std::vector<Vector> cellContributions(const ErrorMeasure& measure)

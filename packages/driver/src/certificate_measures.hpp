@@ -19,8 +19,9 @@ struct AdmissibleScene
 {
   GapBound gap;
   AdmissibleDisplacement displacement;
-  double oscillation = 0.0; ///< loads and prescribed displacements that polynomials do not carry
-  std::string caveat;       ///< why the oscillation is not proven; empty when it is
+  std::vector<Vector> oscillation; ///< loads that polynomials do not carry, squared, per body and cell
+  double prescribed = 0.0;         ///< prescribed displacements that polynomials do not carry
+  std::string caveat;              ///< why these are not proven; empty when they are
 };
 
 /// u^, the gap and the data's oscillation.
@@ -47,7 +48,11 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
                 ErrorMode mode, double equilibrium);
 
-ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double norm);
+/// Strict: the sharpest bound; Paper: the sum (39).
+double boundOf(const ErrorMeasure& measure, ErrorMode mode);
+
+/// absolute: what the parts amount to.
+ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double absolute, double norm);
 
 /// Contributions of the cells, per body, not squared.
 std::vector<Vector> cellContributions(const ErrorMeasure& measure);

@@ -39,18 +39,19 @@ std::string boundText(const ErrorSummary& errors)
   return text;
 }
 
+/// Indicators: they share the bound out, and either may exceed its share.
 std::string partsText(const ErrorSummary& errors)
 {
   const bool isMesh = meshDominates(errors);
   std::string text;
-  if (errors.discretization)
-    text += line("  mesh", "", errors.discretization->absolute, errors.discretization->relative,
-                 arrow(isMesh, errors.advice));
-  if (errors.algorithm)
-    text +=
-        line("  iteration", "", errors.algorithm->absolute, errors.algorithm->relative, arrow(!isMesh, errors.advice));
+  const auto add = [&](const char* name, const std::optional<ErrorMeasureSummary>& part, bool isLarger) {
+    if (part)
+      text += line(name, "~", part->absolute, part->relative, arrow(isLarger, errors.advice));
+  };
+  add("  mesh", errors.discretization, isMesh);
+  add("  iteration", errors.algorithm, !isMesh);
   if (errors.splitStress)
-    text += line("  mesh, by Split", "", *errors.splitStress, {}, "");
+    text += line("  mesh, by Split", "~", *errors.splitStress, {}, "the bound without the iteration's part");
   return text;
 }
 
@@ -81,9 +82,9 @@ std::string comparisonsText(const ErrorSummary& errors)
 {
   std::string text;
   if (errors.zienkiewiczZhu)
-    text += line("Zienkiewicz-Zhu", "~", *errors.zienkiewiczZhu, {}, "not guaranteed");
+    text += line("Zienkiewicz-Zhu", "~", *errors.zienkiewiczZhu, {}, "a comparison, not guaranteed");
   if (errors.residual)
-    text += line("residual", "~", *errors.residual, {}, "not guaranteed");
+    text += line("residual", "~", *errors.residual, {}, "a comparison, not guaranteed");
   if (errors.equilibrium)
     text += fmt::format("\n  equilibrium of the recovered stress checked: largest defect {:.1e}", *errors.equilibrium);
   return text;

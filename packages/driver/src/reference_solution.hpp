@@ -66,6 +66,7 @@ struct CertifiedStress
   const std::vector<ContactFacet>& facets;
   const ContactTraction& traction;
   const ErrorMeasure& measure;
+  double bound;
 };
 
 /// The true errors of u_h (`displacement`, per body) and, with a certificate, of its stresses and the ratio of bound

@@ -14,37 +14,63 @@ double root(double square)
   return std::sqrt(std::max(square, 0.0));
 }
 
-double sum(const Vector& values)
+double sumOf(const Vector& values)
 {
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
+/// sqrt(sum (D_E + osc_E)^2).
+double widenedTotal(const std::vector<Vector>& distances, const std::vector<Vector>& oscillation)
+{
+  double total = 0.0;
+  for (std::size_t b = 0; b < distances.size(); ++b)
+    for (std::size_t cell = 0; cell < distances[b].size(); ++cell) {
+      const double sum = root(distances[b][cell]) + root(oscillation[b][cell]);
+      total += sum * sum;
+    }
+  return root(total);
+}
+
 } // namespace
 
-double ErrorMeasure::absolute() const
+double ErrorMeasure::sum() const
 {
-  return root(elements * elements + contact) + oscillation + projection;
+  return root(elements * elements + contact) + projection + oscillation + prescribed;
+}
+
+double ErrorMeasure::radius() const
+{
+  const double B = 0.5 * widened + root(0.25 * widened * widened + 0.5 * contact);
+  return root(0.25 * elements * elements + 0.5 * contact + oscillation * B);
 }
 
 double ErrorMeasure::meanStress() const
 {
-  return root(0.25 * elements * elements + 0.5 * contact) + oscillation;
+  return radius() + prescribed;
+}
+
+double ErrorMeasure::bound() const
+{
+  return std::max(aside, 0.5 * elements) + radius() + prescribed;
 }
 
 double totalOf(const std::vector<Vector>& squared)
 {
   double total = 0.0;
   for (const Vector& body : squared)
-    total += sum(body);
+    total += sumOf(body);
   return root(total);
 }
 
 ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactFacet>& facets,
-                             const Vector& contact)
+                             const Vector& contact, const std::vector<Vector>& oscillation)
 {
   ErrorMeasure measure;
   measure.elements = totalOf(distances);
-  measure.contact = sum(contact);
+  measure.aside = 0.5 * measure.elements;
+  measure.oscillation = totalOf(oscillation);
+  measure.widened = oscillation.empty() ? measure.elements : widenedTotal(distances, oscillation);
+  measure.contact = sumOf(contact);
   measure.cells = std::move(distances);
   for (std::size_t f = 0; f < contact.size(); ++f) {
     const ContactFacet& facet = facets[f];

@@ -15,19 +15,28 @@ struct ErrorMeasure
   double elements = 0.0;     ///< D = |sigma^ - K eps(u^)|
   double contact = 0.0;      ///< 2 int t^ (w^ - g) dS, an energy; below zero only where w^ penetrates (Paper mode)
   double projection = 0.0;   ///< |u^ - u_h|
-  double oscillation = 0.0;  ///< loads and prescribed displacements that the polynomials do not carry
+  double aside = 0.0;        ///< A = |K eps(u_h) - s_m|, s_m the mean of sigma^ and K eps(u^); D/2 where u_h = u^
+  double oscillation = 0.0;  ///< osc: loads that the polynomials do not carry
+  double prescribed = 0.0;   ///< |l|: prescribed displacements that the polynomials do not carry
+  double widened = 0.0;      ///< sqrt(sum (D_E + osc_E)^2): D, widened by the oscillation
 
-  /// sqrt(D^2 + contact) + oscillation + projection: what |u - u_h| and |sigma - sigma^| cannot exceed
-  /// (docs/theory.md).
-  double absolute() const;
-  /// sqrt(D^2/4 + contact/2) + oscillation: what the mean of sigma^ and K eps(u^) cannot miss the true stress by.
+  /// eta = sqrt(D^2 + contact) + projection + osc + |l|: (39) as the paper combines it.
+  double sum() const;
+  /// R + |l|, R^2 = D^2/4 + contact/2 + osc B, B = widened/2 + sqrt(widened^2/4 + contact/2): what the mean of sigma^
+  /// and K eps(u^) cannot miss the true stress by.
   double meanStress() const;
+  /// max(A, D/2) + R + |l|: what |u - u_h| and |sigma - sigma^| cannot exceed. Never above eta (docs/theory.md).
+  double bound() const;
+
+private:
+  double radius() const;
 };
 
 /// Assembles a measure from the cells' squared distances (cellDistances, per body) and the facets' contact terms
-/// (contactContributions; empty without contact).
+/// (contactContributions; empty without contact) for u^ = u_h. oscillation: of the cells' data, squared, per body;
+/// empty where all data are carried.
 ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactFacet>& facets,
-                             const Vector& contact);
+                             const Vector& contact, const std::vector<Vector>& oscillation = {});
 
 /// sqrt of the contributions of one body's cells; a contribution below zero (round-off, Paper mode) gives zero.
 Vector contributions(const Vector& squared);

@@ -10,7 +10,8 @@ namespace ndframe
 /// One error measure of the certificate, absolute in the energy norm and relative to sqrt(a(u_h, u_h)).
 struct ErrorMeasureSummary
 {
-  double absolute = 0.0, relative = 0.0;
+  double absolute = 0.0; ///< at most sqrt(elements^2 + contact^2) + projection + oscillation
+  double relative = 0.0;
   double elements = 0.0;    ///< |sigma^ - K eps(u^)|, the distance of the two stresses
   double contact = 0.0;     ///< sqrt(2 int t^ (w^ - g) dS)
   double projection = 0.0;  ///< |u^ - u_h|: what making the displacement admissible costs
@@ -42,7 +43,7 @@ struct ErrorSummary
   std::optional<ErrorMeasureSummary> algorithm;         ///< (50), an indicator
   std::optional<ErrorMeasureSummary> discretization;    ///< (55), an indicator
   std::optional<double> splitStress;                    ///< |sigma^ - sigma~|, the mesh part of Split, absolute
-  std::optional<double> meanStress, meanStressRelative; ///< sqrt(D^2/4 + c) + oscillation: bound of the mean stress
+  std::optional<double> meanStress, meanStressRelative; ///< bound of the mean stress's error
   std::optional<double> zienkiewiczZhu, residual;       ///< unguaranteed comparisons, absolute
   std::optional<double> equilibrium;                    ///< largest defect found by Check Equilibrium
   std::optional<ReferenceSummary> reference;
