@@ -135,6 +135,8 @@ void Certifier::checkStresses()
 void Certifier::measureGlobal()
 {
   ErrorSummary& summary = result_.summary;
+  if (options_.mode == ErrorMode::Strict && !scene_.facets.empty())
+    tighten(scene_, global_, admissible_);
   globalMeasure_ = measureStress(scene_, global_, admissible_);
   summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
   summary.meanStress = globalMeasure_.meanStress();

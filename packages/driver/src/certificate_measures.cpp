@@ -5,12 +5,14 @@
 
 #include <fmt/format.h>
 
+#include "intermediate_fields.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/cell_energy.hpp"
 #include "ndframe/recovery/contact_moments.hpp"
 #include "ndframe/recovery/equilibrium_check.hpp"
 #include "ndframe/recovery/prescribed_charge.hpp"
 #include "ndframe/recovery/settle_balance.hpp"
+#include "ndframe/recovery/tighten_displacement.hpp"
 
 namespace ndframe
 {
@@ -21,6 +23,8 @@ namespace
 constexpr double largestDefect = 1e-9;
 /// Signs are met up to this, relative to the field.
 constexpr double roundOff = 1e-12;
+/// A contact term below this, relative to the elements', is not worth work.
+constexpr double seen = 1e-6;
 
 Vector difference(Vector a, const Vector& b)
 {
@@ -162,6 +166,26 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   guarantee.require(largestPenetration(scene, admissible.displacement.displacement, admissible.gap) <= roundOff,
                     "the displacement penetrates somewhere");
   return guarantee;
+}
+
+void tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible)
+{
+  AdmissibleScene asSolved{admissible.gap, {scene.solved, 0.0, 0, {}}, {}, 0.0, {}};
+  const ErrorMeasure measure = measureStress(scene, recovered, asSolved);
+  if (admissible.displacement.moved == 0 && measure.contact <= seen * measure.elements * measure.elements)
+    return;
+  BoundOfDisplacement bound{measure.elements, 0.5 * measure.contact, {}, {}};
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const SceneStress& stress = recovered.stress;
+    bound.traction.push_back(
+        contactForces(*scene.bodies[b], int(b), scene.facets, stress.onDirichlet, stress.onNeumann));
+    const Vector solved = scene.condensed.trace(int(b)) != nullptr
+                              ? solvedForces(scene.condensed, int(b), scene.coupling.state)
+                              : Vector(bound.traction.back().size(), 0.0);
+    bound.residual.push_back(difference(bound.traction.back(), solved));
+  }
+  tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, admissible.gap, scene.solved, bound,
+                      admissible.displacement);
 }
 
 double boundOf(const ErrorMeasure& measure, ErrorMode mode)

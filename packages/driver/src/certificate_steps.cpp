@@ -165,14 +165,19 @@ GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode m
                   [&](int facet, const double* point) { return gaps[std::size_t(facet)](point[0], point[1], 0.0); });
 }
 
+std::vector<const ConstraintSet*> constraintsOf(const Model& model)
+{
+  std::vector<const ConstraintSet*> constraints;
+  for (const auto& set : model.constraints)
+    constraints.push_back(&set);
+  return constraints;
+}
+
 AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const GapBound& gap, ErrorMode mode)
 {
   if (mode == ErrorMode::Paper || scene.facets.empty())
     return {scene.solved, 0.0, 0, {}};
-  std::vector<const ConstraintSet*> constraints;
-  for (const auto& set : scene.model.constraints)
-    constraints.push_back(&set);
-  return admitDisplacement(scene.bodies, constraints, scene.facets, gap, scene.solved);
+  return admitDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, gap, scene.solved);
 }
 
 Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)

@@ -68,6 +68,8 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
 /// The gap on all facets, for admissible displacements and contact terms; in Paper mode the interpolated one.
 GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode mode);
 
+std::vector<const ConstraintSet*> constraintsOf(const Model& model);
+
 /// u^: u_h in Paper mode and without contact.
 AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const GapBound& gap, ErrorMode mode);
 

@@ -24,4 +24,8 @@ AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bo
                                          const std::vector<ContactFacet>& facets, const GapBound& gap,
                                          const std::vector<Vector>& displacement);
 
+/// |to - from| in the energy norm, all bodies.
+double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<Vector>& from,
+                      const std::vector<Vector>& to);
+
 } // namespace ndframe

@@ -1,0 +1,79 @@
+#include "interface_pairs.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "contact_nodes.hpp"
+
+namespace ndframe
+{
+
+InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
+                               const std::vector<const ConstraintSet*>& constraints,
+                               const std::vector<ContactFacet>& facets, const GapBound& gap,
+                               const std::vector<Vector>& displacement)
+    : bodies_(bodies), constraints_(constraints), facets_(facets), gap_(gap), displacement_(displacement),
+      stiffness_(bodies.size())
+{
+  for (const double g : gap.bernstein)
+    size_ = std::max(size_, std::abs(g));
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const std::array<std::size_t, 2> body{std::size_t(facets[f].dirichletBody), std::size_t(facets[f].neumannBody)};
+    const std::array<std::array<int, 3>, 2> nodes{contactNodes(*bodies[body[0]], facets[f], true),
+                                                  contactNodes(*bodies[body[1]], facets[f], false)};
+    for (std::size_t i = 0; i <= std::size_t(bodies[body[0]]->nodes.order); ++i) {
+      Pair& pair = pairs_[facets[f].nodes[i]];
+      pair.body = body;
+      pair.node = {nodes[0][i], nodes[1][i]};
+      pair.corners.push_back({f, i});
+      for (std::size_t side = 0; side < 2; ++side)
+        for (std::size_t k = 0; k < 2; ++k)
+          size_ = std::max(size_, std::abs(displacement[body[side]][std::size_t(pair.node[side]) * 2 + k]));
+    }
+  }
+}
+
+double InterfacePairs::jump(std::size_t facet, std::size_t number) const
+{
+  const Pair& pair = pairs_.at(facets_[facet].nodes[number]);
+  double value = 0.0;
+  for (std::size_t k = 0; k < 2; ++k)
+    value += facets_[facet].normal[k] * (displacement_[pair.body[0]][std::size_t(pair.node[0]) * 2 + k] -
+                                         displacement_[pair.body[1]][std::size_t(pair.node[1]) * 2 + k]);
+  return value;
+}
+
+double InterfacePairs::excess(const Corner& corner) const
+{
+  const std::size_t size = gap_.bernstein.size() / facets_.size();
+  const double* gap = gap_.bernstein.data() + corner.facet * size;
+  if (corner.number == 2)
+    return 2.0 * jump(corner.facet, 2) - 0.5 * (jump(corner.facet, 0) + jump(corner.facet, 1)) - gap[1];
+  return jump(corner.facet, corner.number) - gap[corner.number * (size - 1)];
+}
+
+Compliance InterfacePairs::compliance(const Pair& pair)
+{
+  Direction normal{};
+  for (const Corner& corner : pair.corners)
+    for (std::size_t k = 0; k < 2; ++k)
+      normal[k] += facets_[corner.facet].measure * facets_[corner.facet].normal[k];
+  const double length = std::sqrt(dotProduct(normal, normal));
+  for (double& component : normal)
+    component /= length;
+  Compliance result;
+  for (std::size_t side = 0; side < 2; ++side) {
+    const std::size_t body = pair.body[side];
+    const Direction free = constraints_[body]->freePart(pair.node[side], normal);
+    if (dotProduct(free, free) == 0.0)
+      continue;
+    if (stiffness_[body].empty())
+      stiffness_[body] = interfaceStiffness(*bodies_[body], facets_, int(body));
+    const double factor = dotProduct(free, free) / stiffness_[body].at(pair.node[side]).along(free);
+    for (std::size_t k = 0; k < 2; ++k)
+      result.move[side][k] = (side == 0 ? -factor : factor) * free[k];
+  }
+  return result;
+}
+
+} // namespace ndframe

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "interface_pairs.hpp"
+
+namespace ndframe
+{
+
+/// Movements of pairs of interface nodes against each other by a unit opening, and their stiffness a(m_i, m_j).
+struct PairMoves
+{
+  std::vector<Pair> pairs;
+  std::vector<Compliance> moves;                         ///< unit opening along the mean normal
+  std::vector<std::vector<std::pair<int, double>>> rows; ///< of the stiffness, by pair
+  std::map<int, int> index;                              ///< of interface nodes
+
+  /// Work of nodal forces (per body, global axes) on move i.
+  double work(int i, const std::vector<Vector>& forces) const;
+};
+
+/// Pairs that supports hold on both sides are left out.
+PairMoves pairMoves(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+                    InterfacePairs& pairs);
+
+} // namespace ndframe
