@@ -108,15 +108,39 @@ TEST(AdaptiveSamples, SeeAJumpWhereverItIs)
   }
 }
 
+namespace
+{
+
+Function exponential(double k)
+{
+  return [k](const double* x) { return std::exp(k * x[0]); };
+}
+
+/// dim int (1-x)^(dim-1) e^(kx).
+double meanOfExponential(int dim, double k)
+{
+  const double e = std::exp(k);
+  return dim == 2 ? 2.0 * (e - 1.0 - k) / (k * k) : 3.0 * (2.0 * e - k * k - 2.0 * k - 2.0) / (k * k * k);
+}
+
+} // namespace
+
 TEST(AdaptiveSamples, ResolveSmoothFunctionsOnTrianglesAndTetrahedra)
 {
-  for (int dim : {2, 3}) {
-    const Samples samples = Simplex(dim).sample([](const double* x) { return std::exp(3.0 * x[0]); });
+  for (const auto [dim, k] : {std::pair(2, 3.0), std::pair(3, 0.2)}) {
+    const Samples samples = Simplex(dim).sample(exponential(k));
     EXPECT_EQ(samples.uncertainty, 0.0);
-    // int (1-x)^(dim-1) dim e^(3x)
-    const double e = std::exp(3.0);
-    EXPECT_NEAR(mean(samples, 1, 0), dim == 2 ? 2.0 * (e - 4.0) / 9.0 : 3.0 * (2.0 * e - 17.0) / 27.0, 1e-12 * e);
+    EXPECT_NEAR(mean(samples, 1, 0), meanOfExponential(dim, k), 1e-12 * std::exp(k));
   }
+}
+
+TEST(AdaptiveSamples, AreFewInTetrahedraAndSayHowUncertain)
+{
+  const Samples samples = Simplex(3).sample(exponential(3.0));
+  const double error = std::abs(mean(samples, 1, 0) - meanOfExponential(3, 3.0));
+  EXPECT_LE(samples.pieces.size(), 4u);
+  EXPECT_LT(error, 1e-9);
+  EXPECT_GT(samples.uncertainty, error);
 }
 
 TEST(AdaptiveSamples, SayHowUncertainTheyAreAtAJumpInsideATriangle)

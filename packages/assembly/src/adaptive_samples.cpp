@@ -11,8 +11,8 @@ namespace ndframe
 namespace
 {
 
-constexpr double agreement = 1e-12; ///< of a function with its polynomials, relative to its scale
-constexpr int mostPieces = 256;     ///< halved for every dimension: pieces of higher dimension hold more points
+constexpr double agreement = 1e-12;           ///< of a function with its polynomials, relative to its scale
+constexpr int mostPieces[] = {0, 128, 64, 4}; ///< by dimension: pieces of higher dimension hold more points
 
 /// A piece with the values at the points of its rule and what polynomials miss of them, weighted with the piece.
 struct Leaf
@@ -178,7 +178,7 @@ Samples sampleAdaptively(int dim, const double* const* vertices, int space, int 
   Sampler sampler(dim, vertices, space, components, scale, f);
   const auto settlesLater = [](const Leaf& a, const Leaf& b) { return a.error < b.error; };
   std::vector<Leaf> leaves{sampler.resolve(wholeSimplex(dim))}; // a heap, the worst leaf on top
-  while (!sampler.settled(leaves.front()) && int(leaves.size()) < (mostPieces >> dim)) {
+  while (!sampler.settled(leaves.front()) && int(leaves.size()) < mostPieces[dim]) {
     const auto halves = sampler.bisect(leaves.front().piece);
     std::pop_heap(leaves.begin(), leaves.end(), settlesLater);
     leaves.pop_back();

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <array>
 #include <vector>
 
 #include "ndframe/algebra/dense.hpp"
@@ -21,8 +20,8 @@ struct SamplingRule
   DenseMatrix rest;
 };
 
-/// The rules that are tried one after the other, of degree 6, 8, 12 and 18.
-using SamplingLadder = std::array<SamplingRule, 4>;
+/// The rules that are tried one after the other, of degree 6, 8, 12 and, in one and two dimensions, 18.
+using SamplingLadder = std::vector<SamplingRule>;
 
 /// The ladder on the simplex of dimension `dim`, built on first use.
 const SamplingLadder& samplingLadder(int dim);

@@ -34,10 +34,11 @@ struct Samples
 /// Fills `value` at a point of space.
 using PointFunction = std::function<void(const double* x, double* value)>;
 
-/// Rules of degree 6, 8, 12 and 18 are tried until the function at their points, and just inside the corners, is a
-/// polynomial that the rule integrates exactly; a piece on which none is good enough is bisected, the worst first, up
-/// to 128 pieces of an edge, 64 of a triangle, 32 of a tetrahedron. A jump inside an edge is resolved to round-off, one
-/// inside a triangle is not (uncertainty). The points are a test, not a proof: a peak between them stays unseen.
+/// Rules of degree 6, 8, 12 and (not in tetrahedra) 18 are tried until the function at their points, and just inside
+/// the corners, is a polynomial that the rule integrates exactly; a piece on which none is good enough is bisected, the
+/// worst first, up to 128 pieces of an edge, 64 of a triangle, 4 of a tetrahedron. A jump inside an edge is resolved to
+/// round-off, one inside a triangle is not (uncertainty). The points are a test, not a proof: a peak between them stays
+/// unseen.
 ///
 /// dim: of the simplex; vertices: dim + 1 points with `space` coordinates; f: `components` finite values.
 /// scale: the function's size elsewhere, which round-off is relative to (0 when unknown).
