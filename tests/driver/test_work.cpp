@@ -235,6 +235,8 @@ TEST(Ledger, CountsElementProblemsInsteadOfStarsForElementEquilibration)
 TEST(Ledger, CountsOnlyWhatAnEstimatorNeeds)
 {
   EXPECT_THAT(countsAdded(Scene("punch"), {"Estimators={Algorithm}"}), UnorderedElementsAre(Pair("back-solves", 2)));
+  EXPECT_THAT(countsAdded(Scene("punch"), {"Estimators={Discretization}"}),
+              UnorderedElementsAre(Pair("back-solves", 1), Pair("stars", numPoints(Scene("punch")))));
   EXPECT_THAT(countsAdded(Scene("punch"), {"Estimators={Zienkiewicz-Zhu, Residual}"}), IsEmpty());
   EXPECT_THAT(countsAdded(Scene("beam-3d"), {"Estimators={Global}"}),
               UnorderedElementsAre(Pair("stars", numPoints(Scene("beam-3d")))));

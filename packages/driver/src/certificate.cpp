@@ -68,9 +68,11 @@ void Certifier::admitTractions()
 {
   const auto timer = ledger_.time(certificateStage::traction);
   const InterfaceState& state = scene_.coupling.state;
-  const bool updated = options_.tractionMean == TractionMean::Updated;
-  auto& both = global_.field;
-  both.onDirichlet = both.onNeumann = admitTraction(scene_, meanTraction(scene_.coupling, updated));
+  if (options_.needsGlobalField()) {
+    const bool updated = options_.tractionMean == TractionMean::Updated;
+    auto& both = global_.field;
+    both.onDirichlet = both.onNeumann = admitTraction(scene_, meanTraction(scene_.coupling, updated));
+  }
   if (!wants(Estimator::Discretization))
     return;
   auto& sides = separate_.field;
@@ -83,7 +85,9 @@ void Certifier::admitTractions()
 void Certifier::solveIntermediateFields()
 {
   const auto timer = ledger_.time(certificateStage::fields);
-  std::vector<IntermediateField*> fields{&global_.field};
+  std::vector<IntermediateField*> fields;
+  if (options_.needsGlobalField())
+    fields.push_back(&global_.field);
   if (wants(Estimator::Discretization))
     fields.push_back(&separate_.field);
   solveFields(scene_, fields);

@@ -8,30 +8,12 @@
 #include "intermediate_fields.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/base/expression.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Normal jump u1_N - u2_N at the nodes of a contact facet: two ends, then (order 2) the middle.
-std::array<double, 3> facetJump(const CertifiedScene& scene, const ContactFacet& facet,
-                                const std::vector<Vector>& displacement)
-{
-  std::array<double, 3> jump{};
-  const auto add = [&](int body, Facet side, bool reversed, double sign) {
-    std::array<int, 3> nodes{};
-    facetNodes(scene.bodies[std::size_t(body)]->nodes, side, nodes.data());
-    if ((nodes[0] > nodes[1]) != reversed)
-      std::swap(nodes[0], nodes[1]);
-    for (std::size_t i = 0; i < std::size_t(scene.order + 1); ++i)
-      for (std::size_t k = 0; k < 2; ++k)
-        jump[i] += sign * facet.normal[k] * displacement[std::size_t(body)][std::size_t(nodes[i]) * 2 + k];
-  };
-  add(facet.dirichletBody, facet.dirichlet, false, 1.0);
-  add(facet.neumannBody, facet.neumann, facet.reversed, -1.0);
-  return jump;
-}
 
 double largest(const std::vector<Vector>& fields)
 {
@@ -192,7 +174,7 @@ double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>
 {
   double deepest = 0.0;
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {
-    const auto jump = facetJump(scene, scene.facets[f], displacement);
+    const auto jump = facetJump(scene.bodies, scene.facets[f], displacement);
     const double* bound = gap.bernstein.data() + f * std::size_t(scene.order + 1);
     deepest = std::max({deepest, jump[0] - bound[0], jump[1] - bound[scene.order]});
     if (scene.order == 2)

@@ -7,6 +7,7 @@
 
 #include "ndframe/coupling/relaxation_controller.hpp"
 #include "ndframe/recovery/contact_moments.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
 {
@@ -34,10 +35,7 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   facet.neumann = interface.neumannFacets[std::size_t(f)];
   const BodyModel& body = model.bodies[std::size_t(facet.dirichletBody)];
   facet.measure = facetNormal(body.mesh, facet.dirichlet, facet.normal.data());
-  std::array<int, 3> nodes{};
-  facetNodes(body.nodes, facet.dirichlet, nodes.data());
-  if (nodes[0] > nodes[1])
-    std::swap(nodes[0], nodes[1]);
+  const auto nodes = contactNodes(body, facet, true);
   std::array<int, 3> ours{};
   for (int i = 0; i < body.nodes.nodesPerFacet; ++i) {
     ours[std::size_t(i)] = nodeAt(interface, f, nodes[std::size_t(i)]);
@@ -59,10 +57,7 @@ Vector motionWork(const Model& model, int body, const Vector& motion, const std:
     const bool isDirichlet = facet.dirichletBody == body;
     if (!isDirichlet && facet.neumannBody != body)
       continue;
-    std::array<int, 3> nodes{};
-    facetNodes(moved.nodes, isDirichlet ? facet.dirichlet : facet.neumann, nodes.data());
-    if ((nodes[0] > nodes[1]) != (!isDirichlet && facet.reversed))
-      std::swap(nodes[0], nodes[1]);
+    const auto nodes = contactNodes(moved, facet, isDirichlet);
     for (std::size_t j = 0; j < n; ++j) {
       double along = 0.0;
       for (std::size_t k = 0; k < 2; ++k)

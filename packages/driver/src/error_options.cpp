@@ -88,8 +88,12 @@ bool ErrorOptions::wants(Estimator estimator) const
 
 bool ErrorOptions::needsTraction() const
 {
-  return touches &&
-         wantsAny(*this, {Estimator::Global, Estimator::Algorithm, Estimator::Discretization, Estimator::Split});
+  return needsGlobalField() || (touches && wants(Estimator::Discretization));
+}
+
+bool ErrorOptions::needsGlobalField() const
+{
+  return touches && wantsAny(*this, {Estimator::Global, Estimator::Algorithm, Estimator::Split});
 }
 
 bool ErrorOptions::recoversStress() const

@@ -62,7 +62,8 @@ struct ErrorOptions
   bool touches = false;          ///< the deck has interfaces
 
   bool wants(Estimator estimator) const;
-  bool needsTraction() const;        ///< an admissible traction and the fields u~ in equilibrium with it
+  bool needsGlobalField() const;     ///< one admissible traction on both sides and the fields u~ in balance with it
+  bool needsTraction() const;        ///< that or the tractions of the separate problems
   bool recoversGlobalStress() const; ///< the equilibrated stress of the bound
   bool recoversStress() const;       ///< that or the one of the separate problems
   bool optimises() const;            ///< the recovery changes the traction
