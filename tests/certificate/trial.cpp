@@ -13,7 +13,7 @@ namespace
 /// Round-off, relative to the bound.
 constexpr double roundOff = 1e-9;
 /// Largest defect of the recovered stress, relative.
-constexpr double largestDefect = 1e-10;
+constexpr double largestDefect = 1e-11;
 
 /// Reasons for a bound without a guarantee that are limits of the theory, not mistakes.
 const std::vector<std::string> knownLimits{"not proven for tetrahedra", "charged in the plane only", "too abruptly",

@@ -6,8 +6,8 @@
 
 #include <gtest/gtest.h>
 
-#include "contact_nodes.hpp"
 #include "ndframe/fem/lagrange.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe::test
 {

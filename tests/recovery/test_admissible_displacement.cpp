@@ -5,9 +5,9 @@
 #include <gmock/gmock.h>
 
 #include "common/test_main.hpp"
-#include "contact_nodes.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/admissible_displacement.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 #include "recovery/contact_strip.hpp"
 
 namespace ndframe

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "edge_functions.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/fem/lagrange.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
 namespace ndframe
@@ -26,14 +26,6 @@ void bernsteinValues(int degree, const double* lambda, double* B)
   }
 }
 
-void nodalValues(int order, const double* lambda, double* N)
-{
-  if (order == 1)
-    Lagrange<1, 1>::values(lambda, N);
-  else
-    Lagrange<1, 2>::values(lambda, N);
-}
-
 /// 1/|f| times the moments of the share of vertex a in the nodal function i: entry ((a * (order + 1)) + i) * modes + k.
 /// Order 1: the unit force at a times int lambda_a N_i; order 2: int lambda_a N_i L_k (class Shares).
 std::vector<double> nodalShares(int order, int degree)
@@ -44,7 +36,7 @@ std::vector<double> nodalShares(int order, int degree)
   const QuadratureRule rule = simplexRule(1, 1 + order + degree);
   std::array<double, 3> N{};
   for (int q = 0; q < rule.size(); ++q) {
-    nodalValues(order, rule.point(q), N.data());
+    edgeFunctions(order, rule.point(q), N.data());
     basis.values(rule.point(q), unit.data());
     for (int a = 0; a < verticesPerFacet; ++a) {
       if (order == 1)

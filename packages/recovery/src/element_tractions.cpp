@@ -3,10 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "edge_functions.hpp"
 #include "element_forces.hpp"
-#include "ndframe/algebra/dense.hpp"
-#include "ndframe/fem/lagrange.hpp"
-#include "ndframe/fem/quadrature.hpp"
 
 namespace ndframe
 {
@@ -17,24 +15,12 @@ namespace
 /// int p phi_i = sum_k <phi_i, L_k> P_k  for any p; k = 0..p.
 struct EdgeBasis
 {
-  explicit EdgeBasis(int order) : values(order + 1, order + 1), means(order + 1, order + 1)
+  explicit EdgeBasis(int order) : values(order + 1, order + 1), means(edgeMoments(order, order))
   {
     const MomentBasis basis = facetBasis(2, order);
-    const QuadratureRule rule = simplexRule(1, 2 * order);
     const double nodes[3][2] = {{1.0, 0.0}, {0.0, 1.0}, {0.5, 0.5}};
-    double L[3], phi[3];
-    for (int i = 0; i <= order; ++i) {
-      basis.values(nodes[i], L);
-      std::copy_n(L, order + 1, values.col(i));
-    }
-    for (int g = 0; g < rule.size(); ++g) {
-      basis.values(rule.point(g), L);
-      const auto nodalFunctions = order == 1 ? Lagrange<1, 1>::values : Lagrange<1, 2>::values;
-      nodalFunctions(rule.point(g), phi);
-      for (int i = 0; i <= order; ++i)
-        for (int k = 0; k <= order; ++k)
-          means(i, k) += rule.weights[std::size_t(g)] * phi[i] * L[k];
-    }
+    for (int i = 0; i <= order; ++i)
+      basis.values(nodes[i], values.col(i));
   }
   DenseMatrix values; ///< modes x nodes: L_k(x_i)
   DenseMatrix means;  ///< nodes x modes: <phi_i, L_k>

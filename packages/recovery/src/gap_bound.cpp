@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
-#include "contact_nodes.hpp"
 #include "edge_pieces.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "contact_nodes.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
 {

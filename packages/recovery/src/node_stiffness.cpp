@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
-#include "contact_nodes.hpp"
 #include "ndframe/mechanics/kernels.hpp"
+#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
 {

@@ -11,8 +11,8 @@ namespace
 {
 
 /// Passes over the nodes end when one lowers the bound by less than this, relative.
-constexpr double settled = 1e-4;
-constexpr int mostPasses = 30;
+constexpr double settled = 1e-13;
+constexpr int mostPasses = 200;
 
 /// The bound as a function of the openings x of the interface's pairs of nodes, from u_h.
 class Tightening
