@@ -28,6 +28,7 @@ struct Trial
 Trial runTrial(const DrawnScene& scene, int index, const std::string& folder, bool keep);
 
 /// |sigma_ref - sigma^| and so on against their bounds: one sentence for everything that is wrong.
-std::vector<std::string> judge(const ErrorSummary& errors);
+/// roundOff: by which an error may exceed its bound where they are equal, relative.
+std::vector<std::string> judge(const ErrorSummary& errors, double roundOff = 1e-9);
 
 } // namespace ndframe::test
