@@ -3,7 +3,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
 #include <ctime>
+#include <exception>
 #include <functional>
 #include <numeric>
 #include <random>
@@ -213,13 +215,14 @@ void printRow(const Measured& m, const char* instructions, int degree, int field
 } // namespace
 
 int main(int argc, char** argv)
-{
+try {
   CLI::App app("Measures the recovery of equilibrated stresses on a block of P2 triangles, one thread.");
   int triangles = 62000, runs = 9;
   std::string instructions;
   app.add_option("triangles", triangles, "About how many")->check(CLI::PositiveNumber);
   app.add_option("--runs", runs, "Medians of so many runs")->check(CLI::PositiveNumber);
-  app.add_option("--instructions", instructions, "portable, avx2 or avx512; all that the machine has when not given");
+  app.add_option("--instructions", instructions, "portable, avx2 or avx512; all that the machine has when not given")
+      ->check(CLI::IsMember({"portable", "avx2", "avx512"}));
   CLI11_PARSE(app, argc, argv);
 
   const BodyModel body = makeBlock(triangles);
@@ -235,4 +238,7 @@ int main(int argc, char** argv)
       for (const int fields : {1, 3})
         if (instructions.empty() || instructions == kernels->name)
           printRow(measure(body, displacement, degree, fields, *kernels, runs), kernels->name, degree, fields, cells);
+} catch (const std::exception& error) {
+  std::fprintf(stderr, "%s\n", error.what());
+  return 1;
 }

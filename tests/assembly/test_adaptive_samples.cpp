@@ -127,7 +127,7 @@ double meanOfExponential(int dim, double k)
 
 TEST(AdaptiveSamples, ResolveSmoothFunctionsOnTrianglesAndTetrahedra)
 {
-  for (const auto &[dim, k] : {std::pair(2, 3.0), std::pair(3, 0.2)}) {
+  for (const auto& [dim, k] : {std::pair(2, 3.0), std::pair(3, 0.2)}) {
     const Samples samples = Simplex(dim).sample(exponential(k));
     EXPECT_EQ(samples.uncertainty, 0.0);
     EXPECT_NEAR(mean(samples, 1, 0), meanOfExponential(dim, k), 1e-12 * std::exp(k));

@@ -1,7 +1,5 @@
 #include "certificate/drawn_scene.hpp"
 
-#include <algorithm>
-
 #include "mesh/mesh_files.hpp"
 
 namespace ndframe::test

@@ -1,6 +1,5 @@
 #include "ndframe/estimation/zienkiewicz_zhu.hpp"
 
-#include <algorithm>
 #include <cmath>
 
 #include <gtest/gtest.h>

@@ -1,6 +1,3 @@
-#include <algorithm>
-#include <cmath>
-
 #include <gtest/gtest.h>
 
 #include "fem/sample_meshes.hpp"

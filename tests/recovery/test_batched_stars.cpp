@@ -5,6 +5,7 @@
 #include "batched_stars.hpp"
 #include "batched_workspace.hpp"
 #include "body_stars.hpp"
+#include "cell_form.hpp"
 #include "common/test_main.hpp"
 #include "recovery/sample_problems.hpp"
 
@@ -43,7 +44,7 @@ std::vector<int> allVertices(const BodyModel& body)
 
 std::vector<StressCorrection> zeroCorrections(const test::Problem& problem, std::size_t fields)
 {
-  return std::vector<StressCorrection>(fields, zeroCorrection(StarBody(problem.body, problem.data)));
+  return std::vector<StressCorrection>(fields, zeroCorrection(problem.body.mesh, problem.data.degree));
 }
 
 std::vector<StressCorrection> batched(const test::Problem& problem, const std::vector<FieldInput>& fields,

@@ -235,7 +235,7 @@ TEST(ElementRecovery, RefusesAMeshThatTouchesItselfInAPoint)
   mesh.cells = {0, 1, 2, 0, 3, 4};
   const BodyModel body = test::makeBody(mesh, 1);
   EXPECT_THAT(test::complaint([&] { edgeMap(body); }),
-              AllOf(HasSubstr("touches itself at the point (0, 0) only"), HasSubstr("join its cells")));
+              AllOf(HasSubstr("touches itself at the point (0, 0) only"), HasSubstr("share a facet")));
 }
 
 TEST(ElementRecovery, SaysWhatItIsNotDefinedFor)

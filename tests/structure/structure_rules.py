@@ -200,6 +200,13 @@ def headers_are_guarded(tree):
             yield Problem(file.name, 1, "#pragma once is missing")
 
 
+def headers_are_included(tree):
+    included = {header.split("/")[-1] for file in tree.code for _, header in file.includes()}
+    for file in tree.code:
+        if file.path.suffix == ".hpp" and file.path.name not in included:
+            yield Problem(file.name, 1, "no file includes it; take it out")
+
+
 RULES = [
     arrows_have_no_cycle,
     packages_are_in_the_table,
@@ -212,6 +219,7 @@ RULES = [
     names_are_looked_up_not_compared,
     nothing_is_unfinished,
     headers_are_guarded,
+    headers_are_included,
 ]
 
 

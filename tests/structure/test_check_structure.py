@@ -104,10 +104,11 @@ class StructureCheck(unittest.TestCase):
         headers = ["Tpetra_Map.hpp", "BelosSolverFactory.hpp", "Ifpack2_Factory.hpp", "Amesos2.hpp", "MueLu.hpp"]
         headers += ["Kokkos_Core.hpp", "cholmod.h", "suitesparse/cholmod.h", "dmumps_c.h", "mpi.h"]
         places = ["packages/mesh/src/x.cpp", "packages/algebra/include/ndframe/algebra/x.hpp", "tests/mesh/x.cpp"]
+        tree = {**GOOD_TREE, "packages/algebra/src/u.cpp": '#include "ndframe/algebra/x.hpp"\n'}
         for header in headers:
             for place in places:
                 with self.subTest(header=header, place=place):
-                    problems = self.found_in({**GOOD_TREE, place: f"#pragma once\n#include <{header}>\n"})
+                    problems = self.found_in({**tree, place: f"#pragma once\n#include <{header}>\n"})
                     self.assert_one(problems, f"{place}:2", "heavy header")
 
     def test_long_files(self):
@@ -115,8 +116,8 @@ class StructureCheck(unittest.TestCase):
         self.assertEqual(problems, [])
         problems = self.found(packages__mesh__src__m_dot_cpp="int a;\n" * 301)
         self.assert_one(problems, "packages/mesh/src/m.cpp:301", "301 lines")
-        problems = self.found(packages__mesh__src__m_dot_hpp="#pragma once\n" + "int a;\n" * 150)
-        self.assert_one(problems, "packages/mesh/src/m.hpp:151", "151 lines")
+        problems = self.found(packages__base__include__ndframe__base__a_dot_hpp="#pragma once\n" + "int a;\n" * 150)
+        self.assert_one(problems, "packages/base/include/ndframe/base/a.hpp:151", "151 lines")
 
     def test_long_functions(self):
         self.assertEqual(self.found(packages__mesh__src__m_dot_cpp=function_of(40)), [])
@@ -137,8 +138,12 @@ class StructureCheck(unittest.TestCase):
                     self.assert_one(self.found_in({**GOOD_TREE, place: f"\n// {word}: later\n"}), f"{place}:2", word)
 
     def test_missing_guard(self):
-        problems = self.found(tests__mesh__h_dot_hpp="// #pragma once\nint a;\n")
-        self.assert_one(problems, "tests/mesh/h.hpp:1", "#pragma once is missing")
+        problems = self.found(packages__base__include__ndframe__base__a_dot_hpp="// #pragma once\nint a;\n")
+        self.assert_one(problems, "packages/base/include/ndframe/base/a.hpp:1", "#pragma once is missing")
+
+    def test_header_that_no_file_includes(self):
+        problems = self.found(packages__mesh__src__m_dot_hpp="#pragma once\n")
+        self.assert_one(problems, "packages/mesh/src/m.hpp:1", "no file includes it")
 
     def test_the_program_prints_problems_and_fails(self):
         script = pathlib.Path(__file__).parent / "check_structure.py"

@@ -62,8 +62,7 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
     const int* nodes = body.nodes.cell(c);
     if (std::none_of(nodes, nodes + nodesPerCell, [&](int node) { return rowIndex[std::size_t(node)] >= 0; }))
       continue;
-    for (int v = 0; v <= dim; ++v)
-      std::copy_n(body.mesh.point(body.mesh.cell(c)[v]), dim, points + v * dim);
+    cellPoints(body.mesh, c, points);
     elementStiffness<dim, order>(points, body.law, rule, element);
     if (frames.anyTurned())
       for (int a = 0; a < nodesPerCell; ++a)

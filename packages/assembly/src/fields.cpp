@@ -2,27 +2,12 @@
 
 #include <algorithm>
 
-#include "ndframe/mechanics/kernels.hpp"
+#include "ndframe/assembly/cell_field.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Coordinates of a cell's vertices and displacements of its nodes.
-template <int dim, int order>
-struct CellValues
-{
-  double points[(dim + 1) * dim], u[Lagrange<dim, order>::nodes * dim];
-
-  CellValues(const BodyModel& body, const Vector& displacement, int c)
-  {
-    for (int v = 0; v <= dim; ++v)
-      std::copy_n(body.mesh.point(body.mesh.cell(c)[v]), dim, points + v * dim);
-    for (int a = 0; a < Lagrange<dim, order>::nodes; ++a)
-      std::copy_n(displacement.data() + std::size_t(body.nodes.cell(c)[a]) * dim, dim, u + a * dim);
-  }
-};
 
 template <int dim, int order>
 std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, const Vector& displacement)
@@ -32,8 +17,8 @@ std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, cons
   double centroid[dim + 1], strain[strains], stress[strains];
   std::fill(centroid, centroid + dim + 1, 1.0 / (dim + 1));
   for (int c = 0; c < body.mesh.numCells(); ++c) {
-    const CellValues<dim, order> cell(body, displacement, c);
-    stressAt<dim, order>(cell.points, body.law, centroid, cell.u, strain, stress);
+    const CellField<dim, order> cell(body, displacement, c);
+    cell.evaluate(centroid, strain, stress);
     if constexpr (dim == 3)
       std::copy_n(stress, 6, all[std::size_t(c)].begin());
     else {
@@ -54,9 +39,9 @@ Vector strainEnergies(const BodyModel& body, const Vector& displacement)
   Vector all(std::size_t(body.mesh.numCells()), 0.0);
   double strain[strains], stress[strains];
   for (int c = 0; c < body.mesh.numCells(); ++c) {
-    const CellValues<dim, order> cell(body, displacement, c);
+    const CellField<dim, order> cell(body, displacement, c);
     for (int g = 0; g < rule.size(); ++g) {
-      stressAt<dim, order>(cell.points, body.law, rule.point(g), cell.u, strain, stress);
+      cell.evaluate(rule.point(g), strain, stress);
       double density = 0.0;
       for (int i = 0; i < strains; ++i)
         density += stress[i] * strain[i];

@@ -145,7 +145,8 @@ void Certifier::measureGlobal()
   summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
   summary.meanStress = globalMeasure_.meanStress();
   summary.meanStressRelative = scene_.norm > 0.0 ? *summary.meanStress / scene_.norm : 0.0;
-  const Guarantee guarantee = judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0));
+  const Guarantee guarantee =
+      judge(scene_, global_, admissible_, summary.global->absolute, options_.mode, summary.equilibrium.value_or(0.0));
   summary.guaranteed = guarantee.holds();
   summary.reason = guarantee.reason();
   result_.etaGlobal = cellContributions(globalMeasure_);

@@ -38,6 +38,19 @@ bool isZero(const Vector& v)
   return std::all_of(v.begin(), v.end(), [](double value) { return value == 0.0; });
 }
 
+/// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
+double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
+{
+  std::vector<Vector> squares;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    Vector v = recovered.field.displacement[b];
+    for (std::size_t i = 0; i < v.size(); ++i)
+      v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
+    squares.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], &v));
+  }
+  return 0.5 * totalOf(squares);
+}
+
 } // namespace
 
 AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, const RecoveryScene& recovery,
@@ -56,24 +69,6 @@ AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, cons
   }
   return result;
 }
-
-namespace
-{
-
-/// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
-double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
-{
-  std::vector<Vector> squares;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    Vector v = recovered.field.displacement[b];
-    for (std::size_t i = 0; i < v.size(); ++i)
-      v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
-    squares.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], &v));
-  }
-  return 0.5 * totalOf(squares);
-}
-
-} // namespace
 
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
                            const AdmissibleScene& admissible)
@@ -121,7 +116,7 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, Recovere
     if (!needsSettling(scene.bodies[b]->mesh, correction))
       continue;
     const Vector contact = sharesOf(scene, recovered.stress, int(b));
-    const FieldInput input{&recovered.field.displacement[b], contact.empty() ? nullptr : &contact};
+    const FieldInput input{&recovered.field.displacement[b], &contact};
     settleBalance(*scene.bodies[b], recovery.data[b], input, correction);
     ledger.count("settled stresses");
   }
@@ -132,7 +127,7 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
   double largest = 0.0, scale = 0.0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Vector contact = sharesOf(scene, recovered.stress, int(b));
-    const FieldInput input{&recovered.field.displacement[b], contact.empty() ? nullptr : &contact};
+    const FieldInput input{&recovered.field.displacement[b], &contact};
     const auto defects = checkEquilibrium(*scene.bodies[b], recovery.data[b], input, recovered.stress.corrections[b]);
     largest = std::max(largest, defects.largest() * defects.scale);
     scale = std::max(scale, defects.scale);
@@ -141,10 +136,11 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
 }
 
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
-                ErrorMode mode, double equilibrium)
+                double bound, ErrorMode mode, double equilibrium)
 {
   Guarantee guarantee;
   guarantee.require(mode == ErrorMode::Strict, "Mode is Paper");
+  guarantee.require(std::isfinite(bound), "energies are beyond the range of numbers: choose other units");
   guarantee.accept(geometryCaveat(scene.model));
   guarantee.accept(admissible.caveat);
   guarantee.accept(admissible.gap.caveat);

@@ -46,7 +46,7 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
 
 /// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found, 0 if not asked.
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
-                ErrorMode mode, double equilibrium);
+                double bound, ErrorMode mode, double equilibrium);
 
 /// Moves u^ to where the bound with this stress is smallest (tightenDisplacement). Strict mode, scenes with interfaces.
 void tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible);

@@ -32,6 +32,11 @@ void Guarantee::require(bool holds, const std::string& otherwise)
     reason_ = otherwise;
 }
 
+void Guarantee::accept(const std::string& caveat)
+{
+  require(caveat.empty(), caveat.substr(0, caveat.find_last_not_of(". ") + 1));
+}
+
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                          const std::vector<BodyFields>& fields, int degree, const Comm& comm)
 {
@@ -77,8 +82,6 @@ SceneField makeSceneField(const IntermediateField& field)
 
 Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body)
 {
-  if (scene.facets.empty())
-    return {};
   return contactShares(scene.facets, stress.onDirichlet, stress.onNeumann, body,
                        scene.bodies[std::size_t(body)]->mesh.dim);
 }

@@ -38,7 +38,8 @@ class Guarantee
 {
 public:
   void require(bool holds, const std::string& otherwise);
-  void accept(const std::string& caveat) { require(caveat.empty(), caveat); }
+  /// Sentences, each with ". " at its end; the last full stop is dropped.
+  void accept(const std::string& caveat);
   bool holds() const { return reason_.empty(); }
   const std::string& reason() const { return reason_; }
 

@@ -1,6 +1,5 @@
 #include "ndframe/driver/model.hpp"
 
-#include <algorithm>
 #include <set>
 
 #include <fmt/format.h>

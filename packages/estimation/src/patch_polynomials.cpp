@@ -5,6 +5,7 @@
 
 #include "ndframe/algebra/dense.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/vertex_cells.hpp"
 
 namespace ndframe
 {
@@ -33,32 +34,14 @@ void monomials(int dim, int degree, const double* x, const double* origin, doubl
       *next++ = m[1 + k] * m[1 + l];
 }
 
-/// The cells around every vertex.
-struct CellsOfVertices
-{
-  std::vector<int> start, cells;
-
-  explicit CellsOfVertices(const Mesh& mesh) : start(std::size_t(mesh.numPoints()) + 1, 0), cells(mesh.cells.size())
-  {
-    for (const int v : mesh.cells)
-      ++start[std::size_t(v) + 1];
-    for (std::size_t v = 1; v < start.size(); ++v)
-      start[v] += start[v - 1];
-    std::vector<int> next = start;
-    for (std::size_t i = 0; i < mesh.cells.size(); ++i)
-      cells[std::size_t(next[std::size_t(mesh.cells[i])]++)] = int(i) / (mesh.dim + 1);
-  }
-};
-
 /// All cells with a vertex in common with one of these.
-std::vector<int> withNeighbours(const Mesh& mesh, const CellsOfVertices& around, const std::vector<int>& cells)
+std::vector<int> withNeighbours(const Mesh& mesh, const VertexCells& around, const std::vector<int>& cells)
 {
   std::vector<int> grown;
   for (const int cell : cells)
     for (int v = 0; v <= mesh.dim; ++v) {
-      const auto vertex = std::size_t(mesh.cell(cell)[v]);
-      grown.insert(grown.end(), around.cells.begin() + around.start[vertex],
-                   around.cells.begin() + around.start[vertex + 1]);
+      const int vertex = mesh.cell(cell)[v];
+      grown.insert(grown.end(), around.begin(vertex), around.end(vertex));
     }
   std::sort(grown.begin(), grown.end());
   grown.erase(std::unique(grown.begin(), grown.end()), grown.end());
@@ -133,12 +116,11 @@ PatchPolynomials::PatchPolynomials(const Mesh& mesh, int degree, const PatchSamp
       coefficients_(std::size_t(mesh.numPoints()) * std::size_t(terms_ * components_), 0.0)
 {
   NDFRAME_ASSERT(degree <= 2, "polynomials of degree 2 at most");
-  const CellsOfVertices around(mesh);
+  const VertexCells around(mesh);
   for (int v = 0; v < mesh.numPoints(); ++v) {
     Fit fit(mesh, samples, v);
     double* coefficients = coefficients_.data() + std::size_t(v * terms_ * components_);
-    const auto first = around.cells.begin() + around.start[std::size_t(v)];
-    std::vector<int> cells(first, around.cells.begin() + around.start[std::size_t(v) + 1]);
+    std::vector<int> cells(around.begin(v), around.end(v));
     for (int d = degree; !fit.solve(cells, d, coefficients);) {
       auto grown = withNeighbours(mesh, around, cells);
       if (grown.size() == cells.size())

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/assembly/cell_field.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/mechanics/kernels.hpp"
+#include "ndframe/recovery/facet_twins.hpp"
 #include "ndframe/recovery/smallest_stiffness.hpp"
 
 namespace ndframe
@@ -30,41 +31,22 @@ std::size_t facetOffset(const Mesh& mesh, Facet facet, int facetData)
   return facetOffset(mesh, facet.cell, sortedFacet(mesh, facet), facetData);
 }
 
-/// A cell's vertices and displacements.
+/// Constant: sigma_h is linear at most, so its divergence follows from its values at the vertices.
 template <int dim, int order>
-struct CellField
+void addDivergence(const CellField<dim, order>& field, double factor, double* div)
 {
-  static constexpr int nodes = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
-  const Elasticity& law;
-  double points[(dim + 1) * dim], u[nodes * dim];
-
-  CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.law)
-  {
-    for (int v = 0; v <= dim; ++v)
-      std::copy_n(body.mesh.point(body.mesh.cell(cell)[v]), dim, points + v * dim);
-    for (int a = 0; a < nodes; ++a)
-      std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a] * dim), dim, u + a * dim);
+  constexpr int strains = CellField<dim, order>::strains;
+  double gradLambda[(dim + 1) * dim], strain[strains], sigma[strains], part[dim];
+  barycentricGradients<dim>(field.points, gradLambda);
+  for (int v = 0; v <= dim; ++v) {
+    double lambda[dim + 1] = {};
+    lambda[v] = 1.0;
+    field.evaluate(lambda, strain, sigma);
+    divergenceForce<dim>(gradLambda + v * dim, sigma, part);
+    for (int k = 0; k < dim; ++k)
+      div[k] += factor * part[k];
   }
-  void stress(const double* lambda, double* sigma) const
-  {
-    double strain[strains];
-    stressAt<dim, order>(points, law, lambda, u, strain, sigma);
-  }
-  /// Constant: sigma_h is linear at most, so its divergence follows from its values at the vertices.
-  void addDivergence(double factor, double* div) const
-  {
-    double gradLambda[(dim + 1) * dim], sigma[strains], part[dim];
-    barycentricGradients<dim>(points, gradLambda);
-    for (int v = 0; v <= dim; ++v) {
-      double lambda[dim + 1] = {};
-      lambda[v] = 1.0;
-      stress(lambda, sigma);
-      divergenceForce<dim>(gradLambda + v * dim, sigma, part);
-      for (int k = 0; k < dim; ++k)
-        div[k] += factor * part[k];
-    }
-  }
-};
+}
 
 /// Adds the moments of sigma_h n on one facet of a cell.
 template <int dim, int order>
@@ -72,14 +54,15 @@ void addTraction(const Mesh& mesh, const CellField<dim, order>& field, int cell,
                  const QuadratureRule& rule, double* moments)
 {
   const SortedCell vertices = sortedCell(mesh, cell);
-  double normal[dim], sigma[CellField<dim, order>::strains], traction[dim];
+  constexpr int strains = CellField<dim, order>::strains;
+  double normal[dim], strain[strains], sigma[strains], traction[dim];
   const double measure = facetNormal(mesh, {cell, vertices.local[std::size_t(sorted)]}, normal);
   Vector L(std::size_t(basis.size()));
   for (int g = 0; g < rule.size(); ++g) {
     double lambda[dim + 1] = {};
     for (int v = 0; v < dim; ++v)
       lambda[vertices.local[std::size_t(v < sorted ? v : v + 1)]] = rule.point(g)[v];
-    field.stress(lambda, sigma);
+    field.evaluate(lambda, strain, sigma);
     divergenceForce<dim>(normal, sigma, traction);
     basis.values(rule.point(g), L.data());
     for (int k = 0; k < basis.size(); ++k)
@@ -102,7 +85,7 @@ Residuals stressMoments(const BodyModel& body, const Vector& displacement, int d
     for (int i = 0; i <= dim; ++i)
       addTraction(body.mesh, field, cell, i, facet, rule,
                   residuals.facets.data() + facetOffset(body.mesh, cell, i, facetData));
-    field.addDivergence(cellMeasure(body.mesh, cell), residuals.cells.data() + std::size_t(cell * loadData));
+    addDivergence(field, cellMeasure(body.mesh, cell), residuals.cells.data() + std::size_t(cell * loadData));
   }
   return residuals;
 }
@@ -113,20 +96,6 @@ void addShares(const double* shares, int vertices, std::size_t size, double fact
   for (int v = 0; v < vertices; ++v)
     for (std::size_t i = 0; i < size; ++i)
       moments[i] += factor * *shares++;
-}
-
-/// Takes the parts along the supported directions away: a reaction acts there.
-void removeReaction(const BoundaryFacet& boundary, int dim, int modes, double* moments)
-{
-  for (int s = 0; s < boundary.supported; ++s)
-    for (int k = 0; k < modes; ++k) {
-      const Direction& direction = boundary.directions[std::size_t(s)];
-      double along = 0.0;
-      for (int i = 0; i < dim; ++i)
-        along += moments[k * dim + i] * direction[std::size_t(i)];
-      for (int i = 0; i < dim; ++i)
-        moments[k * dim + i] -= along * direction[std::size_t(i)];
-    }
 }
 
 /// sigma_h n - p on the boundary, b + div sigma_h inside.
@@ -140,7 +109,7 @@ void takeLoads(const Mesh& mesh, const StaticData& data, const Vector* contact, 
   for (std::size_t f = 0; f < data.boundary.size(); ++f) {
     double* moments = residuals.facets.data() + facetOffset(mesh, data.boundary[f].facet, facetData);
     addShares(data.facetShares.data() + f * shares, data.dim, size, -1.0, moments);
-    removeReaction(data.boundary[f], data.dim, modes, moments);
+    data.boundary[f].removeSupported(data.dim, std::size_t(modes), moments); // a reaction acts there
   }
   if (data.cellShares.empty())
     return;
@@ -148,31 +117,6 @@ void takeLoads(const Mesh& mesh, const StaticData& data, const Vector* contact, 
   for (std::size_t c = 0; c < std::size_t(mesh.numCells()); ++c)
     addShares(data.cellShares.data() + c * loadData * std::size_t(data.dim + 1), data.dim + 1, loadData, 1.0,
               residuals.cells.data() + c * loadData);
-}
-
-/// A facet of a cell by its vertices: equal keys are neighbours.
-struct FacetKey
-{
-  std::array<int, 3> vertices{};
-  int cell, sorted;
-
-  bool operator<(const FacetKey& other) const { return vertices < other.vertices; }
-};
-
-std::vector<FacetKey> facetsByVertices(const Mesh& mesh)
-{
-  std::vector<FacetKey> keys;
-  for (int cell = 0; cell < mesh.numCells(); ++cell) {
-    const SortedCell sorted = sortedCell(mesh, cell);
-    for (int i = 0; i <= mesh.dim; ++i) {
-      FacetKey key{{}, cell, i};
-      for (int v = 0; v < mesh.dim; ++v)
-        key.vertices[std::size_t(v)] = sorted.vertices[std::size_t(v < i ? v : v + 1)];
-      keys.push_back(key);
-    }
-  }
-  std::sort(keys.begin(), keys.end());
-  return keys;
 }
 
 /// The longest of the edges between `count` vertices.
@@ -200,20 +144,28 @@ double squaredNorm(const double* moments, std::size_t size, double measure)
 /// Adds h_f |J_f|^2 to the cells of every facet, half to each of two.
 void addJumps(const Mesh& mesh, const Vector& tractions, int facetData, Vector& squared)
 {
-  const auto keys = facetsByVertices(mesh);
+  const auto cells = sortedCells(mesh);
+  const auto twins = facetTwins(cells, mesh.dim);
+  const int facets = mesh.dim + 1;
   const auto size = std::size_t(facetData);
   double normal[3];
+  int vertices[3];
   Vector jump(size);
-  for (std::size_t first = 0, end = 0; first < keys.size(); first = end) {
+  for (int half = 0; half < int(twins.size()); ++half) {
+    const int twin = twins[std::size_t(half)];
+    if (twin > half)
+      continue;
     std::fill(jump.begin(), jump.end(), 0.0);
-    for (end = first; end < keys.size() && keys[end].vertices == keys[first].vertices; ++end)
-      addShares(tractions.data() + facetOffset(mesh, keys[end].cell, keys[end].sorted, facetData), 1, size, 1.0,
-                jump.data());
-    const int local = sortedCell(mesh, keys[first].cell).local[std::size_t(keys[first].sorted)];
-    const double norm = squaredNorm(jump.data(), size, facetNormal(mesh, {keys[first].cell, local}, normal));
-    const double h = longestEdge(mesh, keys[first].vertices.data(), mesh.dim);
-    for (std::size_t i = first; i < end; ++i)
-      squared[std::size_t(keys[i].cell)] += h * norm / double(end - first);
+    for (const int side : {half, twin})
+      if (side >= 0)
+        addShares(tractions.data() + std::size_t(side) * size, 1, size, 1.0, jump.data());
+    const Facet facet{half / facets, cells[std::size_t(half / facets)].local[std::size_t(half % facets)]};
+    facetVertices(mesh, facet, vertices);
+    const double value =
+        longestEdge(mesh, vertices, mesh.dim) * squaredNorm(jump.data(), size, facetNormal(mesh, facet, normal));
+    for (const int side : {half, twin})
+      if (side >= 0)
+        squared[std::size_t(side / facets)] += twin < 0 ? value : 0.5 * value;
   }
 }
 

@@ -39,6 +39,12 @@ const Side* Mesh::findSide(const std::string& name) const
   return found == sides.end() ? nullptr : &*found;
 }
 
+void cellPoints(const Mesh& mesh, int cell, double* points)
+{
+  for (int v = 0; v <= mesh.dim; ++v)
+    std::copy_n(mesh.point(mesh.cell(cell)[v]), mesh.dim, points + v * mesh.dim);
+}
+
 void facetVertices(const Mesh& mesh, Facet facet, int* vertices)
 {
   const int* cell = mesh.cell(facet.cell);

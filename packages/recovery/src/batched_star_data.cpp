@@ -1,7 +1,5 @@
 #include "batched_star_data.hpp"
 
-#include <algorithm>
-
 #include "batched_cell_pass.hpp"
 
 namespace ndframe

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 
 #include "batched_tables.hpp"
 #include "ndframe/recovery/static_data.hpp"

@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <numeric>
 
+#include "cell_form.hpp"
+#include "self_touching.hpp"
+
 namespace ndframe
 {
 namespace
@@ -76,7 +79,7 @@ BodyStars::BodyStars(const BodyModel& model, const StaticData& data, StarKernels
 std::vector<StressCorrection> BodyStars::solve(const std::vector<FieldInput>& fields, const Comm& comm,
                                                Ledger& ledger) const
 {
-  std::vector<StressCorrection> corrections(fields.size(), zeroCorrection(body_));
+  std::vector<StressCorrection> corrections(fields.size(), zeroCorrection(body_.model().mesh, body_.data().degree));
   std::vector<int> all(std::size_t(body_.model().mesh.numPoints()));
   std::iota(all.begin(), all.end(), 0);
   shareOut(all, corrections, comm, [&](const std::vector<int>& vertices) {

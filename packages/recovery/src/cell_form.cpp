@@ -62,6 +62,17 @@ Vector CellForm::coefficients(const Vector& data) const
   return result;
 }
 
+StressCorrection zeroCorrection(const Mesh& mesh, int degree)
+{
+  const auto perMode = std::size_t(mesh.numCells() * mesh.dim);
+  StressCorrection correction;
+  correction.dim = mesh.dim;
+  correction.degree = degree;
+  correction.tractions.assign(perMode * std::size_t((mesh.dim + 1) * facetBasis(mesh.dim, degree).size()), 0.0);
+  correction.loads.assign(perMode * std::size_t(loadBasis(mesh.dim, degree).size()), 0.0);
+  return correction;
+}
+
 Vector pullBack(const ReferenceStress& reference, const CellMap& map, const StressCorrection& correction, int cell)
 {
   Vector result;

@@ -27,6 +27,9 @@ private:
   std::optional<DenseCholesky> bb_; ///< empty without bubbles
 };
 
+/// A correction without data.
+StressCorrection zeroCorrection(const Mesh& mesh, int degree);
+
 /// A correction's data in one cell as the reference simplex sees them: F^-1 applied to each vector.
 Vector pullBack(const ReferenceStress& reference, const CellMap& map, const StressCorrection& correction, int cell);
 

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ndframe/mechanics/kernels.hpp"
+#include "ndframe/assembly/cell_field.hpp"
 
 namespace ndframe
 {
@@ -12,20 +12,16 @@ namespace
 template <int dim, int order>
 CellStress makeCellStress(const BodyModel& body, int cell, const SortedCell& sorted, const Vector& displacement)
 {
-  constexpr int nodes = Lagrange<dim, order>::nodes;
+  const CellField<dim, order> field(body, displacement, cell);
   CellStress stress;
   stress.dim = dim;
-  double points[(dim + 1) * dim], gradients[(dim + 1) * dim], u[nodes * dim], strain[6];
-  for (int v = 0; v <= dim; ++v)
-    std::copy_n(body.mesh.point(body.mesh.cell(cell)[v]), dim, points + v * dim);
-  for (int a = 0; a < nodes; ++a)
-    std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a] * dim), dim, u + a * dim);
-  stress.measure = barycentricGradients<dim>(points, gradients);
+  double gradients[(dim + 1) * dim], strain[6];
+  stress.measure = barycentricGradients<dim>(field.points, gradients);
   for (int v = 0; v <= dim; ++v) {
     const int local = sorted.local[std::size_t(v)];
     double lambda[dim + 1] = {};
     lambda[local] = 1.0;
-    stressAt<dim, order>(points, body.law, lambda, u, strain, stress.atVertex[v]);
+    field.evaluate(lambda, strain, stress.atVertex[v]);
     std::copy_n(gradients + local * dim, dim, stress.gradient[v]);
   }
   return stress;
@@ -41,7 +37,7 @@ CellStress cellStress(const BodyModel& body, int cell, const SortedCell& sorted,
 
 void addForce(const CellStress& stress, int vertex, int coordinate, double factor, double* f)
 {
-  double force[3];
+  double force[3] = {};
   if (stress.dim == 2)
     divergenceForce<2>(stress.gradient[coordinate], stress.atVertex[vertex], force);
   else

@@ -1,37 +1,14 @@
 #include "element_edges.hpp"
 
 #include <algorithm>
-#include <tuple>
 
-#include <fmt/format.h>
+#include "ndframe/recovery/facet_twins.hpp"
+#include "self_touching.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-std::vector<int> findTwins(const std::vector<SortedCell>& cells)
-{
-  using Edge = std::tuple<int, int, int>; // vertices, half edge
-  std::vector<Edge> all;
-  all.reserve(3 * cells.size());
-  for (int half = 0; half < 3 * int(cells.size()); ++half) {
-    const auto& v = cells[std::size_t(half / 3)].vertices;
-    const int facet = half % 3;
-    all.emplace_back(v[facet == 0 ? 1 : 0], v[facet == 2 ? 1 : 2], half);
-  }
-  std::sort(all.begin(), all.end());
-  std::vector<int> twin(all.size(), -1);
-  for (std::size_t e = 1; e < all.size(); ++e) {
-    const auto& [a, b, half] = all[e - 1];
-    const auto& [c, d, other] = all[e];
-    if (a == c && b == d) {
-      twin[std::size_t(half)] = other;
-      twin[std::size_t(other)] = half;
-    }
-  }
-  return twin;
-}
 
 void checkFansAreWhole(const EdgeMap& edges, const BodyModel& body)
 {
@@ -41,10 +18,7 @@ void checkFansAreWhole(const EdgeMap& edges, const BodyModel& body)
     ++cellsAt[std::size_t(vertex)];
   for (int vertex = 0; vertex < mesh.numPoints(); ++vertex)
     if (int(fanAround(edges, vertex).cells.size()) != cellsAt[std::size_t(vertex)])
-      throw InputError(
-          fmt::format("Bodies/{}: the mesh touches itself at the point {} only; join its cells there through "
-                      "an edge, or give the two parts points of their own",
-                      body.name, pointText(mesh.point(vertex), mesh.dim)));
+      throw SelfTouching(body, vertex);
 }
 
 } // namespace
@@ -53,10 +27,8 @@ EdgeMap edgeMap(const BodyModel& body)
 {
   const Mesh& mesh = body.mesh;
   NDFRAME_ASSERT(mesh.dim == 2, "half edges are those of triangles");
-  EdgeMap edges;
-  for (int c = 0; c < mesh.numCells(); ++c)
-    edges.cells.push_back(sortedCell(mesh, c));
-  edges.twin = findTwins(edges.cells);
+  EdgeMap edges{sortedCells(mesh), {}, {}};
+  edges.twin = facetTwins(edges.cells, 2);
   edges.start.assign(std::size_t(mesh.numPoints()), -1);
   for (int half = 0; half < 3 * mesh.numCells(); ++half)
     for (int corner = 0; corner < 3; ++corner) {

@@ -8,8 +8,7 @@
 namespace ndframe
 {
 
-/// The triangles of a mesh joined across their edges. A half edge 3 * cell + facet (sorted order) is an edge as one of
-/// its cells sees it.
+/// The triangles of a mesh joined across their edges (half edges: facet_twins.hpp).
 struct EdgeMap
 {
   std::vector<SortedCell> cells;
@@ -19,7 +18,7 @@ struct EdgeMap
   bool onBoundary(int half) const { return twin[std::size_t(half)] < 0; }
 };
 
-/// Refuses (InputError, with the point) a body that touches itself in a point: the forces at its parts there are not in
+/// Refuses (SelfTouching) a body that touches itself in a point: the forces at its parts there are not in
 /// balance one by one.
 EdgeMap edgeMap(const BodyModel& body);
 

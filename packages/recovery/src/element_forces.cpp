@@ -2,57 +2,28 @@
 
 #include <algorithm>
 
-#include "ndframe/mechanics/kernels.hpp"
+#include "cell_stress.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// Forces of the stress in one cell.
-struct CellStress
+/// sigma n times the length of the edge `facet`, at a sorted vertex.
+Force tractionAt(const CellStress& stress, int facet, int vertex)
 {
-  std::array<std::array<double, 3>, 3> stress{}; ///< at the sorted vertices, Voigt; linear in between
-  std::array<double, 6> gradLambda{};            ///< of the sorted vertices
-  double area = 0.0;
+  double force[2] = {};
+  addForce(stress, vertex, facet, -2.0 * stress.measure, force);
+  return {force[0], force[1]};
+}
 
-  /// sigma n times the length of the edge `facet`, at sorted vertex v.
-  Force traction(int facet, int v) const
-  {
-    double force[2];
-    divergenceForce<2>(&gradLambda[std::size_t(2 * facet)], stress[std::size_t(v)].data(), force);
-    return -2.0 * area * Force{force[0], force[1]};
-  }
-  Force divergence() const
-  {
-    Force sum;
-    double force[2];
-    for (std::size_t v = 0; v < 3; ++v) {
-      divergenceForce<2>(&gradLambda[2 * v], stress[v].data(), force);
-      sum = sum + Force{force[0], force[1]};
-    }
-    return sum;
-  }
-};
-
-template <int order>
-CellStress cellStressOf(const BodyModel& body, const SortedCell& sorted, int cell, const Vector& displacement)
+/// int_E div sigma.
+Force divergenceOf(const CellStress& stress)
 {
-  constexpr int nodes = Lagrange<2, order>::nodes;
-  double points[6], u[2 * nodes], gradLambda[6], strain[3];
-  for (int v = 0; v < 3; ++v)
-    std::copy_n(body.mesh.point(body.mesh.cell(cell)[v]), 2, points + 2 * v);
-  for (int a = 0; a < nodes; ++a)
-    std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a]) * 2, 2, u + 2 * a);
-  CellStress result;
-  result.area = barycentricGradients<2>(points, gradLambda);
-  for (std::size_t v = 0; v < 3; ++v) {
-    double lambda[3] = {};
-    lambda[sorted.local[v]] = 1.0;
-    stressAt<2, order>(points, body.law, lambda, u, strain, result.stress[v].data());
-    std::copy_n(gradLambda + 2 * sorted.local[v], 2, &result.gradLambda[2 * v]);
-  }
-  return result;
+  double force[2] = {};
+  for (int vertex = 0; vertex < 3; ++vertex)
+    addForce(stress, vertex, vertex, stress.measure, force);
+  return {force[0], force[1]};
 }
 
 /// int_e (sigma~ n) phi_i by the rule whose points are the nodes: exact, the integrand has degree 2 order - 1.
@@ -60,7 +31,7 @@ template <int order>
 void addTractions(const CellStress& stress, Force* tractions)
 {
   for (int facet = 0; facet < 3; ++facet) {
-    const Force a = stress.traction(facet, facet == 0 ? 1 : 0), b = stress.traction(facet, facet == 2 ? 1 : 2);
+    const Force a = tractionAt(stress, facet, facet == 0 ? 1 : 0), b = tractionAt(stress, facet, facet == 2 ? 1 : 2);
     const double ends = order == 1 ? 1.0 / 2.0 : 1.0 / 6.0;
     *tractions++ = ends * a;
     *tractions++ = ends * b;
@@ -104,8 +75,8 @@ NodalForces forcesOfOrder(const EdgeMap& edges, const BodyModel& body, const Sta
   forces.residual.resize(std::size_t(numCells * 3 * order));
   forces.loads.assign(std::size_t(numCells * modes * 2), 0.0);
   for (int c = 0; c < numCells; ++c) {
-    const CellStress stress = cellStressOf<order>(body, edges.cells[std::size_t(c)], c, displacement);
-    const Force divergence = stress.area * stress.divergence();
+    const CellStress stress = cellStress(body, c, edges.cells[std::size_t(c)], displacement);
+    const Force divergence = divergenceOf(stress);
     Force* residual = &forces.residual[std::size_t(c * 3 * order)];
     double* loads = &forces.loads[std::size_t(c * modes * 2)];
     addTractions<order>(stress, &forces.tractions[std::size_t(c * 3 * (order + 1))]);

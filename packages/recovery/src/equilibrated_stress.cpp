@@ -1,9 +1,7 @@
-#include <algorithm>
-
 #include "batched_cell_pass.hpp"
 #include "batched_workspace.hpp"
 #include "cell_form.hpp"
-#include "ndframe/mechanics/kernels.hpp"
+#include "ndframe/assembly/cell_field.hpp"
 #include "sub_cell.hpp"
 
 namespace ndframe
@@ -15,12 +13,7 @@ namespace
 template <int dim, int order>
 void addElasticStress(const BodyModel& body, const Vector& displacement, int cell, SplitStress& stress)
 {
-  double points[(dim + 1) * dim], u[Lagrange<dim, order>::nodes * dim];
-  for (int v = 0; v <= dim; ++v)
-    std::copy_n(body.mesh.point(body.mesh.cell(cell)[v]), dim, points + v * dim);
-  for (int a = 0; a < Lagrange<dim, order>::nodes; ++a)
-    std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a]) * dim, dim, u + a * dim);
-
+  const CellField<dim, order> field(body, displacement, cell);
   const QuadratureRule rule = simplexRule(dim, 2 * (order - 1));
   const MomentBasis& basis = referenceStress(dim, stress.degree).basis;
   const int modes = order == 1 ? 1 : dim + 1; // the functions of degree order - 1 come first
@@ -30,7 +23,7 @@ void addElasticStress(const BodyModel& body, const Vector& displacement, int cel
       SubCell{dim, sub}.simplexCoordinates(rule.point(q), lambda);
       for (int a = 0; a <= dim; ++a)
         local[stress.cell.local[std::size_t(a)]] = lambda[a];
-      stressAt<dim, order>(points, body.law, local, u, strain, sigma);
+      field.evaluate(local, strain, sigma);
       transformStress(dim, stress.map.inverse.data(), stress.map.det, sigma, S);
       basis.values(rule.point(q), m);
       for (int s = 0; s < numStrains(dim); ++s)

@@ -52,6 +52,13 @@ double InterfacePairs::excess(const Corner& corner) const
   return jump(corner.facet, corner.number) - gap[corner.number * (size - 1)];
 }
 
+const NodeStiffness& InterfacePairs::stiffness(std::size_t body)
+{
+  if (stiffness_[body].empty())
+    stiffness_[body] = interfaceStiffness(*bodies_[body], facets_, int(body));
+  return stiffness_[body];
+}
+
 Compliance InterfacePairs::compliance(const Pair& pair)
 {
   Direction normal{};
@@ -67,9 +74,8 @@ Compliance InterfacePairs::compliance(const Pair& pair)
     const Direction free = constraints_[body]->freePart(pair.node[side], normal);
     if (dotProduct(free, free) == 0.0)
       continue;
-    if (stiffness_[body].empty())
-      stiffness_[body] = interfaceStiffness(*bodies_[body], facets_, int(body));
-    const double factor = dotProduct(free, free) / stiffness_[body].at(pair.node[side]).along(free);
+    const NodeBlock& block = stiffness(body).at({pair.node[side], pair.node[side]});
+    const double factor = dotProduct(free, free) / block.work(free, free);
     for (std::size_t k = 0; k < 2; ++k)
       result.move[side][k] = (side == 0 ? -factor : factor) * free[k];
   }

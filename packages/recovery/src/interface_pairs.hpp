@@ -43,6 +43,7 @@ public:
                  const std::vector<ContactFacet>& facets, const GapBound& gap, const std::vector<Vector>& displacement);
 
   const std::map<int, Pair>& all() const { return pairs_; } ///< by interface node
+  std::size_t numBodies() const { return bodies_.size(); }
   /// Largest displacement or gap on the interfaces.
   double size() const { return size_; }
 
@@ -51,6 +52,7 @@ public:
   /// How much the jump's Bernstein coefficient is above the gap's.
   double excess(const Corner& corner) const;
   Compliance compliance(const Pair& pair);
+  const NodeStiffness& stiffness(std::size_t body);
 
 private:
   const std::vector<const BodyModel*>& bodies_;

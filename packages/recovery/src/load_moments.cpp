@@ -27,7 +27,7 @@ template <class Visit>
 void visitSamples(const LoadedSimplex& simplex, const MomentBasis& basis, int components, const Visit& visit)
 {
   std::vector<double> m(std::size_t(basis.size()));
-  double lambda[4], q[3];
+  double lambda[4] = {}, q[3] = {};
   for (int g = 0; g < simplex.samples.rule.size(); ++g) {
     sortCoordinates(simplex, g, lambda);
     basis.values(lambda, m.data());

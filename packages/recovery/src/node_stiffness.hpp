@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <utility>
 
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/recovery/contact_traction.hpp"
@@ -8,20 +9,20 @@
 namespace ndframe
 {
 
-/// The block of K at one node in the plane, global axes.
+/// A block of K in the plane, row-major, global axes.
 struct NodeBlock
 {
   std::array<double, 4> K{};
-  /// d . K d
-  double along(const Direction& d) const
+  /// a . K b
+  double work(const Direction& a, const Direction& b) const
   {
-    return d[0] * (K[0] * d[0] + K[1] * d[1]) + d[1] * (K[2] * d[0] + K[3] * d[1]);
+    return a[0] * (K[0] * b[0] + K[1] * b[1]) + a[1] * (K[2] * b[0] + K[3] * b[1]);
   }
 };
 
-using NodeStiffness = std::map<int, NodeBlock>; ///< by node
+using NodeStiffness = std::map<std::pair<int, int>, NodeBlock>; ///< by nodes: row, column
 
-/// The blocks of K at a body's interface nodes.
+/// The blocks of K between a body's interface nodes; those of nodes that share no cell are left out.
 NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<ContactFacet>& facets, int bodyNumber);
 
 } // namespace ndframe

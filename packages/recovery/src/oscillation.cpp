@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ndframe/algebra/dense.hpp"
 
@@ -93,7 +94,7 @@ double smallestStiffness(const Elasticity& law)
     for (int i = 0; i < n; ++i)
       shifted(i, i) -= middle;
     try {
-      DenseCholesky{shifted};
+      [[maybe_unused]] const DenseCholesky exists(std::move(shifted));
       low = middle;
     } catch (const NotPositiveDefinite&) {
       high = middle;

@@ -9,7 +9,7 @@ namespace ndframe
 struct PairMoves
 {
   std::vector<Pair> pairs;
-  std::vector<Compliance> moves;                         ///< unit opening along the mean normal
+  std::vector<Compliance> moves;                         ///< opens its facets by 1, at corners by 1 at least
   std::vector<std::vector<std::pair<int, double>>> rows; ///< of the stiffness, by pair
   std::map<int, int> index;                              ///< of interface nodes
 
@@ -18,7 +18,6 @@ struct PairMoves
 };
 
 /// Pairs that supports hold on both sides are left out.
-PairMoves pairMoves(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
-                    InterfacePairs& pairs);
+PairMoves pairMoves(const std::vector<ContactFacet>& facets, InterfacePairs& pairs);
 
 } // namespace ndframe

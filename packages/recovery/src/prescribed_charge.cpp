@@ -123,8 +123,7 @@ double energyDensity(const Elasticity& law, const double* grad0, const double* g
 double liftedEnergy(const BodyModel& body, Facet facet, const Samples& samples, const Vector& delta, EdgePieces& pieces)
 {
   double points[6], gradLambda[6], energy = 0.0;
-  for (int v = 0; v < 3; ++v)
-    std::copy_n(body.mesh.point(body.mesh.cell(facet.cell)[v]), 2, points + v * 2);
+  cellPoints(body.mesh, facet.cell, points);
   const double measure = barycentricGradients<2>(points, gradLambda);
   const int* local = facetLocalNodes(2, 1, facet.local);
   for (const auto& piece : samples.pieces) {

@@ -68,13 +68,8 @@ bool PrescribedTractions::isSupported(Facet facet) const
 Direction PrescribedTractions::freePart(Facet facet, Direction traction) const
 {
   const OnFacet* here = find(facet);
-  const int supported = here == nullptr || here->support == nullptr ? 0 : here->support->supported;
-  for (int s = 0; s < supported; ++s) {
-    const Direction& direction = here->support->directions[std::size_t(s)];
-    const double along = dotProduct(traction, direction);
-    for (std::size_t i = 0; i < 3; ++i)
-      traction[i] -= along * direction[i];
-  }
+  if (here != nullptr && here->support != nullptr)
+    here->support->removeSupported(mesh_.dim, 1, traction.data());
   return traction;
 }
 

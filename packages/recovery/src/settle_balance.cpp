@@ -52,7 +52,6 @@ private:
   void setOuterTraction(int half, const Vector& elastic);
   void setLoads(int cell);
 
-  std::vector<const double*> vertices(int cell, int without) const;
   Vector centre(int cell) const;
   Vector arms(int half, const Vector& about) const;
   Vector cellWrench(int cell);
@@ -146,19 +145,10 @@ void BalanceSettler::setLoads(int cell)
     addForce(stress, vertex, vertex, -stress.measure, loads);
 }
 
-std::vector<const double*> BalanceSettler::vertices(int cell, int without) const
-{
-  std::vector<const double*> points;
-  for (int v = 0; v <= data_.dim; ++v)
-    if (v != without)
-      points.push_back(mesh_.point(tree_.cell(cell).vertices[std::size_t(v)]));
-  return points;
-}
-
 Vector BalanceSettler::centre(int cell) const
 {
   Vector mean(std::size_t(data_.dim), 0.0);
-  for (const double* point : vertices(cell, -1))
+  for (const double* point : corners(mesh_, tree_.cell(cell), -1))
     for (std::size_t i = 0; i < mean.size(); ++i)
       mean[i] += point[i] / (data_.dim + 1);
   return mean;
@@ -167,7 +157,7 @@ Vector BalanceSettler::centre(int cell) const
 Vector BalanceSettler::arms(int half, const Vector& about) const
 {
   const int facets = data_.dim + 1;
-  return momentArms(facetMeans_, vertices(half / facets, half % facets), about.data(), data_.dim);
+  return momentArms(facetMeans_, corners(mesh_, tree_.cell(half / facets), half % facets), about.data(), data_.dim);
 }
 
 void BalanceSettler::addTo(Vector& wrench, int half, const Vector& about, const Vector& traction, double sign) const
@@ -185,7 +175,7 @@ Vector BalanceSettler::cellWrench(int cell)
   Vector wrench(std::size_t(wrenchSize(dim)), 0.0);
   for (int half = cell * (dim + 1); half < (cell + 1) * (dim + 1); ++half)
     addTo(wrench, half, about, Vector(traction(half), traction(half) + facetData()), 1.0);
-  const Vector loadArms = momentArms(cellMeans_, vertices(cell, -1), about.data(), dim);
+  const Vector loadArms = momentArms(cellMeans_, corners(mesh_, tree_.cell(cell), -1), about.data(), dim);
   const DenseMatrix map = wrenchMap(dim, loadArms, reference_.loadModes, size_);
   const double* load = correction_.loads.data() + std::ptrdiff_t(cell) * reference_.loads;
   for (int j = 0; j < map.cols(); ++j)

@@ -7,8 +7,7 @@
 namespace ndframe
 {
 
-/// The cells of a mesh joined across their facets into a tree per connected part. A half facet (dim + 1) * cell + facet
-/// (sorted order) is a facet as one of its cells sees it.
+/// The cells of a mesh joined across their facets (half facets: facet_twins.hpp) into a tree per connected part.
 class CellTree
 {
 public:
@@ -26,7 +25,6 @@ public:
   const std::vector<Part>& parts() const { return parts_; }
 
 private:
-  void join(int dim);
   Part treeFrom(int root, int facets) const;
 
   std::vector<SortedCell> cells_;

@@ -25,16 +25,6 @@ double starSize(const Mesh& mesh, const Star& star)
   return std::sqrt(largest);
 }
 
-/// Points of a cell's vertices, without the one opposite to a facet (facet < 0: all).
-std::vector<const double*> corners(const Mesh& mesh, const SortedCell& cell, int facet)
-{
-  std::vector<const double*> points;
-  for (int v = 0; v <= mesh.dim; ++v)
-    if (v != facet)
-      points.push_back(mesh.point(cell.vertices[std::size_t(v)]));
-  return points;
-}
-
 bool isZero(const double* values, int count)
 {
   return std::all_of(values, values + count, [](double value) { return value == 0.0; });

@@ -2,8 +2,7 @@
 
 #include <algorithm>
 
-#include <fmt/format.h>
-
+#include "self_touching.hpp"
 #include "star_wrench.hpp"
 
 namespace ndframe
@@ -17,14 +16,6 @@ int facetNumber(const Mesh& mesh, Facet facet)
 }
 
 } // namespace
-
-SelfTouching::SelfTouching(const BodyModel& model, int touching)
-    : InputError(
-          fmt::format("Bodies/{}: the mesh touches itself at the point {} only: let its cells there share a facet, "
-                      "or give each part a point of its own",
-                      model.name, pointText(model.mesh.point(touching), model.mesh.dim))),
-      vertex(touching)
-{}
 
 StarBody::StarBody(const BodyModel& model, const StaticData& data)
     : model_(model), data_(data), reference_(referenceStress(data.dim, data.degree)), around_(model.mesh),

@@ -8,14 +8,6 @@
 namespace ndframe
 {
 
-/// A mesh that hangs together in a single point only; the user's mistake.
-class SelfTouching : public InputError
-{
-public:
-  SelfTouching(const BodyModel& model, int touching);
-  int vertex;
-};
-
 /// A body as its stars see it: what all of them share. Model and data must outlive it.
 class StarBody
 {

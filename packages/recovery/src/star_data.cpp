@@ -7,25 +7,6 @@
 
 namespace ndframe
 {
-namespace
-{
-
-/// Takes the part along the supported directions out of all modes.
-void clearSupported(const BoundaryFacet& facet, int dim, int modes, double* moments)
-{
-  for (int k = 0; k < modes; ++k)
-    for (int d = 0; d < facet.supported; ++d) {
-      const Direction& direction = facet.directions[std::size_t(d)];
-      double along = 0.0;
-      for (int i = 0; i < dim; ++i)
-        along += direction[std::size_t(i)] * moments[k * dim + i];
-      for (int i = 0; i < dim; ++i)
-        moments[k * dim + i] -= along * direction[std::size_t(i)];
-    }
-}
-
-} // namespace
-
 StarLoads::StarLoads(const StarBody& body, std::vector<FieldInput> fields)
     : body_(&body), fields_(std::move(fields)),
       facetShares_(facetBasis(body.dim(), body.data().degree), body.data().order),
@@ -111,7 +92,8 @@ StarFields StarLoads::initial(const Star& star) const
         }
       } else if (const int index = body_->boundaryIndex(star.cells[std::size_t(spoke.cell[0])].cell, spoke.facet[0]);
                  index >= 0)
-        clearSupported(body_->data().boundary[std::size_t(index)], body_->dim(), body_->facetModes(), first);
+        body_->data().boundary[std::size_t(index)].removeSupported(body_->dim(), std::size_t(body_->facetModes()),
+                                                                   first);
     }
   }
   return fields;
@@ -132,17 +114,6 @@ Vector StarLoads::forces(const Star& star) const
     result.push_back(sum);
   }
   return result;
-}
-
-StressCorrection zeroCorrection(const StarBody& body)
-{
-  const std::size_t cells = std::size_t(body.model().mesh.numCells());
-  StressCorrection correction;
-  correction.dim = body.dim();
-  correction.degree = body.data().degree;
-  correction.tractions.assign(cells * std::size_t(body.reference().tractions), 0.0);
-  correction.loads.assign(cells * std::size_t(body.reference().loads), 0.0);
-  return correction;
 }
 
 namespace

@@ -44,7 +44,4 @@ void scatter(const StarBody& body, const Star& star, const StarFields& x, const 
 /// Adds a star's own data to the sum.
 void add(const StarBody& body, const Star& star, const StarFields& x, const BodyCorrections& corrections);
 
-/// A correction without data.
-StressCorrection zeroCorrection(const StarBody& body);
-
 } // namespace ndframe

@@ -3,23 +3,11 @@
 #include <array>
 #include <vector>
 
+#include "ndframe/mesh/vertex_cells.hpp"
 #include "ndframe/recovery/moment_basis.hpp"
 
 namespace ndframe
 {
-
-/// The cells around every vertex of a mesh.
-class VertexCells
-{
-public:
-  explicit VertexCells(const Mesh& mesh);
-  const int* begin(int vertex) const { return cells_.data() + start_[std::size_t(vertex)]; }
-  const int* end(int vertex) const { return cells_.data() + start_[std::size_t(vertex) + 1]; }
-
-private:
-  std::vector<std::size_t> start_;
-  std::vector<int> cells_;
-};
 
 /// A cell of a star.
 struct StarCell

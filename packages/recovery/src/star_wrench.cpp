@@ -136,6 +136,15 @@ Vector meanCoordinates(const MomentBasis& basis)
   return means;
 }
 
+std::vector<const double*> corners(const Mesh& mesh, const SortedCell& cell, int facet)
+{
+  std::vector<const double*> points;
+  for (int v = 0; v <= mesh.dim; ++v)
+    if (v != facet)
+      points.push_back(mesh.point(cell.vertices[std::size_t(v)]));
+  return points;
+}
+
 Vector momentArms(const Vector& means, const std::vector<const double*>& vertices, const double* a, int dim)
 {
   const std::size_t corners = vertices.size(), modes = means.size() / corners;

@@ -36,6 +36,9 @@ struct FacetSplit
 /// Means of barycentric coordinates times basis functions: (dim + 1) per function, the same for every simplex.
 Vector meanCoordinates(const MomentBasis& basis);
 
+/// Points of a cell's vertices, without the one opposite to a facet (facet < 0: all).
+std::vector<const double*> corners(const Mesh& mesh, const SortedCell& cell, int facet);
+
 /// Arms of a basis on the simplex with these vertices (dim components each) about a.
 Vector momentArms(const Vector& means, const std::vector<const double*>& vertices, const double* a, int dim);
 

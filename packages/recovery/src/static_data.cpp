@@ -6,8 +6,8 @@
 
 #include <fmt/format.h>
 
+#include "cell_form.hpp"
 #include "load_moments.hpp"
-#include "ndframe/recovery/cell_energy.hpp"
 #include "oscillation.hpp"
 
 namespace ndframe
@@ -92,14 +92,8 @@ void DataBuilder::addTo(std::vector<double>& all, std::size_t place, const std::
 
 StressCorrection& DataBuilder::lifted()
 {
-  if (lifted_.tractions.empty()) {
-    lifted_.dim = data_.dim;
-    lifted_.degree = richestDegree(data_.dim);
-    const auto perMode = std::size_t(body_.mesh.numCells() * data_.dim);
-    lifted_.tractions.assign(perMode * std::size_t((data_.dim + 1) * facetBasis(data_.dim, lifted_.degree).size()),
-                             0.0);
-    lifted_.loads.assign(perMode * std::size_t(loadBasis(data_.dim, lifted_.degree).size()), 0.0);
-  }
+  if (lifted_.tractions.empty())
+    lifted_ = zeroCorrection(body_.mesh, richestDegree(data_.dim));
   return lifted_;
 }
 
@@ -107,17 +101,8 @@ StressCorrection& DataBuilder::lifted()
 void DataBuilder::addOnFacet(LoadedSimplex simplex)
 {
   const std::size_t place = place_.at(number(simplex.facet)), dim = std::size_t(data_.dim);
-  const BoundaryFacet& facet = data_.boundary[place];
-  for (int s = 0; s < facet.supported; ++s) {
-    const Direction& direction = facet.directions[std::size_t(s)];
-    for (std::size_t i = 0; i < simplex.samples.values.size(); i += dim) {
-      double along = 0.0;
-      for (std::size_t k = 0; k < dim; ++k)
-        along += simplex.samples.values[i + k] * direction[k];
-      for (std::size_t k = 0; k < dim; ++k)
-        simplex.samples.values[i + k] -= along * direction[k];
-    }
-  }
+  Vector& values = simplex.samples.values;
+  data_.boundary[place].removeSupported(data_.dim, values.size() / dim, values.data());
   const SimplexMoments moments = onFacets_.of(simplex);
   addTo(data_.facetShares, place, moments.shares);
   if (!moments.beyond.empty())
@@ -176,6 +161,19 @@ void DataBuilder::finish()
 }
 
 } // namespace
+
+void BoundaryFacet::removeSupported(int dim, std::size_t count, double* vectors) const
+{
+  for (std::size_t v = 0; v < count; ++v, vectors += dim)
+    for (int s = 0; s < supported; ++s) {
+      const double* direction = directions[std::size_t(s)].data();
+      double along = 0.0;
+      for (int i = 0; i < dim; ++i)
+        along += direction[i] * vectors[i];
+      for (int i = 0; i < dim; ++i)
+        vectors[i] -= along * direction[i];
+    }
+}
 
 StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact)
 {

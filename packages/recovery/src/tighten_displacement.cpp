@@ -22,7 +22,7 @@ public:
              const std::vector<ContactFacet>& facets, const GapBound& gap, const BoundOfDisplacement& bound,
              AdmissibleDisplacement& admissible)
       : facets_(facets), isQuadratic_(bodies.front()->nodes.order == 2), bound_(bound), admissible_(admissible),
-        pairs_(bodies, constraints, facets, gap, admissible.displacement), moves_(pairMoves(bodies, facets, pairs_)),
+        pairs_(bodies, constraints, facets, gap, admissible.displacement), moves_(pairMoves(facets, pairs_)),
         force_(moves_.pairs.size(), 0.0)
   {}
 

@@ -40,6 +40,9 @@ struct Mesh
   const Side* findSide(const std::string& name) const;
 };
 
+/// Coordinates of a cell's vertices, one after the other: (dim + 1) x dim.
+void cellPoints(const Mesh& mesh, int cell, double* points);
+
 /// Vertices of a facet in increasing local number (dim of them).
 void facetVertices(const Mesh& mesh, Facet facet, int* vertices);
 

@@ -14,6 +14,9 @@ struct BoundaryFacet
   Facet facet;
   int supported = 0;                     ///< number of independent directions that supports prescribe on this facet
   std::array<Direction, 3> directions{}; ///< these, orthonormal: the traction along them is a reaction, unknown
+
+  /// Takes the parts along these directions out of `count` vectors of dim components, one after the other.
+  void removeSupported(int dim, std::size_t count, double* vectors) const;
 };
 
 /// What an equilibrated stress of one body has to satisfy apart from contact:  div sigma + b = 0, sigma n = p  (36),

@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/mechanics/kernels.hpp"
+
+namespace ndframe
+{
+
+/// A displacement in one cell, as kernels want it: coordinates of the vertices, displacements of the nodes.
+template <int dim, int order>
+struct CellField
+{
+  static constexpr int nodes = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
+
+  const Elasticity& law;
+  double points[(dim + 1) * dim], u[nodes * dim];
+
+  /// displacement: numNodes * dim, global axes. body must outlive the field.
+  CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.law)
+  {
+    cellPoints(body.mesh, cell, points);
+    for (int a = 0; a < nodes; ++a)
+      std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a]) * dim, dim, u + a * dim);
+  }
+
+  /// Voigt strain and stress K eps(u) at barycentric coordinates lambda.
+  void evaluate(const double* lambda, double* strain, double* stress) const
+  {
+    stressAt<dim, order>(points, law, lambda, u, strain, stress);
+  }
+};
+
+} // namespace ndframe

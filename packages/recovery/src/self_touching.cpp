@@ -1,0 +1,16 @@
+#include "self_touching.hpp"
+
+#include <fmt/format.h>
+
+namespace ndframe
+{
+
+SelfTouching::SelfTouching(const BodyModel& model, int touching)
+    : InputError(
+          fmt::format("Bodies/{}: the mesh touches itself at the point {} only: let its cells there share a facet, "
+                      "or give each part a point of its own",
+                      model.name, pointText(model.mesh.point(touching), model.mesh.dim))),
+      vertex(touching)
+{}
+
+} // namespace ndframe

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ndframe/assembly/body_system.hpp"
+
+namespace ndframe
+{
+
+/// A mesh that hangs together in a single point only; the user's mistake.
+class SelfTouching : public InputError
+{
+public:
+  SelfTouching(const BodyModel& model, int touching);
+  int vertex;
+};
+
+} // namespace ndframe
