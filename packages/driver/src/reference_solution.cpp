@@ -26,7 +26,7 @@ Params defaultsOf(const Choices& choices, const std::string& type)
   spec.name = type;
   spec.choices = choices;
   Diagnostics diagnostics;
-  const Params params = validate(DeckList{type, {}, 0, {{"Type", "string", type, {}, 0}}, {}}, spec, diagnostics);
+  Params params = validate(DeckList{type, {}, 0, {{"Type", "string", type, {}, 0}}, {}}, spec, diagnostics);
   diagnostics.throwIfAny();
   return params;
 }

@@ -113,7 +113,7 @@ void takeLoads(const Mesh& mesh, const StaticData& data, const Vector* contact, 
   }
   if (data.cellShares.empty())
     return;
-  const std::size_t loadData = residuals.cells.size() / std::size_t(mesh.numCells());
+  const auto loadData = std::size_t(loadBasis(data.dim, data.degree).size() * data.dim);
   for (std::size_t c = 0; c < std::size_t(mesh.numCells()); ++c)
     addShares(data.cellShares.data() + c * loadData * std::size_t(data.dim + 1), data.dim + 1, loadData, 1.0,
               residuals.cells.data() + c * loadData);
