@@ -34,6 +34,7 @@ private:
   void mesh(const std::string& body, const Rectangle& rectangle);
   void material(const std::string& body, double stiffness, const std::string& hypothesis);
   void drawBodies(double upperHeight, double lowerHeight, double lowerWidth);
+  void supportHalf();
   void support(const std::string& path, const std::string& type, const std::string& side);
   void press(const std::string& body, const std::string& side);
   void pull(const std::string& list, const std::string& type, const std::string& side, double size);
@@ -129,21 +130,25 @@ void IsotropicScene::pull(const std::string& list, const std::string& type, cons
                     fmt::format("{} * ({})", size, Frame{}.expression(drawField(draw_))));
 }
 
-void IsotropicScene::punch()
+/// The half right of a line of symmetry on a clamped ground.
+void IsotropicScene::supportHalf()
 {
-  drawBodies(draw_.uniform(0.5, 1.0), draw_.uniform(0.5, 1.0), 2.0);
   support("upper/Supports/symmetry", "Roller", "left");
   support("lower/Supports/ground", "Clamp", "bottom");
   support("lower/Supports/symmetry", "Roller", "left");
+}
+
+void IsotropicScene::punch()
+{
+  drawBodies(draw_.uniform(0.5, 1.0), draw_.uniform(0.5, 1.0), 2.0);
+  supportHalf();
   press("upper", "top");
 }
 
 void IsotropicScene::contactLoss()
 {
   drawBodies(draw_.uniform(0.5, 1.0), draw_.uniform(0.5, 1.5), 2.0);
-  support("upper/Supports/symmetry", "Roller", "left");
-  support("lower/Supports/ground", "Clamp", "bottom");
-  support("lower/Supports/symmetry", "Roller", "left");
+  supportHalf();
   press("upper", "loaded");
 }
 

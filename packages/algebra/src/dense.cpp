@@ -86,22 +86,29 @@ Vector DenseCholesky::solve(Vector b) const
   return b;
 }
 
-Vector DenseCholesky::solveLower(Vector b) const
+namespace
 {
-  const int n = factor_.rows();
+
+/// L^-1 b, or L^-T b when transposed.
+Vector solveTriangle(const DenseMatrix& L, CBLAS_TRANSPOSE transposed, Vector b)
+{
+  const int n = L.rows();
   NDFRAME_ASSERT(n == int(b.size()), "shapes do not match");
   if (n > 0)
-    cblas_dtrsv(CblasColMajor, CblasLower, CblasNoTrans, CblasNonUnit, n, factor_.data(), n, b.data(), 1);
+    cblas_dtrsv(CblasColMajor, CblasLower, transposed, CblasNonUnit, n, L.data(), n, b.data(), 1);
   return b;
+}
+
+} // namespace
+
+Vector DenseCholesky::solveLower(Vector b) const
+{
+  return solveTriangle(factor_, CblasNoTrans, std::move(b));
 }
 
 Vector DenseCholesky::solveUpper(Vector b) const
 {
-  const int n = factor_.rows();
-  NDFRAME_ASSERT(n == int(b.size()), "shapes do not match");
-  if (n > 0)
-    cblas_dtrsv(CblasColMajor, CblasLower, CblasTrans, CblasNonUnit, n, factor_.data(), n, b.data(), 1);
-  return b;
+  return solveTriangle(factor_, CblasTrans, std::move(b));
 }
 
 DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance)

@@ -139,9 +139,9 @@ void Certifier::checkStresses()
 void Certifier::measureGlobal()
 {
   ErrorSummary& summary = result_.summary;
-  if (options_.mode == ErrorMode::Strict && !scene_.facets.empty())
-    tighten(scene_, global_, admissible_);
-  globalMeasure_ = measureStress(scene_, global_, admissible_);
+  globalMeasure_ = options_.mode == ErrorMode::Strict && !scene_.facets.empty()
+                       ? tighten(scene_, global_, admissible_)
+                       : measureStress(scene_, global_, admissible_);
   summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
   summary.meanStress = globalMeasure_.meanStress();
   summary.meanStressRelative = scene_.norm > 0.0 ? *summary.meanStress / scene_.norm : 0.0;

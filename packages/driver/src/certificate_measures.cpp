@@ -164,12 +164,13 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   return guarantee;
 }
 
-void tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible)
+ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible)
 {
-  AdmissibleScene asSolved{admissible.gap, {scene.solved, 0.0, 0, {}}, {}, 0.0, {}};
-  const ErrorMeasure measure = measureStress(scene, recovered, asSolved);
+  AdmissibleScene asSolved = admissible;
+  asSolved.displacement = {scene.solved, 0.0, 0, {}};
+  ErrorMeasure measure = measureStress(scene, recovered, asSolved);
   if (admissible.displacement.moved == 0 && measure.contact <= seen * measure.elements * measure.elements)
-    return;
+    return measure; // u^ is u_h
   BoundOfDisplacement bound{measure.elements, 0.5 * measure.contact, {}, {}};
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const SceneStress& stress = recovered.stress;
@@ -182,6 +183,7 @@ void tighten(const CertifiedScene& scene, const RecoveredField& recovered, Admis
   }
   tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, admissible.gap, scene.solved, bound,
                       admissible.displacement);
+  return measureStress(scene, recovered, admissible);
 }
 
 double boundOf(const ErrorMeasure& measure, ErrorMode mode)

@@ -48,8 +48,9 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
                 double bound, ErrorMode mode, double equilibrium);
 
-/// Moves u^ to where the bound with this stress is smallest (tightenDisplacement). Strict mode, scenes with interfaces.
-void tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible);
+/// Moves u^ to where the bound with this stress is smallest (tightenDisplacement); the measure with it. Strict mode,
+/// scenes with interfaces.
+ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible);
 
 /// Strict: the sharpest bound; Paper: the sum (39).
 double boundOf(const ErrorMeasure& measure, ErrorMode mode);

@@ -33,23 +33,14 @@ InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
   }
 }
 
-double InterfacePairs::jump(std::size_t facet, std::size_t number) const
-{
-  const Pair& pair = pairs_.at(facets_[facet].nodes[number]);
-  double value = 0.0;
-  for (std::size_t k = 0; k < 2; ++k)
-    value += facets_[facet].normal[k] * (displacement_[pair.body[0]][std::size_t(pair.node[0]) * 2 + k] -
-                                         displacement_[pair.body[1]][std::size_t(pair.node[1]) * 2 + k]);
-  return value;
-}
-
 double InterfacePairs::excess(const Corner& corner) const
 {
   const std::size_t size = gap_.bernstein.size() / facets_.size();
   const double* gap = gap_.bernstein.data() + corner.facet * size;
+  const auto jump = facetJump(bodies_, facets_[corner.facet], displacement_);
   if (corner.number == 2)
-    return 2.0 * jump(corner.facet, 2) - 0.5 * (jump(corner.facet, 0) + jump(corner.facet, 1)) - gap[1];
-  return jump(corner.facet, corner.number) - gap[corner.number * (size - 1)];
+    return 2.0 * jump[2] - 0.5 * (jump[0] + jump[1]) - gap[1];
+  return jump[corner.number] - gap[corner.number * (size - 1)];
 }
 
 const NodeStiffness& InterfacePairs::stiffness(std::size_t body)

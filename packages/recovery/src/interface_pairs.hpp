@@ -47,8 +47,6 @@ public:
   /// Largest displacement or gap on the interfaces.
   double size() const { return size_; }
 
-  /// (u1 - u2) . n at a node of a facet.
-  double jump(std::size_t facet, std::size_t number) const;
   /// How much the jump's Bernstein coefficient is above the gap's.
   double excess(const Corner& corner) const;
   Compliance compliance(const Pair& pair);
