@@ -1,0 +1,1 @@
+"""What regression/nddiff and regression/ndregress are made of."""
