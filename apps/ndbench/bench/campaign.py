@@ -1,0 +1,100 @@
+"""Runs scenes x methods x sizes, repetitions interleaved, and makes one row of each case."""
+
+import csv
+import dataclasses
+
+from bench.analysis import median
+from bench.methods import METHODS, Method
+from bench.program import run
+from bench.scenes import SCENES, Scene
+from bench.truth import true_error
+from bench.yardstick import processor_seconds
+
+OUTSIDE = "start and exit"  # of the process: what no stage counts
+
+COLUMNS = (
+    "scene", "method", "order", "cells", "dofs", "sweeps", "exit", "wall", "wall_least", "wall_most", "seconds",
+    "peak_bytes", "yardstick", "ratio", "error", "error_low", "error_high", "error_sharp", "bound", "effectivity",
+)
+
+
+@dataclasses.dataclass(frozen=True)
+class Case:
+    """One scene, method and size."""
+
+    scene: Scene
+    method: Method
+    cells: int
+
+    @property
+    def settings(self):
+        return (*self.scene.on(self.cells), *self.method.settings)
+
+    def __str__(self):
+        return f"{self.scene.name}, {self.method.name}, {self.cells} cells"
+
+
+def cases(levels, scenes=SCENES, methods=METHODS):
+    """All cases on the first `levels` sizes of each scene."""
+    return [
+        Case(scene, method, cells)
+        for scene in scenes for method in methods if method.fits(scene) for cells in method.sizes(scene)[:levels]
+    ]
+
+
+def measured(program, wanted, repetitions, say):
+    """[(case, its runs, the yardstick's processor seconds in the same rounds)].
+
+    Every round runs everything once, so that a slow minute of the machine falls on all cases alike.
+    """
+    runs, yardsticks = {case: [] for case in wanted}, {case: [] for case in wanted}
+    for repetition in range(repetitions):
+        known = {}  # methods of one scene, size and order share the matrix
+        for number, case in enumerate(wanted):
+            say(f"round {repetition + 1} of {repetitions}, {number + 1} of {len(wanted)}: {case}")
+            key = (case.scene, case.cells, case.method.order)
+            if key not in known:
+                order = f"Discretization/Order={case.method.order}"
+                known[key] = processor_seconds(program, case.scene.deck, (*case.scene.on(case.cells), order))
+            yardsticks[case].append(known[key])
+            runs[case].append(run(program, case.scene.deck, case.settings))
+    return [(case, runs[case], yardsticks[case]) for case in wanted]
+
+
+def row(case, runs, yardsticks, exact):
+    """One row of the table; errors and bounds relative to the norm of the exact solution."""
+    last = runs[-1]
+    error = true_error(last, case.scene.gap, exact)
+    walls, seconds = ([getattr(each.cost, what) for each in runs] for what in ("wall", "cpu"))
+    bound = None if last.bound is None else last.bound / exact.norm
+    coupling = last.summary["coupling"]
+    return {
+        "scene": case.scene.name, "method": case.method.name, "order": last.order, "cells": case.cells,
+        "dofs": last.dofs, "sweeps": coupling and coupling["sweeps"], "exit": last.cost.exit,
+        "wall": median(walls), "wall_least": min(walls), "wall_most": max(walls), "seconds": median(seconds),
+        "peak_bytes": median([each.cost.peak for each in runs]),
+        "yardstick": median(yardsticks), "ratio": median([one / other for one, other in zip(seconds, yardsticks)]),
+        "error": error.best / exact.norm, "error_low": error.low / exact.norm, "error_high": error.high / exact.norm,
+        "error_sharp": int(error.sharp), "bound": bound, "effectivity": bound and bound * exact.norm / error.best,
+    }
+
+
+def stage_rows(case, runs):
+    """Median seconds of every stage of a case, and what the process needs beside them."""
+    stages = {name: median([each.stages.get(name) for each in runs]) for name in runs[-1].stages}
+    stages[OUTSIDE] = max(median([each.cost.wall for each in runs]) - sum(stages.values()), 0.0)
+    key = {"scene": case.scene.name, "method": case.method.name, "cells": case.cells, "dofs": runs[-1].dofs}
+    return [{**key, "stage": name, "wall": seconds} for name, seconds in stages.items()]
+
+
+def tables(results, exact):
+    """(rows of the cases, rows of their stages)."""
+    rows = [row(case, runs, yardsticks, exact[case.scene.name]) for case, runs, yardsticks in results]
+    return rows, [stage for case, runs, _ in results for stage in stage_rows(case, runs)]
+
+
+def write_csv(path, rows):
+    with open(path, "w", newline="") as file:
+        writer = csv.DictWriter(file, fieldnames=list(rows[0]), lineterminator="\n")
+        writer.writeheader()
+        writer.writerows(rows)

@@ -1,0 +1,42 @@
+"""The methods: what a user can choose for the same scene, as settings of the deck."""
+
+import dataclasses
+
+THETA = "Coupling/Relaxation/Type=Constant"
+MONOLITHIC = "Coupling/Type=Monolithic"
+CERTIFIED = "Error Estimation/Estimators={Global}"
+
+
+def stopped_at(tolerance):
+    return f"Coupling/Stopping/Tolerance={tolerance}"
+
+
+@dataclasses.dataclass(frozen=True)
+class Method:
+    """Settings by name. An adaptive method will be one more line: its settings, started on the scene's meshes."""
+
+    name: str
+    settings: tuple
+    order: int = 2
+    contact_only: bool = False  # differs from others only where bodies touch
+    levels: int = 99  # on how many of a scene's sizes it is run: for methods that take minutes on the finer ones
+    leave_out: tuple = ()  # scenes on which it takes minutes on every size
+
+    def fits(self, scene):
+        return scene.name not in self.leave_out and not (self.contact_only and scene.alone)
+
+    def sizes(self, scene):
+        """First-order elements get twice the cells: the same nodes, hence about the same dofs."""
+        return tuple(2 * n if self.order == 1 else n for n in scene.sizes[: self.levels])
+
+
+METHODS = (
+    Method("monolithic", (MONOLITHIC,)),
+    Method("monolithic, order 1", (MONOLITHIC, "Discretization/Order=1"), order=1),
+    Method("monolithic, Mumps", (MONOLITHIC, "Linear Solver/Type=Mumps")),
+    Method("monolithic, Krylov", (MONOLITHIC, "Linear Solver/Type=Krylov"), levels=3, leave_out=("hertz",)),
+    Method("monolithic, certified", (MONOLITHIC, CERTIFIED)),
+    Method("theta 0.5 to 1e-4", (THETA, stopped_at("1e-4")), contact_only=True),
+    Method("Aitken to 1e-4", ("Coupling/Relaxation/Type=Aitken", stopped_at("1e-4")), contact_only=True),
+    Method("theta 0.5 to 0.1, certified", (THETA, stopped_at("0.1"), CERTIFIED), contact_only=True),
+)

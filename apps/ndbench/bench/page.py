@@ -1,0 +1,62 @@
+"""Markdown tables of a campaign."""
+
+from bench.analysis import fastest
+
+GIGABYTE = 1e9
+
+
+def table(head, lines):
+    """A Markdown table of texts."""
+    return "\n".join("| " + " | ".join(line) + " |" for line in [head, ["---"] * len(head), *lines]) + "\n"
+
+
+def setting(row):
+    return f"{row['method']}, {row['cells']} cells"
+
+
+def seconds(row):
+    return f"{row['seconds']:.2g} s"
+
+
+def fastest_table(rows):
+    """Which setting reaches an error first."""
+    lines = []
+    for scene in dict.fromkeys(row["scene"] for row in rows):
+        for level, best, other in fastest([row for row in rows if row["scene"] == scene]):
+            second = f"{setting(other)}: {seconds(other)}" if other else "none"
+            lines.append([scene, f"{100 * level:g} %", setting(best), seconds(best), f"{best['dofs']:,}", second])
+    return table(["scene", "error at most", "fastest", "processor", "dofs", "the next method"], lines)
+
+
+def number(value, form):
+    return "" if value is None else format(value, form)
+
+
+def error_text(row):
+    """The true error with half its bracket; only an upper limit where the reference is too coarse for it."""
+    if not row["error_sharp"]:
+        return f"below {100 * row['error_high']:.2g} %"
+    return f"{100 * row['error']:.3g} ± {50 * (row['error_high'] - row['error_low']):.1g} %"
+
+
+def finest_table(rows):
+    """Every method on its finest mesh."""
+    lines = []
+    for key in dict.fromkeys((row["scene"], row["method"]) for row in rows):
+        row = max((row for row in rows if (row["scene"], row["method"]) == key), key=lambda row: row["dofs"])
+        lines.append([
+            *key, f"{row['dofs']:,}", number(row["sweeps"], "d"), f"{row['wall']:.2g}", f"{row['seconds']:.2g}",
+            f"{row['ratio']:.2f}", f"{row['peak_bytes'] / GIGABYTE:.2f}", error_text(row),
+            number(row["bound"] and 100 * row["bound"], ".3g"), number(row["effectivity"], ".3f"),
+        ])
+    head = ["scene", "method", "dofs", "sweeps", "seconds", "processor", "over yardstick", "GB", "error", "bound, %"]
+    return table([*head, "bound / error"], lines)
+
+
+def between(text, name, content):
+    """`text` with what stands between the comments `<!-- ndbench NAME -->` and `<!-- end -->` replaced."""
+    before, mark, rest = text.partition(f"<!-- ndbench {name} -->\n")
+    _, end, after = rest.partition("<!-- end -->")
+    if not mark or not end:
+        raise SystemExit(f'ndbench: the page has no place "<!-- ndbench {name} -->" ... "<!-- end -->"')
+    return f"{before}{mark}\n{content}\n{end}{after}"

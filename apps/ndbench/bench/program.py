@@ -1,0 +1,64 @@
+"""Runs of ndframe: what they cost and what they found."""
+
+import csv
+import dataclasses
+import json
+import pathlib
+import tempfile
+
+from bench.child import Cost, cost_of
+
+# The decks' lists Expect are about the decks' own meshes (exit 4), and a run that is not converged (exit 3) has a true
+# error like any other.
+USABLE = (0, 3, 4)
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """One run: its cost, its summary, and the rows of its contact table (dictionaries of numbers)."""
+
+    cost: Cost
+    summary: dict
+    contact: list
+
+    @property
+    def dofs(self):
+        return sum(body["dofs"] for body in self.summary["bodies"])
+
+    @property
+    def order(self):
+        return self.summary["bodies"][0]["order"]
+
+    @property
+    def stages(self):
+        """Seconds by stage, in the order in which they ran."""
+        return {stage["name"]: stage["seconds"] for stage in self.summary["ledger"]["stages"]}
+
+    @property
+    def bound(self):
+        """The bound of the error in energy; None without a certificate, or where it is not guaranteed."""
+        bound = (self.summary["errors"] or {}).get("global")
+        return bound["absolute"] if bound and bound["guaranteed"] else None
+
+
+def contact_rows(path):
+    with open(path, newline="") as table:
+        rows = csv.DictReader(table)
+        return [{key: float(value) for key, value in row.items() if key != "interface"} for row in rows]
+
+
+def arguments(deck, settings):
+    return ["-q", "-i", str(deck), *(part for setting in settings for part in ("--set", setting))]
+
+
+def run(program, deck, settings, environment=None, ranks=1):
+    """Runs `deck` with `settings` (texts for --set) in a folder of its own, all files written, and reads them back."""
+    launcher = [] if ranks == 1 else ["mpirun", "--oversubscribe", "-np", str(ranks)]
+    with tempfile.TemporaryDirectory(prefix="ndbench-") as folder:
+        cost, text = cost_of([*launcher, program, *arguments(deck, settings)], folder, environment)
+        if cost.exit not in USABLE:
+            raise SystemExit(f"ndbench: {program} returned {cost.exit} on {deck} with {list(settings)}:\n{text}")
+        files = pathlib.Path(folder)
+        summary = json.loads(next(files.glob("*.summary.json")).read_text())
+        contact = [row for path in files.glob("*.contact.csv") for row in contact_rows(path)]
+    return Run(cost, summary, contact)
