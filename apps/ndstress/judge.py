@@ -1,0 +1,132 @@
+"""What became of one run: right with so many digits, refused, stopped, or a finding."""
+
+import csv
+import dataclasses
+import json
+import math
+
+import netCDF4
+import numpy as np
+
+import reference
+
+RIGHT, REFUSED, STOPPED, FINDING = "right", "refused", "stopped", "FINDING"
+FEWEST_DIGITS = 6.0
+MOST_DIGITS = 16.0
+SMALL_MOVE = 1e-8  # a body that moves less than this part of the other's displacement may as well rest
+
+
+@dataclasses.dataclass(frozen=True)
+class Verdict:
+    outcome: str
+    digits: float = math.nan  # of a right result: the fewest of all compared quantities
+    text: str = ""            # the program's reason, or what is wrong
+
+
+def _first(text, *words):
+    """The first line that holds one of the words."""
+    return next((line.strip() for line in text.splitlines() if any(word in line for word in words)), "")
+
+
+def digits_of(found, expected, scale):
+    """Digits that agree, relative to the largest entry of `expected` or to `scale` if that is larger."""
+    found, expected = np.asarray(found, dtype=float), np.asarray(expected, dtype=float)
+    unit = max(np.abs(expected).max(initial=0.0), scale)
+    error = np.abs(found - expected).max(initial=0.0)
+    if not np.isfinite(error):
+        return -math.inf
+    if error == 0.0:
+        return MOST_DIGITS
+    return min(MOST_DIGITS, -math.log10(error / unit)) if unit > 0.0 else -math.inf
+
+
+def compare(answer, scene, contact, summary, floor=0.0):
+    """Digits by quantity. floor: forces below this part of E times the largest displacement are round-off."""
+    rows = sorted(contact, key=lambda row: float(row["x"]))
+    column = lambda name: np.array([float(row[name]) for row in rows])
+    swapped = summary["interfaces"][0]["dirichlet_body"] == "lower"
+    first, second = ("u_neumann", "u_dirichlet") if swapped else ("u_dirichlet", "u_neumann")
+    sign = 1.0 if swapped else -1.0
+    energies = {body["name"]: body["energy"] for body in summary["bodies"]}
+    force = float(max(answer.load, floor * max(scene.upper.young, scene.lower.young) * answer.move))
+    expected = [float(e) for e in answer.energies]
+    move = float(answer.move)
+    rest = max(floor, SMALL_MOVE) * move
+    digits = {"upper displacement": digits_of(sign * column(first), answer.u_upper, rest),
+              "lower displacement": digits_of(sign * column(second), answer.u_lower, rest),
+              "contact force": digits_of(-column("nodal_force"), answer.force, force)}
+    for name, energy in zip(("upper", "lower"), expected):
+        least = max(floor, SMALL_MOVE ** 2) * force * move
+        digits[f"energy of {name}"] = digits_of([energies[name]], [energy], least)
+    return digits
+
+
+def not_finite(folder):
+    """Name of a number in the files that is not finite; empty if all are."""
+    for path in sorted(folder.glob("*.contact.csv")):
+        for row in csv.DictReader(path.read_text().splitlines()):
+            for name, value in row.items():
+                if name != "interface" and not math.isfinite(float(value)):
+                    return f"{name} in {path.name}"
+    for path in sorted(folder.glob("*.e")):
+        with netCDF4.Dataset(path) as file:
+            for name, variable in file.variables.items():
+                if variable.dtype.kind == "f" and not np.isfinite(np.ma.filled(variable[:], 0.0)).all():
+                    return f"{name} in {path.name}"
+    return ""
+
+
+def _null(value, path=""):
+    if isinstance(value, dict):
+        return next((found for key, item in value.items() for found in [_null(item, f"{path}/{key}")] if found), "")
+    if isinstance(value, list):
+        return next((found for i, item in enumerate(value) for found in [_null(item, f"{path}/{i}")] if found), "")
+    return path if value is None else ""
+
+
+def _judge_results(summary, answer, scene, folder, floor):
+    expected = answer(scene)
+    contact = list(csv.DictReader((folder / "deck.contact.csv").read_text().splitlines()))
+    digits = compare(expected, scene, contact, summary, floor)
+    worst = min(digits, key=digits.get)
+    if digits[worst] < FEWEST_DIGITS:
+        return Verdict(FINDING, digits[worst], f"silently wrong: {worst} has {digits[worst]:.1f} digits")
+    errors = summary["errors"]
+    if errors and errors["global"]["guaranteed"] and not bound_holds(errors):
+        return Verdict(FINDING, digits[worst], "a guaranteed bound below the error against its reference")
+    return Verdict(RIGHT, digits[worst], worst)
+
+
+def bound_holds(errors):
+    """The bound against the error that the run itself measured on a finer mesh."""
+    reference_error = errors["reference"]["displacement"] if errors["reference"] else 0.0
+    return errors["global"]["absolute"] >= (1 - 1e-6) * reference_error
+
+
+def judge(run, scene, answer, folder, floor=0.0):
+    """run: a finished process (returncode, stdout, stderr), or None when it took too long."""
+    if run is None:
+        return Verdict(FINDING, text="no end within the time limit")
+    path = folder / "deck.summary.json"
+    if run.returncode == 2:
+        said = _first(run.stderr, "")
+        if "nothing was computed" not in run.stderr:
+            return Verdict(FINDING, text=f"exit code 2, but not refused before the solution: {said}")
+        return Verdict(FINDING, text="refused, yet results written") if path.exists() else Verdict(REFUSED, text=said)
+    if run.returncode not in (0, 3):
+        return Verdict(FINDING, text=f"exit code {run.returncode}: {_first(run.stderr, '')}")
+    bad = not_finite(folder)
+    summary = json.loads(path.read_text()) if path.exists() else None
+    if bad or (summary and _null({k: v for k, v in summary.items() if k not in ("errors", "coupling", "deck")})):
+        return Verdict(FINDING, text=f"not a number: {bad or 'in the summary'}")
+    if run.returncode == 3:
+        said = _first(run.stderr, "not converged", "not guaranteed", "no certificate")
+        unmarked = summary and ("not converged" in said and summary["coupling"]["converged"] or
+                                "no certificate" in said and summary["errors"])
+        if not said or unmarked:
+            return Verdict(FINDING, text="stopped without saying so")
+        return Verdict(STOPPED, text=said)
+    try:
+        return _judge_results(summary, answer, scene, folder, floor)
+    except reference.Unheld:
+        return Verdict(FINDING, text="silently wrong: an answer where nothing holds the body")
