@@ -10,3 +10,7 @@ write_basic_package_version_file(${PROJECT_BINARY_DIR}/ndframeConfigVersion.cmak
 install(FILES ${PROJECT_BINARY_DIR}/ndframeConfig.cmake ${PROJECT_BINARY_DIR}/ndframeConfigVersion.cmake
               cmake/NdframeThirdParty.cmake
         DESTINATION ${NDFRAME_CMAKE_DIR})
+
+# nddiff compares any two Exodus files; it looks for its modules in ../share/ndframe.
+install(PROGRAMS regression/nddiff DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY regression/harness DESTINATION ${CMAKE_INSTALL_DATADIR}/ndframe PATTERN __pycache__ EXCLUDE)

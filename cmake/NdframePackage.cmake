@@ -16,15 +16,34 @@ function(ndframe_package name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR})
 endfunction()
 
-# ndframe_test(NAME SOURCES ... PACKAGES ...): a GoogleTest program; every TEST in it becomes one ctest entry.
+set(NDFRAME_TEST_ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1")
+
+# Test programs spend more time in the compiler than in their own loops. Under the sanitizers they look at addresses
+# only: undefined behaviour is looked for in the packages.
+function(ndframe_compile_quickly target)
+  set_target_properties(${target} PROPERTIES NDFRAME_IS_TEST ON)
+  if(NDFRAME_SANITIZE)
+    target_compile_options(${target} PRIVATE -O0)
+  else()
+    target_compile_options(${target} PRIVATE $<$<CONFIG:Release>:-O1>)
+  endif()
+endfunction()
+
+# ndframe_test(NAME SOURCES ... PACKAGES ...): a GoogleTest program; every TEST in it becomes one ctest entry. Under the
+# sanitizers the program is one entry: to start two thousand processes would take longer than the tests.
 function(ndframe_test name)
   cmake_parse_arguments(ARG "" "" "SOURCES;PACKAGES;LIBRARIES" ${ARGN})
   add_executable(${name} ${ARG_SOURCES})
   list(TRANSFORM ARG_PACKAGES PREPEND ndframe_)
   target_link_libraries(${name} PRIVATE ndframe_options ${ARG_PACKAGES} ${ARG_LIBRARIES} GTest::gtest GTest::gmock ndframe_test_main)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
-  gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600
-                       ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1")
+  ndframe_compile_quickly(${name})
+  if(NDFRAME_SANITIZE)
+    add_test(NAME ${name} COMMAND ${name})
+    set_tests_properties(${name} PROPERTIES TIMEOUT 1500 ENVIRONMENT "${NDFRAME_TEST_ENVIRONMENT}")
+  else()
+    gtest_discover_tests(${name} DISCOVERY_TIMEOUT 60 PROPERTIES TIMEOUT 600 ENVIRONMENT "${NDFRAME_TEST_ENVIRONMENT}")
+  endif()
 endfunction()
 
 # ndframe_mpi_test(NAME RANKS r1 r2 ...): the same program again as one ctest entry per rank count.

@@ -7,6 +7,7 @@ find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
 find_package(Threads REQUIRED)
+find_package(OpenMP REQUIRED COMPONENTS CXX)
 
 function(ndframe_third_party name)
   cmake_parse_arguments(ARG "" "HEADER" "LIBRARIES;HEADER_SUFFIXES" ${ARGN})

@@ -19,7 +19,8 @@ if(NDFRAME_LLD)
   target_compile_options(ndframe_options INTERFACE -fno-reorder-blocks-and-partition)
 endif()
 if(NDFRAME_SANITIZE)
-  target_compile_options(ndframe_options INTERFACE -fsanitize=address,undefined -fno-sanitize-recover=undefined
-                                                   -fno-omit-frame-pointer)
+  target_compile_options(ndframe_options INTERFACE
+    -fsanitize=address -fno-omit-frame-pointer
+    "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:NDFRAME_IS_TEST>>>:-fsanitize=undefined;-fno-sanitize-recover=undefined>")
   target_link_options(ndframe_options INTERFACE -fsanitize=address,undefined)
 endif()

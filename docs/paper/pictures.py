@@ -9,10 +9,9 @@ import numpy
 from matplotlib.colors import LogNorm
 
 from scenes import PRINTED, PUNCH
-from tables import DEGREE, FIVE_SWEEPS
 
 SERIES = {"glob": "global bound", "dis": "discretisation", "nda": "iteration", "e_ref": "reference error"}
-MAPS = ("Error Estimation/Estimators={Global, Discretization}", DEGREE)
+MAPS = ("Error Estimation/Estimators={Global, Discretization}", "Error Estimation/Recovery/Degree=3")
 
 
 def save(figure, path):
@@ -103,7 +102,7 @@ def contact_forces(runs, path):
 def draw_all(ndframe, tables, folder, cells):
     gamma(tables["table1"], folder / "figure5.png")
     errors(tables["table1"], folder / "figure6.png")
-    loose = PUNCH.run(ndframe, cells, *MAPS, FIVE_SWEEPS)
+    loose = PUNCH.run(ndframe, cells, *MAPS)
     tight = PUNCH.run(ndframe, cells, *MAPS, "Coupling/Stopping/Tolerance=0.01")
     monolithic = PUNCH.run(ndframe, cells, "Coupling/Type=Monolithic")
     five, more = "five sweeps", f"eps_tau < 0.01 ({tight.summary['coupling']['sweeps']} sweeps)"

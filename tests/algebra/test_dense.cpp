@@ -1,3 +1,5 @@
+#include <cmath>
+
 #include <gtest/gtest.h>
 
 #include "algebra/sample_bodies.hpp"
@@ -212,6 +214,20 @@ TEST(PseudoInverse, OfNothingIsNothing)
   const DenseMatrix P = pseudoInverse(DenseMatrix(0, 3), 1e-12);
   EXPECT_EQ(P.rows(), 3);
   EXPECT_EQ(P.cols(), 0);
+}
+
+TEST(SymmetricEigenvalues, AreThoseOfAKnownMatrixInAscendingOrder)
+{
+  DenseMatrix A(3, 3);
+  const double entries[3][3] = {{2, -1, 0}, {-1, 2, -1}, {0, -1, 2}};
+  for (int i = 0; i < 3; ++i)
+    for (int j = 0; j <= i; ++j)
+      A(i, j) = entries[i][j];
+  const Vector values = symmetricEigenvalues(A);
+  ASSERT_EQ(values.size(), 3u);
+  for (std::size_t k = 0; k < 3; ++k)
+    EXPECT_NEAR(values[k], 2.0 + (double(k) - 1.0) * std::sqrt(2.0), 1e-14);
+  EXPECT_TRUE(symmetricEigenvalues(DenseMatrix()).empty());
 }
 
 } // namespace ndframe

@@ -2,6 +2,8 @@
 #include <fstream>
 
 #include <gmock/gmock.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
 #include "base/sample_spec.hpp"
 #include "ndframe/base/deck.hpp"
@@ -111,9 +113,19 @@ TEST(Deck, ThatIsEmptyIsRefused)
   EXPECT_EQ(readingError(file.path()), file.path() + ":1: is empty; a deck is one <ParameterList> in XML.");
 }
 
-TEST(Deck, ThatNeverEndsIsRefused)
+TEST(Deck, ThatIsNoRegularFileIsRefused)
 {
-  EXPECT_THAT(readingError("/dev/zero"), HasSubstr("is larger than 4 MB"));
+  const std::string pipe = testing::TempDir() + "deck-pipe-" + std::to_string(getpid());
+  ASSERT_EQ(mkfifo(pipe.c_str(), 0600), 0); // nobody will ever write
+  EXPECT_EQ(readingError(pipe), pipe + ": is not a regular file.");
+  std::filesystem::remove(pipe);
+  EXPECT_EQ(readingError("/dev/zero"), "/dev/zero: is not a regular file.");
+}
+
+TEST(Deck, ThatIsLargeIsRefused)
+{
+  const TemporaryFile file(std::string(std::size_t(5) << 20, ' '));
+  EXPECT_THAT(readingError(file.path()), HasSubstr("is larger than 4 MB"));
 }
 
 TEST(Deck, ThatIsAnotherProgramsBinaryIsRefused)

@@ -54,6 +54,20 @@ TEST(Ledger, AddsStagesOfTheSameNameAndKeepsTheirOrder)
   EXPECT_GE(ledger.stages()[0].seconds, 0.0);
 }
 
+TEST(Ledger, RestartsWithNothing)
+{
+  Ledger ledger;
+  ledger.count("factorisations");
+  {
+    const auto timer = ledger.time("factor");
+  }
+  ledger.restart();
+  EXPECT_TRUE(ledger.counts().empty());
+  EXPECT_TRUE(ledger.stages().empty());
+  ledger.count("factorisations");
+  EXPECT_EQ(ledger.counted("factorisations"), 1);
+}
+
 TEST(Ledger, TimesFromConstructionToDestruction)
 {
   Ledger ledger;

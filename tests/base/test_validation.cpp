@@ -112,3 +112,46 @@ TEST(Validation, CallsProgrammersMistakesBugs)
   EXPECT_THROW(params.sub("Output"), InternalError);
   EXPECT_THROW(params.expression("Title"), InternalError);
 }
+
+namespace
+{
+
+/// A deck of user-named parameters, each a text, beside one with a name of its own.
+ListSpec namedTexts()
+{
+  ListSpec spec;
+  spec.name = "deck";
+  spec.params = {ParamSpec("Known", 1, "A number.")};
+  spec.eachParam = ParamSpec::required("PATH", Kind::String, "A text.");
+  return spec;
+}
+
+} // namespace
+
+TEST(Validation, TakesNamedParametersOfOneKind)
+{
+  const Params params = validated(R"(<ParameterList name="deck">
+    <Parameter name="Known" type="int" value="2"/>
+    <Parameter name="Coupling/Theta" type="string" value="0.5; 0.6"/>
+    <Parameter name="Cells" type="string" value="{4, 4}; {8, 8}"/>
+  </ParameterList>)",
+                                  namedTexts());
+  EXPECT_EQ(params.get<int>("Known"), 2);
+  EXPECT_EQ(params.get<std::string>("Coupling/Theta"), "0.5; 0.6");
+  EXPECT_EQ(params.get<std::string>("Cells"), "{4, 4}; {8, 8}");
+}
+
+TEST(Validation, RefusesNamedParametersOfAnotherKind)
+{
+  const std::string deck = R"(<ParameterList name="deck">
+    <Parameter name="Theta" type="double" value="0.5"/>
+  </ParameterList>)";
+  EXPECT_THROW(validated(deck, namedTexts()), InputError);
+}
+
+TEST(Validation, RefusesPathsWhereNoParametersAreNamed)
+{
+  std::string deck = smallestDeck();
+  deck.replace(deck.find("\"Young Modulus\""), 15, "\"Young/Modulus\"");
+  EXPECT_THROW(validated(deck), InputError);
+}

@@ -80,6 +80,9 @@ INSTANTIATE_TEST_SUITE_P(
         WrongDeck{"SlashInName", "name=\"upper\"", "name=\"up/per\"",
                   "deck.xml:10: Bodies: the name \"up/per\" is not valid: a name is not empty, holds no \"/\", neither "
                   "begins nor ends with a space."},
+        WrongDeck{"SpaceInParameter", "name=\"Gap\"", "name=\" Gap\"",
+                  "deck.xml:8: the name \" Gap\" is not valid: a name is not empty, neither begins nor ends with a "
+                  "space."},
         WrongDeck{"UnknownAttribute", "name=\"Gap\" type", "name=\"Gap\" typ",
                   "deck.xml:8: <Parameter> takes no attribute \"typ\"; it takes name, type, value.\n"
                   "deck.xml:8: <Parameter name=\"Gap\"> has no attribute \"type\" (bool, int, double, string, "

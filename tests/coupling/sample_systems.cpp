@@ -170,6 +170,39 @@ InterfaceSystem randomSystem(unsigned seed, bool floats)
   return system;
 }
 
+InterfaceSystem floatingNeumannSystem(unsigned seed)
+{
+  const int n = 9;
+  InterfaceSystem system = emptySystem(n);
+  std::vector<int> all(static_cast<std::size_t>(n));
+  std::iota(all.begin(), all.end(), 0);
+  DenseMatrix S2 = floatingChain(n);
+  for (int i = 0; i < n * n; ++i)
+    S2.data()[i] *= 10.0;
+  Vector load = randomNumbers(n, seed + 4);
+  for (double& value : load)
+    value = 0.5 * value - 0.3;
+  system.gap = randomNumbers(n, seed + 2);
+  for (double& gap : system.gap)
+    gap = 0.3 * std::abs(gap);
+  system.bodies.push_back(makeBody(all, true, mildStiffness(n, seed + 1, 0.8), randomNumbers(n, seed + 3)));
+  system.bodies.push_back(makeBody(all, false, std::move(S2), std::move(load), true));
+  return system;
+}
+
+InterfaceSystem exchanged(InterfaceSystem system)
+{
+  for (auto& body : system.bodies) {
+    for (char& side : body.onDirichletSide)
+      side = !side;
+    for (double& g : body.g)
+      g = -g;
+    for (int i = 0; i < body.freeMotions.rows() * body.freeMotions.cols(); ++i)
+      body.freeMotions.data()[i] *= -1.0;
+  }
+  return system;
+}
+
 void expectEquilibrium(const InterfaceSystem& system, const InterfaceState& state, double tolerance)
 {
   for (const auto& body : system.bodies) {

@@ -40,6 +40,11 @@ InterfaceSystem patchSystem();
 /// A held (or floating) body over another one, random loads and gaps: part of the contact opens.
 InterfaceSystem randomSystem(unsigned seed, bool floats);
 
+/// A held body below which a floating one is pressed up, random loads and gaps: part of the contact opens.
+InterfaceSystem floatingNeumannSystem(unsigned seed);
+/// The same scene with the roles exchanged: what is counted along n_c changes its sign.
+InterfaceSystem exchanged(InterfaceSystem system);
+
 /// Every body's equation: S1 u1 = g1 + C Lambda_dir,  S2 u2 = g2 - C Lambda_neu, and the tractions belong to the
 /// forces.
 void expectEquilibrium(const InterfaceSystem& system, const InterfaceState& state, double tolerance = 1e-11);

@@ -68,10 +68,9 @@ TEST(Monolithic, HasOneSweepAndNoIterationError)
     EXPECT_NEAR(traction, -1.0, 1e-13);
 }
 
-TEST(Monolithic, KnowsThatItDoesNotAlternate)
+TEST(Monolithic, KnowsNoRoles)
 {
-  EXPECT_FALSE(makeCoupling(text("Type", "Monolithic"))->alternates());
-  EXPECT_TRUE(makeCoupling(text("Type", "Neumann-Dirichlet"))->alternates());
+  EXPECT_EQ(makeCoupling(text("Type", "Monolithic"))->roles(), Roles::None);
 }
 
 TEST(Monolithic, NeumannBodyMayFloatWhenContactHoldsIt)

@@ -24,7 +24,7 @@ CouplingResult verdict(const Stopping& stopping, const Vector& epsTau, const Vec
     record.forceDirichlet = force[i];
     result.history.push_back(record);
   }
-  const bool ends = stopping.ends(result);
+  const bool ends = stopping.ends(result, false);
   EXPECT_EQ(ends, !result.reason.empty());
   return result;
 }
@@ -96,4 +96,14 @@ TEST(Stopping, ForcesThatGrowWithoutBoundDiverge)
   EXPECT_FALSE(result.converged);
   EXPECT_THAT(result.reason, HasSubstr("diverges (sweep 3); a smaller Theta or Aitken may help"));
   EXPECT_THAT(verdict(Stopping(0.1, 100), {2.0, std::nan("")}, {-1.0, std::nan("")}).reason, HasSubstr("diverges"));
+}
+
+TEST(Stopping, EndsWhereTheForcesAgreeToRoundOff)
+{
+  CouplingResult result;
+  result.history.emplace_back();
+  result.history.back().epsTau = 0.3;
+  EXPECT_TRUE(Stopping(0.1, 10).ends(result, true));
+  EXPECT_TRUE(result.converged);
+  EXPECT_THAT(result.reason, HasSubstr("agree to round-off of the loads (eps_tau 0.3)"));
 }

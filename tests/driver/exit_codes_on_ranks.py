@@ -7,6 +7,7 @@ import tempfile
 MPIEXEC, NDFRAME, DECK = sys.argv[1:]
 
 CASES = [
+    (2, "--yardstick", "--yardstick measures one process; run it without mpirun"),
     (2, "Linear Solver/Type=Cholmod", "Cholmod"),
     (2, "Coupling/Stopping/Tolerence=1", 'did you mean "Tolerance"?'),
     (2, "Interfaces/contact/Neumann Side=roof", 'has no side "roof"'),
@@ -16,9 +17,10 @@ CASES = [
     (4, "Expect/the punch is in equilibrium/Value=2", "MISSED the punch is in equilibrium"),
 ]
 
-for code, setting, message in CASES:
+for code, change, message in CASES:
+    arguments = [change] if change.startswith("--") else ["--set", change]
     with tempfile.TemporaryDirectory() as folder:
-        command = [MPIEXEC, "--oversubscribe", "-np", "2", NDFRAME, "-q", "-i", DECK, "--set", setting]
+        command = [MPIEXEC, "--oversubscribe", "-np", "2", NDFRAME, "-q", "-i", DECK, *arguments]
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=120)
-        assert done.returncode == code, f"{setting}: exit code {done.returncode}\n{done.stdout}{done.stderr}"
-        assert done.stderr.count(message) == 1, f"{setting}: one rank speaks\n{done.stderr}"
+        assert done.returncode == code, f"{change}: exit code {done.returncode}\n{done.stdout}{done.stderr}"
+        assert done.stderr.count(message) == 1, f"{change}: one rank speaks\n{done.stderr}"

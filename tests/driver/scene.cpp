@@ -59,7 +59,7 @@ std::vector<std::string> shippedDecks()
 {
   std::vector<std::string> names;
   for (const auto& entry : std::filesystem::directory_iterator(NDFRAME_DECKS))
-    if (entry.path().extension() == ".xml")
+    if (entry.path().extension() == ".xml" && readDeck(entry.path().string()).findList("Study") == nullptr)
       names.push_back(entry.path().stem().string());
   std::sort(names.begin(), names.end());
   return names;

@@ -72,7 +72,7 @@ RunSummary contactSummary()
   summary.interfaces = {interface};
   const SweepSummary first{1, 2.0, 0.5, 1, 2, 60, 1, -1.0, 0.0, 0.0, "first"};
   const SweepSummary second{2, std::numeric_limits<double>::quiet_NaN(), 0.5, 0, 1, 60, 1, -1.0, -0.5, 0.0, ""};
-  summary.coupling = CouplingSummary{"Neumann-Dirichlet", 2, true, "eps_tau 0.091 < 0.1", {first, second}};
+  summary.coupling = CouplingSummary{"Neumann-Dirichlet", 2, true, "eps_tau 0.091 < 0.1", {first, second}, {}};
   summary.errors = sampleErrors();
   summary.expectations = {{"coupling/sweeps", 2.0, 2.0, 0.0, true}};
   return summary;

@@ -71,7 +71,7 @@ TEST(ExodusWriter, FullDiskIsNamed)
       const FileSizeLimit full{rlim_t(limit)};
       writeAtomically(folder.file("a.e"), [](const auto& path) { Sample().write(path); });
     };
-    EXPECT_THAT(write, ThrowsMessage<InputError>(HasSubstr("Exodus could not write"))) << limit << " of " << bytes;
+    EXPECT_THAT(write, ThrowsMessage<InputError>(HasSubstr("File too large"))) << limit << " of " << bytes;
     EXPECT_EQ(folder.numEntries(), 0);
   }
 }

@@ -49,6 +49,19 @@ TEST(CheckMesh, RefusesVerticesOutOfRange)
   EXPECT_THAT(checkMesh(mesh), ElementsAre("cell 1 names the vertex 7, but the mesh has only 4 points."));
 }
 
+TEST(CheckMesh, RefusesCellsThatAreTooSmallForTheirDistanceFromTheOrigin)
+{
+  const auto movedBy = [](double distance) {
+    Mesh mesh = square();
+    for (double& x : mesh.points)
+      x += distance;
+    return checkMesh(mesh);
+  };
+  EXPECT_THAT(movedBy(1e9), IsEmpty());
+  EXPECT_THAT(movedBy(1e10), ElementsAre(HasSubstr("2 of 2 cells are too small so far from the origin")));
+  EXPECT_THAT(movedBy(1e15), ElementsAre(HasSubstr("move the mesh towards the origin")));
+}
+
 TEST(CheckMesh, RefusesCoordinatesThatAreNotFinite)
 {
   Mesh mesh = square();

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "serial_openmp.hpp"
 
 namespace ndframe
 {
@@ -17,7 +18,30 @@ namespace
 /// (length over height)^-3 only; those of singular ones were measured up to 5e-13 with 250 000 dofs.
 constexpr double smallestPivot = 1e-12;
 
-/// CHOLMOD's view of a matrix of ours; nothing is copied.
+cholmod_dense viewOf(DenseMatrix& X)
+{
+  cholmod_dense view{};
+  view.nrow = view.d = std::size_t(X.rows());
+  view.ncol = std::size_t(X.cols());
+  view.nzmax = view.nrow * view.ncol;
+  view.x = X.data();
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  return view;
+}
+
+[[noreturn]] void failCholmod(const cholmod_common& common, int numKept)
+{
+  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
+    throw InputError(fmt::format(
+        "The Cholesky factor does not fit into memory: it takes {:.1f} GB, {:.1f} GB of it for the {} nodes on the "
+        "interface; use Krylov as linear solver or a coarser mesh.",
+        8e-9 * common.lnz, 4e-9 * double(numKept) * numKept, numKept));
+  throw InternalError(fmt::format("CHOLMOD failed with status {}", common.status));
+}
+
+} // namespace
+
 cholmod_sparse viewOf(UpperTriangle& A)
 {
   cholmod_sparse view{};
@@ -34,27 +58,6 @@ cholmod_sparse viewOf(UpperTriangle& A)
   return view;
 }
 
-cholmod_dense viewOf(DenseMatrix& X)
-{
-  cholmod_dense view{};
-  view.nrow = view.d = std::size_t(X.rows());
-  view.ncol = std::size_t(X.cols());
-  view.nzmax = view.nrow * view.ncol;
-  view.x = X.data();
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  return view;
-}
-
-[[noreturn]] void failCholmod(int status)
-{
-  if (status == CHOLMOD_OUT_OF_MEMORY || status == CHOLMOD_TOO_LARGE)
-    throw InputError("The Cholesky factor does not fit into memory; use Krylov as linear solver or a coarser mesh.");
-  throw InternalError(fmt::format("CHOLMOD failed with status {}", status));
-}
-
-} // namespace
-
 CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept) : numKept_(numKept)
 {
   cholmod_start(&common_);
@@ -66,9 +69,10 @@ CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKep
     cholmod_sparse view = viewOf(A);
     analyse(view, std::move(order));
     numNonzeros_ = std::int64_t(common_.lnz);
+    const SerialOpenMp serial;
     cholmod_factorize(&view, factor_, &common_);
     if (common_.status < CHOLMOD_OK)
-      failCholmod(common_.status);
+      failCholmod(common_, numKept_);
     if (common_.status == CHOLMOD_NOT_POSDEF)
       throw BadPivot{this->order(int(factor_->minor))};
     checkPivots(A);
@@ -92,7 +96,7 @@ void CholmodFactor::analyse(cholmod_sparse& view, std::vector<int> order)
 {
   factor_ = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common_);
   if (common_.status < CHOLMOD_OK)
-    failCholmod(common_.status);
+    failCholmod(common_, numKept_);
   if (keptAreLast(order))
     return;
   std::vector<char> isKept(order.size(), 0);
@@ -104,7 +108,7 @@ void CholmodFactor::analyse(cholmod_sparse& view, std::vector<int> order)
   common_.postorder = 0;
   factor_ = cholmod_analyze_p(&view, order.data(), nullptr, 0, &common_);
   if (common_.status < CHOLMOD_OK)
-    failCholmod(common_.status);
+    failCholmod(common_, numKept_);
   NDFRAME_ASSERT(keptAreLast(order), "CHOLMOD moved the kept dofs although postordering is off");
 }
 

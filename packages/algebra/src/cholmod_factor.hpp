@@ -22,6 +22,9 @@ struct UpperTriangle
   double diagonal(int column) const { return values[std::size_t(colPtr[std::size_t(column) + 1]) - 1]; }
 };
 
+/// CHOLMOD's view of a matrix of ours; nothing is copied.
+cholmod_sparse viewOf(UpperTriangle& A);
+
 /// A pivot that is not positive, or nothing but round-off.
 struct BadPivot
 {

@@ -75,17 +75,6 @@ DenseCholesky::DenseCholesky(DenseMatrix A, double relativePivot) : factor_(std:
     throw NotPositiveDefinite{info - 1};
 }
 
-Vector DenseCholesky::solve(Vector b) const
-{
-  const int n = factor_.rows(), one = 1;
-  NDFRAME_ASSERT(n == int(b.size()), "shapes do not match");
-  int info = 0;
-  if (n > 0)
-    dpotrs_("L", &n, &one, factor_.data(), &n, b.data(), &n, &info);
-  NDFRAME_ASSERT(info == 0, "dpotrs refused an argument");
-  return b;
-}
-
 namespace
 {
 
@@ -100,6 +89,12 @@ Vector solveTriangle(const DenseMatrix& L, CBLAS_TRANSPOSE transposed, Vector b)
 }
 
 } // namespace
+
+/// Not dpotrs, which packs the triangle anew for every call: most of its time, when there is one right-hand side.
+Vector DenseCholesky::solve(Vector b) const
+{
+  return solveUpper(solveLower(std::move(b)));
+}
 
 Vector DenseCholesky::solveLower(Vector b) const
 {
@@ -164,6 +159,18 @@ DenseMatrix pseudoInverse(const DenseMatrix& A, double relativeTolerance)
       for (int i = 0; i < m; ++i)
         leftT(k, i) = left(i, k) / value;
   return multiplyTransposed(rightT, leftT);
+}
+
+Vector symmetricEigenvalues(DenseMatrix A)
+{
+  const int n = A.rows(), workSize = 3 * n;
+  NDFRAME_ASSERT(n == A.cols(), "eigenvalues need a square matrix");
+  Vector values(static_cast<std::size_t>(n)), work(static_cast<std::size_t>(workSize));
+  int info = 0;
+  if (n > 0)
+    dsyev_("N", "L", &n, A.data(), &n, values.data(), work.data(), &workSize, &info);
+  NDFRAME_ASSERT(info == 0, "dsyev found no eigenvalues");
+  return values;
 }
 
 double dot(const Vector& a, const Vector& b)

@@ -16,6 +16,7 @@ public:
   }
   std::string name(int ranks) const override { return choose(ranks)->name(ranks); }
   bool needsMpi(int ranks) const override { return choose(ranks)->needsMpi(ranks); }
+  bool allowsThreads(int ranks) const override { return choose(ranks)->allowsThreads(ranks); }
 
 private:
   static std::unique_ptr<LinearSolver> choose(int ranks) { return ranks == 1 ? makeCholmod() : makeMumps(); }

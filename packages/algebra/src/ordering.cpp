@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <limits>
+#include <mutex>
+#include <new>
 
 #include <metis.h>
 #include <mpi.h>
@@ -15,6 +17,10 @@ namespace
 {
 
 using Indices = std::vector<idx_t>;
+
+/// METIS draws from the random numbers of the whole process, which it seeds at every call: while two threads order at
+/// the same time, both get other orders in every run.
+std::mutex metisIsBusy;
 
 /// The nodes that have interior dofs, numbered in ascending order.
 struct InteriorNodes
@@ -93,16 +99,11 @@ GraphRows gathered(GraphRows own, const Comm& comm)
 }
 
 /// METIS's arrays from rows in any order.
-struct Adjacency
+NodeGraph sortedByVertex(GraphRows rows, std::vector<int> nodes)
 {
-  Indices starts;
-  Indices neighbours;
-};
-
-Adjacency sortedByVertex(GraphRows rows, std::size_t numVertices)
-{
+  const std::size_t numVertices = nodes.size();
   NDFRAME_ASSERT(rows.vertices.size() == numVertices, "every node must be owned by one rank");
-  Adjacency graph{Indices(numVertices + 1, 0), {}};
+  NodeGraph graph{std::move(nodes), Indices(numVertices + 1, 0), {}};
   for (std::size_t r = 0; r < numVertices; ++r)
     graph.starts[std::size_t(rows.vertices[r]) + 1] = rows.degrees[r];
   for (std::size_t v = 0; v < numVertices; ++v)
@@ -120,10 +121,18 @@ Adjacency sortedByVertex(GraphRows rows, std::size_t numVertices)
   return graph;
 }
 
-/// Position -> vertex.
-Indices nestedDissection(Adjacency graph)
+} // namespace
+
+NodeGraph interiorGraph(const SolverProblem& problem, const Comm& comm)
 {
-  const std::size_t size = graph.starts.size() - 1;
+  InteriorNodes interior = findInteriorNodes(problem);
+  GraphRows rows = gathered(ownRows(*problem.matrix, interior), comm);
+  return comm.rank() == 0 ? sortedByVertex(std::move(rows), std::move(interior.nodes)) : NodeGraph{};
+}
+
+std::vector<int> nestedDissection(NodeGraph graph)
+{
+  const std::size_t size = graph.nodes.size();
   Indices vertexAt(size), position(size), options(METIS_NOPTIONS);
   if (size == 0)
     return vertexAt;
@@ -132,29 +141,34 @@ Indices nestedDissection(Adjacency graph)
   idx_t numVertices = idx_t(size);
   const int status = METIS_NodeND(&numVertices, graph.starts.data(), graph.neighbours.data(), nullptr, options.data(),
                                   vertexAt.data(), position.data());
+  if (status == METIS_ERROR_MEMORY)
+    throw std::bad_alloc();
   NDFRAME_ASSERT(status == METIS_OK, "METIS_NodeND failed");
+  for (int& vertex : vertexAt)
+    vertex = graph.nodes[std::size_t(vertex)];
   return vertexAt;
 }
 
-} // namespace
-
-std::vector<int> eliminationOrder(const SolverProblem& problem, const FreeDofs& free, const Comm& comm, Ledger& ledger)
+std::vector<int> freeOrder(const SolverProblem& problem, const FreeDofs& free, const std::vector<int>& nodes)
 {
-  const auto timer = ledger.time("order");
   const int dim = problem.matrix->dim;
-  const InteriorNodes interior = findInteriorNodes(problem);
-  GraphRows rows = gathered(ownRows(*problem.matrix, interior), comm);
-  if (comm.rank() != 0)
-    return {};
   std::vector<int> order;
   order.reserve(free.dofs.size());
-  for (const idx_t vertex : nestedDissection(sortedByVertex(std::move(rows), interior.nodes.size())))
-    for (int i = 0, dof = interior.nodes[std::size_t(vertex)] * dim; i < dim; ++i, ++dof)
+  for (const int node : nodes)
+    for (int dof = node * dim; dof < (node + 1) * dim; ++dof)
       if (problem.roles[std::size_t(dof)] == DofRole::Interior)
         order.push_back(free.number[std::size_t(dof)]);
   for (const int dof : problem.kept)
     order.push_back(free.number[std::size_t(dof)]);
   return order;
+}
+
+std::vector<int> eliminationOrder(const SolverProblem& problem, const FreeDofs& free, const Comm& comm, Ledger& ledger)
+{
+  const std::lock_guard<std::mutex> alone(metisIsBusy); // waiting is not timed
+  const auto timer = ledger.time("order");
+  NodeGraph graph = interiorGraph(problem, comm);
+  return comm.rank() == 0 ? freeOrder(problem, free, nestedDissection(std::move(graph))) : std::vector<int>{};
 }
 
 } // namespace ndframe

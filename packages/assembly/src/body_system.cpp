@@ -74,15 +74,25 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
 
 } // namespace
 
-Vector assembleLoad(const BodyModel& body, const Frames& frames)
+Vector integrateLoads(const BodyModel& body)
 {
   Vector load(std::size_t(body.numDofs()), 0.0);
   for (const auto& term : body.loads)
     term->addTo(load, body.mesh, body.nodes);
-  return frames.toLocal(load);
+  return load;
+}
+
+Vector assembleLoad(const BodyModel& body, const Frames& frames)
+{
+  return frames.toLocal(integrateLoads(body));
 }
 
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes)
+{
+  return assembleBody(body, std::move(dofs), std::move(ownedNodes), integrateLoads(body));
+}
+
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes, const Vector& load)
 {
   BodySystem system{std::move(dofs), makeSparsity(body.nodes, std::move(ownedNodes)), {}};
   std::vector<int> rowIndex(std::size_t(body.nodes.numNodes()), -1);
@@ -90,7 +100,7 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> 
     rowIndex[std::size_t(system.K.rows[r])] = int(r);
   withDimAndOrder(body.mesh.dim, body.nodes.order,
                   [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, rowIndex); });
-  system.load = assembleLoad(body, system.dofs.frames);
+  system.load = system.dofs.frames.toLocal(load);
   return system;
 }
 

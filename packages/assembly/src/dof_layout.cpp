@@ -133,6 +133,16 @@ Vector Frames::toGlobal(const Vector& local) const
   return global;
 }
 
+bool Frames::operator==(const Frames& other) const
+{
+  return dim_ == other.dim_ && index_ == other.index_ && axes_ == other.axes_;
+}
+
+bool DofLayout::splitsLike(const DofLayout& other) const
+{
+  return frames == other.frames && roles == other.roles && keptDofs() == other.keptDofs();
+}
+
 std::vector<int> DofLayout::keptDofs() const
 {
   std::vector<int> kept;

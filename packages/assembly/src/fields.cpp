@@ -1,6 +1,7 @@
 #include "ndframe/assembly/fields.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "ndframe/assembly/cell_field.hpp"
 
@@ -65,9 +66,10 @@ std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vecto
                          [&](auto d, auto p) { return stressAtCentroids<d(), p()>(body, displacement); });
 }
 
-double energy(const BodySystem& system, const Vector& u, const Comm& comm)
+double energy(const BodyModel& body, const Vector& displacement)
 {
-  return dot(u, multiply(system.K, u, comm));
+  const Vector ofCells = cellEnergies(body, displacement);
+  return std::accumulate(ofCells.begin(), ofCells.end(), 0.0);
 }
 
 } // namespace ndframe

@@ -33,8 +33,11 @@ std::string readText(const std::string& path)
 {
   const auto refuse = [&](const std::string& message) { throw InputError(Diagnostic{path, 0, {}, message}); };
   std::error_code ignored;
-  if (std::filesystem::is_directory(path, ignored))
+  const auto status = std::filesystem::status(path, ignored);
+  if (std::filesystem::is_directory(status))
     refuse("is a directory, not a deck.");
+  if (std::filesystem::exists(status) && !std::filesystem::is_regular_file(status))
+    refuse("is not a regular file."); // a pipe could wait for ever
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file)
@@ -51,14 +54,14 @@ std::string readText(const std::string& path)
   return text;
 }
 
-/// The list at `path` below `deck`, created where it does not exist.
-DeckList& listAt(DeckList& deck, const std::vector<std::string>& path)
+/// The list at `path` below `deck`; lists that do not exist are created where the setting stands.
+DeckList& listAt(DeckList& deck, const std::vector<std::string>& path, const Setting& setting)
 {
   DeckList* list = &deck;
   for (const auto& name : path) {
     auto* next = findByName(list->lists, name);
     if (next == nullptr) {
-      list->lists.push_back({name, {}, 0, {}, {}});
+      list->lists.push_back({name, setting.file, setting.line, {}, {}});
       next = &list->lists.back();
     }
     list = next;
@@ -83,6 +86,32 @@ DeckList readDeck(const std::string& path)
   return parseDeck(readText(path), path);
 }
 
+void applySetting(DeckList& deck, const Setting& setting, Diagnostics& diagnostics)
+{
+  const auto refuse = [&](const std::string& reason) {
+    diagnostics.add({setting.file.empty() ? "--set" : setting.file,
+                     setting.line,
+                     {},
+                     fmt::format("{} {}; write \"List/Sublist/Key=value\".",
+                                 inQuotes(setting.path + "=" + setting.value), reason)});
+  };
+  std::vector<std::string> path;
+  for (const auto& part : split(setting.path, "/"))
+    path.emplace_back(trimmed(part));
+  if (std::any_of(path.begin(), path.end(), [](const std::string& part) { return part.empty(); }))
+    return refuse("has an empty name before the \"=\"");
+  if (path.size() > maxDepth)
+    return refuse("is nested too deeply");
+  const std::string key = path.back();
+  path.pop_back();
+  DeckList& list = listAt(deck, path, setting);
+  const DeckEntry entry{key, {}, setting.value, setting.file, setting.line};
+  if (auto* existing = findByName(list.entries, key))
+    *existing = entry;
+  else
+    list.entries.push_back(entry);
+}
+
 void applySetting(DeckList& deck, const std::string& setting, Diagnostics& diagnostics)
 {
   const auto refuse = [&](const std::string& reason) {
@@ -94,21 +123,7 @@ void applySetting(DeckList& deck, const std::string& setting, Diagnostics& diagn
   const auto equals = setting.find('=');
   if (equals == std::string::npos)
     return refuse("has no \"=\"");
-  std::vector<std::string> path;
-  for (const auto& part : split(setting.substr(0, equals), "/"))
-    path.emplace_back(trimmed(part));
-  if (std::any_of(path.begin(), path.end(), [](const std::string& part) { return part.empty(); }))
-    return refuse("has an empty name before the \"=\"");
-  if (path.size() > maxDepth)
-    return refuse("is nested too deeply");
-  const std::string key = path.back();
-  path.pop_back();
-  DeckList& list = listAt(deck, path);
-  const DeckEntry entry{key, {}, setting.substr(equals + 1), {}, 0};
-  if (auto* existing = findByName(list.entries, key))
-    *existing = entry;
-  else
-    list.entries.push_back(entry);
+  applySetting(deck, Setting{setting.substr(0, equals), setting.substr(equals + 1), {}, 0}, diagnostics);
 }
 
 } // namespace ndframe

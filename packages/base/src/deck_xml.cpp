@@ -180,7 +180,7 @@ private:
     if (!checkAttributes(element, path, {"name"}, {}))
       return;
     DeckList list{*attribute(element, "name"), file_, element.GetLineNum(), {}, {}};
-    if (!checkName(element, path, list.name, parent))
+    if (!checkName(element, path, list.name, parent, false))
       return;
     readChildren(element, path.empty() ? list.name : path + "/" + list.name, list);
     parent.lists.push_back(std::move(list));
@@ -195,22 +195,20 @@ private:
       return;
     DeckEntry entry{*attribute(element, "name"), *attribute(element, "type"), *attribute(element, "value"), file_,
                     element.GetLineNum()};
-    if (checkName(element, path, entry.name, parent))
+    if (checkName(element, path, entry.name, parent, true)) // may be a path: of what a study varies
       parent.entries.push_back(std::move(entry));
   }
 
-  /// A name stands once in its list, whether for a parameter or a sublist, and can be written in a path.
+  /// A name stands once in its list, whether for a parameter or a sublist; a list's can be written in a path.
   bool checkName(const tinyxml2::XMLElement& element, const std::string& path, const std::string& name,
-                 const DeckList& parent)
+                 const DeckList& parent, bool slashesAreRight)
   {
     const auto* entry = parent.findEntry(name);
     const auto* list = parent.findList(name);
-    if (trimmed(name) != name || name.empty() || name.find('/') != std::string::npos)
-      mistake(
-          element, path,
-          fmt::format(
-              "the name {} is not valid: a name is not empty, holds no \"/\", neither begins nor ends with a space.",
-              inQuotes(name)));
+    if (trimmed(name) != name || name.empty() || (!slashesAreRight && name.find('/') != std::string::npos))
+      mistake(element, path,
+              fmt::format("the name {} is not valid: a name is not empty, {}neither begins nor ends with a space.",
+                          inQuotes(name), slashesAreRight ? "" : "holds no \"/\", "));
     else if (entry != nullptr || list != nullptr)
       mistake(element, path,
               fmt::format("{} is given twice, first in line {}; remove one.", inQuotes(name),

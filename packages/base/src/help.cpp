@@ -50,6 +50,8 @@ std::string listText(const ListPlace& place)
   };
   section("Parameters", paramsText(viewOf(spec, nullptr).params, 4));
   section("Lists", listsText(spec.lists, 4));
+  if (spec.eachParam)
+    section("Parameters that you name", wrapped(spec.eachParam->doc, 4));
   if (spec.each)
     section("Lists that you name", wrapped(spec.each->doc, 4));
   if (spec.passThrough)

@@ -45,6 +45,7 @@ void resetHighWaterMark()
 
 Ledger::Timer::Timer(Ledger& ledger, std::string name) : ledger_(ledger), name_(std::move(name)), start_(wallSeconds())
 {
+  const std::lock_guard<std::mutex> lock(ledger_.mutex_);
   resetHighWaterMark();
   if (ledger_.live_)
     ledger_.live_->startLive(name_);
@@ -52,6 +53,7 @@ Ledger::Timer::Timer(Ledger& ledger, std::string name) : ledger_(ledger), name_(
 
 Ledger::Timer::~Timer()
 {
+  const std::lock_guard<std::mutex> lock(ledger_.mutex_);
   if (ledger_.live_)
     ledger_.live_->stopLive();
   auto& stages = ledger_.stages_;
@@ -60,6 +62,19 @@ Ledger::Timer::~Timer()
     stage = stages.insert(stages.end(), Stage{name_, 0.0, 0});
   stage->seconds += wallSeconds() - start_;
   stage->peakBytes = std::max(stage->peakBytes, highWaterMark());
+}
+
+void Ledger::count(const std::string& what, std::int64_t amount)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counts_[what] += amount;
+}
+
+void Ledger::restart()
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counts_.clear();
+  stages_.clear();
 }
 
 std::int64_t Ledger::counted(const std::string& what) const

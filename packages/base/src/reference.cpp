@@ -24,14 +24,16 @@ std::string markdown(const std::string& text)
   return escaped;
 }
 
-std::string paramTable(const std::vector<ParamSpec>& params)
+std::string paramTable(const std::vector<ParamSpec>& params, const std::optional<ParamSpec>& each = std::nullopt)
 {
-  if (params.empty())
+  if (params.empty() && !each)
     return {};
   std::string table = "| Parameter | Type | Default | Range | |\n|---|---|---|---|---|\n";
   for (const auto& param : params)
     table += fmt::format("| `{}` | {} | {} | {} | {} |\n", param.name, markdown(kindText(param.kind)),
                          markdown(defaultText(param)), markdown(rangeText(param.range)), markdown(param.doc));
+  if (each)
+    table += fmt::format("| *any name* | {} | | | {} |\n", markdown(kindText(each->kind)), markdown(each->doc));
   return table + "\n";
 }
 
@@ -63,8 +65,8 @@ std::string listSection(const ListPlace& place)
   const std::string owner = place.owner == nullptr ? "" : fmt::format(" (of `{}`)", place.owner->name);
   const std::string handedOn = place.spec->passThrough ? "Its parameters are handed on to the library.\n\n" : "";
   return fmt::format("## {}{}\n\n{}\n\n{}", title, owner, markdown(place.spec->doc), handedOn) +
-         paramTable(viewOf(*place.spec, nullptr).params) + listTable(place.spec->lists, place.spec->each) +
-         componentSections(place);
+         paramTable(viewOf(*place.spec, nullptr).params, place.spec->eachParam) +
+         listTable(place.spec->lists, place.spec->each) + componentSections(place);
 }
 
 } // namespace

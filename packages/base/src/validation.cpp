@@ -45,21 +45,30 @@ bool belongsToAnother(const ListSpec& spec, const ComponentInfo* chosen, const s
   return !has(chosen) && std::any_of(components.begin(), components.end(), [&](const auto& c) { return has(&c); });
 }
 
+/// Decks state types, settings do not.
+bool isSetting(const DeckEntry& entry)
+{
+  return entry.type.empty();
+}
+
 /// A component chosen with `--set` replaces the deck's: what the deck says of the other one goes with it.
 DeckList withoutReplaced(DeckList given, const ListSpec& spec, const ComponentInfo* chosen)
 {
-  const auto isReplaced = [&](const auto& item) {
-    return !item.file.empty() && belongsToAnother(spec, chosen, item.name);
+  const auto isReplacedEntry = [&](const DeckEntry& entry) {
+    return !isSetting(entry) && belongsToAnother(spec, chosen, entry.name);
   };
-  given.entries.erase(std::remove_if(given.entries.begin(), given.entries.end(), isReplaced), given.entries.end());
-  given.lists.erase(std::remove_if(given.lists.begin(), given.lists.end(), isReplaced), given.lists.end());
+  const auto isReplacedList = [&](const DeckList& list) {
+    return !list.file.empty() && belongsToAnother(spec, chosen, list.name);
+  };
+  given.entries.erase(std::remove_if(given.entries.begin(), given.entries.end(), isReplacedEntry), given.entries.end());
+  given.lists.erase(std::remove_if(given.lists.begin(), given.lists.end(), isReplacedList), given.lists.end());
   return given;
 }
 
 bool isReplacedBySetting(const DeckList& given, const ListSpec& spec)
 {
   const DeckEntry* type = spec.choices ? given.findEntry("Type") : nullptr;
-  return type != nullptr && type->file.empty();
+  return type != nullptr && isSetting(*type);
 }
 
 /// Walks deck and specification together and collects what does not fit.
@@ -98,6 +107,10 @@ private:
     checkNames(given, context, path);
     for (const auto& param : context.view.params)
       addEntry(*node, given, param, context.view);
+    if (spec.eachParam)
+      for (const auto& named : given.entries)
+        if (context.view.findParam(named.name) == nullptr)
+          addGiven(*node, named, [&] { return std::pair(spec.eachParam->kind, checkedValue(named, *spec.eachParam)); });
     for (const auto* sublist : context.view.lists)
       addList(*node, given, *sublist, context.view);
     if (spec.each)
@@ -124,7 +137,7 @@ private:
   void checkNames(const DeckList& given, const ListContext& context, const std::string& path)
   {
     for (const auto& entry : given.entries)
-      if (context.view.findParam(entry.name) == nullptr)
+      if (!context.spec.eachParam && context.view.findParam(entry.name) == nullptr)
         mistake(entry.file, entry.line, path, unknownKeyMessage(context, entry.name));
     if (context.spec.each)
       return;

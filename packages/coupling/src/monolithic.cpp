@@ -12,7 +12,7 @@ namespace
 class Monolithic final : public Coupling
 {
 public:
-  bool alternates() const override { return false; }
+  Roles roles() const override { return Roles::None; }
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const override
   {
@@ -23,7 +23,9 @@ public:
     Vector bound(2 * n, 0.0);
     std::copy(system.gap.begin(), system.gap.end(), bound.begin());
     UnilateralProblem problem(*bodies.S, constrained, bodies.freeMotions, bodies.motionNames, ledger);
-    const UnilateralState status = problem.solve(bodies.g, bound, constrained);
+    std::vector<char> closed = firstStatuses(system, bodies.freeMotions.cols() > 0);
+    closed.resize(2 * n, 0);
+    const UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
 
     CouplingResult result;
     InterfaceState& state = result.state;
@@ -36,8 +38,8 @@ public:
     state.forceNeumann = state.forceDirichlet;
     state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
     result.converged = true;
-    result.reason = "both bodies solved together";
     result.history.push_back(recordSweep(1, system, state, status));
+    result.reason = areApart(result.history.back()) ? apart : "both bodies solved together";
     observe(result.history.back(), state);
     ledger.count("sweeps");
     return result;

@@ -1,74 +1,83 @@
 #include <utility>
 
+#include "dirichlet_problem.hpp"
 #include "initial_traction.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
 #include "stopping.hpp"
-#include "sweep.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-Vector sum(Vector a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] += b[i];
-  return a;
-}
+constexpr double roundOff = 1e-15;
 
 /// The Neumann-Dirichlet algorithm of section 4.2.3: Neumann problem on body 2 (25), unilateral problem on body 1 (26),
 /// relaxed update of the traction (27), until eps_tau is small. Bayada, Sabil and Sassi (2002) prove convergence for
 /// small theta.
 ///
-/// Limits: a body is Dirichlet or Neumann body on all its interfaces; the Neumann bodies must be held by their
-/// supports. The factor of convergence is about 1 - theta (1 + mu), mu the ratio of the Dirichlet to the Neumann body's
-/// stiffness.
+/// A floating Neumann body gets tractions that balance its loads - the first one is made so, and then every one is, as
+/// a mean of two - and is placed by the unilateral problem.
+///
+/// Limits: a body is Dirichlet or Neumann body on all its interfaces. The factor of convergence is 1 - theta (1 + mu),
+/// mu the ratio of the Dirichlet to the Neumann body's stiffness (role_spectrum.hpp).
 class NeumannDirichlet final : public Coupling
 {
 public:
-  NeumannDirichlet(std::shared_ptr<RelaxationController> relaxation, InitialTraction initial, Stopping stopping)
-      : relaxation_(std::move(relaxation)), initial_(initial), stopping_(stopping)
+  NeumannDirichlet(Roles roles, std::shared_ptr<RelaxationController> relaxation, InitialTraction initial,
+                   Stopping stopping)
+      : roles_(roles), relaxation_(std::move(relaxation)), initial_(initial), stopping_(stopping)
   {}
 
-  bool alternates() const override { return true; }
+  Roles roles() const override { return roles_; }
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const override
   {
     const RoleSystem body1 = gatherRole(system, true), body2 = gatherRole(system, false);
-    const NeumannProblem neumann(*body2.S, body2.g, ledger);
-    UnilateralProblem dirichlet(*body1.S, std::vector<char>(std::size_t(system.size()), 1), body1.freeMotions,
-                                body1.motionNames, ledger);
+    const NeumannProblem neumann(*body2.S, body2.g, body2.freeMotions, ledger);
+    DirichletProblem dirichlet(body1, body2, ledger);
+    const double loads = norm(body1.g) + norm(body2.g);
     CouplingResult result;
-    Vector traction = initial_(system, body1);
-    std::vector<char> closed(std::size_t(system.size()), 1);
+    Vector traction = initial_(system, body1, body2);
+    std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0);
     relaxation_->start();
     do {
       const Vector force = system.force(traction);
       Vector u2;
-      UnilateralState step;
+      DirichletStep step;
       try {
-        u2 = neumann.solve(force);                                    // (25)
-        step = dirichlet.solve(body1.g, sum(u2, system.gap), closed); // (26)
+        u2 = neumann.solve(force);                      // (25)
+        step = dirichlet.solve(u2, system.gap, closed); // (26)
       } catch (const NotConverged& failure) {
         if (result.history.empty())
           throw;
         result.reason = failure.what();
         return result;
       }
-      const Vector stepTraction = system.traction(step.force);
+      const UnilateralState& u1 = step.status;
+      const Vector stepTraction = system.traction(u1.force);
       auto relaxed = relaxation_->next(stepTraction, traction); // (27)
-      result.state = {step.u,     u2, step.force, force, stepTraction, std::exchange(traction, relaxed.traction),
-                      step.closed};
-      closed = step.closed;
-      report(system, result, step, relaxed);
+      result.state = {u1.u,     step.uNeumann, step.motions, std::move(u2),
+                      u1.force, force,         stepTraction, std::exchange(traction, relaxed.traction),
+                      u1.closed};
+      closed = u1.closed;
+      report(system, result, u1, relaxed);
       observe(result.history.back(), result.state);
       ledger.count("sweeps");
-    } while (!stopping_.ends(result));
+    } while (!stopping_.ends(result, agree(result.state, loads)));
     return result;
   }
 
 private:
+  /// Contact forces are differences of reduced loads; where bodies just touch, round-off of those is all there is.
+  static bool agree(const InterfaceState& state, double loads)
+  {
+    Vector difference = state.forceDirichlet;
+    for (std::size_t i = 0; i < difference.size(); ++i)
+      difference[i] -= state.forceNeumann[i];
+    return norm(difference) <= roundOff * loads;
+  }
+
   static void report(const InterfaceSystem& system, CouplingResult& result, const UnilateralState& step,
                      const RelaxedTraction& relaxed)
   {
@@ -80,10 +89,18 @@ private:
     result.history.push_back(std::move(record));
   }
 
+  Roles roles_;
   std::shared_ptr<RelaxationController> relaxation_;
   InitialTraction initial_;
   Stopping stopping_;
 };
+
+/// The deck's values of Dirichlet Body.
+const Names<Roles>& roleNames()
+{
+  static const Names<Roles> names{{"As Given", Roles::AsGiven}, {"Automatic", Roles::Automatic}};
+  return names;
+}
 
 } // namespace
 
@@ -97,12 +114,16 @@ void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<Relax
       "Neumann-Dirichlet",
       "Alternates a Neumann problem on one body and a unilateral problem on the other, as in the paper.",
       {{"Initial Traction", std::string("Zero"), initialTractions().range(),
-        "Traction before the first sweep: zero as in the paper, or the one that carries the resultant of a floating "
-        "Dirichlet body's loads."}},
+        "Traction before the first sweep: zero as in the paper, or the one that carries the resultants of the floating "
+        "bodies' loads. The loads of a floating Neumann body are carried in any case."},
+       {"Dirichlet Body", std::string("As Given"), roleNames().range(),
+        "Which bodies are the Dirichlet bodies: those that the interfaces name, or, Automatic, those with which the "
+        "iteration converges faster, found from the bodies' stiffnesses on the interface; the screen says why."}},
       [&relaxations](const Params& p) {
         const Params stopping = p.sub("Stopping");
         return std::make_unique<NeumannDirichlet>(
-            relaxations.build(p.sub("Relaxation")), initialTractions().value(p.get<std::string>("Initial Traction")),
+            roleNames().value(p.get<std::string>("Dirichlet Body")), relaxations.build(p.sub("Relaxation")),
+            initialTractions().value(p.get<std::string>("Initial Traction")),
             Stopping(stopping.get<double>("Tolerance"), stopping.get<int>("Maximum Sweeps")));
       },
       {relaxation, Stopping::spec()});

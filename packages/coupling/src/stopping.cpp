@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/algebra/dense.hpp"
+#include "sweep.hpp"
 
 namespace ndframe
 {
@@ -55,11 +56,16 @@ double Stopping::measure(const Vector& dirichlet, const Vector& neumann)
   return 2.0 * std::sqrt(difference / sum);
 }
 
-bool Stopping::ends(CouplingResult& result) const
+bool Stopping::ends(CouplingResult& result, bool agree) const
 {
   const SweepRecord& last = result.history.back();
-  result.converged = last.epsTau < tolerance_;
-  if (result.converged)
+  result.converged = last.epsTau < tolerance_ || agree;
+  if (areApart(last))
+    result.reason = apart;
+  else if (agree && last.epsTau >= tolerance_)
+    result.reason =
+        fmt::format("the contact forces on both sides agree to round-off of the loads (eps_tau {:.3g})", last.epsTau);
+  else if (result.converged)
     result.reason = fmt::format("eps_tau {:.3g} < {:g}", last.epsTau, tolerance_);
   else if (diverges(result.history))
     result.reason = fmt::format("the iteration diverges (sweep {}); {}", last.sweep, advice);

@@ -17,8 +17,9 @@ public:
   /// eps_tau = |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|); 0 when both vanish.
   static double measure(const Vector& dirichlet, const Vector& neumann);
 
-  /// True when the iteration must end after the sweeps in the history; fills in the verdict.
-  bool ends(CouplingResult& result) const;
+  /// True when the iteration must end after the sweeps in the history; fills in the verdict. agree: the contact forces
+  /// on the two sides cannot come closer.
+  bool ends(CouplingResult& result, bool agree) const;
 
   static ListSpec spec();
 

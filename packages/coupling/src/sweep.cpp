@@ -80,6 +80,18 @@ RoleSystem gatherJump(const InterfaceSystem& system)
   return role;
 }
 
+std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats)
+{
+  const bool mayTouch =
+      floats || std::any_of(system.gap.begin(), system.gap.end(), [](double gap) { return !(gap > 0.0); });
+  return std::vector<char>(std::size_t(system.size()), char(mayTouch));
+}
+
+bool areApart(const SweepRecord& last)
+{
+  return last.closed == 0 && last.open > 0 && last.epsTau == 0.0;
+}
+
 SweepRecord recordSweep(int sweep, const InterfaceSystem& system, const InterfaceState& state,
                         const UnilateralState& status)
 {

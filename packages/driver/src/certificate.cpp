@@ -21,7 +21,7 @@ public:
       : deck_(deck), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger), options_(errorOptions(deck))
   {}
 
-  Certificate run(const Components& components)
+  Certificate run(const Components& components, std::shared_ptr<const ReferenceSolution>& reference)
   {
     if (options_.needsTraction()) {
       admitTractions();
@@ -33,7 +33,7 @@ public:
       checkStresses();
     measure();
     if (wants(Estimator::Reference))
-      compare(components);
+      compare(components, reference);
     return std::move(result_);
   }
 
@@ -47,7 +47,7 @@ private:
   void measure();
   void measureGlobal();
   void compareWithIndicators();
-  void compare(const Components& components);
+  void compare(const Components& components, std::shared_ptr<const ReferenceSolution>& reference);
   SceneField globalField() const;
 
   const Params& deck_;
@@ -120,10 +120,9 @@ void Certifier::recoverStresses()
     fields.push_back(makeSceneField(separate_.field));
   }
   auto stresses = recovery_.recover(recoveryScene_, fields, comm_, ledger_);
-  for (std::size_t f = 0; f < wanted.size(); ++f) {
+  for (std::size_t f = 0; f < wanted.size(); ++f)
     wanted[f]->stress = std::move(stresses[f]);
-    settle(scene_, recoveryScene_, *wanted[f], ledger_);
-  }
+  settle(scene_, recoveryScene_, wanted, ledger_);
 }
 
 void Certifier::checkStresses()
@@ -145,8 +144,7 @@ void Certifier::measureGlobal()
   summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
   summary.meanStress = globalMeasure_.meanStress();
   summary.meanStressRelative = scene_.norm > 0.0 ? *summary.meanStress / scene_.norm : 0.0;
-  const Guarantee guarantee =
-      judge(scene_, global_, admissible_, summary.global->absolute, options_.mode, summary.equilibrium.value_or(0.0));
+  const Guarantee guarantee = judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0));
   summary.guaranteed = guarantee.holds();
   summary.reason = guarantee.reason();
   result_.etaGlobal = cellContributions(globalMeasure_);
@@ -213,26 +211,28 @@ void Certifier::measure()
   result_.corrections = std::move(global_.stress.corrections);
 }
 
-void Certifier::compare(const Components& components)
+void Certifier::compare(const Components& components, std::shared_ptr<const ReferenceSolution>& reference)
 {
   const auto timer = ledger_.time(certificateStage::reference);
   const CertifiedStress certified{result_.admissible, scene_.facets, result_.traction, globalMeasure_,
                                   boundOf(globalMeasure_, options_.mode)};
-  result_.summary.reference = compareWithReference(deck_, components, scene_.model, scene_.solved,
-                                                   wants(Estimator::Global) ? &certified : nullptr,
-                                                   {options_.refinements, options_.maximumDofs}, comm_);
+  const ReferenceDepth depth{options_.refinements, options_.maximumDofs};
+  updateReference(reference, deck_, components, scene_.model, depth, comm_, ledger_);
+  result_.summary.reference = compareWithReference(reference.get(), scene_.model, scene_.solved,
+                                                   wants(Estimator::Global) ? &certified : nullptr, depth);
 }
 
 } // namespace
 
 Certificate certify(const Params& deck, const Components& components, const Model& model,
                     const CondensedModel& condensed, const CouplingResult& coupling,
-                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger)
+                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
+                    std::shared_ptr<const ReferenceSolution>& reference)
 {
   const auto recovery = components.recoveries.build(deck.sub("Error Estimation").sub("Recovery"));
   const int order = model.bodies.front().nodes.order;
-  const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order), comm);
-  return Certifier(deck, scene, *recovery, comm, ledger).run(components);
+  const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order));
+  return Certifier(deck, scene, *recovery, comm, ledger).run(components, reference);
 }
 
 } // namespace ndframe

@@ -38,15 +38,16 @@ ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateFie
 /// |sigma^ - sigma~|.
 double correctionNorm(const CertifiedScene& scene, const RecoveredField& recovered);
 
-/// settleBalance for the bodies that need it. Ledger count "settled stresses".
-void settle(const CertifiedScene& scene, const RecoveryScene& recovery, RecoveredField& recovered, Ledger& ledger);
+/// settleBalance for the bodies and fields that need it. Ledger count "settled stresses".
+void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const std::vector<RecoveredField*>& recovered,
+            Ledger& ledger);
 
 /// Largest defect that checkEquilibrium finds in a stress, relative to the largest stress of the scene.
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered);
 
 /// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found, 0 if not asked.
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
-                double bound, ErrorMode mode, double equilibrium);
+                ErrorMode mode, double equilibrium);
 
 /// Moves u^ to where the bound with this stress is smallest (tightenDisplacement); the measure with it. Strict mode,
 /// scenes with interfaces.

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "intermediate_fields.hpp"
+#include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/base/expression.hpp"
 #include "ndframe/recovery/contact_nodes.hpp"
@@ -14,6 +15,15 @@ namespace ndframe
 {
 namespace
 {
+
+/// The dofs of the bodies in contact.
+std::vector<int> traceSizes(const CertifiedScene& scene)
+{
+  std::vector<int> sizes;
+  for (const auto& trace : scene.condensed.interface.bodies)
+    sizes.push_back(scene.bodies[std::size_t(trace.body)]->numDofs());
+  return sizes;
+}
 
 double largest(const std::vector<Vector>& fields)
 {
@@ -38,14 +48,14 @@ void Guarantee::accept(const std::string& caveat)
 }
 
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
-                         const std::vector<BodyFields>& fields, int degree, const Comm& comm)
+                         const std::vector<BodyFields>& fields, int degree)
 {
   CertifiedScene scene{model, condensed, coupling, {}, {}, contactFacets(model), 0, degree, 0.0};
   double total = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     scene.bodies.push_back(&model.bodies[b]);
     scene.solved.push_back(fields[b].displacement.back());
-    total += energy(condensed.systems[b], fields[b].u.back(), comm);
+    total += energy(model.bodies[b], scene.solved.back());
   }
   scene.order = model.bodies.front().nodes.order;
   scene.norm = std::sqrt(std::max(total, 0.0));
@@ -57,7 +67,9 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
   RecoveryScene result;
   result.bodies = scene.bodies;
   result.facets = scene.facets;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+  result.data.resize(scene.bodies.size());
+  runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
+    const auto b = std::size_t(body);
     std::vector<Facet> contact;
     for (const ContactFacet& facet : scene.facets) {
       if (facet.dirichletBody == int(b))
@@ -65,8 +77,8 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
       if (facet.neumannBody == int(b))
         contact.push_back(facet.neumann);
     }
-    result.data.push_back(makeStaticData(*scene.bodies[b], scene.degree, std::move(contact)));
-  }
+    result.data[b] = makeStaticData(*scene.bodies[b], scene.degree, std::move(contact));
+  });
   return result;
 }
 
@@ -111,10 +123,10 @@ ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal)
         projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance);
     return tractionFromNodes(scene.facets, projected, scene.order, scene.degree);
   } catch (const InfeasibleTraction& failure) {
-    throw InputError(fmt::format("Error Estimation: no pressure on the interfaces balances the loads ({}): the load "
-                                 "pulls the body off, so there is no equilibrated stress and no bound. Hold the body "
-                                 "or turn its load around.",
-                                 failure.motion));
+    throw NotConverged(fmt::format("no pressure on the interfaces balances the loads ({}): they act too close to the "
+                                   "edge of contact, so there is no equilibrated stress and no bound. Hold the body or "
+                                   "move its load",
+                                   failure.motion));
   }
 }
 
@@ -122,7 +134,9 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
 {
   for (auto* field : fields)
     field->displacement = scene.solved;
-  for (const auto& trace : scene.condensed.interface.bodies) {
+  const auto& traces = scene.condensed.interface.bodies;
+  runLargestFirst(traceSizes(scene), scene.condensed.threads, [&](int i) {
+    const BodyTrace& trace = traces[std::size_t(i)];
     const auto b = std::size_t(trace.body);
     std::vector<Vector> forces;
     for (const auto* field : fields) {
@@ -133,7 +147,7 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
     auto solutions = intermediateFields(scene.model, scene.condensed, trace.body, forces, known, scene.solved[b]);
     for (std::size_t f = 0; f < fields.size(); ++f)
       fields[f]->displacement[b] = std::move(solutions[f]);
-  }
+  });
 }
 
 GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode mode)

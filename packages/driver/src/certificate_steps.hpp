@@ -48,7 +48,7 @@ private:
 };
 
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
-                         const std::vector<BodyFields>& fields, int degree, const Comm& comm);
+                         const std::vector<BodyFields>& fields, int degree);
 
 /// What the recovery has to know of the scene: data of the bodies, facets.
 RecoveryScene makeRecoveryScene(const CertifiedScene& scene);

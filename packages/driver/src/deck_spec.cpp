@@ -2,6 +2,7 @@
 
 #include "ndframe/driver/error_options.hpp"
 #include "outputs.hpp"
+#include "study_cases.hpp"
 
 namespace ndframe
 {
@@ -55,7 +56,7 @@ ListSpec interfaceSpec()
                           "Body 1 of the paper: solves the unilateral problem; may float, held by contact alone."),
       ParamSpec::required("Dirichlet Side", Kind::String, "Its side; the outward normal there is n_c."),
       ParamSpec::required("Neumann Body", Kind::String,
-                          "Body 2 of the paper: receives the contact traction; must be held by its supports."),
+                          "Body 2 of the paper: receives the contact traction; may float, too."),
       ParamSpec::required("Neumann Side", Kind::String, "Its side."),
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: "
@@ -129,7 +130,8 @@ ListSpec makeDeckSpec(const Components& components)
                  components.interfaceOperators.choices()),
       errorEstimationSpec(components.recoveries.choices()),
       outputSpec(),
-      makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec())};
+      makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec()),
+      studySpec()};
   return deck;
 }
 

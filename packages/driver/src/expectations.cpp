@@ -66,12 +66,16 @@ std::string ofFirstSweep(const std::string& path)
 
 } // namespace
 
+bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck)
+{
+  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, deck), ofFirstSweep(path));
+}
+
 void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics)
 {
-  const RunSummary known = withEveryQuantity(outline, deck);
   for (const auto& expectation : deck.sub("Expect").subs()) {
     const auto quantity = expectation.get<std::string>("Quantity");
-    if (!isLedgerPath(quantity) && !summaryValue(known, ofFirstSweep(quantity)))
+    if (!isQuantity(quantity, outline, deck))
       diagnostics.add(expectation.mistake(
           "Quantity",
           fmt::format("\"{}\" is no number of this run's summary; examples are \"energy\", \"bodies/{}/energy\", "

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/subdomain/neumann_problem.hpp"
+
 namespace ndframe
 {
 namespace
@@ -27,39 +29,6 @@ bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
       difference = std::max(difference, std::abs(first[i] - second[i]));
   }
   return difference <= sameForce * scale;
-}
-
-/// As many kept dofs as the body has free motions, chosen so that holding them stops every motion: the rows of the
-/// motions' traces in the order of a pivoted orthogonalisation.
-std::vector<char> notHeld(const DenseMatrix& motions, int size)
-{
-  std::vector<char> isFree(std::size_t(size), 1);
-  DenseMatrix rest = motions;
-  for (int m = 0; m < motions.cols(); ++m) {
-    int pivot = 0;
-    double largest = -1.0;
-    for (int i = 0; i < rest.rows(); ++i) {
-      double square = 0.0;
-      for (int j = 0; j < rest.cols(); ++j)
-        square += rest(i, j) * rest(i, j);
-      if (square > largest) {
-        largest = square;
-        pivot = i;
-      }
-    }
-    isFree[std::size_t(pivot)] = 0;
-    Vector row;
-    for (int j = 0; j < rest.cols(); ++j)
-      row.push_back(rest(pivot, j) / std::sqrt(largest));
-    for (int i = 0; i < rest.rows(); ++i) {
-      double along = 0.0;
-      for (int j = 0; j < rest.cols(); ++j)
-        along += rest(i, j) * row[std::size_t(j)];
-      for (int j = 0; j < rest.cols(); ++j)
-        rest(i, j) -= along * row[std::size_t(j)];
-    }
-  }
-  return isFree;
 }
 
 /// Normal displacements of a field at a body's trace.
@@ -166,7 +135,7 @@ std::vector<Vector> intermediateFields(const Model& model, const CondensedModel&
   if (unknown.empty())
     return fields;
   const Vector start = traceValues(system, solved);
-  const auto isFree = notHeld(trace.freeMotions, int(start.size()));
+  const auto isFree = freeWhenHeld(trace.freeMotions);
   const auto inverse = trace.S->inverseOn(isFree, 0.0);
   DenseMatrix loads(model.bodies[b].numDofs(), int(unknown.size())), kept(int(start.size()), int(unknown.size()));
   for (std::size_t j = 0; j < unknown.size(); ++j) {

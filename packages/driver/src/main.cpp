@@ -1,16 +1,21 @@
 #include "ndframe/driver/main.hpp"
 
+#include <malloc.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <iostream>
+#include <limits>
 #include <new>
-#include <optional>
+#include <string_view>
+#include <system_error>
 
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "command_line.hpp"
 #include "error_screen.hpp"
+#include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/help.hpp"
 #include "ndframe/driver/deck_spec.hpp"
@@ -18,52 +23,15 @@
 #include "ndframe/driver/run.hpp"
 #include "outputs.hpp"
 #include "screen.hpp"
+#include "signals.hpp"
+#include "study.hpp"
 #include "summarize.hpp"
+#include "yardstick.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-struct CommandLine
-{
-  std::string deck;
-  std::vector<std::string> settings;
-  std::optional<std::string> help; ///< list to explain; empty text: the command line itself
-  bool check = false, plan = false, list = false, dumpDefaults = false, reference = false, version = false;
-  bool quiet = false, verbose = false;
-};
-
-/// Declares the options; CLI11 fills `options` when it parses.
-void declareOptions(CLI::App& app, CommandLine& options)
-{
-  app.set_help_flag();
-  app.add_option("-i,--input,deck", options.deck, "The deck to run.")->type_name("FILE");
-  app.add_option(
-         "--set", options.settings,
-         "Replace or add one entry of the deck, e.g. --set \"Coupling/Stopping/Tolerance=1e-4\"; may be repeated.")
-      ->type_name("PATH=VALUE")
-      ->expected(1)
-      ->take_all();
-  app.add_flag("--check", options.check, "Check everything, mesh files included, and stop before the solve.");
-  app.add_flag("--plan", options.plan, "Show the stages that this deck will run, those it skips, and why.");
-  app.add_option_function<std::string>(
-         "-h,--help", [&options](const std::string& list) { options.help = list; },
-         "This text, or the documentation of a list or component of the deck.")
-      ->type_name("LIST")
-      ->expected(0, 1)
-      ->default_str("");
-  app.add_flag("--list", options.list, "All components by list.");
-  app.add_flag("--dump-defaults", options.dumpDefaults, "A deck that runs, with every parameter and its default.");
-  app.add_flag("--reference", options.reference, "The whole deck reference as Markdown (docs/reference.md).");
-  app.add_flag("--version", options.version, "The version.");
-  app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
-  app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
-}
-
-constexpr const char* exitCodeText = "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged, or a bound "
-                                     "without the guarantee that the deck requires (results are written and marked), "
-                                     "4 an expectation missed.\n";
 
 /// The questions that need no deck; true when one was asked.
 bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out)
@@ -71,7 +39,7 @@ bool answer(const CommandLine& options, const CLI::App& app, const Components& c
   if (options.version)
     out << "ndframe " << versionText() << "\n";
   else if (options.help && options.help->empty())
-    out << app.help() << exitCodeText << "\n"
+    out << app.help() << exitCodeText() << "\n"
         << "`ndframe --help Coupling` explains a list of the deck, `ndframe --list` shows all components.\n";
   else if (options.help)
     out << helpText(makeDeckSpec(components), *options.help);
@@ -88,17 +56,17 @@ bool answer(const CommandLine& options, const CLI::App& app, const Components& c
   return true;
 }
 
-Params readParams(const CommandLine& options, const Components& components)
+/// The deck with the settings and axes of the command line, not validated.
+DeckList readInput(const CommandLine& options, Diagnostics& diagnostics)
 {
   if (options.deck.empty())
     throw InputError("no deck was given; run `ndframe -i decks/punch.xml`, or `ndframe --help`.");
   DeckList deck = readDeck(options.deck);
-  Diagnostics diagnostics;
   for (const auto& setting : options.settings)
     applySetting(deck, setting, diagnostics);
-  Params params = validate(deck, makeDeckSpec(components), diagnostics);
-  diagnostics.throwIfAny();
-  return params;
+  for (const auto& axis : options.axes)
+    addAxis(deck, axis, diagnostics);
+  return deck;
 }
 
 /// Errors and misses go to the standard error stream, also with -q; one rank speaks.
@@ -147,21 +115,52 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
   return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;
 }
 
+void greet(const Params& deck, const CommandLine& options, const Log& log)
+{
+  log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), deck.get<std::string>("Title"), options.deck));
+}
+
+ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Components& components, const Comm& comm,
+                  const Log& log, Diagnostics& diagnostics, bool& computed)
+{
+  const Study study = expandStudy(deck, options.deck, makeDeckSpec(components), diagnostics);
+  diagnostics.throwIfAny();
+  const Params& first = study.cases.front().deck;
+  greet(first, options, log);
+  if (options.plan) {
+    log.line(Plan(first, *components.linearSolvers.build(first.sub("Linear Solver")), comm.size()).text());
+    log.line("\n" + studyPlan(study));
+    return ExitCode::Right;
+  }
+  claimLibraryMemory();
+  StudyRunner runner(study, options.deck, components, comm);
+  return options.check ? runner.check(log) : runner.run(log, computed);
+}
+
 ExitCode runCommand(const CommandLine& options, const Components& components, const Comm& comm, const Log& log,
                     bool& computed)
 {
-  const Params deck = readParams(options, components);
-  const auto title = deck.get<std::string>("Title");
-  log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), title, options.deck));
+  Diagnostics diagnostics;
+  const DeckList input = readInput(options, diagnostics);
+  if (input.findList("Study") != nullptr)
+    return runStudy(input, options, components, comm, log, diagnostics, computed);
+  const Params deck = validate(input, makeDeckSpec(components), diagnostics);
+  diagnostics.throwIfAny();
+  greet(deck, options, log);
   if (options.plan) {
     log.line(Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text());
     return ExitCode::Right;
   }
   checkOutputFolder(deck.sub("Output"));
+  claimLibraryMemory();
   if (options.check) {
     Ledger ledger(&log);
-    checkDeck(deck, components, ledger);
+    checkDeck(deck, components, comm, ledger);
     log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
+    return ExitCode::Right;
+  }
+  if (options.yardstick) {
+    log.line(yardstickText(deck, components, options.deck, comm));
     return ExitCode::Right;
   }
   return solveDeck(deck, options, components, comm, log, computed);
@@ -177,11 +176,33 @@ ExitCode reportInputError(const InputError& error, bool computed, const Comm& co
 }
 
 /// A failure that the other ranks may know nothing of: whoever has it speaks, and all processes end.
-ExitCode failAlone(const Comm& comm, ExitCode code, const std::string& text)
+ExitCode failAlone(const Comm& comm, ExitCode code, std::string_view text)
 {
   std::cerr << text << std::endl;
   comm.abort(int(code));
   return code;
+}
+
+/// Ends the process at once: at a normal exit OpenBLAS waits for its threads, which may ask for memory for ever.
+[[noreturn]] void failForMemory(const Comm& comm)
+{
+  const auto code = failAlone(comm, ExitCode::UserInput, needsMoreMemory);
+  std::cout.flush();
+  std::_Exit(int(code));
+}
+
+ExitCode failAsBug(const Comm& comm, const std::exception& error)
+{
+  return failAlone(comm, ExitCode::Bug,
+                   fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
+}
+
+/// Large arrays come and go in every stage. Handing their pages back to the kernel and taking them again, zeroed, costs
+/// a twentieth of a run.
+void keepFreedMemory()
+{
+  mallopt(M_MMAP_THRESHOLD, 1 << 30);
+  mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 
 /// Turns everything that can go wrong into a message and an exit code.
@@ -201,21 +222,36 @@ ExitCode guarded(const CommandLine& options, const CLI::App& app, const Componen
   } catch (const NotConverged& error) {
     complain(comm, fmt::format("not converged: {}", error.what()));
     return ExitCode::NotConverged;
+  } catch (const SingularBody& error) { // met by an iterative solver on its way
+    complain(comm, fmt::format("not converged: {}", error.what()));
+    return ExitCode::NotConverged;
   } catch (const std::bad_alloc&) {
-    return failAlone(
-        comm, ExitCode::UserInput,
-        "this deck needs more memory than the process may take; use a coarser mesh, more ranks or a Krylov "
-        "solver.");
+    failForMemory(comm);
+  } catch (const std::system_error& error) {
+    if (error.code() == std::errc::resource_unavailable_try_again) // a thread's stack
+      failForMemory(comm);
+    return failAsBug(comm, error);
   } catch (const std::exception& error) {
-    return failAlone(comm, ExitCode::Bug,
-                     fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
+    return failAsBug(comm, error);
   }
+}
+
+/// The code of a run whose screen could not be written.
+ExitCode checkScreen(ExitCode code, const Comm& comm)
+{
+  const char* const reason = lostOutput();
+  if (reason == nullptr || comm.rank() != 0)
+    return code;
+  std::cerr << "cannot write to the standard output: " << reason << std::endl;
+  return code == ExitCode::Right ? ExitCode::UserInput : code;
 }
 
 } // namespace
 
 int runMain(int argc, char** argv, const Extension& extend)
 {
+  keepFreedMemory();
+  prepareProcess();
   const Comm comm = Comm::world(argc, argv);
   CommandLine options;
   CLI::App app("Certified unilateral contact between elastic bodies by Neumann-Dirichlet domain decomposition.",
@@ -233,7 +269,10 @@ int runMain(int argc, char** argv, const Extension& extend)
     if (comm.rank() == 0)
       std::cerr << "ndframe: " << error.what() << "\n`ndframe --help` shows the options.\n";
     code = ExitCode::UserInput;
+  } catch (const std::bad_alloc&) {
+    failForMemory(comm);
   }
+  code = checkScreen(code, comm);
   finishMpi();
   return int(code);
 }

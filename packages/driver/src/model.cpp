@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/base/help.hpp"
+#include "shared_mesh.hpp"
 
 namespace ndframe
 {
@@ -12,11 +13,12 @@ namespace
 {
 
 /// Builds one body; mistakes are collected and leave the body incomplete.
-BodyModel buildBody(const Params& params, const Components& components, Mesh mesh, int order, Diagnostics& diagnostics)
+BodyModel buildBody(const Params& params, const Components& components, GivenMesh given, int order,
+                    Diagnostics& diagnostics)
 {
   BodyModel body;
   body.name = params.name();
-  body.mesh = std::move(mesh);
+  body.mesh = std::move(given.mesh);
   const auto material = components.materials.build(params.sub("Material"));
   const bool isSpatial = material->hypothesis() == Hypothesis::ThreeDimensional;
   if (isSpatial != (body.mesh.dim == 3))
@@ -26,7 +28,7 @@ BodyModel buildBody(const Params& params, const Components& components, Mesh mes
                                                hypothesisNames().name(material->hypothesis()), body.mesh.dim,
                                                isSpatial ? "Plane Strain or Plane Stress" : "Three Dimensional")));
   body.law = material->elasticity();
-  body.nodes = makeNodeMap(body.mesh, order);
+  body.nodes = given.nodes.numNodes() > 0 ? std::move(given.nodes) : makeNodeMap(body.mesh, order);
   for (const auto& support : params.sub("Supports").subs())
     body.supports.push_back(components.supports.build(support));
   for (const auto& load : params.sub("Loads").subs())
@@ -50,14 +52,13 @@ void collecting(Diagnostics& diagnostics, const Step& step)
   }
 }
 
-/// Loads that are not finite somewhere are found before anything is solved; their values are not kept.
-void evaluateLoads(const BodyModel& body, Diagnostics& diagnostics)
+/// The integrals of all loads. Those that are not finite somewhere are found before anything is solved.
+Vector evaluateLoads(const BodyModel& body, Diagnostics& diagnostics)
 {
+  Vector sum(std::size_t(body.numDofs()), 0.0);
   for (const auto& load : body.loads)
-    collecting(diagnostics, [&] {
-      Vector values(std::size_t(body.numDofs()), 0.0);
-      load->addTo(values, body.mesh, body.nodes);
-    });
+    collecting(diagnostics, [&] { load->addTo(sum, body.mesh, body.nodes); });
+  return sum;
 }
 
 int findBody(const Model& model, const Params& definition, const char* key, Diagnostics& diagnostics)
@@ -136,6 +137,14 @@ void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& d
 
 } // namespace
 
+std::vector<int> Model::numDofs() const
+{
+  std::vector<int> numbers;
+  for (const auto& body : bodies)
+    numbers.push_back(body.numDofs());
+  return numbers;
+}
+
 int Model::bodyIndex(const std::string& name) const
 {
   for (std::size_t b = 0; b < bodies.size(); ++b)
@@ -176,6 +185,28 @@ Model buildModel(const Params& deck, const Components& components)
                     [&](const Params& body) { return components.meshSources.build(body.sub("Mesh"))->read(); });
 }
 
+void updateModel(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
+{
+  SceneRecipe recipe = recipeOf(deck);
+  if (recipe.sameModel(model.recipe)) {
+    ledger.count("meshes reused", std::int64_t(recipe.bodies.size()));
+    model.recipe = std::move(recipe);
+    return;
+  }
+  const auto timer = ledger.time("read");
+  const bool comparable = recipe.bodies.size() == model.recipe.bodies.size();
+  std::size_t next = 0;
+  Model updated = buildModel(deck, components, [&](const Params& body) -> GivenMesh {
+    const std::size_t b = next++;
+    if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
+      return readShared(*components.meshSources.build(body.sub("Mesh")), comm);
+    ledger.count("meshes reused");
+    return {model.bodies[b].mesh, model.bodies[b].nodes};
+  });
+  updated.recipe = std::move(recipe);
+  model = std::move(updated);
+}
+
 Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf)
 {
   Model model;
@@ -191,7 +222,7 @@ Model buildModel(const Params& deck, const Components& components, const MeshOfB
     collecting(diagnostics,
                [&] { model.constraints.push_back(collectConstraints(body.supports, body.mesh, body.nodes)); });
   for (const auto& body : model.bodies)
-    evaluateLoads(body, diagnostics);
+    model.loads.push_back(evaluateLoads(body, diagnostics));
   for (const auto& definition : deck.sub("Interfaces").subs())
     collecting(diagnostics, [&] { addInterface(model, definition, diagnostics); });
   refuseSharedNodes(model, deck, diagnostics);

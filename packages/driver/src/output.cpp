@@ -38,7 +38,7 @@ std::vector<NamedField> elementFields(const Run& run, std::size_t body, std::siz
   static const std::array<std::pair<const char*, std::size_t>, 6> components{
       {{"xx", 0}, {"yy", 1}, {"zz", 2}, {"xy", 3}, {"yz", 4}, {"xz", 5}}};
   const BodyModel& model = run.model.bodies[body];
-  const auto stress = cellStress(model, run.fields[body].displacement[step]);
+  const auto stress = cellStress(model, run.condensed.systems[body].dofs.frames.toGlobal(run.fields[body].u[step]));
   std::vector<NamedField> fields;
   for (std::size_t c = 0; c < (model.mesh.dim == 2 ? 4U : 6U); ++c) {
     fields.push_back({std::string("stress_") + components[c].first, Vector(stress.size())});
@@ -154,19 +154,6 @@ void writeExodusFile(const Run& run, const std::vector<ExodusStep>& steps, const
     sides.push_back({interface.name + ":neumann", interface.neumannBody, interface.neumannFacets});
   }
   writeExodus(path, run.summary.title, bodies, sides, steps, {"ndframe " + versionText(), "deck " + deckName});
-}
-
-/// Folder (made if missing) and beginning of the file names.
-std::filesystem::path outputStem(const Params& output, const std::string& deckName)
-{
-  const std::filesystem::path folder = output.get<std::string>("Directory");
-  std::error_code failure;
-  std::filesystem::create_directories(folder, failure);
-  if (failure)
-    throw InputError(output.mistake(
-        "Directory", fmt::format("cannot make the folder \"{}\": {}.", folder.string(), failure.message())));
-  const auto name = output.get<std::string>("Name");
-  return (folder / (name.empty() ? std::filesystem::path(deckName).stem().string() : name)).lexically_normal();
 }
 
 /// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.

@@ -23,4 +23,16 @@ void checkOutputFolder(const Params& output)
                                  isFolder ? folder.string() : output.get<std::string>("Directory"))));
 }
 
+std::filesystem::path outputStem(const Params& output, const std::string& deckName)
+{
+  const std::filesystem::path folder = output.get<std::string>("Directory");
+  std::error_code failure;
+  std::filesystem::create_directories(folder, failure);
+  if (failure)
+    throw InputError(output.mistake(
+        "Directory", fmt::format("cannot make the folder \"{}\": {}.", folder.string(), failure.message())));
+  const auto name = output.get<std::string>("Name");
+  return (folder / (name.empty() ? std::filesystem::path(deckName).stem().string() : name)).lexically_normal();
+}
+
 } // namespace ndframe

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <filesystem>
+
 #include "ndframe/base/params.hpp"
 
 namespace ndframe
@@ -13,6 +15,9 @@ enum class StepsWritten
 };
 
 const Names<StepsWritten>& stepsNames();
+
+/// Folder (made if missing) and beginning of the names of a deck's files. `output`: the list Output.
+std::filesystem::path outputStem(const Params& output, const std::string& deckName);
 
 /// Refuses an output folder that cannot be made or written in, before anything is computed. `output`: the list Output.
 void checkOutputFolder(const Params& output);

@@ -13,6 +13,7 @@
 #include "ndframe/fem/prolongation.hpp"
 #include "ndframe/mesh/refine.hpp"
 #include "ndframe/recovery/contact_moments.hpp"
+#include "roles.hpp"
 
 namespace ndframe
 {
@@ -88,7 +89,7 @@ int affordableRefinements(const Model& model, const ReferenceDepth& depth)
 
 ReferenceSolution::ReferenceSolution(const Params& deck, const Components& components, const Model& model,
                                      int refinements, const Comm& comm)
-    : comm_(comm), coarse_(model)
+    : comm_(comm), refinements_(refinements), recipe_(model.recipe)
 {
   std::vector<Mesh> meshes = matchingMeshes(model);
   for (std::size_t b = 0; b < meshes.size(); ++b) {
@@ -100,6 +101,7 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const Components& compo
   }
   model_ = buildModel(deck, components,
                       [&](const Params& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name()))]); });
+  orientLike(model_, model);
 
   Ledger ledger;
   const auto solver = chooseSolver(deck, components);
@@ -116,6 +118,16 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const Components& compo
   for (auto& fields : recoverFields(model_, condensed, {state}, ledger))
     displacement_.push_back(std::move(fields.displacement.front()));
   systems_ = std::move(condensed.systems); // the matrices stay where they are as long as the factors live
+}
+
+bool ReferenceSolution::suits(const Model& coarse, int refinements) const
+{
+  const auto sameRoles = [](const InterfaceMesh& a, const InterfaceMesh& b) {
+    return a.dirichletBody == b.dirichletBody;
+  };
+  return refinements == refinements_ && coarse.recipe.sameModel(recipe_) && coarse.recipe.solver == recipe_.solver &&
+         std::equal(coarse.interfaces.begin(), coarse.interfaces.end(), model_.interfaces.begin(),
+                    model_.interfaces.end(), sameRoles);
 }
 
 std::int64_t ReferenceSolution::dofs() const
@@ -160,8 +172,9 @@ double ReferenceSolution::distance(const std::vector<Vector>& displacement) cons
   return fineNorm(difference(displacement_, onFineMesh(displacement)));
 }
 
-double ReferenceSolution::stressDistance(const std::vector<Vector>& admissible, const std::vector<ContactFacet>& facets,
-                                         const ContactTraction& traction, double D) const
+double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
+                                         const std::vector<ContactFacet>& facets, const ContactTraction& traction,
+                                         double D) const
 {
   const auto start = onFineMesh(admissible), v = difference(displacement_, start);
   double squared = D * D;
@@ -172,7 +185,7 @@ double ReferenceSolution::stressDistance(const std::vector<Vector>& admissible, 
   }
   if (!facets.empty()) {
     const auto fine = contactFacets(model_);
-    const ContactTraction t = onFineFacets(coarse_, facets, traction, model_, fine);
+    const ContactTraction t = onFineFacets(coarse, facets, traction, model_, fine);
     std::vector<const BodyModel*> bodies;
     for (const auto& body : model_.bodies)
       bodies.push_back(&body);
@@ -182,28 +195,41 @@ double ReferenceSolution::stressDistance(const std::vector<Vector>& admissible, 
   return std::sqrt(std::max(0.0, squared));
 }
 
-ReferenceSummary compareWithReference(const Params& deck, const Components& components, const Model& model,
+void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const Params& deck,
+                     const Components& components, const Model& model, const ReferenceDepth& depth, const Comm& comm,
+                     Ledger& ledger)
+{
+  const int refinements = affordableRefinements(model, depth);
+  if (reference && reference->suits(model, refinements)) {
+    ledger.count("references reused");
+    return;
+  }
+  reference.reset(); // its memory is needed
+  if (refinements > 0)
+    reference = std::make_shared<ReferenceSolution>(deck, components, model, refinements, comm);
+}
+
+ReferenceSummary compareWithReference(const ReferenceSolution* reference, const Model& model,
                                       const std::vector<Vector>& displacement, const CertifiedStress* certified,
-                                      const ReferenceDepth& depth, const Comm& comm)
+                                      const ReferenceDepth& depth)
 {
   ReferenceSummary summary;
-  summary.refinements = affordableRefinements(model, depth);
+  summary.refinements = reference == nullptr ? 0 : reference->refinements();
   if (summary.refinements < depth.refinements)
     summary.note = fmt::format("{} of {} refinements: the next one would have more than {} dofs", summary.refinements,
                                depth.refinements, depth.maximumDofs);
-  if (summary.refinements == 0) {
+  if (reference == nullptr) {
     summary.displacement = summary.relative = std::numeric_limits<double>::quiet_NaN();
     return summary;
   }
-  const ReferenceSolution reference(deck, components, model, summary.refinements, comm);
-  summary.dofs = reference.dofs();
-  summary.displacement = reference.distance(displacement);
-  const double size = reference.norm(displacement);
+  summary.dofs = reference->dofs();
+  summary.displacement = reference->distance(displacement);
+  const double size = reference->norm(displacement);
   summary.relative = size > 0.0 ? summary.displacement / size : 0.0;
   if (certified == nullptr)
     return summary;
-  const double D = certified->measure.elements, toAdmissible = reference.distance(certified->admissible);
-  summary.stress = reference.stressDistance(certified->admissible, certified->facets, certified->traction, D);
+  const double D = certified->measure.elements, toAdmissible = reference->distance(certified->admissible);
+  summary.stress = reference->stressDistance(model, certified->admissible, certified->facets, certified->traction, D);
   // The parallelogram of sigma_ref, sigma^ and K eps(u^).
   summary.meanStress =
       std::sqrt(std::max(0.0, 0.5 * (*summary.stress * *summary.stress + toAdmissible * toAdmissible) - 0.25 * D * D));

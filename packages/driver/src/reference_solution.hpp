@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "ndframe/driver/condensed_model.hpp"
 #include "ndframe/estimation/error_measure.hpp"
 #include "ndframe/io/summary.hpp"
@@ -15,10 +17,14 @@ namespace ndframe
 class ReferenceSolution
 {
 public:
-  /// model: the coarse scene of this deck, which must outlive the reference. Collective, as all functions are.
+  /// model: the coarse scene of this deck. Collective, as all functions are.
   ReferenceSolution(const Params& deck, const Components& components, const Model& model, int refinements,
                     const Comm& comm);
 
+  /// Whether a reference made of this coarse scene would be the same.
+  bool suits(const Model& coarse, int refinements) const;
+
+  int refinements() const { return refinements_; }
   std::int64_t dofs() const;                                                ///< dim * nodes of all bodies
   const Model& model() const { return model_; }                             ///< the fine scene
   const std::vector<Vector>& displacement() const { return displacement_; } ///< u_ref per body, on the fine meshes
@@ -36,8 +42,8 @@ public:
   ///
   /// Limits: exact where the loads are those that sigma^ balances (no oscillation) and v vanishes on the supports
   /// (prescribed displacements that polynomials of the coarse mesh carry).
-  double stressDistance(const std::vector<Vector>& admissible, const std::vector<ContactFacet>& facets,
-                        const ContactTraction& traction, double D) const;
+  double stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
+                        const std::vector<ContactFacet>& facets, const ContactTraction& traction, double D) const;
 
 private:
   std::vector<Vector> onFineMesh(const std::vector<Vector>& displacement) const;
@@ -45,7 +51,8 @@ private:
   double fineNorm(const std::vector<Vector>& displacement) const;
 
   Comm comm_;
-  const Model& coarse_;
+  int refinements_;
+  SceneRecipe recipe_;                        ///< of the coarse scene
   std::vector<std::vector<NodeMap>> coarser_; ///< per body, from the coarse mesh to the last but one
   Model model_;                               ///< the fine scene
   std::vector<BodySystem> systems_;
@@ -69,10 +76,16 @@ struct CertifiedStress
   double bound;
 };
 
+/// Makes `reference` (of another run, or null) the one of this deck and model; keeps it where it suits ("references
+/// reused" in the ledger). Null without a single refinement below the limit.
+void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const Params& deck,
+                     const Components& components, const Model& model, const ReferenceDepth& depth, const Comm& comm,
+                     Ledger& ledger);
+
 /// The true errors of u_h (`displacement`, per body) and, with a certificate, of its stresses and the ratio of bound
-/// and error. Without a single refinement below the limit nothing is computed: the numbers are NaN, the note says why.
-ReferenceSummary compareWithReference(const Params& deck, const Components& components, const Model& model,
+/// and error. Without a reference the numbers are NaN, and the note says why.
+ReferenceSummary compareWithReference(const ReferenceSolution* reference, const Model& model,
                                       const std::vector<Vector>& displacement, const CertifiedStress* certified,
-                                      const ReferenceDepth& depth, const Comm& comm);
+                                      const ReferenceDepth& depth);
 
 } // namespace ndframe

@@ -3,17 +3,18 @@
 #include <fmt/format.h>
 
 #include "error_checks.hpp"
+#include "ndframe/algebra/dense.hpp"
+#include "ndframe/algebra/threads.hpp"
 #include "outputs.hpp"
+#include "roles.hpp"
 #include "screen.hpp"
 #include "summarize.hpp"
+#include "trust.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Residuals above this are a failed solve, whatever the iteration says.
-constexpr double largestImbalance = 1e-6;
 
 /// Couples the bodies; keeps the last state or, when asked, the state of every sweep. Without any state (the load pulls
 /// the bodies apart) none is kept and the reason stands in the result.
@@ -34,9 +35,23 @@ void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledg
         run.states = {run.coupling.state};
     } catch (const NotConverged& failure) {
       run.coupling.reason = failure.what();
+    } catch (const NotPositiveDefinite&) {
+      run.coupling.reason =
+          "a body's stiffness on the interface is lost in round-off: its matrix is too ill-conditioned";
     }
   }
   log.line(fmt::format("  {}: {}", run.coupling.converged ? "stopped" : "NOT CONVERGED", run.coupling.reason));
+}
+
+/// The certificate; without one the reason stands in `failure`, and the solution is what it is.
+void estimate(Run& run, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
+{
+  try {
+    run.certificate =
+        certify(deck, components, run.model, run.condensed, run.coupling, run.fields, comm, ledger, run.reference);
+  } catch (const NotConverged& failure) {
+    run.failure = fmt::format("no certificate: {}", failure.what());
+  }
 }
 
 /// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
@@ -47,67 +62,58 @@ std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Pa
   return "the bound is not guaranteed: " + errors->reason;
 }
 
-/// Why the result may not be trusted; empty when it may.
-std::string failureOf(Run& run, const Params& deck)
+/// Why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
+/// converged.
+std::string failureOf(RunSummary& summary, const Params& deck)
 {
-  auto& coupling = run.summary.coupling;
-  const double imbalance = run.summary.residuals.equilibrium;
-  if (coupling && !coupling->converged)
-    return "not converged: " + coupling->reason;
-  if (imbalance <= largestImbalance)
-    return missingGuarantee(run.summary.errors, deck);
-  auto reason = fmt::format("the forces are out of balance by {:.1e}: the matrix is too ill-conditioned", imbalance);
-  if (coupling) {
-    coupling->converged = false;
-    coupling->reason = reason;
+  const auto reason = distrust(summary);
+  if (reason.empty())
+    return missingGuarantee(summary.errors, deck);
+  if (summary.coupling) {
+    summary.coupling->converged = false;
+    summary.coupling->reason = reason;
   }
   return "not converged: " + reason;
 }
 
-Model readModel(const Params& deck, const Components& components, const Coupling& coupling, const LinearSolver& solver,
-                Ledger& ledger)
+/// Makes an earlier (or empty) model the deck's and checks it.
+void readModel(Model& model, const Params& deck, const Components& components, const Coupling& coupling,
+               const LinearSolver& solver, const Comm& comm, Ledger& ledger)
 {
   Diagnostics diagnostics;
-  if (coupling.alternates())
+  if (coupling.roles() == Roles::AsGiven)
     checkRoles(deck, diagnostics);
   checkErrorEstimation(deck, diagnostics);
   diagnostics.throwIfAny();
-  Model model;
-  {
-    const auto timer = ledger.time("read");
-    model = buildModel(deck, components);
-  }
+  updateModel(model, deck, components, comm, ledger);
   const auto timer = ledger.time("check");
-  checkHeld(model, deck, coupling.alternates(), diagnostics);
+  checkNumberRange(model, diagnostics);
+  diagnostics.throwIfAny(); // sums of such numbers mean nothing
+  if (coupling.roles() == Roles::Automatic)
+    giveOneRole(model, deck, diagnostics);
+  checkHeld(model, deck, diagnostics);
   checkRecovery(deck, components, model.bodies.front().mesh.dim, diagnostics);
   checkExpectationNames(outlineSummary(model, deck, solver, 1), deck, diagnostics);
   diagnostics.throwIfAny();
-  return model;
 }
 
-} // namespace
-
-Model checkDeck(const Params& deck, const Components& components, Ledger& ledger)
+/// The whole run, starting with what stands in it of an earlier one.
+void compute(Run& run, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger,
+             const Log& log)
 {
-  const auto coupling = components.couplings.build(deck.sub("Coupling"));
-  const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
-  return readModel(deck, components, *coupling, *solver, ledger);
-}
-
-Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log)
-{
-  const double start = wallSeconds();
+  const SerialBlas serial;
   const auto coupling = components.couplings.build(deck.sub("Coupling"));
   const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
   const auto representation = components.interfaceOperators.build(deck.sub("Interface Operator"));
-  Run run;
-  run.startSeconds = start;
   run.plan = Plan(deck, *solver, comm.size());
-  run.model = readModel(deck, components, *coupling, *solver, ledger);
+  giveBackRoles(run.model, run.condensed);
+  readModel(run.model, deck, components, *coupling, *solver, comm, ledger);
   run.summary = outlineSummary(run.model, deck, *solver, comm.size());
-  log.line(headerText(run.summary, run.model));
+  log.line(headerText(run.summary, run.model, coupling->roles() != Roles::Automatic));
 
-  run.condensed = condense(run.model, *solver, *representation, comm, ledger, log);
+  run.condensed = condense(run.model, *solver, *representation, comm, ledger, log, std::move(run.condensed));
+  if (run.plan.runs("couple") && coupling->roles() == Roles::Automatic)
+    chooseRoles(run, ledger, log);
   if (run.plan.runs("couple"))
     couple(run, deck, *coupling, ledger, log);
   else
@@ -116,11 +122,44 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
     run.fields = recoverFields(run.model, run.condensed, run.states, ledger);
     run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
     if (run.plan.runs("certificate"))
-      run.certificate = certify(deck, components, run.model, run.condensed, run.coupling, run.fields, comm, ledger);
+      estimate(run, deck, components, comm, ledger);
   }
   completeSummary(run, deck, comm);
-  run.failure = failureOf(run, deck);
-  copyLedger(run.summary, ledger, start);
+  if (const std::string failure = failureOf(run.summary, deck); !failure.empty())
+    run.failure = failure;
+  copyLedger(run.summary, ledger, run.startSeconds);
+}
+
+} // namespace
+
+Model checkDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
+{
+  const auto coupling = components.couplings.build(deck.sub("Coupling"));
+  const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
+  Model model;
+  readModel(model, deck, components, *coupling, *solver, comm, ledger);
+  return model;
+}
+
+Reusable handOn(Run& run)
+{
+  return {std::move(run.model), std::move(run.condensed), std::move(run.reference)};
+}
+
+Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
+            Reusable&& previous)
+{
+  Run run;
+  run.startSeconds = wallSeconds();
+  run.model = std::move(previous.model);
+  run.condensed = std::move(previous.condensed);
+  run.reference = std::move(previous.reference);
+  try {
+    compute(run, deck, components, comm, ledger, log);
+  } catch (...) {
+    previous = handOn(run);
+    throw;
+  }
   return run;
 }
 

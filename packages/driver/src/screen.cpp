@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "trust.hpp"
+
 namespace ndframe
 {
 namespace
@@ -20,6 +22,11 @@ std::size_t nameWidth(const RunSummary& summary)
   return width;
 }
 
+std::string sidesText(const InterfaceSummary& interface)
+{
+  return fmt::format("; Dirichlet side on {}, Neumann side on {}", interface.dirichletBody, interface.neumannBody);
+}
+
 } // namespace
 
 std::string grouped(std::int64_t number)
@@ -30,7 +37,7 @@ std::string grouped(std::int64_t number)
   return digits;
 }
 
-std::string headerText(const RunSummary& summary, const Model& model)
+std::string headerText(const RunSummary& summary, const Model& model, bool rolesAreKnown)
 {
   const auto width = nameWidth(summary);
   std::string text =
@@ -42,10 +49,10 @@ std::string headerText(const RunSummary& summary, const Model& model)
   for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
     const auto& interface = model.interfaces[i];
     const double widest = *std::max_element(interface.gap.begin(), interface.gap.end());
-    text += fmt::format("\n  {:<{}} {:>11} interface nodes, matching, {}; Dirichlet side on {}, Neumann side on {}",
-                        interface.name, width, grouped(interface.numNodes()),
-                        widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap",
-                        summary.interfaces[i].dirichletBody, summary.interfaces[i].neumannBody);
+    text +=
+        fmt::format("\n  {:<{}} {:>11} interface nodes, matching, {}{}", interface.name, width,
+                    grouped(interface.numNodes()), widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap",
+                    rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
   }
   for (const auto& body : model.bodies)
     for (const auto& note : body.mesh.notes)
@@ -91,9 +98,12 @@ std::string closingText(const RunSummary& summary)
                         interface.contactForce, interface.contactLength, interface.largestPressure,
                         interface.largestPenetration, ends.empty() ? "no contact" : ends);
   }
-  text += fmt::format("\n\n  residuals: equilibrium {:.1e}, complementarity {:.1e}, penetration {:.1e}, tension {:.1e}",
-                      summary.residuals.equilibrium, summary.residuals.complementarity, summary.residuals.penetration,
-                      summary.residuals.tension);
+  const ResidualLimits limits;
+  text +=
+      fmt::format("\n\n  residuals: equilibrium {:.1e} (allowed {:.0e}), complementarity {:.1e}, penetration {:.1e}, "
+                  "tension {:.1e} (allowed {:.0e})",
+                  summary.residuals.equilibrium, limits.equilibrium, summary.residuals.complementarity,
+                  summary.residuals.penetration, summary.residuals.tension, limits.contact);
   return text;
 }
 

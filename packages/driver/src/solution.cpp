@@ -3,10 +3,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/algebra/threads.hpp"
+
 namespace ndframe
 {
 namespace
 {
+
+constexpr double lastDigits = 1e-14; ///< round-off of a sum of products over a row of K
+constexpr double smallForce = 1e-8; ///< below this part of the scene's largest force a body's own ones may be round-off
 
 /// Kept values of a body in each state, n_c x states.
 DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<TraceDof>& dofs,
@@ -15,13 +20,39 @@ DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<TraceDof>& dofs
   DenseMatrix kept(int(dofs.size()), int(states.size()));
   for (int s = 0; s < kept.cols(); ++s) {
     const InterfaceState& state = states[std::size_t(s)];
+    const Vector& uNeumann = state.motionsNeumann.empty() ? state.uNeumann : state.strainedNeumann;
     Vector normal;
     for (std::size_t k = 0; k < trace.unknowns.size(); ++k)
-      normal.push_back((trace.onDirichletSide[k] ? state.uDirichlet : state.uNeumann)[std::size_t(trace.unknowns[k])]);
+      normal.push_back((trace.onDirichletSide[k] ? state.uDirichlet : uNeumann)[std::size_t(trace.unknowns[k])]);
     const Vector values = keptValues(dofs, normal);
     std::copy(values.begin(), values.end(), kept.col(s));
   }
   return kept;
+}
+
+/// A body's amplitudes among those of all Neumann bodies; none when the coupling did not find them.
+Vector amplitudesOf(int body, const InterfaceSystem& system, const InterfaceState& state)
+{
+  auto first = state.motionsNeumann.begin();
+  for (const auto& trace : system.bodies) {
+    if (trace.onDirichletSide.front() || state.motionsNeumann.empty())
+      continue;
+    const auto last = first + trace.freeMotions.cols();
+    if (trace.body == body)
+      return {first, last};
+    first = last;
+  }
+  return {};
+}
+
+/// Adds the motions with these amplitudes to a field in the nodes' own axes; supports hold what they hold exactly.
+void addMotions(Vector& u, const Vector& amplitudes, const Model& model, std::size_t b, const DofLayout& dofs)
+{
+  const Vector motion = multiply(rigidModes(model.rigid[b], model.bodies[b].nodes, dofs.frames),
+                                 multiply(model.freeMotions[b], amplitudes));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (dofs.roles[i] != DofRole::Fixed)
+      u[i] += motion[i];
 }
 
 double normalDisplacement(const Vector& displacement, int node, const Direction& normal, int dim)
@@ -32,21 +63,34 @@ double normalDisplacement(const Vector& displacement, int node, const Direction&
   return u;
 }
 
-/// Largest entry of |K u - f - contact force| over the dofs that are not prescribed, and the scale it is measured with.
-struct Imbalance
+double largestEntry(const Vector& values)
 {
-  double largest = 0.0, scale = 0.0;
+  double m = 0.0;
+  for (const double value : values)
+    m = std::max(m, std::abs(value));
+  return m;
+}
+
+/// Forces on the nodes of one body.
+struct Balance
+{
+  double imbalance = 0.0; ///< largest entry of |K u - f - contact force| over the dofs that are not prescribed
+  double force = 0.0;     ///< largest load, reaction or contact force
+  double roundOff = 0.0;  ///< what a displacement that is wrong in its last digits makes of K u
+  bool loaded = false;
 };
 
-Imbalance imbalance(const BodySystem& system, const BodyTrace* trace, const InterfaceState& state, const Vector& u,
-                    const Comm& comm)
+Balance balance(const BodySystem& system, const BodyTrace* trace, const InterfaceState& state, const Vector& u,
+                const Comm& comm)
 {
   Vector residual = multiply(system.K, u, comm);
-  Imbalance result;
-  for (std::size_t i = 0; i < residual.size(); ++i) {
+  Balance result;
+  result.roundOff = lastDigits * largestEntry(diagonal(system.K, comm)) * largestEntry(u);
+  result.force = largestEntry(system.load);
+  result.loaded = result.force > 0.0;
+  for (std::size_t i = 0; i < residual.size(); ++i)
     residual[i] -= system.load[i];
-    result.scale = std::max({result.scale, std::abs(residual[i]), std::abs(system.load[i])});
-  }
+  result.force = std::max(result.force, largestEntry(residual));
   for (std::size_t k = 0; trace != nullptr && k < trace->unknowns.size(); ++k) {
     const auto unknown = std::size_t(trace->unknowns[k]);
     const TraceDof& dof = system.dofs.trace[k];
@@ -55,13 +99,21 @@ Imbalance imbalance(const BodySystem& system, const BodyTrace* trace, const Inte
   }
   for (std::size_t i = 0; i < residual.size(); ++i)
     if (system.dofs.roles[i] != DofRole::Fixed)
-      result.largest = std::max(result.largest, std::abs(residual[i]));
+      result.imbalance = std::max(result.imbalance, std::abs(residual[i]));
   return result;
 }
 
 double ratio(double value, double scale)
 {
   return scale > 0.0 ? value / scale : 0.0;
+}
+
+/// The imbalance over the body's largest force. A body without loads that only follows another or its supports has no
+/// force but round-off, which is no imbalance. largestForce, roundOff: of the scene.
+double relativeImbalance(const Balance& body, double largestForce, double roundOff)
+{
+  const bool carriesNothing = !body.loaded && body.force <= roundOff;
+  return carriesNothing ? 0.0 : ratio(body.imbalance, std::max(body.force, smallForce * largestForce));
 }
 
 } // namespace
@@ -72,7 +124,8 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
   const auto timer = ledger.time("recover");
   std::vector<BodyFields> all(model.bodies.size());
   const int steps = int(states.size());
-  for (std::size_t b = 0; b < all.size(); ++b) {
+  runLargestFirst(model.numDofs(), condensed.threads, [&](int body) {
+    const auto b = std::size_t(body);
     const BodySystem& system = condensed.systems[b];
     const BodyTrace* trace = condensed.trace(int(b));
     DenseMatrix load(int(condensed.loads[b].size()), steps);
@@ -84,10 +137,14 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
       Vector full = u.column(s);
       for (std::size_t i = 0; i < full.size(); ++i)
         full[i] += system.dofs.prescribed[i];
-      all[b].displacement.push_back(system.dofs.frames.toGlobal(full));
+      Vector moved = full;
+      if (const Vector amplitudes = amplitudesOf(int(b), condensed.interface, states[std::size_t(s)]);
+          !amplitudes.empty())
+        addMotions(moved, amplitudes, model, b, system.dofs);
+      all[b].displacement.push_back(system.dofs.frames.toGlobal(moved));
       all[b].u.push_back(std::move(full));
     }
-  }
+  });
   return all;
 }
 
@@ -124,20 +181,22 @@ ResidualSummary residuals(const Model& model, const CondensedModel& condensed, c
                           const Comm& comm)
 {
   ResidualSummary result;
-  double displacement = 0.0;
+  std::vector<Balance> bodies;
+  double opening = 0.0, force = 0.0, roundOff = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const auto found = imbalance(condensed.systems[b], condensed.trace(int(b)), state, fields[b].u.back(), comm);
-    result.equilibrium = std::max(result.equilibrium, ratio(found.largest, found.scale));
-    for (const double u : fields[b].u.back())
-      displacement = std::max(displacement, std::abs(u));
+    bodies.push_back(balance(condensed.systems[b], condensed.trace(int(b)), state, fields[b].u.back(), comm));
+    opening = std::max(opening, largestEntry(fields[b].displacement.back()));
+    force = std::max(force, bodies.back().force);
+    roundOff = std::max(roundOff, bodies.back().roundOff);
   }
-  double force = 0.0, opening = displacement, complementarity = 0.0, penetration = 0.0, tension = 0.0;
+  for (const auto& body : bodies)
+    result.equilibrium = std::max(result.equilibrium, relativeImbalance(body, force, roundOff));
+  double complementarity = 0.0, penetration = 0.0, tension = 0.0;
   for (const auto& node : contact) {
-    force = std::max(force, std::abs(node.nodalForce));
     opening = std::max(opening, std::abs(node.gap));
     complementarity = std::max(complementarity, std::abs(node.gap * node.nodalForce));
     penetration = std::max(penetration, -node.gap);
-    tension = std::max(tension, node.nodalForce);
+    tension = std::max(tension, node.nodalForce - roundOff);
   }
   result.complementarity = ratio(complementarity, force * opening);
   result.penetration = ratio(penetration, opening);

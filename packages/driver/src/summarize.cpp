@@ -149,7 +149,8 @@ void completeSummary(Run& run, const Params& deck, const Comm& comm)
   if (run.states.empty())
     return;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-    run.summary.bodies[b].energy = energy(run.condensed.systems[b], run.fields[b].u.back(), comm);
+    run.summary.bodies[b].energy =
+        energy(run.model.bodies[b], run.condensed.systems[b].dofs.frames.toGlobal(run.fields[b].u.back()));
     run.summary.energy += run.summary.bodies[b].energy;
   }
   completeInterfaces(run);

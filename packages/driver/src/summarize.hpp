@@ -21,6 +21,9 @@ void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);
 /// Compares the Expect list with the summary.
 void checkExpectations(RunSummary& summary, const Params& deck);
 
+/// True when `path` names a number of the summary that this deck will give. `outline`: outlineSummary.
+bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck);
+
 /// Refuses expectations that name a quantity that this deck does not have.
 void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics);
 

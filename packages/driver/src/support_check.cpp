@@ -10,17 +10,21 @@ namespace ndframe
 namespace
 {
 
-/// What an interface node asks of the rigid motions of one body: row of normal displacements.
+/// What the interface nodes that carry contact ask of the rigid motions of one body: rows of normal displacements.
 DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, int body)
 {
   std::vector<const double*> points;
+  std::vector<Direction> normals;
   for (int i = 0; i < interface.numNodes(); ++i)
-    points.push_back(interface.point(i));
+    if (model.carriesContact(interface, i)) {
+      points.push_back(interface.point(i));
+      normals.push_back(interface.normals[std::size_t(i)]);
+    }
   const RigidBasis& basis = model.rigid[std::size_t(body)];
   DenseMatrix all(basis.size(), basis.size());
   for (int m = 0; m < basis.size(); ++m)
     all(m, m) = 1.0;
-  return motionTraces(basis, all, points, interface.normals);
+  return motionTraces(basis, all, points, normals);
 }
 
 /// Rows of A below each other in the columns of one body (offset = first column).
@@ -31,34 +35,29 @@ void appendRows(DenseMatrix& A, const DenseMatrix& rows, int offset, double sign
       A(firstRow + i, offset + j) += sign * rows(i, j);
 }
 
-/// All rigid motions of the listed bodies that their supports and the jumps on the interfaces between them leave free.
-/// `alone`: interfaces hold the Dirichlet body against a fixed partner (the bodies are solved one after the other).
-DenseMatrix freeTogether(const Model& model, const std::vector<int>& bodies, bool alone)
+/// All rigid motions of the bodies that their supports and the jumps on the interfaces between them leave free.
+DenseMatrix freeTogether(const Model& model)
 {
   int total = 0, rows = 0;
-  std::vector<int> offset(model.bodies.size(), -1);
-  for (const int b : bodies) {
-    offset[std::size_t(b)] = total;
-    total += model.rigid[std::size_t(b)].size();
-    for (const auto& entry : model.constraints[std::size_t(b)].nodes())
+  std::vector<int> offset;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    offset.push_back(total);
+    total += model.rigid[b].size();
+    for (const auto& entry : model.constraints[b].nodes())
       rows += entry.second.count;
   }
   for (const auto& interface : model.interfaces)
     rows += interface.numNodes();
   DenseMatrix A(rows, total);
   int row = 0;
-  for (const int b : bodies) {
-    const auto held =
-        supportRows(model.rigid[std::size_t(b)], model.bodies[std::size_t(b)].nodes, model.constraints[std::size_t(b)]);
-    appendRows(A, held, offset[std::size_t(b)], 1.0, row);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const auto held = supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]);
+    appendRows(A, held, offset[b], 1.0, row);
     row += held.rows();
   }
   for (const auto& interface : model.interfaces) {
-    const int first = offset[std::size_t(interface.dirichletBody)], second = offset[std::size_t(interface.neumannBody)];
-    if (first >= 0)
-      appendRows(A, interfaceRows(model, interface, interface.dirichletBody), first, 1.0, row);
-    if (second >= 0 && !alone)
-      appendRows(A, interfaceRows(model, interface, interface.neumannBody), second, -1.0, row);
+    for (const auto& [body, sign] : {std::pair(interface.dirichletBody, 1.0), std::pair(interface.neumannBody, -1.0)})
+      appendRows(A, interfaceRows(model, interface, body), offset[std::size_t(body)], sign, row);
     row += interface.numNodes();
   }
   return nullSpace(A, rigidTolerance);
@@ -89,48 +88,30 @@ DenseMatrix partOf(const DenseMatrix& motions, int offset, int size)
   return result;
 }
 
-bool touchesAsNeumann(const Model& model, int body)
-{
-  return std::any_of(model.interfaces.begin(), model.interfaces.end(),
-                     [body](const InterfaceMesh& interface) { return interface.neumannBody == body; });
-}
-
-void report(const Model& model, const Params& deck, int body, const DenseMatrix& motions, const std::string& advice,
+void report(const Model& model, const Params& deck, std::size_t body, const DenseMatrix& motions,
             Diagnostics& diagnostics)
 {
   if (motions.cols() == 0)
     return;
-  const auto names = describeMotions(model.rigid[std::size_t(body)], motions);
-  const auto& name = model.bodies[std::size_t(body)].name;
-  diagnostics.add(deck.sub("Bodies").sub(name).mistake(
-      "", fmt::format("nothing holds this body; free rigid motions: {}. {}", fmt::join(names, ", "), advice)));
+  const auto names = describeMotions(model.rigid[body], motions);
+  diagnostics.add(deck.sub("Bodies")
+                      .sub(model.bodies[body].name)
+                      .mistake("", fmt::format("nothing holds this body; free rigid motions: {}. Add a support that "
+                                               "stops it.",
+                                               fmt::join(names, ", "))));
 }
 
 } // namespace
 
-void checkHeld(const Model& model, const Params& deck, bool alternates, Diagnostics& diagnostics)
+void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
-  std::vector<int> all;
-  for (int b = 0; b < int(model.bodies.size()); ++b)
-    all.push_back(b);
-  const std::string advice = "Add a support that stops it.";
-  if (!alternates) {
-    const DenseMatrix motions = freeTogether(model, all, false);
-    int offset = 0;
-    for (const int b : all) {
-      const int size = model.rigid[std::size_t(b)].size();
-      report(model, deck, b, partOf(motions, offset, size), advice, diagnostics);
-      offset += size;
-    }
-    return;
+  const DenseMatrix motions = freeTogether(model);
+  int offset = 0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const int size = model.rigid[b].size();
+    report(model, deck, b, partOf(motions, offset, size), diagnostics);
+    offset += size;
   }
-  for (const int b : all)
-    report(model, deck, b, freeTogether(model, {b}, true),
-           touchesAsNeumann(model, b)
-               ? "The Neumann body must be held by its supports: make it the Dirichlet body, or add a "
-                 "support that stops it."
-               : advice,
-           diagnostics);
 }
 
 std::string heldBy(const Model& model, int body)

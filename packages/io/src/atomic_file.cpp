@@ -1,6 +1,10 @@
 #include "ndframe/io/atomic_file.hpp"
 
+#include <array>
 #include <cerrno>
+#include <charconv>
+#include <climits>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -11,6 +15,7 @@
 #include <unistd.h>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/scratch.hpp"
 
 namespace ndframe
 {
@@ -24,33 +29,38 @@ std::string reasonOf(int error)
   return std::generic_category().message(error);
 }
 
-/// Removes the temporary file unless it has been renamed.
-class TemporaryFile
+/// What the temporary names of a target begin with on this machine: ".punch.e.HOST.", which a process number follows.
+std::string temporaryPrefix(const fs::path& target)
 {
-public:
-  explicit TemporaryFile(const fs::path& target)
-      : path_(target.parent_path() / fmt::format(".{}.{}.tmp", target.filename().string(), getpid()))
-  {}
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    fs::remove(path_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  std::array<char, HOST_NAME_MAX + 1> host{};
+  gethostname(host.data(), host.size() - 1);
+  return fmt::format(".{}.{}.", target.filename().string(), host.data());
+}
 
-  std::string path() const { return path_.string(); }
-  void renameTo(const fs::path& target) const { fs::rename(path_, target); }
-  std::int64_t size() const { return std::int64_t(fs::file_size(path_)); }
+/// True when `name` is the temporary file of a process of this machine that is no more.
+bool isStale(const std::string& name, const std::string& prefix)
+{
+  if (name.compare(0, prefix.size(), prefix) != 0)
+    return false;
+  pid_t process = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + prefix.size(), end, process);
+  return error == std::errc() && std::string(rest, end) == ".tmp" && process > 0 && kill(process, 0) != 0 &&
+         errno == ESRCH;
+}
 
-private:
-  fs::path path_;
-};
+/// A process that was killed could not remove its temporary file.
+void removeStale(const fs::path& folder, const std::string& prefix)
+{
+  std::error_code ignored;
+  for (fs::directory_iterator entry(folder, ignored), end; entry != end; entry.increment(ignored))
+    if (isStale(entry->path().filename().string(), prefix))
+      fs::remove(entry->path(), ignored);
+}
 
 /// The usual mistakes, found before any work is done. What remains shows when the file is opened.
-void checkTarget(const fs::path& target)
+void checkTarget(const fs::path& target, const fs::path& folder)
 {
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   std::error_code error;
   const auto folderStatus = fs::status(folder, error);
   if (folderStatus.type() == fs::file_type::not_found)
@@ -83,12 +93,15 @@ void writeText(const std::string& path, const std::string& text)
 std::int64_t writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write)
 {
   const fs::path target(path);
-  checkTarget(target);
-  const TemporaryFile temporary(target);
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  checkTarget(target, folder);
+  const std::string prefix = temporaryPrefix(target);
+  removeStale(folder, prefix);
+  const Scratch temporary(folder / fmt::format("{}{}.tmp", prefix, getpid()));
   try {
-    write(temporary.path());
-    const auto bytes = temporary.size();
-    temporary.renameTo(target);
+    write(temporary.path().string());
+    const auto bytes = std::int64_t(fs::file_size(temporary.path()));
+    fs::rename(temporary.path(), target);
     return bytes;
   } catch (const InputError&) {
     throw;

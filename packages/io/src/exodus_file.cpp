@@ -1,6 +1,7 @@
 #include "exodus_file.hpp"
 
 #include <algorithm>
+#include <cerrno>
 #include <cstring>
 #include <stdexcept>
 
@@ -9,10 +10,21 @@
 namespace ndframe
 {
 
+namespace
+{
+
+bool isOfTheDisk(int error)
+{
+  return error == ENOSPC || error == EDQUOT || error == EFBIG || error == EIO;
+}
+
+} // namespace
+
 ExodusFile::ExodusFile(const std::string& path)
 {
   int memoryWordSize = sizeof(double);
   int fileWordSize = sizeof(double);
+  errno = 0;
   id_ = ex_create(path.c_str(), EX_CLOBBER | EX_LARGE_MODEL, &memoryWordSize, &fileWordSize);
   check(std::min(id_, 0), "the file");
 }
@@ -27,20 +39,25 @@ void ExodusFile::close()
 {
   const int id = id_;
   id_ = -1;
+  errno = 0;
   check(ex_close(id), "the end of the file");
 }
 
 void ExodusFile::check(int status, const char* what)
 {
+  const int lastError = errno;
   if (status == 0)
     return;
   const char* message = "";
   const char* function = "";
   int code = 0;
   ex_get_err(&message, &function, &code);
-  // Positive codes are the system's (disk full, ...), the others the library's own.
-  throw std::runtime_error(fmt::format("Exodus could not write {}: {} ({}, code {}{}{})", what, message, function, code,
-                                       code > 0 ? ": " : "", code > 0 ? std::strerror(code) : ""));
+  // Positive codes are the system's. Sometimes the library forgets that the disk was full, and complains of what
+  // followed.
+  const int reason = code > 0 ? code : isOfTheDisk(lastError) ? lastError : 0;
+  throw std::runtime_error(
+      reason > 0 ? fmt::format("Exodus could not write {}: {}", what, std::strerror(reason))
+                 : fmt::format("Exodus could not write {}: {} ({}, code {})", what, message, function, code));
 }
 
 CStrings::CStrings(std::vector<std::string> texts) : texts_(std::move(texts))

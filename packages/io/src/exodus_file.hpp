@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cerrno>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ public:
   template <class Function, class... Arguments>
   void call(const char* what, Function function, Arguments... arguments)
   {
+    errno = 0;
     check(function(id_, arguments...), what);
   }
   /// Writes what is still buffered, e.g. onto a disk that may be full: its result matters.

@@ -59,6 +59,16 @@ Json sweepJson(const SweepSummary& sweep)
           {"note", sweep.note}};
 }
 
+Json roleJson(const RoleSummary& roles)
+{
+  return {{"dirichlet_bodies", roles.dirichletBodies},
+          {"neumann_bodies", roles.neumannBodies},
+          {"exchanged", roles.exchanged},
+          {"contraction", roles.contraction},
+          {"best_theta", roles.bestTheta},
+          {"contraction_exchanged", roles.contractionExchanged}};
+}
+
 Json couplingJson(const std::optional<CouplingSummary>& coupling)
 {
   if (!coupling)
@@ -67,7 +77,8 @@ Json couplingJson(const std::optional<CouplingSummary>& coupling)
           {"sweeps", coupling->sweeps},
           {"converged", coupling->converged},
           {"reason", coupling->reason},
-          {"history", arrayOf(coupling->history, sweepJson)}};
+          {"history", arrayOf(coupling->history, sweepJson)},
+          {"roles", arrayOf(coupling->roles, roleJson)}};
 }
 
 Json residualsJson(const ResidualSummary& residuals)

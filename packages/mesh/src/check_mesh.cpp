@@ -14,6 +14,10 @@ namespace ndframe
 namespace
 {
 
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+/// What the rounding of coordinates may be of an edge: stresses have about as many digits as the edges.
+constexpr double coarsestResolution = 1e-6;
+
 /// Counts one kind of mistake and remembers the first case.
 struct Tally
 {
@@ -36,9 +40,15 @@ std::string cellPosition(const Mesh& mesh, int cell)
   return fmt::format("({:.6g})", fmt::join(centre, ", "));
 }
 
-double longestEdge(const Mesh& mesh, int cell)
+/// Of a cell's edges, and the largest coordinate of its vertices.
+struct CellSize
 {
-  double longest = 0.0;
+  double longest = 0.0, shortest = std::numeric_limits<double>::infinity(), coordinate = 0.0;
+};
+
+CellSize sizeOf(const Mesh& mesh, int cell)
+{
+  CellSize size;
   for (int a = 0; a <= mesh.dim; ++a)
     for (int b = 0; b < a; ++b) {
       double squares = 0.0;
@@ -46,9 +56,13 @@ double longestEdge(const Mesh& mesh, int cell)
         const double d = mesh.point(mesh.cell(cell)[a])[i] - mesh.point(mesh.cell(cell)[b])[i];
         squares += d * d;
       }
-      longest = std::max(longest, squares);
+      size.longest = std::max(size.longest, std::sqrt(squares));
+      size.shortest = std::min(size.shortest, std::sqrt(squares));
     }
-  return std::sqrt(longest);
+  for (int a = 0; a <= mesh.dim; ++a)
+    for (int i = 0; i < mesh.dim; ++i)
+      size.coordinate = std::max(size.coordinate, std::abs(mesh.point(mesh.cell(cell)[a])[i]));
+  return size;
 }
 
 /// Mistakes that make every further question about the mesh meaningless.
@@ -77,19 +91,29 @@ bool checkCells(const Mesh& mesh, std::vector<std::string>& mistakes)
 {
   Tally inverted;
   Tally degenerate;
+  Tally unresolved;
   for (int c = 0; c < mesh.numCells(); ++c) {
     const double measure = cellMeasure(mesh, c);
-    const double h = longestEdge(mesh, c);
-    const double roundOff = 4 * std::numeric_limits<double>::epsilon() * (mesh.dim == 2 ? h * h : h * h * h);
+    const CellSize size = sizeOf(mesh, c);
+    const double h = size.longest;
+    const double roundOff = 4 * epsilon * (mesh.dim == 2 ? h * h : h * h * h);
     if (std::abs(measure) <= roundOff)
       degenerate.add(c);
     else if (measure < 0.0)
       inverted.add(c);
+    else if (epsilon * size.coordinate > coarsestResolution * size.shortest)
+      unresolved.add(c);
   }
   for (const auto& [tally, what] : {std::pair{inverted, "inverted"}, std::pair{degenerate, "degenerate (flat)"}})
     if (tally.count > 0)
       mistakes.push_back(fmt::format("{} of {} cells are {}; the first is cell {} at {}.", tally.count, mesh.numCells(),
                                      what, tally.first, cellPosition(mesh, tally.first)));
+  if (unresolved.count > 0)
+    mistakes.push_back(fmt::format("{} of {} cells are too small so far from the origin, their coordinates are rounded "
+                                   "to less than six digits of an edge; the first is cell {} at {}; move the mesh "
+                                   "towards the origin.",
+                                   unresolved.count, mesh.numCells(), unresolved.first,
+                                   cellPosition(mesh, unresolved.first)));
   return inverted.count + degenerate.count == 0;
 }
 

@@ -10,7 +10,6 @@
 #include <fmt/format.h>
 
 #include "file_error.hpp"
-#include "netcdf_header.hpp"
 
 namespace ndframe
 {
@@ -24,7 +23,6 @@ constexpr int maxNameLength = 255;
 
 ExodusInput::Handle::Handle(const std::string& path)
 {
-  checkNetcdfHeader(path);
   ex_opts(0); // no messages on the terminal
   int wordSize = sizeof(double);
   int fileWordSize = 0;

@@ -12,6 +12,7 @@
 #include "mesh_builder.hpp"
 #include "mesh_sources.hpp"
 #include "msh_file.hpp"
+#include "steady_file.hpp"
 #include "vertex_tuples.hpp"
 
 namespace ndframe
@@ -187,8 +188,6 @@ void GmshConverter::noteEmptyGroups()
 
 std::string readText(const std::string& path)
 {
-  if (std::filesystem::is_directory(path))
-    throw FileError("this is a directory, not a file.");
   std::ifstream stream(path, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
@@ -211,8 +210,10 @@ public:
   Mesh read() const override
   {
     try {
+      const SteadyFile steady(path_);
       const std::string file = readText(path_);
       const MshFile msh = parseMsh(isScript() ? meshGeoFile(path_, params_.get<double>("Mesh Size Factor")) : file);
+      steady.requireUnchanged();
       return GmshConverter(msh, params_.get<std::vector<std::string>>("Regions")).convert();
     } catch (const FileError& error) {
       throw InputError(params_.mistake("File", fmt::format("{}: {}", path_, error.what())));

@@ -9,8 +9,10 @@
 #include <fmt/format.h>
 #include <gmshc.h>
 
+#include "child_process.hpp"
 #include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/scratch.hpp"
 
 namespace ndframe
 {
@@ -47,10 +49,9 @@ private:
   {
     static void* const handle = dlopen(NDFRAME_GMSH_SONAME, RTLD_LAZY | RTLD_LOCAL);
     if (!handle)
-      throw InputError(
-          fmt::format("a .geo file needs the gmsh library, which cannot be loaded ({}); install it or mesh "
-                      "the file beforehand (gmsh -2 FILE.geo).",
-                      dlerror()));
+      throw FileError(fmt::format("a .geo file needs the gmsh library, which cannot be loaded ({}); install it or mesh "
+                                  "the file beforehand (gmsh -2 FILE.geo).",
+                                  dlerror()));
     void* const symbol = dlsym(handle, name);
     NDFRAME_ASSERT(symbol, fmt::format("{} has no function {}", NDFRAME_GMSH_SONAME, name));
     return reinterpret_cast<Function>(symbol);
@@ -141,49 +142,42 @@ private:
   const Library& gmsh_ = Library::get();
 };
 
-/// A file name ending in .msh in a new directory, removed with everything in it.
-class TemporaryFile
+/// The name of a new directory.
+std::filesystem::path makeDirectory()
 {
-public:
-  TemporaryFile()
-  {
-    std::error_code noDirectory; // leaves the path empty: the working directory
-    std::string pattern = (std::filesystem::temp_directory_path(noDirectory) / "ndframe-XXXXXX").string();
-    if (!mkdtemp(pattern.data()))
-      throw InputError(
-          fmt::format("no temporary directory can be made as {}; set TMPDIR to a writable place.", pattern));
-    directory_ = pattern;
-  }
-  ~TemporaryFile()
-  {
-    std::error_code ignored;
-    std::filesystem::remove_all(directory_, ignored);
-  }
-  TemporaryFile(const TemporaryFile&) = delete;
-  TemporaryFile& operator=(const TemporaryFile&) = delete;
+  std::error_code noDirectory; // leaves the path empty: the working directory
+  std::string pattern = (std::filesystem::temp_directory_path(noDirectory) / "ndframe-XXXXXX").string();
+  if (!mkdtemp(pattern.data()))
+    throw InputError(fmt::format("no temporary directory can be made as {}; set TMPDIR to a writable place.", pattern));
+  return pattern;
+}
 
-  std::string path() const { return (directory_ / "mesh.msh").string(); }
-
-private:
-  std::filesystem::path directory_;
-};
+void meshScript(const std::string& script, double sizeFactor, const std::string& mesh)
+{
+  Session gmsh;
+  gmsh.open(script);
+  // After opening: a script may set these options too.
+  gmsh.setNumber("Mesh.MeshSizeFactor", sizeFactor * gmsh.number("Mesh.MeshSizeFactor"));
+  gmsh.setNumber("Mesh.SaveAll", 1);
+  gmsh.setNumber("Mesh.MshFileVersion", 4.1);
+  gmsh.setNumber("Mesh.Binary", 1);
+  gmsh.generate();
+  gmsh.write(mesh);
+}
 
 } // namespace
 
 std::string meshGeoFile(const std::string& path, double sizeFactor)
 {
-  const TemporaryFile mesh;
-  {
-    Session gmsh;
-    gmsh.open(path);
-    // After opening: a script may set these options too.
-    gmsh.setNumber("Mesh.MeshSizeFactor", sizeFactor * gmsh.number("Mesh.MeshSizeFactor"));
-    gmsh.setNumber("Mesh.SaveAll", 1);
-    gmsh.setNumber("Mesh.MshFileVersion", 4.1);
-    gmsh.setNumber("Mesh.Binary", 1);
-    gmsh.generate();
-    gmsh.write(mesh.path());
-  }
+  const Scratch folder(makeDirectory());
+  const Scratch mesh(folder.path() / "mesh.msh");
+  // gmsh crashes on some scripts.
+  runInChild(
+      [&] {
+        meshScript(path, sizeFactor, mesh.path().string());
+        return std::string();
+      },
+      "gmsh");
   std::ifstream stream(mesh.path(), std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

@@ -215,8 +215,6 @@ void checkHdf5Length(const std::array<char, 52>& head, std::uint64_t fileSize)
 
 void checkNetcdfHeader(const std::string& path)
 {
-  if (std::filesystem::is_directory(path))
-    throw FileError("this is a directory, not a file.");
   std::ifstream in(path, std::ios::binary);
   if (!in)
     throw FileError("the file cannot be read; relative names count from the deck's folder.");

@@ -1,5 +1,7 @@
 #include "ndframe/mesh/partition.hpp"
 
+#include <new>
+
 #include <fmt/format.h>
 #include <metis.h>
 
@@ -34,6 +36,8 @@ std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerC
   const int status =
       METIS_PartMeshNodal(&numCells, &nodes, offsets.data(), const_cast<idx_t*>(cellNodes.data()), nullptr, nullptr,
                           &numParts, nullptr, options, &cut, cellOwner.data(), owner.data());
+  if (status == METIS_ERROR_MEMORY)
+    throw std::bad_alloc();
   NDFRAME_ASSERT(status == METIS_OK, fmt::format("METIS_PartMeshNodal returned {}", status));
   return owner;
 }

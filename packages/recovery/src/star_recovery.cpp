@@ -7,6 +7,7 @@
 
 #include "body_stars.hpp"
 #include "interface_stars.hpp"
+#include "ndframe/algebra/threads.hpp"
 
 namespace ndframe
 {
@@ -42,7 +43,8 @@ public:
 
   void solveStars()
   {
-    for (std::size_t body = 0; body < bodies_.size(); ++body) {
+    corrections_.resize(bodies_.size());
+    forEachBody([this](std::size_t body) {
       std::vector<Vector> contact;
       for (const SceneStress& stress : stresses_)
         contact.push_back(contactShares(scene_.facets, stress.onDirichlet, stress.onNeumann, int(body),
@@ -50,16 +52,15 @@ public:
       std::vector<FieldInput> inputs;
       for (std::size_t field = 0; field < fields_.size(); ++field)
         inputs.push_back({fields_[field].displacement[body], &contact[field]});
-      corrections_.push_back(bodies_[body].solve(inputs, comm_, ledger_));
-    }
+      corrections_[body] = bodies_[body].solve(inputs, comm_, ledger_);
+    });
   }
 
   /// All stars of the bodies with their tractions as they are, then the interface stars of the fields whose tractions
   /// may change.
   void sweep()
   {
-    for (std::size_t body = 0; body < bodies_.size(); ++body)
-      bodies_[body].sweep(corrections_[body], comm_, ledger_);
+    forEachBody([this](std::size_t body) { bodies_[body].sweep(corrections_[body], comm_, ledger_); });
     for (std::size_t field = 0; field < fields_.size(); ++field) {
       if (!fields_[field].optimise)
         continue;
@@ -81,6 +82,17 @@ public:
   }
 
 private:
+  /// At the same time; ranks, which share out the stars of each body, one after the other.
+  template <class Work>
+  void forEachBody(const Work& work)
+  {
+    const int threads = comm_.size() > 1 ? 1 : numThreads(comm_);
+    std::vector<int> sizes;
+    for (const BodyModel* body : scene_.bodies)
+      sizes.push_back(body->numDofs());
+    runLargestFirst(sizes, threads, [&](int body) { work(std::size_t(body)); });
+  }
+
   const RecoveryScene& scene_;
   const std::vector<SceneField>& fields_;
   const Comm& comm_;

@@ -78,6 +78,17 @@ double UnilateralProblem::stiffnessScale() const
   return scale > 0.0 ? scale : 1.0; // A = 0, a body that can only move rigidly: any weight will do
 }
 
+/// A x. Contact that is closed or open everywhere leaves one of the two parts of u zero, and a product is what a pass
+/// costs.
+Vector UnilateralProblem::applied(const Vector& x) const
+{
+  const bool isZero = std::all_of(x.begin(), x.end(), [](double value) { return value == 0.0; });
+  if (isZero)
+    return x;
+  ledger_.count("interface products");
+  return A_.apply(x);
+}
+
 void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
                                     Pass& pass)
 {
@@ -96,25 +107,26 @@ void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const 
     factoredShift_ = shift;
     ledger_.count("interface factorisations");
   }
-  const Vector fromGiven = A_.apply(given);
+  const Vector fromGiven = applied(given);
   Vector rhs(n);
   for (std::size_t i = 0; i < n; ++i)
     rhs[i] = b[i] - fromGiven[i] + shift * (pass.u.empty() ? 0.0 : pass.u[i]);
-  Vector u = factor_->solve(rhs);
-  for (std::size_t i = 0; i < n; ++i)
-    u[i] += given[i];
-  pass.force = A_.apply(u);
-  for (std::size_t i = 0; i < n; ++i)
-    pass.force[i] = closed[i] ? pass.force[i] - b[i] : 0.0;
-  pass.u = std::move(u);
+  pass.u = factor_->solve(rhs);
+  pass.force = applied(pass.u);
+  for (std::size_t i = 0; i < n; ++i) {
+    pass.u[i] += given[i];
+    pass.force[i] = closed[i] ? fromGiven[i] + pass.force[i] - b[i] : 0.0;
+  }
 }
 
-/// Nodes whose status contradicts the solution: closed ones under tension, open ones that penetrate.
+/// Nodes whose status contradicts the solution: closed ones under tension, open ones that penetrate. Where nothing is
+/// closed, penetration has no tolerance: however weakly bodies touch, that they do is tried first.
 std::vector<int> UnilateralProblem::violations(const Vector& b, const Vector& bound, const Pass& pass,
                                                const std::vector<char>& closed) const
 {
   const double noForce = roundOff * std::max(largest(pass.force), largest(b));
-  const double noGap = roundOff * std::max(largest(pass.u), largest(bound));
+  const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
+  const double noGap = isApart ? 0.0 : roundOff * std::max(largest(pass.u), largest(bound));
   std::vector<int> wrong;
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (constrained_[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))

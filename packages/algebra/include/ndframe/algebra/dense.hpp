@@ -68,6 +68,9 @@ DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance);
 /// Moore-Penrose inverse, cols x rows; singular values below `relativeTolerance` times the largest are zero.
 DenseMatrix pseudoInverse(const DenseMatrix& A, double relativeTolerance);
 
+/// All eigenvalues of a symmetric matrix in ascending order (LAPACK dsyev, lower triangle).
+Vector symmetricEigenvalues(DenseMatrix A);
+
 double dot(const Vector& a, const Vector& b);
 double norm(const Vector& a);
 

@@ -78,6 +78,8 @@ public:
   virtual std::string name(int ranks) const = 0;
   /// True when it calls MPI on so many ranks; a single process starts MPI for nothing else.
   virtual bool needsMpi(int ranks) const = 0;
+  /// True when threads may factor bodies at the same time.
+  virtual bool allowsThreads(int /*ranks*/) const { return false; }
 };
 
 /// K_ii is singular or not positive definite: the body has a free rigid motion, or the material is not positive

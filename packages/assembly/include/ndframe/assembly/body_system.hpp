@@ -41,7 +41,13 @@ struct BodySystem
   Vector effectiveLoad(const Comm& comm) const;
 };
 
-/// Assembles K on the owned nodes and f. Kernels are exact for straight elements.
+/// int q . v of all loads of a body, global axes (numNodes * dim). Loads that vary are sampled: take it once.
+Vector integrateLoads(const BodyModel& body);
+
+/// Assembles K on the owned nodes; `load`: what integrateLoads gave. Kernels are exact for straight elements.
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes, const Vector& load);
+
+/// The same, integrating the loads.
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes);
 
 /// f of equation (19) for a set of loads, in the nodes' own axes: a new load case needs nothing else.

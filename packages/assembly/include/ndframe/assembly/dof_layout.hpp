@@ -25,6 +25,8 @@ public:
   Vector toLocal(const Vector& global) const;
   Vector toGlobal(const Vector& local) const;
 
+  bool operator==(const Frames& other) const;
+
 private:
   int dim_;
   std::vector<int> index_;
@@ -56,6 +58,8 @@ struct DofLayout
   std::vector<TraceDof> trace; ///< one per trace normal
 
   std::vector<int> keptDofs() const;
+  /// The same axes, the same dofs fixed and kept: K and its factor are the same, whatever the prescribed values.
+  bool splitsLike(const DofLayout& other) const;
 };
 
 /// Chooses axes so that supports fix dofs and interface normals are dofs; one trace normal per node, and its free part

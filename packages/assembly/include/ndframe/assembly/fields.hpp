@@ -15,7 +15,8 @@ std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vecto
 /// int_E K eps(v) : eps(v) of every cell. displacement: v, numNodes * dim, global axes.
 Vector cellEnergies(const BodyModel& body, const Vector& displacement);
 
-/// a(u, u) = int K eps(u) : eps(u) (no 1/2) = u . K u, u in the nodes' own axes.
-double energy(const BodySystem& system, const Vector& u, const Comm& comm);
+/// a(v, v) = int K eps(v) : eps(v) (no 1/2) of the body. Taken from the strains: in v . K v round-off of a large rigid
+/// motion would drown the energy of a stiff body.
+double energy(const BodyModel& body, const Vector& displacement);
 
 } // namespace ndframe

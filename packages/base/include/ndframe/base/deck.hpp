@@ -12,7 +12,7 @@ namespace ndframe
 struct DeckEntry
 {
   std::string name;
-  std::string type;  ///< "bool", "int", "double", "string", "Array(int)", ...; empty when it came from `--set`
+  std::string type;  ///< "bool", "int", "double", "string", "Array(int)", ...; empty when it came from a setting
   std::string value; ///< as written
   std::string file;  ///< empty when it came from `--set`
   int line = 0;
@@ -38,8 +38,18 @@ DeckList readDeck(const std::string& path);
 /// The same from a text; `name` stands for the file in messages.
 DeckList parseDeck(const std::string& xml, const std::string& name);
 
-/// Applies "Coupling/Stopping/Tolerance=1e-4": replaces the entry or adds it, creating lists on the way.
-/// The entry is validated later like the rest of the deck.
+/// A value for the entry at a path such as "Coupling/Stopping/Tolerance", and where that was written.
+struct Setting
+{
+  std::string path, value;
+  std::string file; ///< empty: `--set`
+  int line = 0;
+};
+
+/// Replaces the entry or adds it, creating lists on the way. It is validated later like the rest of the deck.
+void applySetting(DeckList& deck, const Setting& setting, Diagnostics& diagnostics);
+
+/// The same for "Coupling/Stopping/Tolerance=1e-4" from the command line.
 void applySetting(DeckList& deck, const std::string& setting, Diagnostics& diagnostics);
 
 } // namespace ndframe

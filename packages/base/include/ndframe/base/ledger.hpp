@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <map>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,7 +13,8 @@ class Log;
 
 /// What a run did: exact counts (factorisations, back-solves, sweeps, ...) and, per stage, seconds and peak memory.
 ///
-/// Tests assert on the counts; the seconds are for people. One rank's view: counts are the same on all ranks.
+/// Tests assert on the counts; the seconds are for people. One rank's view: counts are the same on all ranks. Threads
+/// may count and time at once; a stage's seconds are then those of all threads.
 class Ledger
 {
 public:
@@ -41,7 +43,9 @@ public:
   /// With a log given, a terminal shows a live line for every stage that lasts longer than a second.
   explicit Ledger(const Log* live = nullptr) : live_(live) {}
 
-  void count(const std::string& what, std::int64_t amount = 1) { counts_[what] += amount; }
+  void count(const std::string& what, std::int64_t amount = 1);
+  /// Forgets all counts and stages: another run begins, and factors of the last one may go on counting here.
+  void restart();
   /// 0 for what never happened.
   std::int64_t counted(const std::string& what) const;
   const std::map<std::string, std::int64_t>& counts() const { return counts_; }
@@ -51,6 +55,7 @@ public:
 
 private:
   const Log* live_;
+  std::mutex mutex_; ///< of what follows
   std::map<std::string, std::int64_t> counts_;
   std::vector<Stage> stages_;
 };

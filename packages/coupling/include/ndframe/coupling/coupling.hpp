@@ -15,7 +15,9 @@ namespace ndframe
 /// The interface state after a sweep. The final state pairs u1, Lambda_dir(p) with u2, Lambda_neu(p-1).
 struct InterfaceState
 {
-  Vector uDirichlet, uNeumann;               ///< normal displacements per unknown
+  Vector uDirichlet, uNeumann; ///< normal displacements per unknown
+  Vector motionsNeumann;  ///< amplitudes of the Neumann bodies' free motions, if the coupling finds them separately
+  Vector strainedNeumann; ///< then uNeumann without them: a large motion costs the sum the digits of small strains
   Vector forceDirichlet, forceNeumann;       ///< C Lambda_dir, C Lambda_neu per unknown
   Vector tractionDirichlet, tractionNeumann; ///< Lambda per interface node (all nodes of the contact matrix)
   std::vector<char> closed;                  ///< status per unknown
@@ -45,6 +47,15 @@ struct CouplingResult
 /// Called after every sweep, for the screen and for those who want all states.
 using SweepObserver = std::function<void(const SweepRecord&, const InterfaceState&)>;
 
+/// What a coupling makes of the names Dirichlet and Neumann body. Where they are roles, a body has one role on all its
+/// interfaces.
+enum class Roles
+{
+  None,     ///< all bodies are treated alike; the names only orient the interface
+  AsGiven,  ///< as the deck says
+  Automatic ///< chosen by the driver before solve(): the better contraction (role_spectrum.hpp)
+};
+
 /// How the bodies are brought together on the interface.
 class Coupling
 {
@@ -52,9 +63,7 @@ public:
   virtual ~Coupling() = default;
   /// Throws NotConverged when there is no state to return at all (the load pulls the bodies apart).
   virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const = 0;
-  /// True when the bodies are solved one after the other: then a body is Dirichlet or Neumann on all its interfaces,
-  /// and the Neumann bodies must be held by their supports alone.
-  virtual bool alternates() const = 0;
+  virtual Roles roles() const = 0;
 };
 
 /// "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before; their registry

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "ndframe/driver/condensed_model.hpp"
@@ -9,6 +10,8 @@
 
 namespace ndframe
 {
+
+class ReferenceSolution;
 
 /// What Error Estimation computed: numbers for the summary, fields for the Exodus file.
 struct Certificate
@@ -24,9 +27,11 @@ struct Certificate
 };
 
 /// Section 5: everything the deck's Error Estimation asks for, for the final state of a run. Collective.
-/// `fields`: the final state is their last. Throws InputError when no admissible traction exists.
+/// `fields`: the final state is their last. `reference`: of an earlier run or null; kept where it suits, else replaced.
+/// Throws NotConverged when no admissible traction exists.
 Certificate certify(const Params& deck, const Components& components, const Model& model,
                     const CondensedModel& condensed, const CouplingResult& coupling,
-                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger);
+                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
+                    std::shared_ptr<const ReferenceSolution>& reference);
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/driver/components.hpp"
+#include "ndframe/driver/recipe.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 
 namespace ndframe
@@ -16,14 +17,17 @@ struct Model
 {
   std::vector<BodyModel> bodies;
   std::vector<ConstraintSet> constraints; ///< per body
+  std::vector<Vector> loads;              ///< per body: int q . v in global axes, as integrateLoads gives it
   std::vector<RigidBasis> rigid;          ///< per body
   std::vector<DenseMatrix> freeMotions;   ///< per body: columns span the rigid motions that its supports leave free
   std::vector<InterfaceMesh> interfaces;
+  SceneRecipe recipe; ///< what it was made from; empty when it is not to be reused
 
   /// False where a support prescribes the normal displacement of an interface node on either body.
   bool carriesContact(const InterfaceMesh& interface, int node) const;
 
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
+  std::vector<int> numDofs() const;             ///< per body
 };
 
 /// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is
@@ -31,8 +35,21 @@ struct Model
 /// match, bodies that overlap, bodies that nothing holds.
 Model buildModel(const Params& deck, const Components& components);
 
+/// Makes an earlier (or empty) model the deck's. What it was made from in the same way stays: everything, or the meshes
+/// and node maps of bodies. Counts "meshes reused". Rank 0 reads the meshes for all. A deck that is refused leaves the
+/// model as it was.
+void updateModel(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
+
+/// A mesh and its node map, which is made when it is empty.
+struct GivenMesh
+{
+  GivenMesh(Mesh givenMesh, NodeMap givenNodes = {}) : mesh(std::move(givenMesh)), nodes(std::move(givenNodes)) {}
+  Mesh mesh;
+  NodeMap nodes;
+};
+
 /// The mesh of a body, given its list in the deck.
-using MeshOfBody = std::function<Mesh(const Params& body)>;
+using MeshOfBody = std::function<GivenMesh(const Params& body)>;
 
 /// The same scene on other meshes than those that the deck names.
 Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf);
@@ -41,9 +58,8 @@ Model buildModel(const Params& deck, const Components& components, const MeshOfB
 /// the bodies one after the other needs one role per body. Looks at the deck only.
 void checkRoles(const Params& deck, Diagnostics& diagnostics);
 
-/// Refuses bodies with rigid motions that neither supports nor contact can stop, naming the motions. `alternates`: the
-/// coupling solves the bodies one after the other, so Neumann bodies must be held by their supports alone.
-void checkHeld(const Model& model, const Params& deck, bool alternates, Diagnostics& diagnostics);
+/// Refuses bodies with rigid motions that neither supports nor contact can stop, naming the motions.
+void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics);
 
 /// "roller at left; by contact: translation along y"
 std::string heldBy(const Model& model, int body);

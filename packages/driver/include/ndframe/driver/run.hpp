@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -21,20 +22,35 @@ struct Run
   CouplingResult coupling; ///< empty history without interfaces
   std::vector<InterfaceState>
       states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
-  std::vector<BodyFields> fields;         ///< per body, per kept state
-  std::vector<ContactNode> contact;       ///< final state
-  std::optional<Certificate> certificate; ///< of the final state, when the deck asks for it
+  std::vector<BodyFields> fields;                     ///< per body, per kept state
+  std::vector<ContactNode> contact;                   ///< final state
+  std::optional<Certificate> certificate;             ///< of the final state, when the deck asks for it
+  std::shared_ptr<const ReferenceSolution> reference; ///< of this run or an earlier one; null if there was none
   RunSummary summary;
   std::string failure;       ///< why the result may not be trusted, with what failed (exit code 3); empty when it may
   double startSeconds = 0.0; ///< wall clock when the run began
 };
 
-/// Runs a validated deck up to the summary; writes no files. `name` is the deck as messages call it.
-/// Throws InputError for mistakes that show only with the meshes, NotConverged when a linear solver gives up.
-Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log);
+/// What a run may take over from the one before it.
+struct Reusable
+{
+  Model model;
+  CondensedModel condensed;
+  std::shared_ptr<const ReferenceSolution> reference = nullptr;
+};
+
+/// Takes out of a run what the next one may take over; the answer stays.
+Reusable handOn(Run& run);
+
+/// Runs a validated deck up to the summary; writes no files. Of `previous` it keeps what the deck has not changed, with
+/// the same answer as without; the ledger must be the one of the run that it comes from.
+/// Throws InputError for mistakes that show only with the meshes, NotConverged when a linear solver gives up;
+/// `previous` then holds what can still be reused.
+Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
+            Reusable&& previous = {});
 
 /// Reads and checks everything that --check checks: meshes, pairing, supports, expectations.
-Model checkDeck(const Params& deck, const Components& components, Ledger& ledger);
+Model checkDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
 
 /// Writes what Output asks for; returns the files' names. Only rank 0 writes; a failure is everybody's InputError.
 std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,

@@ -13,8 +13,9 @@ namespace ndframe
 /// The displacement fields that belong to interface states.
 struct BodyFields
 {
-  std::vector<Vector> u;            ///< per state, in the nodes' own axes
-  std::vector<Vector> displacement; ///< per state, global axes (numNodes * dim)
+  std::vector<Vector> u;            ///< per state, in the nodes' own axes, without the free motions that the coupling
+                                    ///< found separately: strains have all their digits
+  std::vector<Vector> displacement; ///< per state, global axes (numNodes * dim), with all motions
 };
 
 /// Interiors recovered by one multi-right-hand-side back-solve per body, (25) and (26). One entry per body; without

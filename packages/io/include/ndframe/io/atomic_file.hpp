@@ -11,8 +11,9 @@ namespace ndframe
 ///
 /// `write` gets the temporary path and throws on failure; the temporary file is then removed. Its std::runtime_error, a
 /// missing or unwritable folder, a full disk or a target that is no regular file end as InputError naming `path` and
-/// the reason; other exceptions (bugs) pass through. Returns the number of bytes written. Limit: no fsync, so it guards
-/// against a crash of the program, not of the machine.
+/// the reason; other exceptions (bugs) pass through. Returns the number of bytes written. The temporary file is a
+/// Scratch, so signals leave none behind; after SIGKILL it stays until the same file is written again on this machine.
+/// Limit: no fsync, so it guards against a crash of the program, not of the machine.
 std::int64_t writeAtomically(const std::string& path,
                              const std::function<void(const std::string& temporaryPath)>& write);
 

@@ -53,6 +53,16 @@ struct SweepSummary
   std::string note; ///< e.g. "theta clipped"
 };
 
+/// Roles that were chosen for bodies that touch, directly or through others (Dirichlet Body = Automatic).
+struct RoleSummary
+{
+  std::vector<std::string> dirichletBodies, neumannBodies;
+  bool exchanged = false;            ///< against the deck
+  double contraction = 0.0;          ///< of the traction's error in a sweep with the best theta
+  double bestTheta = 0.0;            ///< a relaxation factor
+  double contractionExchanged = 0.0; ///< the one that the other roles would have
+};
+
 struct CouplingSummary
 {
   std::string type;
@@ -60,6 +70,7 @@ struct CouplingSummary
   bool converged = false;
   std::string reason; ///< why it stopped, one sentence
   std::vector<SweepSummary> history;
+  std::vector<RoleSummary> roles; ///< one per connected part of the network; empty when they were given
 };
 
 /// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).

@@ -46,6 +46,7 @@ public:
 private:
   struct Pass;
   bool holds(const std::vector<char>& closed) const;
+  Vector applied(const Vector& x) const;
   void solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift, Pass& pass);
   std::vector<int> violations(const Vector& b, const Vector& bound, const Pass& pass,
                               const std::vector<char>& closed) const;

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/base/params.hpp"
+
+namespace ndframe
+{
+
+/// What the parts of a scene are made from, as text of the deck: parts with the same recipe are the same, bit by bit,
+/// and may be handed on from one run to the next. Recipes hold everything a part depends on but what another part
+/// hands to it (the interface nodes of a body, say), which whoever reuses it compares itself.
+struct BodyRecipe
+{
+  std::string name;
+  std::string mesh;   ///< list Mesh, order of the elements; path, size and time of the mesh file
+  std::string matrix; ///< list Material
+  std::string load;   ///< lists Supports and Loads
+
+  bool operator==(const BodyRecipe& other) const
+  {
+    return name == other.name && mesh == other.mesh && matrix == other.matrix && load == other.load;
+  }
+};
+
+struct SceneRecipe
+{
+  std::vector<BodyRecipe> bodies; ///< none: nothing is known, nothing is the same
+  std::string interfaces;         ///< list Interfaces
+  std::string solver;             ///< list Linear Solver
+  std::string representation;     ///< list Interface Operator
+
+  /// The same meshes, materials, supports, loads and interfaces.
+  bool sameModel(const SceneRecipe& other) const;
+  /// The same model, solved in the same way.
+  bool sameSystems(const SceneRecipe& other) const;
+};
+
+/// Limit: of a mesh made by a .geo script only the script itself is looked at, not the files that it includes.
+SceneRecipe recipeOf(const Params& deck);
+
+} // namespace ndframe

@@ -1,0 +1,49 @@
+#include "command_line.hpp"
+
+namespace ndframe
+{
+
+void declareOptions(CLI::App& app, CommandLine& options)
+{
+  app.set_help_flag();
+  app.add_option("-i,--input,deck", options.deck, "The deck to run.")->type_name("FILE");
+  app.add_option(
+         "--set", options.settings,
+         "Replace or add one entry of the deck, e.g. --set \"Coupling/Stopping/Tolerance=1e-4\"; may be repeated.")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--study", options.axes,
+                 "Run the deck for every value of a parameter, one CSV row a case, e.g. --study "
+                 "\"Coupling/Stopping/Tolerance=0.1; 0.01\"; repeated, every combination. Parameters joined by \"&&\" "
+                 "move together.")
+      ->type_name("PATH=VALUE;VALUE")
+      ->expected(1)
+      ->take_all();
+  app.add_flag("--check", options.check, "Check everything, mesh files included, and stop before the solve.");
+  app.add_flag("--plan", options.plan, "Show the stages that this deck will run, those it skips, and why.");
+  app.add_flag(
+      "--yardstick", options.yardstick,
+      "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
+  app.add_option_function<std::string>(
+         "-h,--help", [&options](const std::string& list) { options.help = list; },
+         "This text, or the documentation of a list or component of the deck.")
+      ->type_name("LIST")
+      ->expected(0, 1)
+      ->default_str("");
+  app.add_flag("--list", options.list, "All components by list.");
+  app.add_flag("--dump-defaults", options.dumpDefaults, "A deck that runs, with every parameter and its default.");
+  app.add_flag("--reference", options.reference, "The whole deck reference as Markdown (docs/reference.md).");
+  app.add_flag("--version", options.version, "The version.");
+  app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
+  app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
+}
+
+const char* exitCodeText()
+{
+  return "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged, or a bound "
+         "without the guarantee that the deck requires (results are written and marked), "
+         "4 an expectation missed.\n";
+}
+
+} // namespace ndframe

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <CLI/CLI.hpp>
+
+namespace ndframe
+{
+
+/// What the user asked for.
+struct CommandLine
+{
+  std::string deck;
+  std::vector<std::string> settings;
+  std::vector<std::string> axes;   ///< of a study
+  std::optional<std::string> help; ///< list to explain; empty text: the command line itself
+  bool check = false, plan = false, list = false, dumpDefaults = false, reference = false, version = false;
+  bool yardstick = false;
+  bool quiet = false, verbose = false;
+};
+
+/// Declares the options; CLI11 fills `options` when it parses.
+void declareOptions(CLI::App& app, CommandLine& options);
+
+/// What the exit codes mean: the end of --help.
+const char* exitCodeText();
+
+} // namespace ndframe

@@ -1,0 +1,202 @@
+#include "roles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/coupling/role_spectrum.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// The other contraction must be smaller than this times the given one: estimates that agree leave the deck's roles.
+constexpr double clearly = 0.9;
+
+void negate(Vector& values)
+{
+  for (double& value : values)
+    value = -value;
+}
+
+/// Makes the Neumann body of an interface the Dirichlet body; the interface's nodes keep their numbers.
+void exchange(Model& model, InterfaceMesh& interface)
+{
+  std::swap(interface.dirichletBody, interface.neumannBody);
+  std::swap(interface.dirichletNodes, interface.neumannNodes);
+  std::swap(interface.dirichletFacets, interface.neumannFacets);
+  for (auto& normal : interface.normals)
+    for (double& component : normal)
+      component = -component;
+  const NodeMap& nodes = model.bodies[std::size_t(interface.dirichletBody)].nodes;
+  const auto numNodes = std::size_t(interface.nodesPerFacet());
+  std::vector<int> bodyNodes(numNodes);
+  for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
+    facetNodes(nodes, interface.dirichletFacets[f], bodyNodes.data());
+    const auto first = interface.facets.begin() + std::ptrdiff_t(f * numNodes), last = first + std::ptrdiff_t(numNodes);
+    std::sort(first, last, [&](int a, int b) {
+      const auto place = [&](int node) {
+        return std::find(bodyNodes.begin(), bodyNodes.end(), interface.dirichletNodes[std::size_t(node)]);
+      };
+      return place(a) < place(b);
+    });
+  }
+}
+
+/// The same for a body that is already condensed: S stays.
+void exchange(CondensedModel& condensed, BodyTrace& trace)
+{
+  for (char& side : trace.onDirichletSide)
+    side = !side;
+  negate(trace.g);
+  for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
+    trace.freeMotions.data()[i] *= -1.0;
+  for (auto& dof : condensed.systems[std::size_t(trace.body)].dofs.trace) {
+    dof.scale = -dof.scale;
+    dof.offset = -dof.offset;
+  }
+}
+
+void exchange(Model& model, CondensedModel& condensed, const std::vector<int>& bodies)
+{
+  const auto isOne = [&](int body) { return std::binary_search(bodies.begin(), bodies.end(), body); };
+  for (auto& interface : model.interfaces)
+    if (isOne(interface.dirichletBody))
+      exchange(model, interface);
+  for (auto& trace : condensed.interface.bodies)
+    if (isOne(trace.body))
+      exchange(condensed, trace);
+}
+
+/// One role a body: 1 Dirichlet, 0 Neumann, -1 not known yet.
+class RoleMap
+{
+public:
+  explicit RoleMap(const Model& model) : interfaces_(model.interfaces), role_(model.bodies.size(), -1)
+  {
+    for (const auto& interface : interfaces_) {
+      if (role(interface.dirichletBody) >= 0 || role(interface.neumannBody) >= 0)
+        continue;
+      role(interface.dirichletBody) = 1;
+      spread();
+    }
+  }
+  bool isDirichlet(int body) const { return role_[std::size_t(body)] == 1; }
+
+private:
+  int& role(int body) { return role_[std::size_t(body)]; }
+
+  /// Gives the neighbours of bodies with a role the other one.
+  void spread()
+  {
+    for (bool changes = true; changes;) {
+      changes = false;
+      for (const auto& interface : interfaces_)
+        for (const auto& [known, other] : {std::pair(interface.dirichletBody, interface.neumannBody),
+                                           std::pair(interface.neumannBody, interface.dirichletBody)})
+          if (role(known) >= 0 && role(other) < 0) {
+            role(other) = 1 - role(known);
+            changes = true;
+          }
+    }
+  }
+
+  const std::vector<InterfaceMesh>& interfaces_;
+  std::vector<int> role_;
+};
+
+RoleSummary summarize(const Model& model, const ConnectedBodies& part, bool exchanged)
+{
+  const RoleSpectrum other = part.spectrum.exchanged();
+  const RoleSpectrum &chosen = exchanged ? other : part.spectrum, &refused = exchanged ? part.spectrum : other;
+  RoleSummary summary;
+  for (const auto& interface : model.interfaces)
+    if (std::binary_search(part.bodies.begin(), part.bodies.end(), interface.dirichletBody)) {
+      summary.dirichletBodies.push_back(model.bodies[std::size_t(interface.dirichletBody)].name);
+      summary.neumannBodies.push_back(model.bodies[std::size_t(interface.neumannBody)].name);
+    }
+  for (auto* names : {&summary.dirichletBodies, &summary.neumannBodies}) {
+    std::sort(names->begin(), names->end());
+    names->erase(std::unique(names->begin(), names->end()), names->end());
+  }
+  summary.exchanged = exchanged;
+  summary.contraction = chosen.contraction();
+  summary.bestTheta = chosen.bestTheta();
+  summary.contractionExchanged = refused.contraction();
+  return summary;
+}
+
+std::string roleText(const RoleSummary& roles)
+{
+  const auto reason =
+      std::isnan(roles.contraction)
+          ? "as the deck says: a body's stiffness on the interface is lost in round-off, so nothing can be chosen"
+          : fmt::format("chosen: contraction {:.2g} with theta {:.2g}, against {:.2g} with the roles exchanged",
+                        roles.contraction, roles.bestTheta, roles.contractionExchanged);
+  return fmt::format("  Dirichlet {}: {} ({})", roles.dirichletBodies.size() == 1 ? "body" : "bodies",
+                     fmt::join(roles.dirichletBodies, ", "), reason);
+}
+
+} // namespace
+
+void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  const RoleMap roles(model);
+  for (auto& interface : model.interfaces) {
+    const bool keep = roles.isDirichlet(interface.dirichletBody);
+    if (keep == roles.isDirichlet(interface.neumannBody)) {
+      diagnostics.add(
+          deck.sub("Interfaces")
+              .sub(interface.name)
+              .mistake("", "closes a ring of an odd number of bodies, in which two neighbours have the same role; use "
+                           "the Monolithic coupling."));
+      return;
+    }
+    if (!keep)
+      exchange(model, interface);
+  }
+}
+
+void chooseRoles(Run& run, Ledger& ledger, const Log& log)
+{
+  std::vector<ConnectedBodies> parts;
+  {
+    const auto timer = ledger.time("interface");
+    parts = roleSpectra(run.condensed.interface, ledger);
+  }
+  std::vector<int>& all = run.condensed.exchanged;
+  for (const auto& part : parts) {
+    const bool exchanged =
+        part.spectrum.isKnown() && part.spectrum.exchanged().contraction() < clearly * part.spectrum.contraction();
+    if (exchanged) {
+      exchange(run.model, run.condensed, part.bodies);
+      all.insert(all.end(), part.bodies.begin(), part.bodies.end());
+    }
+    run.summary.coupling->roles.push_back(summarize(run.model, part, exchanged));
+    log.line(roleText(run.summary.coupling->roles.back()));
+  }
+  std::sort(all.begin(), all.end());
+  for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
+    const auto& interface = run.model.interfaces[i];
+    run.summary.interfaces[i].dirichletBody = run.model.bodies[std::size_t(interface.dirichletBody)].name;
+    run.summary.interfaces[i].neumannBody = run.model.bodies[std::size_t(interface.neumannBody)].name;
+  }
+}
+
+void giveBackRoles(Model& model, CondensedModel& condensed)
+{
+  exchange(model, condensed, std::exchange(condensed.exchanged, {}));
+}
+
+void orientLike(Model& model, const Model& other)
+{
+  for (std::size_t i = 0; i < model.interfaces.size(); ++i)
+    if (model.interfaces[i].dirichletBody != other.interfaces[i].dirichletBody)
+      exchange(model, model.interfaces[i]);
+}
+
+} // namespace ndframe

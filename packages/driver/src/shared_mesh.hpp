@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/mesh/mesh_source.hpp"
+
+namespace ndframe
+{
+
+/// The mesh as rank 0 reads it, on every rank: a file that changes meanwhile, or that looks different on another
+/// machine, cannot give the ranks different meshes. InputError on every rank when rank 0 has one. Limit: 2 GB.
+Mesh readShared(const MeshSource& source, const Comm& comm);
+
+} // namespace ndframe

@@ -1,0 +1,178 @@
+#include "study.hpp"
+
+#include <algorithm>
+#include <array>
+#include <filesystem>
+#include <new>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ndframe/io/atomic_file.hpp"
+#include "outputs.hpp"
+#include "screen.hpp"
+#include "summarize.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+ExitCode graver(ExitCode a, ExitCode b)
+{
+  constexpr std::array<ExitCode, 5> byGravity{ExitCode::Right, ExitCode::ExpectationMissed, ExitCode::NotConverged,
+                                              ExitCode::UserInput, ExitCode::Bug};
+  const auto gravity = [&](ExitCode code) { return std::find(byGravity.begin(), byGravity.end(), code); };
+  return gravity(a) < gravity(b) ? b : a;
+}
+
+/// Errors are many lines; a row has one.
+std::string onOneLine(std::string text)
+{
+  std::replace(text.begin(), text.end(), '\n', ' ');
+  return text;
+}
+
+std::string missedExpectations(const RunSummary& summary)
+{
+  std::string missed;
+  for (const auto& e : summary.expectations)
+    if (!e.met)
+      missed += fmt::format("{}missed {}: {:.10g} instead of {:.10g}", missed.empty() ? "" : "; ", e.name, e.value,
+                            e.expected);
+  return missed;
+}
+
+} // namespace
+
+StudyRunner::StudyRunner(const Study& study, const std::string& deckName, const Components& components,
+                         const Comm& comm)
+    : study_(study), deckName_(deckName), components_(components), comm_(comm)
+{}
+
+/// With the meshes of the first case, which it then need not read.
+void StudyRunner::checkColumns()
+{
+  const auto& first = study_.cases.front().deck;
+  try {
+    reusable_.model = checkDeck(first, components_, comm_, ledger_);
+  } catch (const InputError&) {
+    return; // the row of this case will say so
+  }
+  const auto solver = components_.linearSolvers.build(first.sub("Linear Solver"));
+  Diagnostics diagnostics;
+  for (const auto& column : study_.columns) {
+    const bool known = std::any_of(study_.cases.begin(), study_.cases.end(), [&](const StudyCase& c) {
+      return isQuantity(column, outlineSummary(reusable_.model, c.deck, *solver, 1), c.deck);
+    });
+    if (!known)
+      diagnostics.add({deckName_, 0, "Study",
+                       fmt::format("Columns: \"{}\" is no number of a case's summary; examples are \"energy\", "
+                                   "\"residuals/equilibrium\".",
+                                   column)});
+  }
+  diagnostics.throwIfAny();
+}
+
+ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
+{
+  Run run = runDeck(given.deck, components_, comm_, ledger_, silentLog(), std::move(reusable_));
+  writeResults(run, given.deck, deckName_, comm_, ledger_);
+  copyLedger(run.summary, ledger_, run.startSeconds);
+  row.summary = std::move(run.summary);
+  reusable_ = handOn(run);
+  row.reason = run.failure.empty() ? missedExpectations(*row.summary) : run.failure;
+  return !run.failure.empty() ? ExitCode::NotConverged
+                              : (row.reason.empty() ? ExitCode::Right : ExitCode::ExpectationMissed);
+}
+
+StudyRow StudyRunner::runCase(std::size_t index)
+{
+  const StudyCase& given = study_.cases[index];
+  StudyRow row;
+  row.number = index + 1;
+  row.values = given.values;
+  ledger_.restart();
+  const double start = wallSeconds();
+  try {
+    row.code = solve(given, row);
+  } catch (const InputError& error) {
+    row.code = ExitCode::UserInput;
+    row.reason = error.what();
+  } catch (const NotConverged& error) {
+    row.code = ExitCode::NotConverged;
+    row.reason = fmt::format("not converged: {}", error.what());
+  } catch (const std::bad_alloc&) {
+    if (comm_.size() > 1)
+      throw;        // the other ranks know nothing of it
+    reusable_ = {}; // the next case may need this memory
+    row.code = ExitCode::UserInput;
+    row.reason = needsMoreMemory;
+  }
+  row.reason = onOneLine(row.reason);
+  row.seconds = wallSeconds() - start;
+  return row;
+}
+
+/// One rank writes; a failure is everybody's.
+void StudyRunner::writeRows(const std::string& path) const
+{
+  std::string failure;
+  if (comm_.rank() == 0) {
+    try {
+      writeTextAtomically(path, studyCsv(study_, rows_));
+    } catch (const InputError& error) {
+      failure = error.what();
+    }
+  }
+  comm_.broadcast(failure);
+  if (!failure.empty())
+    throw InputError(failure);
+}
+
+ExitCode StudyRunner::check(const Log& log)
+{
+  Diagnostics mistakes;
+  for (const auto& given : study_.cases) {
+    try {
+      checkDeck(given.deck, components_, comm_, ledger_);
+    } catch (const InputError& error) {
+      for (const auto& mistake : error.list())
+        mistakes.add(mistake);
+    }
+  }
+  mistakes.throwIfAny();
+  checkColumns();
+  log.line(fmt::format("  all {} cases are right; nothing was solved.", study_.cases.size()));
+  return ExitCode::Right;
+}
+
+ExitCode StudyRunner::run(const Log& log, bool& computed)
+{
+  const double start = wallSeconds();
+  if (!study_.columns.empty())
+    checkColumns();
+  const std::string stem =
+      outputStem(study_.cases.front().deck.sub("Output"), deckName_).replace_filename(study_.fileName).string();
+  const std::string partial = stem + ".study.partial.csv";
+  writeRows(partial); // a folder that cannot be written in shows before anything is computed
+  computed = true;
+  ExitCode code = ExitCode::Right;
+  log.line(studyTitle(study_));
+  for (std::size_t i = 0; i < study_.cases.size(); ++i) {
+    rows_.push_back(runCase(i));
+    code = graver(code, rows_.back().code);
+    log.line(studyLine(study_, rows_.back()));
+    if (!rows_.back().reason.empty())
+      log.line("        " + rows_.back().reason);
+    writeRows(partial);
+  }
+  writeRows(stem + ".study.csv");
+  if (comm_.rank() == 0)
+    std::filesystem::remove(partial);
+  log.line(fmt::format("\n  {}\n  wrote {}.study.csv   {:.2f} s, {:.0f} MB", studyTotal(rows_), stem,
+                       wallSeconds() - start, double(peakMemory()) / 1e6));
+  return code;
+}
+
+} // namespace ndframe

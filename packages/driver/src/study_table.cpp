@@ -1,0 +1,255 @@
+#include "study_table.hpp"
+
+#include <algorithm>
+#include <functional>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/driver/recipe.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+using Number = std::function<std::optional<double>(const StudyRow&)>;
+
+/// A column of the table and of the screen.
+struct Column
+{
+  std::string name;
+  Number number;
+};
+
+Number ofSummary(const std::string& path)
+{
+  return [path](const StudyRow& row) { return row.summary ? summaryValue(*row.summary, path) : std::nullopt; };
+}
+
+std::int64_t counted(const StudyRow& row, const std::string& what)
+{
+  if (!row.summary)
+    return 0;
+  const auto found = row.summary->counts.find(what);
+  return found == row.summary->counts.end() ? 0 : found->second;
+}
+
+Number count(const std::string& what)
+{
+  return [what](const StudyRow& row) { return std::optional(double(counted(row, what))); };
+}
+
+std::optional<double> dofs(const StudyRow& row)
+{
+  if (!row.summary)
+    return std::nullopt;
+  double sum = 0.0;
+  for (const auto& body : row.summary->bodies)
+    sum += double(body.dofs);
+  return sum;
+}
+
+std::optional<double> lastEpsilon(const StudyRow& row)
+{
+  if (!row.summary || !row.summary->coupling || row.summary->coupling->history.empty())
+    return std::nullopt;
+  return row.summary->coupling->history.back().epsTau;
+}
+
+/// Of this case: the stages' marks are reset at their beginning, the run's is not.
+std::optional<double> peakBytes(const StudyRow& row)
+{
+  if (!row.summary)
+    return std::nullopt;
+  std::int64_t peak = 0;
+  for (const auto& stage : row.summary->stages)
+    peak = std::max(peak, stage.peakBytes);
+  return double(peak);
+}
+
+const std::vector<Column>& everyTimeColumns()
+{
+  static const std::vector<Column> columns{
+      {"dofs", dofs},
+      {"energy", ofSummary("energy")},
+      {"sweeps", ofSummary("coupling/sweeps")},
+      {"eps_tau", lastEpsilon},
+      {"converged", ofSummary("coupling/converged")},
+      {"bound", ofSummary("errors/global/absolute")},
+      {"bound_relative", ofSummary("errors/global/relative")},
+      {"guaranteed", ofSummary("errors/global/guaranteed")},
+      {"mesh_part", ofSummary("errors/discretization/absolute")},
+      {"iteration_part", ofSummary("errors/algorithm/absolute")},
+      {"reference_error", ofSummary("errors/reference/displacement")},
+      {"effectivity", ofSummary("errors/reference/effectivity")},
+      {"exit_code", [](const StudyRow& row) { return std::optional(double(row.code)); }},
+      {"seconds", [](const StudyRow& row) { return std::optional(row.seconds); }},
+      {"factorisations", count("factorisations")},
+      {"factors_reused", count("factors reused")},
+      {"meshes_reused", count("meshes reused")},
+      {"references_reused", count("references reused")},
+      {"back_solves", count("back-solves")},
+      {"peak_bytes", peakBytes}};
+  return columns;
+}
+
+std::vector<Column> columnsOf(const Study& study)
+{
+  std::vector<Column> columns = everyTimeColumns();
+  for (const auto& path : study.columns)
+    columns.push_back({path, ofSummary(path)});
+  return columns;
+}
+
+std::string csvField(const std::string& text)
+{
+  if (text.find_first_of(",\"\r\n") == std::string::npos)
+    return text;
+  std::string quoted = "\"";
+  for (const char c : text)
+    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
+  return quoted + '"';
+}
+
+std::string csvLine(std::vector<std::string> fields)
+{
+  std::transform(fields.begin(), fields.end(), fields.begin(), csvField);
+  return fmt::format("{}\n", fmt::join(fields, ","));
+}
+
+/// What the screen shows of a case besides its values.
+struct ScreenColumn
+{
+  const char* name;
+  int width;
+  const char* format; ///< of a double
+  Number number;
+};
+
+const std::vector<ScreenColumn>& screenColumns()
+{
+  static const std::vector<ScreenColumn> columns{{"dofs", 9, "{:.0f}", dofs},
+                                                 {"energy", 13, "{:.7g}", ofSummary("energy")},
+                                                 {"sweeps", 7, "{:.0f}", ofSummary("coupling/sweeps")},
+                                                 {"bound", 10, "{:.4g}", ofSummary("errors/global/absolute")},
+                                                 {"factored", 9, "{:.0f}", count("factorisations")},
+                                                 {"reused", 7, "{:.0f}", count("factors reused")}};
+  return columns;
+}
+
+/// The last name of the path that the axis is called by, or is.
+std::string shortName(const StudyAxis& axis)
+{
+  return axis.name.substr(axis.name.rfind('/') + 1);
+}
+
+/// Wide enough for the name and every value of the axis' first parameter, which stands for the others.
+std::size_t widthOf(const StudyAxis& axis)
+{
+  std::size_t width = shortName(axis).size();
+  for (const auto& value : axis.values.front())
+    width = std::max(width, value.size());
+  return width + 2;
+}
+
+/// "the mesh of punch, the factors of punch and foundation", in the words of the plan.
+std::string whatChanges(const SceneRecipe& before, const SceneRecipe& now)
+{
+  const bool sameBodies = before.bodies.size() == now.bodies.size();
+  std::vector<std::string> changes;
+  for (std::size_t b = 0; b < now.bodies.size(); ++b) {
+    const BodyRecipe old = sameBodies ? before.bodies[b] : BodyRecipe{}, &body = now.bodies[b];
+    if (body.mesh != old.mesh)
+      changes.push_back(fmt::format("mesh, matrix and factor of {}", body.name));
+    else if (body.matrix != old.matrix || before.solver != now.solver)
+      changes.push_back(fmt::format("matrix and factor of {}", body.name));
+    else if (body.load != old.load)
+      changes.push_back(fmt::format("supports and loads of {}", body.name));
+  }
+  if (before.interfaces != now.interfaces)
+    changes.emplace_back("the interfaces");
+  if (before.representation != now.representation)
+    changes.emplace_back("the interface operators");
+  return changes.empty() ? "the solution only: nothing read, assembled or factored"
+                         : fmt::format("{}", fmt::join(changes, "; "));
+}
+
+} // namespace
+
+std::string studyCsv(const Study& study, const std::vector<StudyRow>& rows)
+{
+  const auto columns = columnsOf(study);
+  std::vector<std::string> names{"case"};
+  for (const auto& axis : study.axes)
+    for (const auto& parameter : axis.parameters)
+      names.push_back(parameter.path);
+  for (const auto& column : columns)
+    names.push_back(column.name);
+  names.emplace_back("reason");
+  std::string text = csvLine(std::move(names));
+  for (const auto& row : rows) {
+    std::vector<std::string> fields{fmt::format("{}", row.number)};
+    fields.insert(fields.end(), row.values.begin(), row.values.end());
+    for (const auto& column : columns) {
+      const auto number = column.number(row);
+      fields.push_back(number ? fmt::format("{}", *number) : std::string());
+    }
+    fields.push_back(row.reason);
+    text += csvLine(std::move(fields));
+  }
+  return text;
+}
+
+std::string studyTitle(const Study& study)
+{
+  std::string line = "  case";
+  for (const auto& axis : study.axes)
+    line += fmt::format("{:>{}}", shortName(axis), widthOf(axis));
+  for (const auto& column : screenColumns())
+    line += fmt::format("{:>{}}", column.name, column.width);
+  return line + "   seconds";
+}
+
+std::string studyLine(const Study& study, const StudyRow& row)
+{
+  std::string line = fmt::format("{:>6}", row.number);
+  std::size_t value = 0;
+  for (const auto& axis : study.axes) {
+    line += fmt::format("{:>{}}", row.values[value], widthOf(axis));
+    value += axis.parameters.size();
+  }
+  for (const auto& column : screenColumns()) {
+    const auto number = column.number(row);
+    line += fmt::format("{:>{}}", number ? fmt::format(fmt::runtime(column.format), *number) : "-", column.width);
+  }
+  return line + fmt::format("{:>10.2f}", row.seconds);
+}
+
+std::string studyPlan(const Study& study)
+{
+  std::string text = fmt::format("  {} cases; a step along an axis computes again\n", study.cases.size());
+  std::size_t stride = study.cases.size();
+  for (const auto& axis : study.axes) {
+    stride /= axis.size();
+    const SceneRecipe first = recipeOf(study.cases.front().deck);
+    const SceneRecipe next = recipeOf(study.cases[axis.size() > 1 ? stride : 0].deck);
+    text += fmt::format("  {:<19} {}\n", shortName(axis), whatChanges(first, next));
+  }
+  text.pop_back();
+  return text;
+}
+
+std::string studyTotal(const std::vector<StudyRow>& rows)
+{
+  std::int64_t factored = 0, reused = 0, meshes = 0;
+  for (const auto& row : rows) {
+    factored += counted(row, "factorisations");
+    reused += counted(row, "factors reused");
+    meshes += counted(row, "meshes reused");
+  }
+  return fmt::format("{} case{}: {} factorisation{}; {} factors and {} meshes reused", rows.size(),
+                     rows.size() == 1 ? "" : "s", factored, factored == 1 ? "" : "s", reused, meshes);
+}
+
+} // namespace ndframe

@@ -1,0 +1,95 @@
+#include "trust.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+namespace ndframe
+{
+namespace
+{
+
+/// A displacement is at most about a force over a modulus, an energy the product of both, a norm sums squares of
+/// those: with all of them between 1e-50 and 1e50 nothing overflows, and what underflows is round-off.
+constexpr double largestNumber = 1e50;
+
+double largest(const std::vector<double>& values)
+{
+  double m = 0.0;
+  for (const double value : values)
+    m = std::isnan(value) ? value : std::max(m, std::abs(value));
+  return m;
+}
+
+double largestPrescribed(const ConstraintSet& constraints)
+{
+  double m = 0.0;
+  for (const auto& [node, given] : constraints.nodes())
+    for (int k = 0; k < given.count; ++k)
+      m = std::max(m, std::abs(given.value[std::size_t(k)]));
+  return m;
+}
+
+/// Adds a mistake when the number is too large, or too small although it is not zero.
+void checkRange(double number, const std::string& path, const char* what, Diagnostics& diagnostics)
+{
+  if (number != 0.0 && !(number <= largestNumber && number >= 1.0 / largestNumber))
+    diagnostics.add({{},
+                     0,
+                     path,
+                     fmt::format("{} reach {:.3g}: products of such numbers leave the range of floating-point numbers; "
+                                 "choose units in which they lie between {:g} and {:g}.",
+                                 what, number, 1.0 / largestNumber, largestNumber)});
+}
+
+/// A limit on one of the residuals, and what it means when it is passed. A residual that is not a number passes it.
+struct Limit
+{
+  double residual, allowed;
+  const char* meaning;
+};
+
+std::string passedLimit(const ResidualSummary& residuals)
+{
+  const ResidualLimits limits;
+  for (const auto& [residual, allowed, meaning] :
+       {Limit{residuals.equilibrium, limits.equilibrium,
+              "the forces are out of balance by {:.1e}: the matrix is too ill-conditioned"},
+        Limit{residuals.penetration, limits.contact, "the bodies penetrate by {:.1e} of the largest displacement"},
+        Limit{residuals.tension, limits.contact, "contact pulls with {:.1e} of the largest force"},
+        Limit{residuals.complementarity, limits.contact, "contact presses across an opening (complementarity {:.1e})"}})
+    if (!(residual <= allowed))
+      return fmt::format(fmt::runtime(meaning), residual);
+  return {};
+}
+
+} // namespace
+
+void checkNumberRange(const Model& model, Diagnostics& diagnostics)
+{
+  double driving = 0.0; // a small load beside a large one does no harm
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    const double size = largest(body.mesh.points), modulus = largest({body.law.D.begin(), body.law.D.end()});
+    checkRange(size, "Bodies/" + body.name + "/Mesh", "the coordinates", diagnostics);
+    checkRange(modulus, "Bodies/" + body.name + "/Material", "the elastic moduli", diagnostics);
+    const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
+    driving = largest({driving, largest(model.loads[b]), prescribed});
+  }
+  checkRange(driving, "Bodies", "the nodal forces of loads and prescribed displacements", diagnostics);
+  for (const auto& interface : model.interfaces)
+    checkRange(std::max(1.0, largest(interface.gap)), "Interfaces/" + interface.name + "/Gap", "its values",
+               diagnostics);
+}
+
+std::string distrust(const RunSummary& summary)
+{
+  if (summary.coupling && !summary.coupling->converged)
+    return summary.coupling->reason;
+  if (!std::isfinite(summary.energy))
+    return "the result is not a number";
+  return passedLimit(summary.residuals);
+}
+
+} // namespace ndframe

@@ -1,0 +1,189 @@
+#include "child_process.hpp"
+
+#include <algorithm>
+#include <cerrno>
+#include <csignal>
+#include <fstream>
+#include <new>
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/prctl.h>
+#include <sys/resource.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include "file_error.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+#if defined(__SANITIZE_ADDRESS__)
+#define NDFRAME_HAS_ADDRESS_SANITIZER 1 // its shadow memory does not fit under a limit
+#else
+#define NDFRAME_HAS_ADDRESS_SANITIZER 0
+#endif
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// The first byte of an answer.
+enum class Verdict : char
+{
+  Done = 'd',
+  WrongFile = 'f',
+  NoMemory = 'm',
+  Failed = 'x'
+};
+
+class Pipe
+{
+public:
+  Pipe()
+  {
+    if (pipe(ends_) != 0)
+      throw InputError("no pipe to a child process can be made: too many files are open.");
+  }
+  ~Pipe()
+  {
+    closeEnd(0);
+    closeEnd(1);
+  }
+  Pipe(const Pipe&) = delete;
+  Pipe& operator=(const Pipe&) = delete;
+
+  void closeEnd(int end)
+  {
+    if (ends_[end] >= 0)
+      close(ends_[end]);
+    ends_[end] = -1;
+  }
+
+  void write(const std::string& text) const
+  {
+    for (std::size_t done = 0; done < text.size();) {
+      const ssize_t n = ::write(ends_[1], text.data() + done, text.size() - done);
+      if (n < 0 && errno != EINTR)
+        return; // the parent is gone
+      done += n > 0 ? std::size_t(n) : 0;
+    }
+  }
+
+  /// Everything until the other end is closed.
+  std::string read() const
+  {
+    std::string text;
+    std::string block(std::size_t(1) << 16, '\0');
+    for (ssize_t n = 1; n != 0;) {
+      n = ::read(ends_[0], block.data(), block.size());
+      if (n < 0 && errno != EINTR)
+        break;
+      text.append(block, 0, n > 0 ? std::size_t(n) : 0);
+    }
+    return text;
+  }
+
+private:
+  int ends_[2] = {-1, -1};
+};
+
+void lower(decltype(RLIMIT_AS) what, rlim_t value)
+{
+  rlimit limit{};
+  getrlimit(what, &limit);
+  limit.rlim_cur = std::min(limit.rlim_cur, value);
+  setrlimit(what, &limit);
+}
+
+/// Some are blocked in the parent, where a thread waits for them, and METIS may have left handlers.
+void acceptSignals()
+{
+  sigset_t none;
+  sigemptyset(&none);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGABRT})
+    std::signal(signal, SIG_DFL);
+  sigprocmask(SIG_SETMASK, &none, nullptr);
+}
+
+void limitChild(ChildLimits limits, pid_t parent)
+{
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  if (getppid() != parent)
+    _exit(1); // it ended before that
+  const int nowhere = open("/dev/null", O_WRONLY);
+  if (nowhere >= 0 && !NDFRAME_HAS_ADDRESS_SANITIZER)
+    dup2(nowhere, STDERR_FILENO); // the libraries' complaints come before the message that explains them
+  acceptSignals();
+  if (limits.cpuSeconds > 0)
+    lower(RLIMIT_CPU, rlim_t(limits.cpuSeconds));
+  if (limits.extraBytes > 0 && !NDFRAME_HAS_ADDRESS_SANITIZER) {
+    std::int64_t pages = 0;
+    std::ifstream("/proc/self/statm") >> pages;
+    lower(RLIMIT_AS, rlim_t(pages * sysconf(_SC_PAGESIZE) + limits.extraBytes));
+  }
+}
+
+std::string answerOf(const std::function<std::string()>& work)
+{
+  const auto answer = [](Verdict verdict, const std::string& text) { return std::string(1, char(verdict)) + text; };
+  try {
+    return answer(Verdict::Done, work());
+  } catch (const FileError& error) {
+    return answer(Verdict::WrongFile, error.what());
+  } catch (const std::bad_alloc&) {
+    return answer(Verdict::NoMemory, "");
+  } catch (const std::exception& error) {
+    return answer(Verdict::Failed, error.what());
+  }
+}
+
+int waitFor(pid_t child)
+{
+  int status = 0;
+  while (waitpid(child, &status, 0) < 0 && errno == EINTR)
+    ;
+  return status;
+}
+
+std::string resultOf(const std::string& answer, int status, const std::string& library)
+{
+  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
+    throw FileError(fmt::format("{} did not come to an end on this file; it is damaged.", library));
+  if (status != 0 || answer.empty())
+    throw FileError(fmt::format("{} crashed on this file{}; it is damaged.", library,
+                                WIFSIGNALED(status) ? fmt::format(" (signal {})", WTERMSIG(status)) : ""));
+  const std::string text = answer.substr(1);
+  switch (Verdict(answer.front())) {
+  case Verdict::Done:
+    return text;
+  case Verdict::WrongFile:
+    throw FileError(text);
+  case Verdict::NoMemory:
+    throw FileError(fmt::format("{} asks for more memory than the process may take.", library));
+  default:
+    throw InternalError(text);
+  }
+}
+
+} // namespace
+
+std::string runInChild(const std::function<std::string()>& work, const std::string& library, ChildLimits limits)
+{
+  Pipe pipe;
+  const pid_t parent = getpid();
+  const pid_t child = fork();
+  if (child < 0)
+    throw InputError("no child process can be started to read a mesh: too many processes, or too little memory.");
+  if (child == 0) {
+    pipe.closeEnd(0);
+    limitChild(limits, parent);
+    pipe.write(answerOf(work));
+    _exit(0); // neither destructors nor buffers: they are the parent's
+  }
+  pipe.closeEnd(1);
+  const std::string answer = pipe.read();
+  return resultOf(answer, waitFor(child), library);
+}
+
+} // namespace ndframe

@@ -1,0 +1,107 @@
+"""ndbench on made-up numbers: fits, medians, the fastest settings, tables, brackets, costs of a child.
+
+Usage: test_analysis.py SOURCE_FOLDER
+"""
+
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+sys.path.insert(0, str(pathlib.Path(sys.argv.pop(1)) / "apps/ndbench"))
+
+from bench import analysis, campaign, page, references, targets, truth
+from bench.child import cost_of
+
+
+def timed(method, seconds, error):
+    return {"scene": "s", "method": method, "cells": 1, "dofs": 10, "seconds": seconds, "error_high": error}
+
+
+class Analysis(unittest.TestCase):
+    def test_fit_finds_the_exponent_of_a_power_law(self):
+        exponent, factor = analysis.power_law([(x, 3e-6 * x**1.25) for x in (1e3, 7e3, 4e4, 1e6)])
+        self.assertAlmostEqual(exponent, 1.25, 12)
+        self.assertAlmostEqual(factor, 3e-6, 15)
+
+    def test_fit_is_least_squares(self):
+        """Residuals of the logarithms are orthogonal to 1 and log x."""
+        points = [(1, 1), (2, 5), (8, 9), (16, 100)]
+        exponent, factor = analysis.power_law(points)
+        residuals = [math.log(y / (factor * x**exponent)) for x, y in points]
+        self.assertAlmostEqual(sum(residuals), 0, 12)
+        self.assertAlmostEqual(sum(r * math.log(x) for r, (x, _) in zip(residuals, points)), 0, 12)
+
+    def test_median_ignores_what_does_not_exist(self):
+        self.assertEqual(analysis.median([3, None, 1, 10]), 3)
+        self.assertIsNone(analysis.median([None]))
+
+    def test_fastest_setting_of_each_error(self):
+        rows = [timed("a", 1, 0.3), timed("b", 2, 0.09), timed("a", 3, 0.04), timed("b", 9, 0.001)]
+        found = [(level, row["seconds"], other and other["seconds"]) for level, row, other in analysis.fastest(rows)]
+        self.assertEqual(found, [(0.5, 1, 2), (0.1, 2, 3), (0.05, 3, 9), (0.001, 9, None)])
+
+    def test_a_slow_exact_run_never_beats_a_fast_good_one(self):
+        rows = [timed("slow", 100, 1e-9), timed("fast", 1, 0.01)]
+        self.assertEqual(analysis.fastest(rows, (0.1, 0.05))[-1][1]["method"], "fast")
+
+    def test_page_replaces_only_its_place(self):
+        text = "above\n<!-- ndbench t -->\nold\n<!-- end -->\nbelow <!-- end -->\n"
+        replaced = "above\n<!-- ndbench t -->\n\nnew\n<!-- end -->\nbelow <!-- end -->\n"
+        self.assertEqual(page.between(text, "t", "new"), replaced)
+        with self.assertRaises(SystemExit):
+            page.between(text, "other", "new")
+
+    def test_verdicts(self):
+        below, above = targets.Target("", "", 1.6, 1.3, None), targets.Target("", "", 1.4, 1.7, None, least=True)
+        self.assertEqual([below.verdict(v) for v in (1.3, 1.5, 1.7)], ["aim", "must", "no"])
+        self.assertEqual([above.verdict(v) for v in (1.7, 1.5, 1.3)], ["aim", "must", "no"])
+
+
+class Truth(unittest.TestCase):
+    def test_bracket_is_exact_for_bounds_of_one_effectivity(self):
+        exact, effectivity = -1.6, 1.07
+        meshes = [(exact + error**2, effectivity * error) for error in (1e-2, 3e-3)]
+        best, low, high = references.bracket(*meshes)
+        self.assertAlmostEqual(best, exact, 14)
+        self.assertTrue(low <= exact <= high)
+
+    def test_bracket_holds_the_best_value_whatever_the_meshes_say(self):
+        for coarse in (-1.7, -1.0, 5.0):
+            best, low, high = references.bracket((coarse, 1e-2), (-1.5, 1e-3))
+            self.assertTrue(low <= best <= high)
+
+    def test_work_on_an_edge_is_exact(self):
+        """int t u dS for t = 1 + x and u = x^2 on [0, 2] in two edges: 4/3 * 2 + 4."""
+        nodes = [{"x": x, "t": 1 + x, "u": x * x} for x in (2.0, 0.0, 0.75, 1.5, 1.75)]
+        self.assertAlmostEqual(truth.work(nodes, 2, "t", "u"), 8 / 3 + 4, 13)
+
+    def test_an_error_the_reference_cannot_resolve_is_not_sharp(self):
+        self.assertFalse(truth.TrueError(1.0, 0.8, 1.1).sharp)
+        self.assertTrue(truth.TrueError(1.0, 0.9, 1.1).sharp)
+
+    def test_stored_brackets_resolve_a_thousandth_in_the_plane(self):
+        for name, exact in references.load().items():
+            self.assertTrue(exact.low <= exact.best <= exact.high < 0, name)
+            self.assertLess(exact.high - exact.low, (1e-3 if exact.pressure else 1e-2) ** 2 * exact.norm**2, name)
+
+
+class Child(unittest.TestCase):
+    def test_cost_is_the_childs_own(self):
+        heavy = "x = bytearray(200_000_000)\nfor i in range(10**6): pass\nprint('said'); raise SystemExit(4)"
+        with tempfile.TemporaryDirectory() as folder:
+            light, _ = cost_of(["true"], folder)
+            cost, text = cost_of([sys.executable, "-c", heavy], folder)
+        self.assertEqual((light.exit, cost.exit, text), (0, 4, "said\n"))
+        self.assertGreater(cost.peak, 200_000_000)
+        self.assertGreater(cost.cpu, 0)
+        self.assertLess(light.peak, 40_000_000, "a child starts with the resident size of this process: keep it small")
+
+    def test_measuring_imports_nothing_large(self):
+        self.assertTrue(campaign and not {"numpy", "matplotlib"} & set(sys.modules))
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,109 @@
+"""ndbench with the program, on the coarsest meshes: true errors against another way to find them, tables, targets.
+
+Usage: test_ndbench.py SOURCE_FOLDER PROGRAM
+"""
+
+import csv
+import math
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+sys.dont_write_bytecode = True
+SOURCE, PROGRAM = pathlib.Path(sys.argv.pop(1)), sys.argv.pop(1)
+sys.path.insert(0, str(SOURCE / "apps/ndbench"))
+
+from bench import campaign, references
+from bench.program import run
+from bench.scenes import SCENES
+from bench.truth import contact_term, true_error
+
+BY_NAME = {scene.name: scene for scene in SCENES}
+STOPPED = "Coupling/Stopping/Tolerance=0.5"
+ORDER_1 = "Discretization/Order=1"
+HALVED = 2  # the deck's own reference: every edge halved so often
+
+
+def ndbench(folder, *arguments):
+    command = [SOURCE / "apps/ndbench/ndbench", "--program", PROGRAM, "--folder", folder, *arguments]
+    return subprocess.run(command, capture_output=True, text=True)
+
+
+class TrueErrors(unittest.TestCase):
+    def distances(self, name, cells, *settings):
+        """The true error of a run by ndbench, and by the estimator Reference: distances to a finer solution and from
+        there to the exact one, which is found by ndbench on the finer mesh, where it is small."""
+        scene, exact = BY_NAME[name], references.load()[name]
+        estimators = "Error Estimation/Estimators={Global, Reference}"
+        against = (estimators, f"Error Estimation/Reference/Refinements={HALVED}")
+        coarse = run(PROGRAM, scene.deck, (*scene.on(cells), *settings, *against))
+        fine_order = [setting for setting in settings if setting == ORDER_1]
+        fine = run(PROGRAM, scene.deck, (*scene.on(cells * 2**HALVED), "Coupling/Type=Monolithic", *fine_order))
+        near = coarse.summary["errors"]["reference"]["displacement"]
+        error = true_error(coarse, scene.gap, exact)
+        return coarse, error, math.hypot(near, true_error(fine, scene.gap, exact).best)
+
+    def test_closed_contact_obeys_pythagoras(self):
+        """Galerkin solutions on nested meshes are orthogonal projections, wherever the sweeps stopped."""
+        for settings in ((STOPPED,), (ORDER_1,)):
+            run_, error, other = self.distances("punch", 3, *settings)
+            self.assertLess(abs(error.best - other), 1e-6 * other, settings)
+            self.assertLess(error.low, other)
+            self.assertLess(error.best, run_.bound)
+
+    def test_lost_contact_is_accounted_for(self):
+        """Not orthogonal: within a percent."""
+        for name, cells, settings in (("contact-loss", 4, (STOPPED,)), ("hertz", 8, (ORDER_1,))):
+            coarse, error, other = self.distances(name, cells, *settings)
+            self.assertLess(abs(error.best - other), 0.01 * other, name)
+        share = contact_term(coarse, BY_NAME["hertz"].gap, references.load()["hertz"]) / error.best**2
+        self.assertGreater(abs(share), 0.02, "the last scene must need its contact term")
+
+
+class Campaign(unittest.TestCase):
+    def test_rows_are_complete_and_errors_fall_with_the_size(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = ndbench(folder, "--short", "--scene", "punch", "--scene", "beam-3d")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            files = pathlib.Path(folder)
+            with open(files / "bench.csv", newline="") as table:
+                rows = list(csv.DictReader(table))
+            with open(files / "stages.csv", newline="") as table:
+                stages = {row["stage"] for row in csv.DictReader(table)}
+            self.assertEqual(len(list(files.glob("bench-*.png"))), 4)
+            self.assertIn("Aitken", (files / "finest.md").read_text())
+            self.assertIn("| punch |", (files / "fastest.md").read_text())
+        self.assertEqual(tuple(rows[0]), campaign.COLUMNS)
+        self.assertLessEqual({"read", "order", "factor", "write", "start and exit"}, stages)
+        self.check_rows(rows)
+
+    def check_rows(self, rows):
+        lines = {}
+        for row in rows:
+            lines.setdefault((row["scene"], row["method"]), []).append(row)
+            self.assertLessEqual(float(row["error_low"]), float(row["error_high"]))
+            if "certified" in row["method"]:
+                self.assertGreater(float(row["effectivity"]), 1.0, row)
+        for method, (coarse, fine) in lines.items():
+            self.assertLess(int(coarse["dofs"]), int(fine["dofs"]), method)
+            self.assertLess(float(fine["error"]), float(coarse["error"]), method)
+
+    def test_targets_are_measured(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = ndbench(folder, "--targets", "--short")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            with open(pathlib.Path(folder) / "targets.csv", newline="") as table:
+                rows = list(csv.DictReader(table))
+        self.assertEqual(len(rows), 11)
+        self.assertTrue(all(row["met"] in ("aim", "must", "no") for row in rows))
+
+    def test_a_missing_program_is_named(self):
+        done = ndbench("unused", "--program", "/nowhere")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("there is no program /nowhere", done.stderr)
+
+
+if __name__ == "__main__":
+    unittest.main()
