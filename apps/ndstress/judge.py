@@ -13,7 +13,7 @@ import reference
 RIGHT, REFUSED, STOPPED, FINDING = "right", "refused", "stopped", "FINDING"
 FEWEST_DIGITS = 6.0
 MOST_DIGITS = 16.0
-SMALL_MOVE = 1e-8  # a body that moves less than this part of the other's displacement may as well rest
+SMALL_MOVE = 1e-8  # a body that moves less than this part of the largest displacement rests: measured against that
 
 
 @dataclasses.dataclass(frozen=True)
@@ -28,10 +28,11 @@ def _first(text, *words):
     return next((line.strip() for line in text.splitlines() if any(word in line for word in words)), "")
 
 
-def digits_of(found, expected, scale):
-    """Digits that agree, relative to the largest entry of `expected` or to `scale` if that is larger."""
+def digits_of(found, expected, scale, least=1.0):
+    """Digits that agree, relative to the largest entry of `expected`; below `least` of `scale`, relative to `scale`."""
     found, expected = np.asarray(found, dtype=float), np.asarray(expected, dtype=float)
-    unit = max(np.abs(expected).max(initial=0.0), scale)
+    unit = np.abs(expected).max(initial=0.0)
+    unit = unit if unit > least * scale else scale
     error = np.abs(found - expected).max(initial=0.0)
     if not np.isfinite(error):
         return -math.inf
@@ -51,13 +52,12 @@ def compare(answer, scene, contact, summary, floor=0.0):
     force = float(max(answer.load, floor * max(scene.upper.young, scene.lower.young) * answer.move))
     expected = [float(e) for e in answer.energies]
     move = float(answer.move)
-    rest = max(floor, SMALL_MOVE) * move
-    digits = {"upper displacement": digits_of(sign * column(first), answer.u_upper, rest),
-              "lower displacement": digits_of(sign * column(second), answer.u_lower, rest),
+    least = max(floor, SMALL_MOVE)
+    digits = {"upper displacement": digits_of(sign * column(first), answer.u_upper, move, least),
+              "lower displacement": digits_of(sign * column(second), answer.u_lower, move, least),
               "contact force": digits_of(-column("nodal_force"), answer.force, force)}
     for name, energy in zip(("upper", "lower"), expected):
-        least = max(floor, SMALL_MOVE ** 2) * force * move
-        digits[f"energy of {name}"] = digits_of([energies[name]], [energy], least)
+        digits[f"energy of {name}"] = digits_of([energies[name]], [energy], force * move, max(floor, SMALL_MOVE ** 2))
     return digits
 
 

@@ -134,3 +134,11 @@ TEST(Yardstick, SolvesNothingElse)
   const auto result = yardstickOf("beam-3d", {});
   EXPECT_EQ(result["beam"]["nonzeros"], result["all"]["nonzeros"]);
 }
+
+TEST(Yardstick, MeasuresNoStudy)
+{
+  const auto result = runProgram({"--yardstick", "-i", shippedDeck("study")}, testing::TempDir());
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_NE(result.err.find("--yardstick measures one scene; run it without a study."), std::string::npos)
+      << result.err;
+}

@@ -59,6 +59,10 @@ class Judge(unittest.TestCase):
         self.summary["bodies"][1]["energy"] *= 1 + 1e-5
         self.assertIn("energy of lower has 5.0 digits", self.verdict(run(0)).text)
 
+    def test_a_body_at_rest_is_measured_against_the_one_that_moves(self):
+        for expected, found, digits in ((0.0, 1e-10, 10), (1e-9, 2e-9, 9), (1e-6, 1e-6 + 1e-10, 4), (2.0, 2.0002, 4)):
+            self.assertAlmostEqual(judge.digits_of([found], [expected], 1.0, judge.SMALL_MOVE), digits, places=5)
+
     def test_numbers_that_are_none_are_seen(self):
         self.table[3]["gap"] = math.nan
         for code in (0, 3):

@@ -127,6 +127,8 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
   diagnostics.throwIfAny();
   const Params& first = study.cases.front().deck;
   greet(first, options, log);
+  if (options.yardstick)
+    throw InputError("--yardstick measures one scene; run it without a study.");
   if (options.plan) {
     log.line(Plan(first, *components.linearSolvers.build(first.sub("Linear Solver")), comm.size()).text());
     log.line("\n" + studyPlan(study));

@@ -11,7 +11,7 @@ enum class ExitCode
   Right = 0,
   Bug = 1,
   UserInput = 2,
-  NotConverged = 3, ///< or a bound without the guarantee that the deck requires
+  NotConverged = 3, ///< or a bound without the guarantee that the deck requires, or no certificate
   ExpectationMissed = 4
 };
 
