@@ -203,6 +203,21 @@ InterfaceSystem exchanged(InterfaceSystem system)
   return system;
 }
 
+InterfaceSystem inOtherUnits(InterfaceSystem system, double stiffness, double length)
+{
+  for (auto& body : system.bodies) {
+    DenseMatrix S = *body.S->dense();
+    for (int i = 0; i < S.rows() * S.cols(); ++i)
+      S.data()[i] *= stiffness;
+    body.S = makeDenseOperator(std::move(S));
+    for (double& g : body.g)
+      g *= stiffness * length;
+  }
+  for (double& gap : system.gap)
+    gap *= length;
+  return system;
+}
+
 void expectEquilibrium(const InterfaceSystem& system, const InterfaceState& state, double tolerance)
 {
   for (const auto& body : system.bodies) {

@@ -44,6 +44,8 @@ InterfaceSystem randomSystem(unsigned seed, bool floats);
 InterfaceSystem floatingNeumannSystem(unsigned seed);
 /// The same scene with the roles exchanged: what is counted along n_c changes its sign.
 InterfaceSystem exchanged(InterfaceSystem system);
+/// The same scene with stiffnesses and lengths in other units.
+InterfaceSystem inOtherUnits(InterfaceSystem system, double stiffness, double length);
 
 /// Every body's equation: S1 u1 = g1 + C Lambda_dir,  S2 u2 = g2 - C Lambda_neu, and the tractions belong to the
 /// forces.
