@@ -184,4 +184,12 @@ double norm(const Vector& a)
   return cblas_dnrm2(int(a.size()), a.data(), 1);
 }
 
+double largestEntry(const Vector& a)
+{
+  double largest = 0.0;
+  for (const double value : a)
+    largest = std::max(largest, std::abs(value));
+  return largest;
+}
+
 } // namespace ndframe

@@ -16,14 +16,6 @@ namespace
 /// Motions this much smaller than the body's largest are none, relative to unit modes.
 constexpr double zeroMotion = 1e-9;
 
-double largestEntry(const Vector& x)
-{
-  double largest = 0.0;
-  for (const double value : x)
-    largest = std::max(largest, std::abs(value));
-  return largest;
-}
-
 void checkShapes(const SolverProblem& problem)
 {
   NDFRAME_ASSERT(problem.matrix != nullptr, "a solver needs a matrix");

@@ -63,14 +63,6 @@ double normalDisplacement(const Vector& displacement, int node, const Direction&
   return u;
 }
 
-double largestEntry(const Vector& values)
-{
-  double m = 0.0;
-  for (const double value : values)
-    m = std::max(m, std::abs(value));
-  return m;
-}
-
 /// Forces on the nodes of one body.
 struct Balance
 {

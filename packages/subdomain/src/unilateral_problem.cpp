@@ -19,14 +19,6 @@ constexpr double proximalDecay = 1e-1;  ///< weight of the proximal term, relati
 constexpr int largestProximalRun = 12;  ///< passes without enough contact after which the body counts as pulled off
 constexpr double holdTolerance = 1e-12; ///< of the squared singular values of the closed nodes' rigid traces
 
-double largest(const Vector& values)
-{
-  double m = 0.0;
-  for (const double value : values)
-    m = std::max(m, std::abs(value));
-  return m;
-}
-
 std::string joined(const std::vector<std::string>& names)
 {
   std::string text;
@@ -124,9 +116,9 @@ void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const 
 std::vector<int> UnilateralProblem::violations(const Vector& b, const Vector& bound, const Pass& pass,
                                                const std::vector<char>& closed) const
 {
-  const double noForce = roundOff * std::max(largest(pass.force), largest(b));
+  const double noForce = roundOff * std::max(largestEntry(pass.force), largestEntry(b));
   const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
-  const double noGap = isApart ? 0.0 : roundOff * std::max(largest(pass.u), largest(bound));
+  const double noGap = isApart ? 0.0 : roundOff * std::max(largestEntry(pass.u), largestEntry(bound));
   std::vector<int> wrong;
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (constrained_[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))

@@ -73,5 +73,7 @@ Vector symmetricEigenvalues(DenseMatrix A);
 
 double dot(const Vector& a, const Vector& b);
 double norm(const Vector& a);
+/// The largest absolute value; 0 without entries.
+double largestEntry(const Vector& a);
 
 } // namespace ndframe
