@@ -28,7 +28,8 @@ std::string readingError(const std::string& path)
 class TemporaryFile
 {
 public:
-  explicit TemporaryFile(const std::string& content) : path_(testing::TempDir() + "ndframe_test_deck.xml")
+  explicit TemporaryFile(const std::string& content)
+      : path_(testing::TempDir() + "deck-" + std::to_string(getpid()) + ".xml")
   {
     std::ofstream(path_, std::ios::binary) << content;
   }

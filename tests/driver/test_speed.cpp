@@ -4,6 +4,7 @@
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
+#include <unistd.h>
 
 #include "driver/program.hpp"
 #include "driver/scene.hpp"
@@ -56,7 +57,7 @@ std::unique_ptr<Components> componentsWithCounter()
 
 nlohmann::json yardstickOf(const std::string& deck, const std::vector<std::string>& settings)
 {
-  const std::string folder = testing::TempDir() + "yardstick-" + deck;
+  const std::string folder = testing::TempDir() + "yardstick-" + deck + "-" + std::to_string(getpid());
   std::vector<std::string> arguments{"--yardstick", "-i", shippedDeck(deck), "--set", "Output/Directory=" + folder};
   for (const auto& setting : settings) {
     arguments.push_back("--set");

@@ -13,6 +13,7 @@ import unittest
 sys.dont_write_bytecode = True
 PROGRAM, DECKS, MPIEXEC = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1)), sys.argv.pop(1)
 PUNCH = DECKS / "punch.xml"
+RESULTS = ["punch.contact.csv", "punch.e", "punch.summary.json"]
 SECONDS = 120  # nothing takes so long: a run that does hangs
 
 

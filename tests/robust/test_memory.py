@@ -1,9 +1,8 @@
 """Under a memory limit a run is right or refused with a message; it never hangs and never ends without a word."""
 
-from robust import PROGRAM, PUNCH, RoughWorld, cells, main, on_ranks
+from robust import PROGRAM, PUNCH, RESULTS, RoughWorld, cells, main, on_ranks
 
 MEGABYTES = (150, 250, 300, 400, 500, 600, 650, 700, 900)
-RESULTS = ["punch.contact.csv", "punch.e", "punch.summary.json"]
 # By the program, and by the dynamic linker where not even the libraries fit.
 REASONS = {2: ("more memory than the process may take", "does not fit into memory", "too little memory"),
            127: ("error while loading shared libraries",)}
