@@ -11,24 +11,8 @@ import time
 
 import decks
 import judge as judging
+from methods import METHODS, SHORT_METHODS
 from rows import ROWS
-
-METHODS = {
-    "Constant": {"Coupling": {"Type": "Neumann-Dirichlet", "Relaxation": {"Type": "Constant", "Theta": 0.5},
-                              "Stopping": {"Tolerance": 1e-9, "Maximum Sweeps": 500}}},
-    "Aitken": {"Coupling": {"Type": "Neumann-Dirichlet", "Relaxation": {"Type": "Aitken"},
-                            "Stopping": {"Tolerance": 1e-9, "Maximum Sweeps": 500}}},
-    "Monolithic": {"Coupling": {"Type": "Monolithic"}},
-}
-METHODS["roles chosen"] = {"Coupling": {**METHODS["Aitken"]["Coupling"], "Dirichlet Body": "Automatic"}}
-METHODS["roles swapped"] = METHODS["Aitken"]
-METHODS["degree 1"] = METHODS["Monolithic"]
-METHODS["Mumps"] = {**METHODS["Monolithic"], "Linear Solver": {"Type": "Mumps"}}
-METHODS["Krylov"] = {**METHODS["Monolithic"], "Linear Solver": {"Type": "Krylov"}}
-METHODS["certified"] = {**METHODS["Aitken"], "Error Estimation": {
-    "Estimators": ["Global", "Algorithm", "Discretization", "Reference"], "Check Equilibrium": True,
-    "Reference": {"Refinements": 1}}}
-SHORT_METHODS = ("roles chosen", "Monolithic", "certified")
 
 # The largest scenes take some ten seconds alone; anything longer counts as a hang.
 TIME_LIMIT = 120.0
@@ -82,9 +66,9 @@ def merged(settings, more):
 
 
 @functools.lru_cache(maxsize=64)
-def known(answer, row, value, order):
+def known(row, value, order):
     """The reference of a scene, once for all methods; an Unheld is raised anew."""
-    return answer(dataclasses.replace(ROWS[row].make(value), order=order))
+    return ROWS[row].answer(dataclasses.replace(ROWS[row].make(value), order=order))
 
 
 def launch(program, ranks, folder):
@@ -101,24 +85,20 @@ def launch(program, ranks, folder):
 
 
 def run(cell, program, root, keep):
-    """Runs and judges one cell; its folder stays only when `keep` or when something is wrong."""
-    row = ROWS[cell.row]
+    """Runs and judges one cell; its folder stays only when `keep`."""
+    row, method = ROWS[cell.row], METHODS[cell.method]
     folder = pathlib.Path(root) / cell.folder
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
-    scene = row.make(cell.value)
-    if cell.method == "roles swapped":
-        scene = dataclasses.replace(scene, swapped=True)
-    if cell.method == "degree 1":
-        scene = dataclasses.replace(scene, order=1)
-    decks.write_scene(scene, merged(METHODS[cell.method], row.settings(cell.value)), folder)
+    scene = dataclasses.replace(row.make(cell.value), **method.scene)
+    decks.write_scene(scene, merged(method.lists, row.settings(cell.value)), folder)
     start = time.monotonic()
     process = launch(program, row.ranks(cell.value), folder)
     seconds = time.monotonic() - start
     (folder / "screen.txt").write_text(process.stdout + process.stderr if process else "killed")
-    answer = lambda s: known(row.answer, cell.row, cell.value, s.order)
+    answer = functools.partial(known, cell.row, cell.value, scene.order)
     result = Result(cell, judging.judge(process, scene, answer, folder, row.floor), seconds)
-    if not keep and not result.finding:
+    if not keep:
         shutil.rmtree(folder)
     return result
 
@@ -132,9 +112,3 @@ def run_all(chosen, program, root, jobs, keep, report):
             report(result)
             results.append(result)
     return results
-
-
-def program_beside(file):
-    """The ndframe of a release build of this source tree; None if there is none."""
-    built = pathlib.Path(file).resolve().parents[2] / "build/release/bin/ndframe"
-    return str(built) if built.exists() else shutil.which("ndframe")

@@ -68,9 +68,7 @@ def to_xml(name, values, indent=""):
 
 
 def write_scene(scene, method, folder):
-    """Meshes and deck.xml in `folder`; returns the deck's path."""
+    """Meshes and deck.xml in `folder`."""
     write_mesh(scene.upper.mesh, folder / "upper.msh")
     write_mesh(scene.lower.mesh, folder / "lower.msh")
-    path = folder / "deck.xml"
-    path.write_text(to_xml("stress", deck_of(scene, method)) + "\n")
-    return path
+    (folder / "deck.xml").write_text(to_xml("stress", deck_of(scene, method)) + "\n")

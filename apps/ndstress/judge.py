@@ -76,16 +76,25 @@ def not_finite(folder):
     return ""
 
 
-def _null(value, path=""):
+def _holds_null(value):
     if isinstance(value, dict):
-        return next((found for key, item in value.items() for found in [_null(item, f"{path}/{key}")] if found), "")
-    if isinstance(value, list):
-        return next((found for i, item in enumerate(value) for found in [_null(item, f"{path}/{i}")] if found), "")
-    return path if value is None else ""
+        value = list(value.values())
+    return any(map(_holds_null, value)) if isinstance(value, list) else value is None
 
 
-def _judge_results(summary, answer, scene, folder, floor):
-    expected = answer(scene)
+def not_a_number(folder, summary):
+    """Where a number is missing or not finite, in the files or in the summary; empty if nowhere."""
+    parts = [part for name, part in (summary or {}).items() if name not in ("errors", "coupling", "deck")]
+    return not_finite(folder) or ("in the summary" if _holds_null(parts) else "")
+
+
+def bound_holds(errors):
+    """The bound against the error that the run itself measured on a finer mesh."""
+    reference_error = errors["reference"]["displacement"] if errors["reference"] else 0.0
+    return errors["global"]["absolute"] >= (1 - 1e-6) * reference_error
+
+
+def _judge_results(summary, expected, scene, folder, floor):
     contact = list(csv.DictReader((folder / "deck.contact.csv").read_text().splitlines()))
     digits = compare(expected, scene, contact, summary, floor)
     worst = min(digits, key=digits.get)
@@ -97,36 +106,40 @@ def _judge_results(summary, answer, scene, folder, floor):
     return Verdict(RIGHT, digits[worst], worst)
 
 
-def bound_holds(errors):
-    """The bound against the error that the run itself measured on a finer mesh."""
-    reference_error = errors["reference"]["displacement"] if errors["reference"] else 0.0
-    return errors["global"]["absolute"] >= (1 - 1e-6) * reference_error
+def _judge_refusal(said, results_written):
+    if "nothing was computed" not in said:
+        return Verdict(FINDING, text=f"exit code 2, but not refused before the solution: {_first(said, '')}")
+    if results_written:
+        return Verdict(FINDING, text="refused, yet results written")
+    return Verdict(REFUSED, text=_first(said, ""))
+
+
+def _judge_stop(said, summary):
+    reason = _first(said, "not converged", "not guaranteed", "no certificate")
+    unmarked = summary and ("not converged" in reason and summary["coupling"]["converged"] or
+                            "no certificate" in reason and summary["errors"])
+    if not reason or unmarked:
+        return Verdict(FINDING, text="stopped without saying so")
+    return Verdict(STOPPED, text=reason)
 
 
 def judge(run, scene, answer, folder, floor=0.0):
-    """run: a finished process (returncode, stdout, stderr), or None when it took too long."""
+    """run: a finished process (returncode, stdout, stderr), or None when it took too long; answer(): the reference's
+    Answer, or Unheld; called only for a run that claims to be right."""
     if run is None:
         return Verdict(FINDING, text="no end within the time limit")
     path = folder / "deck.summary.json"
     if run.returncode == 2:
-        said = _first(run.stderr, "")
-        if "nothing was computed" not in run.stderr:
-            return Verdict(FINDING, text=f"exit code 2, but not refused before the solution: {said}")
-        return Verdict(FINDING, text="refused, yet results written") if path.exists() else Verdict(REFUSED, text=said)
+        return _judge_refusal(run.stderr, path.exists())
     if run.returncode not in (0, 3):
         return Verdict(FINDING, text=f"exit code {run.returncode}: {_first(run.stderr, '')}")
-    bad = not_finite(folder)
     summary = json.loads(path.read_text()) if path.exists() else None
-    if bad or (summary and _null({k: v for k, v in summary.items() if k not in ("errors", "coupling", "deck")})):
-        return Verdict(FINDING, text=f"not a number: {bad or 'in the summary'}")
+    bad = not_a_number(folder, summary)
+    if bad:
+        return Verdict(FINDING, text=f"not a number: {bad}")
     if run.returncode == 3:
-        said = _first(run.stderr, "not converged", "not guaranteed", "no certificate")
-        unmarked = summary and ("not converged" in said and summary["coupling"]["converged"] or
-                                "no certificate" in said and summary["errors"])
-        if not said or unmarked:
-            return Verdict(FINDING, text="stopped without saying so")
-        return Verdict(STOPPED, text=said)
+        return _judge_stop(run.stderr, summary)
     try:
-        return _judge_results(summary, answer, scene, folder, floor)
+        return _judge_results(summary, answer(), scene, folder, floor)
     except reference.Unheld:
         return Verdict(FINDING, text="silently wrong: an answer where nothing holds the body")

@@ -5,21 +5,25 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 from matplotlib.patches import Patch
 
-from judge import FEWEST_DIGITS, MOST_DIGITS, REFUSED, RIGHT, STOPPED
+from judge import FEWEST_DIGITS, FINDING, MOST_DIGITS, REFUSED, RIGHT, STOPPED
 from rows import ROWS
 
-PLAIN = {REFUSED: ("#9aa7b5", "refused"), STOPPED: ("#e8b04a", "stopped, exit code 3"), "": ("#c1121f", "FINDING")}
+PLAIN = {REFUSED: ("#9aa7b5", "refused"), STOPPED: ("#e8b04a", "stopped, exit code 3"), FINDING: ("#c1121f", FINDING)}
 DIGITS = matplotlib.colormaps["YlGn"]
 COLUMNS = 2
+HEAD = 2.2  # lines that a panel needs beside its methods
+
+
+def green(share):
+    """From the fewest digits (0) to the most (1)."""
+    return DIGITS(0.15 + 0.75 * share)
 
 
 def colour(result):
-    if result.finding:
-        return PLAIN[""][0]
-    if result.verdict.outcome != RIGHT:
-        return PLAIN[result.verdict.outcome][0]
-    share = (result.verdict.digits - FEWEST_DIGITS) / (MOST_DIGITS - FEWEST_DIGITS)
-    return DIGITS(0.15 + 0.75 * share)
+    outcome = FINDING if result.finding else result.verdict.outcome
+    if outcome != RIGHT:
+        return PLAIN[outcome][0]
+    return green((result.verdict.digits - FEWEST_DIGITS) / (MOST_DIGITS - FEWEST_DIGITS))
 
 
 def panel(axes, row, results):
@@ -44,7 +48,7 @@ def panel(axes, row, results):
 
 
 def _height(results):
-    return len({result.cell.method for result in results}) + 2.2
+    return len({result.cell.method for result in results}) + HEAD
 
 
 def draw(results, path):
@@ -62,11 +66,11 @@ def draw(results, path):
     for number, column in enumerate(columns):
         top = tallest
         for row, found in column:
-            lines = _height(found) - 2.2
             top -= _height(found)
-            box = [(number + 0.13) / COLUMNS, (top + 1.0) / (tallest + 4), 0.85 / COLUMNS, lines / (tallest + 4)]
+            box = [(number + 0.13) / COLUMNS, (top + 1.0) / (tallest + 4), 0.85 / COLUMNS,
+                   (_height(found) - HEAD) / (tallest + 4)]
             panel(figure.add_axes(box), ROWS[row], found)
-    handles = [Patch(color=DIGITS(0.15 + 0.75 * s), label=f"right, {FEWEST_DIGITS + s * 10:.0f} digits")
+    handles = [Patch(color=green(s), label=f"right, {FEWEST_DIGITS + s * (MOST_DIGITS - FEWEST_DIGITS):.0f} digits")
                for s in (0.0, 0.5, 1.0)] + [Patch(color=c, label=name) for c, name in PLAIN.values()]
     figure.legend(handles=handles, loc="upper center", ncol=len(handles), fontsize=8, frameon=False)
     figure.savefig(path)

@@ -103,12 +103,17 @@ def stiffness(elements, body):
     return K
 
 
+def gauss():
+    """Four points on [0, 1] with their weights: exact to degree 7."""
+    inner, outer = (np.sqrt(REAL(3) / 7 + sign * REAL(2) / 7 * np.sqrt(REAL(6) / 5)) for sign in (-1, 1))
+    most, least = ((18 + sign * np.sqrt(REAL(30))) / 72 for sign in (1, -1))
+    return [(s, w) for r, w in ((inner, most), (outer, least)) for s in ((1 - r) / 2, (1 + r) / 2)]
+
+
 def load(elements, body, origin):
+    """Nodal forces of the pressures."""
     f = np.zeros(2 * len(elements.nodes), dtype=REAL)
-    root = np.sqrt(REAL(3) / 7 - REAL(2) / 7 * np.sqrt(REAL(6) / 5)), np.sqrt(
-        REAL(3) / 7 + REAL(2) / 7 * np.sqrt(REAL(6) / 5))
-    share = (18 + np.sqrt(REAL(30))) / 72, (18 - np.sqrt(REAL(30))) / 72
-    rule = [(s, w) for r, w in zip(root, share) for s in ((1 - r) / 2, (1 + r) / 2)]
+    rule = gauss()
     for side, coefficients in body.pressures.items():
         for edge in body.mesh.sides[side]:
             a, b = (np.array(elements.nodes[v]) for v in edge)

@@ -112,6 +112,11 @@ def shifted(scene, by):
     return dataclasses.replace(scene.moved(lambda x, y: (x + by, y + by)), origin=scene.origin + by)
 
 
+def renumbered(scene, seed):
+    """The scene with the points and cells of both meshes in another order."""
+    return scene.with_bodies(lambda body: dataclasses.replace(body, mesh=body.mesh.permuted(seed)))
+
+
 def loaded(scene, factor):
     """All pressures times `factor`."""
     return scene.with_bodies(lambda body: dataclasses.replace(

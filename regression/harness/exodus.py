@@ -54,6 +54,12 @@ class Exodus:
         self.data.set_auto_mask(False)
         if "num_dim" not in self.data.dimensions:
             raise UsageError(f"{path}: is netCDF, but not Exodus (no dimension num_dim)")
+        try:
+            self._read_mesh()
+        except (IndexError, ValueError) as error:  # a variable is not there, or not as large as it must be
+            raise UsageError(f"{path}: is no whole Exodus file: {error}") from None
+
+    def _read_mesh(self):
         self.points = self._points()
         self.blocks = self._blocks()
         self.side_sets = {name: self._side_set(number) for name, number in self._entities("ss", "side set")}

@@ -29,13 +29,14 @@ def diff_summary(gold_path, new_path, tolerances=SUMMARY_DEFAULTS):
 
 
 def read(path):
+    parse, kind = (table, "a table") if str(path).endswith(".csv") else (json.load, "JSON")
     try:
         with open(path, encoding="utf-8", newline="") as file:
-            tree = table(file) if str(path).endswith(".csv") else json.load(file)
+            tree = parse(file)
     except OSError as error:
         raise UsageError(f"{path}: {error.strerror}") from None
-    except ValueError as error:
-        raise UsageError(f"{path}: is not JSON: {error}") from None
+    except (ValueError, csv.Error) as error:
+        raise UsageError(f"{path}: is not {kind}: {error}") from None
     if not isinstance(tree, dict):
         raise UsageError(f"{path}: is JSON, but not a summary")
     return tree

@@ -79,6 +79,7 @@ TEST(Dense, SymmetricProductEqualsGeneralProduct)
 TEST(Dense, ProductRefusesShapesThatDoNotMatch)
 {
   EXPECT_THROW(multiply(DenseMatrix(2, 3), Vector(2)), InternalError);
+  EXPECT_THROW(multiplyTransposed(DenseMatrix(2, 3), Vector(3)), InternalError);
   EXPECT_THROW(multiplySymmetric(DenseMatrix(2, 3), Vector(3)), InternalError);
 }
 
@@ -91,8 +92,10 @@ TEST(Dense, ProductsOfMatricesAreProductsWithTheirColumns)
     EXPECT_LT(test::relativeDifference(AB.column(j), multiply(A, B.column(j))), 1e-15);
     for (int i = 0; i < 3; ++i)
       EXPECT_NEAR(AtC(i, j), dot(A.column(i), C.column(j)), 1e-15);
+    EXPECT_LT(test::relativeDifference(AtC.column(j), multiplyTransposed(A, C.column(j))), 1e-15);
   }
   EXPECT_EQ(multiply(DenseMatrix(2, 0), DenseMatrix(0, 3)).column(2), Vector(2, 0.0));
+  EXPECT_EQ(multiplyTransposed(DenseMatrix(0, 2), Vector()), Vector(2, 0.0));
   EXPECT_THROW(multiply(A, C), InternalError);
   EXPECT_THROW(multiplyTransposed(A, B), InternalError);
 }

@@ -1,4 +1,6 @@
 #include <cmath>
+#include <filesystem>
+#include <iterator>
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -181,6 +183,19 @@ TEST(Mumps, WithoutInteriorDofsSaysWhatToDo)
   EXPECT_THROW(
       test::makeSolver("Mumps")->factor(test::problemWith(body.matrix, {3, 1, 0, 2}, {}), test::comm(), ledger),
       InputError);
+}
+
+TEST(Cholmod, StartsNoThreads)
+{
+  namespace fs = std::filesystem;
+  const auto numThreads = [] {
+    return std::distance(fs::directory_iterator("/proc/self/task"), fs::directory_iterator());
+  };
+  const test::SampleBody body = test::trussBody({20, 20}, Comm::single());
+  const auto before = numThreads();
+  Ledger ledger;
+  test::makeSolver("Cholmod")->factor(body.problem(test::Support::Clamp), Comm::single(), ledger);
+  EXPECT_EQ(numThreads(), before);
 }
 
 TEST(Cholmod, RunsOnOneRankOnly)

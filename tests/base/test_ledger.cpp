@@ -1,5 +1,8 @@
 #include <cstring>
 #include <fstream>
+#include <string>
+#include <thread>
+#include <vector>
 
 #include <sys/mman.h>
 
@@ -52,6 +55,22 @@ TEST(Ledger, AddsStagesOfTheSameNameAndKeepsTheirOrder)
   EXPECT_EQ(ledger.stages()[0].name, "mesh");
   EXPECT_EQ(ledger.stages()[1].name, "factor");
   EXPECT_GE(ledger.stages()[0].seconds, 0.0);
+}
+
+TEST(Ledger, LosesNothingThatThreadsCountAndTimeAtOnce)
+{
+  Ledger ledger;
+  std::vector<std::thread> threads;
+  for (int t = 0; t < 4; ++t)
+    threads.emplace_back([&ledger, t] {
+      for (int k = 0; k < 2000; ++k)
+        ledger.count("sweeps");
+      const auto timer = ledger.time("stage " + std::to_string(t));
+    });
+  for (auto& thread : threads)
+    thread.join();
+  EXPECT_EQ(ledger.counted("sweeps"), 8000);
+  EXPECT_EQ(ledger.stages().size(), 4u);
 }
 
 TEST(Ledger, RestartsWithNothing)

@@ -177,6 +177,26 @@ TEST(Roles, OfARunThatIsTakenOverAreThoseOfTheDeckAgain)
   expectSameContact(second, fresh, 1e-8);
 }
 
+/// The bodies that had two roles have them again, and one each when they need it.
+TEST(Roles, OfThreeBodiesAreThoseOfARunOfItsOwnAfterAnotherCoupling)
+{
+  Ledger ledger;
+  Reusable handedOn;
+  for (const auto& scene : {automatic(threeBodies()), together(threeBodies()), automatic(threeBodies())}) {
+    auto run = runDeck(scene.params(), components(), Comm::single(), ledger, silentLog(), std::move(handedOn));
+    const auto fresh = scene.run().run;
+    for (std::size_t i = 0; i < fresh.summary.interfaces.size(); ++i) {
+      EXPECT_EQ(run.summary.interfaces[i].dirichletBody, fresh.summary.interfaces[i].dirichletBody);
+      EXPECT_EQ(run.summary.interfaces[i].neumannBody, fresh.summary.interfaces[i].neumannBody);
+    }
+    EXPECT_EQ(traction(run), traction(fresh));
+    for (int body = 0; body < 3; ++body)
+      EXPECT_EQ(displacement(run, body), displacement(fresh, body)) << body;
+    handedOn = handOn(run);
+  }
+  EXPECT_EQ(ledger.counted("factorisations"), 3);
+}
+
 TEST(Roles, StayThoseOfTheDeckWhereAStiffnessIsLostInRoundOff)
 {
   const auto run =

@@ -130,7 +130,7 @@ TEST(Yardstick, IsTheSumOfTheBodies)
   EXPECT_NEAR(seconds("total"), seconds("order") + seconds("factor") + seconds("solve"), 1e-12);
 }
 
-TEST(Yardstick, SolvesNothingElse)
+TEST(Yardstick, OfOneBodyIsTheSum)
 {
   const auto result = yardstickOf("beam-3d", {});
   EXPECT_EQ(result["beam"]["nonzeros"], result["all"]["nonzeros"]);

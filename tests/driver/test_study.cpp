@@ -207,13 +207,54 @@ TEST_F(StudyProgram, RefusesColumnsThatNameNoNumber)
   EXPECT_THAT(result.err, HasSubstr("\"energi\" is no number of a case's summary"));
 }
 
+TEST_F(StudyProgram, GoesOnAfterACaseInWhichConjugateGradientsBreakDown)
+{
+  const std::string list = "Linear Solver/Preconditioner/";
+  const auto result =
+      runProgram({"-i", shippedDeck("krylov"), "--set", "Bodies/punch/Mesh/Cells={2, 2}", "--set",
+                  "Bodies/foundation/Mesh/Cells={4, 2}", "--set", list + "Type=Ifpack2", "--set",
+                  list + "Method=RELAXATION", "--set", "Expect/energy of this mesh whatever the solver/Tolerance=1",
+                  "--study", list + "Ifpack2/relaxation: damping factor=-1.0; 1.0"},
+                 folder().file("."));
+  EXPECT_EQ(result.exitCode, 3) << result.err;
+  EXPECT_THAT(column("exit_code", "krylov"), ElementsAre("3", "0"));
+  EXPECT_THAT(column("reason", "krylov")[0], StartsWith("not converged: conjugate gradients met a motion"));
+}
+
+TEST_F(StudyProgram, ChecksAllItsCasesAndSolvesNone)
+{
+  const auto right = study({"Bodies/punch/Loads/press/Side=top; right"}, {"--check"});
+  EXPECT_EQ(right.exitCode, 0) << right.err;
+  EXPECT_THAT(right.out, HasSubstr("all 2 cases are right; nothing was solved."));
+  const auto wrong = study({"Bodies/punch/Loads/press/Side=top; roof; wall"}, {"--check"});
+  EXPECT_EQ(wrong.exitCode, 2);
+  EXPECT_THAT(wrong.err, HasSubstr("there is no side \"roof\""));
+  EXPECT_THAT(wrong.err, HasSubstr("there is no side \"wall\""));
+  EXPECT_THAT(files(), ElementsAre());
+}
+
+/// The mesh is the faster axis: a step of the tolerance goes back to the first mesh.
+TEST_F(StudyProgram, DoesWhatItsPlanSays)
+{
+  const std::vector<std::string> axes{"Coupling/Stopping/Tolerance=0.1; 0.05",
+                                      "Bodies/punch/Mesh/Pattern=Right; Crossed"};
+  const auto plan = study(axes, {"--plan"});
+  EXPECT_THAT(plan.out, HasSubstr("Tolerance           mesh, matrix and factor of punch\n"));
+  EXPECT_THAT(plan.out, HasSubstr("Pattern             mesh, matrix and factor of punch\n"));
+  ASSERT_EQ(study(axes).exitCode, 0);
+  EXPECT_THAT(column("factorisations"), ElementsAre("2", "1", "1", "1"));
+  EXPECT_THAT(column("meshes_reused"), ElementsAre("0", "1", "1", "1"));
+}
+
 TEST_F(StudyProgram, SaysInItsPlanWhatAStepComputesAgain)
 {
   const auto result = study({"Bodies/punch/Mesh/Pattern=Right; Crossed", "Bodies/punch/Material/Young Modulus=1; 2",
-                             "Coupling/Stopping/Tolerance=0.1; 0.05"},
+                             "Coupling/Stopping/Tolerance=0.1; 0.05", "Coupling/Relaxation/Theta=0.5"},
                             {"--plan"});
   EXPECT_EQ(result.exitCode, 0) << result.err;
+  EXPECT_THAT(result.out, HasSubstr("8 cases: the first runs these stages, later ones reuse; "));
   EXPECT_THAT(result.out, HasSubstr("Pattern             mesh, matrix and factor of punch\n"));
+  EXPECT_THAT(result.out, HasSubstr("Theta               nothing: it has one value\n"));
   EXPECT_THAT(result.out, HasSubstr("Young Modulus       matrix and factor of punch\n"));
   EXPECT_THAT(result.out, HasSubstr("Tolerance           the solution only: nothing read, assembled or factored\n"));
 }

@@ -96,6 +96,22 @@ TEST(Trust, BodiesThatOnlyMoveRigidlyAreInBalance)
   }
 }
 
+/// Thin bodies: the solution is right, but the stiffness that the certificate has to solve with is not definite.
+TEST(Trust, AStiffnessThatIsLostInRoundOffLeavesNoCertificate)
+{
+  const auto run = Scene("punch")
+                       .set("Bodies/punch/Mesh/Cells={5, 5}")
+                       .set("Bodies/foundation/Mesh/Cells={10, 5}")
+                       .set("Bodies/punch/Mesh/Upper={1.0, 1e-4}")
+                       .set("Bodies/foundation/Mesh/Lower={0.0, -1e-4}")
+                       .set("Error Estimation/Estimators={Global}")
+                       .run()
+                       .run;
+  EXPECT_TRUE(run.coupling.converged);
+  EXPECT_FALSE(run.certificate);
+  EXPECT_THAT(run.failure, HasSubstr("no certificate: a body's stiffness on the interface is lost in round-off"));
+}
+
 TEST(NumberRange, LoadsThatUnderOrOverflowAreRefused)
 {
   for (const char* load : {"1e-300", "1e-60", "1e60", "1e300"}) {
@@ -109,6 +125,8 @@ TEST(NumberRange, SizesAndModuliAreRefusedByName)
 {
   EXPECT_THAT(complaintOf(Scene("punch").set("Bodies/punch/Material/Young Modulus=1e-80")),
               HasSubstr("Bodies/punch/Material: the elastic moduli reach"));
+  EXPECT_THAT(complaintOf(Scene("punch").set("Interfaces/contact/Gap=1e60")),
+              HasSubstr("--set: Interfaces/contact: the values of Gap reach"));
   EXPECT_THAT(complaintOf(Scene("punch").changeUnits(1e-70, 1.0)), HasSubstr("Bodies/punch/Mesh: the coordinates"));
 }
 

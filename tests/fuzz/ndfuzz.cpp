@@ -1,6 +1,6 @@
 // Tries a reader on damaged files: ndfuzz READER [--inputs N] [--seed S] [--only I] [--verbose].
 //
-// Every input must be read or refused with an InputError, within a few seconds and within 64 MB + 200 times its size.
+// Every input must be read or refused with an InputError, come to an end, and take at most 64 MB + 200 times its size.
 // Anything else ends the program with the input kept, and its number: --only repeats it.
 
 #include <csignal>
@@ -32,8 +32,7 @@ constexpr std::size_t bytesPerByte = 200;
 extern "C" void reportHang(int)
 {
   constexpr char text[] = "HANG: an input takes too long\n";
-  if (write(STDERR_FILENO, text, sizeof text - 1) > 0)
-    std::_Exit(1);
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, text, sizeof text - 1);
   std::_Exit(1);
 }
 
@@ -48,7 +47,14 @@ struct Options
 /// How many inputs ended so.
 using Outcomes = std::map<std::string, std::uint64_t>;
 
-/// What became of an input: "read", or the message without what differs from file to file.
+/// What a message says of the library that reads the file, and what that is called here.
+constexpr std::pair<const char*, const char*> libraryFailures[]{
+    {" crashed on this file", "refused: the library crashed"},
+    {" did not come to an end", "refused: the library did not end"},
+    {" asks for more memory", "refused: the library wanted too much memory"},
+    {"no child process can be started", "refused: no process for the library"}};
+
+/// What became of an input: "read", "refused", or "refused: " and how the library failed on it.
 std::string outcomeOf(const Target& target, const std::string& path)
 {
   try {
@@ -56,10 +62,10 @@ std::string outcomeOf(const Target& target, const std::string& path)
     return "read";
   } catch (const InputError& error) {
     const std::string text = error.what();
-    return text.find(" crashed on this file") != std::string::npos     ? "refused: the library crashed"
-           : text.find(" did not come to an end") != std::string::npos ? "refused: the library did not end"
-           : text.find(" asks for more memory") != std::string::npos   ? "refused: the library wanted too much memory"
-                                                                       : "refused";
+    for (const auto& [said, outcome] : libraryFailures)
+      if (text.find(said) != std::string::npos)
+        return outcome;
+    return "refused";
   }
 }
 
@@ -70,11 +76,19 @@ void requireModestMemory(std::size_t before, std::size_t fileSize)
     throw std::runtime_error(fmt::format("MEMORY: {} bytes for a file of {}", used, fileSize));
 }
 
+void writeInput(const std::string& path, const std::string& input)
+{
+  std::ofstream file(path, std::ios::binary);
+  file << input << std::flush;
+  if (!file)
+    throw std::runtime_error("cannot write " + path);
+}
+
 void tryInput(const Target& target, Mutator& mutate, std::uint64_t n, const std::string& path, Outcomes& outcomes,
               bool verbose)
 {
   const std::string input = mutate(n);
-  std::ofstream(path, std::ios::binary) << input;
+  writeInput(path, input);
   alarm(secondsPerInput);
   takePeakBytes();
   const std::size_t before = allocatedBytes();
@@ -121,8 +135,8 @@ int main(int argc, char** argv)
   Options options;
   CLI::App app("Tries a reader on damaged files.", "ndfuzz");
   app.add_option("reader", options.reader, "deck, msh or exodus")->required();
-  app.add_option("--inputs", options.inputs, "how many");
-  app.add_option("--seed", options.seed, "of the damage");
+  app.add_option("--inputs", options.inputs, "how many")->capture_default_str();
+  app.add_option("--seed", options.seed, "of the damage")->capture_default_str();
   app.add_option("--only", options.only, "one input by its number; the file is kept");
   app.add_flag("--verbose", options.verbose, "name the inputs that a library failed on");
   CLI11_PARSE(app, argc, argv);

@@ -44,7 +44,7 @@ Target deckTarget(const std::string&)
 {
   const std::shared_ptr<const Components> components = makeComponents();
   const ListSpec spec = makeDeckSpec(*components);
-  return {"deck", true, filesIn(NDFRAME_DECKS, ".xml"), [components, spec](const std::string& path) {
+  return {true, filesIn(NDFRAME_DECKS, ".xml"), [components, spec](const std::string& path) {
             Diagnostics diagnostics;
             const DeckList deck = readDeck(path);
             validate(deck, spec, diagnostics);
@@ -63,7 +63,7 @@ Target mshTarget(const std::string&)
                                              doubles("Upper", "1, 1, 1") + ints("Cells", "1, 2, 1")));
   std::vector<std::string> sound = filesIn(NDFRAME_MESHES, ".msh");
   sound.push_back(small);
-  return {"msh", true, std::move(sound), meshReader("Gmsh")};
+  return {true, std::move(sound), meshReader("Gmsh")};
 }
 
 Target exodusTarget(const std::string& scratch)
@@ -80,7 +80,7 @@ Target exodusTarget(const std::string& scratch)
       sound.push_back(contents(path));
     }
   std::filesystem::remove(path);
-  return {"exodus", false, std::move(sound), meshReader("Exodus")};
+  return {false, std::move(sound), meshReader("Exodus")};
 }
 
 } // namespace

@@ -11,7 +11,6 @@ namespace ndframe::test
 /// refuses.
 struct Target
 {
-  std::string name;
   bool text;
   std::vector<std::string> sound;
   std::function<void(const std::string& path)> read;

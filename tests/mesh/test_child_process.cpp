@@ -2,13 +2,12 @@
 
 #include <csignal>
 #include <stdexcept>
-#include <vector>
+#include <string>
 
 #include <gmock/gmock.h>
 
 #include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/mesh/mesh_bytes.hpp"
 
 using namespace ndframe;
 using testing::HasSubstr;
@@ -57,22 +56,21 @@ TEST(ChildProcess, EndlessWorkIsEnded)
       ThrowsMessage<FileError>(HasSubstr("did not come to an end")));
 }
 
-TEST(MeshBytes, ReadBackToTheSameMesh)
+TEST(ChildProcess, WorkThatTakesTooMuchMemoryIsRefused)
 {
-  Mesh mesh;
-  mesh.dim = 2;
-  mesh.points = {0, 0, 1, 0, 0, 1};
-  mesh.cells = {0, 1, 2};
-  mesh.sides = {{"bottom", {{0, 2}}}, {"", {}}};
-  mesh.notes = {"a note"};
-  const std::string bytes = toBytes(mesh);
-  const Mesh back = meshFromBytes(bytes);
-  EXPECT_EQ(back.points, mesh.points);
-  EXPECT_EQ(back.cells, mesh.cells);
-  EXPECT_EQ(back.sides.size(), 2U);
-  EXPECT_EQ(toBytes(back), bytes);
-  for (std::size_t length = 0; length < bytes.size(); ++length)
-    EXPECT_THROW(meshFromBytes(std::string_view(bytes).substr(0, length)), InternalError);
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "its shadow memory does not fit under a limit";
+#endif
+  const std::int64_t limit = 64 << 20;
+  const auto taking = [](std::size_t bytes) {
+    return [bytes] { return std::to_string(std::string(bytes, 'x').size()); };
+  };
+  EXPECT_EQ(runInChild(taking(std::size_t(1) << 20), "it", {limit, 0}), "1048576");
+  EXPECT_THAT(
+      [&] {
+        runInChild(taking(std::size_t(256) << 20), "it", {limit, 0});
+      },
+      ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may take")));
 }
 
 } // namespace

@@ -1,18 +1,17 @@
 """nddiff on files altered on purpose: test_nddiff.py REGRESSION."""
 
-import contextlib
-import io
 import json
 import pathlib
 import sys
-import tempfile
 import unittest
 
+import netCDF4
 import numpy
 
 REGRESSION = pathlib.Path(sys.argv[1]).resolve()
 sys.path[:0] = [str(REGRESSION), str(pathlib.Path(__file__).parent)]
 
+from called import Called  # noqa: E402
 from harness.nddiff import main  # noqa: E402
 from small_exodus import SmallExodus  # noqa: E402
 
@@ -20,33 +19,8 @@ NAN = float("nan")
 PERMUTED = {"nodes": (7, 2, 5, 0, 8, 4, 1, 6, 3), "elements": ((2, 0, 1), (1, 0))}
 
 
-class Comparison(unittest.TestCase):
-    def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-
-    def run_diff(self, *arguments):
-        """(exit code, screen, errors)."""
-        screen, errors = io.StringIO(), io.StringIO()
-        with contextlib.redirect_stdout(screen), contextlib.redirect_stderr(errors):
-            code = main([str(argument) for argument in arguments])
-        return code, screen.getvalue(), errors.getvalue()
-
-    def assert_same(self, *arguments):
-        code, screen, _ = self.run_diff(*arguments)
-        self.assertEqual(code, 0, screen)
-
-    def assert_different(self, words, *arguments):
-        code, screen, _ = self.run_diff(*arguments)
-        self.assertEqual(code, 1, screen)
-        for word in [words] if isinstance(words, str) else words:
-            self.assertIn(word, screen)
-
-    def assert_refused(self, words, *arguments):
-        code, _, errors = self.run_diff(*arguments)
-        self.assertEqual(code, 2)
-        self.assertIn(words, errors)
+class Comparison(Called):
+    program = staticmethod(main)
 
 
 class ExodusFiles(Comparison):
@@ -58,10 +32,10 @@ class ExodusFiles(Comparison):
         return self.gold_file.write(self.folder / "gold.e"), self.new_file.write(self.folder / "new.e")
 
     def same(self, *options):
-        self.assert_same(*self.files(), *options)
+        self.assert_success(*self.files(), *options)
 
     def different(self, words, *options):
-        self.assert_different(words, *self.files(), *options)
+        self.assert_failure(words, *self.files(), *options)
 
     def test_the_same_file_is_the_same(self):
         self.same()
@@ -186,8 +160,8 @@ class ExodusFiles(Comparison):
 
     def test_a_missing_block_fails(self):
         self.new_file.blocks["other"] = self.new_file.blocks.pop("lower")
-        for values in (self.new_file.element["stress_xx"],):
-            values["other"] = values["lower"]
+        values = self.new_file.element["stress_xx"]
+        values["other"] = values["lower"]
         self.different(["block lower is missing in NEW", "block other is extra in NEW"])
 
     def test_rules_come_from_a_file_and_the_last_one_holds(self):
@@ -202,6 +176,10 @@ class ExodusFiles(Comparison):
         (self.folder / "text.e").write_text("no netCDF")
         self.assert_refused("cannot be read as Exodus", gold, self.folder / "text.e")
         self.assert_refused("cannot be read as Exodus", self.folder / "nowhere.e", gold)
+        with netCDF4.Dataset(self.folder / "part.e", "w", format="NETCDF3_CLASSIC") as data:
+            data.createDimension("num_dim", 2)
+            data.createVariable("coordx", "f8", ())
+        self.assert_refused("is no whole Exodus file: coordy", gold, self.folder / "part.e")
 
     def test_rules_that_make_no_sense_are_refused(self):
         gold, new = self.files()
@@ -238,38 +216,38 @@ class Summaries(Comparison):
             new["ledger"].update(total_seconds=1.0, peak_bytes=9)
             new["ledger"]["counts"]["bytes written"] = 11
             new["ledger"]["stages"][0].update(seconds=0.2, peak_bytes=6)
-        self.assert_same(*self.pair(change))
+        self.assert_success(*self.pair(change))
 
     def test_a_number_differs_by_its_path(self):
         pair = self.pair(lambda new: new["bodies"][0].update(energy=0.9 + 1e-8))
-        self.assert_different("bodies/punch/energy", *pair)
-        self.assert_same(*pair, "--set", "bodies/*/energy=relative 1e-7")
-        self.assert_same(*self.pair(lambda new: new["bodies"][0].update(energy=numpy.nextafter(0.9, 1))))
+        self.assert_failure("bodies/punch/energy", *pair)
+        self.assert_success(*pair, "--set", "bodies/*/energy=relative 1e-7")
+        self.assert_success(*self.pair(lambda new: new["bodies"][0].update(energy=numpy.nextafter(0.9, 1))))
 
     def test_counts_are_exact_unless_a_rule_names_them(self):
         pair = self.pair(lambda new: new["ledger"]["counts"].update(sweeps=7))
-        self.assert_different(["ledger/counts/sweeps", "6", "7"], *pair)
-        self.assert_different("ledger/counts/sweeps", *pair, "--set", "default=relative 0.5")
-        self.assert_same(*pair, "--set", "ledger/counts/*=absolute 1")
+        self.assert_failure(["ledger/counts/sweeps", "6", "7"], *pair)
+        self.assert_failure("ledger/counts/sweeps", *pair, "--set", "default=relative 0.5")
+        self.assert_success(*pair, "--set", "ledger/counts/*=absolute 1")
 
     def test_words_and_verdicts_are_exact(self):
-        self.assert_different("Mumps", *self.pair(lambda new: new["bodies"][0].update(solver="Mumps")))
-        self.assert_different("errors/guaranteed", *self.pair(lambda new: new["errors"].update(guaranteed=False)))
-        self.assert_different("errors/guaranteed", *self.pair(lambda new: new["errors"].update(guaranteed=1)))
+        self.assert_failure("Mumps", *self.pair(lambda new: new["bodies"][0].update(solver="Mumps")))
+        self.assert_failure("errors/guaranteed", *self.pair(lambda new: new["errors"].update(guaranteed=False)))
+        self.assert_failure("errors/guaranteed", *self.pair(lambda new: new["errors"].update(guaranteed=1)))
 
     def test_missing_and_extra_entries_fail(self):
-        self.assert_different("entry errors/absolute is missing", *self.pair(lambda new: new["errors"].pop("absolute")))
-        self.assert_different("entry errors/more is extra", *self.pair(lambda new: new["errors"].update(more=1)))
-        self.assert_different("entry ledger/stages/read/name is missing",
+        self.assert_failure("entry errors/absolute is missing", *self.pair(lambda new: new["errors"].pop("absolute")))
+        self.assert_failure("entry errors/more is extra", *self.pair(lambda new: new["errors"].update(more=1)))
+        self.assert_failure("entry ledger/stages/read/name is missing",
                               *self.pair(lambda new: new["ledger"].pop("stages")))
 
     def test_a_number_instead_of_null_fails(self):
-        self.assert_different("coupling", *self.pair(lambda new: new.update(coupling=1.0)))
+        self.assert_failure("coupling", *self.pair(lambda new: new.update(coupling=1.0)))
 
     def test_a_new_parameter_is_no_difference_but_a_changed_one_is(self):
-        self.assert_same(*self.pair(lambda new: new["deck"].update(New=1)))
-        self.assert_different("deck/Order", *self.pair(lambda new: new["deck"].update(Order=1)))
-        self.assert_different("deck/Order is missing", *self.pair(lambda new: new["deck"].pop("Order")))
+        self.assert_success(*self.pair(lambda new: new["deck"].update(New=1)))
+        self.assert_failure("deck/Order", *self.pair(lambda new: new["deck"].update(Order=1)))
+        self.assert_failure("deck/Order is missing", *self.pair(lambda new: new["deck"].pop("Order")))
 
     def test_files_that_cannot_be_read_are_refused(self):
         gold, new = self.pair(lambda _: None)
@@ -278,6 +256,8 @@ class Summaries(Comparison):
         new.write_text("[]")
         self.assert_refused("not a summary", gold, new)
         self.assert_refused("No such file", gold, self.folder / "nowhere.json")
+        (self.folder / "new.csv").write_bytes(b"case\n\xff\n")
+        self.assert_refused("is not a table", gold, self.folder / "new.csv")
 
 
 class StudyTables(Comparison):
@@ -288,12 +268,12 @@ class StudyTables(Comparison):
         return self.folder / "gold.study.csv", self.folder / "new.study.csv"
 
     def test_numbers_by_case_and_column_the_rest_as_text(self):
-        self.assert_same(*self.pair("0.9,0.1", "0.90000000001,0.3"))
+        self.assert_success(*self.pair("0.9,0.1", "0.90000000001,0.3"))
         for old, new, words in (
             ("0.9", "0.91", "1/energy"), (",,0.2", ",0.5,0.2", "2/energy"), ("{8, 8}", "{9, 9}", "2/Cells"),
             ('""a""', '""b""', "2/reason"), ("energy", "E", "1/energy is missing"), ("\n2", "\n3", "3/energy is extra"),
         ):
-            self.assert_different(words, *self.pair(old, new))
+            self.assert_failure(words, *self.pair(old, new))
 
 
 if __name__ == "__main__":

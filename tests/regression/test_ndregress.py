@@ -1,11 +1,8 @@
 """ndregress with a program that does as its deck says: test_ndregress.py REGRESSION."""
 
-import contextlib
-import io
 import json
 import pathlib
 import sys
-import tempfile
 import textwrap
 import unittest
 import xml.etree.ElementTree as ElementTree
@@ -13,6 +10,7 @@ import xml.etree.ElementTree as ElementTree
 REGRESSION = pathlib.Path(sys.argv[1]).resolve()
 sys.path[:0] = [str(REGRESSION), str(pathlib.Path(__file__).parent)]
 
+from called import Called  # noqa: E402
 from harness.ndregress import main  # noqa: E402
 from small_exodus import SmallExodus  # noqa: E402
 
@@ -36,14 +34,12 @@ PROGRAM = """\
     """
 
 
-class Regression(unittest.TestCase):
+class Regression(Called):
     def setUp(self):
-        folder = tempfile.TemporaryDirectory()
-        self.addCleanup(folder.cleanup)
-        self.folder = pathlib.Path(folder.name)
-        self.cases, self.keep, self.program = self.folder / "cases", self.folder / "keep", self.folder / "program"
-        self.program.write_text(textwrap.dedent(PROGRAM))
-        self.program.chmod(0o755)
+        super().setUp()
+        self.cases, self.keep, self.script = self.folder / "cases", self.folder / "keep", self.folder / "program"
+        self.script.write_text(textwrap.dedent(PROGRAM))
+        self.script.chmod(0o755)
 
     def case(self, name, energy=1.0, gold=1.0, **keys):
         """A case whose run gives `energy`; None: no summary, no gold."""
@@ -56,29 +52,14 @@ class Regression(unittest.TestCase):
         (folder / "case.toml").write_text("".join(f"{key} = {json.dumps(value)}\n" for key, value in keys.items()))
         return folder
 
-    def regress(self, *arguments):
-        """(exit code, screen, errors)."""
-        screen, errors = io.StringIO(), io.StringIO()
-        fixed = ["--cases", self.cases, "--program", self.program, "--keep", self.keep]
-        with contextlib.redirect_stdout(screen), contextlib.redirect_stderr(errors):
-            code = main(REGRESSION, [str(argument) for argument in [*arguments, *fixed]])
-        return code, screen.getvalue(), errors.getvalue()
-
-    def assert_failure(self, *words, arguments=()):
-        code, screen, _ = self.regress(*arguments)
-        self.assertEqual(code, 1, screen)
-        for word in words:
-            self.assertIn(word, screen)
-
-    def assert_refused(self, words, *arguments):
-        code, _, errors = self.regress(*arguments)
-        self.assertEqual(code, 2)
-        self.assertIn(words, errors)
+    def program(self, arguments):
+        fixed = ["--cases", self.cases, "--program", self.script, "--keep", self.keep]
+        return main(REGRESSION, [*arguments, *map(str, fixed)])
 
     def test_cases_that_are_right_are_one_line_each_and_leave_nothing(self):
         self.case("one")
         self.case("two", energy=1 + 1e-15)
-        code, screen, _ = self.regress()
+        code, screen, _ = self.call()
         self.assertEqual(code, 0, screen)
         self.assertRegex(screen, r"^ok +\d+\.\d\d s  one +What one protects\.\nok +.* two .*\n\n2 cases, 2 runs: 2 ok ")
         self.assertFalse(self.keep.exists())
@@ -86,7 +67,7 @@ class Regression(unittest.TestCase):
     def test_a_failure_keeps_its_outputs_and_says_where(self):
         self.case("right")
         self.case("wrong", energy=2.0)
-        self.assert_failure("DIFFERENT", "energy", f"{self.keep}/NAME for wrong")
+        self.assert_failure(["DIFFERENT", "energy", f"{self.keep}/NAME for wrong"])
         self.assertEqual([path.name for path in self.keep.iterdir()], ["wrong"])
         kept = self.keep / "wrong"
         self.assertEqual(json.loads((kept / "wrong.summary.json").read_text()), {"energy": 2.0})
@@ -95,13 +76,13 @@ class Regression(unittest.TestCase):
 
     def test_exit_code_and_message_are_judged(self):
         self.case("right", None, None, exit=3, message="why", arguments=["--say=this is why it ended", "--exit=3"])
-        self.assertEqual(self.regress()[0], 0)
+        self.assertEqual(self.call()[0], 0)
         self.case("code", None, None, exit=3, arguments=["--say=other reasons", "--exit=4"])
-        self.assert_failure("WRONG EXIT", "exit code 4 instead of 3", "other reasons", arguments=["code"])
+        self.assert_failure(["WRONG EXIT", "exit code 4 instead of 3", "other reasons"], "code")
         self.case("words", None, None, exit=3, message="why", arguments=["--say=other reasons", "--exit=3"])
-        self.assert_failure("NO MESSAGE", 'does not say "why"', "other reasons", arguments=["words"])
+        self.assert_failure(["NO MESSAGE", 'does not say "why"', "other reasons"], "words")
         self.case("killed", None, None, arguments=["--sleep=60"])
-        self.assert_failure("TIMEOUT", arguments=["killed", "--timeout", "0.5"])
+        self.assert_failure(["TIMEOUT"], "killed", "--timeout", "0.5")
 
     def test_files_must_be_those_of_the_gold(self):
         self.case("silent", energy=None)
@@ -110,30 +91,30 @@ class Regression(unittest.TestCase):
         SmallExodus().write(folder / "gold.e")
         self.assert_failure("gold.e has no counterpart")
         self.case("new", gold=None)
-        self.assert_failure("NO GOLD", "--bless", arguments=["new"])
+        self.assert_failure(["NO GOLD", "--bless"], "new")
         self.case("stray", None, None, arguments=["--write=stray.contact.csv"])
-        self.assert_failure("stray.contact.csv was written by a case without gold", arguments=["stray"])
+        self.assert_failure(["stray.contact.csv was written by a case without gold"], "stray")
 
     def test_blessing_shows_the_difference_and_mends_it(self):
         folder = self.case("wrong", energy=2.0)
-        code, screen, _ = self.regress("--bless", "wrong")
+        code, screen, _ = self.call("--bless", "wrong")
         self.assertEqual(code, 0)
         for word in ("wrong: blessed", "energy", "1", "2"):
             self.assertIn(word, screen)
         self.assertEqual(json.loads((folder / "gold.summary.json").read_text()), {"energy": 2.0})
-        self.assertEqual(self.regress()[0], 0)
-        self.assertIn("nothing to bless", self.regress("--bless", "wrong")[1])
+        self.assertEqual(self.call()[0], 0)
+        self.assertIn("nothing to bless", self.call("--bless", "wrong")[1])
 
     def test_blessing_makes_gold_of_new_cases_and_removes_what_is_no_longer_written(self):
         new, silent = self.case("new", gold=None), self.case("silent", energy=None)
-        self.assertEqual(self.regress("--bless", "new", "silent")[0], 0)
+        self.assertEqual(self.call("--bless", "new", "silent")[0], 0)
         self.assertTrue((new / "gold.summary.json").exists())
         self.assertFalse((silent / "gold.summary.json").exists())
 
     def test_blessing_is_for_cases_named_that_end_as_they_should(self):
         folder = self.case("wrong", energy=2.0, exit=3)
         self.assert_refused("name the cases", "--bless")
-        code, screen, _ = self.regress("--bless", "wrong")
+        code, screen, _ = self.call("--bless", "wrong")
         self.assertEqual(code, 1)
         self.assertIn("not blessed, WRONG EXIT", screen)
         self.assertEqual(json.loads((folder / "gold.summary.json").read_text()), {"energy": 1.0})
@@ -144,7 +125,7 @@ class Regression(unittest.TestCase):
         self.case("bell", None, None, exit=3, arguments=["--say=\a<&", "--exit=4"])
         self.case("other", program="other")
         path = self.folder / "junit.xml"
-        self.assertEqual(self.regress("--junit", path)[0], 1)
+        self.assertEqual(self.call("--junit", path)[0], 1)
         suite = ElementTree.parse(path).getroot().find("testsuite")
         self.assertEqual({key: suite.get(key) for key in ("tests", "failures", "skipped")},
                          {"tests": "4", "failures": "2", "skipped": "1"})
@@ -160,25 +141,25 @@ class Regression(unittest.TestCase):
         self.case("two")
         for arguments, chosen in ((["two"], 1), (["one-*"], 2), (["--label", "fast"], 2),
                                   (["one-*", "--label", "slow"], 1)):
-            self.assertIn(f"\n{chosen} cases, ", self.regress(*arguments)[1])
+            self.assertIn(f"\n{chosen} cases, ", self.call(*arguments)[1])
         self.assert_refused('there is no case "one-c"; did you mean', "one-c")
         self.assert_refused('no case has the label "loud"', "--label", "loud")
 
     def test_listing_runs_nothing(self):
         self.case("wrong", energy=2.0)
-        code, screen, _ = self.regress("--list")
+        code, screen, _ = self.call("--list")
         self.assertEqual((code, screen), (0, "wrong  What wrong protects.  [fast]\n1 cases\n"))
 
     def test_every_number_of_ranks_is_a_run(self):
         self.case("both", np=[1, 2])
-        self.assertIn("1 cases, 1 runs", self.regress("--np", "1")[1])
-        self.assertIn("both.np2", self.regress("--np", "2")[1])
+        self.assertIn("1 cases, 1 runs", self.call("--np", "1")[1])
+        self.assertIn("both.np2", self.call("--np", "2")[1])
         self.assert_refused("runs on 3 ranks", "--np", "3")
 
     def test_side_by_side_gives_the_same_lines(self):
         for i in range(5):
             self.case(f"case{i}", energy=1.0 + i % 2)
-        names = [[line.split()[3] for line in self.regress(*jobs)[1].splitlines() if " s  " in line]
+        names = [[line.split()[3] for line in self.call(*jobs)[1].splitlines() if " s  " in line]
                  for jobs in ([], ["-j", "3"])]
         self.assertEqual(names[0], [f"case{i}" for i in range(5)])
         self.assertEqual(names[0], names[1])

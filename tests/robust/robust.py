@@ -2,7 +2,6 @@
 
 import os
 import pathlib
-import resource
 import signal
 import subprocess
 import sys
@@ -27,9 +26,14 @@ def on_ranks(number, *command):
     return (MPIEXEC, "--oversubscribe", "-np", str(number), *command)
 
 
-def limited(what, value):
-    """For preexec_fn: a limit of the new process."""
-    return lambda: resource.setrlimit(what, (value, value))
+def limited(what, size, *command):
+    """The command under a limit in bytes on `what`, in prlimit's words: "as" (memory) or "fsize"."""
+    return ("prlimit", f"--{what}={size}", *command)
+
+
+def nicely():
+    """For preexec_fn: whoever waits for a moment of the process is in time."""
+    os.nice(19)
 
 
 class RoughWorld(unittest.TestCase):
@@ -40,11 +44,13 @@ class RoughWorld(unittest.TestCase):
         self.addCleanup(folder.cleanup)
         self.folder = pathlib.Path(folder.name)
 
-    def run_to_end(self, *arguments, **options):
-        """Exit code and the two streams; arguments follow the program's name unless they name another."""
-        command = arguments if arguments[0] in (MPIEXEC, "env") else (PROGRAM, *arguments)
-        streams = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
-        return subprocess.run(command, cwd=self.folder, text=True, timeout=SECONDS, errors="replace", **streams)
+    def run_command(self, *command, **options):
+        """Exit code and the two streams, at the end."""
+        options = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, **options}
+        return subprocess.run(command, cwd=self.folder, text=True, timeout=SECONDS, errors="replace", **options)
+
+    def run_program(self, *arguments, **options):
+        return self.run_command(PROGRAM, *arguments, **options)
 
     def start(self, *command, **options):
         """A process with a session of its own, gone at the end of the test whatever happens."""
@@ -80,7 +86,7 @@ def wait_for_line(process, text):
 
 
 def wait_until(condition, process):
-    """Polls; False when the process ended before. The process should be a nice one, so that this one is in time."""
+    """Polls; False when the process ended before. The process should be started `nicely`."""
     while not condition():
         if process.poll() is not None:
             return False

@@ -4,6 +4,7 @@ import json
 import os
 import random
 import shutil
+import sys
 import threading
 import time
 
@@ -11,36 +12,13 @@ import netCDF4
 
 from robust import DECKS, PROGRAM, RoughWorld, main, on_ranks
 
+sys.path.insert(0, str(DECKS.parent / "apps/ndstress"))
+from decks import to_xml  # noqa: E402
+
 # One body, so that a result belongs to one state of the file.
-DECK = """<ParameterList name="one">
-  <ParameterList name="Bodies">
-    <ParameterList name="block">
-      <ParameterList name="Mesh">
-        <Parameter name="Type" type="string" value="{type}"/>
-        <Parameter name="File" type="string" value="{file}"/>
-        <Parameter name="{choice}" type="Array(string)" value="{{foundation}}"/>
-      </ParameterList>
-      <ParameterList name="Material">
-        <Parameter name="Young Modulus" type="double" value="1.0"/>
-        <Parameter name="Poisson Ratio" type="double" value="0.3"/>
-      </ParameterList>
-      <ParameterList name="Supports">
-        <ParameterList name="ground">
-          <Parameter name="Type" type="string" value="Clamp"/>
-          <Parameter name="Side" type="string" value="bottom"/>
-        </ParameterList>
-      </ParameterList>
-      <ParameterList name="Loads">
-        <ParameterList name="press">
-          <Parameter name="Type" type="string" value="Pressure"/>
-          <Parameter name="Side" type="string" value="contact"/>
-          <Parameter name="Value" type="double" value="1.0"/>
-        </ParameterList>
-      </ParameterList>
-    </ParameterList>
-  </ParameterList>
-</ParameterList>
-"""
+BODY = {"Material": {"Young Modulus": 1.0, "Poisson Ratio": 0.3},
+        "Supports": {"ground": {"Type": "Clamp", "Side": "bottom"}},
+        "Loads": {"press": {"Type": "Pressure", "Side": "contact", "Value": 1.0}}}
 READERS = {"mesh.e": ("Exodus", "Blocks", "punch-foundation.e"),
            "mesh.msh": ("Gmsh", "Regions", "punch-foundation-2.2.msh")}
 RUNS = 12
@@ -94,19 +72,20 @@ class Decks(RoughWorld):
         (self.folder / "folder").mkdir()
         for deck, message in (("pipe", "is not a regular file"), ("folder", "is a directory"), ("/dev/zero", "regular"),
                               ("binary", "is not UTF-8 text"), ("none", "No such file or directory")):
-            self.assert_refused(self.run_to_end("-i", deck), message, "1 error; nothing was computed.")
+            self.assert_refused(self.run_program("-i", deck), message, "1 error; nothing was computed.")
 
 
 class Meshes(RoughWorld):
     def prepare(self, name):
         """The deck of a mesh file, and the file's path."""
         reader, choice, source = READERS[name]
-        (self.folder / "one.xml").write_text(DECK.format(type=reader, choice=choice, file=name))
+        mesh = {"Type": reader, "File": name, choice: ["foundation"]}
+        (self.folder / "one.xml").write_text(to_xml("one", {"Bodies": {"block": {"Mesh": mesh, **BODY}}}))
         shutil.copy(DECKS / "meshes" / source, self.folder / name)
         return self.folder / name
 
     def energy(self):
-        done = self.run_to_end("-q", "-i", "one.xml")
+        done = self.run_program("-q", "-i", "one.xml")
         if done.returncode != 0:
             self.assert_refused(done, "one.xml", "nothing was computed")
             return None
@@ -130,8 +109,8 @@ class Meshes(RoughWorld):
         for name in READERS:
             path = self.prepare(name)
             path.write_bytes(path.read_bytes()[:-1000])
-            for command in (("-q", "-i", "one.xml"), on_ranks(2, PROGRAM, "-q", "-i", "one.xml")):
-                done = self.run_to_end(*command)
+            for command in ((PROGRAM, "-q", "-i", "one.xml"), on_ranks(2, PROGRAM, "-q", "-i", "one.xml")):
+                done = self.run_command(*command)
                 self.assert_refused(done, "Bodies/block/Mesh")
                 self.assertEqual(done.stderr.count(f"{name}: "), 1, done.stderr)
 
@@ -139,7 +118,7 @@ class Meshes(RoughWorld):
         for name in READERS:
             self.prepare(name).unlink()
             os.mkfifo(self.folder / name)
-            self.assert_refused(self.run_to_end("-q", "-i", "one.xml"), "not a regular file")
+            self.assert_refused(self.run_program("-q", "-i", "one.xml"), "not a regular file")
 
 
 if __name__ == "__main__":

@@ -1,6 +1,6 @@
 """Under a memory limit a run is right or refused with a message; it never hangs and never ends without a word."""
 
-from robust import PROGRAM, PUNCH, RESULTS, RoughWorld, cells, main, on_ranks
+from robust import PROGRAM, PUNCH, RESULTS, RoughWorld, cells, limited, main, on_ranks
 
 MEGABYTES = (150, 250, 300, 400, 500, 600, 650, 700, 900)
 # By the program, and by the dynamic linker where not even the libraries fit.
@@ -9,12 +9,12 @@ REASONS = {2: ("more memory than the process may take", "does not fit into memor
 
 
 def under(megabytes, *arguments):
-    return ("sh", "-c", f'ulimit -v {megabytes * 1024}; exec "$@"', "sh", PROGRAM, "-q", "-i", PUNCH, *arguments)
+    return limited("as", megabytes << 20, PROGRAM, "-q", "-i", PUNCH, *arguments)
 
 
 class MemoryLimits(RoughWorld):
     def outcome(self, *command):
-        done = self.run_to_end(*command)
+        done = self.run_command(*command)
         self.assertIn(done.returncode, (0, *REASONS), done.stderr)
         if done.returncode != 0:
             self.assertTrue(any(reason in done.stderr for reason in REASONS[done.returncode]), done.stderr)
@@ -24,7 +24,7 @@ class MemoryLimits(RoughWorld):
         return done.returncode
 
     def test_one_process(self):
-        codes = [self.outcome("env", *under(megabytes, *cells(40))) for megabytes in MEGABYTES]
+        codes = [self.outcome(*under(megabytes, *cells(40))) for megabytes in MEGABYTES]
         self.assertIn(2, codes)
         self.assertEqual(codes[-1], 0)
 

@@ -2,7 +2,6 @@
 
 import json
 import os
-import resource
 import shutil
 import subprocess
 
@@ -19,20 +18,19 @@ class FullDisk(RoughWorld):
 
     def test_a_file_that_does_not_fit_is_named_and_not_there(self):
         for name in RESULTS:
-            self.assertEqual(self.run_to_end("-q", "-i", PUNCH, *self.only(name)).returncode, 0)
+            self.assertEqual(self.run_program("-q", "-i", PUNCH, *self.only(name)).returncode, 0)
             size = (self.folder / name).stat().st_size
             old = b"the old file"
             for limit in (0, size // 2, size - 100):
                 (self.folder / name).write_bytes(old)
-                done = self.run_to_end("-q", "-i", PUNCH, *self.only(name),
-                                       preexec_fn=limited(resource.RLIMIT_FSIZE, limit))
+                done = self.run_command(*limited("fsize", limit, PROGRAM, "-q", "-i", PUNCH, *self.only(name)))
                 self.assert_refused(done, f'cannot write "{name}"', "File too large", "could not be written")
                 self.assertEqual(self.files(), [name])
                 self.assertEqual((self.folder / name).read_bytes(), old)
             (self.folder / name).unlink()
 
     def test_on_ranks_one_speaks(self):
-        done = self.run_to_end(*on_ranks(2, "sh", "-c", 'ulimit -f 8; exec "$@"', "sh", PROGRAM, "-q", "-i", PUNCH))
+        done = self.run_command(*on_ranks(2, *limited("fsize", 4096, PROGRAM, "-q", "-i", PUNCH)))
         self.assertEqual(done.returncode, 2, done.stderr)
         self.assertEqual(done.stderr.count('cannot write "punch.e"'), 1, done.stderr)
         self.assertEqual(self.files(), [])
@@ -56,13 +54,12 @@ class ClosedFolder(RoughWorld):
     def test_it_is_named_before_anything_is_computed(self):
         command = self.program_for_nobody()
         (self.folder / "closed").mkdir(mode=0o555)
-        done = subprocess.run((*command, "--set", "Output/Directory=closed"), cwd=self.folder, text=True,
-                              capture_output=True, preexec_fn=self.as_nobody)
+        done = self.run_command(*command, "--set", "Output/Directory=closed", preexec_fn=self.as_nobody)
         self.assert_refused(done, "closed\" is not a folder that can be written in", "nothing was computed")
         self.assertEqual(list((self.folder / "closed").iterdir()), [])
 
     def test_a_folder_that_takes_no_files_is_named(self):
-        done = self.run_to_end("-q", "-i", PUNCH, "--set", "Output/Directory=/proc/self")
+        done = self.run_program("-q", "-i", PUNCH, "--set", "Output/Directory=/proc/self")
         self.assert_refused(done, "/proc/self")
 
 
@@ -88,7 +85,7 @@ class Screens(RoughWorld):
 
     def test_a_full_screen_is_said(self):
         with open("/dev/full", "w", encoding="ascii") as full:
-            done = self.run_to_end("-i", PUNCH, stdout=full)
+            done = self.run_program("-i", PUNCH, stdout=full)
         self.assert_refused(done, "cannot write to the standard output: No space left on device")
         self.assertEqual(self.files(), RESULTS)
 

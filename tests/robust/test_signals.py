@@ -3,16 +3,12 @@
 import os
 import signal
 
-from robust import PROGRAM, PUNCH, RoughWorld, cells, main, on_ranks, wait_for_line, wait_until
+from robust import PROGRAM, PUNCH, RoughWorld, cells, main, nicely, on_ranks, wait_for_line, wait_until
 
 HEADER = "interface nodes"  # the line before the bodies are factored
 SWEEPS = "eps_tau"  # the line before the first sweep
 # Megabytes to write: every sweep is a step.
 LONG_WRITE = (*cells(40), "--set", "Output/Steps=All Sweeps", "--set", "Coupling/Stopping/Tolerance=1e-9")
-
-
-def nicely():
-    os.nice(19)
 
 
 class Signals(RoughWorld):
@@ -50,7 +46,7 @@ class Signals(RoughWorld):
         mine = left.replace(left.split(".")[-2], str(os.getpid()))  # of a process that lives
         (self.folder / mine).touch()
         (self.folder / ".punch.e.tmp").touch()  # not ours
-        self.assertEqual(self.run_to_end("-q", "-i", PUNCH).returncode, 0)
+        self.assertEqual(self.run_program("-q", "-i", PUNCH).returncode, 0)
         self.assertEqual(self.unfinished(), sorted([mine, ".punch.e.tmp"]))
 
     def test_an_ignored_signal_stays_ignored(self):

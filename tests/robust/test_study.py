@@ -1,10 +1,9 @@
 """What a study leaves that was killed or ran out of memory."""
 
 import csv
-import os
 import signal
 
-from robust import PROGRAM, PUNCH, RoughWorld, cells, main, wait_until
+from robust import PROGRAM, PUNCH, RoughWorld, cells, limited, main, nicely, wait_until
 
 PARTIAL, WHOLE = "punch.study.partial.csv", "punch.study.csv"
 # Every case factors again, for long enough to be caught at it.
@@ -21,7 +20,7 @@ class Studies(RoughWorld):
 
     def killed_after_two_cases(self, number):
         process = self.start(PROGRAM, "-q", "-i", PUNCH, *cells(30), "--study",
-                             f"Bodies/punch/Material/Young Modulus={STIFFNESSES}", preexec_fn=lambda: os.nice(19))
+                             f"Bodies/punch/Material/Young Modulus={STIFFNESSES}", preexec_fn=nicely)
         written = lambda: PARTIAL in self.files() and len(self.rows(PARTIAL)) >= 2
         self.assertTrue(wait_until(written, process), "the study ended before it was caught")
         process.send_signal(number)
@@ -37,8 +36,8 @@ class Studies(RoughWorld):
             self.assertNotIn(WHOLE, self.files())
 
     def test_a_case_without_memory_ends_alone(self):
-        limited = ("sh", "-c", f'ulimit -v {480 * 1024}; exec "$@"', "sh", PROGRAM)
-        done = self.run_to_end("env", "OMP_NUM_THREADS=1", *limited, "-q", "-i", PUNCH, "--study", SIZES)
+        done = self.run_command("env", "OMP_NUM_THREADS=1",
+                                *limited("as", 480 << 20, PROGRAM, "-q", "-i", PUNCH, "--study", SIZES))
         self.assertEqual(done.returncode, 2, done.stderr)
         rows = self.rows(WHOLE)
         self.assertEqual([row["exit_code"] for row in rows], ["0", "2", "2", "0"])

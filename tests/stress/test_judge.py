@@ -37,7 +37,7 @@ class Judge(unittest.TestCase):
                         "interfaces": [{"dirichlet_body": "upper"}], "coupling": {"converged": True}, "errors": None,
                         "energy": sum(energies)}
 
-    def verdict(self, process, answer=lambda scene: ANSWER):
+    def verdict(self, process, answer=lambda: ANSWER):
         with (self.folder / "deck.contact.csv").open("w") as file:
             writer = csv.DictWriter(file, NAMES)
             writer.writeheader()
@@ -79,7 +79,7 @@ class Judge(unittest.TestCase):
             self.assertEqual(self.verdict(run(0)).outcome, outcome)
 
     def test_an_answer_where_nothing_holds_the_body_is_wrong(self):
-        def unheld(scene):
+        def unheld():
             raise reference.Unheld
         self.assertEqual(self.verdict(run(0), unheld).outcome, judge.FINDING)
 

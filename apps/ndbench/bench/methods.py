@@ -13,7 +13,7 @@ def stopped_at(tolerance):
 
 @dataclasses.dataclass(frozen=True)
 class Method:
-    """Settings by name. An adaptive method will be one more line: its settings, started on the scene's meshes."""
+    """Settings of the deck, on a scene's meshes."""
 
     name: str
     settings: tuple

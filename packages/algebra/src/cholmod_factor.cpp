@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <string>
 
 #include <fmt/format.h>
 
@@ -18,29 +19,29 @@ namespace
 /// (length over height)^-3 only; those of singular ones were measured up to 5e-13 with 250 000 dofs.
 constexpr double smallestPivot = 1e-12;
 
-cholmod_dense viewOf(DenseMatrix& X)
-{
-  cholmod_dense view{};
-  view.nrow = view.d = std::size_t(X.rows());
-  view.ncol = std::size_t(X.cols());
-  view.nzmax = view.nrow * view.ncol;
-  view.x = X.data();
-  view.xtype = CHOLMOD_REAL;
-  view.dtype = CHOLMOD_DOUBLE;
-  return view;
-}
-
 [[noreturn]] void failCholmod(const cholmod_common& common, int numKept)
 {
-  if (common.status == CHOLMOD_OUT_OF_MEMORY || common.status == CHOLMOD_TOO_LARGE)
-    throw InputError(fmt::format(
-        "The Cholesky factor does not fit into memory: it takes {:.1f} GB, {:.1f} GB of it for the {} nodes on the "
-        "interface; use Krylov as linear solver or a coarser mesh.",
-        8e-9 * common.lnz, 4e-9 * double(numKept) * numKept, numKept));
-  throw InternalError(fmt::format("CHOLMOD failed with status {}", common.status));
+  if (common.status != CHOLMOD_OUT_OF_MEMORY && common.status != CHOLMOD_TOO_LARGE)
+    throw InternalError(fmt::format("CHOLMOD failed with status {}", common.status));
+  std::string size;
+  if (common.lnz > 0) // negative before the analysis has counted it
+    size = fmt::format(": it takes {:.1f} GB, {:.1f} GB of it for the {} nodes on the interface", 8e-9 * common.lnz,
+                       4e-9 * double(numKept) * numKept, numKept);
+  throw InputError(fmt::format("The Cholesky factor does not fit into memory{}; use Krylov as linear solver or a "
+                               "coarser mesh.",
+                               size));
 }
 
 } // namespace
+
+void startCholmod(cholmod_common& common)
+{
+  cholmod_start(&common);
+  common.print = 0;
+  common.supernodal = CHOLMOD_SUPERNODAL;
+  common.nmethods = 1;
+  common.method[0].ordering = CHOLMOD_GIVEN;
+}
 
 cholmod_sparse viewOf(UpperTriangle& A)
 {
@@ -58,13 +59,21 @@ cholmod_sparse viewOf(UpperTriangle& A)
   return view;
 }
 
+cholmod_dense viewOf(DenseMatrix& X)
+{
+  cholmod_dense view{};
+  view.nrow = view.d = std::size_t(X.rows());
+  view.ncol = std::size_t(X.cols());
+  view.nzmax = view.nrow * view.ncol;
+  view.x = X.data();
+  view.xtype = CHOLMOD_REAL;
+  view.dtype = CHOLMOD_DOUBLE;
+  return view;
+}
+
 CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept) : numKept_(numKept)
 {
-  cholmod_start(&common_);
-  common_.print = 0;
-  common_.supernodal = CHOLMOD_SUPERNODAL;
-  common_.nmethods = 1;
-  common_.method[0].ordering = CHOLMOD_GIVEN;
+  startCholmod(common_);
   try {
     cholmod_sparse view = viewOf(A);
     analyse(view, std::move(order));

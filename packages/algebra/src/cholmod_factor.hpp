@@ -22,8 +22,12 @@ struct UpperTriangle
   double diagonal(int column) const { return values[std::size_t(colPtr[std::size_t(column) + 1]) - 1]; }
 };
 
+/// CHOLMOD, quiet, for supernodal factors in the order that it is given.
+void startCholmod(cholmod_common& common);
+
 /// CHOLMOD's view of a matrix of ours; nothing is copied.
 cholmod_sparse viewOf(UpperTriangle& A);
+cholmod_dense viewOf(DenseMatrix& X);
 
 /// A pivot that is not positive, or nothing but round-off.
 struct BadPivot

@@ -20,18 +20,17 @@ Vector multiplySymmetric(const DenseMatrix& A, const Vector& x)
   return y;
 }
 
-Vector multiply(const DenseMatrix& A, const Vector& x)
-{
-  NDFRAME_ASSERT(A.cols() == int(x.size()), "shapes do not match");
-  Vector y(std::size_t(A.rows()), 0.0);
-  if (A.rows() > 0 && A.cols() > 0)
-    cblas_dgemv(CblasColMajor, CblasNoTrans, A.rows(), A.cols(), 1.0, A.data(), A.rows(), x.data(), 1, 0.0, y.data(),
-                1);
-  return y;
-}
-
 namespace
 {
+
+Vector product(CBLAS_TRANSPOSE transpose, int rows, int inner, const DenseMatrix& A, const Vector& x)
+{
+  NDFRAME_ASSERT(inner == int(x.size()), "shapes do not match");
+  Vector y(std::size_t(rows), 0.0);
+  if (rows > 0 && inner > 0)
+    cblas_dgemv(CblasColMajor, transpose, A.rows(), A.cols(), 1.0, A.data(), A.rows(), x.data(), 1, 0.0, y.data(), 1);
+  return y;
+}
 
 DenseMatrix product(CBLAS_TRANSPOSE transpose, int rows, int inner, const DenseMatrix& A, const DenseMatrix& B)
 {
@@ -44,6 +43,16 @@ DenseMatrix product(CBLAS_TRANSPOSE transpose, int rows, int inner, const DenseM
 }
 
 } // namespace
+
+Vector multiply(const DenseMatrix& A, const Vector& x)
+{
+  return product(CblasNoTrans, A.rows(), A.cols(), A, x);
+}
+
+Vector multiplyTransposed(const DenseMatrix& A, const Vector& x)
+{
+  return product(CblasTrans, A.cols(), A.rows(), A, x);
+}
 
 DenseMatrix multiply(const DenseMatrix& A, const DenseMatrix& B)
 {

@@ -6,7 +6,6 @@
 #include <vector>
 
 #include <cblas.h>
-#include <dlfcn.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 
@@ -28,22 +27,12 @@ constexpr std::size_t blasBuffer = std::size_t(130) << 20;
 /// Free memory of which another buffer is a small part. With less it is better left to the matrices.
 constexpr std::size_t plenty = 8 * blasBuffer;
 
-/// The regions of CHOLMOD have this many threads.
-constexpr int openMpThreads = 4;
-
-/// A thread's stack, where the limit of stacks is not a number.
-constexpr std::size_t usualStack = std::size_t(8) << 20;
-
-rlim_t limitOf(decltype(RLIMIT_AS) what)
-{
-  rlimit limit{};
-  getrlimit(what, &limit);
-  return limit.rlim_cur;
-}
-
 bool isLimited()
 {
-  return limitOf(RLIMIT_AS) != RLIM_INFINITY || limitOf(RLIMIT_DATA) != RLIM_INFINITY;
+  rlimit addresses{}, data{};
+  getrlimit(RLIMIT_AS, &addresses);
+  getrlimit(RLIMIT_DATA, &data);
+  return addresses.rlim_cur != RLIM_INFINITY || data.rlim_cur != RLIM_INFINITY;
 }
 
 bool isFree(std::size_t bytes)
@@ -64,26 +53,15 @@ void startBlas()
   cblas_dgemm(CblasColMajor, CblasNoTrans, CblasNoTrans, n, n, n, 1.0, A.data(), n, A.data(), n, 0.0, C.data(), n);
 }
 
-/// Threads stay for later regions. Only libraries use OpenMP here, so its entry point is looked up among theirs.
-void startOpenMp()
-{
-  using Region = void (*)(void (*)(void*), void*, unsigned, unsigned);
-  if (const auto parallel = reinterpret_cast<Region>(dlsym(RTLD_DEFAULT, "GOMP_parallel")))
-    parallel([](void*) {}, nullptr, openMpThreads, 0);
-}
-
 } // namespace
 
 void claimLibraryMemory()
 {
   if (!isLimited())
     return;
-  const rlim_t stackLimit = limitOf(RLIMIT_STACK);
-  const std::size_t stack = stackLimit == RLIM_INFINITY ? usualStack : std::size_t(stackLimit);
-  if (!isFree(std::size_t(openblas_get_num_threads()) * blasBuffer + std::size_t(openMpThreads) * stack))
+  if (!blasBuffersFit())
     throw std::bad_alloc();
   startBlas();
-  startOpenMp();
 }
 
 bool blasBuffersFit()

@@ -6,7 +6,8 @@ namespace ndframe
 {
 
 /// OpenMP loops of this thread run on it alone, as long as the object lives. CHOLMOD 3 opens loops of four threads
-/// whatever OMP_NUM_THREADS says; on two busy processors they were measured to cost a sixth of a run's processor time.
+/// whatever OMP_NUM_THREADS says; on two busy processors they were measured to cost a sixth of a run's processor time,
+/// and where memory is limited libgomp ends the process when their stacks do not fit.
 class SerialOpenMp
 {
 public:

@@ -42,7 +42,7 @@ void endBlasThreads()
 {
   const bool fit = blasBuffersFit();
   openblas_set_num_threads(1);
-  if (fit) // else they may ask for memory for ever, and claimLibraryMemory refuses the run
+  if (fit) // else they may be asking for memory for ever, and cannot be joined
     blas_thread_shutdown_();
 }
 

@@ -41,23 +41,14 @@ SolverProblem withoutKept(const SolverProblem& problem)
   return whole;
 }
 
-/// CHOLMOD as its manual calls it; fills the times of analysis, factorisation and solve.
-void factorAndSolve(UpperTriangle A, std::vector<int> order, Vector load, Yardstick& result)
+/// CHOLMOD as its manual calls it, set up as in a run; fills the times of analysis, factorisation and solve.
+void factorAndSolve(UpperTriangle A, std::vector<int> order, DenseMatrix load, Yardstick& result)
 {
   cholmod_common common;
-  cholmod_start(&common);
-  common.print = 0;
-  common.supernodal = CHOLMOD_SUPERNODAL;
-  common.nmethods = 1;
-  common.method[0].ordering = CHOLMOD_GIVEN;
+  startCholmod(common);
   cholmod_sparse matrix = viewOf(A);
-  cholmod_dense b{};
-  b.nrow = b.nzmax = b.d = load.size();
-  b.ncol = 1;
-  b.x = load.data();
-  b.xtype = CHOLMOD_REAL;
-  b.dtype = CHOLMOD_DOUBLE;
-  const SerialOpenMp serial; // as a run does
+  cholmod_dense b = viewOf(load);
+  const SerialOpenMp serial;
   cholmod_factor* factor = nullptr;
   cholmod_dense* x = nullptr;
   result.factor = timed([&] {
@@ -117,7 +108,7 @@ Yardstick measureYardstick(const SolverProblem& problem, const Vector& load)
   result.dofs = free.size();
   std::vector<int> nodes;
   result.order = timed([&] { nodes = nestedDissection(std::move(graph)); });
-  factorAndSolve(std::move(A), freeOrder(whole, free, nodes), std::move(freeLoad), result);
+  factorAndSolve(std::move(A), freeOrder(whole, free, nodes), DenseMatrix(std::move(freeLoad)), result);
   return result;
 }
 

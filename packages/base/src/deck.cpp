@@ -54,6 +54,11 @@ std::string readText(const std::string& path)
   return text;
 }
 
+Diagnostic wrongSetting(const std::string& file, int line, const std::string& setting, const std::string& reason)
+{
+  return {file, line, {}, fmt::format("{} {}; write \"List/Sublist/Key=value\".", inQuotes(setting), reason)};
+}
+
 /// The list at `path` below `deck`; lists that do not exist are created where the setting stands.
 DeckList& listAt(DeckList& deck, const std::vector<std::string>& path, const Setting& setting)
 {
@@ -89,11 +94,8 @@ DeckList readDeck(const std::string& path)
 void applySetting(DeckList& deck, const Setting& setting, Diagnostics& diagnostics)
 {
   const auto refuse = [&](const std::string& reason) {
-    diagnostics.add({setting.file.empty() ? "--set" : setting.file,
-                     setting.line,
-                     {},
-                     fmt::format("{} {}; write \"List/Sublist/Key=value\".",
-                                 inQuotes(setting.path + "=" + setting.value), reason)});
+    diagnostics.add(wrongSetting(setting.file.empty() ? "--set" : setting.file, setting.line,
+                                 setting.path + "=" + setting.value, reason));
   };
   std::vector<std::string> path;
   for (const auto& part : split(setting.path, "/"))
@@ -114,10 +116,7 @@ void applySetting(DeckList& deck, const Setting& setting, Diagnostics& diagnosti
 
 void applySetting(DeckList& deck, const std::string& setting, Diagnostics& diagnostics)
 {
-  const auto refuse = [&](const std::string& reason) {
-    diagnostics.add(
-        {"--set", 0, {}, fmt::format("{} {}; write \"List/Sublist/Key=value\".", inQuotes(setting), reason)});
-  };
+  const auto refuse = [&](const std::string& reason) { diagnostics.add(wrongSetting("--set", 0, setting, reason)); };
   if (findInvalidByte(setting))
     return refuse("is not plain UTF-8 text");
   const auto equals = setting.find('=');

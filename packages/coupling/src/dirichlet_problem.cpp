@@ -54,8 +54,8 @@ Vector extendedLoad(const RoleSystem& dirichlet, const RoleSystem& neumann)
 } // namespace
 
 DirichletProblem::DirichletProblem(const RoleSystem& dirichlet, const RoleSystem& neumann, Ledger& ledger)
-    : R_(neumann.freeMotions), S_(dirichlet.S), extended_(extendOperator(S_, R_)), b_(extendedLoad(dirichlet, neumann)),
-      problem_(*extended_, boundedEntries(R_), motionsOf(dirichlet, neumann), namesOf(dirichlet, neumann), ledger)
+    : R_(neumann.freeMotions), S_(extendOperator(dirichlet.S, R_)), b_(extendedLoad(dirichlet, neumann)),
+      problem_(*S_, boundedEntries(R_), motionsOf(dirichlet, neumann), namesOf(dirichlet, neumann), ledger)
 {}
 
 DirichletStep DirichletProblem::solve(Vector u2, const Vector& gap, const std::vector<char>& closed)

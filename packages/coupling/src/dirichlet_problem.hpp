@@ -30,7 +30,7 @@ public:
 
 private:
   DenseMatrix R_;
-  std::shared_ptr<const SymmetricOperator> S_, extended_;
+  std::shared_ptr<const SymmetricOperator> S_; ///< [I R]^T S1 [I R]
   Vector b_;
   UnilateralProblem problem_;
 };

@@ -91,9 +91,10 @@ public:
   {
     Vector force = dirichlet_.S->apply(u);
     if (stiffMotions_.cols() > 0)
-      subtract(force, stiffMotions_, multiply(placing_, workOf(neumann_.freeMotions, force)));
+      subtract(force, stiffMotions_, multiply(placing_, multiplyTransposed(neumann_.freeMotions, force)));
     return balanced(std::move(force));
   }
+  /// The nearest force that does no work on the motions.
   Vector balanced(Vector force) const
   {
     if (motions_.cols() > 0)
@@ -104,10 +105,6 @@ public:
   bool neumannFloats() const { return neumann_.freeMotions.cols() > 0; }
 
 private:
-  static Vector workOf(const DenseMatrix& motions, const Vector& force)
-  {
-    return multiplyTransposed(motions, DenseMatrix(force)).column(0);
-  }
   static void subtract(Vector& force, const DenseMatrix& A, const Vector& x)
   {
     const Vector Ax = multiply(A, x);
@@ -117,7 +114,8 @@ private:
 
   RoleSystem dirichlet_, neumann_;
   std::unique_ptr<RestrictedInverse> inverse_;
-  DenseMatrix stiffMotions_, placing_, motions_, balancing_;
+  DenseMatrix stiffMotions_, placing_; ///< S_D R, (R^T S_D R)^+
+  DenseMatrix motions_, balancing_;    ///< of all bodies; its pseudo-inverse
   Ledger& ledger_;
 };
 

@@ -3,18 +3,15 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <limits>
-#include <new>
-#include <string_view>
-#include <system_error>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include "command_line.hpp"
 #include "error_screen.hpp"
+#include "failures.hpp"
 #include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/help.hpp"
@@ -69,13 +66,6 @@ DeckList readInput(const CommandLine& options, Diagnostics& diagnostics)
   return deck;
 }
 
-/// Errors and misses go to the standard error stream, also with -q; one rank speaks.
-void complain(const Comm& comm, const std::string& text)
-{
-  if (comm.rank() == 0)
-    std::cerr << text << std::endl;
-}
-
 /// Says which expectations were missed; true if none was.
 bool reportExpectations(const RunSummary& summary, const Comm& comm, const Log& log)
 {
@@ -115,6 +105,11 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
   return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;
 }
 
+std::string planText(const Params& deck, const Components& components, const Comm& comm)
+{
+  return Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text();
+}
+
 void greet(const Params& deck, const CommandLine& options, const Log& log)
 {
   log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), deck.get<std::string>("Title"), options.deck));
@@ -130,8 +125,7 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
   if (options.yardstick)
     throw InputError("--yardstick measures one scene; run it without a study.");
   if (options.plan) {
-    log.line(Plan(first, *components.linearSolvers.build(first.sub("Linear Solver")), comm.size()).text());
-    log.line("\n" + studyPlan(study));
+    log.line(planText(first, components, comm) + "\n\n" + studyPlan(study));
     return ExitCode::Right;
   }
   claimLibraryMemory();
@@ -139,8 +133,8 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
   return options.check ? runner.check(log) : runner.run(log, computed);
 }
 
-ExitCode runCommand(const CommandLine& options, const Components& components, const Comm& comm, const Log& log,
-                    bool& computed)
+ExitCode runInput(const CommandLine& options, const Components& components, const Comm& comm, const Log& log,
+                  bool& computed)
 {
   Diagnostics diagnostics;
   const DeckList input = readInput(options, diagnostics);
@@ -150,14 +144,15 @@ ExitCode runCommand(const CommandLine& options, const Components& components, co
   diagnostics.throwIfAny();
   greet(deck, options, log);
   if (options.plan) {
-    log.line(Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text());
+    log.line(planText(deck, components, comm));
     return ExitCode::Right;
   }
   checkOutputFolder(deck.sub("Output"));
   claimLibraryMemory();
   if (options.check) {
     Ledger ledger(&log);
-    checkDeck(deck, components, comm, ledger);
+    Model model;
+    checkDeck(model, deck, components, comm, ledger);
     log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
     return ExitCode::Right;
   }
@@ -168,74 +163,12 @@ ExitCode runCommand(const CommandLine& options, const Components& components, co
   return solveDeck(deck, options, components, comm, log, computed);
 }
 
-ExitCode reportInputError(const InputError& error, bool computed, const Comm& comm)
-{
-  complain(comm, error.what());
-  const auto count = error.list().size();
-  complain(comm, fmt::format("{} error{}; {}", count, count == 1 ? "" : "s",
-                             computed ? "the results could not be written." : "nothing was computed."));
-  return ExitCode::UserInput;
-}
-
-/// A failure that the other ranks may know nothing of: whoever has it speaks, and all processes end.
-ExitCode failAlone(const Comm& comm, ExitCode code, std::string_view text)
-{
-  std::cerr << text << std::endl;
-  comm.abort(int(code));
-  return code;
-}
-
-/// Ends the process at once: at a normal exit OpenBLAS waits for its threads, which may ask for memory for ever.
-[[noreturn]] void failForMemory(const Comm& comm)
-{
-  const auto code = failAlone(comm, ExitCode::UserInput, needsMoreMemory);
-  std::cout.flush();
-  std::_Exit(int(code));
-}
-
-ExitCode failAsBug(const Comm& comm, const std::exception& error)
-{
-  return failAlone(comm, ExitCode::Bug,
-                   fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what()));
-}
-
 /// Large arrays come and go in every stage. Handing their pages back to the kernel and taking them again, zeroed, costs
 /// a twentieth of a run.
 void keepFreedMemory()
 {
   mallopt(M_MMAP_THRESHOLD, 1 << 30);
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
-}
-
-/// Turns everything that can go wrong into a message and an exit code.
-ExitCode guarded(const CommandLine& options, const CLI::App& app, const Components& components, const Comm& comm,
-                 const Log& log)
-{
-  bool computed = false;
-  try {
-    if (comm.rank() != 0 &&
-        (options.version || options.help || options.list || options.reference || options.dumpDefaults))
-      return ExitCode::Right;
-    if (answer(options, app, components, std::cout))
-      return ExitCode::Right;
-    return runCommand(options, components, comm, log, computed);
-  } catch (const InputError& error) {
-    return reportInputError(error, computed, comm);
-  } catch (const NotConverged& error) {
-    complain(comm, fmt::format("not converged: {}", error.what()));
-    return ExitCode::NotConverged;
-  } catch (const SingularBody& error) { // met by an iterative solver on its way
-    complain(comm, fmt::format("not converged: {}", error.what()));
-    return ExitCode::NotConverged;
-  } catch (const std::bad_alloc&) {
-    failForMemory(comm);
-  } catch (const std::system_error& error) {
-    if (error.code() == std::errc::resource_unavailable_try_again) // a thread's stack
-      failForMemory(comm);
-    return failAsBug(comm, error);
-  } catch (const std::exception& error) {
-    return failAsBug(comm, error);
-  }
 }
 
 /// The code of a run whose screen could not be written.
@@ -248,6 +181,20 @@ ExitCode checkScreen(ExitCode code, const Comm& comm)
   return code == ExitCode::Right ? ExitCode::UserInput : code;
 }
 
+/// All that the command line asks for.
+ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& extend, const Comm& comm,
+              bool& computed)
+{
+  const Verbosity verbosity =
+      options.quiet ? Verbosity::Quiet : (options.verbose ? Verbosity::Verbose : Verbosity::Normal);
+  const Log log(std::cout, verbosity, comm.rank() == 0, isatty(STDOUT_FILENO) != 0);
+  const auto components = makeComponents(extend);
+  std::ostream nobody(nullptr);
+  if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))
+    return ExitCode::Right;
+  return runInput(options, *components, comm, log, computed);
+}
+
 } // namespace
 
 int runMain(int argc, char** argv, const Extension& extend)
@@ -258,21 +205,17 @@ int runMain(int argc, char** argv, const Extension& extend)
   CommandLine options;
   CLI::App app("Certified unilateral contact between elastic bodies by Neumann-Dirichlet domain decomposition.",
                "ndframe");
-  declareOptions(app, options);
   ExitCode code = ExitCode::Right;
+  bool computed = false;
   try {
+    declareOptions(app, options);
     app.parse(argc, argv);
-    const Verbosity verbosity =
-        options.quiet ? Verbosity::Quiet : (options.verbose ? Verbosity::Verbose : Verbosity::Normal);
-    const Log log(std::cout, verbosity, comm.rank() == 0, isatty(STDOUT_FILENO) != 0);
-    const auto components = makeComponents(extend);
-    code = guarded(options, app, *components, comm, log);
+    code = obey(options, app, extend, comm, computed);
   } catch (const CLI::ParseError& error) {
-    if (comm.rank() == 0)
-      std::cerr << "ndframe: " << error.what() << "\n`ndframe --help` shows the options.\n";
+    complain(comm, fmt::format("ndframe: {}\n`ndframe --help` shows the options.", error.what()));
     code = ExitCode::UserInput;
-  } catch (const std::bad_alloc&) {
-    failForMemory(comm);
+  } catch (...) {
+    code = report(currentFailure(), computed, comm);
   }
   code = checkScreen(code, comm);
   finishMpi();

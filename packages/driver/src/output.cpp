@@ -197,17 +197,7 @@ std::vector<std::string> writeResults(Run& run, const Params& deck, const std::s
                                       Ledger& ledger)
 {
   std::vector<std::string> written;
-  std::string failure;
-  if (comm.rank() == 0) {
-    try {
-      written = writeFiles(run, deck, name, ledger);
-    } catch (const InputError& error) {
-      failure = error.what();
-    }
-  }
-  comm.broadcast(failure);
-  if (!failure.empty())
-    throw InputError(failure);
+  writeOnFirstRank(comm, [&] { written = writeFiles(run, deck, name, ledger); });
   return written;
 }
 

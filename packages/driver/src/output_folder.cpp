@@ -35,4 +35,19 @@ std::filesystem::path outputStem(const Params& output, const std::string& deckNa
   return (folder / (name.empty() ? std::filesystem::path(deckName).stem().string() : name)).lexically_normal();
 }
 
+void writeOnFirstRank(const Comm& comm, const std::function<void()>& write)
+{
+  std::string failure;
+  if (comm.rank() == 0) {
+    try {
+      write();
+    } catch (const InputError& error) {
+      failure = error.what();
+    }
+  }
+  comm.broadcast(failure);
+  if (!failure.empty())
+    throw InputError(failure);
+}
+
 } // namespace ndframe

@@ -1,7 +1,9 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 
+#include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/params.hpp"
 
 namespace ndframe
@@ -21,5 +23,8 @@ std::filesystem::path outputStem(const Params& output, const std::string& deckNa
 
 /// Refuses an output folder that cannot be made or written in, before anything is computed. `output`: the list Output.
 void checkOutputFolder(const Params& output);
+
+/// Rank 0 writes; its InputError is everybody's. Collective.
+void writeOnFirstRank(const Comm& comm, const std::function<void()>& write);
 
 } // namespace ndframe

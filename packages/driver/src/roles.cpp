@@ -35,6 +35,7 @@ void exchange(Model& model, InterfaceMesh& interface)
   const NodeMap& nodes = model.bodies[std::size_t(interface.dirichletBody)].nodes;
   const auto numNodes = std::size_t(interface.nodesPerFacet());
   std::vector<int> bodyNodes(numNodes);
+  // A facet's nodes stand in the order of the Dirichlet body's facet.
   for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
     facetNodes(nodes, interface.dirichletFacets[f], bodyNodes.data());
     const auto first = interface.facets.begin() + std::ptrdiff_t(f * numNodes), last = first + std::ptrdiff_t(numNodes);
@@ -156,8 +157,10 @@ void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics)
                            "the Monolithic coupling."));
       return;
     }
-    if (!keep)
-      exchange(model, interface);
+    if (keep)
+      continue;
+    exchange(model, interface);
+    model.recipe.interfaces += "; exchanged: " + interface.name;
   }
 }
 

@@ -16,6 +16,20 @@ namespace ndframe
 namespace
 {
 
+/// Why a step could not be done, where that lies in the problem; empty when it is done.
+template <class Step>
+std::string failureOf(const Step& step)
+{
+  try {
+    step();
+    return {};
+  } catch (const NotConverged& failure) {
+    return failure.what();
+  } catch (const NotPositiveDefinite&) {
+    return "a body's stiffness on the interface is lost in round-off: its matrix is too ill-conditioned";
+  }
+}
+
 /// Couples the bodies; keeps the last state or, when asked, the state of every sweep. Without any state (the load pulls
 /// the bodies apart) none is kept and the reason stands in the result.
 void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledger, const Log& log)
@@ -29,16 +43,13 @@ void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledg
       if (keepAll)
         run.states.push_back(state);
     };
-    try {
+    const auto failure = failureOf([&] {
       run.coupling = coupling.solve(run.condensed.interface, observe, ledger);
       if (!keepAll)
         run.states = {run.coupling.state};
-    } catch (const NotConverged& failure) {
-      run.coupling.reason = failure.what();
-    } catch (const NotPositiveDefinite&) {
-      run.coupling.reason =
-          "a body's stiffness on the interface is lost in round-off: its matrix is too ill-conditioned";
-    }
+    });
+    if (!failure.empty())
+      run.coupling.reason = failure;
   }
   log.line(fmt::format("  {}: {}", run.coupling.converged ? "stopped" : "NOT CONVERGED", run.coupling.reason));
 }
@@ -46,12 +57,12 @@ void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledg
 /// The certificate; without one the reason stands in `failure`, and the solution is what it is.
 void estimate(Run& run, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
 {
-  try {
+  const auto failure = failureOf([&] {
     run.certificate =
         certify(deck, components, run.model, run.condensed, run.coupling, run.fields, comm, ledger, run.reference);
-  } catch (const NotConverged& failure) {
-    run.failure = fmt::format("no certificate: {}", failure.what());
-  }
+  });
+  if (!failure.empty())
+    run.failure = "no certificate: " + failure;
 }
 
 /// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
@@ -62,9 +73,9 @@ std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Pa
   return "the bound is not guaranteed: " + errors->reason;
 }
 
-/// Why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
+/// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
 /// converged.
-std::string failureOf(RunSummary& summary, const Params& deck)
+std::string verdictOn(RunSummary& summary, const Params& deck)
 {
   const auto reason = distrust(summary);
   if (reason.empty())
@@ -87,7 +98,7 @@ void readModel(Model& model, const Params& deck, const Components& components, c
   diagnostics.throwIfAny();
   updateModel(model, deck, components, comm, ledger);
   const auto timer = ledger.time("check");
-  checkNumberRange(model, diagnostics);
+  checkNumberRange(model, deck, diagnostics);
   diagnostics.throwIfAny(); // sums of such numbers mean nothing
   if (coupling.roles() == Roles::Automatic)
     giveOneRole(model, deck, diagnostics);
@@ -125,20 +136,18 @@ void compute(Run& run, const Params& deck, const Components& components, const C
       estimate(run, deck, components, comm, ledger);
   }
   completeSummary(run, deck, comm);
-  if (const std::string failure = failureOf(run.summary, deck); !failure.empty())
-    run.failure = failure;
+  if (const std::string verdict = verdictOn(run.summary, deck); !verdict.empty())
+    run.failure = verdict;
   copyLedger(run.summary, ledger, run.startSeconds);
 }
 
 } // namespace
 
-Model checkDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
+void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
 {
   const auto coupling = components.couplings.build(deck.sub("Coupling"));
   const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
-  Model model;
   readModel(model, deck, components, *coupling, *solver, comm, ledger);
-  return model;
 }
 
 Reusable handOn(Run& run)

@@ -10,11 +10,6 @@
 namespace ndframe
 {
 
-/// What is said of a deck that the process has too little memory for.
-constexpr const char* needsMoreMemory =
-    "this deck needs more memory than the process may take; use a coarser mesh, fewer threads (OMP_NUM_THREADS), more "
-    "ranks or a Krylov solver.";
-
 /// 12345678 -> "12 345 678".
 std::string grouped(std::int64_t number);
 

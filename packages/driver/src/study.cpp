@@ -3,14 +3,13 @@
 #include <algorithm>
 #include <array>
 #include <filesystem>
-#include <new>
 #include <utility>
 
 #include <fmt/format.h>
 
+#include "failures.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "outputs.hpp"
-#include "screen.hpp"
 #include "summarize.hpp"
 
 namespace ndframe
@@ -50,12 +49,12 @@ StudyRunner::StudyRunner(const Study& study, const std::string& deckName, const 
     : study_(study), deckName_(deckName), components_(components), comm_(comm)
 {}
 
-/// With the meshes of the first case, which it then need not read.
+/// Refuses columns that no case has. Reads the meshes of the first case, which it then need not read.
 void StudyRunner::checkColumns()
 {
   const auto& first = study_.cases.front().deck;
   try {
-    reusable_.model = checkDeck(first, components_, comm_, ledger_);
+    checkDeck(reusable_.model, first, components_, comm_, ledger_);
   } catch (const InputError&) {
     return; // the row of this case will say so
   }
@@ -96,38 +95,23 @@ StudyRow StudyRunner::runCase(std::size_t index)
   const double start = wallSeconds();
   try {
     row.code = solve(given, row);
-  } catch (const InputError& error) {
-    row.code = ExitCode::UserInput;
-    row.reason = error.what();
-  } catch (const NotConverged& error) {
-    row.code = ExitCode::NotConverged;
-    row.reason = fmt::format("not converged: {}", error.what());
-  } catch (const std::bad_alloc&) {
-    if (comm_.size() > 1)
-      throw;        // the other ranks know nothing of it
-    reusable_ = {}; // the next case may need this memory
-    row.code = ExitCode::UserInput;
-    row.reason = needsMoreMemory;
+  } catch (...) {
+    const Failure failure = currentFailure();
+    if (failure.code == ExitCode::Bug || (failure.outOfMemory && comm_.size() > 1))
+      throw; // the other ranks may know nothing of it
+    if (failure.outOfMemory)
+      reusable_ = {}; // the next case may need this memory
+    row.code = failure.code;
+    row.reason = failure.outOfMemory ? needsMoreMemory : failure.text;
   }
   row.reason = onOneLine(row.reason);
   row.seconds = wallSeconds() - start;
   return row;
 }
 
-/// One rank writes; a failure is everybody's.
 void StudyRunner::writeRows(const std::string& path) const
 {
-  std::string failure;
-  if (comm_.rank() == 0) {
-    try {
-      writeTextAtomically(path, studyCsv(study_, rows_));
-    } catch (const InputError& error) {
-      failure = error.what();
-    }
-  }
-  comm_.broadcast(failure);
-  if (!failure.empty())
-    throw InputError(failure);
+  writeOnFirstRank(comm_, [&] { writeTextAtomically(path, studyCsv(study_, rows_)); });
 }
 
 ExitCode StudyRunner::check(const Log& log)
@@ -135,7 +119,7 @@ ExitCode StudyRunner::check(const Log& log)
   Diagnostics mistakes;
   for (const auto& given : study_.cases) {
     try {
-      checkDeck(given.deck, components_, comm_, ledger_);
+      checkDeck(reusable_.model, given.deck, components_, comm_, ledger_);
     } catch (const InputError& error) {
       for (const auto& mistake : error.list())
         mistakes.add(mistake);
@@ -168,8 +152,9 @@ ExitCode StudyRunner::run(const Log& log, bool& computed)
     writeRows(partial);
   }
   writeRows(stem + ".study.csv");
+  std::error_code ignored;
   if (comm_.rank() == 0)
-    std::filesystem::remove(partial);
+    std::filesystem::remove(partial, ignored);
   log.line(fmt::format("\n  {}\n  wrote {}.study.csv   {:.2f} s, {:.0f} MB", studyTotal(rows_), stem,
                        wallSeconds() - start, double(peakMemory()) / 1e6));
   return code;

@@ -20,14 +20,12 @@ public:
 
   /// Runs every case with one line on the screen each, and writes NAME.study.csv. Until the last row the rows stand in
   /// NAME.study.partial.csv, which a study that was stopped leaves behind. Throws InputError when a column names no
-  /// number of any case, or when the table cannot be written. `computed` becomes true
-  /// when the first case begins. Returns the gravest exit code of all cases.
+  /// number of any case, or when the table cannot be written. `computed` becomes true when the first case begins.
+  /// Returns the gravest exit code of all cases.
   ExitCode run(const Log& log, bool& computed);
 
   /// Reads and checks everything that --check checks, for every case; throws all mistakes.
   ExitCode check(const Log& log);
-
-  const std::vector<StudyRow>& rows() const { return rows_; }
 
 private:
   void checkColumns();

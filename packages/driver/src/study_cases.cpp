@@ -70,7 +70,7 @@ void refuseRepeated(const std::vector<StudyAxis>& axes, Diagnostics& diagnostics
     for (const auto& parameter : axis.parameters)
       if (!seen.insert(parameter.path).second)
         diagnostics.add({parameter.file, parameter.line, "Study/" + axis.name,
-                         fmt::format("{} varies along another axis already.", parameter.path)});
+                         fmt::format("{} varies along another axis already; leave it out of one.", parameter.path)});
 }
 
 /// 0 when there are too many.
@@ -80,7 +80,8 @@ std::int64_t numCases(const Study& study, const DeckList& list, Diagnostics& dia
   for (const auto& axis : study.axes)
     number = std::min(number * std::int64_t(std::min<std::size_t>(axis.size(), mostCases + 1)), mostCases + 1);
   if (number > mostCases)
-    diagnostics.add({list.file, list.line, "Study", fmt::format("has more than {} cases.", mostCases)});
+    diagnostics.add({list.file, list.line, "Study",
+                     fmt::format("has more than {} cases; leave out values or an axis.", mostCases)});
   return number > mostCases ? 0 : number;
 }
 

@@ -153,7 +153,7 @@ std::size_t widthOf(const StudyAxis& axis)
   return width + 2;
 }
 
-/// "the mesh of punch, the factors of punch and foundation", in the words of the plan.
+/// "matrix and factor of punch; supports and loads of foundation": what the second of two cases computes again.
 std::string whatChanges(const SceneRecipe& before, const SceneRecipe& now)
 {
   const bool sameBodies = before.bodies.size() == now.bodies.size();
@@ -165,10 +165,10 @@ std::string whatChanges(const SceneRecipe& before, const SceneRecipe& now)
     else if (body.matrix != old.matrix || before.solver != now.solver)
       changes.push_back(fmt::format("matrix and factor of {}", body.name));
     else if (body.load != old.load)
-      changes.push_back(fmt::format("supports and loads of {}", body.name));
+      changes.push_back(fmt::format("supports and loads of {} (the factor too if other nodes are held)", body.name));
   }
   if (before.interfaces != now.interfaces)
-    changes.emplace_back("the interfaces");
+    changes.emplace_back("the interfaces (factors too if other nodes touch)");
   if (before.representation != now.representation)
     changes.emplace_back("the interface operators");
   return changes.empty() ? "the solution only: nothing read, assembled or factored"
@@ -228,13 +228,16 @@ std::string studyLine(const Study& study, const StudyRow& row)
 
 std::string studyPlan(const Study& study)
 {
-  std::string text = fmt::format("  {} cases; a step along an axis computes again\n", study.cases.size());
+  std::string text =
+      fmt::format("  {} case{}: the first runs these stages, later ones reuse; a step along an axis computes again\n",
+                  study.cases.size(), study.cases.size() == 1 ? "" : "s");
   std::size_t stride = study.cases.size();
   for (const auto& axis : study.axes) {
     stride /= axis.size();
-    const SceneRecipe first = recipeOf(study.cases.front().deck);
-    const SceneRecipe next = recipeOf(study.cases[axis.size() > 1 ? stride : 0].deck);
-    text += fmt::format("  {:<19} {}\n", shortName(axis), whatChanges(first, next));
+    const auto changes = axis.size() == 1
+                             ? "nothing: it has one value"
+                             : whatChanges(recipeOf(study.cases[stride - 1].deck), recipeOf(study.cases[stride].deck));
+    text += fmt::format("  {:<19} {}\n", shortName(axis), changes);
   }
   text.pop_back();
   return text;

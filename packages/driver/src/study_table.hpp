@@ -31,7 +31,8 @@ std::string studyCsv(const Study& study, const std::vector<StudyRow>& rows);
 std::string studyTitle(const Study& study);
 std::string studyLine(const Study& study, const StudyRow& row);
 
-/// What a step along each axis computes again, as far as the decks tell.
+/// What the first step along each axis computes again, as far as the decks tell. Faster axes start over in this step,
+/// so what they change counts, too.
 std::string studyPlan(const Study& study);
 
 /// What all cases together took: "12 cases; 2 factorisations, 22 factors and 22 meshes reused".

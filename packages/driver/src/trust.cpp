@@ -14,6 +14,7 @@ namespace
 /// those: with all of them between 1e-50 and 1e50 nothing overflows, and what underflows is round-off.
 constexpr double largestNumber = 1e50;
 
+/// Unlike largestEntry(): NaN where a value is.
 double largest(const std::vector<double>& values)
 {
   double m = 0.0;
@@ -31,16 +32,14 @@ double largestPrescribed(const ConstraintSet& constraints)
   return m;
 }
 
-/// Adds a mistake when the number is too large, or too small although it is not zero.
-void checkRange(double number, const std::string& path, const char* what, Diagnostics& diagnostics)
+/// Adds a mistake at `key` of `list` when the number is too large, or too small although it is not zero.
+void checkRange(double number, const Params& list, const char* key, const char* what, Diagnostics& diagnostics)
 {
   if (number != 0.0 && !(number <= largestNumber && number >= 1.0 / largestNumber))
-    diagnostics.add({{},
-                     0,
-                     path,
-                     fmt::format("{} reach {:.3g}: products of such numbers leave the range of floating-point numbers; "
-                                 "choose units in which they lie between {:g} and {:g}.",
-                                 what, number, 1.0 / largestNumber, largestNumber)});
+    diagnostics.add(list.mistake(
+        key, fmt::format("{} reach {:.3g}: products of such numbers leave the range of floating-point numbers; "
+                         "choose units in which they lie between {:g} and {:g}.",
+                         what, number, 1.0 / largestNumber, largestNumber)));
 }
 
 /// A limit on one of the residuals, and what it means when it is passed. A residual that is not a number passes it.
@@ -66,20 +65,21 @@ std::string passedLimit(const ResidualSummary& residuals)
 
 } // namespace
 
-void checkNumberRange(const Model& model, Diagnostics& diagnostics)
+void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
+  const Params bodies = deck.sub("Bodies"), interfaces = deck.sub("Interfaces");
   double driving = 0.0; // a small load beside a large one does no harm
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
     const double size = largest(body.mesh.points), modulus = largest({body.law.D.begin(), body.law.D.end()});
-    checkRange(size, "Bodies/" + body.name + "/Mesh", "the coordinates", diagnostics);
-    checkRange(modulus, "Bodies/" + body.name + "/Material", "the elastic moduli", diagnostics);
+    checkRange(size, bodies.sub(body.name).sub("Mesh"), "", "the coordinates", diagnostics);
+    checkRange(modulus, bodies.sub(body.name).sub("Material"), "", "the elastic moduli", diagnostics);
     const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
     driving = largest({driving, largest(model.loads[b]), prescribed});
   }
-  checkRange(driving, "Bodies", "the nodal forces of loads and prescribed displacements", diagnostics);
+  checkRange(driving, bodies, "", "the nodal forces of loads and prescribed displacements", diagnostics);
   for (const auto& interface : model.interfaces)
-    checkRange(std::max(1.0, largest(interface.gap)), "Interfaces/" + interface.name + "/Gap", "its values",
+    checkRange(largest({1.0, largest(interface.gap)}), interfaces.sub(interface.name), "Gap", "the values of Gap",
                diagnostics);
 }
 

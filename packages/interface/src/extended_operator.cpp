@@ -54,21 +54,16 @@ std::shared_ptr<const SymmetricOperator> extendOperator(std::shared_ptr<const Sy
 
 Vector extendedValues(const Vector& unknowns, const DenseMatrix& R)
 {
-  Vector values(unknowns.begin(), unknowns.begin() + R.rows());
-  for (int m = 0; m < R.cols(); ++m)
-    for (int i = 0; i < R.rows(); ++i)
-      values[std::size_t(i)] += R(i, m) * unknowns[std::size_t(R.rows() + m)];
+  Vector values = multiply(R, Vector(unknowns.begin() + R.rows(), unknowns.end()));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    values[i] += unknowns[i];
   return values;
 }
 
 Vector extendedForces(Vector force, const DenseMatrix& R)
 {
-  for (int m = 0; m < R.cols(); ++m) {
-    double work = 0.0;
-    for (int i = 0; i < R.rows(); ++i)
-      work += R(i, m) * force[std::size_t(i)];
-    force.push_back(work);
-  }
+  const Vector work = multiplyTransposed(R, force);
+  force.insert(force.end(), work.begin(), work.end());
   return force;
 }
 

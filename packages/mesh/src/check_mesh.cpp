@@ -56,8 +56,9 @@ CellSize sizeOf(const Mesh& mesh, int cell)
         const double d = mesh.point(mesh.cell(cell)[a])[i] - mesh.point(mesh.cell(cell)[b])[i];
         squares += d * d;
       }
-      size.longest = std::max(size.longest, std::sqrt(squares));
-      size.shortest = std::min(size.shortest, std::sqrt(squares));
+      const double edge = std::sqrt(squares);
+      size.longest = std::max(size.longest, edge);
+      size.shortest = std::min(size.shortest, edge);
     }
   for (int a = 0; a <= mesh.dim; ++a)
     for (int i = 0; i < mesh.dim; ++i)

@@ -106,7 +106,7 @@ void acceptSignals()
   sigprocmask(SIG_SETMASK, &none, nullptr);
 }
 
-void limitChild(ChildLimits limits, pid_t parent)
+void prepareChild(ChildLimits limits, pid_t parent)
 {
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)
@@ -153,7 +153,7 @@ std::string resultOf(const std::string& answer, int status, const std::string& l
   if (status != 0 || answer.empty())
     throw FileError(fmt::format("{} crashed on this file{}; it is damaged.", library,
                                 WIFSIGNALED(status) ? fmt::format(" (signal {})", WTERMSIG(status)) : ""));
-  const std::string text = answer.substr(1);
+  std::string text = answer.substr(1);
   switch (Verdict(answer.front())) {
   case Verdict::Done:
     return text;
@@ -177,7 +177,7 @@ std::string runInChild(const std::function<std::string()>& work, const std::stri
     throw InputError("no child process can be started to read a mesh: too many processes, or too little memory.");
   if (child == 0) {
     pipe.closeEnd(0);
-    limitChild(limits, parent);
+    prepareChild(limits, parent);
     pipe.write(answerOf(work));
     _exit(0); // neither destructors nor buffers: they are the parent's
   }

@@ -16,7 +16,8 @@ struct ChildLimits
 
 /// Runs `work` in a child process and returns what it returns. A library that crashes on a damaged file, never ends or
 /// takes all memory ends only the child: FileError naming `library`. A FileError of the child is thrown here again, any
-/// other exception as what it says. Nothing else that `work` changes is seen here; the child ends with this process.
+/// other exception becomes an InternalError with its message. Nothing else that `work` changes is seen here; the child
+/// ends with this process.
 std::string runInChild(const std::function<std::string()>& work, const std::string& library, ChildLimits limits = {});
 
 } // namespace ndframe

@@ -170,15 +170,15 @@ void meshScript(const std::string& script, double sizeFactor, const std::string&
 std::string meshGeoFile(const std::string& path, double sizeFactor)
 {
   const Scratch folder(makeDirectory());
-  const Scratch mesh(folder.path() / "mesh.msh");
+  const std::string mesh = (folder.path() / "mesh.msh").string();
   // gmsh crashes on some scripts.
   runInChild(
       [&] {
-        meshScript(path, sizeFactor, mesh.path().string());
+        meshScript(path, sizeFactor, mesh);
         return std::string();
       },
       "gmsh");
-  std::ifstream stream(mesh.path(), std::ios::binary);
+  std::ifstream stream(mesh, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();
   return std::move(text).str();

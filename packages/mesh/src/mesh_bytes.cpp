@@ -16,16 +16,20 @@ class Writer
 {
 public:
   template <class T>
-  void array(const T& values) // a vector of numbers or a string
+  void number(const T& value)
   {
-    const std::size_t size = values.size();
-    bytes_.append(reinterpret_cast<const char*>(&size), sizeof size);
-    bytes_.append(reinterpret_cast<const char*>(values.data()), size * sizeof(typename T::value_type));
+    bytes_.append(reinterpret_cast<const char*>(&value), sizeof value);
   }
   template <class T>
-  void list(const std::vector<T>& items)
+  void array(const T& values) // a vector of numbers or a string
   {
-    array(std::string(items.size(), ' ')); // its length
+    number(values.size());
+    bytes_.append(reinterpret_cast<const char*>(values.data()), values.size() * sizeof(typename T::value_type));
+  }
+  template <class T>
+  void length(const std::vector<T>& items)
+  {
+    number(items.size());
   }
   std::string take() { return std::move(bytes_); }
 
@@ -40,30 +44,41 @@ public:
   explicit Reader(std::string_view bytes) : left_(bytes) {}
 
   template <class T>
+  void number(T& value)
+  {
+    requireLeft(1, sizeof value);
+    std::memcpy(&value, left_.data(), sizeof value);
+    left_.remove_prefix(sizeof value);
+  }
+  template <class T>
   void array(T& values)
   {
     using Value = typename T::value_type;
     static_assert(std::is_trivially_copyable_v<Value>);
     std::size_t size = 0;
-    NDFRAME_ASSERT(left_.size() >= sizeof size, "the bytes of a mesh end too early");
-    std::memcpy(&size, left_.data(), sizeof size);
-    left_.remove_prefix(sizeof size);
-    NDFRAME_ASSERT(size <= left_.size() / sizeof(Value), "the bytes of a mesh end too early");
+    number(size);
+    requireLeft(size, sizeof(Value));
     values.resize(size);
     if (size > 0)
       std::memcpy(values.data(), left_.data(), size * sizeof(Value));
     left_.remove_prefix(size * sizeof(Value));
   }
   template <class T>
-  void list(std::vector<T>& items)
+  void length(std::vector<T>& items)
   {
-    std::string length;
-    array(length);
-    items.resize(length.size());
+    std::size_t size = 0;
+    number(size);
+    requireLeft(size, sizeof size); // each item begins with its own length
+    items.resize(size);
   }
   bool atEnd() const { return left_.empty(); }
 
 private:
+  void requireLeft(std::size_t count, std::size_t size) const
+  {
+    NDFRAME_ASSERT(count <= left_.size() / size, "the bytes of a mesh end too early");
+  }
+
   std::string_view left_;
 };
 
@@ -71,14 +86,15 @@ private:
 template <class Stream, class AnyMesh>
 void walk(Stream& stream, AnyMesh& mesh)
 {
+  stream.number(mesh.dim);
   stream.array(mesh.points);
   stream.array(mesh.cells);
-  stream.list(mesh.sides);
+  stream.length(mesh.sides);
   for (auto& side : mesh.sides) {
     stream.array(side.name);
     stream.array(side.facets);
   }
-  stream.list(mesh.notes);
+  stream.length(mesh.notes);
   for (auto& note : mesh.notes)
     stream.array(note);
 }
@@ -88,7 +104,6 @@ void walk(Stream& stream, AnyMesh& mesh)
 std::string toBytes(const Mesh& mesh)
 {
   Writer writer;
-  writer.array(std::vector<int>{mesh.dim});
   walk(writer, mesh);
   return writer.take();
 }
@@ -96,11 +111,7 @@ std::string toBytes(const Mesh& mesh)
 Mesh meshFromBytes(std::string_view bytes)
 {
   Reader reader(bytes);
-  std::vector<int> dim;
-  reader.array(dim);
-  NDFRAME_ASSERT(dim.size() == 1, "these are not the bytes of a mesh");
   Mesh mesh;
-  mesh.dim = dim.front();
   walk(reader, mesh);
   NDFRAME_ASSERT(reader.atEnd(), "something follows the bytes of a mesh");
   return mesh;

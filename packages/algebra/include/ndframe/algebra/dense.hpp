@@ -33,8 +33,9 @@ private:
 
 /// y = A x for symmetric A (both triangles stored), BLAS dsymv.
 Vector multiplySymmetric(const DenseMatrix& A, const Vector& x);
-/// y = A x.
+/// A x and A^T x, BLAS dgemv.
 Vector multiply(const DenseMatrix& A, const Vector& x);
+Vector multiplyTransposed(const DenseMatrix& A, const Vector& x);
 /// A B and A^T B, BLAS dgemm.
 DenseMatrix multiply(const DenseMatrix& A, const DenseMatrix& B);
 DenseMatrix multiplyTransposed(const DenseMatrix& A, const DenseMatrix& B);

@@ -4,8 +4,7 @@ namespace ndframe
 {
 
 /// Where the process may take only so much memory (ulimit -v or -d), makes OpenBLAS take its buffers (128 MB a thread)
-/// and OpenMP start its threads now; std::bad_alloc when they do not fit. Later, out of memory, OpenBLAS would try for
-/// ever and OpenMP end the process. Does nothing without a limit.
+/// now; std::bad_alloc when they do not fit. Later, out of memory, it would try for ever. Does nothing without a limit.
 void claimLibraryMemory();
 
 /// True where memory is left for a buffer of each thread that OpenBLAS has started, which may not have taken it yet.

@@ -14,7 +14,8 @@ class Log;
 /// What a run did: exact counts (factorisations, back-solves, sweeps, ...) and, per stage, seconds and peak memory.
 ///
 /// Tests assert on the counts; the seconds are for people. One rank's view: counts are the same on all ranks. Threads
-/// may count and time at once; a stage's seconds are then those of all threads.
+/// may count and time at once: a stage's seconds are then those of all threads, and its peak may leave out what was
+/// before another stage began. Read it when they have ended.
 class Ledger
 {
 public:

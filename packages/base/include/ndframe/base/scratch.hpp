@@ -5,8 +5,8 @@
 namespace ndframe
 {
 
-/// A file or folder that is removed when this object goes, or when a signal ends the process before that
-/// (removeScratch). Nothing happens when it does not exist, so it may be made later or renamed.
+/// A file or folder that is removed, with all that is in it, when this object goes, or when a signal ends the process
+/// before that (removeScratch). Nothing happens when it does not exist, so it may be made later or renamed.
 class Scratch
 {
 public:
@@ -19,10 +19,10 @@ public:
 
 private:
   std::filesystem::path path_;
-  int slot_; ///< where a signal handler finds it; -1 when all places were taken
 };
 
-/// Removes all scratch files, and all scratch folders that hold nothing else. Safe in a signal handler.
-void removeScratch() noexcept;
+/// Removes the files and folders of all objects of this process. For a thread of its own: it allocates and locks, which
+/// a signal handler must not.
+void removeScratch();
 
 } // namespace ndframe

@@ -27,7 +27,7 @@ struct BodyRecipe
 struct SceneRecipe
 {
   std::vector<BodyRecipe> bodies; ///< none: nothing is known, nothing is the same
-  std::string interfaces;         ///< list Interfaces
+  std::string interfaces;         ///< list Interfaces; those whose sides changed places since (giveOneRole)
   std::string solver;             ///< list Linear Solver
   std::string representation;     ///< list Interface Operator
 

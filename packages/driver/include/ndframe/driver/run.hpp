@@ -49,8 +49,9 @@ Reusable handOn(Run& run);
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
             Reusable&& previous = {});
 
-/// Reads and checks everything that --check checks: meshes, pairing, supports, expectations.
-Model checkDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
+/// Makes an earlier (or empty) model the deck's and checks everything that --check checks: meshes, pairing, supports,
+/// expectations.
+void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
 
 /// Writes what Output asks for; returns the files' names. Only rank 0 writes; a failure is everybody's InputError.
 std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,

@@ -53,11 +53,12 @@ double facetNormal(const Mesh& mesh, Facet facet, double* normal);
 double cellMeasure(const Mesh& mesh, int cell);
 
 /// Everything wrong with a mesh that a solver could not cope with, one sentence each: no cells, vertex numbers out of
-/// range, coordinates that are not finite, inverted or degenerate cells (how many, the first and where), points of no
-/// cell, facets shared by more than two cells, neighbours that overlap, and of the sides: a name or a facet given
-/// twice, a facet that does not exist or is not on the boundary. Empty when the mesh is sound. Bodies of several parts
-/// that do not touch are sound. A cell is degenerate when its measure is below the round-off of its longest edge to the
-/// power dim.
+/// range, coordinates that are not finite, cells that are inverted, degenerate or too small for their distance from the
+/// origin (how many, the first and where), points of no cell, facets shared by more than two cells, neighbours that
+/// overlap, and of the sides: a name or a facet given twice, a facet that does not exist or is not on the boundary.
+/// Empty when the mesh is sound. Bodies of several parts that do not touch are sound. A cell is degenerate when its
+/// measure is below the round-off of its longest edge to the power dim, and too small when the round-off of its
+/// coordinates is more than 1e-6 of its shortest edge.
 std::vector<std::string> checkMesh(const Mesh& mesh);
 
 /// Length of the diagonal of the bounding box.

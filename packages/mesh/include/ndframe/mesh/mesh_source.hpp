@@ -13,8 +13,9 @@ class MeshSource
 {
 public:
   virtual ~MeshSource() = default;
-  /// Generates or reads the mesh. Throws InputError (with the deck's place) when a file is missing, corrupt or not a
-  /// triangle/tetrahedron mesh. The mesh has passed checkMesh and carries no unused points.
+  /// Generates or reads the mesh. Throws InputError (with the deck's place) when a file is missing, corrupt, not a
+  /// triangle/tetrahedron mesh, or changes while it is read. The mesh has passed checkMesh and carries no unused
+  /// points.
   virtual Mesh read() const = 0;
 };
 

@@ -31,7 +31,7 @@ struct UnilateralState
 /// violating node changes, which ends for positive definite A (Murty 1974). A may be singular (a floating body); a
 /// closed set that does not hold the body is solved with a vanishing proximal term delta |u - u_prev|^2 / 2 until
 /// contact holds it again. Signs and gaps are compared with round-off of the largest force and displacement, so units
-/// do not matter.
+/// do not matter; while nothing is closed, every penetration closes.
 class UnilateralProblem
 {
 public:

@@ -1,0 +1,91 @@
+#include "failures.hpp"
+
+#include <cstdlib>
+#include <iostream>
+#include <new>
+#include <string_view>
+#include <system_error>
+
+#include <fmt/format.h>
+
+#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+Failure notConverged(const std::exception& error)
+{
+  return {ExitCode::NotConverged, fmt::format("not converged: {}", error.what())};
+}
+
+Failure bug(const std::exception& error)
+{
+  return {ExitCode::Bug, fmt::format("a bug in ndframe: {}\nPlease report it together with the deck.", error.what())};
+}
+
+Failure lackOfMemory()
+{
+  return {ExitCode::UserInput, {}, 0, true};
+}
+
+/// A failure that the other ranks may know nothing of: whoever has it speaks, and all processes end.
+ExitCode failAlone(const Comm& comm, ExitCode code, std::string_view text)
+{
+  std::cerr << text << std::endl;
+  comm.abort(int(code));
+  return code;
+}
+
+/// Ends the process at once: at a normal exit OpenBLAS waits for its threads, which may ask for memory for ever.
+[[noreturn]] void failForMemory(const Comm& comm)
+{
+  const auto code = failAlone(comm, ExitCode::UserInput, needsMoreMemory);
+  std::cout.flush();
+  std::_Exit(int(code));
+}
+
+} // namespace
+
+Failure currentFailure()
+{
+  try {
+    throw;
+  } catch (const InputError& error) {
+    return {ExitCode::UserInput, error.what(), error.list().size()};
+  } catch (const NotConverged& error) {
+    return notConverged(error);
+  } catch (const SingularBody& error) { // met by an iterative solver on its way
+    return notConverged(error);
+  } catch (const std::bad_alloc&) {
+    return lackOfMemory();
+  } catch (const std::system_error& error) {
+    const bool isThreadsStack = error.code() == std::errc::resource_unavailable_try_again;
+    return isThreadsStack ? lackOfMemory() : bug(error);
+  } catch (const std::exception& error) {
+    return bug(error);
+  }
+}
+
+ExitCode report(const Failure& failure, bool computed, const Comm& comm)
+{
+  if (failure.outOfMemory)
+    failForMemory(comm);
+  if (failure.code == ExitCode::Bug)
+    return failAlone(comm, failure.code, failure.text);
+  complain(comm, failure.text);
+  if (failure.mistakes > 0)
+    complain(comm, fmt::format("{} error{}; {}", failure.mistakes, failure.mistakes == 1 ? "" : "s",
+                               computed ? "the results could not be written." : "nothing was computed."));
+  return failure.code;
+}
+
+void complain(const Comm& comm, const std::string& text)
+{
+  if (comm.rank() == 0)
+    std::cerr << text << std::endl;
+}
+
+} // namespace ndframe
