@@ -8,6 +8,7 @@
 #include <metis.h>
 #include <mpi.h>
 
+#include "dominated_vertices.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -103,7 +104,7 @@ NodeGraph sortedByVertex(GraphRows rows, std::vector<int> nodes)
 {
   const std::size_t numVertices = nodes.size();
   NDFRAME_ASSERT(rows.vertices.size() == numVertices, "every node must be owned by one rank");
-  NodeGraph graph{std::move(nodes), Indices(numVertices + 1, 0), {}};
+  NodeGraph graph{std::move(nodes), Indices(numVertices + 1, 0), {}, {}};
   for (std::size_t r = 0; r < numVertices; ++r)
     graph.starts[std::size_t(rows.vertices[r]) + 1] = rows.degrees[r];
   for (std::size_t v = 0; v < numVertices; ++v)
@@ -139,7 +140,9 @@ std::vector<int> nestedDissection(NodeGraph graph)
   METIS_SetDefaultOptions(options.data());
   options[METIS_OPTION_NUMBERING] = 0;
   idx_t numVertices = idx_t(size);
-  const int status = METIS_NodeND(&numVertices, graph.starts.data(), graph.neighbours.data(), nullptr, options.data(),
+  const std::lock_guard<std::mutex> alone(metisIsBusy);
+  const int status = METIS_NodeND(&numVertices, graph.starts.data(), graph.neighbours.data(),
+                                  graph.weights.empty() ? nullptr : graph.weights.data(), options.data(),
                                   vertexAt.data(), position.data());
   if (status == METIS_ERROR_MEMORY)
     throw std::bad_alloc();
@@ -147,6 +150,15 @@ std::vector<int> nestedDissection(NodeGraph graph)
   for (int& vertex : vertexAt)
     vertex = graph.nodes[std::size_t(vertex)];
   return vertexAt;
+}
+
+std::vector<int> reducedDissection(const NodeGraph& graph)
+{
+  const DominatedVertices dominated(graph);
+  std::vector<int> order = dominated.insertedInto(nestedDissection(dominated.rest(graph)));
+  for (int& vertex : order)
+    vertex = graph.nodes[std::size_t(vertex)];
+  return order;
 }
 
 std::vector<int> freeOrder(const SolverProblem& problem, const FreeDofs& free, const std::vector<int>& nodes)
@@ -165,10 +177,9 @@ std::vector<int> freeOrder(const SolverProblem& problem, const FreeDofs& free, c
 
 std::vector<int> eliminationOrder(const SolverProblem& problem, const FreeDofs& free, const Comm& comm, Ledger& ledger)
 {
-  const std::lock_guard<std::mutex> alone(metisIsBusy); // waiting is not timed
   const auto timer = ledger.time("order");
-  NodeGraph graph = interiorGraph(problem, comm);
-  return comm.rank() == 0 ? freeOrder(problem, free, nestedDissection(std::move(graph))) : std::vector<int>{};
+  const NodeGraph graph = interiorGraph(problem, comm);
+  return comm.rank() == 0 ? freeOrder(problem, free, reducedDissection(graph)) : std::vector<int>{};
 }
 
 } // namespace ndframe
