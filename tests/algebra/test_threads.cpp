@@ -1,10 +1,15 @@
 #include <atomic>
 #include <cstdlib>
 #include <stdexcept>
+#include <thread>
 
 #include <gmock/gmock.h>
 
 #include "ndframe/algebra/threads.hpp"
+#include "serial_openmp.hpp"
+
+/// libgomp's, or the one that stands before it.
+extern "C" void GOMP_parallel(void (*region)(void*), void* data, unsigned numThreads, unsigned flags);
 
 using namespace ndframe;
 
@@ -17,6 +22,14 @@ int threadsWith(const char* setting)
   setenv("OMP_NUM_THREADS", setting, 1);
   const int threads = numThreads(Comm::single());
   unsetenv("OMP_NUM_THREADS");
+  return threads;
+}
+
+/// How many threads run a parallel region that is to have two.
+int threadsOfARegion()
+{
+  std::atomic<int> threads{0};
+  GOMP_parallel([](void* count) { ++*static_cast<std::atomic<int>*>(count); }, &threads, 2, 0);
   return threads;
 }
 
@@ -59,4 +72,21 @@ TEST(Threads, AreAsManyAsOpenMpIsAskedFor)
   EXPECT_EQ(threadsWith("2,1"), 2);
   EXPECT_GE(threadsWith("nonsense"), 1);
   EXPECT_GE(numThreads(Comm::single()), 1);
+}
+
+TEST(SerialOpenMp, HoldsForItsThreadWhileItLives)
+{
+  EXPECT_EQ(threadsOfARegion(), 2);
+  {
+    const SerialOpenMp outer;
+    {
+      const SerialOpenMp inner;
+      EXPECT_EQ(threadsOfARegion(), 1);
+    }
+    EXPECT_EQ(threadsOfARegion(), 1);
+    int elsewhere = 0;
+    std::thread([&] { elsewhere = threadsOfARegion(); }).join();
+    EXPECT_EQ(elsewhere, 2);
+  }
+  EXPECT_EQ(threadsOfARegion(), 2);
 }
