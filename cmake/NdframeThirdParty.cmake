@@ -2,7 +2,7 @@
 # so that a client links the same libraries. Debian's find modules for these are missing or incomplete (docs/dependencies.md).
 
 find_package(MPI REQUIRED COMPONENTS C CXX)
-find_package(Trilinos 13.2 REQUIRED COMPONENTS MueLu Amesos2 Ifpack2 Belos Tpetra TeuchosParameterList TeuchosCore)
+find_package(Trilinos 13.2 REQUIRED COMPONENTS TeuchosParameterList TeuchosCore)
 find_package(fmt REQUIRED)
 find_package(nlohmann_json REQUIRED)
 find_package(CLI11 REQUIRED)
@@ -35,7 +35,4 @@ if(NOT TARGET ndframe_thirdparty::Teuchos)
   add_library(ndframe_thirdparty::Teuchos INTERFACE IMPORTED)
   target_include_directories(ndframe_thirdparty::Teuchos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
   target_link_libraries(ndframe_thirdparty::Teuchos INTERFACE ${TeuchosParameterList_LIBRARIES} ${TeuchosCore_LIBRARIES})
-  add_library(ndframe_thirdparty::Trilinos INTERFACE IMPORTED)
-  target_include_directories(ndframe_thirdparty::Trilinos SYSTEM INTERFACE ${Trilinos_INCLUDE_DIRS})
-  target_link_libraries(ndframe_thirdparty::Trilinos INTERFACE ${Trilinos_LIBRARIES})
 endif()

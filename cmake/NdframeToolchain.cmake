@@ -22,5 +22,6 @@ if(NDFRAME_SANITIZE)
   target_compile_options(ndframe_options INTERFACE
     -fsanitize=address -fno-omit-frame-pointer
     "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:NDFRAME_IS_TEST>>>:-fsanitize=undefined;-fno-sanitize-recover=undefined>")
-  target_link_options(ndframe_options INTERFACE -fsanitize=address,undefined)
+  # The sanitizer calls dlopen in our stead, and only the old kind of path holds for callers that are not the program.
+  target_link_options(ndframe_options INTERFACE -fsanitize=address,undefined LINKER:--disable-new-dtags)
 endif()

@@ -27,10 +27,11 @@ std::string quoted(const std::string& text)
 
 } // namespace
 
-ProgramResult runProgram(const std::vector<std::string>& arguments, const std::string& folder)
+ProgramResult runProgram(const std::vector<std::string>& arguments, const std::string& folder,
+                         const std::string& program)
 {
   const TemporaryFolder streams;
-  std::string command = "cd " + quoted(folder) + " && " + quoted(NDFRAME_PROGRAM);
+  std::string command = "cd " + quoted(folder) + " && " + quoted(program);
   for (const auto& argument : arguments)
     command += " " + quoted(argument);
   command += " >" + quoted(streams.file("out")) + " 2>" + quoted(streams.file("err"));

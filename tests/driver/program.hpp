@@ -14,7 +14,8 @@ struct ProgramResult
 };
 
 /// Starts ndframe with these arguments in a folder and waits for it.
-ProgramResult runProgram(const std::vector<std::string>& arguments, const std::string& folder);
+ProgramResult runProgram(const std::vector<std::string>& arguments, const std::string& folder,
+                         const std::string& program = NDFRAME_PROGRAM);
 
 std::string contentsOf(const std::string& path);
 void writeFile(const std::string& path, const std::string& text);

@@ -21,9 +21,9 @@ using testing::UnorderedElementsAre;
 namespace
 {
 
-bool gmshIsLoaded()
+bool isLoaded(const std::string& library)
 {
-  return contentsOf("/proc/self/maps").find("libgmsh") != std::string::npos;
+  return contentsOf("/proc/self/maps").find(library) != std::string::npos;
 }
 
 /// Page faults of all child processes that have ended: grows with every one.
@@ -74,7 +74,7 @@ class ShippedDeck : public testing::TestWithParam<std::string>
 
 TEST_P(ShippedDeck, DoesWhatItsPlanSays)
 {
-  const bool mpiBefore = mpiIsRunning();
+  const bool mpiBefore = mpiIsRunning(), trilinosBefore = isLoaded("trilinos_tpetra");
   const long faultsBefore = faultsOfChildren();
   const auto outcome = Scene(GetParam()).run();
   const Plan& plan = outcome.run.plan;
@@ -90,8 +90,11 @@ TEST_P(ShippedDeck, DoesWhatItsPlanSays)
   if (!mpiBefore) {
     EXPECT_EQ(mpiIsRunning(), plan.runs("mpi"));
   }
+  if (!trilinosBefore) {
+    EXPECT_EQ(isLoaded("trilinos_tpetra"), plan.runs("krylov"));
+  }
   // Gmsh, and the library that reads Exodus files, run in a child process, and without such a mesh there is none.
-  EXPECT_FALSE(gmshIsLoaded());
+  EXPECT_FALSE(isLoaded("libgmsh"));
   EXPECT_EQ(faultsOfChildren() > faultsBefore, plan.runs("gmsh") || GetParam() == "exodus");
 }
 
@@ -248,6 +251,15 @@ TEST(Ledger, CountsElementProblemsInsteadOfStarsForElementEquilibration)
   EXPECT_THAT(countsAdded(Scene("punch"), {"Estimators={Global, Discretization}", "Recovery/Type=Element",
                                            "Interface Traction/Type=Projected"}),
               UnorderedElementsAre(Pair("back-solves", 3), Pair("element problems", 2 * (450 + 900))));
+}
+
+TEST(Ledger, CountsBodyForcesOnlyWhereThereAreSome)
+{
+  EXPECT_EQ(Scene("punch").run().ledger->counted("body force integrals"), 0);
+  Scene heavy("punch");
+  heavy.set("Bodies/punch/Loads/weight/Type=Body Force").set("Bodies/punch/Loads/weight/Y=-1");
+  const auto outcome = heavy.run();
+  EXPECT_EQ(outcome.ledger->counted("body force integrals"), outcome.run.model.bodies.front().mesh.numCells());
 }
 
 TEST(Ledger, CountsOnlyWhatAnEstimatorNeeds)

@@ -4,11 +4,23 @@ function(run)
 endfunction()
 
 set(client ${CMAKE_CURRENT_LIST_DIR}/client)
+set(krylov -i ${client}/own-relaxation.xml --set "Linear Solver/Type=Krylov")
 file(REMOVE_RECURSE ${WORK})
 file(MAKE_DIRECTORY ${WORK})
 run(${CMAKE_COMMAND} --install ${NDFRAME_BUILD} --prefix ${WORK}/prefix)
 run(${WORK}/prefix/bin/ndframe --version)
+run(${WORK}/prefix/bin/ndframe --check ${client}/../../../decks/krylov.xml)
 run(${CMAKE_COMMAND} -S ${client} -B ${WORK}/build -G Ninja -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/client -i ${client}/own-relaxation.xml)
+
+# The module of the Krylov solver is the installed one: without it the client refuses the deck.
+run(${WORK}/build/client ${krylov})
+file(GLOB_RECURSE module ${WORK}/prefix/*ndframe_krylov*)
+file(REMOVE ${module})
+execute_process(COMMAND ${WORK}/build/client ${krylov} WORKING_DIRECTORY ${WORK} RESULT_VARIABLE status
+                ERROR_VARIABLE message)
+if(NOT status EQUAL 2 OR NOT message MATCHES "needs the module libndframe_krylov")
+  message(FATAL_ERROR "without the module the client ended with ${status}: ${message}")
+endif()

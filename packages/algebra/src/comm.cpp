@@ -6,7 +6,7 @@
 
 #include <mpi.h>
 
-#include "kokkos_runtime.hpp"
+#include "krylov_module.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -111,7 +111,7 @@ bool mpiIsRunning()
 
 void finishMpi()
 {
-  finishKokkos();
+  finishKrylov();
   if (mpiIsRunning())
     MPI_Finalize();
 }

@@ -1,10 +1,12 @@
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 
-#include "belos_cg.hpp"
+#include "krylov_module.hpp"
+#include "library_list.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "preconditioner.hpp"
+#include "preconditioner_registry.hpp"
 #include "solver_problem.hpp"
 #include "solvers.hpp"
 #include "split_body.hpp"
@@ -21,6 +23,24 @@ struct KrylovOptions
   int maxIterations;
 };
 
+double meanDiagonal(const BlockMatrix& K, const Comm& comm)
+{
+  const Vector d = diagonal(K, comm);
+  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
+}
+
+std::unique_ptr<ConjugateGradients> makeCg(const SolverProblem& problem, const Comm& comm,
+                                           const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
+{
+  startMpi();
+  try {
+    return krylovLibrary().conjugateGradients(problem, comm, meanDiagonal(*problem.matrix, comm), preconditioner,
+                                              belos);
+  } catch (const Teuchos::Exceptions::InvalidParameter& refusal) {
+    throw InputError(fmt::format("{} does not take its parameters: {}", preconditioner.name(), refusal.what()));
+  }
+}
+
 /// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
 /// dof.
 class KrylovBody final : public SplitBody
@@ -29,7 +49,7 @@ public:
   KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
              const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
       : SplitBody(problem, comm, ledger), options_(options), preconditionerName_(preconditioner.name()),
-        cg_(problem, comm, preconditioner, belos)
+        cg_(makeCg(problem, comm, preconditioner, belos))
   {}
 
   /// Throws NotConverged and SingularBody.
@@ -91,10 +111,11 @@ private:
     while (!(current <= options_.tolerance * initial)) {
       if (iterations >= options_.maxIterations || !std::isfinite(current))
         throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
-                                       "Iterations\" or use another preconditioner or a direct solver.",
+                                       "Iterations\" or use another preconditioner or a direct solver",
                                        current / initial, options_.tolerance, iterations));
       const double reduction = 0.5 * options_.tolerance * initial / current;
-      const BelosCg::Result step = cg_.solve(residual, reduction, options_.maxIterations - iterations);
+      ConjugateGradients::Result step = cg_->solve(residual, reduction, options_.maxIterations - iterations);
+      comm_.sum(step.x);
       for (std::size_t dof = 0; dof < u.size(); ++dof)
         if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
           u[dof] += step.x[dof];
@@ -110,7 +131,7 @@ private:
 
   KrylovOptions options_;
   std::string preconditionerName_;
-  BelosCg cg_;
+  std::unique_ptr<ConjugateGradients> cg_;
 };
 
 class Krylov final : public LinearSolver
@@ -136,12 +157,10 @@ private:
   Teuchos::ParameterList belos_;
 };
 
-Registry<Preconditioner> preconditioners()
+std::vector<std::string> belosMistakes(const Teuchos::ParameterList& list)
 {
-  Registry<Preconditioner> registry("preconditioner", "MueLu");
-  registerMueLu(registry);
-  registerIfpack2(registry);
-  return registry;
+  return mistakesIn(list, krylovLibrary().validBelos(), "Belos",
+                    {"Convergence Tolerance", "Maximum Iterations", "Output Stream"});
 }
 
 std::vector<ListSpec> krylovLists()
@@ -161,7 +180,7 @@ std::unique_ptr<LinearSolver> makeKrylov(const Params& params)
 {
   const KrylovOptions options = {params.get<double>("Tolerance"), params.get<int>("Maximum Iterations")};
   return std::make_unique<Krylov>(options, preconditioners().build(params.sub("Preconditioner")),
-                                  params.sub("Belos").teuchos());
+                                  conformed(params.sub("Belos").teuchos(), krylovLibrary().validBelos()));
 }
 
 } // namespace

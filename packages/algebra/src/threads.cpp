@@ -40,10 +40,12 @@ int numThreads(const Comm& comm)
 
 void endBlasThreads()
 {
-  const bool fit = blasBuffersFit();
+  // Else they may be asking for memory for ever and cannot be joined, or they take what is kept for others as soon as
+  // they run: claimLibraryMemory() finds them and refuses.
+  if (!blasBuffersFit())
+    return;
   openblas_set_num_threads(1);
-  if (fit) // else they may be asking for memory for ever, and cannot be joined
-    blas_thread_shutdown_();
+  blas_thread_shutdown_();
 }
 
 void runLargestFirst(const std::vector<int>& sizes, int threads, const std::function<void(int)>& task)

@@ -51,6 +51,8 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   add("mpi", ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");
+  add("krylov", deck.sub("Linear Solver").get<std::string>("Type") == "Krylov",
+      "linear solver Krylov: Tpetra, Belos and their like are loaded", "no linear solver Krylov: Tpetra is not loaded");
   add("read", true, counted(bodies, "body", "bodies"), {});
   add("check", true, "sides, pairing and supports are checked before anything is assembled", {});
   add("assemble", true, counted(bodies, "matrix", "matrices"), {});
@@ -62,7 +64,7 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   add("stress", exodus, "for the Exodus file", "no Exodus file is written");
   const bool contact = touches && output.get<bool>("Contact Table");
   add("write", exodus || contact || output.get<bool>("Summary"),
-      fmt::format("to {}", output.get<std::string>("Directory")), "the deck asks for no file");
+      fmt::format("to {}", output.get<std::string>("Directory")), "no file of this solution is asked for");
   add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
   const auto expected = deck.sub("Expect").subs().size();
   add("expect", expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");

@@ -43,7 +43,7 @@ private:
 /// Starts MPI if it is not running (MUMPS needs it even on one rank). Finalised at exit by finishMpi().
 void startMpi();
 bool mpiIsRunning();
-/// Ends MPI and Kokkos if they were started; called once at the end of main.
+/// Ends MPI and what needs it, if they were started; called once at the end of main.
 void finishMpi();
 
 } // namespace ndframe

@@ -12,7 +12,8 @@ namespace ndframe
 /// runs alone, and one for each of several.
 int numThreads(const Comm& comm);
 
-/// Ends the threads that OpenBLAS starts before main; from now on BLAS computes on the calling thread alone.
+/// Ends the threads that OpenBLAS starts before main; from now on BLAS computes on the calling thread alone. Leaves
+/// them where a memory limit has no place for their buffers: claimLibraryMemory() refuses such a process.
 void endBlasThreads();
 
 /// BLAS computes on the calling thread alone, as long as the object lives: its own threads add in another order, so

@@ -20,12 +20,12 @@ using TpetraOperator = Tpetra::Operator<double>;
 /// that every node keeps its dim rows side by side:
 ///
 ///   A = [ K_ii  0   ]
-///       [ 0     a I ],   a = mean diagonal entry of K.
+///       [ 0     a I ],   a = decoupledDiagonal.
 ///
 /// Each rank holds the rows of its nodes.
 struct TpetraSystem
 {
-  TpetraSystem(const SolverProblem& problem, const Comm& comm);
+  TpetraSystem(const SolverProblem& problem, const Comm& comm, double decoupledDiagonal);
 
   int dim;
   bool isParallel;

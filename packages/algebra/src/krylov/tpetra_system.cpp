@@ -1,12 +1,8 @@
 #include "tpetra_system.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include <Teuchos_DefaultMpiComm.hpp>
-
-#include "kokkos_runtime.hpp"
-#include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
@@ -19,10 +15,8 @@ using Local = TpetraMap::local_ordinal_type;
 
 Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm)
 {
-  if (comm.size() > 1)
-    return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_WORLD));
-  startMpi(); // Ifpack2 and MueLu take Teuchos's serial communicator for one of MPI
-  return Teuchos::rcp(new Teuchos::MpiComm<int>(MPI_COMM_SELF));
+  // On one process too: Ifpack2 and MueLu take Teuchos's serial communicator for one of MPI.
+  return Teuchos::rcp(new Teuchos::MpiComm<int>(comm.size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF));
 }
 
 /// `perNode` consecutive numbers for each node.
@@ -111,18 +105,12 @@ View copyOf(const Values& values)
   return view;
 }
 
-double meanDiagonal(const SolverProblem& problem, const Comm& comm)
-{
-  const Vector d = diagonal(*problem.matrix, comm);
-  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
-}
-
-Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, const Comm& comm,
+Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, double decoupledDiagonal,
                                       const Teuchos::RCP<const TpetraMap>& dofMap)
 {
   const BlockMatrix& K = *problem.matrix;
   const ColumnNodes columns(K);
-  const LocalRows rows = interiorRows(problem, columns, meanDiagonal(problem, comm));
+  const LocalRows rows = interiorRows(problem, columns, decoupledDiagonal);
   using Graph = TpetraMatrix::local_graph_device_type;
   const auto matrix =
       Teuchos::rcp(new TpetraMatrix(dofMap, mapOf(columns.nodes, K.dim, dofMap->getComm()),
@@ -160,13 +148,12 @@ Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
 
 } // namespace
 
-TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm)
+TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm, double decoupledDiagonal)
     : dim(problem.matrix->dim), isParallel(comm.size() > 1)
 {
-  startKokkos();
   const auto communicator = teuchosComm(comm);
   dofMap = mapOf(problem.matrix->rows, dim, communicator);
-  matrix = makeMatrix(problem, comm, dofMap);
+  matrix = makeMatrix(problem, decoupledDiagonal, dofMap);
   modes = makeModes(problem, dofMap);
   coordinates = makeCoordinates(problem, communicator);
 }

@@ -1,8 +1,7 @@
 #include <Ifpack2_Factory.hpp>
 #include <Ifpack2_Parameters.hpp>
 
-#include "library_list.hpp"
-#include "preconditioner.hpp"
+#include "preconditioners.hpp"
 #include "tpetra_system.hpp"
 
 namespace ndframe
@@ -40,33 +39,21 @@ private:
   Teuchos::ParameterList list_;
 };
 
-Teuchos::ParameterList validIfpack2()
+} // namespace
+
+const Teuchos::ParameterList& validIfpack2List()
 {
-  Teuchos::ParameterList valid;
-  Ifpack2::getValidParameters(valid);
+  static const Teuchos::ParameterList valid = [] {
+    Teuchos::ParameterList list;
+    Ifpack2::getValidParameters(list);
+    return list;
+  }();
   return valid;
 }
 
-std::vector<std::string> ifpack2Mistakes(const Teuchos::ParameterList& list)
+std::unique_ptr<Preconditioner> makeIfpack2(const std::string& method, const Teuchos::ParameterList& list)
 {
-  return mistakesIn(list, validIfpack2(), "Ifpack2", {});
-}
-
-} // namespace
-
-void registerIfpack2(Registry<Preconditioner>& registry)
-{
-  ListSpec list;
-  list.name = "Ifpack2";
-  list.doc = "Parameters of the Ifpack2 method, e.g. \"fact: iluk level-of-fill\".";
-  list.passThrough = ifpack2Mistakes;
-  registry.add("Ifpack2", "Incomplete factorisation, relaxation or polynomial of each rank's own rows; little memory.",
-               {{"Method", "RILUK", oneOf({"RILUK", "RELAXATION", "CHEBYSHEV"}), "Ifpack2's name of the method."}},
-               [](const Params& params) {
-                 return std::make_unique<Ifpack2Preconditioner>(
-                     params.get<std::string>("Method"), conformed(params.sub("Ifpack2").teuchos(), validIfpack2()));
-               },
-               {list});
+  return std::make_unique<Ifpack2Preconditioner>(method, list);
 }
 
 } // namespace ndframe

@@ -1,8 +1,7 @@
 #include <MueLu_CreateTpetraPreconditioner.hpp>
 #include <MueLu_MasterList.hpp>
 
-#include "library_list.hpp"
-#include "preconditioner.hpp"
+#include "preconditioners.hpp"
 #include "tpetra_system.hpp"
 
 namespace ndframe
@@ -59,28 +58,17 @@ private:
   Teuchos::ParameterList list_;
 };
 
-std::vector<std::string> mueLuMistakes(const Teuchos::ParameterList& list)
-{
-  return mistakesIn(list, *MueLu::MasterList::List(), "MueLu",
-                    {"number of equations", "user data", "Nullspace", "Coordinates"});
-}
-
 } // namespace
 
-void registerMueLu(Registry<Preconditioner>& registry)
+const Teuchos::ParameterList& validMueLuList()
 {
-  ListSpec list;
-  list.name = "MueLu";
-  list.doc = "Parameters of MueLu's own list, e.g. \"aggregation: drop tol\".";
-  list.passThrough = mueLuMistakes;
-  registry.add("MueLu",
-               "Algebraic multigrid that knows the rigid motions; the number of iterations hardly grows with the mesh.",
-               {},
-               [](const Params& params) {
-                 return std::make_unique<MueLuPreconditioner>(
-                     conformed(params.sub("MueLu").teuchos(), *MueLu::MasterList::List()));
-               },
-               {list});
+  static const Teuchos::RCP<const Teuchos::ParameterList> valid = MueLu::MasterList::List();
+  return *valid;
+}
+
+std::unique_ptr<Preconditioner> makeMueLu(const Teuchos::ParameterList& list)
+{
+  return std::make_unique<MueLuPreconditioner>(list);
 }
 
 } // namespace ndframe

@@ -1,0 +1,98 @@
+#include "belos_cg.hpp"
+
+#include <BelosCGIteration.hpp>
+#include <BelosSolverFactory.hpp>
+#include <BelosTpetraAdapter.hpp>
+#include <Teuchos_oblackholestream.hpp>
+
+namespace ndframe
+{
+
+namespace
+{
+
+using Problem = Belos::LinearProblem<double, TpetraVectors, TpetraOperator>;
+using Manager = Belos::SolverManager<double, TpetraVectors, TpetraOperator>;
+using Local = TpetraMap::local_ordinal_type;
+
+Teuchos::RCP<Manager> makeManager(const Teuchos::RCP<Teuchos::ParameterList>& list)
+{
+  return Belos::SolverFactory<double, TpetraVectors, TpetraOperator>().create("Pseudoblock CG", list);
+}
+
+/// Belos speaks only if it is asked to; else its own words on a failure would precede ours.
+Teuchos::ParameterList quietUnlessAsked(Teuchos::ParameterList list)
+{
+  if (!list.isParameter("Verbosity"))
+    list.set<Teuchos::RCP<std::ostream>>("Output Stream", Teuchos::rcp(new Teuchos::oblackholestream));
+  return list;
+}
+
+class BelosCg final : public ConjugateGradients
+{
+public:
+  BelosCg(TpetraSystem system, const Preconditioner& preconditioner, const Teuchos::ParameterList& list)
+      : system_(std::move(system)), preconditioner_(preconditioner.build(system_)), list_(quietUnlessAsked(list))
+  {}
+
+  Result solve(const Vector& b, double tolerance, int maxIterations) const override
+  {
+    const auto x = Teuchos::rcp(new TpetraVectors(system_.dofMap, 1));
+    const auto problem = Teuchos::rcp(new Problem(system_.matrix, x, ownPart(b)));
+    problem->setLeftPrec(preconditioner_->apply);
+    problem->setProblem();
+    const auto list = Teuchos::parameterList(list_);
+    list->set("Convergence Tolerance", tolerance);
+    list->set("Maximum Iterations", maxIterations);
+    const auto manager = makeManager(list);
+    manager->setProblem(problem);
+    try {
+      manager->solve();
+    } catch (const Belos::CGIterateFailure&) {
+      throw SingularBody("conjugate gradients met a motion without positive energy: the stiffness matrix or the "
+                         "preconditioner is not positive definite",
+                         -1);
+    }
+    return {scattered(*x, b.size()), manager->getNumIters()};
+  }
+
+private:
+  Teuchos::RCP<TpetraVectors> ownPart(const Vector& replicated) const
+  {
+    const auto own = Teuchos::rcp(new TpetraVectors(system_.dofMap, 1));
+    const auto values = own->getDataNonConst(0);
+    for (Local i = 0; i < Local(values.size()); ++i)
+      values[i] = replicated[std::size_t(system_.dofMap->getGlobalElement(i))];
+    return own;
+  }
+
+  Vector scattered(const TpetraVectors& own, std::size_t size) const
+  {
+    Vector all(size, 0.0);
+    const auto values = own.getData(0);
+    for (Local i = 0; i < Local(values.size()); ++i)
+      all[std::size_t(system_.dofMap->getGlobalElement(i))] = values[i];
+    return all;
+  }
+
+  TpetraSystem system_;
+  std::shared_ptr<PreconditionerHandle> preconditioner_;
+  Teuchos::ParameterList list_;
+};
+
+} // namespace
+
+std::unique_ptr<ConjugateGradients> makeBelosCg(TpetraSystem system, const Preconditioner& preconditioner,
+                                                const Teuchos::ParameterList& list)
+{
+  return std::make_unique<BelosCg>(std::move(system), preconditioner, list);
+}
+
+const Teuchos::ParameterList& validBelosList()
+{
+  static const Teuchos::RCP<const Teuchos::ParameterList> valid =
+      makeManager(Teuchos::parameterList())->getValidParameters();
+  return *valid;
+}
+
+} // namespace ndframe

@@ -1,0 +1,61 @@
+#include "krylov_library.hpp"
+
+#include <Kokkos_Core.hpp>
+
+#include "belos_cg.hpp"
+#include "preconditioners.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// Tpetra would start Kokkos too, but warn about what it does not find.
+void startKokkos()
+{
+  if (Kokkos::is_initialized())
+    return;
+  Kokkos::InitArguments arguments;
+  arguments.disable_warnings = true;
+  Kokkos::initialize(arguments);
+}
+
+class TrilinosKrylov final : public KrylovLibrary
+{
+public:
+  const Teuchos::ParameterList& validBelos() const override { return validBelosList(); }
+  const Teuchos::ParameterList& validIfpack2() const override { return validIfpack2List(); }
+  const Teuchos::ParameterList& validMueLu() const override { return validMueLuList(); }
+
+  std::unique_ptr<Preconditioner> ifpack2(const std::string& method, const Teuchos::ParameterList& list) const override
+  {
+    return makeIfpack2(method, list);
+  }
+  std::unique_ptr<Preconditioner> mueLu(const Teuchos::ParameterList& list) const override { return makeMueLu(list); }
+
+  std::unique_ptr<ConjugateGradients> conjugateGradients(const SolverProblem& problem, const Comm& comm,
+                                                         double decoupledDiagonal, const Preconditioner& preconditioner,
+                                                         const Teuchos::ParameterList& belos) const override
+  {
+    startKokkos();
+    return makeBelosCg(TpetraSystem(problem, comm, decoupledDiagonal), preconditioner, belos);
+  }
+
+  void finish() const override
+  {
+    if (Kokkos::is_initialized())
+      Kokkos::finalize();
+  }
+};
+
+} // namespace
+
+} // namespace ndframe
+
+/// What the program looks up in the module.
+extern "C" const ndframe::KrylovLibrary* ndframeKrylovLibrary()
+{
+  static const ndframe::TrilinosKrylov library;
+  return &library;
+}

@@ -1,0 +1,72 @@
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include <Teuchos_ParameterList.hpp>
+
+#include "ndframe/algebra/linear_solver.hpp"
+
+namespace ndframe
+{
+
+struct TpetraSystem;
+struct PreconditionerHandle;
+
+/// A symmetric positive definite approximation of the inverse of the interior matrix, for conjugate gradients.
+class Preconditioner
+{
+public:
+  virtual ~Preconditioner() = default;
+  virtual std::shared_ptr<PreconditionerHandle> build(const TpetraSystem& system) const = 0;
+  virtual std::string name() const = 0;
+};
+
+/// Preconditioned conjugate gradients on the interior problem of a body. All functions are collective.
+class ConjugateGradients
+{
+public:
+  virtual ~ConjugateGradients() = default;
+
+  struct Result
+  {
+    Vector x;       ///< of this rank's nodes, zero elsewhere; round-off on fixed and kept dofs
+    int iterations; ///< of this call
+  };
+
+  /// K_ii x_i = b_i from x = 0 until CG's own residual is below `tolerance` |b_i|, or maxIterations. `b` is replicated,
+  /// zero outside the interior. Throws SingularBody when CG meets a direction without energy.
+  virtual Result solve(const Vector& b, double tolerance, int maxIterations) const = 0;
+};
+
+/// What Belos, Ifpack2 and MueLu do for us. The implementation lies in a module of its own (src/krylov), because the
+/// dynamic linker takes longer for these libraries than a small scene takes. Only this header and those that it
+/// includes are common to module and program; the module calls no function of the program.
+///
+/// The valid lists hold all keys that a library knows, with their defaults.
+class KrylovLibrary
+{
+public:
+  virtual ~KrylovLibrary() = default;
+
+  virtual const Teuchos::ParameterList& validBelos() const = 0;
+  virtual const Teuchos::ParameterList& validIfpack2() const = 0;
+  virtual const Teuchos::ParameterList& validMueLu() const = 0;
+
+  /// `list`: parameters of the library, conformed to its valid list.
+  virtual std::unique_ptr<Preconditioner> ifpack2(const std::string& method,
+                                                  const Teuchos::ParameterList& list) const = 0;
+  virtual std::unique_ptr<Preconditioner> mueLu(const Teuchos::ParameterList& list) const = 0;
+
+  /// Needs MPI running. `decoupledDiagonal`: entry of the rows that stand for fixed and kept dofs. Throws
+  /// Teuchos::Exceptions::InvalidParameter when the preconditioner refuses its parameters.
+  virtual std::unique_ptr<ConjugateGradients> conjugateGradients(const SolverProblem& problem, const Comm& comm,
+                                                                 double decoupledDiagonal,
+                                                                 const Preconditioner& preconditioner,
+                                                                 const Teuchos::ParameterList& belos) const = 0;
+
+  /// Ends Kokkos if it was started. Nothing that was made here may be alive.
+  virtual void finish() const = 0;
+};
+
+} // namespace ndframe

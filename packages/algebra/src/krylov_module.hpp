@@ -1,0 +1,15 @@
+#pragma once
+
+namespace ndframe
+{
+
+class KrylovLibrary;
+
+/// The libraries of the Krylov solver, loaded at the first call (which only one thread may make). Throws InputError
+/// when their module cannot be loaded.
+const KrylovLibrary& krylovLibrary();
+
+/// Ends the libraries if they were loaded.
+void finishKrylov();
+
+} // namespace ndframe

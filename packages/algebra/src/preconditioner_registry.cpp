@@ -1,0 +1,59 @@
+#include "preconditioner_registry.hpp"
+
+#include "krylov_module.hpp"
+#include "library_list.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+void registerMueLu(Registry<Preconditioner>& registry)
+{
+  ListSpec list;
+  list.name = "MueLu";
+  list.doc = "Parameters of MueLu's own list, e.g. \"aggregation: drop tol\".";
+  list.passThrough = [](const Teuchos::ParameterList& given) {
+    return mistakesIn(given, krylovLibrary().validMueLu(), "MueLu",
+                      {"number of equations", "user data", "Nullspace", "Coordinates"});
+  };
+  registry.add("MueLu",
+               "Algebraic multigrid that knows the rigid motions; the number of iterations hardly grows with the mesh.",
+               {},
+               [](const Params& params) {
+                 const KrylovLibrary& library = krylovLibrary();
+                 return library.mueLu(conformed(params.sub("MueLu").teuchos(), library.validMueLu()));
+               },
+               {list});
+}
+
+void registerIfpack2(Registry<Preconditioner>& registry)
+{
+  ListSpec list;
+  list.name = "Ifpack2";
+  list.doc = "Parameters of the Ifpack2 method, e.g. \"fact: iluk level-of-fill\".";
+  list.passThrough = [](const Teuchos::ParameterList& given) {
+    return mistakesIn(given, krylovLibrary().validIfpack2(), "Ifpack2", {});
+  };
+  registry.add("Ifpack2", "Incomplete factorisation, relaxation or polynomial of each rank's own rows; little memory.",
+               {{"Method", "RILUK", oneOf({"RILUK", "RELAXATION", "CHEBYSHEV"}), "Ifpack2's name of the method."}},
+               [](const Params& params) {
+                 const KrylovLibrary& library = krylovLibrary();
+                 return library.ifpack2(params.get<std::string>("Method"),
+                                        conformed(params.sub("Ifpack2").teuchos(), library.validIfpack2()));
+               },
+               {list});
+}
+
+} // namespace
+
+Registry<Preconditioner> preconditioners()
+{
+  Registry<Preconditioner> registry("preconditioner", "MueLu");
+  registerMueLu(registry);
+  registerIfpack2(registry);
+  return registry;
+}
+
+} // namespace ndframe
