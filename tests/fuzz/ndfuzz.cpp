@@ -134,7 +134,7 @@ int main(int argc, char** argv)
 {
   Options options;
   CLI::App app("Tries a reader on damaged files.", "ndfuzz");
-  app.add_option("reader", options.reader, "deck, msh or exodus")->required();
+  app.add_option("reader", options.reader, "deck, msh, geo or exodus")->required();
   app.add_option("--inputs", options.inputs, "how many")->capture_default_str();
   app.add_option("--seed", options.seed, "of the damage")->capture_default_str();
   app.add_option("--only", options.only, "one input by its number; the file is kept");

@@ -66,6 +66,19 @@ Target mshTarget(const std::string&)
   return {true, std::move(sound), meshReader("Gmsh")};
 }
 
+/// What is still a script runs, in a child process.
+Target geoTarget(const std::string& scratch)
+{
+  const std::string script = scratch + "/input.geo";
+  std::vector<std::string> sound = filesIn(NDFRAME_DECKS "/meshes", ".geo");
+  for (std::string& bodies : sound)
+    bodies += "Delete Physicals;\n"; // two bodies become one
+  return {true, std::move(sound), [script](const std::string& path) {
+            std::filesystem::copy_file(path, script, std::filesystem::copy_options::overwrite_existing);
+            readMesh(text("Type", "Gmsh") + text("File", script) + integer("Maximum Seconds", "1"));
+          }};
+}
+
 Target exodusTarget(const std::string& scratch)
 {
   const std::string path = scratch + "/sound.e";
@@ -88,10 +101,10 @@ Target exodusTarget(const std::string& scratch)
 Target makeTarget(const std::string& name, const std::string& scratch)
 {
   static const std::map<std::string, Target (*)(const std::string&)> targets{
-      {"deck", deckTarget}, {"msh", mshTarget}, {"exodus", exodusTarget}};
+      {"deck", deckTarget}, {"msh", mshTarget}, {"geo", geoTarget}, {"exodus", exodusTarget}};
   const auto found = targets.find(name);
   if (found == targets.end())
-    throw std::runtime_error("there is no reader \"" + name + "\": deck, msh, exodus");
+    throw std::runtime_error("there is no reader \"" + name + "\": deck, msh, geo, exodus");
   return found->second(scratch);
 }
 

@@ -16,7 +16,7 @@ struct Target
   std::function<void(const std::string& path)> read;
 };
 
-/// "deck", "msh", "exodus"; scratch: a folder where files may be made.
+/// "deck", "msh", "geo", "exodus"; scratch: a folder where files may be made.
 Target makeTarget(const std::string& name, const std::string& scratch);
 
 } // namespace ndframe::test

@@ -47,6 +47,10 @@ std::string number(const std::string& key, const std::string& value)
 {
   return entry(key, "double", value);
 }
+std::string integer(const std::string& key, const std::string& value)
+{
+  return entry(key, "int", value);
+}
 std::string list(const std::string& name, const std::string& entries)
 {
   return fmt::format("<ParameterList name=\"{}\">\n{}</ParameterList>\n", name, entries);

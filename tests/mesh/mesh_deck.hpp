@@ -13,6 +13,7 @@ std::string ints(const std::string& key, const std::string& values);
 std::string strings(const std::string& key, const std::string& values);
 std::string text(const std::string& key, const std::string& value);
 std::string number(const std::string& key, const std::string& value);
+std::string integer(const std::string& key, const std::string& value);
 std::string list(const std::string& name, const std::string& entries);
 
 /// The mesh of the list with these entries ("Type" among them). InputError goes through.

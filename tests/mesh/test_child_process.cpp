@@ -1,8 +1,12 @@
 #include "child_process.hpp"
 
 #include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 #include <gmock/gmock.h>
 
@@ -34,6 +38,23 @@ TEST(ChildProcess, CrashIsAMessageHere)
             "the library");
       },
       ThrowsMessage<FileError>(HasSubstr("the library crashed on this file (signal 9)")));
+}
+
+TEST(ChildProcess, ExitIsNoCrashAndRunsNoHandlerOfTheParent)
+{
+  const std::string parents = testing::TempDir() + "/ndframe-child-exit";
+  std::remove(parents.c_str());
+  static std::string left; // the handler runs again at the end of this process
+  left = parents;
+  std::atexit([] { std::ofstream file(left); });
+  try {
+    runInChild([]() -> std::string { std::exit(0); }, "it");
+    ADD_FAILURE();
+  } catch (const ChildFailure& failure) {
+    EXPECT_EQ(failure.kind(), ChildFailure::Kind::Exited);
+  }
+  EXPECT_FALSE(std::ifstream(parents).is_open());
+  left.clear();
 }
 
 TEST(ChildProcess, FileErrorAndBugsPassThrough)
@@ -69,6 +90,22 @@ TEST(ChildProcess, WorkThatTakesTooMuchMemoryIsRefused)
   EXPECT_THAT(
       [&] {
         runInChild(taking(std::size_t(256) << 20), "it", {limit, 0});
+      },
+      ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may take")));
+}
+
+TEST(ChildProcess, ThreadThatTakesTooMuchMemoryIsNoCrash)
+{
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "its shadow memory does not fit under a limit";
+#endif
+  const auto work = [] {
+    std::thread([] { std::string(std::size_t(256) << 20, 'x'); }).join();
+    return std::string();
+  };
+  EXPECT_THAT(
+      [&] {
+        runInChild(work, "it", {64 << 20, 0});
       },
       ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may take")));
 }

@@ -3,14 +3,17 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "gmsh_library.hpp"
 #include "mesh_deck.hpp"
 
 namespace
 {
 
+using namespace ndframe;
 using namespace ndframe::test;
 using testing::AllOf;
 using testing::HasSubstr;
+using testing::ThrowsMessage;
 
 std::string gmsh(const std::string& path, const std::string& more = {})
 {
@@ -21,6 +24,11 @@ std::string messageFor(const std::string& contents, const std::string& more = {}
 {
   return messageOf(gmsh(scratchFile("mesh.msh", contents), more));
 }
+
+/// A script: the unit square in triangles of size 1.
+const std::string square = "Point(1) = {0, 0, 0, 1}; Point(2) = {1, 0, 0, 1}; Point(3) = {1, 1, 0, 1};\n"
+                           "Point(4) = {0, 1, 0, 1}; Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4};\n"
+                           "Line(4) = {4, 1}; Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};\n";
 
 const std::string header = "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n";
 const std::string nodes = "$Nodes\n4\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n$EndNodes\n";
@@ -142,6 +150,8 @@ TEST(GmshErrors, SizeFactorIsForScripts)
   EXPECT_THAT(messageFor(header, number("Mesh Size Factor", "2")),
               HasSubstr("this key changes how a .geo file is meshed"));
   EXPECT_THAT(messageFor(header, number("Mesh Size Factor", "0")), HasSubstr("Mesh Size Factor"));
+  EXPECT_THAT(messageFor(header, integer("Maximum Seconds", "2")),
+              HasSubstr("this key changes how a .geo file is meshed"));
 }
 
 TEST(GmshErrors, ScriptsReportGmshsOwnMessage)
@@ -151,6 +161,43 @@ TEST(GmshErrors, ScriptsReportGmshsOwnMessage)
   EXPECT_THAT(messageOf(gmsh(scratchFile("none.geo", "Point(1) = {0, 0, 0};\n"))),
               HasSubstr("the script makes no surface and no volume."));
   EXPECT_THAT(messageOf(gmsh("nowhere.geo")), HasSubstr("the file cannot be read"));
+}
+
+TEST(GmshErrors, ScriptsWithoutEndAreEnded)
+{
+  const std::string loop = scratchFile("loop.geo", "For i In {0:1e9}\n x = i;\nEndFor\n");
+  EXPECT_THAT(messageOf(gmsh(loop, integer("Maximum Seconds", "1"))),
+              AllOf(HasSubstr("test.xml:"), HasSubstr("loop.geo: gmsh did not come to an end within 1 s"),
+                    HasSubstr("raise \"Maximum Seconds\" or mesh the script beforehand (gmsh -2 FILE.geo")));
+  const std::string fine = scratchFile("fine.geo", square + "Mesh.MeshSizeFactor = 1e-4;\n");
+  EXPECT_THAT(messageOf(gmsh(fine, integer("Maximum Seconds", "1"))), HasSubstr("did not come to an end within 1 s"));
+}
+
+TEST(GmshErrors, ScriptsTakeNoMoreThanTheFreeMemory)
+{
+#if defined(__SANITIZE_ADDRESS__)
+  GTEST_SKIP() << "its shadow memory does not fit under a limit";
+#endif
+  EXPECT_GT(freeMemory(), 1 << 20);
+  const std::string fine = scratchFile("fine.geo", square + "Mesh.MeshSizeFactor = 2e-3;\n");
+  const std::int64_t limit = std::int64_t(200) << 20; // the library takes most of it
+  EXPECT_THAT(
+      [&] {
+        meshGeoFile(fine, 1.0, {limit, 100});
+      },
+      ThrowsMessage<FileError>(HasSubstr("gmsh asks for more memory than is free")));
+}
+
+TEST(GmshErrors, ScriptsThatEndGmshAreNamed)
+{
+  EXPECT_THAT(messageOf(gmsh(scratchFile("exit.geo", square + "Exit;\n"))),
+              HasSubstr("the script ended gmsh before it had a mesh"));
+}
+
+TEST(GmshErrors, ScriptsThatAskGetTheirDefaults)
+{
+  const std::string asking = "size = GetValue(\"How fine?\", 1);\n";
+  EXPECT_NEAR(volume(readMesh(gmsh(scratchFile("ask.geo", asking + square)))), 1.0, 1e-12);
 }
 
 } // namespace

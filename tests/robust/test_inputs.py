@@ -114,6 +114,13 @@ class Meshes(RoughWorld):
                 self.assert_refused(done, "Bodies/block/Mesh")
                 self.assertEqual(done.stderr.count(f"{name}: "), 1, done.stderr)
 
+    def test_a_script_without_end_is_ended(self):
+        mesh = {"Type": "Gmsh", "File": "loop.geo", "Maximum Seconds": 1}
+        (self.folder / "one.xml").write_text(to_xml("one", {"Bodies": {"block": {"Mesh": mesh, **BODY}}}))
+        (self.folder / "loop.geo").write_text("For i In {0:1e9}\n  x = i;\nEndFor\n")
+        for command in ((PROGRAM, "-i", "one.xml"), on_ranks(2, PROGRAM, "-i", "one.xml")):
+            self.assert_refused(self.run_command(*command), "loop.geo: gmsh did not come to an end within 1 s")
+
     def test_a_pipe_is_refused(self):
         for name in READERS:
             self.prepare(name).unlink()

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <csignal>
+#include <cstdlib>
 #include <fstream>
 #include <new>
 
@@ -33,9 +34,17 @@ enum class Verdict : char
 {
   Done = 'd',
   WrongFile = 'f',
-  NoMemory = 'm',
   Failed = 'x'
 };
+
+// The status of a child that ends without an answer; the sanitizers have other ones.
+constexpr int exitedStatus = 99;   // its library called exit()
+constexpr int noMemoryStatus = 98; // at once: the exception of a library's own thread would be a crash
+
+void endWithoutMemory()
+{
+  _exit(noMemoryStatus);
+}
 
 class Pipe
 {
@@ -111,9 +120,14 @@ void prepareChild(ChildLimits limits, pid_t parent)
   prctl(PR_SET_PDEATHSIG, SIGKILL);
   if (getppid() != parent)
     _exit(1); // it ended before that
-  const int nowhere = open("/dev/null", O_WRONLY);
+  const int nowhere = open("/dev/null", O_RDWR);
+  if (nowhere >= 0)
+    dup2(nowhere, STDIN_FILENO); // a library that asks the user something would wait for ever
   if (nowhere >= 0 && !NDFRAME_HAS_ADDRESS_SANITIZER)
     dup2(nowhere, STDERR_FILENO); // the libraries' complaints come before the message that explains them
+  // Of the handlers it runs first: the others, and the buffers, are the parent's.
+  std::atexit([] { _exit(exitedStatus); });
+  std::set_new_handler(endWithoutMemory);
   acceptSignals();
   if (limits.cpuSeconds > 0)
     lower(RLIMIT_CPU, rlim_t(limits.cpuSeconds));
@@ -131,8 +145,9 @@ std::string answerOf(const std::function<std::string()>& work)
     return answer(Verdict::Done, work());
   } catch (const FileError& error) {
     return answer(Verdict::WrongFile, error.what());
-  } catch (const std::bad_alloc&) {
-    return answer(Verdict::NoMemory, "");
+  } catch (const std::bad_alloc&) { // a size beyond all bounds
+    endWithoutMemory();
+    return {};
   } catch (const std::exception& error) {
     return answer(Verdict::Failed, error.what());
   }
@@ -146,27 +161,47 @@ int waitFor(pid_t child)
   return status;
 }
 
+[[noreturn]] void throwFailure(int status, const std::string& library)
+{
+  using Kind = ChildFailure::Kind;
+  const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
+  const int exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
+  if (signal == SIGXCPU)
+    throw ChildFailure(Kind::OutOfTime, fmt::format("{} did not come to an end on this file; it is damaged.", library));
+  if (exitStatus == noMemoryStatus)
+    throw ChildFailure(Kind::OutOfMemory, fmt::format("{} asks for more memory than the process may take.", library));
+  if (exitStatus == exitedStatus)
+    throw ChildFailure(Kind::Exited, fmt::format("{} gave up on this file; it is damaged.", library));
+  throw ChildFailure(Kind::Crashed, fmt::format("{} crashed on this file{}; it may be damaged.", library,
+                                                signal > 0 ? fmt::format(" (signal {})", signal) : ""));
+}
+
 std::string resultOf(const std::string& answer, int status, const std::string& library)
 {
-  if (WIFSIGNALED(status) && WTERMSIG(status) == SIGXCPU)
-    throw FileError(fmt::format("{} did not come to an end on this file; it is damaged.", library));
   if (status != 0 || answer.empty())
-    throw FileError(fmt::format("{} crashed on this file{}; it is damaged.", library,
-                                WIFSIGNALED(status) ? fmt::format(" (signal {})", WTERMSIG(status)) : ""));
+    throwFailure(status, library);
   std::string text = answer.substr(1);
   switch (Verdict(answer.front())) {
   case Verdict::Done:
     return text;
   case Verdict::WrongFile:
     throw FileError(text);
-  case Verdict::NoMemory:
-    throw FileError(fmt::format("{} asks for more memory than the process may take.", library));
   default:
     throw InternalError(text);
   }
 }
 
 } // namespace
+
+std::int64_t freeMemory()
+{
+  std::ifstream lines("/proc/meminfo");
+  std::string name, unit;
+  for (std::int64_t kilobytes = 0; lines >> name >> kilobytes && std::getline(lines, unit);)
+    if (name == "MemAvailable:")
+      return kilobytes << 10;
+  return 0;
+}
 
 std::string runInChild(const std::function<std::string()>& work, const std::string& library, ChildLimits limits)
 {

@@ -4,6 +4,8 @@
 #include <functional>
 #include <string>
 
+#include "file_error.hpp"
+
 namespace ndframe
 {
 
@@ -14,10 +16,32 @@ struct ChildLimits
   int cpuSeconds = 0;          ///< 0: no limit
 };
 
-/// Runs `work` in a child process and returns what it returns. A library that crashes on a damaged file, never ends or
-/// takes all memory ends only the child: FileError naming `library`. A FileError of the child is thrown here again, any
-/// other exception becomes an InternalError with its message. Nothing else that `work` changes is seen here; the child
-/// ends with this process.
+/// Bytes that processes can still take before the machine has to swap; 0 where the system does not tell.
+std::int64_t freeMemory();
+
+/// A child process ended without an answer.
+class ChildFailure final : public FileError
+{
+public:
+  enum class Kind
+  {
+    OutOfTime,
+    OutOfMemory,
+    Exited, ///< the library ended its process
+    Crashed
+  };
+
+  ChildFailure(Kind kind, const std::string& message) : FileError(message), kind_(kind) {}
+  Kind kind() const { return kind_; }
+
+private:
+  Kind kind_;
+};
+
+/// Runs `work` in a child process and returns what it returns. A library that crashes on a damaged file, never ends,
+/// takes all memory or exits ends only the child: ChildFailure naming `library`. A FileError of the child is thrown
+/// here again, any other exception becomes an InternalError with its message. Nothing else that `work` changes is seen
+/// here; the child ends with this process. Limit: processor time does not pass in a child that waits.
 std::string runInChild(const std::function<std::string()>& work, const std::string& library, ChildLimits limits = {});
 
 } // namespace ndframe

@@ -202,9 +202,9 @@ class Gmsh final : public MeshSource
 public:
   explicit Gmsh(const Params& params) : params_(params), path_(params.file("File"))
   {
-    if (params_.isGiven("Mesh Size Factor") && !isScript())
-      throw InputError(
-          params_.mistake("Mesh Size Factor", "this key changes how a .geo file is meshed; File names a mesh."));
+    for (const char* key : {"Mesh Size Factor", "Maximum Seconds"})
+      if (params_.isGiven(key) && !isScript())
+        throw InputError(params_.mistake(key, "this key changes how a .geo file is meshed; File names a mesh."));
   }
 
   Mesh read() const override
@@ -212,7 +212,7 @@ public:
     try {
       const SteadyFile steady(path_);
       const std::string file = readText(path_);
-      const MshFile msh = parseMsh(isScript() ? meshGeoFile(path_, params_.get<double>("Mesh Size Factor")) : file);
+      const MshFile msh = parseMsh(isScript() ? meshed() : file);
       steady.requireUnchanged();
       return GmshConverter(msh, params_.get<std::vector<std::string>>("Regions")).convert();
     } catch (const FileError& error) {
@@ -222,6 +222,12 @@ public:
 
 private:
   bool isScript() const { return std::filesystem::path(path_).extension() == ".geo"; }
+
+  std::string meshed() const
+  {
+    return meshGeoFile(path_, params_.get<double>("Mesh Size Factor"),
+                       {freeMemory(), params_.get<int>("Maximum Seconds")});
+  }
 
   Params params_;
   std::string path_;
@@ -242,7 +248,9 @@ void registerGmsh(Registry<MeshSource>& registry)
        {"Regions", std::vector<std::string>{},
         "Physical groups of cells that make the body, e.g. one of two bodies in the file. Empty: all of them, or all "
         "cells if there are no such groups."},
-       {"Mesh Size Factor", 1.0, above(0.0), "Multiplies the mesh sizes of a .geo script."}},
+       {"Mesh Size Factor", 1.0, above(0.0), "Multiplies the mesh sizes of a .geo script."},
+       {"Maximum Seconds", 300, atLeast(1),
+        "Processor time that gmsh may take for a .geo script. A million triangles take about half a minute."}},
       [](const Params& params) { return std::make_unique<Gmsh>(params); });
 }
 

@@ -9,7 +9,6 @@
 #include <fmt/format.h>
 #include <gmshc.h>
 
-#include "child_process.hpp"
 #include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/scratch.hpp"
@@ -165,19 +164,42 @@ void meshScript(const std::string& script, double sizeFactor, const std::string&
   gmsh.write(mesh);
 }
 
+/// Why gmsh has no mesh, and what to do.
+std::string adviceFor(const ChildFailure& failure, ChildLimits limits)
+{
+  using Kind = ChildFailure::Kind;
+  const std::string beforehand = "mesh the script beforehand (gmsh -2 FILE.geo; -3 for a solid)";
+  switch (failure.kind()) {
+  case Kind::OutOfTime:
+    return fmt::format("gmsh did not come to an end within {} s of processor time. Look for a loop without end and for "
+                       "too small mesh sizes; if it needs more, raise \"Maximum Seconds\" or {}.",
+                       limits.cpuSeconds, beforehand);
+  case Kind::OutOfMemory:
+    return fmt::format("gmsh asks for more memory than is free. Look for too small mesh sizes; if it needs more, {} on "
+                       "a larger machine.",
+                       beforehand);
+  case Kind::Exited:
+    return "the script ended gmsh before it had a mesh; is there an Exit in it?";
+  default:
+    return failure.what();
+  }
+}
+
 } // namespace
 
-std::string meshGeoFile(const std::string& path, double sizeFactor)
+std::string meshGeoFile(const std::string& path, double sizeFactor, ChildLimits limits)
 {
   const Scratch folder(makeDirectory());
   const std::string mesh = (folder.path() / "mesh.msh").string();
-  // gmsh crashes on some scripts.
-  runInChild(
-      [&] {
-        meshScript(path, sizeFactor, mesh);
-        return std::string();
-      },
-      "gmsh");
+  const auto work = [&] {
+    meshScript(path, sizeFactor, mesh);
+    return std::string();
+  };
+  try {
+    runInChild(work, "gmsh", limits);
+  } catch (const ChildFailure& failure) {
+    throw FileError(adviceFor(failure, limits));
+  }
   std::ifstream stream(mesh, std::ios::binary);
   std::ostringstream text;
   text << stream.rdbuf();

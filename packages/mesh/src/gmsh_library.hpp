@@ -2,6 +2,8 @@
 
 #include <string>
 
+#include "child_process.hpp"
+
 namespace ndframe
 {
 
@@ -9,7 +11,8 @@ namespace ndframe
 ///
 /// The gmsh library is loaded with dlopen at the first call, so that programs that need no gmsh neither wait for it nor
 /// need it. Elements of all entities are kept, with their physical groups. sizeFactor multiplies the sizes of the
-/// script. Throws FileError with gmsh's own messages when the script is wrong, InputError when the library is missing.
-std::string meshGeoFile(const std::string& path, double sizeFactor);
+/// script. Throws FileError: with gmsh's own messages when the script is wrong, when gmsh needs more than the limits,
+/// when the library is missing.
+std::string meshGeoFile(const std::string& path, double sizeFactor, ChildLimits limits);
 
 } // namespace ndframe
