@@ -11,7 +11,7 @@ import time
 
 import decks
 import judge as judging
-from methods import METHODS, SHORT_METHODS
+from methods import METHODS, SHORT_METHODS, SHORT_VARIANTS, VARIANTS
 from rows import ROWS
 
 # The largest scenes take some ten seconds alone; anything longer counts as a hang.
@@ -54,6 +54,10 @@ def cells(short, only):
             for method in methods:
                 if not short or method in SHORT_METHODS or len(methods) == 1:
                     yield Cell(number, value, method)
+        few = [value for value in row.variants if value in row.short][:1]
+        for value in few if short else row.variants:
+            for method in SHORT_VARIANTS if short else VARIANTS:
+                yield Cell(number, value, method)
 
 
 def merged(settings, more):
@@ -86,14 +90,14 @@ def launch(program, ranks, folder):
 
 def run(cell, program, root, keep):
     """Runs and judges one cell; its folder stays only when `keep`."""
-    row, method = ROWS[cell.row], METHODS[cell.method]
+    row, method = ROWS[cell.row], (METHODS | VARIANTS)[cell.method]
     folder = pathlib.Path(root) / cell.folder
     shutil.rmtree(folder, ignore_errors=True)
     folder.mkdir(parents=True)
     scene = dataclasses.replace(row.make(cell.value), **method.scene)
     decks.write_scene(scene, merged(method.lists, row.settings(cell.value)), folder)
     start = time.monotonic()
-    process = launch(program, row.ranks(cell.value), folder)
+    process = launch(program, max(row.ranks(cell.value), method.ranks), folder)
     seconds = time.monotonic() - start
     (folder / "screen.txt").write_text(process.stdout + process.stderr if process else "killed")
     answer = functools.partial(known, cell.row, cell.value, scene.order)

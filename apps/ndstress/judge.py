@@ -21,6 +21,7 @@ class Verdict:
     outcome: str
     digits: float = math.nan  # of a right result: the fewest of all compared quantities
     text: str = ""            # the program's reason, or what is wrong
+    floored: bool = False     # whether a quantity was so small that it was measured against something larger
 
 
 def _first(text, *words):
@@ -41,24 +42,32 @@ def digits_of(found, expected, scale, least=1.0):
     return min(MOST_DIGITS, -math.log10(error / unit)) if unit > 0.0 else -math.inf
 
 
+def below(expected, scale, least):
+    """Whether all of `expected` is so small that its digits are counted from `scale`."""
+    return bool(np.abs(np.asarray(expected, dtype=float)).max(initial=0.0) < least * scale)
+
+
 def compare(answer, scene, contact, summary, floor=0.0):
-    """Digits by quantity. floor: forces below this part of E times the largest displacement are round-off."""
+    """Digits by quantity, and whether one was measured against something larger than itself.
+
+    Forces count from the largest nodal force of loads and contact, and with a floor at least from this part of E times
+    the largest displacement: below it they are round-off. A body that hardly moves counts from the one that does."""
     rows = sorted(contact, key=lambda row: float(row["x"]))
     column = lambda name: np.array([float(row[name]) for row in rows])
     swapped = summary["interfaces"][0]["dirichlet_body"] == "lower"
     first, second = ("u_neumann", "u_dirichlet") if swapped else ("u_dirichlet", "u_neumann")
     sign = 1.0 if swapped else -1.0
+    move, load = float(answer.move), float(answer.load)
+    force = max(load, floor * max(scene.upper.young, scene.lower.young) * move)
+    least, least_energy = max(floor, SMALL_MOVE), max(floor, SMALL_MOVE ** 2)
+    quantities = {"upper displacement": (sign * column(first), answer.u_upper, move, least),
+                  "lower displacement": (sign * column(second), answer.u_lower, move, least)}
     energies = {body["name"]: body["energy"] for body in summary["bodies"]}
-    force = float(max(answer.load, floor * max(scene.upper.young, scene.lower.young) * answer.move))
-    expected = [float(e) for e in answer.energies]
-    move = float(answer.move)
-    least = max(floor, SMALL_MOVE)
-    digits = {"upper displacement": digits_of(sign * column(first), answer.u_upper, move, least),
-              "lower displacement": digits_of(sign * column(second), answer.u_lower, move, least),
-              "contact force": digits_of(-column("nodal_force"), answer.force, force)}
-    for name, energy in zip(("upper", "lower"), expected):
-        digits[f"energy of {name}"] = digits_of([energies[name]], [energy], force * move, max(floor, SMALL_MOVE ** 2))
-    return digits
+    for name, energy in zip(("upper", "lower"), answer.energies):
+        quantities[f"energy of {name}"] = ([energies[name]], [energy], force * move, least_energy)
+    floored = force > load or any(below(*expected) for _, *expected in quantities.values())
+    quantities["contact force"] = (-column("nodal_force"), answer.force, force, 1.0)
+    return {name: digits_of(*quantity) for name, quantity in quantities.items()}, floored
 
 
 def not_finite(folder):
@@ -88,6 +97,12 @@ def not_a_number(folder, summary):
     return not_finite(folder) or ("in the summary" if _holds_null(parts) else "")
 
 
+def without_solution(folder, summary):
+    """Whether a run wrote no solution and says so: no fields, and every number of the solution null."""
+    numbers = [summary["energy"], *(body["energy"] for body in summary["bodies"]), *summary["residuals"].values()]
+    return all(number is None for number in numbers) and not [*folder.glob("*.contact.csv"), *folder.glob("*.e")]
+
+
 def bound_holds(errors):
     """The bound against the error that the run itself measured on a finer mesh."""
     reference_error = errors["reference"]["displacement"] if errors["reference"] else 0.0
@@ -96,14 +111,14 @@ def bound_holds(errors):
 
 def _judge_results(summary, expected, scene, folder, floor):
     contact = list(csv.DictReader((folder / "deck.contact.csv").read_text().splitlines()))
-    digits = compare(expected, scene, contact, summary, floor)
+    digits, floored = compare(expected, scene, contact, summary, floor)
     worst = min(digits, key=digits.get)
     if digits[worst] < FEWEST_DIGITS:
         return Verdict(FINDING, digits[worst], f"silently wrong: {worst} has {digits[worst]:.1f} digits")
     errors = summary["errors"]
     if errors and errors["global"]["guaranteed"] and not bound_holds(errors):
         return Verdict(FINDING, digits[worst], "a guaranteed bound below the error against its reference")
-    return Verdict(RIGHT, digits[worst], worst)
+    return Verdict(RIGHT, digits[worst], worst, floored)
 
 
 def _judge_refusal(said, results_written):
@@ -134,6 +149,8 @@ def judge(run, scene, answer, folder, floor=0.0):
     if run.returncode not in (0, 3):
         return Verdict(FINDING, text=f"exit code {run.returncode}: {_first(run.stderr, '')}")
     summary = json.loads(path.read_text()) if path.exists() else None
+    if run.returncode == 3 and summary and without_solution(folder, summary):
+        return _judge_stop(run.stderr, summary)
     bad = not_a_number(folder, summary)
     if bad:
         return Verdict(FINDING, text=f"not a number: {bad}")

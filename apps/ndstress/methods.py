@@ -5,9 +5,10 @@ import dataclasses
 
 @dataclasses.dataclass(frozen=True)
 class Method:
-    """Lists of the deck, and what it changes in the scene (fields of scenes.Scene)."""
+    """Lists of the deck, what it changes in the scene (fields of scenes.Scene), and on how many ranks it runs."""
     lists: dict
     scene: dict = dataclasses.field(default_factory=dict)
+    ranks: int = 1
 
 
 def sweeps(relaxation, **more):
@@ -32,3 +33,12 @@ METHODS = {
     "certified": Method({**AITKEN, **CERTIFICATE}),
 }
 SHORT_METHODS = ("roles chosen", "Monolithic", "certified")
+# The other degree and several ranks with the methods above: for some values of the rows that ask for them.
+VARIANTS = {
+    "degree 1, Aitken": Method(AITKEN, {"order": 1}),
+    "degree 1, certified": Method({**AITKEN, **CERTIFICATE}, {"order": 1}),
+    "2 ranks": Method(AITKEN, ranks=2),
+    "2 ranks, degree 1": Method(MONOLITHIC, {"order": 1}, ranks=2),
+    "3 ranks, certified": Method({**AITKEN, **CERTIFICATE}, ranks=3),
+}
+SHORT_VARIANTS = ("degree 1, certified", "2 ranks")

@@ -10,6 +10,7 @@ from rows import ROWS
 
 PLAIN = {REFUSED: ("#9aa7b5", "refused"), STOPPED: ("#e8b04a", "stopped, exit code 3"), FINDING: ("#c1121f", FINDING)}
 DIGITS = matplotlib.colormaps["YlGn"]
+FLOORED = "*"
 COLUMNS = 2
 HEAD = 2.2  # lines that a panel needs beside its methods
 
@@ -26,6 +27,15 @@ def colour(result):
     return green((result.verdict.digits - FEWEST_DIGITS) / (MOST_DIGITS - FEWEST_DIGITS))
 
 
+def labels(values):
+    """As few digits as tell all values apart, at least six."""
+    for digits in range(6, 18):
+        texts = [f"{v:.{digits}g}" if isinstance(v, float) else str(v) for v in values]
+        if len(set(texts)) == len(values):
+            break
+    return texts
+
+
 def panel(axes, row, results):
     """One row of the matrix; right results show their digits."""
     methods = list(dict.fromkeys(result.cell.method for result in results))
@@ -34,11 +44,12 @@ def panel(axes, row, results):
         x, y = values.index(result.cell.value), methods.index(result.cell.method)
         axes.add_patch(plt.Rectangle((x, y), 1, 1, facecolor=colour(result), edgecolor="white"))
         if result.verdict.outcome == RIGHT:
-            axes.text(x + 0.5, y + 0.52, f"{result.verdict.digits:.0f}", ha="center", va="center", fontsize=6)
+            text = f"{result.verdict.digits:.0f}" + FLOORED * result.verdict.floored
+            axes.text(x + 0.5, y + 0.52, text, ha="center", va="center", fontsize=6)
     axes.set_xlim(0, len(values))
     axes.set_ylim(len(methods), 0)
     axes.set_xticks([i + 0.5 for i in range(len(values))])
-    axes.set_xticklabels([f"{v:g}" if isinstance(v, float) else str(v) for v in values], fontsize=6)
+    axes.set_xticklabels(labels(values), fontsize=6)
     axes.set_yticks([i + 0.5 for i in range(len(methods))])
     axes.set_yticklabels(methods, fontsize=6)
     axes.tick_params(length=0)
@@ -72,5 +83,7 @@ def draw(results, path):
             panel(figure.add_axes(box), ROWS[row], found)
     handles = [Patch(color=green(s), label=f"right, {FEWEST_DIGITS + s * (MOST_DIGITS - FEWEST_DIGITS):.0f} digits")
                for s in (0.0, 0.5, 1.0)] + [Patch(color=c, label=name) for c, name in PLAIN.values()]
+    handles.append(plt.Line2D([], [], linestyle="none", marker=f"${FLOORED}$", color="black",
+                              label="digits counted from a floor"))
     figure.legend(handles=handles, loc="upper center", ncol=len(handles), fontsize=8, frameon=False)
     figure.savefig(path)

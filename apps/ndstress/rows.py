@@ -12,7 +12,8 @@ from scenes import lifting, pressed
 @dataclasses.dataclass(frozen=True)
 class Row:
     """make(value) is the scene; `settings(value)` what the deck gets beside the method's; short: values of the short
-    form; must: outcome demanded of some values; floor: see judge.compare; methods: names, all when empty."""
+    form; must: outcome demanded of some values; floor: see judge.compare; methods: names, all when empty; variants:
+    values that also run with the methods VARIANTS; in the short form the first that is in `short`, with few."""
     name: str
     values: tuple
     make: object
@@ -23,6 +24,7 @@ class Row:
     methods: tuple = ()
     floor: float = 0.0
     answer: object = reference.solve
+    variants: tuple = ()
 
 
 def powers(*exponents):
@@ -79,6 +81,29 @@ def touching(excess):
     return dataclasses.replace(scene, upper=upper)
 
 
+def idle(gap):
+    """A block that nothing but contact would hold, without any load."""
+    return with_gap(scenes.loaded(pressed(), 0.0), gap)
+
+
+def idle_answer(scene):
+    """Bodies that touch may rest; how far a block without load is from the other one, nothing decides."""
+    if any(scene.gap):
+        raise reference.Unheld
+    return reference.solve(scene)
+
+
+def sideways(cells):
+    """A block that nothing but contact would hold vertically, pressed only sideways: no force presses it on the lower
+    body, so any height at which it does not penetrate is as good as another."""
+    scene = pressed(cells)
+    return dataclasses.replace(scene, upper=dataclasses.replace(scene.upper, pressures={"right": (1.0,)}))
+
+
+def undecided(scene):
+    raise reference.Unheld
+
+
 def strip(nodes):
     """Two strips of square cells in uniform compression with so many contact nodes."""
     n = nodes - 1
@@ -118,6 +143,7 @@ def processes(value):
     return int(value.split()[1])
 
 
+FORCE_FLOOR = 1e-7  # docs/stability.md says why
 RATIOS = powers(-8, -6, -4, -3, -2, -1, 0, 1, 2, 3, 4, 6, 8)
 UNITS = powers(-12, -9, -6, -3, 0, 3, 6, 9, 12)
 ASPECTS = powers(-4, -3, -2, -1, 0, 1, 2, 3, 4)
@@ -127,31 +153,44 @@ LOADS = (0.0,) + powers(-300, -200, -150, -100, -30, 0, 30, 100, 150, 200, 300)
 GAPS = (-1.0, -1e-12, 0.0) + powers(-12, -6, -3, -1, 0, 1)
 OVERLAP = {-1.0: "refused", -1e-12: "refused"}
 SLOPES = (0.0, 3.0, 5.0, 5.9, 5.999999, 6.0, 6.000001, 6.1, 12.0)
+EXCESSES = (-1e-6, -1e-12, 0.0, 1e-15, 1e-14, 1e-13, 1e-12, 1e-10, 1e-8, 1e-6)
+SIDEWAYS = tuple(range(4, 14))
 THETAS = (1e-3, 1e-2, 0.1, 0.5, 0.9, 1.1, 1.5, 1.9, 1.99)
 
 ROWS = [
-    Row("stiffness ratio, all closed", RATIOS, lambda v: with_ratio(pressed(), v), (1e-8, 1e-1, 1e8)),
+    Row("stiffness ratio, all closed", RATIOS, lambda v: with_ratio(pressed(), v), (1e-8, 1e-1, 1e8),
+        variants=powers(-1, -8, -2, 3, 8)),
     Row("stiffness ratio, opening", RATIOS, lambda v: with_ratio(lifting(), v), (1e-8, 1e3)),
-    Row("unit of length", UNITS, lambda v: scenes.scaled(lifting(), v, 1.0), (1e-12, 1e12)),
-    Row("unit of stress", UNITS, lambda v: scenes.scaled(lifting(), 1.0, v), (1e-12, 1e12)),
+    Row("unit of length", UNITS, lambda v: scenes.scaled(lifting(), v, 1.0), (1e-12, 1e12),
+        variants=powers(12, -12)),
+    Row("unit of stress", UNITS, lambda v: scenes.scaled(lifting(), 1.0, v), (1e-12, 1e12),
+        variants=powers(-9, 9)),
     Row("Poisson ratio", (-0.99, -0.5, 0.0, 0.3, 0.49, 0.499, 0.4999, 0.49999, 0.499999),
-        lambda v: with_poisson(lifting(), v), (-0.99, 0.499999)),
-    Row("aspect ratio", ASPECTS, lambda v: pressed().moved(lambda x, y: (x, y * v)), (1e-4, 1e4)),
+        lambda v: with_poisson(lifting(), v), (-0.99, 0.499999),
+        variants=(0.499999, 0.49, -0.99)),
+    Row("aspect ratio", ASPECTS, lambda v: pressed().moved(lambda x, y: (x, y * v)), (1e-4, 1e4),
+        variants=powers(-3, -2, 2, 3)),
     Row("aspect ratio, opening", ASPECTS, lambda v: lifting().moved(lambda x, y: (x, y * v)), (1e-3,)),
     Row("area of a sliver", SLIVERS, lambda v: with_sliver(pressed(), v), (1e-6, 1e-14, 0.0, -1e-14), FLAT),
     Row("size of the upper body", powers(-3, -2, -1, 0), with_sizes, (1e-3,)),
     Row("coordinates + ...", powers(0, 2, 4, 6, 8, 10, 12, 15), lambda v: scenes.shifted(lifting(), v), (1e6, 1e15)),
-    Row("starting gap, opening", GAPS, lambda v: with_gap(lifting(), v), (-1e-12, 1e-3, 1e1), OVERLAP),
-    Row("starting gap, floating", GAPS, lambda v: with_gap(pressed(), v), (1e-12, 1e1), OVERLAP),
+    Row("starting gap, opening", GAPS, lambda v: with_gap(lifting(), v), (-1e-12, 1e-3, 1e1), OVERLAP,
+        variants=(1e-3, -1.0, 1e-12, 1e1)),
+    Row("starting gap, floating", GAPS, lambda v: with_gap(pressed(), v), (1e-12, 1e1), OVERLAP,
+        variants=(0.0, 1e-3)),
     Row("one point of contact: gap v x^2", powers(-6, -3, -1, 0, 2, 4), lambda v: with_gap(pressed(), 0.0, 0.0, v),
         (1e0, 1e4)),
     Row("held by contact alone: slope", SLOPES, tipping, (3.0, 6.0, 6.1), {6.1: "stopped", 12.0: "stopped"}),
     Row("load times", LOADS, lambda v: scenes.loaded(lifting(), v), (0.0, 1e-300, 1e-30, 1e30, 1e300)),
     Row("load times, floating", LOADS, lambda v: scenes.loaded(pressed(), v), (0.0, 1e-300, 1e300)),
+    Row("zero load, floating: gap", (0.0, 1e-6, 1.0), idle, (0.0, 1.0), {1e-6: "stopped", 1.0: "stopped"},
+        answer=idle_answer),
+    Row("sideways load, floating: cells", SIDEWAYS, sideways, (5,), {cells: "stopped" for cells in SIDEWAYS},
+        answer=undecided),
     Row("pulled off: load times", (-1.0, -1e-6), lambda v: scenes.loaded(pressed(), v), (-1.0,),
         {-1.0: "stopped", -1e-6: "stopped"}),
     Row("numbering", tuple(range(1, 9)), lambda v: scenes.renumbered(lifting(), v), (1,)),
-    Row("just touching: excess", (-1e-6, -1e-12, 0.0, 1e-15, 1e-12, 1e-6), touching, (0.0, 1e-6), floor=1e-7),
+    Row("just touching: excess", EXCESSES, touching, (0.0, 1e-6), floor=FORCE_FLOOR),
     Row("interface nodes", (2, 11, 101, 1001, 10001, 100001), strip, (2, 101), answer=strip_answer,
         methods=("Aitken", "Monolithic")),
     Row("one interface node", (1,), lambda v: one_node(), (1,)),

@@ -2,7 +2,7 @@
 
 import shutil
 
-from .case import GOLD_FILES
+from .case import GOLD_FILES, REQUIRED_FILES
 from .run_case import OK, written
 
 
@@ -28,7 +28,8 @@ def bless(runner, case, say):
 
 def replace_gold(case, found):
     for name in GOLD_FILES:
-        if name in found:
-            shutil.copyfile(found[name], case.folder / name)
-        else:
-            (case.folder / name).unlink(missing_ok=True)
+        gold = case.folder / name
+        if name not in found:
+            gold.unlink(missing_ok=True)
+        elif name in REQUIRED_FILES or gold.exists():
+            shutil.copyfile(found[name], gold)

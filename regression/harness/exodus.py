@@ -7,7 +7,7 @@ import numpy
 
 from .errors import UsageError
 
-# Kind of variable -> name of its names, name of its values.
+# Kind of variable -> name of its names, name of its values; of those with parts also their truth table.
 VARIABLES = {
     "global": ("name_glo_var", "vals_glo_var"),
     "nodal": ("name_nod_var", "vals_nod_var{variable}"),
@@ -17,11 +17,23 @@ VARIABLES = {
 }
 
 
+TRUTH_TABLES = {"element": "elem_var_tab", "side set": "sset_var_tab", "node set": "nset_var_tab"}
+
+
+@dataclasses.dataclass(frozen=True)
+class Entity:
+    """A block or set: its number in the file, from 1, its id, and its status, 0 if the file calls it empty."""
+
+    number: int
+    id: int
+    status: int
+
+
 @dataclasses.dataclass(frozen=True)
 class Block:
     """Elements of one type; `nodes` [elements, nodes of an element] counts from 0, `first` elements come before it."""
 
-    number: int  # in the file, from 1
+    entity: Entity
     type: str
     nodes: numpy.ndarray
     first: int
@@ -31,14 +43,14 @@ class Block:
 class SideSet:
     """Facets by their element (from 0, over all blocks) and Exodus's number of the side (from 1)."""
 
-    number: int
+    entity: Entity
     elements: numpy.ndarray
     sides: numpy.ndarray
 
 
 @dataclasses.dataclass(frozen=True)
 class NodeSet:
-    number: int
+    entity: Entity
     nodes: numpy.ndarray
 
 
@@ -62,9 +74,9 @@ class Exodus:
     def _read_mesh(self):
         self.points = self._points()
         self.blocks = self._blocks()
-        self.side_sets = {name: self._side_set(number) for name, number in self._entities("ss", "side set")}
-        self.node_sets = {name: NodeSet(number, self._numbers(f"node_ns{number}"))
-                          for name, number in self._entities("ns", "node set")}
+        self.side_sets = {name: self._side_set(entity) for name, entity in self._entities("ss", "side set")}
+        self.node_sets = {name: NodeSet(entity, self._numbers(f"node_ns{entity.number}"))
+                          for name, entity in self._entities("ns", "node set")}
         self.times = numpy.array(self.data["time_whole"][:] if "time_whole" in self.data.variables else [])
 
     def __enter__(self):
@@ -87,6 +99,11 @@ class Exodus:
         if kind == "nodal" and "vals_nod_var" in self.data.variables:  # files of the small model
             return self.data["vals_nod_var"][:, index]
         return None
+
+    def declared(self, kind, name, part):
+        """Whether the truth table says that a variable is there on a block or set; without a table it is on all."""
+        table = self.data.variables.get(TRUTH_TABLES.get(kind))
+        return table is None or bool(table[part - 1, self.variables(kind).index(name)])
 
     def block_of(self, element):
         return next(block for block in self.blocks.values() if block.first <= element < block.first + len(block.nodes))
@@ -111,12 +128,14 @@ class Exodus:
         return [row.tobytes().split(b"\0")[0].decode("utf-8", "replace").strip() for row in rows]
 
     def _entities(self, prefix, what):
-        """(name, number in the file) of the blocks or sets; those without a name are called by their id."""
+        """(name, Entity) of the blocks or sets; those without a name are called by their id."""
         if f"{prefix}_prop1" not in self.data.variables:
             return []
-        ids = self.data[f"{prefix}_prop1"][:]
+        ids = self.data[f"{prefix}_prop1"][:].tolist()
         names = self._names(f"{prefix}_names") or [""] * len(ids)
-        return [(name or f"{what} {id_}", i + 1) for i, (name, id_) in enumerate(zip(names, ids))]
+        status = self.data.variables.get(f"{prefix}_status", [1] * len(ids))[:]
+        return [(name or f"{what} {id_}", Entity(i, id_, int(filled)))
+                for i, (name, id_, filled) in enumerate(zip(names, ids, status), 1)]
 
     def _numbers(self, variable):
         """Numbers from 1 as numbers from 0; none when the file leaves them out, as it does for empty sets."""
@@ -124,12 +143,14 @@ class Exodus:
 
     def _blocks(self):
         blocks, first = {}, 0
-        for name, number in self._entities("eb", "block"):
-            nodes = self._numbers(f"connect{number}")
-            kind = getattr(self.data[f"connect{number}"], "elem_type", "") if nodes.size else ""
-            blocks[name] = Block(number, kind, nodes.reshape(len(nodes), -1), first)
+        for name, entity in self._entities("eb", "block"):
+            connect = f"connect{entity.number}"
+            nodes = self._numbers(connect)
+            kind = getattr(self.data[connect], "elem_type", "") if nodes.size else ""
+            blocks[name] = Block(entity, kind, nodes.reshape(len(nodes), -1), first)
             first += len(nodes)
         return blocks
 
-    def _side_set(self, number):
-        return SideSet(number, self._numbers(f"elem_ss{number}"), self._numbers(f"side_ss{number}") + 1)
+    def _side_set(self, entity):
+        number = entity.number
+        return SideSet(entity, self._numbers(f"elem_ss{number}"), self._numbers(f"side_ss{number}") + 1)

@@ -17,12 +17,22 @@ def diff_exodus(gold_path, new_path, tolerances=EXODUS_DEFAULTS):
     """The report of all differences; raises UsageError for files that cannot be read."""
     report = Report()
     with Exodus(gold_path) as gold, Exodus(new_path) as new:
-        report.missing("block", gold.blocks, new.blocks)
-        report.missing("side set", gold.side_sets, new.side_sets)
-        report.missing("node set", gold.node_sets, new.node_sets)
+        for what in ("block", "side set", "node set"):
+            compare_entities(what, *(getattr(file, what.replace(" ", "_") + "s") for file in (gold, new)), report)
         match = MeshMatch(gold, new, tolerances.of("coordinates"), report)
         FieldDiff(gold, new, match, tolerances, report).run()
     return report
+
+
+def compare_entities(what, gold, new, report):
+    """Blocks or sets by their names: which there are, their ids and statuses."""
+    report.missing(what, gold, new)
+    for name in gold:
+        if name in new:
+            for key in ("id", "status"):
+                values = [getattr(entities[name].entity, key) for entities in (gold, new)]
+                if values[0] != values[1]:
+                    report.say(f"{what} {name} has {key} {values[0]} in GOLD, {values[1]} in NEW")
 
 
 class FieldDiff:
@@ -71,7 +81,8 @@ class FieldDiff:
             }[kind]
             for name, numbers in places.items():
                 if numbers is not None:
-                    yield name, of_gold[name].number, of_new[name].number, numbers, lambda i, n=name: where(n, i)
+                    entities = of_gold[name].entity, of_new[name].entity
+                    yield name, *(one.number for one in entities), numbers, lambda i, n=name: where(n, i)
 
     def _element_place(self, name, i):
         element = self.gold.blocks[name].first + i
@@ -94,6 +105,9 @@ class FieldDiff:
 
     def _compare_variable(self, kind, name, scale):
         for part, gold_number, new_number, places, where in self._parts(kind):
+            declared = [[part] * file.declared(kind, name, number)
+                        for file, number in ((self.gold, gold_number), (self.new, new_number))]
+            self.report.missing(f"{kind} variable {name} in the truth table on", *declared)
             gold, new = self.gold.values(kind, name, gold_number), self.new.values(kind, name, new_number)
             if gold is None or new is None:
                 holders = [[part] * (values is not None) for values in (gold, new)]

@@ -6,13 +6,7 @@ Nodes that agree in both are paired in the order of their numbers.
 
 import numpy
 
-# Corners of a side, by the beginning of the element's type and the number of its corners.
-SIDES = {
-    "TRI": ((0, 1), (1, 2), (2, 0)),
-    "TET": ((0, 1, 3), (1, 2, 3), (0, 2, 3), (0, 1, 2)),
-    "QUA": ((0, 1), (1, 2), (2, 3), (3, 0)),
-    "HEX": ((0, 1, 5, 4), (1, 2, 6, 5), (2, 3, 7, 6), (0, 4, 7, 3), (0, 3, 2, 1), (4, 5, 6, 7)),
-}
+from .elements import canonical, sides_of
 
 
 class MeshMatch:
@@ -78,13 +72,21 @@ class MeshMatch:
         gold_order, new_order = numpy.lexsort(gold_rows.T), numpy.lexsort(new_rows.T)
         unequal = (gold_rows[gold_order] != new_rows[new_order]).any(axis=1)
         if unequal.any():
-            element = gold_order[numpy.argmax(unequal)]
-            centre = self.gold.points[gold.nodes[element]].mean(axis=0)
-            report.say(f"block {name} has other elements, the first: " + place("element", gold.first + element, centre))
+            self._say_elements(name, "other elements", gold_order[unequal], report)
             return False
         self.elements[name] = numpy.empty(len(gold.nodes), int)
         self.elements[name][gold_order] = new_order
+        turned = canonical(gold.type, self.nodes[gold.nodes]) != canonical(new.type, new.nodes)[self.elements[name]]
+        if turned.any():
+            self._say_elements(name, "elements with their nodes in another order", turned.any(axis=1).nonzero()[0],
+                               report)
         return True
+
+    def _say_elements(self, name, what, elements, report):
+        block = self.gold.blocks[name]
+        centre = self.gold.points[block.nodes[elements[0]]].mean(axis=0)
+        report.say(f"block {name} has {what}, {len(elements)} of {len(block.nodes)}, the first: "
+                   + place("element", block.first + elements[0], centre))
 
     def _match_sets(self, report):
         for kind, result, keys in (("side_sets", self.facets, self._facet_keys),
@@ -100,7 +102,7 @@ class MeshMatch:
         keys = []
         for element, side in zip(side_set.elements, side_set.sides):
             nodes = number[file.nodes_of(element)]
-            corners = SIDES.get(file.block_of(element).type[:3].upper())
+            corners = sides_of(file.block_of(element).type)
             on_side = sorted(nodes[list(corners[side - 1])]) if corners and side <= len(corners) else [side]
             keys.append((*sorted(nodes), *on_side))
         return keys

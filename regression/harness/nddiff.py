@@ -3,23 +3,28 @@
 import argparse
 import sys
 
+from .contact_diff import diff_contact
 from .errors import UsageError
 from .exodus_diff import EXODUS_DEFAULTS, diff_exodus
 from .summary_diff import IGNORED, SUMMARY_DEFAULTS, diff_summary
 from .tolerance import RULES, parse_rule, read_toml, tables_of
 
-DESCRIPTION = "Compares two Exodus files, two NAME.summary.json, or two NAME.study.csv of ndframe."
+DESCRIPTION = "Compares two Exodus files, NAME.summary.json, NAME.study.csv or NAME.contact.csv of ndframe."
 
 EPILOG = f"""\
-Exodus files: blocks, side sets, node sets (by their names), steps, coordinates and all variables. Where nodes or
-elements are numbered differently, as by another partition, they are matched by position. Rules go by the names of
-variables, and by `coordinates` and `time`; without one: scaled 1e-9.
+Exodus files: blocks, side sets, node sets (by their names; ids, statuses and truth tables too), steps, coordinates and
+all variables. Where nodes or elements are numbered differently, as by another partition, they are matched by position;
+an element may begin at another corner, but not be turned inside out. Rules go by the names of variables, and by
+`coordinates` and `time`; without one: scaled 1e-9.
+
+Contact tables (files ending in contact.csv): rows are matched by interface and position, columns have the rules of an
+Exodus file; u_dirichlet, u_neumann and gap have one scale, so have the tractions.
 
 Summaries (files ending in .json): every leaf, by its path, e.g. interfaces/contact/contact_force. Numbers without a
 rule: relative 1e-9; words, verdicts and whole numbers such as the ledger's counts must be equal. Ignored:
   {', '.join(IGNORED)};
 parameters that only NEW's effective deck has. A study's table is compared like a summary, by the number of the case and
-the name of the column, e.g. 3/energy.
+the name of the column, e.g. 3/energy; any other table (.csv) by the number of the row.
 
 {RULES}
 The patterns know * and ?; the last one that matches a name holds, options after the file. A file of rules is TOML:
@@ -35,6 +40,8 @@ Exit codes: 0 the same, 1 different, 2 wrong usage or a file that cannot be read
 
 def differ(gold, new, rules):
     """The report on two files; `rules` has lists under `exodus` and `summary` that follow the defaults."""
+    if str(gold).endswith("contact.csv"):
+        return diff_contact(gold, new, EXODUS_DEFAULTS.with_rules(rules["exodus"]))
     if str(gold).endswith((".json", ".csv")):
         return diff_summary(gold, new, SUMMARY_DEFAULTS.with_rules(rules["summary"]))
     return diff_exodus(gold, new, EXODUS_DEFAULTS.with_rules(rules["exodus"]))

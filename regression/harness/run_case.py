@@ -8,7 +8,7 @@ import signal
 import subprocess
 import time
 
-from .case import GOLD_FILES
+from .case import GOLD_FILES, REQUIRED_FILES
 from .errors import UsageError
 from .nddiff import differ
 
@@ -86,7 +86,7 @@ class Runner:
         status, details = self.judge_end(case, code, outputs)
         if status != OK:
             return status, details
-        if not case.gold() and written(outputs):
+        if not case.gold() and REQUIRED_FILES.keys() & written(outputs):
             return NO_GOLD, "a new case? --bless makes its gold files"
         reports = self.reports(case, ranks, outputs)
         (outputs / "diff.txt").write_text("\n".join(reports) + "\n")
@@ -113,7 +113,7 @@ class Runner:
                 texts += self._difference(gold, new, self.rules_of(case, ranks))
             elif gold.exists():
                 texts.append(f"{name} has no counterpart: the run did not write it")
-            elif new is not None:
+            elif new is not None and name in REQUIRED_FILES:
                 texts.append(f"{new.name} was written, but there is no {name}")
         return texts
 
@@ -138,8 +138,8 @@ def written(outputs):
 
 
 def strays(outputs):
-    """Names of the files that a run left which have no gold counterpart, such as the contact table."""
-    endings = ("screen.txt", "errors.txt", *GOLD_FILES.values())
+    """Names of the files that a run left which need no gold counterpart, such as the contact table."""
+    endings = ("screen.txt", "errors.txt", *REQUIRED_FILES.values())
     return [path.name for path in sorted(outputs.iterdir()) if not path.name.endswith(endings)]
 
 

@@ -43,8 +43,14 @@ def read(path):
 
 
 def table(file):
-    """case -> column -> number, text or, where the case has no such number, None."""
-    return {row.pop("case", None): {name: value_of(text) for name, text in row.items()} for row in csv.DictReader(file)}
+    """case -> column -> number, text or, where the case has no such number, None; a table without cases counts rows."""
+    found = {}
+    for number, row in enumerate(csv.DictReader(file), 1):
+        case = row.pop("case", str(number))
+        if case in found:
+            raise ValueError(f"it has two rows of the case {case}")
+        found[case] = {name: value_of(text) for name, text in row.items()}
+    return found
 
 
 def value_of(text):
@@ -57,11 +63,13 @@ def value_of(text):
 
 
 def leaves(node, path=""):
-    """(path, value) of every leaf; entries of a list go by their "name", as in the quantities of the list Expect."""
+    """(path, value) of every leaf; entries of a list go by their "name", as in the quantities of the list Expect, or by
+    their place where these are not all different."""
     if isinstance(node, dict) and node:
         entries = node.items()
     elif isinstance(node, list) and node:
-        entries = ((entry.get("name", i) if isinstance(entry, dict) else i, entry) for i, entry in enumerate(node))
+        names = [entry.get("name", i) if isinstance(entry, dict) else i for i, entry in enumerate(node)]
+        entries = zip(names if len(set(names)) == len(names) else range(len(node)), node)
     else:
         yield path, node
         return

@@ -16,8 +16,9 @@ from bench import analysis, campaign, page, references, targets, truth
 from bench.child import cost_of
 
 
-def timed(method, seconds, error):
-    return {"scene": "s", "method": method, "cells": 1, "dofs": 10, "seconds": seconds, "error_high": error}
+def timed(method, seconds, error, spread=0.0):
+    return {"scene": "s", "method": method, "cells": 1, "dofs": 10, "seconds": seconds, "error_high": error,
+            "seconds_least": seconds - spread, "seconds_most": seconds + spread}
 
 
 class Analysis(unittest.TestCase):
@@ -33,6 +34,19 @@ class Analysis(unittest.TestCase):
         residuals = [math.log(y / (factor * x**exponent)) for x, y in points]
         self.assertAlmostEqual(sum(residuals), 0, 12)
         self.assertAlmostEqual(sum(r * math.log(x) for r, (x, _) in zip(residuals, points)), 0, 12)
+
+    def test_the_start_does_not_flatter_the_exponent(self):
+        points = [(x, 0.08 + 3e-6 * x**1.25) for x in (1e3, 1e4, 1e5)]
+        whole, without_start = analysis.exponents(points, 0.08)
+        self.assertLess(whole, 1.0)
+        self.assertAlmostEqual(without_start, 1.25, 12)
+        self.assertEqual(analysis.exponents([(1, 0.01), (2, 0.02), (3, 0.09)], 0.08)[1], None)
+
+    def test_settings_within_the_spread_of_the_repetitions_are_a_tie(self):
+        for spread, is_tie in ((0.02, False), (0.06, True)):
+            rows = [timed("a", 1.0, 0.3, spread), timed("b", 1.1, 0.3, spread)]
+            self.assertEqual([analysis.tied(*rows), analysis.tied(*rows[::-1])], [is_tie] * 2)
+            self.assertEqual("b, 1 cells: 1.1 s (tie) |" in page.fastest_table(rows), is_tie)
 
     def test_median_ignores_what_does_not_exist(self):
         self.assertEqual(analysis.median([3, None, 1, 10]), 3)

@@ -37,3 +37,13 @@ class Called(unittest.TestCase):
         code, _, errors = self.call(*arguments)
         self.assertEqual(code, 2)
         self.assertIn(words, errors)
+
+
+class Comparison(Called):
+    """Calls nddiff; its package is on the path of whoever runs the test."""
+
+    @staticmethod
+    def program(arguments):
+        from harness.nddiff import main
+
+        return main(arguments)

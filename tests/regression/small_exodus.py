@@ -48,6 +48,21 @@ class SmallExodus:
         self.side = {"pressure": {name: numpy.array([[t + 0.5 * i for i in range(len(sides))] for t in times])
                                   for name, sides in self.side_sets.items()}}
         self.globals = {"energy": numpy.array(times) * 3}
+        self.side_set_ids = list(range(1, len(SIDE_SETS) + 1))
+        self.side_set_status = [1] * len(SIDE_SETS)
+        self.truth_table = [[1], [1]]  # blocks x element variables
+
+    def add_middles(self):
+        """Six nodes an element, the new ones in the middle of its edges."""
+        middles = {}
+        for row in [row for rows in self.blocks.values() for row in rows]:
+            for a, b in ((0, 1), (1, 2), (2, 0)):
+                ends = tuple(sorted((row[a], row[b])))
+                row.append(middles.setdefault(ends, len(self.points) + len(middles) + 1))
+        ends = numpy.array(list(middles)) - 1
+        self.points = numpy.vstack([self.points, self.points[ends].mean(axis=1)])
+        self.nodal = {name: numpy.outer(self.times, values) for name, values in fields(self.points).items()}
+        return self
 
     def write(self, path):
         with netCDF4.Dataset(path, "w", format="NETCDF3_64BIT_OFFSET") as data:
@@ -68,13 +83,14 @@ class SmallExodus:
         put(data, "eb_prop1", "i4", ("num_el_blk",), range(1, len(self.blocks) + 1))
         for i, rows in enumerate(self.blocks.values(), 1):
             data.createDimension(f"num_el_in_blk{i}", len(rows))
-            data.createDimension(f"num_nod_per_el{i}", 3)
+            data.createDimension(f"num_nod_per_el{i}", len(rows[0]))
             put(data, f"connect{i}", "i4", (f"num_el_in_blk{i}", f"num_nod_per_el{i}"), rows)
-            data[f"connect{i}"].elem_type = "TRI3"
+            data[f"connect{i}"].elem_type = f"TRI{len(rows[0])}"
 
     def _write_sets(self, data):
         put_names(data, "ss_names", "num_side_sets", list(self.side_sets))
-        put(data, "ss_prop1", "i4", ("num_side_sets",), range(1, len(self.side_sets) + 1))
+        put(data, "ss_prop1", "i4", ("num_side_sets",), self.side_set_ids[: len(self.side_sets)])
+        put(data, "ss_status", "i4", ("num_side_sets",), self.side_set_status[: len(self.side_sets)])
         for i, sides in enumerate(self.side_sets.values(), 1):
             data.createDimension(f"num_side_ss{i}", len(sides))
             for column, name in enumerate(("elem", "side")):
@@ -98,3 +114,4 @@ class SmallExodus:
             for v, values in enumerate(kind.values(), 1):
                 for i, name in enumerate(parts, 1):
                     put(data, f"vals_{suffix.format(v)}{i}", "f8", ("time_step", f"{dimension}{i}"), values[name])
+        put(data, "elem_var_tab", "i4", ("num_el_blk", "num_elem_var"), self.truth_table)

@@ -1,6 +1,5 @@
-"""nddiff on files altered on purpose: test_nddiff.py REGRESSION."""
+"""nddiff on Exodus files altered on purpose: test_nddiff.py REGRESSION."""
 
-import json
 import pathlib
 import sys
 import unittest
@@ -11,17 +10,12 @@ import numpy
 REGRESSION = pathlib.Path(sys.argv[1]).resolve()
 sys.path[:0] = [str(REGRESSION), str(pathlib.Path(__file__).parent)]
 
-from called import Called  # noqa: E402
-from harness.nddiff import main  # noqa: E402
+from called import Comparison  # noqa: E402
+from harness import elements  # noqa: E402
 from small_exodus import SmallExodus  # noqa: E402
 
 NAN = float("nan")
 PERMUTED = {"nodes": (7, 2, 5, 0, 8, 4, 1, 6, 3), "elements": ((2, 0, 1), (1, 0))}
-
-
-class Comparison(Called):
-    program = staticmethod(main)
-
 
 class ExodusFiles(Comparison):
     def setUp(self):
@@ -158,6 +152,36 @@ class ExodusFiles(Comparison):
         self.new_file.blocks["upper"][:2] = [[1, 2, 3], [2, 4, 3]]
         self.different("block upper has other elements")
 
+    def test_nodes_of_an_element_in_another_order_fail(self):
+        orders = {"middles exchanged": (0, 1, 2, 4, 3, 5), "middles turned": (0, 1, 2, 4, 5, 3),
+                  "inside out": (0, 2, 1, 5, 4, 3), "corners turned": (1, 2, 0, 3, 4, 5)}
+        for what, order in orders.items():
+            for rows in (slice(0, 1), slice(None)):
+                with self.subTest(what, rows=rows):
+                    self.gold_file, self.new_file = SmallExodus().add_middles(), SmallExodus().add_middles()
+                    block = self.new_file.blocks["upper"]
+                    block[rows] = [[row[i] for i in order] for row in block[rows]]
+                    self.different("block upper has elements with their nodes in another order")
+
+    def test_an_element_begun_at_another_corner_is_the_same(self):
+        self.gold_file, self.new_file = SmallExodus().add_middles(), SmallExodus(**PERMUTED).add_middles()
+        self.same()
+        for rows in self.new_file.blocks.values():
+            rows[:] = [[row[i] for i in (1, 2, 0, 4, 5, 3)] for row in rows]
+        sides = {"contact:upper": [(2, 3)], "contact:lower": [(4, 2)], "upper:right": [(1, 3), (1, 1)]}
+        self.new_file.side_sets = sides  # the same facets by the new corners
+        self.same()
+
+    def test_ids_statuses_and_truth_tables_are_compared(self):
+        for change, words in (
+            (lambda file: file.side_set_ids.__setitem__(1, 7), "side set contact:lower has id 2 in GOLD, 7 in NEW"),
+            (lambda file: file.side_set_status.__setitem__(0, 0), "contact:upper has status 1 in GOLD, 0 in NEW"),
+            (lambda file: file.truth_table[1].__setitem__(0, 0), "stress_xx in the truth table on lower is missing"),
+        ):
+            self.new_file = SmallExodus()
+            change(self.new_file)
+            self.different(words)
+
     def test_a_missing_block_fails(self):
         self.new_file.blocks["other"] = self.new_file.blocks.pop("lower")
         values = self.new_file.element["stress_xx"]
@@ -191,89 +215,31 @@ class ExodusFiles(Comparison):
         self.assert_refused("exodus and summary", gold, new, "--tolerances", self.folder / "rules.toml")
 
 
-SUMMARY = {
-    "version": "0.1.0", "ranks": 1, "deck": {"Title": "t", "Order": 2},
-    "bodies": [{"name": "punch", "energy": 0.9, "solver": "Cholmod"}], "coupling": None,
-    "errors": {"guaranteed": True, "absolute": 0.08},
-    "ledger": {"counts": {"sweeps": 6, "bytes written": 10}, "total_seconds": 0.5, "peak_bytes": 7,
-               "stages": [{"name": "read", "seconds": 0.1, "peak_bytes": 5}]},
+CORNERS = {
+    "TRI": [(0, 0), (1, 0), (0, 1)],
+    "TETRA": [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1)],
+    "QUAD": [(0, 0), (1, 0), (1, 1), (0, 1)],
+    "HEX": [(0, 0, 0), (1, 0, 0), (1, 1, 0), (0, 1, 0), (0, 0, 1), (1, 0, 1), (1, 1, 1), (0, 1, 1)],
 }
 
 
-class Summaries(Comparison):
-    def pair(self, change):
-        """The summary and its copy after `change(copy)`."""
-        gold, new = self.folder / "gold.json", self.folder / "new.json"
-        copy = json.loads(json.dumps(SUMMARY))
-        change(copy)
-        gold.write_text(json.dumps(SUMMARY))
-        new.write_text(json.dumps(copy))
-        return gold, new
+class ElementTypes(unittest.TestCase):
+    def test_rotations_keep_shape_and_orientation_and_there_are_no_others(self):
+        for (kind, corners), count, edges in zip(CORNERS.items(), (3, 12, 4, 24), (3, 6, 4, 12)):
+            corners = numpy.array(corners, float)
+            middles = [corners[list(ends)].mean(axis=0) for ends in elements.EDGES[kind[:3]]]
+            points = numpy.vstack([corners, middles, [corners.mean(axis=0)]])
+            orders = elements.rotations(kind, len(points))
+            self.assertEqual((len(set(orders)), len(middles)), (count, edges))
+            extended = numpy.column_stack([points, numpy.ones(len(points))])
+            for order in orders:  # an affine map without reflection takes every node to that in its place
+                affine = numpy.linalg.lstsq(extended, points[list(order)], rcond=None)[0]
+                self.assertLess(numpy.abs(extended @ affine - points[list(order)]).max(), 1e-14)
+                self.assertGreater(numpy.linalg.det(affine[:-1]), 0.5)
 
-    def test_what_differs_from_run_to_run_is_ignored(self):
-        def change(new):
-            new.update(version="0.2.0", ranks=3)
-            new["ledger"].update(total_seconds=1.0, peak_bytes=9)
-            new["ledger"]["counts"]["bytes written"] = 11
-            new["ledger"]["stages"][0].update(seconds=0.2, peak_bytes=6)
-        self.assert_success(*self.pair(change))
-
-    def test_a_number_differs_by_its_path(self):
-        pair = self.pair(lambda new: new["bodies"][0].update(energy=0.9 + 1e-8))
-        self.assert_failure("bodies/punch/energy", *pair)
-        self.assert_success(*pair, "--set", "bodies/*/energy=relative 1e-7")
-        self.assert_success(*self.pair(lambda new: new["bodies"][0].update(energy=numpy.nextafter(0.9, 1))))
-
-    def test_counts_are_exact_unless_a_rule_names_them(self):
-        pair = self.pair(lambda new: new["ledger"]["counts"].update(sweeps=7))
-        self.assert_failure(["ledger/counts/sweeps", "6", "7"], *pair)
-        self.assert_failure("ledger/counts/sweeps", *pair, "--set", "default=relative 0.5")
-        self.assert_success(*pair, "--set", "ledger/counts/*=absolute 1")
-
-    def test_words_and_verdicts_are_exact(self):
-        self.assert_failure("Mumps", *self.pair(lambda new: new["bodies"][0].update(solver="Mumps")))
-        self.assert_failure("errors/guaranteed", *self.pair(lambda new: new["errors"].update(guaranteed=False)))
-        self.assert_failure("errors/guaranteed", *self.pair(lambda new: new["errors"].update(guaranteed=1)))
-
-    def test_missing_and_extra_entries_fail(self):
-        self.assert_failure("entry errors/absolute is missing", *self.pair(lambda new: new["errors"].pop("absolute")))
-        self.assert_failure("entry errors/more is extra", *self.pair(lambda new: new["errors"].update(more=1)))
-        self.assert_failure("entry ledger/stages/read/name is missing",
-                              *self.pair(lambda new: new["ledger"].pop("stages")))
-
-    def test_a_number_instead_of_null_fails(self):
-        self.assert_failure("coupling", *self.pair(lambda new: new.update(coupling=1.0)))
-
-    def test_a_new_parameter_is_no_difference_but_a_changed_one_is(self):
-        self.assert_success(*self.pair(lambda new: new["deck"].update(New=1)))
-        self.assert_failure("deck/Order", *self.pair(lambda new: new["deck"].update(Order=1)))
-        self.assert_failure("deck/Order is missing", *self.pair(lambda new: new["deck"].pop("Order")))
-
-    def test_files_that_cannot_be_read_are_refused(self):
-        gold, new = self.pair(lambda _: None)
-        new.write_text("{")
-        self.assert_refused("is not JSON", gold, new)
-        new.write_text("[]")
-        self.assert_refused("not a summary", gold, new)
-        self.assert_refused("No such file", gold, self.folder / "nowhere.json")
-        (self.folder / "new.csv").write_bytes(b"case\n\xff\n")
-        self.assert_refused("is not a table", gold, self.folder / "new.csv")
-
-
-class StudyTables(Comparison):
-    def pair(self, old, new):
-        text = 'case,Cells,energy,seconds,reason\n1,"{4, 4}",0.9,0.1,\n2,"{8, 8}",,0.2,"no side ""a"""\n'
-        for name, content in (("gold.study.csv", text), ("new.study.csv", text.replace(old, new))):
-            (self.folder / name).write_text(content)
-        return self.folder / "gold.study.csv", self.folder / "new.study.csv"
-
-    def test_numbers_by_case_and_column_the_rest_as_text(self):
-        self.assert_success(*self.pair("0.9,0.1", "0.90000000001,0.3"))
-        for old, new, words in (
-            ("0.9", "0.91", "1/energy"), (",,0.2", ",0.5,0.2", "2/energy"), ("{8, 8}", "{9, 9}", "2/Cells"),
-            ('""a""', '""b""', "2/reason"), ("energy", "E", "1/energy is missing"), ("\n2", "\n3", "3/energy is extra"),
-        ):
-            self.assert_failure(words, *self.pair(old, new))
+    def test_elements_of_unknown_types_are_not_turned(self):
+        self.assertEqual(elements.rotations("WEDGE15", 15), [tuple(range(15))])
+        self.assertEqual(elements.rotations("TRI", 9), [tuple(range(9))])
 
 
 if __name__ == "__main__":

@@ -25,6 +25,8 @@ PROGRAM = """\
             print(value, file=sys.stderr)
         if word == "--write":
             pathlib.Path(value).touch()
+        if word == "--copy":
+            pathlib.Path(value).write_text((deck.parents[2] / value).read_text())
         if word == "--sleep":
             time.sleep(float(value))
         if word == "--exit":
@@ -94,6 +96,21 @@ class Regression(Called):
         self.assert_failure(["NO GOLD", "--bless"], "new")
         self.case("stray", None, None, arguments=["--write=stray.contact.csv"])
         self.assert_failure(["stray.contact.csv was written by a case without gold"], "stray")
+
+    def test_a_contact_table_is_compared_where_it_is_gold(self):
+        head = "interface,x,y,u_dirichlet\n"
+        folder = self.case("table", arguments=["--copy=table.contact.csv"])
+        (self.folder / "table.contact.csv").write_text(head + "a,0,0,1\n")
+        self.assert_success()  # written, but not asked for
+        (folder / "gold.contact.csv").touch()
+        self.assert_failure("gold.contact.csv: is not a contact table")
+        self.assertEqual(self.call("--bless", "table")[0], 0)
+        self.assertEqual((folder / "gold.contact.csv").read_text(), head + "a,0,0,1\n")
+        self.assert_success()
+        (self.folder / "table.contact.csv").write_text(head + "a,0,0,1.001\n")
+        self.assert_failure(["gold.contact.csv and table.contact.csv differ", "u_dirichlet"])
+        self.case("table")
+        self.assert_failure("gold.contact.csv has no counterpart")
 
     def test_blessing_shows_the_difference_and_mends_it(self):
         folder = self.case("wrong", energy=2.0)

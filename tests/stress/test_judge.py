@@ -13,7 +13,9 @@ import unittest
 sys.path.insert(0, str(pathlib.Path(__file__).resolve().parents[2] / "apps/ndstress"))
 import cells  # noqa: E402
 import judge  # noqa: E402
+import picture  # noqa: E402
 import reference  # noqa: E402
+import rows  # noqa: E402
 import scenes  # noqa: E402
 
 SCENE = scenes.lifting()
@@ -35,7 +37,7 @@ class Judge(unittest.TestCase):
         energies = [float(e) for e in ANSWER.energies]
         self.summary = {"bodies": [{"name": name, "energy": e} for name, e in zip(("upper", "lower"), energies)],
                         "interfaces": [{"dirichlet_body": "upper"}], "coupling": {"converged": True}, "errors": None,
-                        "energy": sum(energies)}
+                        "energy": sum(energies), "residuals": {"equilibrium": 1e-15}}
 
     def verdict(self, process, answer=lambda: ANSWER):
         with (self.folder / "deck.contact.csv").open("w") as file:
@@ -70,6 +72,41 @@ class Judge(unittest.TestCase):
         self.setUp()
         self.summary["energy"] = None
         self.assertIn("not a number", self.verdict(run(0)).text)
+
+    def test_a_run_without_solution_may_leave_out_its_numbers_but_all_of_them(self):
+        stop = run(3, "not converged: the load pulls the bodies apart")
+        self.summary |= {"energy": None, "residuals": {"equilibrium": None}}
+        self.summary["coupling"]["converged"] = False
+        self.assertIn("not a number", self.verdict(stop).text)  # the energies of the bodies are there
+        for body in self.summary["bodies"]:
+            body["energy"] = None
+        self.assertIn("not a number", self.verdict(stop).text)  # so is the contact table
+        (self.folder / "deck.contact.csv").unlink()
+        self.assertEqual(judge.judge(stop, SCENE, None, self.folder).outcome, judge.STOPPED)
+        self.assertIn("not a number", judge.judge(run(0), SCENE, None, self.folder).text)
+
+    def test_what_is_measured_against_a_floor_is_marked(self):
+        self.assertFalse(self.verdict(run(0)).floored)
+        resting = dataclasses.replace(ANSWER, u_lower=1e-9 * ANSWER.u_lower)
+        for row in self.table:
+            row["u_neumann"] *= 1e-9
+        marked = self.verdict(run(0), lambda: resting)
+        self.assertEqual((marked.outcome, marked.floored), (judge.RIGHT, True))
+
+    def test_a_force_below_the_floor_counts_from_it_and_above_it_does_not(self):
+        scene = rows.touching(1e-6)
+        answer = reference.solve(scene)
+        table = [{"x": x, "u_dirichlet": -up, "u_neumann": -low, "nodal_force": -1.001 * force}
+                 for x, up, low, force in zip(answer.points, answer.u_upper, answer.u_lower, answer.force)]
+        energies = [{"name": name, "energy": float(e)} for name, e in zip(("upper", "lower"), answer.energies)]
+        summary = {"bodies": energies, "interfaces": [{"dirichlet_body": "upper"}]}
+        digits, floored = judge.compare(answer, scene, table, summary, 1e-9)
+        self.assertAlmostEqual(digits["contact force"], 3.0, places=5)
+        self.assertFalse(floored)
+        largest = float(answer.force.max()) / (scene.upper.young * float(answer.move))
+        digits, floored = judge.compare(answer, scene, table, summary, 1e3 * largest)
+        self.assertAlmostEqual(digits["contact force"], 6.0, places=5)
+        self.assertTrue(floored)
 
     def test_a_guaranteed_bound_below_the_error_is_seen(self):
         for guaranteed, bound, outcome in ((True, 0.9, judge.FINDING), (False, 0.9, judge.RIGHT),
@@ -112,6 +149,20 @@ class Judge(unittest.TestCase):
         result = cells.Result(cells.Cell(row, 12.0, "Aitken"), judge.Verdict(judge.RIGHT, 9.0), 0.1)
         self.assertIn("right instead of stopped", result.finding)
         self.assertEqual(dataclasses.replace(result, verdict=judge.Verdict(judge.STOPPED)).finding, "")
+
+    def test_the_other_degree_and_several_ranks_run_where_a_row_asks_for_them(self):
+        for short, least, methods in ((False, 20, cells.VARIANTS), (True, 4, cells.SHORT_VARIANTS)):
+            found = [cell for cell in cells.cells(short, "") if cell.method in cells.VARIANTS]
+            self.assertGreaterEqual(len(found), least * len(methods))
+            self.assertEqual({cell.method for cell in found}, set(methods))
+            for cell in found:
+                row = cells.ROWS[cell.row]
+                self.assertIn(cell.value, row.short if short else row.values)
+
+    def test_labels_of_the_picture_tell_all_values_apart(self):
+        for row in cells.ROWS:
+            self.assertEqual(len(set(picture.labels(row.values))), len(row.values), row.name)
+        self.assertEqual(picture.labels((5.999999, 6.0, 1e-12, 0.0)), ["5.999999", "6", "1e-12", "0"])
 
 
 if __name__ == "__main__":

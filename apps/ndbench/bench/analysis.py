@@ -22,6 +22,22 @@ def power_law(points):
     return exponent, math.exp(y_mean - exponent * x_mean)
 
 
+def exponents(points, start):
+    """Of seconds against size, from (size, seconds): of the whole process, and without the seconds of its start.
+
+    None where the seconds of fewer than two sizes exceed the start."""
+    fits = []
+    for offset in (0.0, start):
+        left = [(size, seconds - offset) for size, seconds in points if seconds > offset]
+        fits.append(power_law(left)[0] if len(left) > 1 else None)
+    return tuple(fits)
+
+
+def tied(one, other):
+    """Whether the spreads of the repetitions overlap: the difference of the medians is noise then."""
+    return one["seconds_least"] <= other["seconds_most"] and other["seconds_least"] <= one["seconds_most"]
+
+
 def fastest(rows, levels=LEVELS):
     """For every relative error that some row attains for certain: (level, fastest row, fastest row of another method).
 

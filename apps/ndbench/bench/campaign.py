@@ -14,7 +14,8 @@ OUTSIDE = "start and exit"  # of the process: what no stage counts
 
 COLUMNS = (
     "scene", "method", "order", "cells", "dofs", "sweeps", "exit", "wall", "wall_least", "wall_most", "seconds",
-    "peak_bytes", "yardstick", "ratio", "error", "error_low", "error_high", "error_sharp", "bound", "effectivity",
+    "seconds_least", "seconds_most", "start", "peak_bytes", "yardstick", "ratio", "error", "error_low", "error_high",
+    "error_sharp", "bound", "effectivity",
 )
 
 
@@ -42,13 +43,19 @@ def cases(levels, scenes=SCENES, methods=METHODS):
     ]
 
 
+def start_seconds(program):
+    """Processor seconds of a run with 100 dofs: starting the program, and next to nothing else."""
+    return run(program, SCENES[0].deck, SCENES[0].on(1)).cost.cpu
+
+
 def measured(program, wanted, repetitions, say):
-    """[(case, its runs, the yardstick's processor seconds in the same rounds)].
+    """[(case, its runs, the yardstick's processor seconds in the same rounds)], processor seconds of a start.
 
     Every round runs everything once, so that a slow minute of the machine falls on all cases alike.
     """
-    runs, yardsticks = {case: [] for case in wanted}, {case: [] for case in wanted}
+    runs, yardsticks, starts = {case: [] for case in wanted}, {case: [] for case in wanted}, []
     for repetition in range(repetitions):
+        starts.append(start_seconds(program))
         known = {}  # methods of one scene, size and order share the matrix
         for number, case in enumerate(wanted):
             say(f"round {repetition + 1} of {repetitions}, {number + 1} of {len(wanted)}: {case}")
@@ -58,10 +65,10 @@ def measured(program, wanted, repetitions, say):
                 known[key] = processor_seconds(program, case.scene.deck, (*case.scene.on(case.cells), order))
             yardsticks[case].append(known[key])
             runs[case].append(run(program, case.scene.deck, case.settings))
-    return [(case, runs[case], yardsticks[case]) for case in wanted]
+    return [(case, runs[case], yardsticks[case]) for case in wanted], median(starts)
 
 
-def row(case, runs, yardsticks, exact):
+def row(case, runs, yardsticks, start, exact):
     """One row of the table; errors and bounds relative to the norm of the exact solution."""
     last = runs[-1]
     error = true_error(last, case.scene.gap, exact)
@@ -72,6 +79,7 @@ def row(case, runs, yardsticks, exact):
         "scene": case.scene.name, "method": case.method.name, "order": last.order, "cells": case.cells,
         "dofs": last.dofs, "sweeps": coupling and coupling["sweeps"], "exit": last.cost.exit,
         "wall": median(walls), "wall_least": min(walls), "wall_most": max(walls), "seconds": median(seconds),
+        "seconds_least": min(seconds), "seconds_most": max(seconds), "start": start,
         "peak_bytes": median([each.cost.peak for each in runs]),
         "yardstick": median(yardsticks), "ratio": median([one / other for one, other in zip(seconds, yardsticks)]),
         "error": error.best / exact.norm, "error_low": error.low / exact.norm, "error_high": error.high / exact.norm,
@@ -87,9 +95,9 @@ def stage_rows(case, runs):
     return [{**key, "stage": name, "wall": seconds} for name, seconds in stages.items()]
 
 
-def tables(results, exact):
+def tables(results, start, exact):
     """(rows of the cases, rows of their stages)."""
-    rows = [row(case, runs, yardsticks, exact[case.scene.name]) for case, runs, yardsticks in results]
+    rows = [row(case, runs, yardsticks, start, exact[case.scene.name]) for case, runs, yardsticks in results]
     return rows, [stage for case, runs, _ in results for stage in stage_rows(case, runs)]
 
 

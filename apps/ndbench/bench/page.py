@@ -1,6 +1,6 @@
 """Markdown tables of a campaign."""
 
-from bench.analysis import fastest
+from bench.analysis import fastest, tied
 
 GIGABYTE = 1e9
 
@@ -19,13 +19,14 @@ def seconds(row):
 
 
 def fastest_table(rows):
-    """Which setting reaches an error first."""
+    """Which setting reaches an error first; a next method within the spread of the repetitions is a tie."""
     lines = []
     for scene in dict.fromkeys(row["scene"] for row in rows):
         for level, best, other in fastest([row for row in rows if row["scene"] == scene]):
-            second = f"{setting(other)}: {seconds(other)}" if other else "none"
+            second = f"{setting(other)}: {seconds(other)}" + " (tie)" * tied(best, other) if other else "none"
             lines.append([scene, f"{100 * level:g} %", setting(best), seconds(best), f"{best['dofs']:,}", second])
-    return table(["scene", "error at most", "fastest", "processor", "dofs", "the next method"], lines)
+    head = ["scene", "error at most", "fastest", "processor", "dofs", "the next method"]
+    return table(head, lines) + "\n(tie): the spreads of the repetitions overlap, so neither is the faster one.\n"
 
 
 def number(value, form):

@@ -6,7 +6,7 @@ matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
 
-from bench.analysis import power_law
+from bench.analysis import exponents, power_law
 from bench.campaign import OUTSIDE
 
 LEGEND = 0.2  # share of a picture's height, at the bottom
@@ -76,20 +76,21 @@ def error_against(rows, x, label, path):
 
 
 def time_against_dofs(rows, path):
-    """Processor seconds, with the fitted exponent in the legend of each panel."""
+    """Processor seconds, with the fitted exponents, with and without the start, in the legend of each panel."""
     figure, parts = panels(rows)
     style = styles(rows)
     for scene, axes, own in parts:
         for (method,), line in groups(own, "method").items():
             points = [(row["dofs"], row["seconds"]) for row in line]
             fitted = [point for point in points if point[0] >= DOFS_FITTED]
-            text = f"{power_law(fitted)[0]:.2f}" if len(fitted) > 1 else "-"
+            fits = exponents(fitted, line[0]["start"])
+            text = ", ".join("-" if fit is None else f"{fit:.2f}" for fit in fits)
             axes.plot(*zip(*points), **style[method], markersize=5, linewidth=1, label=text)
         axes.plot(*zip(*[(row["dofs"], row["yardstick"]) for row in own if row["method"] == own[0]["method"]]),
                   "k--", linewidth=1, label="yardstick")
         axes.set(title=scene, xlabel="degrees of freedom", ylabel="processor seconds", xscale="log", yscale="log")
         axes.grid(which="both", alpha=0.2)
-        axes.legend(fontsize=8, title=f"exponent from {DOFS_FITTED} dofs", title_fontsize=8)
+        axes.legend(fontsize=8, title=f"exponent from {DOFS_FITTED} dofs,\nand without the start", title_fontsize=8)
     legend(figure, style)
     save(figure, path)
 

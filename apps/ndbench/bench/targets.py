@@ -10,7 +10,7 @@ import pathlib
 import tempfile
 import typing
 
-from bench.analysis import median, power_law
+from bench.analysis import exponents, median
 from bench.program import run
 from bench.scenes import SCENES
 from bench.square_mesh import write_punch
@@ -33,7 +33,7 @@ class Sizes:
     sweeps: int = 1000
 
 
-SHORT = Sizes(quarter_million=10, million=14, contact_loss=6, ladder=(4, 8), interface_cells=20, sweeps=50)
+SHORT = Sizes(quarter_million=10, million=14, contact_loss=6, ladder=(20, 44), interface_cells=20, sweeps=50)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -86,9 +86,18 @@ def million(each):
     return each.run(PUNCH, each.sizes.million, CERTIFICATE).cost
 
 
+def smallest(each):
+    """A deck with 100 dofs."""
+    return each.run(PUNCH, 1).cost
+
+
 def exponent(each):
+    """Of processor seconds without the start of the process, which would make it smaller."""
     runs = [each.run(PUNCH, cells, CERTIFICATE) for cells in each.sizes.ladder]
-    return power_law([(one.dofs, one.cost.cpu) for one in runs])[0]
+    _, without_start = exponents([(one.dofs, one.cost.cpu) for one in runs], smallest(each).cpu)
+    if without_start is None:
+        raise SystemExit(f"ndbench: the runs of {each.sizes.ladder} cells take no longer than one with 100 dofs")
+    return without_start
 
 
 def sweeps(each):
@@ -130,8 +139,8 @@ TARGETS = (
     Target("`contact-loss`, 250 000 dofs", "over `punch`", 1.3, 1.1, contact_loss_over_punch),
     Target("`punch`, 1 000 000 dofs, certified", "seconds", 15, 15, lambda r: million(r).wall),
     Target("the same", "GB", 3, 3, lambda r: million(r).peak / 1e9),
-    Target("`punch`, certified, 1e4 to 1e6 dofs", "exponent of time", 1.25, 1.15, exponent),
-    Target("100 dofs, whole process", "seconds", 0.15, 0.08, lambda r: r.run(PUNCH, 1).cost.wall),
+    Target("`punch`, certified, 1e4 to 1e6 dofs", "exponent of time without start", 1.25, 1.15, exponent),
+    Target("100 dofs, whole process", "seconds", 0.15, 0.08, lambda r: smallest(r).wall),
     Target("1000 sweeps, 1000 interface nodes", "seconds", 3, 1, sweeps),
     Target("2 threads or ranks, certified, 250 000 dofs", "times faster", 1.4, 1.7, speedup, least=True),
     Target("gmsh file, dofs and assembly, 250 000 dofs", "over yardstick", 0.35, 0.2, reading),
