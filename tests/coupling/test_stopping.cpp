@@ -14,7 +14,7 @@ namespace
 {
 
 /// The verdict after sweeps with these values of eps_tau and these contact forces on the Dirichlet body.
-CouplingResult verdict(const Stopping& stopping, const Vector& epsTau, const Vector& force)
+CouplingResult verdict(const Stopping& stopping, const Vector& epsTau, const Vector& force, bool turned = false)
 {
   CouplingResult result;
   for (std::size_t i = 0; i < epsTau.size(); ++i) {
@@ -22,6 +22,7 @@ CouplingResult verdict(const Stopping& stopping, const Vector& epsTau, const Vec
     record.sweep = int(i) + 1;
     record.epsTau = epsTau[i];
     record.forceDirichlet = force[i];
+    record.turned = turned && i > 0;
     result.history.push_back(record);
   }
   const bool ends = stopping.ends(result, false);
@@ -86,8 +87,14 @@ TEST(Stopping, OneSweepCannotTellWhetherItHelps)
 TEST(Stopping, SweepsThatDoNotHelpAdviseAboutTheta)
 {
   for (const Vector& jumping : {Vector{2.0, 1.5, 1.4, 1.5}, Vector{2.0, 1.4, 1.9, 1.4}, Vector{1.4, 2.0, 1.4, 1.9}})
-    EXPECT_THAT(verdict(Stopping(0.1, 4), jumping, Vector(4, -1.0)).reason,
+    EXPECT_THAT(verdict(Stopping(0.1, 4), jumping, Vector(4, -1.0), true).reason,
                 HasSubstr("and hardly falls; a smaller Theta or Aitken may help"));
+}
+
+TEST(Stopping, SweepsThatCreepAdviseALargerTheta)
+{
+  EXPECT_THAT(verdict(Stopping(0.1, 4), {2.0, 1.99, 1.98, 1.97}, Vector(4, -1.0)).reason,
+              HasSubstr("and hardly falls; a larger Theta or Aitken may help"));
 }
 
 TEST(Stopping, ForcesThatGrowWithoutBoundDiverge)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
@@ -117,8 +118,9 @@ TEST_F(Program, PullingABodyOffEndsWithThreeAndNamesTheMotion)
   for (const char* coupling : {"Coupling/Type=Neumann-Dirichlet", "Coupling/Type=Monolithic"}) {
     const auto result = punch({coupling, "Bodies/punch/Loads/press/Value=-1"});
     EXPECT_EQ(result.exitCode, 3) << coupling;
-    EXPECT_THAT(result.err, HasSubstr("not converged: the load pulls the bodies apart: contact opens and nothing stops "
-                                      "translation along y of punch"));
+    EXPECT_THAT(result.err,
+                HasSubstr("not converged: the load does not press the bodies together: contact opens and nothing stops "
+                          "translation along y of punch"));
     EXPECT_EQ(summary("punch")["coupling"]["converged"], false);
   }
 }
@@ -159,11 +161,31 @@ TEST_F(Program, PlansWithoutReadingAMesh)
   EXPECT_EQ(result.exitCode, 0);
   for (const char* line :
        {"  gmsh                skip   no .geo script: the library is not loaded\n",
-        "  mpi                 skip   one process: MPI is not started\n", "  couple              run    Monolithic\n",
+        "  mpi                 skip   one process: MPI is not started\n",
+        "  krylov              skip   no linear solver Krylov: Tpetra is not loaded\n",
+        "  couple              run    Monolithic\n",
         "  certificate         skip   the deck has no list Error Estimation\n",
         "  stress              skip   no Exodus file is written\n", "  read                run    2 bodies\n"})
     EXPECT_THAT(result.out, HasSubstr(line));
   EXPECT_THAT(files(), IsEmpty());
+}
+
+/// A copy of the program looks for the module beside itself.
+TEST_F(Program, NeedsTheKrylovModuleOnlyWhereADeckAsksForIt)
+{
+  std::filesystem::copy_file(NDFRAME_PROGRAM, path("ndframe"));
+  const auto copyCall = [this](const std::vector<std::string>& arguments) {
+    return runProgram(arguments, path("."), path("ndframe"));
+  };
+  const auto refused = copyCall({"-i", shippedDeck("krylov")});
+  EXPECT_EQ(refused.exitCode, 2);
+  for (const char* words : {"the linear solver Krylov needs the module libndframe_krylov", "cannot open shared object",
+                            "install ndframe as a whole, or use another linear solver."})
+    EXPECT_THAT(refused.err, HasSubstr(words));
+  EXPECT_THAT(files(), ElementsAre("ndframe"));
+  EXPECT_EQ(copyCall({"--check", shippedDeck("punch")}).exitCode, 0);
+  EXPECT_EQ(copyCall({"--help", "Krylov"}).exitCode, 0);
+  EXPECT_EQ(copyCall({"--reference"}).out, contentsOf(NDFRAME_REFERENCE));
 }
 
 TEST_F(Program, ListsAllComponents)
@@ -267,9 +289,10 @@ TEST_F(Program, PullingABodyOffLeavesNothingToCertify)
 {
   const auto result = punch({"Error Estimation/Require Guarantee=true", "Bodies/punch/Loads/press/Value=-1"});
   EXPECT_EQ(result.exitCode, 3);
-  EXPECT_THAT(result.err,
-              HasSubstr("the load pulls the bodies apart: contact opens and nothing stops translation along "
-                        "y of punch"));
+  EXPECT_THAT(
+      result.err,
+      HasSubstr("the load does not press the bodies together: contact opens and nothing stops translation along "
+                "y of punch"));
   EXPECT_THAT(result.out, testing::Not(HasSubstr("error in energy")));
   EXPECT_TRUE(summary("punch")["errors"].is_null());
 }

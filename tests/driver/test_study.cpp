@@ -241,6 +241,7 @@ TEST_F(StudyProgram, DoesWhatItsPlanSays)
   const auto plan = study(axes, {"--plan"});
   EXPECT_THAT(plan.out, HasSubstr("Tolerance           mesh, matrix and factor of punch\n"));
   EXPECT_THAT(plan.out, HasSubstr("Pattern             mesh, matrix and factor of punch\n"));
+  EXPECT_THAT(plan.out, HasSubstr(".study.csv, one row a case\n"));
   ASSERT_EQ(study(axes).exitCode, 0);
   EXPECT_THAT(column("factorisations"), ElementsAre("2", "1", "1", "1"));
   EXPECT_THAT(column("meshes_reused"), ElementsAre("0", "1", "1", "1"));

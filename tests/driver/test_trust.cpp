@@ -1,5 +1,6 @@
 #include <limits>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -11,6 +12,8 @@ namespace ndframe::test
 namespace
 {
 
+using testing::AllOf;
+using testing::AnyOf;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -94,6 +97,41 @@ TEST(Trust, BodiesThatOnlyMoveRigidlyAreInBalance)
     EXPECT_THAT(outcome.run.failure, IsEmpty()) << coupling;
     EXPECT_LT(outcome.run.summary.energy, 1e-28) << coupling;
   }
+}
+
+/// The punch's height follows from nothing: every answer would be round-off, a different one on every mesh.
+TEST(Trust, ContactThatNothingPressesIsUndecided)
+{
+  for (const int cells : {4, 5, 7, 12})
+    for (const char* coupling : {"Monolithic", "Neumann-Dirichlet"}) {
+      const auto meshed = [&] {
+        return Scene("punch")
+            .set(fmt::format("Bodies/punch/Mesh/Cells={{{0}, {0}}}", cells))
+            .set(fmt::format("Bodies/foundation/Mesh/Cells={{{}, {}}}", 2 * cells, cells))
+            .set(std::string("Coupling/Type=") + coupling);
+      };
+      const auto reason = AllOf(AnyOf(HasSubstr("contact is undecided: nothing presses \"punch\""),
+                                      HasSubstr("does not press the bodies together")),
+                                HasSubstr("translation along y of punch"));
+      EXPECT_THAT(meshed().set("Bodies/punch/Loads/press/Side=right").run().run.failure, reason) << cells << coupling;
+      for (const char* gap : {"1", "1e-6"})
+        EXPECT_THAT(meshed()
+                        .set("Bodies/punch/Loads/press/Value=0")
+                        .set(std::string("Interfaces/contact/Gap=") + gap)
+                        .run()
+                        .run.failure,
+                    reason)
+            << cells << coupling << gap;
+    }
+}
+
+TEST(Trust, ALoadThatIsSmallBesideOthersDecidesContact)
+{
+  Scene scene("punch");
+  scene.set("Bodies/punch/Loads/press/Value=1e-6");
+  for (const char* entry : {"Type=Pressure", "Side=bottom", "Value=1"})
+    scene.set(std::string("Bodies/foundation/Loads/on the support/") + entry);
+  EXPECT_THAT(scene.run().run.failure, IsEmpty());
 }
 
 /// Thin bodies: the solution is right, but the stiffness that the certificate has to solve with is not definite.

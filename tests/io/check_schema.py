@@ -41,7 +41,7 @@ class SummaryFollowsItsSchema(unittest.TestCase):
             cls.samples = [json.loads(path.read_text()) for path in sorted(pathlib.Path(folder).glob("*.summary.json"))]
 
     def test_samples_are_valid(self):
-        self.assertEqual(len(self.samples), 2)
+        self.assertEqual(len(self.samples), 3)
         for sample in self.samples:
             self.validator.validate(sample)
 

@@ -1,5 +1,6 @@
 #include "ndframe/io/atomic_file.hpp"
 
+#include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
@@ -121,6 +122,17 @@ TEST(AtomicFile, FolderAsTargetIsRefused)
   for (const auto* target : {"results", "results/"})
     EXPECT_THAT([&] { writeTextAtomically(folder.file(target), ""); },
                 ThrowsMessage<InputError>(HasSubstr("it is a folder; name a file in it")));
+}
+
+TEST(AtomicFile, RemovesTheEarlierFileAndNoOther)
+{
+  const TemporaryFolder folder;
+  removeEarlier(folder.file("a.e")); // there is none
+  writeTextAtomically(folder.file("a.e"), "old");
+  writeTextAtomically(folder.file("b.e"), "another");
+  removeEarlier(folder.file("a.e"));
+  EXPECT_FALSE(std::filesystem::exists(folder.file("a.e")));
+  EXPECT_TRUE(std::filesystem::exists(folder.file("b.e")));
 }
 
 TEST(AtomicFile, DeviceIsNotReplaced)

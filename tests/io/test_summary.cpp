@@ -49,6 +49,18 @@ TEST(Summary, RefusesADeckThatIsNotAnObject)
   }
 }
 
+TEST(Summary, OfNoSolutionKeepsTheSceneAndTheFinishedSweeps)
+{
+  auto summary = contactSummary();
+  summary.solved = false;
+  const auto json = Json::parse(toJson(summary));
+  EXPECT_TRUE(json["energy"].is_null() && json["bodies"][1]["energy"].is_null());
+  EXPECT_TRUE(json["interfaces"][0]["end_points"].is_null() && json["residuals"]["tension"].is_null());
+  EXPECT_EQ(json["interfaces"][0]["nodes"], 61);
+  EXPECT_EQ(json["coupling"]["sweeps"], 2);
+  EXPECT_EQ(ndframe::summaryValue(summary, "interfaces/contact/contact_force"), std::nullopt);
+}
+
 TEST(Summary, CouplingIsNullWithoutInterfaces)
 {
   EXPECT_TRUE(Json::parse(toJson(singleBodySummary()))["coupling"].is_null());

@@ -100,6 +100,10 @@ int main(int, char** argv)
     for (const int order : {1, 2})
       writeSample(folder + "/sample-" + std::to_string(dim) + "-" + std::to_string(order) + ".e", dim, order);
   ndframe::writeTextAtomically(folder + "/contact.summary.json", toJson(test::contactSummary()));
+  auto unsolved = test::contactSummary();
+  unsolved.solved = false;
+  unsolved.coupling->history.clear();
+  ndframe::writeTextAtomically(folder + "/unsolved.summary.json", toJson(unsolved));
   ndframe::writeTextAtomically(folder + "/single.summary.json", toJson(test::singleBodySummary()));
   return 0;
 }

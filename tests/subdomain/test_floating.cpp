@@ -148,7 +148,7 @@ TEST(FloatingBody, ProximalTermScalesWithTheUnits)
 TEST(FloatingBody, PulledOffNamesTheFreeMotion)
 {
   EXPECT_THAT(failureOf(floating(floatingChain(4), 1, Vector(4, -1.0), Vector(4, 0.0))),
-              AllOf(HasSubstr("pulls the bodies apart"), HasSubstr("translation along y")));
+              AllOf(HasSubstr("does not press the bodies together"), HasSubstr("translation along y")));
   EXPECT_THAT(failureOf(floating(floatingBeam(5), 2, Vector(5, -1.0), Vector(5, 0.0))),
               HasSubstr("translation along y, rotation about (0, 0)"));
 }
@@ -166,7 +166,8 @@ TEST(FloatingBody, WithoutAnyStiffnessIsHeldByTwoNodes)
   const auto pressed = solve(floating(DenseMatrix(2, 2), 2, {1.0, 2.0}, {0.5, 0.25}));
   EXPECT_EQ(pressed.u, (Vector{0.5, 0.25}));
   EXPECT_EQ(pressed.force, (Vector{-1.0, -2.0}));
-  EXPECT_THAT(failureOf(floating(DenseMatrix(2, 2), 2, {1.0, -2.0}, {0.5, 0.25})), HasSubstr("pulls the bodies apart"));
+  EXPECT_THAT(failureOf(floating(DenseMatrix(2, 2), 2, {1.0, -2.0}, {0.5, 0.25})),
+              HasSubstr("does not press the bodies together"));
 }
 
 TEST(FloatingBody, SupportsThatWereNotDeclaredFreeAreNotConverged)

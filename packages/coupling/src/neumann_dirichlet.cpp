@@ -2,6 +2,7 @@
 
 #include "dirichlet_problem.hpp"
 #include "initial_traction.hpp"
+#include "ndframe/algebra/dense.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
 #include "stopping.hpp"
 
@@ -57,11 +58,13 @@ public:
       const UnilateralState& u1 = step.status;
       const Vector stepTraction = system.traction(u1.force);
       auto relaxed = relaxation_->next(stepTraction, traction); // (27)
+      const Vector lastJump = jumpOf(result.state);
       result.state = {u1.u,     step.uNeumann, step.motions, std::move(u2),
                       u1.force, force,         stepTraction, std::exchange(traction, relaxed.traction),
                       u1.closed};
       closed = u1.closed;
       report(system, result, u1, relaxed);
+      result.history.back().turned = !lastJump.empty() && dot(jumpOf(result.state), lastJump) < 0.0;
       observe(result.history.back(), result.state);
       ledger.count("sweeps");
     } while (!stopping_.ends(result, agree(result.state, loads)));
@@ -76,6 +79,15 @@ private:
     for (std::size_t i = 0; i < difference.size(); ++i)
       difference[i] -= state.forceNeumann[i];
     return norm(difference) <= roundOff * loads;
+  }
+
+  /// Lambda_dir - Lambda_neu; empty before the first sweep.
+  static Vector jumpOf(const InterfaceState& state)
+  {
+    Vector jump = state.tractionDirichlet;
+    for (std::size_t i = 0; i < jump.size(); ++i)
+      jump[i] -= state.tractionNeumann[i];
+    return jump;
   }
 
   static void report(const InterfaceSystem& system, CouplingResult& result, const UnilateralState& step,

@@ -15,7 +15,6 @@ namespace
 
 constexpr double divergence = 1e30; ///< growth of the contact force that only an unstable iteration reaches
 constexpr double clearly = 0.9;     ///< a fall by less than a tenth in half of all sweeps is none
-constexpr const char* advice = "a smaller Theta or Aitken may help";
 
 /// All contact forces on the Dirichlet bodies press, so that their resultant is their size.
 bool diverges(const std::vector<SweepRecord>& history)
@@ -37,6 +36,22 @@ bool isFalling(const std::vector<SweepRecord>& history)
   const auto smaller = [](const SweepRecord& a, const SweepRecord& b) { return a.epsTau < b.epsTau; };
   return std::min_element(middle, history.end(), smaller)->epsTau <=
          clearly * std::min_element(history.begin(), middle, smaller)->epsTau;
+}
+
+/// What may help an iteration that gets nowhere. Tractions that overshoot differ from sweep to sweep in turned
+/// directions; when they keep their direction, the steps are too short.
+const char* advice(const std::vector<SweepRecord>& history)
+{
+  const auto middle = history.begin() + std::ptrdiff_t((history.size() + 1) / 2);
+  const bool overshoots = std::any_of(middle, history.end(), [](const SweepRecord& sweep) { return sweep.turned; });
+  return overshoots ? "a smaller Theta or Aitken may help" : "a larger Theta or Aitken may help";
+}
+
+Range toleranceRange()
+{
+  Range range = inOpenRange(0.0, 1.0);
+  range.text = "in " + range.text + ", for the first sweep from zero traction has eps_tau 2 whatever it finds";
+  return range;
 }
 
 } // namespace
@@ -68,11 +83,11 @@ bool Stopping::ends(CouplingResult& result, bool agree) const
   else if (result.converged)
     result.reason = fmt::format("eps_tau {:.3g} < {:g}", last.epsTau, tolerance_);
   else if (diverges(result.history))
-    result.reason = fmt::format("the iteration diverges (sweep {}); {}", last.sweep, advice);
+    result.reason = fmt::format("the iteration diverges (sweep {}); a smaller Theta or Aitken may help", last.sweep);
   else if (last.sweep >= maximumSweeps_)
-    result.reason =
-        fmt::format("eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps){}", last.epsTau, tolerance_,
-                    maximumSweeps_, isFalling(result.history) ? "" : fmt::format(" and hardly falls; {}", advice));
+    result.reason = fmt::format(
+        "eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps){}", last.epsTau, tolerance_,
+        maximumSweeps_, isFalling(result.history) ? "" : fmt::format(" and hardly falls; {}", advice(result.history)));
   return !result.reason.empty();
 }
 
@@ -81,7 +96,7 @@ ListSpec Stopping::spec()
   ListSpec list;
   list.name = "Stopping";
   list.doc = "When the sweeps end.";
-  list.params = {{"Tolerance", 0.01, above(0.0), "The iteration stops when eps_tau falls below this."},
+  list.params = {{"Tolerance", 0.01, toleranceRange(), "The iteration stops when eps_tau falls below this."},
                  {"Maximum Sweeps", 200, atLeast(1), "More sweeps than this count as not converged (exit code 3)."}};
   return list;
 }

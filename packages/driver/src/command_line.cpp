@@ -42,8 +42,8 @@ void declareOptions(CLI::App& app, CommandLine& options)
 const char* exitCodeText()
 {
   return "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged, or a bound "
-         "without the guarantee that the deck requires, or no certificate (results are written and marked), "
-         "4 an expectation missed.\n";
+         "without the guarantee that the deck requires, or no certificate (results are written and marked; without "
+         "a solution only the summary), 4 an expectation missed.\n";
 }
 
 } // namespace ndframe

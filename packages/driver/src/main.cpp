@@ -30,6 +30,9 @@ namespace ndframe
 namespace
 {
 
+/// What becomes of the files of a run that ends without a solution.
+constexpr const char* noSolution = "there is no solution: none is written, and files of an earlier one are removed";
+
 /// The questions that need no deck; true when one was asked.
 bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out)
 {
@@ -89,7 +92,7 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
   computed = true;
   const auto written = writeResults(run, deck, options.deck, comm, ledger);
   copyLedger(run.summary, ledger, run.startSeconds);
-  if (!run.states.empty())
+  if (run.summary.solved)
     log.line("\n" + closingText(run.summary));
   if (run.summary.errors)
     log.line("\n" + errorText(*run.summary.errors));
@@ -99,7 +102,7 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
                        written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
   if (!run.failure.empty()) {
-    complain(comm, fmt::format("{}; the results are marked so.", run.failure));
+    complain(comm, fmt::format("{}; {}.", run.failure, run.summary.solved ? "the results are marked so" : noSolution));
     return ExitCode::NotConverged;
   }
   return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;

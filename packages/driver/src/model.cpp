@@ -61,6 +61,15 @@ Vector evaluateLoads(const BodyModel& body, Diagnostics& diagnostics)
   return sum;
 }
 
+/// Counts what evaluateLoads() integrated over cells.
+void countBodyForces(const Model& model, Ledger& ledger)
+{
+  for (const auto& body : model.bodies)
+    for (const auto& load : body.loads)
+      if (load->facets(body.mesh) == nullptr)
+        ledger.count("body force integrals", body.mesh.numCells());
+}
+
 int findBody(const Model& model, const Params& definition, const char* key, Diagnostics& diagnostics)
 {
   const auto name = definition.get<std::string>(key);
@@ -204,6 +213,7 @@ void updateModel(Model& model, const Params& deck, const Components& components,
     return {model.bodies[b].mesh, model.bodies[b].nodes};
   });
   updated.recipe = std::move(recipe);
+  countBodyForces(updated, ledger);
   model = std::move(updated);
 }
 

@@ -19,6 +19,7 @@ namespace
 {
 
 constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
+constexpr const char *fieldsEnding = ".e", *contactEnding = ".contact.csv";
 
 std::vector<NamedField> nodalFields(const Run& run, std::size_t body, std::size_t step)
 {
@@ -156,33 +157,53 @@ void writeExodusFile(const Run& run, const std::vector<ExodusStep>& steps, const
   writeExodus(path, run.summary.title, bodies, sides, steps, {"ndframe " + versionText(), "deck " + deckName});
 }
 
-/// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.
-std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::string& deckName, Ledger& ledger)
+/// Writes the fields and the contact table that Output asks for; returns the files' names.
+std::vector<std::string> writeSolution(const Run& run, const Params& output, const std::string& stem,
+                                       const std::string& deckName, Ledger& ledger)
 {
-  const Params output = deck.sub("Output");
-  const Plan& plan = run.plan;
-  const std::string stem = outputStem(output, deckName).string();
   std::vector<std::string> written;
   std::vector<ExodusStep> steps;
-  if (plan.runs("stress") && !run.states.empty()) {
+  if (run.plan.runs("stress")) {
     const auto timer = ledger.time("stress");
     for (std::size_t s = 0; s < run.states.size(); ++s)
       steps.push_back(exodusStep(run, output, s));
   }
-  if (plan.runs("write") && !run.states.empty()) {
+  if (run.plan.runs("write")) {
     const auto timer = ledger.time("write");
-    if (output.get<bool>("Exodus")) {
-      written.push_back(stem + ".e");
+    if (run.plan.runs("stress")) {
+      written.push_back(stem + fieldsEnding);
       ledger.count("bytes written", writeAtomically(written.back(), [&](const std::string& temporary) {
                      writeExodusFile(run, steps, temporary, deckName);
                    }));
     }
-    if (plan.runs("contact table")) {
-      written.push_back(stem + ".contact.csv");
+    if (run.plan.runs("contact table")) {
+      written.push_back(stem + contactEnding);
       ledger.count("bytes written",
                    writeTextAtomically(written.back(), contactCsv(run.contact, run.model.bodies.front().mesh.dim)));
     }
   }
+  return written;
+}
+
+/// An earlier run's solution must not stand beside the summary of a run that has none.
+void removeSolution(const Plan& plan, const std::string& stem)
+{
+  if (plan.runs("stress"))
+    removeEarlier(stem + fieldsEnding);
+  if (plan.runs("contact table"))
+    removeEarlier(stem + contactEnding);
+}
+
+/// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.
+std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::string& deckName, Ledger& ledger)
+{
+  const Params output = deck.sub("Output");
+  const std::string stem = outputStem(output, deckName).string();
+  std::vector<std::string> written;
+  if (run.summary.solved)
+    written = writeSolution(run, output, stem, deckName, ledger);
+  else
+    removeSolution(run.plan, stem);
   copyLedger(run.summary, ledger, run.startSeconds);
   if (output.get<bool>("Summary")) {
     written.push_back(stem + ".summary.json");

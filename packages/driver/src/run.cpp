@@ -25,13 +25,14 @@ std::string failureOf(const Step& step)
     return {};
   } catch (const NotConverged& failure) {
     return failure.what();
+  } catch (const SingularBody& failure) { // met by an iterative solver on its way
+    return failure.what();
   } catch (const NotPositiveDefinite&) {
     return "a body's stiffness on the interface is lost in round-off: its matrix is too ill-conditioned";
   }
 }
 
-/// Couples the bodies; keeps the last state or, when asked, the state of every sweep. Without any state (the load pulls
-/// the bodies apart) none is kept and the reason stands in the result.
+/// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
 void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledger, const Log& log)
 {
   const bool keepAll = stepsNames().value(deck.sub("Output").get<std::string>("Steps")) == StepsWritten::AllSweeps;
@@ -43,13 +44,9 @@ void couple(Run& run, const Params& deck, const Coupling& coupling, Ledger& ledg
       if (keepAll)
         run.states.push_back(state);
     };
-    const auto failure = failureOf([&] {
-      run.coupling = coupling.solve(run.condensed.interface, observe, ledger);
-      if (!keepAll)
-        run.states = {run.coupling.state};
-    });
-    if (!failure.empty())
-      run.coupling.reason = failure;
+    run.coupling = coupling.solve(run.condensed.interface, observe, ledger);
+    if (!keepAll)
+      run.states = {run.coupling.state};
   }
   log.line(fmt::format("  {}: {}", run.coupling.converged ? "stopped" : "NOT CONVERGED", run.coupling.reason));
 }
@@ -73,11 +70,38 @@ std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Pa
   return "the bound is not guaranteed: " + errors->reason;
 }
 
-/// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
-/// converged.
-std::string verdictOn(RunSummary& summary, const Params& deck)
+/// A residual this many times the linear solver's tolerance is what the solver was asked for: its own is relative to
+/// right-hand sides that cancel in part.
+constexpr double amplification = 1e3;
+
+/// Says that the linear solver was told to stop too early for forces in balance; empty when it was not.
+std::string looseSolver(const RunSummary& summary, const Params& solver)
+{
+  const double imbalance = summary.residuals.equilibrium;
+  const bool explains = solver.has("Tolerance") && imbalance > ResidualLimits().equilibrium &&
+                        imbalance <= amplification * solver.get<double>("Tolerance");
+  if (!explains)
+    return {};
+  return fmt::format("the forces are out of balance by {:.1e}, which results are trusted with up to {:g}: the linear "
+                     "solver's Tolerance {:g} is too loose; lower it",
+                     imbalance, ResidualLimits().equilibrium, solver.get<double>("Tolerance"));
+}
+
+/// Why the numbers of a solution may not be trusted; empty when they may.
+std::string doubtAbout(const RunSummary& summary, const Params& deck)
 {
   const auto reason = distrust(summary);
+  const bool stoppedEarly = summary.coupling && !summary.coupling->converged;
+  const auto loose = looseSolver(summary, deck.sub("Linear Solver"));
+  return reason.empty() || stoppedEarly || loose.empty() ? reason : loose;
+}
+
+/// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
+/// converged.
+std::string verdictOn(Run& run, const Params& deck)
+{
+  RunSummary& summary = run.summary;
+  const auto reason = summary.solved ? doubtAbout(summary, deck) : run.coupling.reason;
   if (reason.empty())
     return missingGuarantee(summary.errors, deck);
   if (summary.coupling) {
@@ -108,6 +132,41 @@ void readModel(Model& model, const Params& deck, const Components& components, c
   diagnostics.throwIfAny();
 }
 
+/// The solution and, when asked for, its certificate. Throws what failureOf() knows when there is no solution.
+void solve(Run& run, const Params& deck, const Components& components, const Coupling& coupling,
+           const LinearSolver& solver, const Comm& comm, Ledger& ledger, const Log& log)
+{
+  const auto representation = components.interfaceOperators.build(deck.sub("Interface Operator"));
+  run.condensed = condense(run.model, solver, *representation, comm, ledger, log, std::move(run.condensed));
+  if (run.plan.runs("couple") && coupling.roles() == Roles::Automatic)
+    chooseRoles(run, ledger, log);
+  if (run.plan.runs("couple"))
+    couple(run, deck, coupling, ledger, log);
+  else
+    run.states.emplace_back();
+  run.fields = recoverFields(run.model, run.condensed, run.states, ledger);
+  run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
+  if (const auto reason = undecidedContact(run.model, run.condensed, run.coupling.state, run.fields, comm);
+      !reason.empty())
+  {
+    run.coupling.converged = false;
+    run.coupling.reason = reason;
+  }
+  if (run.plan.runs("certificate"))
+    estimate(run, deck, components, comm, ledger);
+}
+
+/// Leaves a run without a solution; the reason stands in the coupling's result.
+void giveUp(Run& run, const std::string& reason, const Log& log)
+{
+  run.states.clear();
+  run.fields.clear();
+  run.contact.clear();
+  run.coupling.converged = false;
+  run.coupling.reason = reason;
+  log.line("  NOT CONVERGED: " + reason);
+}
+
 /// The whole run, starting with what stands in it of an earlier one.
 void compute(Run& run, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger,
              const Log& log)
@@ -115,28 +174,17 @@ void compute(Run& run, const Params& deck, const Components& components, const C
   const SerialBlas serial;
   const auto coupling = components.couplings.build(deck.sub("Coupling"));
   const auto solver = components.linearSolvers.build(deck.sub("Linear Solver"));
-  const auto representation = components.interfaceOperators.build(deck.sub("Interface Operator"));
   run.plan = Plan(deck, *solver, comm.size());
   giveBackRoles(run.model, run.condensed);
   readModel(run.model, deck, components, *coupling, *solver, comm, ledger);
   run.summary = outlineSummary(run.model, deck, *solver, comm.size());
   log.line(headerText(run.summary, run.model, coupling->roles() != Roles::Automatic));
 
-  run.condensed = condense(run.model, *solver, *representation, comm, ledger, log, std::move(run.condensed));
-  if (run.plan.runs("couple") && coupling->roles() == Roles::Automatic)
-    chooseRoles(run, ledger, log);
-  if (run.plan.runs("couple"))
-    couple(run, deck, *coupling, ledger, log);
-  else
-    run.states.emplace_back();
-  if (!run.states.empty()) {
-    run.fields = recoverFields(run.model, run.condensed, run.states, ledger);
-    run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
-    if (run.plan.runs("certificate"))
-      estimate(run, deck, components, comm, ledger);
-  }
+  const auto failure = failureOf([&] { solve(run, deck, components, *coupling, *solver, comm, ledger, log); });
+  if (!failure.empty())
+    giveUp(run, failure, log);
   completeSummary(run, deck, comm);
-  if (const std::string verdict = verdictOn(run.summary, deck); !verdict.empty())
+  if (const std::string verdict = verdictOn(run, deck); !verdict.empty())
     run.failure = verdict;
   copyLedger(run.summary, ledger, run.startSeconds);
 }

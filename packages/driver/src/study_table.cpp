@@ -239,8 +239,8 @@ std::string studyPlan(const Study& study)
                              : whatChanges(recipeOf(study.cases[stride - 1].deck), recipeOf(study.cases[stride].deck));
     text += fmt::format("  {:<19} {}\n", shortName(axis), changes);
   }
-  text.pop_back();
-  return text;
+  return text + fmt::format("  {:<19} {}.study.csv, one row a case{}", "table", study.fileName,
+                            study.writesFiles ? "; and the files of every case" : "");
 }
 
 std::string studyTotal(const std::vector<StudyRow>& rows)

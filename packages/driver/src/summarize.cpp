@@ -146,7 +146,8 @@ void completeSummary(Run& run, const Params& deck, const Comm& comm)
 {
   if (run.summary.coupling)
     completeCoupling(run.summary, run.coupling);
-  if (run.states.empty())
+  run.summary.solved = !run.states.empty();
+  if (!run.summary.solved)
     return;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     run.summary.bodies[b].energy =

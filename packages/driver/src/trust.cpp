@@ -14,6 +14,9 @@ namespace
 /// those: with all of them between 1e-50 and 1e50 nothing overflows, and what underflows is round-off.
 constexpr double largestNumber = 1e50;
 
+/// Contact forces below this are round-off: relative to the largest load, and to the largest K_ii u.
+constexpr double noForce = 1e-11, noStiffForce = 1e-13;
+
 /// Unlike largestEntry(): NaN where a value is.
 double largest(const std::vector<double>& values)
 {
@@ -40,6 +43,28 @@ void checkRange(double number, const Params& list, const char* key, const char* 
         key, fmt::format("{} reach {:.3g}: products of such numbers leave the range of floating-point numbers; "
                          "choose units in which they lie between {:g} and {:g}.",
                          what, number, 1.0 / largestNumber, largestNumber)));
+}
+
+double largestContactForce(const BodyTrace& trace, const InterfaceState& state)
+{
+  double m = 0.0;
+  for (std::size_t k = 0; k < trace.unknowns.size(); ++k) {
+    const auto unknown = std::size_t(trace.unknowns[k]);
+    m = std::max(m, std::abs(trace.onDirichletSide[k] ? state.forceDirichlet[unknown] : state.forceNeumann[unknown]));
+  }
+  return m;
+}
+
+/// What contact forces must exceed in this scene to be more than round-off.
+double smallestContactForce(const CondensedModel& condensed, const std::vector<BodyFields>& fields, const Comm& comm)
+{
+  double smallest = 0.0;
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    const BodySystem& system = condensed.systems[b];
+    const double stiff = largestEntry(diagonal(system.K, comm)) * largestEntry(fields[b].displacement.back());
+    smallest = std::max({smallest, noForce * largestEntry(system.load), noStiffForce * stiff});
+  }
+  return smallest;
 }
 
 /// A limit on one of the residuals, and what it means when it is passed. A residual that is not a number passes it.
@@ -81,6 +106,22 @@ void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagn
   for (const auto& interface : model.interfaces)
     checkRange(largest({1.0, largest(interface.gap)}), interfaces.sub(interface.name), "Gap", "the values of Gap",
                diagnostics);
+}
+
+std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
+                             const std::vector<BodyFields>& fields, const Comm& comm)
+{
+  const double smallest = smallestContactForce(condensed, fields, comm);
+  for (std::size_t b = 0; b < fields.size(); ++b) {
+    const BodyTrace* trace = condensed.trace(int(b));
+    if (trace == nullptr || trace->freeMotions.cols() == 0 || smallest == 0.0)
+      continue;
+    if (const double force = largestContactForce(*trace, state); force <= smallest)
+      return fmt::format("contact is undecided: nothing presses \"{}\" on what could hold it (largest contact force "
+                         "{:.1e}, of which {:.1e} may be round-off), and nothing else stops {}; load it or support it",
+                         model.bodies[b].name, force, smallest, fmt::join(trace->motionNames, ", "));
+  }
+  return {};
 }
 
 std::string distrust(const RunSummary& summary)

@@ -2,7 +2,9 @@
 
 #include <string>
 
+#include "ndframe/driver/condensed_model.hpp"
 #include "ndframe/driver/model.hpp"
+#include "ndframe/driver/solution.hpp"
 #include "ndframe/io/summary.hpp"
 
 namespace ndframe
@@ -21,6 +23,12 @@ struct ResidualLimits
   double equilibrium = 1e-7; ///< of the largest force: beyond it less than six digits are right
   double contact = 1e-8;     ///< complementarity, penetration, tension
 };
+
+/// Names a body that contact alone can hold and that no contact force presses on anything: where it is, only round-off
+/// has decided, however well the equations are met. Empty when there is none, and for a scene at rest (nothing loaded,
+/// nothing moved). `fields` are those of `state`, the last ones kept.
+std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
+                             const std::vector<BodyFields>& fields, const Comm& comm);
 
 /// Why a result is not what the equations ask for: the iteration did not converge, or a residual is too large. Empty
 /// when it is right.

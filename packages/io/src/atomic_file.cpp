@@ -76,6 +76,15 @@ void checkTarget(const fs::path& target, const fs::path& folder)
     throw InputError(fmt::format("cannot write \"{}\": it is not a regular file", target.string()));
 }
 
+/// The folder of a target that may be replaced, without what killed processes left of it.
+fs::path clearedFolder(const fs::path& target)
+{
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  checkTarget(target, folder);
+  removeStale(folder, temporaryPrefix(target));
+  return folder;
+}
+
 void writeText(const std::string& path, const std::string& text)
 {
   const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -92,12 +101,8 @@ void writeText(const std::string& path, const std::string& text)
 
 std::int64_t writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write)
 {
-  const fs::path target(path);
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
-  checkTarget(target, folder);
-  const std::string prefix = temporaryPrefix(target);
-  removeStale(folder, prefix);
-  const Scratch temporary(folder / fmt::format("{}{}.tmp", prefix, getpid()));
+  const fs::path target(path), folder = clearedFolder(target);
+  const Scratch temporary(folder / fmt::format("{}{}.tmp", temporaryPrefix(target), getpid()));
   try {
     write(temporary.path().string());
     const auto bytes = std::int64_t(fs::file_size(temporary.path()));
@@ -115,6 +120,14 @@ std::int64_t writeAtomically(const std::string& path, const std::function<void(c
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text)
 {
   return writeAtomically(path, [&](const std::string& temporaryPath) { writeText(temporaryPath, text); });
+}
+
+void removeEarlier(const std::string& path)
+{
+  clearedFolder(path);
+  std::error_code error;
+  if (fs::remove(path, error); error)
+    throw InputError(fmt::format("cannot remove \"{}\" of an earlier run: {}", path, error.message()));
 }
 
 } // namespace ndframe

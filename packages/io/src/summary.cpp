@@ -121,20 +121,39 @@ Json deckJson(const std::string& text)
   return deck;
 }
 
+/// Makes the numbers of a solution that does not exist null.
+void eraseSolution(Json& json)
+{
+  json["energy"] = nullptr;
+  for (auto& body : json["bodies"])
+    body["energy"] = nullptr;
+  for (auto& interface : json["interfaces"])
+    for (const auto* key : {"closed_nodes", "force_on_dirichlet", "force_on_neumann", "contact_force", "contact_length",
+                            "end_points", "largest_pressure", "largest_penetration"})
+      interface[key] = nullptr;
+  for (auto& residual : json["residuals"])
+    residual = nullptr;
+  if (auto& coupling = json["coupling"]; coupling.is_object() && coupling["history"].empty())
+    coupling["sweeps"] = nullptr;
+}
+
 Json summaryJson(const RunSummary& summary)
 {
-  return {{"version", summary.version},
-          {"title", summary.title},
-          {"ranks", summary.ranks},
-          {"deck", deckJson(summary.deckJson)},
-          {"bodies", arrayOf(summary.bodies, bodyJson)},
-          {"energy", summary.energy},
-          {"interfaces", arrayOf(summary.interfaces, interfaceJson)},
-          {"coupling", couplingJson(summary.coupling)},
-          {"residuals", residualsJson(summary.residuals)},
-          {"errors", errorsJson(summary.errors)},
-          {"expectations", arrayOf(summary.expectations, expectationJson)},
-          {"ledger", ledgerJson(summary)}};
+  Json json{{"version", summary.version},
+            {"title", summary.title},
+            {"ranks", summary.ranks},
+            {"deck", deckJson(summary.deckJson)},
+            {"bodies", arrayOf(summary.bodies, bodyJson)},
+            {"energy", summary.energy},
+            {"interfaces", arrayOf(summary.interfaces, interfaceJson)},
+            {"coupling", couplingJson(summary.coupling)},
+            {"residuals", residualsJson(summary.residuals)},
+            {"errors", errorsJson(summary.errors)},
+            {"expectations", arrayOf(summary.expectations, expectationJson)},
+            {"ledger", ledgerJson(summary)}};
+  if (!summary.solved)
+    eraseSolution(json);
+  return json;
 }
 
 const Json* entryByIndex(const Json& array, const std::string& text)

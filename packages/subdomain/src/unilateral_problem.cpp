@@ -137,8 +137,8 @@ UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, s
     const bool held = holds(closed);
     proximal = held ? 0 : proximal + 1;
     if (proximal > largestProximalRun)
-      throw NotConverged(
-          fmt::format("the load pulls the bodies apart: contact opens and nothing stops {}", joined(motions_)));
+      throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
+                                     joined(motions_)));
     try {
       solveClosed(b, bound, closed, held ? 0.0 : std::pow(proximalDecay, proximal) * stiffnessScale(), pass);
     } catch (const NotPositiveDefinite&) {

@@ -32,7 +32,8 @@ struct SweepRecord
   int statusChanges = 0, statusPasses = 0;
   int closed = 0, open = 0;
   double forceDirichlet = 0.0, forceNeumann = 0.0; ///< resultants int t_N dS of Lambda_dir and Lambda_neu
-  double penetration = 0.0;                        ///< max (u1_N - u2_N - g), at least 0
+  bool turned = false;      ///< Lambda_dir - Lambda_neu points against that of the sweep before: a step too long
+  double penetration = 0.0; ///< max (u1_N - u2_N - g), at least 0
   std::string note;
 };
 
@@ -61,7 +62,7 @@ class Coupling
 {
 public:
   virtual ~Coupling() = default;
-  /// Throws NotConverged when there is no state to return at all (the load pulls the bodies apart).
+  /// Throws NotConverged when there is no state to return at all (the load does not press the bodies together).
   virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const = 0;
   virtual Roles roles() const = 0;
 };

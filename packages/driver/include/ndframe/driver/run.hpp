@@ -27,7 +27,7 @@ struct Run
   std::optional<Certificate> certificate;             ///< of the final state, when the deck asks for it
   std::shared_ptr<const ReferenceSolution> reference; ///< of this run or an earlier one; null if there was none
   RunSummary summary;
-  std::string failure;       ///< why the result may not be trusted, with what failed (exit code 3); empty when it may
+  std::string failure;       ///< why there is no result or it may not be trusted (exit code 3); empty when it may
   double startSeconds = 0.0; ///< wall clock when the run began
 };
 
@@ -44,8 +44,8 @@ Reusable handOn(Run& run);
 
 /// Runs a validated deck up to the summary; writes no files. Of `previous` it keeps what the deck has not changed, with
 /// the same answer as without; the ledger must be the one of the run that it comes from.
-/// Throws InputError for mistakes that show only with the meshes, NotConverged when a linear solver gives up;
-/// `previous` then holds what can still be reused.
+/// Without a solution (a solver gives up, the load pulls a body off) the summary says so. Throws InputError for
+/// mistakes that show only with the meshes; `previous` then holds what can still be reused.
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
             Reusable&& previous = {});
 

@@ -20,4 +20,8 @@ std::int64_t writeAtomically(const std::string& path,
 /// The same for a text.
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text);
 
+/// Removes the file that a writer would have replaced, and what a killed writer left of it. Without one it does
+/// nothing; InputError when there is one that cannot be removed.
+void removeEarlier(const std::string& path);
+
 } // namespace ndframe

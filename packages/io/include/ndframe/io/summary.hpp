@@ -105,6 +105,7 @@ struct RunSummary
   std::string title;
   std::string deckJson; ///< the effective deck (base/params.hpp: toJson)
   int ranks = 1;
+  bool solved = true; ///< false: the run ended without a solution, whose numbers then are null in the file
   std::vector<BodySummary> bodies;
   double energy = 0.0; ///< sum over bodies
   std::vector<InterfaceSummary> interfaces;

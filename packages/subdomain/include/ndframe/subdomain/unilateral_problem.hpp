@@ -40,7 +40,8 @@ public:
   UnilateralProblem(const SymmetricOperator& A, std::vector<char> constrained, DenseMatrix rigidTraces,
                     std::vector<std::string> motions, Ledger& ledger);
 
-  /// Throws NotConverged when the load pulls the body off (naming the free motions) or after too many passes.
+  /// Throws NotConverged when the load does not press the body on what holds it (naming the free motions) or after too
+  /// many passes.
   UnilateralState solve(const Vector& b, const Vector& bound, std::vector<char> closed);
 
 private:
