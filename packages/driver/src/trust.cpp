@@ -111,15 +111,19 @@ void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagn
 std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
                              const std::vector<BodyFields>& fields, const Comm& comm)
 {
+  std::vector<std::size_t> floating;
+  for (std::size_t b = 0; b < fields.size(); ++b)
+    if (const BodyTrace* trace = condensed.trace(int(b)); trace != nullptr && trace->freeMotions.cols() > 0)
+      floating.push_back(b);
+  if (floating.empty())
+    return {};
   const double smallest = smallestContactForce(condensed, fields, comm);
-  for (std::size_t b = 0; b < fields.size(); ++b) {
-    const BodyTrace* trace = condensed.trace(int(b));
-    if (trace == nullptr || trace->freeMotions.cols() == 0 || smallest == 0.0)
-      continue;
-    if (const double force = largestContactForce(*trace, state); force <= smallest)
+  for (const std::size_t b : floating) {
+    const BodyTrace& trace = *condensed.trace(int(b));
+    if (const double force = largestContactForce(trace, state); smallest > 0.0 && force <= smallest)
       return fmt::format("contact is undecided: nothing presses \"{}\" on what could hold it (largest contact force "
                          "{:.1e}, of which {:.1e} may be round-off), and nothing else stops {}; load it or support it",
-                         model.bodies[b].name, force, smallest, fmt::join(trace->motionNames, ", "));
+                         model.bodies[b].name, force, smallest, fmt::join(trace.motionNames, ", "));
   }
   return {};
 }
