@@ -5,11 +5,8 @@
 #include <filesystem>
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
-#include "driver/program.hpp"
-#include "driver/scene.hpp"
-#include "io/temporary_folder.hpp"
+#include "driver/program_folder.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -25,25 +22,11 @@ using Json = nlohmann::json;
 namespace
 {
 
-/// A call of the program in a folder of its own.
-class Program : public testing::Test
+class Program : public ProgramFolder
 {
 protected:
-  ProgramResult call(const std::vector<std::string>& arguments) const { return runProgram(arguments, path(".")); }
   /// The punch with settings.
-  ProgramResult punch(const std::vector<std::string>& settings) const
-  {
-    std::vector<std::string> arguments{"-i", shippedDeck("punch")};
-    for (const auto& setting : settings)
-      arguments.insert(arguments.end(), {"--set", setting});
-    return call(arguments);
-  }
-  std::string path(const std::string& name) const { return folder_.file(name); }
-  std::vector<std::string> files() const { return filesIn(path(".")); }
-  Json summary(const std::string& name) const { return Json::parse(contentsOf(path(name + ".summary.json"))); }
-
-private:
-  TemporaryFolder folder_;
+  ProgramResult punch(const std::vector<std::string>& settings) const { return callDeck("punch", settings); }
 };
 
 class ShippedDeckRun : public Program, public testing::WithParamInterface<std::string>

@@ -1,11 +1,8 @@
 // Runs that end without a solution: what they leave, and what they do not leave of an earlier run.
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
-#include "driver/program.hpp"
-#include "driver/scene.hpp"
-#include "io/temporary_folder.hpp"
+#include "driver/program_folder.hpp"
 
 using namespace ndframe::test;
 using testing::ElementsAre;
@@ -17,7 +14,7 @@ namespace
 {
 
 /// Small punches, one call after the other in the same folder.
-class NoSolution : public testing::Test
+class NoSolution : public ProgramFolder
 {
 protected:
   ProgramResult punch(std::vector<std::string> settings, const std::string& mode = "--set") const
@@ -26,14 +23,9 @@ protected:
     settings.insert(settings.end(), {"Bodies/punch/Mesh/Cells={6, 6}", "Bodies/foundation/Mesh/Cells={12, 6}"});
     for (std::size_t i = 0; i < settings.size(); ++i)
       arguments.insert(arguments.end(), {i == 0 ? mode : "--set", settings[i]});
-    return runProgram(arguments, path("."));
+    return call(arguments);
   }
-  std::string path(const std::string& name) const { return folder_.file(name); }
-  std::vector<std::string> files() const { return filesIn(path(".")); }
-  Json summary() const { return Json::parse(contentsOf(path("punch.summary.json"))); }
-
-private:
-  ndframe::test::TemporaryFolder folder_;
+  Json summary() const { return ProgramFolder::summary("punch"); }
 };
 
 const char* const pulledOff = "Bodies/punch/Loads/press/Value=-1";

@@ -5,11 +5,8 @@
 #include <sstream>
 
 #include <gmock/gmock.h>
-#include <nlohmann/json.hpp>
 
-#include "driver/program.hpp"
-#include "driver/scene.hpp"
-#include "io/temporary_folder.hpp"
+#include "driver/program_folder.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -20,23 +17,16 @@ using Json = nlohmann::json;
 namespace
 {
 
-class Output : public testing::Test
+class Output : public ProgramFolder
 {
 protected:
   /// Files that a shipped deck leaves in the working directory with these settings.
   std::vector<std::string> filesOf(const std::string& deck, const std::vector<std::string>& settings) const
   {
-    std::vector<std::string> arguments{"-q", "-i", shippedDeck(deck)};
-    for (const auto& setting : settings)
-      arguments.insert(arguments.end(), {"--set", setting});
-    const auto result = runProgram(arguments, path("."));
+    const auto result = callDeck(deck, settings);
     EXPECT_EQ(result.exitCode, 0) << result.err;
-    return filesIn(path("."));
+    return files();
   }
-  std::string path(const std::string& name) const { return folder_.file(name); }
-
-private:
-  TemporaryFolder folder_;
 };
 
 std::vector<std::string> split(const std::string& text, char separator)
