@@ -1,5 +1,7 @@
 #include "ndframe/io/exodus_writer.hpp"
 
+#include <fstream>
+
 #include <gmock/gmock.h>
 
 #include "io/sample_meshes.hpp"
@@ -35,7 +37,30 @@ struct Sample
   void write(const std::string& path) const { writeExodus(path, "title", bodies, contacts, steps, {}); }
 };
 
+/// The calls of write() and its kind that this process has made.
+std::int64_t numWriteCalls()
+{
+  std::ifstream counters("/proc/self/io");
+  std::string name;
+  std::int64_t count = -1;
+  while (counters >> name >> count)
+    if (name == "syscw:")
+      return count;
+  throw std::runtime_error("/proc/self/io does not count");
+}
+
 } // namespace
+
+TEST(ExodusWriter, WritesInLargePieces)
+{
+  const TemporaryFolder folder;
+  Sample sample;
+  sample.steps.assign(5000, sample.step(1.0));
+  const std::int64_t before = numWriteCalls();
+  const auto bytes = writeAtomically(folder.file("a.e"), [&](const auto& path) { sample.write(path); });
+  EXPECT_GT(bytes, 400'000);
+  EXPECT_LT(numWriteCalls() - before, 20 + bytes / 100'000);
+}
 
 TEST(ExodusWriter, WritesAMeshWithoutSidesAndSteps)
 {

@@ -1,10 +1,12 @@
 #include <algorithm>
+#include <future>
 
 #include <cblas.h>
 #include <fmt/format.h>
 
 #include "cholmod_factor.hpp"
 #include "free_matrix.hpp"
+#include "ndframe/algebra/threads.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ordering.hpp"
 #include "solver_problem.hpp"
@@ -114,16 +116,21 @@ private:
   std::unique_ptr<CholmodFactor> factor_;
 };
 
-std::unique_ptr<CholmodFactor> factorFree(const SolverProblem& problem, const FreeDofs& free, double shift,
+std::unique_ptr<CholmodFactor> factorFree(const SolverProblem& problem, const FreeDofs& free, UpperTriangle A,
                                           std::vector<int> order)
 {
   try {
-    return std::make_unique<CholmodFactor>(freeUpperTriangle(problem, free, shift), std::move(order),
-                                           int(problem.kept.size()));
+    return std::make_unique<CholmodFactor>(std::move(A), std::move(order), int(problem.kept.size()));
   } catch (const BadPivot& bad) {
     const int dof = free.dofs[std::size_t(bad.column)];
     throw SingularBody(fmt::format("the stiffness matrix is not positive definite at dof {}", dof), dof);
   }
+}
+
+/// Deferred where no other thread may be or can be started.
+std::launch besideOrdering(const Comm& comm)
+{
+  return numThreads(comm) > 1 ? std::launch::async | std::launch::deferred : std::launch::deferred;
 }
 
 class Cholmod final : public LinearSolver
@@ -135,10 +142,11 @@ public:
       throw InputError("Cholmod runs on one rank; use Mumps or Krylov (or Automatic)");
     checkProblem(problem, comm);
     FreeDofs free(problem.roles);
+    const double shift = meanKeptDiagonal(problem, comm);
+    auto matrix = std::async(besideOrdering(comm), [&] { return freeUpperTriangle(problem, free, shift); });
     std::vector<int> order = eliminationOrder(problem, free, comm, ledger);
     const auto timer = ledger.time("factor");
-    const double shift = meanKeptDiagonal(problem, comm);
-    auto factor = factorFree(problem, free, shift, std::move(order));
+    auto factor = factorFree(problem, free, matrix.get(), std::move(order));
     ledger.count("factorisations");
     ledger.count("factor nonzeros", factor->numNonzeros());
     return std::make_unique<CholmodBody>(problem, comm, ledger, std::move(free), shift, std::move(factor));

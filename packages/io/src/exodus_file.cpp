@@ -5,6 +5,7 @@
 #include <cstring>
 #include <stdexcept>
 
+#include <dlfcn.h>
 #include <fmt/format.h>
 
 namespace ndframe
@@ -92,3 +93,14 @@ std::vector<std::string> wrapInfoLines(const std::vector<std::string>& lines)
 }
 
 } // namespace ndframe
+
+/// What Exodus creates its files with. It finds this one before netCDF's, whose buffer of 8 KB costs a system call for
+/// each 160 bytes of results (netCDF goes through all pages for every variable) and which Exodus cannot be told to
+/// enlarge.
+extern "C" int nc_create(const char* path, int mode, int* id)
+{
+  static const auto create =
+      reinterpret_cast<int (*)(const char*, int, std::size_t, std::size_t*, int*)>(dlsym(RTLD_DEFAULT, "nc__create"));
+  std::size_t bufferSize = std::size_t(1) << 20;
+  return create(path, mode, 0, &bufferSize, id);
+}
