@@ -79,7 +79,7 @@ void checkTarget(const fs::path& target, const fs::path& folder)
 /// The folder of a target that may be replaced, without what killed processes left of it.
 fs::path clearedFolder(const fs::path& target)
 {
-  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
+  fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   checkTarget(target, folder);
   removeStale(folder, temporaryPrefix(target));
   return folder;
