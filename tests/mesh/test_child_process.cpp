@@ -9,6 +9,7 @@
 #include <thread>
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -55,6 +56,23 @@ TEST(ChildProcess, ExitIsNoCrashAndRunsNoHandlerOfTheParent)
   }
   EXPECT_FALSE(std::ifstream(parents).is_open());
   left.clear();
+}
+
+TEST(ChildProcess, AChildThatWaitsIsEnded)
+{
+  const ChildLimits limits{0, 0, 1};
+  try {
+    runInChild(
+        []() -> std::string {
+          pause();
+          return {};
+        },
+        "it", limits);
+    ADD_FAILURE();
+  } catch (const ChildFailure& failure) {
+    EXPECT_EQ(failure.kind(), ChildFailure::Kind::Waits);
+    EXPECT_THAT(failure.what(), HasSubstr("it waits for something and has no result after 1 s"));
+  }
 }
 
 TEST(ChildProcess, FileErrorAndBugsPassThrough)

@@ -4,7 +4,9 @@
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
+#include <future>
 #include <iostream>
+#include <memory>
 #include <system_error>
 #include <thread>
 
@@ -55,7 +57,13 @@ void watchSignals()
   pthread_sigmask(SIG_BLOCK, &signals, nullptr);
   endBlasThreads(); // they do not block them
   try {
-    std::thread([signals] { endByOneOf(signals); }).detach();
+    // It has to be up before this process forks: a thread that starts may hold locks that nobody frees in the child.
+    const auto started = std::make_shared<std::promise<void>>();
+    std::thread([signals, started] {
+      started->set_value();
+      endByOneOf(signals);
+    }).detach();
+    started->get_future().wait();
   } catch (const std::system_error&) { // too little memory: they end the process themselves
     pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);
   }

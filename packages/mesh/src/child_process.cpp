@@ -2,13 +2,16 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <fstream>
 #include <new>
+#include <optional>
 
 #include <fcntl.h>
 #include <fmt/format.h>
+#include <poll.h>
 #include <sys/prctl.h>
 #include <sys/resource.h>
 #include <sys/wait.h>
@@ -79,12 +82,18 @@ public:
     }
   }
 
-  /// Everything until the other end is closed.
-  std::string read() const
+  /// Everything until the other end is closed, or nothing when that takes more than so many seconds (0: no limit).
+  std::optional<std::string> read(int seconds) const
   {
+    using Clock = std::chrono::steady_clock;
+    const auto end = Clock::now() + std::chrono::seconds(seconds);
     std::string text;
     std::string block(std::size_t(1) << 16, '\0');
     for (ssize_t n = 1; n != 0;) {
+      const auto left = std::chrono::duration_cast<std::chrono::milliseconds>(end - Clock::now()).count();
+      pollfd output{ends_[0], POLLIN, 0};
+      if (seconds > 0 && poll(&output, 1, int(std::max<std::int64_t>(0, left))) == 0)
+        return std::nullopt;
       n = ::read(ends_[0], block.data(), block.size());
       if (n < 0 && errno != EINTR)
         break;
@@ -217,8 +226,14 @@ std::string runInChild(const std::function<std::string()>& work, const std::stri
     _exit(0); // neither destructors nor buffers: they are the parent's
   }
   pipe.closeEnd(1);
-  const std::string answer = pipe.read();
-  return resultOf(answer, waitFor(child), library);
+  const auto answer = pipe.read(limits.wallSeconds);
+  if (!answer) {
+    kill(child, SIGKILL);
+    waitFor(child);
+    throw ChildFailure(ChildFailure::Kind::Waits, fmt::format("{} waits for something and has no result after {} s.",
+                                                              library, limits.wallSeconds));
+  }
+  return resultOf(*answer, waitFor(child), library);
 }
 
 } // namespace ndframe

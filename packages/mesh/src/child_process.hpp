@@ -14,6 +14,7 @@ struct ChildLimits
 {
   std::int64_t extraBytes = 0; ///< memory beyond what the parent has at the start; 0: no limit
   int cpuSeconds = 0;          ///< 0: no limit
+  int wallSeconds = 0;         ///< for children that wait, which takes no processor time; 0: no limit; at most 2e6
 };
 
 /// Bytes that processes can still take before the machine has to swap; 0 where the system does not tell.
@@ -25,7 +26,8 @@ class ChildFailure final : public FileError
 public:
   enum class Kind
   {
-    OutOfTime,
+    OutOfTime, ///< processor time
+    Waits,     ///< it takes none and does not end
     OutOfMemory,
     Exited, ///< the library ended its process
     Crashed
@@ -41,7 +43,7 @@ private:
 /// Runs `work` in a child process and returns what it returns. A library that crashes on a damaged file, never ends,
 /// takes all memory or exits ends only the child: ChildFailure naming `library`. A FileError of the child is thrown
 /// here again, any other exception becomes an InternalError with its message. Nothing else that `work` changes is seen
-/// here; the child ends with this process. Limit: processor time does not pass in a child that waits.
+/// here; the child ends with this process.
 std::string runInChild(const std::function<std::string()>& work, const std::string& library, ChildLimits limits = {});
 
 } // namespace ndframe

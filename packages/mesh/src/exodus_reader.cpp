@@ -178,7 +178,8 @@ Mesh ExodusConverter::convert()
 ChildLimits limitsFor(const std::string& path)
 {
   const auto bytes = std::int64_t(std::filesystem::file_size(path));
-  return {(std::int64_t(64) << 20) + 200 * bytes, int(5 + (bytes >> 20))};
+  const int seconds = int(5 + (bytes >> 20));
+  return {(std::int64_t(64) << 20) + 200 * bytes, seconds, 20 * seconds};
 }
 
 /// A mesh in an Exodus file. Read in a child process: the Exodus, netCDF and HDF5 libraries trust what a file says.

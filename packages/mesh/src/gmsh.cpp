@@ -225,8 +225,9 @@ private:
 
   std::string meshed() const
   {
-    return meshGeoFile(path_, params_.get<double>("Mesh Size Factor"),
-                       {freeMemory(), params_.get<int>("Maximum Seconds")});
+    const int seconds = params_.get<int>("Maximum Seconds");
+    const ChildLimits limits{freeMemory(), seconds, 20 * std::min(seconds, 100'000)};
+    return meshGeoFile(path_, params_.get<double>("Mesh Size Factor"), limits);
   }
 
   Params params_;
