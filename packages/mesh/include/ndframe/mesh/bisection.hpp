@@ -1,0 +1,100 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// One edge seen from two meshes: a facet of each, and they lie on each other. `first` and `second` number the meshes.
+struct FacetTwin
+{
+  int first;
+  Facet firstFacet;
+  int second;
+  Facet secondFacet;
+};
+
+/// Newest-vertex bisection of triangle meshes that match along interfaces, and go on matching.
+///
+/// Every triangle has a refinement edge and is halved only by joining its middle to the opposite vertex, the peak; the
+/// middle is the peak of both halves. So the descendants of a triangle have at most four shapes, however often they are
+/// halved. At the start the refinement edge is the longest edge; among equally long ones it is chosen so that
+/// neighbours agree as far as possible, by position and not by number.
+///
+/// The closure marks edges: whoever has a marked edge marks its refinement edge, until nothing changes. It ends for any
+/// choice of refinement edges and after any number of calls there are O(halvings asked for) more triangles (Karkulik,
+/// Pavlicek and Praetorius 2013). The result is the coarsest conforming mesh in which every cell is halved as often as
+/// asked. The meshes are bisected as one mesh in which twins are the same edge; each keeps its own coordinates, a new
+/// point being the middle of its two parents.
+///
+/// Limits: two dimensions, straight edges. A body's mesh does not depend on the order of the bodies.
+/// One call costs O(cells) and visits every cell once per two halvings asked for at most.
+class Bisection
+{
+public:
+  /// Sound triangle meshes (checkMesh). A facet has at most one twin.
+  Bisection(std::vector<Mesh> meshes, const std::vector<FacetTwin>& twins);
+
+  /// Halves every cell at least so often (its descendants have at most 2^-n of its area), and others as conformity
+  /// needs.
+  ///
+  /// halvings: per mesh and cell of meshes(); not negative. Points keep their numbers and coordinates, new ones follow.
+  /// Descendants stand where the cell stood, the parts of a side's facet where it stood, in the direction in which its
+  /// cell goes round (counterclockwise).
+  void refine(const std::vector<std::vector<int>>& halvings);
+
+  const std::vector<Mesh>& meshes() const { return meshes_; }
+  /// Per mesh and cell of meshes(): the cell it was or was part of before the last refine().
+  const std::vector<std::vector<int>>& parents() const { return parents_; }
+
+private:
+  /// A triangle meets its edges in the direction in which it goes round: number 2 * edge + direction. The two triangles
+  /// of an edge meet it in opposite directions.
+  using DirectedEdge = int;
+
+  struct Triangle
+  {
+    std::array<int, 3> vertices;       ///< points of its mesh
+    std::array<DirectedEdge, 3> edges; ///< the one opposite to each vertex
+    int peak;                          ///< local vertex opposite to the refinement edge
+    int parent;                        ///< cell of its mesh before refine()
+    int halvings;                      ///< still wanted
+  };
+
+  struct Edge
+  {
+    std::array<int, 2> slots{-1, -1}; ///< per direction: 3 * triangle + local edge, -1 at the boundary
+    int child = -1;                   ///< its halves are the edges child and child + 1, in direction 0; -1: not halved
+    int middle = -1;                  ///< the point of ...
+    int middleMesh = -1;              ///< ... this mesh: that of the last triangle that was halved here
+  };
+
+  void addTriangles(const Mesh& mesh);
+  void identify(const FacetTwin& twin);
+  void choosePeaks();
+  void linkEdges(int triangle);
+
+  bool markWanted();
+  void mark(DirectedEdge edge);
+  void close();
+  void halveMarked();
+  void addDescendants(const Triangle& triangle, int mesh);
+  int middleOf(const Triangle& triangle, int mesh);
+  DirectedEdge childOf(DirectedEdge edge, int place) const;
+
+  void writeMesh(int mesh);
+  void addLeaves(DirectedEdge edge, std::vector<DirectedEdge>& leaves) const;
+
+  std::vector<Mesh> meshes_;
+  std::vector<std::vector<int>> parents_;
+  std::vector<Triangle> triangles_; ///< of all meshes, one mesh after the other
+  std::vector<int> begin_{0};       ///< first triangle of every mesh; one more entry
+  std::vector<Edge> edges_;         ///< halved ones stay: sides and neighbours find the children through them
+  std::vector<int> marked_;         ///< edges whose triangles the closure has still to visit
+  std::vector<std::vector<std::vector<DirectedEdge>>> sides_; ///< per mesh, side and facet
+};
+
+} // namespace ndframe
