@@ -81,10 +81,10 @@ CouplingResult run(const Coupling& coupling, const InterfaceSystem& system)
   return run(coupling, system, ledger);
 }
 
-CouplingResult run(const Coupling& coupling, const InterfaceSystem& system, Ledger& ledger)
+CouplingResult run(const Coupling& coupling, const InterfaceSystem& system, Ledger& ledger, const CouplingStart& start)
 {
   return coupling.solve(
-      system, [](const SweepRecord&, const InterfaceState&) {}, ledger);
+      system, [](const SweepRecord&, const InterfaceState&) {}, ledger, start);
 }
 
 InterfaceSystem emptySystem(int nodes)
@@ -188,6 +188,36 @@ InterfaceSystem floatingNeumannSystem(unsigned seed)
   system.bodies.push_back(makeBody(all, true, mildStiffness(n, seed + 1, 0.8), randomNumbers(n, seed + 3)));
   system.bodies.push_back(makeBody(all, false, std::move(S2), std::move(load), true));
   return system;
+}
+
+InterfaceSystem sideBySide(const InterfaceSystem& first, const InterfaceSystem& second)
+{
+  InterfaceSystem system = emptySystem(first.size() + second.size());
+  std::copy(first.gap.begin(), first.gap.end(), system.gap.begin());
+  std::copy(second.gap.begin(), second.gap.end(), system.gap.begin() + first.size());
+  system.bodies = first.bodies;
+  for (auto body : second.bodies) {
+    for (int& unknown : body.unknowns)
+      unknown += first.size();
+    system.bodies.push_back(std::move(body));
+  }
+  return system;
+}
+
+std::vector<InterfaceSystem> randomScenes(unsigned seed)
+{
+  // A held and a floating block on a floating bar that is pressed against both.
+  InterfaceSystem chain = floatingNeumannSystem(seed);
+  BodyTrace& held = chain.bodies[0];
+  held = makeBody({4, 5, 6, 7, 8}, true, mildStiffness(5, seed + 5, 0.8), Vector(held.g.begin() + 4, held.g.end()));
+  Vector load = randomNumbers(4, seed + 6);
+  for (double& g : load)
+    g = 0.5 * g + 0.5;
+  chain.bodies.push_back(makeBody({3, 2, 1, 0}, true, softChain(4), load, true));
+  for (double& g : chain.bodies[1].g)
+    g -= 0.5;
+  return {randomSystem(seed, false), randomSystem(seed, true), floatingNeumannSystem(seed),
+          sideBySide(floatingNeumannSystem(seed), randomSystem(seed + 1, true)), chain};
 }
 
 InterfaceSystem exchanged(InterfaceSystem system)

@@ -21,7 +21,8 @@ std::unique_ptr<Coupling> neumannDirichlet(double tolerance, const std::string& 
 std::string relaxation(const std::string& type, const std::string& key, double value);
 
 CouplingResult run(const Coupling& coupling, const InterfaceSystem& system);
-CouplingResult run(const Coupling& coupling, const InterfaceSystem& system, Ledger& ledger);
+CouplingResult run(const Coupling& coupling, const InterfaceSystem& system, Ledger& ledger,
+                   const CouplingStart& start = {});
 
 /// A system without bodies on a straight interface of this many equal P1 facets.
 InterfaceSystem emptySystem(int nodes);
@@ -42,6 +43,11 @@ InterfaceSystem randomSystem(unsigned seed, bool floats);
 
 /// A held body below which a floating one is pressed up, random loads and gaps: part of the contact opens.
 InterfaceSystem floatingNeumannSystem(unsigned seed);
+/// Two scenes on the halves of one interface.
+InterfaceSystem sideBySide(const InterfaceSystem& first, const InterfaceSystem& second);
+/// Random loads and gaps: scenes in which no body floats, a Dirichlet body, a Neumann body, one of each in scenes side
+/// by side, and one of each that hold each other.
+std::vector<InterfaceSystem> randomScenes(unsigned seed);
 /// The same scene with the roles exchanged: what is counted along n_c changes its sign.
 InterfaceSystem exchanged(InterfaceSystem system);
 /// The same scene with stiffnesses and lengths in other units.

@@ -77,17 +77,7 @@ TEST(FloatingNeumannBody, EndsThePatchAfterOneSweep)
 TEST(FloatingNeumannBody, MayBePressedAgainstAFloatingBodyWithAnotherFreeMotion)
 {
   // Two unconnected halves of an interface: on each one body floats.
-  const auto first = floatingNeumannSystem(3), second = randomSystem(5, true);
-  InterfaceSystem system = emptySystem(18);
-  std::copy(first.gap.begin(), first.gap.end(), system.gap.begin());
-  std::copy(second.gap.begin(), second.gap.end(), system.gap.begin() + 9);
-  for (auto body : first.bodies)
-    system.bodies.push_back(std::move(body));
-  for (auto body : second.bodies) {
-    for (int& unknown : body.unknowns)
-      unknown += 9;
-    system.bodies.push_back(std::move(body));
-  }
+  const auto system = sideBySide(floatingNeumannSystem(3), randomSystem(5, true));
   for (const char* start : {"Zero", "Balanced"}) {
     const auto result = run(*neumannDirichlet(1e-12, text("Initial Traction", start)), system);
     EXPECT_TRUE(result.converged) << result.reason;

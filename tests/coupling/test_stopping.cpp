@@ -13,6 +13,21 @@ using testing::Not;
 namespace
 {
 
+/// The verdict after sweeps with a goal for the iteration's part of the error, which had these values; eps_tau never
+/// falls.
+CouplingResult verdictWithGoal(double goal, const Vector& iterationError, int maximumSweeps)
+{
+  CouplingResult result;
+  for (const double value : iterationError) {
+    result.history.emplace_back();
+    result.history.back().sweep = int(result.history.size());
+    result.history.back().epsTau = 2.0;
+    result.history.back().iterationError = value;
+  }
+  Stopping(0.1, maximumSweeps).withGoal(goal).ends(result, false);
+  return result;
+}
+
 /// The verdict after sweeps with these values of eps_tau and these contact forces on the Dirichlet body.
 CouplingResult verdict(const Stopping& stopping, const Vector& epsTau, const Vector& force, bool turned = false)
 {
@@ -113,4 +128,21 @@ TEST(Stopping, EndsWhereTheForcesAgreeToRoundOff)
   EXPECT_TRUE(Stopping(0.1, 10).ends(result, true));
   EXPECT_TRUE(result.converged);
   EXPECT_THAT(result.reason, HasSubstr("agree to round-off of the loads (eps_tau 0.3)"));
+}
+
+TEST(Stopping, AGoalForTheIterationTakesThePlaceOfEpsTau)
+{
+  EXPECT_EQ(verdictWithGoal(1e-3, {0.1, 1e-3}, 10).reason, "");
+  const auto result = verdictWithGoal(1e-3, {0.1, 3.14159e-4}, 10);
+  EXPECT_TRUE(result.converged);
+  EXPECT_EQ(result.reason, "iteration 0.000314 < 0.001 (energy norm)");
+}
+
+TEST(Stopping, AGoalThatIsNotMetIsNotConverged)
+{
+  const auto falling = verdictWithGoal(1e-3, {0.1, 0.05, 0.02}, 3), stuck = verdictWithGoal(1e-3, {0.1, 0.1, 0.1}, 3);
+  EXPECT_FALSE(falling.converged);
+  EXPECT_EQ(falling.reason, "iteration 0.02 has not fallen below 0.001 (energy norm) in 3 sweeps (Maximum Sweeps)");
+  EXPECT_FALSE(stuck.converged);
+  EXPECT_THAT(stuck.reason, HasSubstr("(Maximum Sweeps) and hardly falls; a larger Theta or Aitken may help"));
 }

@@ -1,69 +1,59 @@
 #include "initial_traction.hpp"
 
+#include <algorithm>
+
+#include "motion_balance.hpp"
+
 namespace ndframe
 {
 namespace
 {
 
-/// Motions that a traction must balance: R^T (C Lambda) = load.
-struct Balance
+/// Motions that contact forces must balance: R^T r = work.
+struct Demand
 {
-  std::vector<Vector> motions; ///< columns of R, per unknown
-  Vector load;
+  DenseMatrix motions;
+  Vector work;
 };
 
-/// The free motions of some bodies; `sign`: with which the bodies feel r = C Lambda.
-void addMotions(Balance& balance, const RoleSystem& bodies, double sign)
+/// The free motions of both roles; r acts on the Dirichlet bodies, -r on the Neumann bodies.
+Demand demandOfAll(const RoleSystem& dirichlet, const RoleSystem& neumann)
 {
-  for (int m = 0; m < bodies.freeMotions.cols(); ++m) {
-    balance.motions.push_back(bodies.freeMotions.column(m));
-    balance.load.push_back(-sign * dot(balance.motions.back(), bodies.g));
-  }
+  const DenseMatrix &R1 = dirichlet.freeMotions, &R2 = neumann.freeMotions;
+  Demand demand{DenseMatrix(R1.rows(), R1.cols() + R2.cols()), multiplyTransposed(R1, dirichlet.g)};
+  for (int m = 0; m < R1.cols(); ++m)
+    std::copy_n(R1.col(m), R1.rows(), demand.motions.col(m));
+  for (int m = 0; m < R2.cols(); ++m)
+    std::copy_n(R2.col(m), R2.rows(), demand.motions.col(R1.cols() + m));
+  for (double& work : demand.work)
+    work = -work;
+  const Vector other = multiplyTransposed(R2, neumann.g);
+  demand.work.insert(demand.work.end(), other.begin(), other.end());
+  return demand;
 }
 
-/// C R_m at the unknowns: the forces of the traction that has the values of a motion's trace.
-Vector forceLike(const InterfaceSystem& system, const Vector& motion)
+Vector tractionFor(const InterfaceSystem& system, Demand demand, Vector force)
 {
-  Vector traction(std::size_t(system.C->size()), 0.0);
-  for (std::size_t i = 0; i < motion.size(); ++i)
-    traction[std::size_t(system.nodeOfUnknown[i])] = motion[i];
-  return system.force(traction);
+  const MotionBalance balance(system, std::move(demand.motions));
+  return system.traction(balance.corrected(std::move(force), std::move(demand.work)));
 }
 
-/// The traction whose forces are the combination of C R that balances the motions.
-Vector balancingTraction(const InterfaceSystem& system, const Balance& balance)
+Vector noForce(const InterfaceSystem& system)
 {
-  Vector force(std::size_t(system.size()), 0.0);
-  const int modes = int(balance.motions.size());
-  std::vector<Vector> forces;
-  for (const auto& motion : balance.motions)
-    forces.push_back(forceLike(system, motion));
-  DenseMatrix gram(modes, modes);
-  for (int m = 0; m < modes; ++m)
-    for (int l = 0; l < modes; ++l)
-      gram(l, m) = dot(balance.motions[std::size_t(l)], forces[std::size_t(m)]);
-  const Vector a = multiply(pseudoInverse(gram, rigidTolerance), balance.load);
-  for (std::size_t m = 0; m < a.size(); ++m)
-    for (std::size_t i = 0; i < force.size(); ++i)
-      force[i] += a[m] * forces[m][i];
-  return system.traction(force);
+  return Vector(std::size_t(system.size()), 0.0);
 }
 
 /// Zero, but for what floating Neumann bodies need: their problem has no solution under an unbalanced traction.
 Vector zeroTraction(const InterfaceSystem& system, const RoleSystem&, const RoleSystem& neumann)
 {
-  Balance balance;
-  addMotions(balance, neumann, -1.0);
-  return balancingTraction(system, balance);
+  return tractionFor(system, {neumann.freeMotions, multiplyTransposed(neumann.freeMotions, neumann.g)},
+                     noForce(system));
 }
 
 /// Carries the loads of all floating bodies. Zero where supports hold every body.
 Vector balancedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann)
 {
-  Balance balance;
-  addMotions(balance, dirichlet, 1.0);
-  addMotions(balance, neumann, -1.0);
-  return balancingTraction(system, balance);
+  return tractionFor(system, demandOfAll(dirichlet, neumann), noForce(system));
 }
 
 } // namespace
@@ -72,6 +62,12 @@ const Names<InitialTraction>& initialTractions()
 {
   static const Names<InitialTraction> names{{"Zero", zeroTraction}, {"Balanced", balancedTraction}};
   return names;
+}
+
+Vector carriedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
+                       const Vector& given)
+{
+  return tractionFor(system, demandOfAll(dirichlet, neumann), system.force(given));
 }
 
 } // namespace ndframe

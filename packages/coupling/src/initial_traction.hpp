@@ -12,4 +12,9 @@ using InitialTraction = Vector (*)(const InterfaceSystem& system, const RoleSyst
 /// "Zero" (the paper), "Balanced". Both balance the loads of floating Neumann bodies.
 const Names<InitialTraction>& initialTractions();
 
+/// The traction nearest to a given one that carries the loads of all floating bodies and puts no force on the nodes
+/// where supports prescribe the normal displacement.
+Vector carriedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
+                       const Vector& given);
+
 } // namespace ndframe

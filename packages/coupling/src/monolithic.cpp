@@ -14,7 +14,8 @@ class Monolithic final : public Coupling
 public:
   Roles roles() const override { return Roles::None; }
 
-  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const override
+  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
+                       const CouplingStart& start) const override
   {
     const auto n = std::size_t(system.size());
     const RoleSystem bodies = gatherJump(system);
@@ -23,7 +24,7 @@ public:
     Vector bound(2 * n, 0.0);
     std::copy(system.gap.begin(), system.gap.end(), bound.begin());
     UnilateralProblem problem(*bodies.S, constrained, bodies.freeMotions, bodies.motionNames, ledger);
-    std::vector<char> closed = firstStatuses(system, bodies.freeMotions.cols() > 0);
+    std::vector<char> closed = firstStatuses(system, bodies.freeMotions.cols() > 0, start);
     closed.resize(2 * n, 0);
     const UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
 

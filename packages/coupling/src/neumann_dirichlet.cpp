@@ -1,9 +1,10 @@
+#include <optional>
 #include <utility>
 
 #include "dirichlet_problem.hpp"
 #include "initial_traction.hpp"
+#include "iteration_error.hpp"
 #include "ndframe/algebra/dense.hpp"
-#include "ndframe/subdomain/neumann_problem.hpp"
 #include "stopping.hpp"
 
 namespace ndframe
@@ -20,6 +21,8 @@ constexpr double roundOff = 1e-15;
 /// A floating Neumann body gets tractions that balance its loads - the first one is made so, and then every one is, as
 /// a mean of two - and is placed by the unilateral problem.
 ///
+/// Where the iteration's part of the error has a goal, each sweep measures it (iteration_error.hpp).
+///
 /// Limits: a body is Dirichlet or Neumann body on all its interfaces. The factor of convergence is 1 - theta (1 + mu),
 /// mu the ratio of the Dirichlet to the Neumann body's stiffness (role_spectrum.hpp).
 class NeumannDirichlet final : public Coupling
@@ -32,15 +35,19 @@ public:
 
   Roles roles() const override { return roles_; }
 
-  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const override
+  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
+                       const CouplingStart& start) const override
   {
     const RoleSystem body1 = gatherRole(system, true), body2 = gatherRole(system, false);
     const NeumannProblem neumann(*body2.S, body2.g, body2.freeMotions, ledger);
     DirichletProblem dirichlet(body1, body2, ledger);
-    const double loads = norm(body1.g) + norm(body2.g);
+    std::optional<IterationError> iteration;
+    if (start.iterationError > 0.0)
+      iteration.emplace(system, body1, body2, neumann, ledger);
+    const Stopping stopping = stopping_.withGoal(start.iterationError);
     CouplingResult result;
-    Vector traction = initial_(system, body1, body2);
-    std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0);
+    Vector traction = firstTraction(system, body1, body2, start);
+    std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0, start);
     relaxation_->start();
     do {
       const Vector force = system.force(traction);
@@ -56,22 +63,29 @@ public:
         return result;
       }
       const UnilateralState& u1 = step.status;
-      const Vector stepTraction = system.traction(u1.force);
+      const Vector stepTraction = system.traction(u1.force), lastJump = jumpOf(result.state);
       auto relaxed = relaxation_->next(stepTraction, traction); // (27)
-      const Vector lastJump = jumpOf(result.state);
+      closed = u1.closed;
       result.state = {u1.u,     step.uNeumann, step.motions, std::move(u2),
                       u1.force, force,         stepTraction, std::exchange(traction, relaxed.traction),
-                      u1.closed};
-      closed = u1.closed;
-      report(system, result, u1, relaxed);
-      result.history.back().turned = !lastJump.empty() && dot(jumpOf(result.state), lastJump) < 0.0;
+                      closed};
+      report(system, result, u1, relaxed, lastJump, iteration);
       observe(result.history.back(), result.state);
       ledger.count("sweeps");
-    } while (!stopping_.ends(result, agree(result.state, loads)));
+    } while (!stopping.ends(result, agree(result.state, norm(body1.g) + norm(body2.g))));
     return result;
   }
 
 private:
+  Vector firstTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
+                       const CouplingStart& start) const
+  {
+    if (start.traction.empty())
+      return initial_(system, dirichlet, neumann);
+    NDFRAME_ASSERT(int(start.traction.size()) == system.C->size(), "a start needs one traction per interface node");
+    return carriedTraction(system, dirichlet, neumann, start.traction);
+  }
+
   /// Contact forces are differences of reduced loads; where bodies just touch, round-off of those is all there is.
   static bool agree(const InterfaceState& state, double loads)
   {
@@ -91,11 +105,15 @@ private:
   }
 
   static void report(const InterfaceSystem& system, CouplingResult& result, const UnilateralState& step,
-                     const RelaxedTraction& relaxed)
+                     const RelaxedTraction& relaxed, const Vector& lastJump,
+                     const std::optional<IterationError>& iteration)
   {
     SweepRecord record = recordSweep(int(result.history.size()) + 1, system, result.state, step);
     record.epsTau = Stopping::measure(result.state.tractionDirichlet, result.state.tractionNeumann);
+    if (iteration)
+      record.iterationError = iteration->measure(result.state);
     record.theta = relaxed.theta;
+    record.turned = !lastJump.empty() && dot(jumpOf(result.state), lastJump) < 0.0;
     if (!relaxed.note.empty())
       record.note += (record.note.empty() ? "" : "; ") + relaxed.note;
     result.history.push_back(std::move(record));

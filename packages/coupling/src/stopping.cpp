@@ -26,16 +26,22 @@ bool diverges(const std::vector<SweepRecord>& history)
          (first != history.end() && std::abs(force) > divergence * std::abs(first->forceDirichlet));
 }
 
-/// Whether the best sweep of the second half has clearly less eps_tau than the best one before; one sweep cannot tell.
-/// The best ones, because an iteration with too large a theta jumps to and fro.
+/// What is to fall: the iteration's part of the error where it is measured, else eps_tau.
+double watched(const SweepRecord& sweep)
+{
+  return sweep.iterationError.value_or(sweep.epsTau);
+}
+
+/// Whether the best sweep of the second half has clearly less of what is to fall than the best one before; one sweep
+/// cannot tell. The best ones, because an iteration with too large a theta jumps to and fro.
 bool isFalling(const std::vector<SweepRecord>& history)
 {
   if (history.size() == 1)
     return true;
   const auto middle = history.begin() + std::ptrdiff_t((history.size() + 1) / 2);
-  const auto smaller = [](const SweepRecord& a, const SweepRecord& b) { return a.epsTau < b.epsTau; };
-  return std::min_element(middle, history.end(), smaller)->epsTau <=
-         clearly * std::min_element(history.begin(), middle, smaller)->epsTau;
+  const auto smaller = [](const SweepRecord& a, const SweepRecord& b) { return watched(a) < watched(b); };
+  return watched(*std::min_element(middle, history.end(), smaller)) <=
+         clearly * watched(*std::min_element(history.begin(), middle, smaller));
 }
 
 /// What may help an iteration that gets nowhere. Tractions that overshoot differ from sweep to sweep in turned
@@ -71,23 +77,36 @@ double Stopping::measure(const Vector& dirichlet, const Vector& neumann)
   return 2.0 * std::sqrt(difference / sum);
 }
 
+Stopping Stopping::withGoal(double iterationError) const
+{
+  Stopping stopping = *this;
+  stopping.iterationError_ = iterationError;
+  return stopping;
+}
+
 bool Stopping::ends(CouplingResult& result, bool agree) const
 {
   const SweepRecord& last = result.history.back();
-  result.converged = last.epsTau < tolerance_ || agree;
+  const bool hasGoal = iterationError_ > 0.0;
+  const double value = watched(last);
+  const char* name = hasGoal ? "iteration" : "eps_tau";
+  const std::string limit =
+      hasGoal ? fmt::format("{:.3g} (energy norm)", iterationError_) : fmt::format("{:g}", tolerance_);
+  const bool below = value < (hasGoal ? iterationError_ : tolerance_);
+  result.converged = below || agree;
   if (areApart(last))
     result.reason = apart;
-  else if (agree && last.epsTau >= tolerance_)
+  else if (below)
+    result.reason = fmt::format("{} {:.3g} < {}", name, value, limit);
+  else if (agree)
     result.reason =
-        fmt::format("the contact forces on both sides agree to round-off of the loads (eps_tau {:.3g})", last.epsTau);
-  else if (result.converged)
-    result.reason = fmt::format("eps_tau {:.3g} < {:g}", last.epsTau, tolerance_);
+        fmt::format("the contact forces on both sides agree to round-off of the loads ({} {:.3g})", name, value);
   else if (diverges(result.history))
     result.reason = fmt::format("the iteration diverges (sweep {}); a smaller Theta or Aitken may help", last.sweep);
   else if (last.sweep >= maximumSweeps_)
     result.reason = fmt::format(
-        "eps_tau {:.3g} has not fallen below {:g} in {} sweeps (Maximum Sweeps){}", last.epsTau, tolerance_,
-        maximumSweeps_, isFalling(result.history) ? "" : fmt::format(" and hardly falls; {}", advice(result.history)));
+        "{} {:.3g} has not fallen below {} in {} sweeps (Maximum Sweeps){}", name, value, limit, maximumSweeps_,
+        isFalling(result.history) ? "" : fmt::format(" and hardly falls; {}", advice(result.history)));
   return !result.reason.empty();
 }
 

@@ -8,11 +8,15 @@
 namespace ndframe
 {
 
-/// The paper's criterion: stop when eps_tau falls below the tolerance, or after `Maximum Sweeps`.
+/// The paper's criterion: stop when eps_tau falls below the tolerance, or after `Maximum Sweeps`. With a goal for the
+/// iteration's part of the error, that part takes the place of eps_tau.
 class Stopping
 {
 public:
   Stopping(double tolerance, int maximumSweeps) : tolerance_(tolerance), maximumSweeps_(maximumSweeps) {}
+
+  /// The same with a goal for SweepRecord::iterationError; 0: none.
+  Stopping withGoal(double iterationError) const;
 
   /// eps_tau = |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|); 0 when both vanish.
   static double measure(const Vector& dirichlet, const Vector& neumann);
@@ -26,6 +30,7 @@ public:
 private:
   double tolerance_;
   int maximumSweeps_;
+  double iterationError_ = 0.0;
 };
 
 } // namespace ndframe

@@ -80,8 +80,12 @@ RoleSystem gatherJump(const InterfaceSystem& system)
   return role;
 }
 
-std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats)
+std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats, const CouplingStart& start)
 {
+  if (!start.closed.empty()) {
+    NDFRAME_ASSERT(int(start.closed.size()) == system.size(), "a start needs one status per unknown");
+    return start.closed;
+  }
   const bool mayTouch =
       floats || std::any_of(system.gap.begin(), system.gap.end(), [](double gap) { return !(gap > 0.0); });
   return std::vector<char>(std::size_t(system.size()), char(mayTouch));

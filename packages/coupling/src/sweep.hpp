@@ -19,9 +19,9 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet);
 /// All bodies on the unknowns (w, d): w = u1_N - u2_N the jump, d = u2_N.
 RoleSystem gatherJump(const InterfaceSystem& system);
 
-/// Statuses before the first sweep: all closed, or all open where bodies that do not float have a gap at every node:
-/// then one pass shows that they stay apart.
-std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats);
+/// Statuses before the first sweep: those of the start, if it has some; else all closed, or all open where bodies that
+/// do not float have a gap at every node: then one pass shows that they stay apart.
+std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats, const CouplingStart& start);
 
 /// Whether no node is closed and no traction left: each body is solved by itself.
 bool areApart(const SweepRecord& last);

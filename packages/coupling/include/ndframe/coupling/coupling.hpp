@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -28,7 +29,9 @@ struct SweepRecord
 {
   int sweep = 0;
   double epsTau = 0.0; ///< |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|)
-  double theta = 0.0;  ///< factor used for the next traction; 0 where there is none
+  /// With a goal for it: half the distance between Lambda_dir and Lambda_neu in the energy norm of the bodies.
+  std::optional<double> iterationError;
+  double theta = 0.0; ///< factor used for the next traction; 0 where there is none
   int statusChanges = 0, statusPasses = 0;
   int closed = 0, open = 0;
   double forceDirichlet = 0.0, forceNeumann = 0.0; ///< resultants int t_N dS of Lambda_dir and Lambda_neu
@@ -42,7 +45,19 @@ struct CouplingResult
   InterfaceState state;
   std::vector<SweepRecord> history;
   bool converged = false;
-  std::string reason; ///< why it stopped: "eps_tau 0.091 < 0.1"
+  std::string reason; ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
+};
+
+/// Where an iteration begins, and when it may end, if not as the deck says. All may be empty.
+///
+/// A wrong start costs sweeps and status passes and changes nothing in the answer beyond the stopping tolerance: the
+/// traction is corrected to carry the loads of floating bodies, without which a Neumann problem has no solution, and
+/// statuses that do not hold a body are changed. Monolithic, which has no iteration, uses the statuses only.
+struct CouplingStart
+{
+  Vector traction;             ///< Lambda_0 per interface node (of the contact matrix); empty: Initial Traction
+  std::vector<char> closed;    ///< status per unknown; empty: all closed, if the bodies may touch
+  double iterationError = 0.0; ///< > 0: the sweeps end when SweepRecord::iterationError is below; replaces Tolerance
 };
 
 /// Called after every sweep, for the screen and for those who want all states.
@@ -63,7 +78,8 @@ class Coupling
 public:
   virtual ~Coupling() = default;
   /// Throws NotConverged when there is no state to return at all (the load does not press the bodies together).
-  virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger) const = 0;
+  virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
+                               const CouplingStart& start = {}) const = 0;
   virtual Roles roles() const = 0;
 };
 

@@ -1,0 +1,50 @@
+#include "motion_balance.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace ndframe
+{
+namespace
+{
+
+/// C R_m at the unknowns: the forces of the traction that has the values of a motion's trace.
+Vector forceLike(const InterfaceSystem& system, const double* motion)
+{
+  Vector traction(std::size_t(system.C->size()), 0.0);
+  for (std::size_t i = 0; i < system.nodeOfUnknown.size(); ++i)
+    traction[std::size_t(system.nodeOfUnknown[i])] = motion[i];
+  return system.force(traction);
+}
+
+} // namespace
+
+MotionBalance::MotionBalance(const InterfaceSystem& system, DenseMatrix motions)
+    : motions_(std::move(motions)), forces_(motions_.rows(), motions_.cols())
+{
+  for (int m = 0; m < motions_.cols(); ++m) {
+    const Vector force = forceLike(system, motions_.col(m));
+    std::copy(force.begin(), force.end(), forces_.col(m));
+  }
+  inverse_ = pseudoInverse(multiplyTransposed(motions_, forces_), rigidTolerance);
+}
+
+Vector MotionBalance::corrected(Vector force, Vector work) const
+{
+  if (motions_.cols() == 0)
+    return force;
+  const Vector present = multiplyTransposed(motions_, force);
+  for (std::size_t m = 0; m < work.size(); ++m)
+    work[m] -= present[m];
+  const Vector correction = multiply(forces_, multiply(inverse_, work));
+  for (std::size_t i = 0; i < force.size(); ++i)
+    force[i] += correction[i];
+  return force;
+}
+
+Vector MotionBalance::balanced(Vector force) const
+{
+  return corrected(std::move(force), Vector(std::size_t(motions_.cols()), 0.0));
+}
+
+} // namespace ndframe
