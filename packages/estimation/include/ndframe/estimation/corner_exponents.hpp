@@ -1,0 +1,38 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// How the error falls around the vertices of plane meshes, learned from one mesh to the next.
+///
+/// Around a corner with u ~ r^lambda the cells of a vertex contribute sum eta_K^2 ~ A^lambda together, A the area of
+/// all of them; where the solution is smooth, A^(p+1) with displacements of degree p. Two meshes, the second refined
+/// from the first, show lambda at every vertex of the first whose cells became smaller.
+class CornerExponents
+{
+public:
+  explicit CornerExponents(int degree) : smooth_(degree + 1.0) {}
+
+  /// The next mesh of every body, whose points keep their numbers, and eta_K on it.
+  void observe(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& contributions);
+
+  /// lambda per body and vertex of the meshes last seen; p + 1 where nothing has been learned.
+  const std::vector<Vector>& exponents() const { return exponents_; }
+
+private:
+  struct Stars
+  {
+    Vector squared, area; ///< per vertex
+  };
+
+  double smooth_;
+  std::vector<Stars> stars_; ///< per body, of the last mesh
+  std::vector<Vector> exponents_;
+};
+
+} // namespace ndframe
