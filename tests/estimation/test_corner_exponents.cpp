@@ -55,6 +55,24 @@ TEST(CornerExponents, AreThoseOfASmoothSolutionUntilSomethingIsLearned)
   EXPECT_EQ(exponents.exponents()[0], Vector(5, degree + 1.0));
 }
 
+TEST(CornerExponents, AreNotLearnedAtVerticesMadeLater)
+{
+  CornerExponents exponents(degree);
+  const Mesh first = fan(4.0);
+  std::vector<Mesh> later{fan(1.0), fan(0.5)};
+  for (Mesh& mesh : later) { // the fan's middle is now vertex 5
+    mesh.points.insert(mesh.points.end(), {0.0, 0.0});
+    for (int& vertex : mesh.cells)
+      vertex = vertex == 0 ? 5 : vertex;
+    mesh.cells.insert(mesh.cells.end(), mesh.cells.begin(), mesh.cells.begin() + 3);
+  }
+  exponents.observe({&first}, {contributionsOf(4.0, 0.8)});
+  for (const Mesh& mesh : later)
+    exponents.observe({&mesh}, {Vector(5, std::sqrt(std::pow(cellMeasure(mesh, 0), 0.8)))});
+  EXPECT_EQ(exponents.exponents()[0][5], degree + 1.0);
+  EXPECT_LT(exponents.exponents()[0][1], 1.0);
+}
+
 TEST(CornerExponents, StayBetweenNoiseAndASmoothSolution)
 {
   EXPECT_EQ(learned(5.0, 1.0, 0.5), degree + 1.0);

@@ -21,6 +21,9 @@ void CornerExponents::observe(const std::vector<const Mesh*>& meshes, const std:
 {
   stars_.resize(meshes.size());
   exponents_.resize(meshes.size());
+  if (numFirst_.empty())
+    for (const Mesh* mesh : meshes)
+      numFirst_.push_back(std::size_t(mesh->numPoints()));
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     const Mesh& mesh = *meshes[b];
     NDFRAME_ASSERT(contributions[b].size() == std::size_t(mesh.numCells()), "one contribution per cell is needed");
@@ -34,7 +37,7 @@ void CornerExponents::observe(const std::vector<const Mesh*>& meshes, const std:
     const Stars& before = stars_[b];
     Vector& exponents = exponents_[b];
     exponents.resize(now.area.size(), smooth_);
-    for (std::size_t v = 0; v < before.area.size(); ++v)
+    for (std::size_t v = 0; v < std::min(before.area.size(), numFirst_[b]); ++v)
       if (now.area[v] <= clearlySmaller * before.area[v] && now.squared[v] > 0.0 && before.squared[v] > 0.0)
         exponents[v] = std::clamp(std::log(now.squared[v] / before.squared[v]) / std::log(now.area[v] / before.area[v]),
                                   smallest, smooth_);

@@ -12,7 +12,9 @@ namespace ndframe
 ///
 /// Around a corner with u ~ r^lambda the cells of a vertex contribute sum eta_K^2 ~ A^lambda together, A the area of
 /// all of them; where the solution is smooth, A^(p+1) with displacements of degree p. Two meshes, the second refined
-/// from the first, show lambda at every vertex of the first whose cells became smaller.
+/// from the first, show lambda at every vertex whose cells became smaller. Only vertices of the very first mesh are
+/// looked at: where sides meet or change, there is one. Elsewhere an exponent would be noise, or the moving end of a
+/// contact.
 class CornerExponents
 {
 public:
@@ -31,7 +33,8 @@ private:
   };
 
   double smooth_;
-  std::vector<Stars> stars_; ///< per body, of the last mesh
+  std::vector<std::size_t> numFirst_; ///< vertices of the first mesh per body
+  std::vector<Stars> stars_;          ///< per body, of the last mesh
   std::vector<Vector> exponents_;
 };
 
