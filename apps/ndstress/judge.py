@@ -93,7 +93,7 @@ def _holds_null(value):
 
 def not_a_number(folder, summary):
     """Where a number is missing or not finite, in the files or in the summary; empty if nowhere."""
-    parts = [part for name, part in (summary or {}).items() if name not in ("errors", "coupling", "deck")]
+    parts = [part for name, part in (summary or {}).items() if name not in ("errors", "accuracy", "coupling", "deck")]
     return not_finite(folder) or ("in the summary" if _holds_null(parts) else "")
 
 

@@ -1,6 +1,7 @@
 """Two Exodus files compared: mesh, sets, steps and all variables."""
 
 import re
+import threading
 
 import numpy
 
@@ -12,11 +13,14 @@ from .tolerance import Tolerance, Tolerances
 # Round-off of one variable is a fraction of its largest value, not of the value at the place.
 EXODUS_DEFAULTS = Tolerances(Tolerance("scaled", 1e-9))
 
+# netCDF is not made for threads, and its Python module lets others run while it reads.
+NETCDF = threading.Lock()
+
 
 def diff_exodus(gold_path, new_path, tolerances=EXODUS_DEFAULTS):
     """The report of all differences; raises UsageError for files that cannot be read."""
     report = Report()
-    with Exodus(gold_path) as gold, Exodus(new_path) as new:
+    with NETCDF, Exodus(gold_path) as gold, Exodus(new_path) as new:
         for what in ("block", "side set", "node set"):
             compare_entities(what, *(getattr(file, what.replace(" ", "_") + "s") for file in (gold, new)), report)
         match = MeshMatch(gold, new, tolerances.of("coordinates"), report)

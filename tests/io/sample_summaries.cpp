@@ -30,6 +30,13 @@ ErrorSummary sampleErrors()
   return errors;
 }
 
+AccuracySummary sampleAccuracy()
+{
+  const LevelSummary first{1, 48, 6, 2, 0.25, 0.2, 0.07, 0.24, "foundation", {0.5, -0.25}, 832, 0.01};
+  const LevelSummary second{2, 910, 201, 1, 0.0625, 0.05, 0.01, 0.06, "foundation", {1.5, 0.75}, 0, 0.04};
+  return {"Displacement", 0.06, true, true, "", {first, second}};
+}
+
 } // namespace
 
 RunSummary singleBodySummary()
@@ -67,6 +74,7 @@ RunSummary contactSummary()
   interface.contactForce = 1.0;
   interface.contactLength = 0.957;
   interface.endPoints = {{0.0, 1.0}, {0.957, 1.0}};
+  interface.endBrackets = {{{0.957, 1.0}, {0.96, 1.0}}};
   interface.largestPressure = 1.75;
   interface.largestPenetration = 3.1e-17;
   summary.interfaces = {interface};
@@ -74,6 +82,7 @@ RunSummary contactSummary()
   const SweepSummary second{2, std::numeric_limits<double>::quiet_NaN(), 0.5, 0, 1, 60, 1, -1.0, -0.5, 0.0, ""};
   summary.coupling = CouplingSummary{"Neumann-Dirichlet", 2, true, "eps_tau 0.091 < 0.1", {first, second}, {}};
   summary.errors = sampleErrors();
+  summary.accuracy = sampleAccuracy();
   summary.expectations = {{"coupling/sweeps", 2.0, 2.0, 0.0, true}};
   return summary;
 }

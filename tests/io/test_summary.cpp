@@ -72,6 +72,33 @@ TEST(Summary, ErrorsAreNullWithoutACertificate)
   EXPECT_TRUE(Json::parse(toJson(singleBodySummary()))["errors"].is_null());
 }
 
+TEST(Summary, AccuracyIsNullWithoutATarget)
+{
+  EXPECT_TRUE(Json::parse(toJson(singleBodySummary()))["accuracy"].is_null());
+}
+
+TEST(Summary, AccuracySumsItsLevelsUp)
+{
+  const auto accuracy = Json::parse(toJson(contactSummary()))["accuracy"];
+  EXPECT_EQ(accuracy["number_of_levels"], 2);
+  EXPECT_EQ(accuracy["sweeps"], 3);
+  EXPECT_EQ(accuracy["dofs"], 910);
+  EXPECT_EQ(accuracy["total_dofs"], 958);
+  EXPECT_TRUE(accuracy["levels"][1]["dofs_to_target"].is_null());
+}
+
+TEST(LevelTable, HasOneRowALevelAndNoNumberThatIsNotKnown)
+{
+  auto levels = contactSummary().accuracy->levels;
+  levels[0].worstBody = "a, b";
+  EXPECT_EQ(levelsCsv(levels), "level,dofs,elements,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,"
+                               "largest_y,dofs_to_target,seconds\n"
+                               "1,48,6,2,0.25,0.20000000000000001,0.23999999999999999,0.070000000000000007,\"a, b\","
+                               "0.5,-0.25,832,0.010000\n"
+                               "2,910,201,1,0.0625,0.050000000000000003,0.059999999999999998,0.01,foundation,"
+                               "1.5,0.75,,0.040000\n");
+}
+
 TEST(Summary, ErrorsThatWereNotComputedAreNull)
 {
   auto summary = contactSummary();

@@ -16,9 +16,9 @@ namespace
 class Certifier
 {
 public:
-  Certifier(const Params& deck, const CertifiedScene& scene, const StressRecovery& recovery, const Comm& comm,
-            Ledger& ledger)
-      : deck_(deck), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger), options_(errorOptions(deck))
+  Certifier(const Params& deck, const ErrorOptions& options, const CertifiedScene& scene,
+            const StressRecovery& recovery, const Comm& comm, Ledger& ledger)
+      : deck_(deck), options_(options), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger)
   {}
 
   Certificate run(const Components& components, std::shared_ptr<const ReferenceSolution>& reference)
@@ -51,12 +51,11 @@ private:
   SceneField globalField() const;
 
   const Params& deck_;
+  const ErrorOptions& options_;
   const CertifiedScene& scene_;
   const StressRecovery& recovery_;
   const Comm& comm_;
   Ledger& ledger_;
-  const ErrorOptions options_;
-
   RecoveredField global_, separate_; ///< of (40); of the two separate problems of (55)
   RecoveryScene recoveryScene_;
   AdmissibleScene admissible_;
@@ -224,7 +223,7 @@ void Certifier::compare(const Components& components, std::shared_ptr<const Refe
 
 } // namespace
 
-Certificate certify(const Params& deck, const Components& components, const Model& model,
+Certificate certify(const Params& deck, const ErrorOptions& options, const Components& components, const Model& model,
                     const CondensedModel& condensed, const CouplingResult& coupling,
                     const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
                     std::shared_ptr<const ReferenceSolution>& reference)
@@ -232,7 +231,7 @@ Certificate certify(const Params& deck, const Components& components, const Mode
   const auto recovery = components.recoveries.build(deck.sub("Error Estimation").sub("Recovery"));
   const int order = model.bodies.front().nodes.order;
   const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order));
-  return Certifier(deck, scene, *recovery, comm, ledger).run(components, reference);
+  return Certifier(deck, options, scene, *recovery, comm, ledger).run(components, reference);
 }
 
 } // namespace ndframe

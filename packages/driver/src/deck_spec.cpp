@@ -1,5 +1,6 @@
 #include "ndframe/driver/deck_spec.hpp"
 
+#include "accuracy_options.hpp"
 #include "ndframe/driver/error_options.hpp"
 #include "outputs.hpp"
 #include "study_cases.hpp"
@@ -81,6 +82,9 @@ ListSpec outputSpec()
       {"Exodus", true, "Write NAME.e for ParaView."},
       {"Summary", true, "Write NAME.summary.json."},
       {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
+      {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line a level."},
+      {"All Levels", false,
+       "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
       {"Steps", std::string("Final"), stepsNames().range(),
        "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."},
       {"Equilibrated Stress", false,
@@ -129,6 +133,7 @@ ListSpec makeDeckSpec(const Components& components)
       makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
                  components.interfaceOperators.choices()),
       errorEstimationSpec(components.recoveries.choices()),
+      accuracySpec(),
       outputSpec(),
       makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec()),
       studySpec()};

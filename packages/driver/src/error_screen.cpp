@@ -12,11 +12,17 @@ namespace
 
 constexpr int nameColumn = 17;
 
+/// Two decimals, and of less than one percent three digits.
+std::string percent(double number)
+{
+  return fmt::format(fmt::runtime(number < 1.0 ? "{:.3g} %" : "{:.2f} %"), number);
+}
+
 /// One line: what, the number, and its share of the solution.
 std::string line(const std::string& name, const std::string& sign, double absolute, std::optional<double> relative,
                  const std::string& remark)
 {
-  const auto share = relative ? fmt::format("{:>7.2f} %", 100.0 * *relative) : "";
+  const auto share = relative ? percent(100.0 * *relative) : "";
   std::string text =
       fmt::format("\n  {:<{}} {:>2} {:>11.4g} {:>9}   {}", name, nameColumn, sign, absolute, share, remark);
   text.erase(text.find_last_not_of(' ') + 1);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "accuracy_options.hpp"
 #include "ndframe/driver/error_options.hpp"
 #include "summarize.hpp"
 
@@ -43,32 +44,39 @@ ErrorSummary everyError(const ErrorOptions& options)
   return errors;
 }
 
-/// The outline with one entry for what only the run can count: sweeps, ends of the contact, components, errors.
+/// The outline with one entry for what only the run can count: levels, sweeps, ends of the contact, components, errors.
 RunSummary withEveryQuantity(RunSummary outline, const Params& deck)
 {
   if (estimatesErrors(deck))
     outline.errors = everyError(errorOptions(deck));
+  if (wantsAccuracy(deck)) {
+    outline.accuracy.emplace();
+    outline.accuracy->levels.resize(1);
+    outline.accuracy->levels.front().worstPoint = {0.0, 0.0};
+    outline.accuracy->levels.front().dofsToTarget = 1;
+  }
   if (outline.coupling)
     outline.coupling->history.resize(1);
   for (auto& interface : outline.interfaces) {
     interface.endPoints.assign(2, {0.0, 0.0});
+    interface.endBrackets.assign(2, {{0.0, 0.0}, {0.0, 0.0}});
     interface.forceOnDirichlet = interface.forceOnNeumann = {0.0, 0.0};
   }
   return outline;
 }
 
-/// "coupling/history/4/eps_tau" -> "coupling/history/0/eps_tau": any sweep may be asked for.
-std::string ofFirstSweep(const std::string& path)
+/// "coupling/history/4/eps_tau" -> "coupling/history/0/eps_tau": any sweep and any level may be asked for.
+std::string ofFirst(const std::string& path)
 {
-  static const std::regex sweep("^coupling/history/[0-9]+/");
-  return std::regex_replace(path, sweep, "coupling/history/0/");
+  static const std::regex numbered("^(coupling/history|accuracy/levels)/[0-9]+/");
+  return std::regex_replace(path, numbered, "$1/0/");
 }
 
 } // namespace
 
 bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck)
 {
-  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, deck), ofFirstSweep(path));
+  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, deck), ofFirst(path));
 }
 
 void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics)

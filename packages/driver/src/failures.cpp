@@ -1,5 +1,6 @@
 #include "failures.hpp"
 
+#include <algorithm>
 #include <cstdlib>
 #include <iostream>
 #include <new>
@@ -67,6 +68,18 @@ Failure currentFailure()
   } catch (const std::exception& error) {
     return bug(error);
   }
+}
+
+ExitCode codeOf(const Run& run)
+{
+  const auto& accuracy = run.summary.accuracy;
+  const auto& expectations = run.summary.expectations;
+  if (!run.failure.empty())
+    return ExitCode::NotConverged;
+  if (accuracy && !accuracy->reached)
+    return ExitCode::TargetMissed;
+  const bool met = std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.met; });
+  return met ? ExitCode::Right : ExitCode::ExpectationMissed;
 }
 
 ExitCode report(const Failure& failure, bool computed, const Comm& comm)

@@ -5,6 +5,7 @@
 
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/driver/main.hpp"
+#include "ndframe/driver/run.hpp"
 
 namespace ndframe
 {
@@ -25,6 +26,9 @@ constexpr const char* needsMoreMemory =
 
 /// The exception that is being handled; to be called in a handler.
 Failure currentFailure();
+
+/// What a run that came to its end is to the user: the gravest of what is wrong with it.
+ExitCode codeOf(const Run& run);
 
 /// Says what happened and returns the exit code. Every rank meets a user's mistake and an iteration that does not
 /// converge; a bug or a lack of memory may be one rank's: it speaks, and all processes end at once. `computed`: the

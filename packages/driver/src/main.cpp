@@ -9,6 +9,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "accuracy_options.hpp"
+#include "accuracy_screen.hpp"
 #include "command_line.hpp"
 #include "error_screen.hpp"
 #include "failures.hpp"
@@ -69,26 +71,38 @@ DeckList readInput(const CommandLine& options, Diagnostics& diagnostics)
   return deck;
 }
 
-/// Says which expectations were missed; true if none was.
-bool reportExpectations(const RunSummary& summary, const Comm& comm, const Log& log)
+/// Says which expectations were missed.
+void reportExpectations(const RunSummary& summary, const Comm& comm, const Log& log)
 {
-  bool allMet = true;
   for (const auto& e : summary.expectations) {
     if (e.met)
       log.line(fmt::format("  expected {}: {:.10g}, right within {:g}", e.name, e.value, e.tolerance));
     else
       complain(comm, fmt::format("  MISSED {}: {:.10g} instead of {:.10g} +- {:g}", e.name, e.value, e.expected,
                                  e.tolerance));
-    allMet = allMet && e.met;
   }
-  return allMet;
+}
+
+/// Says why the answer is not what the deck asks for, if it is not.
+void reportShortcomings(const Run& run, const Comm& comm)
+{
+  if (!run.failure.empty())
+    complain(comm, fmt::format("{}; {}.", run.failure, run.summary.solved ? "the results are marked so" : noSolution));
+  else if (const std::string missed = missedTarget(run.summary); !missed.empty())
+    complain(comm, missed + ".");
 }
 
 ExitCode solveDeck(const Params& deck, const CommandLine& options, const Components& components, const Comm& comm,
                    const Log& log, bool& computed)
 {
   Ledger ledger(&log);
-  Run run = runDeck(deck, components, comm, ledger, log);
+  const LevelObserver writer = levelWriter(deck, options.deck, comm, ledger);
+  const LevelObserver onLevel = [&](const Run& level, int number) {
+    computed = true;
+    if (writer)
+      writer(level, number);
+  };
+  Run run = runDeck(deck, components, comm, ledger, log, {}, onLevel);
   computed = true;
   const auto written = writeResults(run, deck, options.deck, comm, ledger);
   copyLedger(run.summary, ledger, run.startSeconds);
@@ -96,16 +110,15 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
     log.line("\n" + closingText(run.summary));
   if (run.summary.errors)
     log.line("\n" + errorText(*run.summary.errors));
+  if (run.summary.accuracy && run.summary.errors)
+    log.line("\n  " + accuracyText(*run.summary.accuracy, run.summary.errors->guaranteed));
   log.line("\n" + stageText(run.summary) + "\n");
-  const bool allMet = reportExpectations(run.summary, comm, log);
+  reportExpectations(run.summary, comm, log);
   log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
                        written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
-  if (!run.failure.empty()) {
-    complain(comm, fmt::format("{}; {}.", run.failure, run.summary.solved ? "the results are marked so" : noSolution));
-    return ExitCode::NotConverged;
-  }
-  return allMet ? ExitCode::Right : ExitCode::ExpectationMissed;
+  reportShortcomings(run, comm);
+  return codeOf(run);
 }
 
 std::string planText(const Params& deck, const Components& components, const Comm& comm)
@@ -140,9 +153,10 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
                   bool& computed)
 {
   Diagnostics diagnostics;
-  const DeckList input = readInput(options, diagnostics);
+  DeckList input = readInput(options, diagnostics);
   if (input.findList("Study") != nullptr)
     return runStudy(input, options, components, comm, log, diagnostics, computed);
+  completeAccuracyDeck(input, diagnostics);
   const Params deck = validate(input, makeDeckSpec(components), diagnostics);
   diagnostics.throwIfAny();
   greet(deck, options, log);
@@ -150,7 +164,7 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
     log.line(planText(deck, components, comm));
     return ExitCode::Right;
   }
-  checkOutputFolder(deck.sub("Output"));
+  checkOutputFolder(deck);
   claimLibraryMemory();
   if (options.check) {
     Ledger ledger(&log);

@@ -217,6 +217,14 @@ void updateModel(Model& model, const Params& deck, const Components& components,
   model = std::move(updated);
 }
 
+void remeshModel(Model& model, const Params& deck, const Components& components, const MeshOfBody& meshOf,
+                 Ledger& ledger)
+{
+  const auto timer = ledger.time("read");
+  model = buildModel(deck, components, meshOf);
+  countBodyForces(model, ledger);
+}
+
 Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf)
 {
   Model model;

@@ -19,7 +19,7 @@ namespace
 {
 
 constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
-constexpr const char *fieldsEnding = ".e", *contactEnding = ".contact.csv";
+constexpr const char *fieldsEnding = ".e", *contactEnding = ".contact.csv", *levelsEnding = ".levels.csv";
 
 std::vector<NamedField> nodalFields(const Run& run, std::size_t body, std::size_t step)
 {
@@ -157,6 +157,45 @@ void writeExodusFile(const Run& run, const std::vector<ExodusStep>& steps, const
   writeExodus(path, run.summary.title, bodies, sides, steps, {"ndframe " + versionText(), "deck " + deckName});
 }
 
+std::string levelPath(const std::string& stem, int level)
+{
+  return fmt::format("{}.level-{:02}{}", stem, level, fieldsEnding);
+}
+
+/// The last state on the mesh of a level; the level stands for its time, so that ParaView plays the series.
+void writeLevel(const Run& run, int level, const Params& output, const std::string& deckName, Ledger& ledger)
+{
+  const auto timer = ledger.time("write levels");
+  ExodusStep step = exodusStep(run, output, run.states.size() - 1);
+  step.time = level;
+  ledger.count("bytes written", writeAtomically(levelPath(outputStem(output, deckName).string(), level),
+                                                [&](const std::string& temporary) {
+                                                  writeExodusFile(run, {step}, temporary, deckName);
+                                                }));
+}
+
+/// Names the files of the levels; those that a longer run has left are removed.
+void addLevelFiles(const AccuracySummary& accuracy, const std::string& stem, std::vector<std::string>& written)
+{
+  for (const auto& level : accuracy.levels)
+    written.push_back(levelPath(stem, level.level));
+  for (int left = int(accuracy.levels.size()) + 1; std::filesystem::exists(levelPath(stem, left)); ++left)
+    removeEarlier(levelPath(stem, left));
+}
+
+/// What a run with a target leaves of its levels, whether the last one has a solution or not.
+void writeLevels(const Run& run, const Params& output, const std::string& stem, Ledger& ledger,
+                 std::vector<std::string>& written)
+{
+  if (output.get<bool>("All Levels"))
+    addLevelFiles(*run.summary.accuracy, stem, written);
+  if (!run.plan.runs("level table"))
+    return;
+  const auto timer = ledger.time("write");
+  written.push_back(stem + levelsEnding);
+  ledger.count("bytes written", writeTextAtomically(written.back(), levelsCsv(run.summary.accuracy->levels)));
+}
+
 /// Writes the fields and the contact table that Output asks for; returns the files' names.
 std::vector<std::string> writeSolution(const Run& run, const Params& output, const std::string& stem,
                                        const std::string& deckName, Ledger& ledger)
@@ -204,6 +243,8 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
     written = writeSolution(run, output, stem, deckName, ledger);
   else
     removeSolution(run.plan, stem);
+  if (run.summary.accuracy)
+    writeLevels(run, output, stem, ledger, written);
   copyLedger(run.summary, ledger, run.startSeconds);
   if (output.get<bool>("Summary")) {
     written.push_back(stem + ".summary.json");
@@ -213,6 +254,15 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
 }
 
 } // namespace
+
+LevelObserver levelWriter(const Params& deck, const std::string& name, const Comm& comm, Ledger& ledger)
+{
+  if (!deck.sub("Output").get<bool>("All Levels"))
+    return {};
+  return [&](const Run& run, int level) {
+    writeOnFirstRank(comm, [&] { writeLevel(run, level, deck.sub("Output"), name, ledger); });
+  };
+}
 
 std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
                                       Ledger& ledger)

@@ -4,14 +4,17 @@
 
 #include <fmt/format.h>
 
+#include "accuracy_options.hpp"
 #include "outputs.hpp"
 
 namespace ndframe
 {
 
-void checkOutputFolder(const Params& output)
+void checkOutputFolder(const Params& deck)
 {
-  const bool writes = output.get<bool>("Exodus") || output.get<bool>("Summary") || output.get<bool>("Contact Table");
+  const Params output = deck.sub("Output");
+  const bool writes = output.get<bool>("Exodus") || output.get<bool>("Summary") || output.get<bool>("Contact Table") ||
+                      (wantsAccuracy(deck) && output.get<bool>("Level Table"));
   std::filesystem::path folder = std::filesystem::absolute(output.get<std::string>("Directory"));
   std::error_code none;
   while (!std::filesystem::exists(folder, none) && folder.has_relative_path())

@@ -21,8 +21,8 @@ const Names<StepsWritten>& stepsNames();
 /// Folder (made if missing) and beginning of the names of a deck's files. `output`: the list Output.
 std::filesystem::path outputStem(const Params& output, const std::string& deckName);
 
-/// Refuses an output folder that cannot be made or written in, before anything is computed. `output`: the list Output.
-void checkOutputFolder(const Params& output);
+/// Refuses an output folder that cannot be made or written in, before anything is computed.
+void checkOutputFolder(const Params& deck);
 
 /// Rank 0 writes; its InputError is everybody's. Collective.
 void writeOnFirstRank(const Comm& comm, const std::function<void()>& write);

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "accuracy_options.hpp"
 #include "ndframe/driver/error_options.hpp"
 
 namespace ndframe
@@ -53,18 +54,24 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
       "one process: MPI is not started");
   add("krylov", deck.sub("Linear Solver").get<std::string>("Type") == "Krylov",
       "linear solver Krylov: Tpetra, Belos and their like are loaded", "no linear solver Krylov: Tpetra is not loaded");
-  add("read", true, counted(bodies, "body", "bodies"), {});
-  add("check", true, "sides, pairing and supports are checked before anything is assembled", {});
-  add("assemble", true, counted(bodies, "matrix", "matrices"), {});
-  add("factor", true, fmt::format("once per body, {} in all ({})", bodies, solver.name(ranks)), {});
-  add("interface", touches, counted(interfaces, "interface", "interfaces") + " condensed", noInterface);
-  add("couple", touches, deck.sub("Coupling").get<std::string>("Type"), noInterface);
-  add("recover", true, "interior displacements, one back-solve a body and state", {});
+  const bool toTarget = wantsAccuracy(deck);
+  const std::string again = toTarget ? ", on every level" : "";
+  add("read", true, counted(bodies, "body", "bodies") + again, {});
+  add("check", true, "sides, pairing and supports are checked before anything is assembled" + again, {});
+  add("assemble", true, counted(bodies, "matrix", "matrices") + again, {});
+  add("factor", true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
+  add("interface", touches, counted(interfaces, "interface", "interfaces") + " condensed" + again, noInterface);
+  add("couple", touches, deck.sub("Coupling").get<std::string>("Type") + again, noInterface);
+  add("recover", true, "interior displacements, one back-solve a body and state" + again, {});
   addCertificate(deck);
   add("stress", exodus, "for the Exodus file", "no Exodus file is written");
   const bool contact = touches && output.get<bool>("Contact Table");
-  add("write", exodus || contact || output.get<bool>("Summary"),
+  const bool levels = toTarget && output.get<bool>("Level Table");
+  add("write", exodus || contact || levels || output.get<bool>("Summary"),
       fmt::format("to {}", output.get<std::string>("Directory")), "no file of this solution is asked for");
+  add("level table", levels, "NAME.levels.csv", toTarget ? "switched off in Output" : "the deck has no list Accuracy");
+  add("write levels", toTarget && output.get<bool>("All Levels"), "NAME.level-01.e, ... after every level",
+      toTarget ? "Output does not ask for All Levels" : "the deck has no list Accuracy");
   add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
   const auto expected = deck.sub("Expect").subs().size();
   add("expect", expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");
@@ -73,7 +80,9 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
 void Plan::addCertificate(const Params& deck)
 {
   const bool estimates = estimatesErrors(deck);
-  add("certificate", estimates, "the error of the final state", "the deck has no list Error Estimation");
+  add("certificate", estimates,
+      wantsAccuracy(deck) ? "the bound on every level, all else on the last one" : "the error of the final state",
+      "the deck has no list Error Estimation");
   if (!estimates)
     return;
   const ErrorOptions options = errorOptions(deck);

@@ -27,6 +27,16 @@ std::string sidesText(const InterfaceSummary& interface)
   return fmt::format("; Dirichlet side on {}, Neumann side on {}", interface.dirichletBody, interface.neumannBody);
 }
 
+std::string endsText(const RunSummary& summary)
+{
+  std::string text;
+  for (const auto& interface : summary.interfaces)
+    for (const auto& end : interface.endBrackets)
+      text += fmt::format("\n  {}: contact ends between ({:.5g}), closed, and ({:.5g}), open", interface.name,
+                          fmt::join(end.closed, ", "), fmt::join(end.open, ", "));
+  return text.empty() ? text : "\n" + text;
+}
+
 } // namespace
 
 std::string grouped(std::int64_t number)
@@ -98,6 +108,7 @@ std::string closingText(const RunSummary& summary)
                         interface.contactForce, interface.contactLength, interface.largestPressure,
                         interface.largestPenetration, ends.empty() ? "no contact" : ends);
   }
+  text += endsText(summary);
   const ResidualLimits limits;
   text +=
       fmt::format("\n\n  residuals: equilibrium {:.1e} (allowed {:.0e}), complementarity {:.1e}, penetration {:.1e}, "

@@ -7,6 +7,7 @@
 
 #include <fmt/format.h>
 
+#include "accuracy_screen.hpp"
 #include "failures.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "outputs.hpp"
@@ -19,8 +20,8 @@ namespace
 
 ExitCode graver(ExitCode a, ExitCode b)
 {
-  constexpr std::array<ExitCode, 5> byGravity{ExitCode::Right, ExitCode::ExpectationMissed, ExitCode::NotConverged,
-                                              ExitCode::UserInput, ExitCode::Bug};
+  constexpr std::array byGravity{ExitCode::Right,        ExitCode::ExpectationMissed, ExitCode::TargetMissed,
+                                 ExitCode::NotConverged, ExitCode::UserInput,         ExitCode::Bug};
   const auto gravity = [&](ExitCode code) { return std::find(byGravity.begin(), byGravity.end(), code); };
   return gravity(a) < gravity(b) ? b : a;
 }
@@ -40,6 +41,15 @@ std::string missedExpectations(const RunSummary& summary)
       missed += fmt::format("{}missed {}: {:.10g} instead of {:.10g}", missed.empty() ? "" : "; ", e.name, e.value,
                             e.expected);
   return missed;
+}
+
+/// Why the code of a case is not 0; empty when it is.
+std::string reasonOf(const std::string& failure, const RunSummary& summary)
+{
+  if (!failure.empty())
+    return failure;
+  const std::string target = missedTarget(summary), expectations = missedExpectations(summary);
+  return target.empty() || expectations.empty() ? target + expectations : target + "; " + expectations;
 }
 
 } // namespace
@@ -75,14 +85,15 @@ void StudyRunner::checkColumns()
 
 ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
 {
-  Run run = runDeck(given.deck, components_, comm_, ledger_, silentLog(), std::move(reusable_));
+  Run run = runDeck(given.deck, components_, comm_, ledger_, silentLog(), std::move(reusable_),
+                    levelWriter(given.deck, deckName_, comm_, ledger_));
+  const ExitCode code = codeOf(run);
   writeResults(run, given.deck, deckName_, comm_, ledger_);
   copyLedger(run.summary, ledger_, run.startSeconds);
   row.summary = std::move(run.summary);
   reusable_ = handOn(run);
-  row.reason = run.failure.empty() ? missedExpectations(*row.summary) : run.failure;
-  return !run.failure.empty() ? ExitCode::NotConverged
-                              : (row.reason.empty() ? ExitCode::Right : ExitCode::ExpectationMissed);
+  row.reason = reasonOf(run.failure, *row.summary);
+  return code;
 }
 
 StudyRow StudyRunner::runCase(std::size_t index)

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include "accuracy_options.hpp"
+
 namespace ndframe
 {
 namespace
@@ -99,7 +101,7 @@ void setOutput(DeckList& deck, const Study& study, const std::string& caseName, 
   if (study.writesFiles)
     applySetting(deck, "Output/Name=" + caseName, diagnostics);
   else
-    for (const char* file : {"Exodus", "Summary", "Contact Table"})
+    for (const char* file : {"Exodus", "Summary", "Contact Table", "Level Table", "All Levels"})
       applySetting(deck, fmt::format("Output/{}=false", file), diagnostics);
 }
 
@@ -127,6 +129,7 @@ StudyCase makeCase(const Study& study, DeckList deck, std::int64_t number, const
     values.push_back(setting.value);
   }
   setOutput(deck, study, fmt::format("{}.{}", study.fileName, number + 1), diagnostics);
+  completeAccuracyDeck(deck, diagnostics);
   return {std::move(values), validate(deck, spec, diagnostics)};
 }
 

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "ndframe/driver/recipe.hpp"
+#include "ndframe/io/csv.hpp"
 
 namespace ndframe
 {
@@ -100,16 +101,6 @@ std::vector<Column> columnsOf(const Study& study)
   for (const auto& path : study.columns)
     columns.push_back({path, ofSummary(path)});
   return columns;
-}
-
-std::string csvField(const std::string& text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string quoted = "\"";
-  for (const char c : text)
-    quoted += c == '"' ? std::string("\"\"") : std::string(1, c);
-  return quoted + '"';
 }
 
 std::string csvLine(std::vector<std::string> fields)

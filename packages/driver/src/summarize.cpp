@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_ends.hpp"
 #include "ndframe/assembly/fields.hpp"
 
 namespace ndframe
@@ -81,6 +82,7 @@ void completeInterfaces(Run& run)
     addForces(summary, interface, run, firstNode);
     summary.contactLength = closedLength(run, firstNode, std::size_t(interface.numNodes()));
     summary.endPoints = endPoints(interface, run, firstNode);
+    summary.endBrackets = endBrackets(interface, run.contact.data() + firstNode);
     for (int k = 0; k < interface.numNodes(); ++k) {
       const ContactNode& node = run.contact[firstNode + std::size_t(k)];
       summary.closedNodes += node.closed;

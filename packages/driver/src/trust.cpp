@@ -130,7 +130,8 @@ std::string undecidedContact(const Model& model, const CondensedModel& condensed
 
 std::string distrust(const RunSummary& summary)
 {
-  if (summary.coupling && !summary.coupling->converged)
+  const bool boundDecides = summary.accuracy.has_value();
+  if (summary.coupling && !summary.coupling->converged && !boundDecides)
     return summary.coupling->reason;
   if (!std::isfinite(summary.energy))
     return "the result is not a number";

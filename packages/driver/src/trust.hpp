@@ -31,7 +31,8 @@ std::string undecidedContact(const Model& model, const CondensedModel& condensed
                              const std::vector<BodyFields>& fields, const Comm& comm);
 
 /// Why a result is not what the equations ask for: the iteration did not converge, or a residual is too large. Empty
-/// when it is right.
+/// when it is right. Of a run with a target the iteration is not asked: the bound holds for the state of any sweep, and
+/// whether it meets the target is another question.
 std::string distrust(const RunSummary& summary);
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/io/csv.hpp"
 
 namespace ndframe
 {
@@ -13,17 +14,6 @@ namespace
 {
 
 constexpr std::array coordinateNames{"x", "y", "z"};
-
-/// A text cell; quoted as in RFC 4180 when it holds a separator.
-std::string quoted(const std::string& text)
-{
-  if (text.find_first_of(",\"\r\n") == std::string::npos)
-    return text;
-  std::string result = "\"";
-  for (const char c : text)
-    result.append(c == '"' ? 2 : 1, c);
-  return result + '"';
-}
 
 } // namespace
 
@@ -38,7 +28,7 @@ std::string contactCsv(const std::vector<ContactNode>& nodes, int dim)
   fmt::format_to(out, ",u_dirichlet,u_neumann,gap,traction_dirichlet,traction_neumann,nodal_force,closed\n");
   for (const auto& node : nodes) {
     NDFRAME_ASSERT(int(node.point.size()) == dim, "a contact node has dim coordinates");
-    fmt::format_to(out, "{}", quoted(node.interface));
+    fmt::format_to(out, "{}", csvField(node.interface));
     for (const double x : node.point)
       fmt::format_to(out, ",{:.17g}", x);
     for (const double value :

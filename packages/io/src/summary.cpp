@@ -28,6 +28,11 @@ Json bodyJson(const BodySummary& body)
           {"solver", body.solver}, {"held_by", body.heldBy}, {"energy", body.energy}};
 }
 
+Json bracketJson(const EndBracket& bracket)
+{
+  return Json::array({bracket.closed, bracket.open});
+}
+
 Json interfaceJson(const InterfaceSummary& interface)
 {
   return {{"name", interface.name},
@@ -40,6 +45,7 @@ Json interfaceJson(const InterfaceSummary& interface)
           {"contact_force", interface.contactForce},
           {"contact_length", interface.contactLength},
           {"end_points", interface.endPoints},
+          {"end_brackets", arrayOf(interface.endBrackets, bracketJson)},
           {"largest_pressure", interface.largestPressure},
           {"largest_penetration", interface.largestPenetration}};
 }
@@ -129,7 +135,7 @@ void eraseSolution(Json& json)
     body["energy"] = nullptr;
   for (auto& interface : json["interfaces"])
     for (const auto* key : {"closed_nodes", "force_on_dirichlet", "force_on_neumann", "contact_force", "contact_length",
-                            "end_points", "largest_pressure", "largest_penetration"})
+                            "end_points", "end_brackets", "largest_pressure", "largest_penetration"})
       interface[key] = nullptr;
   for (auto& residual : json["residuals"])
     residual = nullptr;
@@ -149,6 +155,7 @@ Json summaryJson(const RunSummary& summary)
             {"coupling", couplingJson(summary.coupling)},
             {"residuals", residualsJson(summary.residuals)},
             {"errors", errorsJson(summary.errors)},
+            {"accuracy", accuracyJson(summary.accuracy)},
             {"expectations", arrayOf(summary.expectations, expectationJson)},
             {"ledger", ledgerJson(summary)}};
   if (!summary.solved)

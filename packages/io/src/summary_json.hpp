@@ -12,4 +12,7 @@ using Json = nlohmann::ordered_json;
 /// The certificate; null without one. What was not computed is null.
 Json errorsJson(const std::optional<ErrorSummary>& errors);
 
+/// The levels of a run with a target; null for a run without one.
+Json accuracyJson(const std::optional<AccuracySummary>& accuracy);
+
 } // namespace ndframe

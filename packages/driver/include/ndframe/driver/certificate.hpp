@@ -4,6 +4,7 @@
 #include <optional>
 
 #include "ndframe/driver/condensed_model.hpp"
+#include "ndframe/driver/error_options.hpp"
 #include "ndframe/driver/solution.hpp"
 #include "ndframe/io/summary.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
@@ -26,10 +27,11 @@ struct Certificate
   std::vector<StressCorrection> corrections; ///< of the global stress, per body
 };
 
-/// Section 5: everything the deck's Error Estimation asks for, for the final state of a run. Collective.
+/// Section 5: everything that the options (the deck's Error Estimation, or less) ask for, for the final state of a run.
+/// Collective.
 /// `fields`: the final state is their last. `reference`: of an earlier run or null; kept where it suits, else replaced.
 /// Throws NotConverged when no admissible traction exists.
-Certificate certify(const Params& deck, const Components& components, const Model& model,
+Certificate certify(const Params& deck, const ErrorOptions& options, const Components& components, const Model& model,
                     const CondensedModel& condensed, const CouplingResult& coupling,
                     const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
                     std::shared_ptr<const ReferenceSolution>& reference);

@@ -12,7 +12,8 @@ enum class ExitCode
   Bug = 1,
   UserInput = 2,
   NotConverged = 3, ///< or a bound without the guarantee that the deck requires, or no certificate
-  ExpectationMissed = 4
+  ExpectationMissed = 4,
+  TargetMissed = 5 ///< the list Accuracy; what was reached is certified
 };
 
 /// The whole program: reads the command line, runs the deck, writes the results. A project with components of its own

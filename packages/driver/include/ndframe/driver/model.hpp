@@ -54,6 +54,10 @@ using MeshOfBody = std::function<GivenMesh(const Params& body)>;
 /// The same scene on other meshes than those that the deck names.
 Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf);
 
+/// The same as a stage of a run. Not to be reused: the model has no recipe.
+void remeshModel(Model& model, const Params& deck, const Components& components, const MeshOfBody& meshOf,
+                 Ledger& ledger);
+
 /// Refuses bodies that are the Dirichlet body of one interface and the Neumann body of another: a coupling that solves
 /// the bodies one after the other needs one role per body. Looks at the deck only.
 void checkRoles(const Params& deck, Diagnostics& diagnostics);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -42,16 +43,24 @@ struct Reusable
 /// Takes out of a run what the next one may take over; the answer stays.
 Reusable handOn(Run& run);
 
-/// Runs a validated deck up to the summary; writes no files. Of `previous` it keeps what the deck has not changed, with
+/// Called after every level of a run with a target (level: from 1) with the solution and certificate on its mesh; the
+/// summary only has names and sizes then.
+using LevelObserver = std::function<void(const Run& run, int level)>;
+
+/// Runs a validated deck up to the summary; writes no files. A deck with the list Accuracy is run on as many meshes as
+/// its target needs and reuses nothing. Of `previous` it keeps what the deck has not changed, with
 /// the same answer as without; the ledger must be the one of the run that it comes from.
 /// Without a solution (a solver gives up, the load pulls a body off) the summary says so. Throws InputError for
 /// mistakes that show only with the meshes; `previous` then holds what can still be reused.
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
-            Reusable&& previous = {});
+            Reusable&& previous = {}, const LevelObserver& onLevel = {});
 
 /// Makes an earlier (or empty) model the deck's and checks everything that --check checks: meshes, pairing, supports,
-/// expectations.
+/// expectations. With a target the model is that of the first meshes.
 void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
+
+/// Writes NAME.level-01.e, ... if Output asks for all levels; else empty. Everything must live as long as the observer.
+LevelObserver levelWriter(const Params& deck, const std::string& name, const Comm& comm, Ledger& ledger);
 
 /// Writes what Output asks for; returns the files' names. Only rank 0 writes; a failure is everybody's InputError.
 std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/io/accuracy_summary.hpp"
 #include "ndframe/io/error_summary.hpp"
 
 namespace ndframe
@@ -23,6 +24,12 @@ struct BodySummary
   double energy = 0.0; ///< a(u,u) = int K eps:eps, no 1/2
 };
 
+/// The end of contact between two nodes: the nearest that is closed and pressed, the nearest that is open with a gap.
+struct EndBracket
+{
+  std::vector<double> closed, open; ///< coordinates
+};
+
 struct InterfaceSummary
 {
   std::string name;
@@ -34,6 +41,7 @@ struct InterfaceSummary
   double contactForce = 0.0;                  ///< - int t_dir . n_c dS, positive in compression
   double contactLength = 0.0;                 ///< sum of int psi_i dS over the closed nodes i
   std::vector<std::vector<double>> endPoints; ///< of the closed nodes: the two farthest apart (2-D)
+  std::vector<EndBracket> endBrackets;        ///< where contact ends inside the interface (2-D)
   double largestPressure = 0.0;
   double largestPenetration = 0.0; ///< max (u1_N - u2_N - g) over the nodes, 0 if none
 };
@@ -111,7 +119,8 @@ struct RunSummary
   std::vector<InterfaceSummary> interfaces;
   std::optional<CouplingSummary> coupling; ///< absent without interfaces
   ResidualSummary residuals;
-  std::optional<ErrorSummary> errors; ///< absent without Error Estimation
+  std::optional<ErrorSummary> errors;      ///< absent without Error Estimation
+  std::optional<AccuracySummary> accuracy; ///< absent without Accuracy
   std::vector<ExpectationSummary> expectations;
   std::map<std::string, std::int64_t> counts;
   std::vector<StageSummary> stages;

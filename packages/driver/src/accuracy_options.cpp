@@ -1,0 +1,117 @@
+#include "accuracy_options.hpp"
+
+#include <fmt/format.h>
+
+#include "ndframe/driver/error_options.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// An optional limit; without it there is none.
+double limit(const Params& list, const char* key, double unit)
+{
+  return list.has(key) ? unit * list.get<double>(key) : std::numeric_limits<double>::infinity();
+}
+
+} // namespace
+
+const Names<AccuracyOf>& accuracyOfNames()
+{
+  static const Names<AccuracyOf> names{{"Displacement", AccuracyOf::Displacement},
+                                       {"Mean Stress", AccuracyOf::MeanStress}};
+  return names;
+}
+
+const Names<AccuracyStart>& accuracyStartNames()
+{
+  static const Names<AccuracyStart> names{{"Coarsest", AccuracyStart::Coarsest}, {"Deck", AccuracyStart::Deck}};
+  return names;
+}
+
+bool wantsAccuracy(const Params& deck)
+{
+  return deck.hasSub("Accuracy");
+}
+
+AccuracyOptions accuracyOptions(const Params& deck)
+{
+  const Params list = deck.sub("Accuracy");
+  AccuracyOptions options;
+  options.relative = list.has("Target");
+  options.target = list.get<double>(options.relative ? "Target" : "Absolute Target");
+  options.of = accuracyOfNames().value(list.get<std::string>("Of"));
+  options.start = accuracyStartNames().value(list.get<std::string>("Start"));
+  options.maximumDofs = list.get<int>("Maximum Dofs");
+  options.maximumLevels = list.get<int>("Maximum Levels");
+  options.maximumMemory = limit(list, "Maximum Memory", 1e9);
+  options.maximumSeconds = limit(list, "Maximum Time", 1.0);
+  options.iterationShare = list.get<double>("Iteration Share");
+  return options;
+}
+
+ListSpec accuracySpec()
+{
+  ListSpec list;
+  list.name = "Accuracy";
+  list.doc = "An accuracy instead of a mesh: the meshes are refined where the error is and the sweeps stopped when "
+             "their part is small, until the bound is below the target. In two dimensions.";
+  list.onlyIfGiven = true;
+  list.params = {
+      ParamSpec::optional("Target", Kind::Double, inOpenRange(0.0, 1.0),
+                          "The bound over the energy norm of the solution: 0.01 is 1 %."),
+      ParamSpec::optional("Absolute Target", Kind::Double, above(0.0),
+                          "The bound itself, in the energy norm (root of an energy); instead of Target."),
+      {"Of", std::string("Displacement"), accuracyOfNames().range(),
+       "Whose error. Displacement: the computed displacement and its stress. Mean Stress: the mean of the computed and "
+       "the equilibrated stress, with about half the error."},
+      {"Start", std::string("Coarsest"), accuracyStartNames().range(),
+       "The first meshes. Coarsest: boxes with as few cells as their sides and their neighbours allow, meshes from "
+       "files "
+       "as they are. Deck: all as the deck says."},
+      {"Iteration Share", 0.2, inOpenRange(0.0, 1.0),
+       "The sweeps on a mesh end when their part of the error is below this share of the mesh's."},
+      {"Maximum Dofs", 1000000, atLeast(1), "No mesh gets more dofs than this."},
+      {"Maximum Levels", 40, atLeast(1), "No more meshes than this, the first one included."},
+      ParamSpec::optional("Maximum Memory", Kind::Double, above(0.0), "GB that a process may take."),
+      ParamSpec::optional("Maximum Time", Kind::Double, above(0.0),
+                          "Seconds on the wall; a mesh that would not be done in time is not begun.")};
+  return list;
+}
+
+void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
+{
+  if (deck.findList("Accuracy") == nullptr)
+    return;
+  if (deck.findList("Error Estimation") == nullptr)
+    applySetting(deck, "Error Estimation/Estimators={Global}", diagnostics);
+  const DeckList* coupling = deck.findList("Coupling");
+  const DeckEntry* type = coupling == nullptr ? nullptr : coupling->findEntry("Type");
+  const bool sweeps = type == nullptr || type->value == "Neumann-Dirichlet";
+  if (sweeps && (coupling == nullptr || coupling->findEntry("Initial Traction") == nullptr))
+    applySetting(deck, "Coupling/Initial Traction=Balanced", diagnostics);
+}
+
+void checkAccuracy(const Params& deck, Diagnostics& diagnostics)
+{
+  const Params output = deck.sub("Output");
+  const bool allLevels = output.get<bool>("All Levels");
+  if (!wantsAccuracy(deck)) {
+    if (allLevels)
+      diagnostics.add(output.mistake("All Levels", "All Levels writes the meshes on the way to a target, and the deck "
+                                                   "has no list Accuracy."));
+    return;
+  }
+  if (allLevels && !output.get<bool>("Exodus"))
+    diagnostics.add(output.mistake("All Levels", "All Levels writes Exodus files, and Exodus is false; remove one."));
+  const Params list = deck.sub("Accuracy");
+  if (list.has("Target") == list.has("Absolute Target"))
+    diagnostics.add(list.mistake("", list.has("Target") ? "names both Target and Absolute Target; remove one of them."
+                                                        : "names no target; give Target = 0.01, say, for 1 %."));
+  if (!errorOptions(deck).wants(Estimator::Global))
+    diagnostics.add(deck.sub("Error Estimation")
+                        .mistake("Estimators", "a list Accuracy compares the bound with its target; add \"Global\"."));
+}
+
+} // namespace ndframe

@@ -1,0 +1,65 @@
+#include "accuracy_screen.hpp"
+
+#include <fmt/format.h>
+
+#include "screen.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// What the target is and how near the last level came, in the same words.
+std::string amount(const AccuracySummary& summary, double absolute, double relative)
+{
+  return summary.relative ? fmt::format("{:.3g} %", 100.0 * relative) : fmt::format("{:.4g}", absolute);
+}
+
+} // namespace
+
+std::string stoppingText(const Params& deck)
+{
+  const Params coupling = deck.sub("Coupling");
+  const bool hasTolerance = coupling.hasSub("Stopping") && coupling.sub("Stopping").isGiven("Tolerance");
+  return hasTolerance ? "\n  stopping: by the balance with the mesh, not by Tolerance" : "";
+}
+
+std::string levelTitle(const AccuracySummary& summary, const std::string& stopping)
+{
+  return fmt::format("  target {} ({}){}\n\n  level      dofs  sweeps       bound                mesh   iteration   "
+                     "dofs to target   seconds   largest contribution",
+                     amount(summary, summary.target, summary.target),
+                     summary.of == "Displacement" ? "displacement" : "mean stress", stopping);
+}
+
+std::string levelLine(const LevelSummary& level)
+{
+  return fmt::format("  {:>5} {:>9}  {:>6}  {:>10.4g}  {:>6.3g} %  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:.3g}, "
+                     "{:.3g} in {}",
+                     level.level, grouped(level.dofs), level.sweeps, level.bound, 100.0 * level.relative, level.mesh,
+                     level.iteration, level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds,
+                     level.worstPoint[0], level.worstPoint[1], level.worstBody);
+}
+
+std::string accuracyText(const AccuracySummary& summary, bool guaranteed)
+{
+  const LevelSummary& last = summary.levels.back();
+  return fmt::format("target {} {}: {} {}, {} dofs, {} level{}, {} sweeps, {:.2f} s{}",
+                     amount(summary, summary.target, summary.target), summary.reached ? "reached" : "NOT reached",
+                     amount(summary, last.bound, last.relative), guaranteed ? "guaranteed" : "not guaranteed",
+                     grouped(last.dofs), summary.levels.size(), summary.levels.size() == 1 ? "" : "s", summary.sweeps(),
+                     last.seconds, summary.reached ? std::string() : "; limit: " + summary.limit);
+}
+
+std::string missedTarget(const RunSummary& summary)
+{
+  if (!summary.accuracy || !summary.errors || summary.accuracy->reached)
+    return {};
+  const AccuracySummary& accuracy = *summary.accuracy;
+  const LevelSummary& last = accuracy.levels.back();
+  return fmt::format("target {} missed: {}; {} {}", amount(accuracy, accuracy.target, accuracy.target), accuracy.limit,
+                     summary.errors->guaranteed ? "the answer is guaranteed to" : "its error, not guaranteed, is",
+                     amount(accuracy, last.bound, last.relative));
+}
+
+} // namespace ndframe

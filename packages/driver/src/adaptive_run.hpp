@@ -1,0 +1,16 @@
+#pragma once
+
+#include "run_steps.hpp"
+
+namespace ndframe
+{
+
+/// Reads the meshes that a deck with the list Accuracy begins with, and checks them.
+void readFirstMeshes(Model& model, const RunTools& tools);
+
+/// Runs a deck with the list Accuracy up to the summary: solves and certifies on finer and finer meshes until the bound
+/// is below the target or a limit is met. The run that is returned is the one on the last mesh.
+Run runToTarget(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
+                const LevelObserver& onLevel);
+
+} // namespace ndframe

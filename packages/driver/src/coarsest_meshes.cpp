@@ -1,0 +1,128 @@
+#include "coarsest_meshes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "shared_mesh.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+bool isBox(const Params& mesh)
+{
+  return mesh.get<std::string>("Type") == "Box";
+}
+
+/// The cells of a box in each direction if none is longer than `size`; never more than the deck asks for.
+std::vector<int> cellsOfSize(const Params& mesh, double size)
+{
+  const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
+  std::vector<int> cells = mesh.get<std::vector<int>>("Cells");
+  for (std::size_t d = 0; d < cells.size(); ++d)
+    cells[d] = std::min(cells[d], std::max(1, int(std::ceil((upper[d] - lower[d]) / size * (1.0 - 1e-9)))));
+  return cells;
+}
+
+Params boxWith(const std::vector<int>& cells, const Params& mesh, const Components& components)
+{
+  ListSpec spec;
+  spec.name = mesh.name();
+  spec.choices = components.meshSources.choices();
+  Diagnostics diagnostics;
+  DeckList list = parseDeck(toXml(mesh), mesh.path());
+  applySetting(list, fmt::format("Cells={{{}}}", fmt::join(cells, ", ")), diagnostics);
+  Params coarser = validate(list, spec, diagnostics);
+  diagnostics.throwIfAny();
+  return coarser;
+}
+
+bool hasRoomForSplits(const Params& box, const Components& components)
+{
+  try {
+    components.meshSources.build(box);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// A box whose cells are not longer than `size`, with more of them in a direction whose splits need more.
+Params coarseBox(const Params& mesh, const Components& components, double size)
+{
+  const auto asked = mesh.get<std::vector<int>>("Cells");
+  std::vector<int> cells = cellsOfSize(mesh, size);
+  while (cells != asked) {
+    if (Params box = boxWith(cells, mesh, components); hasRoomForSplits(box, components))
+      return box;
+    for (std::size_t d = 0; d < cells.size(); ++d) {
+      std::vector<int> more = cells;
+      more[d] = std::min(cells[d] + 1, asked[d]);
+      if (Params box = boxWith(more, mesh, components); hasRoomForSplits(box, components))
+        return box;
+    }
+    for (std::size_t d = 0; d < cells.size(); ++d)
+      cells[d] = std::min(cells[d] + 1, asked[d]);
+  }
+  return mesh;
+}
+
+Mesh readCoarse(const Params& mesh, const Components& components, const Comm& comm, double size)
+{
+  const Params chosen = isBox(mesh) ? coarseBox(mesh, components, size) : mesh;
+  return readShared(*components.meshSources.build(chosen), comm);
+}
+
+double largestBox(const Params& deck)
+{
+  double largest = 0.0;
+  for (const auto& body : deck.sub("Bodies").subs())
+    if (const Params mesh = body.sub("Mesh"); isBox(mesh)) {
+      const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
+      for (std::size_t d = 0; d < std::min(lower.size(), upper.size()); ++d)
+        largest = std::max(largest, upper[d] - lower[d]);
+    }
+  return largest;
+}
+
+int mostCells(const Params& deck)
+{
+  int most = 0;
+  for (const auto& body : deck.sub("Bodies").subs())
+    if (const Params mesh = body.sub("Mesh"); isBox(mesh))
+      for (const int cells : mesh.get<std::vector<int>>("Cells"))
+        most = std::max(most, cells);
+  return most;
+}
+
+bool fits(const Params& deck, const Components& components, const MeshOfBody& meshes)
+{
+  try {
+    buildModel(deck, components, meshes);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+} // namespace
+
+MeshOfBody coarsestMeshes(const Params& deck, const Components& components, const Comm& comm)
+{
+  const double largest = largestBox(deck);
+  for (int pieces = 1; pieces < mostCells(deck); ++pieces) {
+    const double size = largest / pieces;
+    const MeshOfBody meshes = [&components, &comm, size](const Params& body) -> GivenMesh {
+      return readCoarse(body.sub("Mesh"), components, comm, size);
+    };
+    if (fits(deck, components, meshes))
+      return meshes;
+  }
+  return {};
+}
+
+} // namespace ndframe

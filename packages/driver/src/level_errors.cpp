@@ -1,0 +1,68 @@
+#include "level_errors.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ndframe
+{
+namespace
+{
+
+/// Where the largest contribution is.
+void findWorst(const Run& run, LevelSummary& level)
+{
+  double largest = -1.0;
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    const Vector& eta = run.certificate->etaGlobal[b];
+    const auto worst = std::max_element(eta.begin(), eta.end());
+    if (worst == eta.end() || *worst <= largest)
+      continue;
+    largest = *worst;
+    const Mesh& mesh = run.model.bodies[b].mesh;
+    const int* vertices = mesh.cell(int(worst - eta.begin()));
+    level.worstBody = run.model.bodies[b].name;
+    level.worstPoint.assign(std::size_t(mesh.dim), 0.0);
+    for (int v = 0; v <= mesh.dim; ++v)
+      for (int k = 0; k < mesh.dim; ++k)
+        level.worstPoint[std::size_t(k)] += mesh.point(vertices[v])[k] / (mesh.dim + 1);
+  }
+}
+
+} // namespace
+
+LevelErrors::LevelErrors(const Run& run, const AccuracyOptions& options)
+{
+  const ErrorSummary& errors = run.certificate->summary;
+  const ErrorMeasureSummary& global = *errors.global;
+  const double norm = global.relative > 0.0 ? global.absolute / global.relative : 0.0;
+  bound = options.of == AccuracyOf::Displacement ? global.absolute : *errors.meanStress;
+  relative = norm > 0.0 ? bound / norm : 0.0;
+  target = options.target * (options.relative ? norm : 1.0);
+  if (!run.coupling.history.empty())
+    iteration = run.coupling.history.back().iterationError.value_or(0.0);
+  mesh = std::sqrt(std::max(0.0, global.absolute * global.absolute - iteration * iteration));
+}
+
+LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
+{
+  LevelSummary level;
+  level.dofs = numDofs(run.model);
+  for (const auto& body : run.model.bodies)
+    level.elements += body.mesh.numCells();
+  level.bound = errors.bound;
+  level.relative = errors.relative;
+  level.iteration = errors.iteration;
+  level.mesh = errors.mesh;
+  findWorst(run, level);
+  return level;
+}
+
+std::int64_t numDofs(const Model& model)
+{
+  std::int64_t sum = 0;
+  for (const int dofs : model.numDofs())
+    sum += dofs;
+  return sum;
+}
+
+} // namespace ndframe

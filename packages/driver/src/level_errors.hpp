@@ -1,0 +1,28 @@
+#pragma once
+
+#include "accuracy_options.hpp"
+#include "ndframe/driver/run.hpp"
+
+namespace ndframe
+{
+
+/// What the certificate of a mesh says to a run with a target; absolute, in the energy norm.
+struct LevelErrors
+{
+  LevelErrors(const Run& run, const AccuracyOptions& options);
+
+  double bound = 0.0;     ///< what is compared with the target
+  double target = 0.0;    ///< of the bound
+  double relative = 0.0;  ///< the bound over the norm of the solution
+  double iteration = 0.0; ///< the part of the stopped sweeps
+  double mesh = 0.0;      ///< the rest of the bound of the displacement's error
+
+  bool reached() const { return bound <= target; }
+};
+
+/// The line of a level without what it predicts.
+LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors);
+
+std::int64_t numDofs(const Model& model);
+
+} // namespace ndframe

@@ -1,0 +1,209 @@
+#include "run_steps.hpp"
+
+#include <fmt/format.h>
+
+#include "accuracy_options.hpp"
+#include "error_checks.hpp"
+#include "outputs.hpp"
+#include "roles.hpp"
+#include "screen.hpp"
+#include "summarize.hpp"
+#include "trust.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Why a step could not be done, where that lies in the problem; empty when it is done.
+template <class Step>
+std::string failureOf(const Step& step)
+{
+  try {
+    step();
+    return {};
+  } catch (const NotConverged& failure) {
+    return failure.what();
+  } catch (const SingularBody& failure) { // met by an iterative solver on its way
+    return failure.what();
+  } catch (const NotPositiveDefinite&) {
+    return "a body's stiffness on the interface is lost in round-off: its matrix is too ill-conditioned";
+  }
+}
+
+/// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
+void couple(Run& run, const RunTools& tools, const Log& log, const CouplingStart& start)
+{
+  const Params output = tools.deck.sub("Output");
+  const bool keepAll = stepsNames().value(output.get<std::string>("Steps")) == StepsWritten::AllSweeps;
+  log.line("\n" + sweepTitle(run.model.interfaces.front(), run.model));
+  {
+    const auto timer = tools.ledger.time("couple");
+    const auto observe = [&](const SweepRecord& record, const InterfaceState& state) {
+      log.line(sweepLine(record));
+      if (keepAll)
+        run.states.push_back(state);
+    };
+    run.coupling = tools.coupling->solve(run.condensed.interface, observe, tools.ledger, start);
+    if (!keepAll)
+      run.states = {run.coupling.state};
+  }
+  log.line(fmt::format("  {}: {}", run.coupling.converged ? "stopped" : "NOT CONVERGED", run.coupling.reason));
+}
+
+/// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
+std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Params& deck)
+{
+  if (!errors || errors->guaranteed || !errorOptions(deck).requireGuarantee)
+    return {};
+  return "the bound is not guaranteed: " + errors->reason;
+}
+
+/// A residual this many times the linear solver's tolerance is what the solver was asked for: its own is relative to
+/// right-hand sides that cancel in part.
+constexpr double amplification = 1e3;
+
+/// Says that the linear solver was told to stop too early for forces in balance; empty when it was not.
+std::string looseSolver(const RunSummary& summary, const Params& solver)
+{
+  const double imbalance = summary.residuals.equilibrium;
+  const bool explains = solver.has("Tolerance") && imbalance > ResidualLimits().equilibrium &&
+                        imbalance <= amplification * solver.get<double>("Tolerance");
+  if (!explains)
+    return {};
+  return fmt::format("the forces are out of balance by {:.1e}, which results are trusted with up to {:g}: the linear "
+                     "solver's Tolerance {:g} is too loose; lower it",
+                     imbalance, ResidualLimits().equilibrium, solver.get<double>("Tolerance"));
+}
+
+/// Why the numbers of a solution may not be trusted; empty when they may.
+std::string doubtAbout(const RunSummary& summary, const Params& deck)
+{
+  const auto reason = distrust(summary);
+  const bool stoppedEarly = summary.coupling && !summary.coupling->converged;
+  const auto loose = looseSolver(summary, deck.sub("Linear Solver"));
+  return reason.empty() || stoppedEarly || loose.empty() ? reason : loose;
+}
+
+/// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
+/// converged.
+std::string verdictOn(Run& run, const Params& deck)
+{
+  RunSummary& summary = run.summary;
+  const auto reason = summary.solved ? doubtAbout(summary, deck) : run.coupling.reason;
+  if (reason.empty())
+    return missingGuarantee(summary.errors, deck);
+  if (summary.coupling) {
+    summary.coupling->converged = false;
+    summary.coupling->reason = reason;
+  }
+  return "not converged: " + reason;
+}
+
+/// Leaves a run without a solution; the reason stands in the coupling's result.
+void giveUp(Run& run, const std::string& reason, const Log& log)
+{
+  run.states.clear();
+  run.fields.clear();
+  run.contact.clear();
+  run.certificate.reset();
+  run.coupling.converged = false;
+  run.coupling.reason = reason;
+  log.line("  NOT CONVERGED: " + reason);
+}
+
+} // namespace
+
+RunTools::RunTools(const Params& givenDeck, const Components& givenComponents, const Comm& givenComm,
+                   Ledger& givenLedger)
+    : deck(givenDeck), components(givenComponents), comm(givenComm), ledger(givenLedger),
+      coupling(components.couplings.build(deck.sub("Coupling"))),
+      solver(components.linearSolvers.build(deck.sub("Linear Solver")))
+{
+  if (estimatesErrors(deck))
+    errors = errorOptions(deck);
+}
+
+void checkLists(const RunTools& tools)
+{
+  Diagnostics diagnostics;
+  if (tools.coupling->roles() == Roles::AsGiven)
+    checkRoles(tools.deck, diagnostics);
+  checkErrorEstimation(tools.deck, diagnostics);
+  checkAccuracy(tools.deck, diagnostics);
+  diagnostics.throwIfAny();
+}
+
+void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
+{
+  const Params& deck = tools.deck;
+  checkLists(tools);
+  Diagnostics diagnostics;
+  if (meshes)
+    remeshModel(model, deck, tools.components, meshes, tools.ledger);
+  else
+    updateModel(model, deck, tools.components, tools.comm, tools.ledger);
+  const auto timer = tools.ledger.time("check");
+  checkNumberRange(model, deck, diagnostics);
+  diagnostics.throwIfAny(); // sums of such numbers mean nothing
+  if (tools.coupling->roles() == Roles::Automatic)
+    giveOneRole(model, deck, diagnostics);
+  checkHeld(model, deck, diagnostics);
+  checkRecovery(deck, tools.components, model.bodies.front().mesh.dim, diagnostics);
+  checkExpectationNames(outlineSummary(model, deck, *tools.solver, 1), deck, diagnostics);
+  diagnostics.throwIfAny();
+}
+
+void condenseRun(Run& run, const RunTools& tools, const Log& log)
+{
+  const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
+  run.condensed =
+      condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, log, std::move(run.condensed));
+  if (run.plan.runs("couple") && tools.coupling->roles() == Roles::Automatic)
+    chooseRoles(run, tools.ledger, log);
+}
+
+void solveRun(Run& run, const RunTools& tools, const Log& log, const CouplingStart& start)
+{
+  run.states.clear();
+  if (run.plan.runs("couple"))
+    couple(run, tools, log, start);
+  else
+    run.states.emplace_back();
+  run.fields = recoverFields(run.model, run.condensed, run.states, tools.ledger);
+  run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
+  if (const auto reason = undecidedContact(run.model, run.condensed, run.coupling.state, run.fields, tools.comm);
+      !reason.empty())
+  {
+    run.coupling.converged = false;
+    run.coupling.reason = reason;
+    run.failure = "not converged: " + reason;
+  }
+}
+
+void certifyRun(Run& run, const RunTools& tools)
+{
+  const auto failure = failureOf([&] {
+    run.certificate = certify(tools.deck, *tools.errors, tools.components, run.model, run.condensed, run.coupling,
+                              run.fields, tools.comm, tools.ledger, run.reference);
+  });
+  if (!failure.empty())
+    run.failure = "no certificate: " + failure;
+}
+
+void attempt(Run& run, const Log& log, const std::function<void()>& steps)
+{
+  const auto failure = failureOf(steps);
+  if (!failure.empty())
+    giveUp(run, failure, log);
+}
+
+void finishRun(Run& run, const RunTools& tools)
+{
+  completeSummary(run, tools.deck, tools.comm);
+  if (const std::string verdict = verdictOn(run, tools.deck); !verdict.empty())
+    run.failure = verdict;
+  copyLedger(run.summary, tools.ledger, run.startSeconds);
+}
+
+} // namespace ndframe

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ndframe/driver/run.hpp"
+
+namespace ndframe
+{
+
+/// What the steps of a run work with.
+struct RunTools
+{
+  RunTools(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
+
+  const Params& deck;
+  const Components& components;
+  const Comm& comm;
+  Ledger& ledger;
+  std::unique_ptr<Coupling> coupling;
+  std::unique_ptr<LinearSolver> solver;
+  std::optional<ErrorOptions> errors; ///< what is estimated; none without the list Error Estimation
+};
+
+/// Refuses lists of the deck that contradict each other; all that needs no mesh.
+void checkLists(const RunTools& tools);
+
+/// Makes an earlier (or empty) model the deck's and checks it. meshes: empty, or those to be used instead of the
+/// deck's.
+void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes = {});
+
+/// Matrices, factors, Schur complements, and the roles of the bodies.
+void condenseRun(Run& run, const RunTools& tools, const Log& log);
+
+/// Sweeps, displacements, contact. Needs condenseRun; may be repeated from another start.
+void solveRun(Run& run, const RunTools& tools, const Log& log, const CouplingStart& start = {});
+
+/// The certificate of the last state; without one Run::failure says why.
+void certifyRun(Run& run, const RunTools& tools);
+
+/// Takes steps that may fail where that lies in the problem; then the run is left without a solution, and says why.
+void attempt(Run& run, const Log& log, const std::function<void()>& steps);
+
+/// The summary, and in Run::failure why the result may not be trusted.
+void finishRun(Run& run, const RunTools& tools);
+
+} // namespace ndframe

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+/// One mesh on the way to a target.
+struct LevelSummary
+{
+  int level = 1;
+  std::int64_t dofs = 0, elements = 0;
+  int sweeps = 0;
+  double bound = 0.0;     ///< what is compared with the target, absolute
+  double relative = 0.0;  ///< over sqrt(a(u_h, u_h))
+  double iteration = 0.0; ///< of it: the stopped sweeps (energy norm)
+  double mesh = 0.0;      ///< of it: the rest, sqrt(bound^2 - iteration^2)
+  std::string worstBody;  ///< where the largest contribution is
+  std::vector<double> worstPoint;
+  std::int64_t dofsToTarget = 0; ///< predicted for the target; 0 when it is reached
+  double seconds = 0.0;          ///< since the run began
+};
+
+/// How a target was reached, or why not.
+struct AccuracySummary
+{
+  std::string of; ///< "Displacement", "Mean Stress"
+  double target = 0.0;
+  bool relative = true;
+  bool reached = false;
+  std::string limit; ///< why it was not; empty when it was
+  std::vector<LevelSummary> levels;
+
+  int sweeps() const;             ///< of all levels
+  std::int64_t totalDofs() const; ///< of all levels: the work
+};
+
+/// NAME.levels.csv: a line of names, then one line a level; 17 significant digits. What is not known is empty. In two
+/// dimensions.
+std::string levelsCsv(const std::vector<LevelSummary>& levels);
+
+} // namespace ndframe

@@ -1,0 +1,85 @@
+#include "ndframe/io/accuracy_summary.hpp"
+
+#include <iterator>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/io/csv.hpp"
+#include "summary_json.hpp"
+
+// docs/summary.schema.json describes what is written here; tests/io holds the two together.
+
+namespace ndframe
+{
+namespace
+{
+
+Json levelJson(const LevelSummary& level)
+{
+  return {{"level", level.level},
+          {"dofs", level.dofs},
+          {"elements", level.elements},
+          {"sweeps", level.sweeps},
+          {"bound", level.bound},
+          {"relative", level.relative},
+          {"mesh", level.mesh},
+          {"iteration", level.iteration},
+          {"largest", {{"body", level.worstBody}, {"point", level.worstPoint}}},
+          {"dofs_to_target", level.dofsToTarget > 0 ? Json(level.dofsToTarget) : Json()},
+          {"seconds", level.seconds}};
+}
+
+} // namespace
+
+int AccuracySummary::sweeps() const
+{
+  int sum = 0;
+  for (const auto& level : levels)
+    sum += level.sweeps;
+  return sum;
+}
+
+std::int64_t AccuracySummary::totalDofs() const
+{
+  std::int64_t sum = 0;
+  for (const auto& level : levels)
+    sum += level.dofs;
+  return sum;
+}
+
+Json accuracyJson(const std::optional<AccuracySummary>& accuracy)
+{
+  if (!accuracy)
+    return nullptr;
+  auto levels = Json::array();
+  for (const auto& level : accuracy->levels)
+    levels.push_back(levelJson(level));
+  return {{"of", accuracy->of},
+          {"target", accuracy->target},
+          {"relative", accuracy->relative},
+          {"reached", accuracy->reached},
+          {"limit", accuracy->limit},
+          {"number_of_levels", accuracy->levels.size()},
+          {"sweeps", accuracy->sweeps()},
+          {"dofs", accuracy->levels.empty() ? 0 : accuracy->levels.back().dofs},
+          {"total_dofs", accuracy->totalDofs()},
+          {"levels", std::move(levels)}};
+}
+
+std::string levelsCsv(const std::vector<LevelSummary>& levels)
+{
+  fmt::memory_buffer buffer;
+  auto out = std::back_inserter(buffer);
+  fmt::format_to(out, "level,dofs,elements,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
+                      "dofs_to_target,seconds\n");
+  for (const auto& level : levels) {
+    fmt::format_to(out, "{},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},", level.level, level.dofs, level.elements,
+                   level.sweeps, level.bound, level.relative, level.mesh, level.iteration);
+    fmt::format_to(out, "{},{:.17g},{},{:.6f}\n", csvField(level.worstBody), fmt::join(level.worstPoint, ","),
+                   level.dofsToTarget > 0 ? fmt::format("{}", level.dofsToTarget) : "", level.seconds);
+  }
+  return fmt::to_string(buffer);
+}
+
+} // namespace ndframe

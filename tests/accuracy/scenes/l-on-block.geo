@@ -1,0 +1,32 @@
+// boot:  [0, 1.5] x [0, 0.5] and above it [0, 0.6] x [0.5, 1.5]
+// block: [0, 2.4] x [-1.2, 0], which shares the curve "contact"
+size = 0.6;
+Point(1) = {0, 0, 0, size};
+Point(2) = {1.5, 0, 0, size};
+Point(3) = {1.5, 0.5, 0, size};
+Point(4) = {0.6, 0.5, 0, size};
+Point(5) = {0.6, 1.5, 0, size};
+Point(6) = {0, 1.5, 0, size};
+Point(7) = {2.4, 0, 0, size};
+Point(8) = {2.4, -1.2, 0, size};
+Point(9) = {0, -1.2, 0, size};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 6};
+Line(6) = {6, 1};
+Line(7) = {2, 7};
+Line(8) = {7, 8};
+Line(9) = {8, 9};
+Line(10) = {9, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Curve Loop(2) = {-10, -9, -8, -7, -1};
+Plane Surface(1) = {1};
+Plane Surface(2) = {2};
+Physical Curve("contact") = {1};
+Physical Curve("top") = {5};
+Physical Curve("left") = {6, 10};
+Physical Curve("bottom") = {9};
+Physical Surface("boot") = {1};
+Physical Surface("block") = {2};

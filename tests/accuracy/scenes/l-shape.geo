@@ -1,0 +1,19 @@
+// [0, 2] x [0, 2] without [1, 2] x [1, 2].
+size = 1;
+Point(1) = {0, 0, 0, size};
+Point(2) = {2, 0, 0, size};
+Point(3) = {2, 1, 0, size};
+Point(4) = {1, 1, 0, size};
+Point(5) = {1, 2, 0, size};
+Point(6) = {0, 2, 0, size};
+Line(1) = {1, 2};
+Line(2) = {2, 3};
+Line(3) = {3, 4};
+Line(4) = {4, 5};
+Line(5) = {5, 6};
+Line(6) = {6, 1};
+Curve Loop(1) = {1, 2, 3, 4, 5, 6};
+Plane Surface(1) = {1};
+Physical Curve("bottom") = {1};
+Physical Curve("top") = {5};
+Physical Surface("bracket") = {1};
