@@ -116,7 +116,7 @@ MeshOfBody coarsestMeshes(const Params& deck, const Components& components, cons
   const double largest = largestBox(deck);
   for (int pieces = 1; pieces < mostCells(deck); ++pieces) {
     const double size = largest / pieces;
-    const MeshOfBody meshes = [&components, &comm, size](const Params& body) -> GivenMesh {
+    MeshOfBody meshes = [&components, &comm, size](const Params& body) -> GivenMesh {
       return readCoarse(body.sub("Mesh"), components, comm, size);
     };
     if (fits(deck, components, meshes))

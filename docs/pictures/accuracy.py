@@ -1,0 +1,103 @@
+#!/usr/bin/python3
+"""Draws what a target costs: bound against dofs and seconds beside uniform meshes, and the last meshes.
+
+    /usr/bin/python3 docs/pictures/accuracy.py build/release/bin/ndframe docs/pictures
+
+Needs python3-netcdf4 and python3-matplotlib. Takes half a minute; seconds want a quiet machine.
+"""
+import csv
+import json
+import pathlib
+import subprocess
+import sys
+import tempfile
+
+import matplotlib
+import netCDF4
+import numpy
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt  # noqa: E402
+from matplotlib.collections import PolyCollection  # noqa: E402
+
+DECKS = pathlib.Path(__file__).resolve().parents[2] / "decks"
+# scene: target of the curves, target of the mesh that is shown, cells of uniform meshes per body for one size
+SCENES = {
+    "punch": (1e-4, 0.00455, {"punch": (1, 1), "foundation": (2, 1)}, (4, 8, 16, 32, 64, 128)),
+    "contact-loss": (1e-3, 0.005, {"upper": (5, 4), "lower": (10, 10)}, (2, 4, 8, 16)),
+}
+
+
+def run(program, folder, scene, *settings):
+    command = [program, "-q", "-i", str(DECKS / f"{scene}.xml"), "--set", f"Output/Directory={folder}"]
+    for setting in settings:
+        command += ["--set", setting]
+    done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
+    if done.returncode not in (0, 4):  # expectations of the deck are about its own mesh
+        sys.exit(f"{' '.join(command)} ended with {done.returncode}: {done.stderr}")
+    return json.loads((folder / f"{scene}.summary.json").read_text())
+
+
+def adaptive(program, folder, scene, target):
+    run(program, folder, scene, f"Accuracy/Target={target}")
+    with open(folder / f"{scene}.levels.csv", newline="") as file:
+        return [tuple(float(row[key]) for key in ("dofs", "seconds", "relative")) for row in csv.DictReader(file)]
+
+
+def uniform(program, folder, scene, bodies, sizes):
+    points = []
+    for size in sizes:
+        cells = [f"Bodies/{body}/Mesh/Cells={{{x * size}, {y * size}}}" for body, (x, y) in bodies.items()]
+        summary = run(program, folder, scene, *cells, "Error Estimation/Estimators={Global}",
+                      "Coupling/Stopping/Tolerance=1e-4")
+        dofs = sum(body["dofs"] for body in summary["bodies"])
+        points.append((dofs, summary["ledger"]["total_seconds"], summary["errors"]["global"]["relative"]))
+    return points
+
+
+def draw_curves(curves, path):
+    figure, axes = plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
+    for colour, (scene, (refined, even)) in zip(("C0", "C1"), curves.items()):
+        for axis, column in zip(axes, (0, 1)):
+            for points, style, name in ((refined, "o-", "target"), (even, "s--", "uniform")):
+                axis.loglog([p[column] for p in points], [100 * p[2] for p in points], style, color=colour,
+                            markersize=4, linewidth=1, label=f"{scene}, {name}")
+    for axis, label in zip(axes, ("degrees of freedom", "seconds, all levels so far")):
+        axis.set(xlabel=label, ylabel="guaranteed bound, %")
+        axis.grid(which="both", alpha=0.2)
+    axes[0].legend(fontsize=8)
+    figure.savefig(path, dpi=100, metadata={"Software": None})
+
+
+def draw_mesh(axes, path, title):
+    """The cells of an Exodus file, coloured by their contributions."""
+    data = netCDF4.Dataset(path)
+    names = ["".join(c.decode() for c in row.compressed()).strip("\0 ") for row in data["name_elem_var"][:]]
+    x, y = numpy.asarray(data["coordx"][:]), numpy.asarray(data["coordy"][:])
+    cells, eta = [], []
+    for block in range(1, len(data.dimensions["num_el_blk"]) + 1):
+        vertices = numpy.asarray(data[f"connect{block}"][:])[:, :3] - 1
+        cells += list(numpy.stack([x[vertices], y[vertices]], axis=2))
+        eta += list(numpy.asarray(data[f"vals_elem_var{names.index('eta_glob') + 1}eb{block}"][-1]))
+    values = numpy.log10(numpy.maximum(eta, max(eta) * 1e-3))
+    shown = PolyCollection(cells, array=values, edgecolors="k", linewidths=0.2, cmap="viridis")
+    axes.add_collection(shown)
+    axes.autoscale()
+    axes.set(aspect="equal", title=title)
+    plt.colorbar(shown, ax=axes, label="log10 of the contribution", shrink=0.7)
+
+
+def main(program, pictures):
+    curves = {}
+    figure, axes = plt.subplots(1, 2, figsize=(12, 5.2), constrained_layout=True)
+    with tempfile.TemporaryDirectory() as name:
+        folder = pathlib.Path(name)
+        for axis, (scene, (target, shown, bodies, sizes)) in zip(axes, SCENES.items()):
+            curves[scene] = adaptive(program, folder, scene, target), uniform(program, folder, scene, bodies, sizes)
+            adaptive(program, folder, scene, shown)
+            draw_mesh(axis, folder / f"{scene}.e", f"{scene}, {100 * shown:g} %")
+    draw_curves(curves, pictures / "accuracy.png")
+    figure.savefig(pictures / "accuracy-meshes.png", dpi=100, metadata={"Software": None})
+
+
+main(sys.argv[1], pathlib.Path(sys.argv[2]))
