@@ -92,6 +92,16 @@ TEST(OneRunToTarget, TakesTheSameWayInTheMirror)
   EXPECT_EQ(dofsOfLevels(image.run), dofsOfLevels(crossed().run().run));
 }
 
+TEST(OneRunToTarget, NoMeshHasALargerBoundThanTheOneBefore)
+{
+  // Where contact opens, what is left of earlier tractions may cost more than the mesh: then sweeps must follow.
+  const auto outcome = toTarget("hertz", "0.001").run();
+  const auto& levels = outcome.run.summary.accuracy->levels;
+  EXPECT_TRUE(outcome.run.summary.accuracy->reached);
+  for (std::size_t l = 1; l < levels.size(); ++l)
+    EXPECT_LT(levels[l].bound, levels[l - 1].bound) << "level " << levels[l].level;
+}
+
 TEST(OneRunToTarget, StopsAtTheLimitOfRoundOff)
 {
   const auto outcome = toTarget("patch", "1e-15").run();

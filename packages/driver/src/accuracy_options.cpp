@@ -109,7 +109,9 @@ void checkAccuracy(const Params& deck, Diagnostics& diagnostics)
   if (list.has("Target") == list.has("Absolute Target"))
     diagnostics.add(list.mistake("", list.has("Target") ? "names both Target and Absolute Target; remove one of them."
                                                         : "names no target; give Target = 0.01, say, for 1 %."));
-  if (!errorOptions(deck).wants(Estimator::Global))
+  if (!estimatesErrors(deck)) // completeAccuracyDeck() was not called
+    diagnostics.add(list.mistake("", "compares a bound with its target; add the list Error Estimation."));
+  else if (!errorOptions(deck).wants(Estimator::Global))
     diagnostics.add(deck.sub("Error Estimation")
                         .mistake("Estimators", "a list Accuracy compares the bound with its target; add \"Global\"."));
 }

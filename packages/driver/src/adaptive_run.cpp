@@ -23,6 +23,10 @@ namespace
 /// A bound that falls by less than this in two levels does not follow the mesh any more.
 constexpr double stalled = 0.98;
 
+/// A bound above that of the coarser mesh before is one of tractions that were left where contact opens, which the
+/// energy of the iteration hardly sees: then the sweeps go on, as long as the bound falls by a tenth.
+constexpr double falling = 0.9, oneMoreDigit = 0.1;
+
 /// What a level hands to the next one.
 struct Carried
 {
@@ -111,7 +115,8 @@ private:
   {
     condenseRun(run_, tools_, silentLog());
     CouplingStart start = firstStart();
-    for (;;) {
+    const double unknown = std::numeric_limits<double>::infinity();
+    for (double iterationBefore = unknown, boundBefore = unknown;;) {
       solveRun(run_, tools_, silentLog(), start);
       sweeps_ += int(run_.coupling.history.size());
       certifyRun(run_, tools_);
@@ -119,11 +124,15 @@ private:
         return;
       const LevelErrors errors(run_, options_);
       const double allowed = options_.iterationShare * errors.mesh;
-      if (errors.iteration <= allowed)
+      const bool rises = !summary_.levels.empty() && errors.bound > summary_.levels.back().bound &&
+                         errors.bound < falling * boundBefore;
+      if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !rises))
         return;
       start.traction = nextTraction(run_.condensed.interface, run_.coupling);
       start.closed = run_.coupling.state.closed;
-      start.iterationError = allowed;
+      start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
+      iterationBefore = errors.iteration;
+      boundBefore = errors.bound;
     }
   }
 
