@@ -68,8 +68,7 @@ ListSpec accuracySpec()
        "the equilibrated stress, with about half the error."},
       {"Start", std::string("Coarsest"), accuracyStartNames().range(),
        "The first meshes. Coarsest: boxes with as few cells as their sides and their neighbours allow, meshes from "
-       "files "
-       "as they are. Deck: all as the deck says."},
+       "files as they are. Deck: all as the deck says."},
       {"Iteration Share", 0.2, inOpenRange(0.0, 1.0),
        "The sweeps on a mesh end when their part of the error is below this share of the mesh's."},
       {"Maximum Dofs", 1000000, atLeast(1), "No mesh gets more dofs than this."},

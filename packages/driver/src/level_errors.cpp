@@ -46,7 +46,7 @@ LevelErrors::LevelErrors(const Run& run, const AccuracyOptions& options)
 LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
 {
   LevelSummary level;
-  level.dofs = numDofs(run.model);
+  level.dofs = run.model.totalDofs();
   for (const auto& body : run.model.bodies)
     level.elements += body.mesh.numCells();
   level.bound = errors.bound;
@@ -55,14 +55,6 @@ LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
   level.mesh = errors.mesh;
   findWorst(run, level);
   return level;
-}
-
-std::int64_t numDofs(const Model& model)
-{
-  std::int64_t sum = 0;
-  for (const int dofs : model.numDofs())
-    sum += dofs;
-  return sum;
 }
 
 } // namespace ndframe

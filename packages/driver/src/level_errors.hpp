@@ -23,6 +23,4 @@ struct LevelErrors
 /// The line of a level without what it predicts.
 LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors);
 
-std::int64_t numDofs(const Model& model);
-
 } // namespace ndframe

@@ -71,7 +71,7 @@ void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
   bound_ = errors.bound;
   target_ = errors.target;
   total_ = std::sqrt(squared);
-  numDofs_ = numDofs(run.model);
+  numDofs_ = run.model.totalDofs();
   dofsPerCell_ = double(numDofs_) / double(cells);
 }
 

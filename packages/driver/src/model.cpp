@@ -1,5 +1,6 @@
 #include "ndframe/driver/model.hpp"
 
+#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
@@ -152,6 +153,12 @@ std::vector<int> Model::numDofs() const
   for (const auto& body : bodies)
     numbers.push_back(body.numDofs());
   return numbers;
+}
+
+std::int64_t Model::totalDofs() const
+{
+  const std::vector<int> numbers = numDofs();
+  return std::accumulate(numbers.begin(), numbers.end(), std::int64_t(0));
 }
 
 int Model::bodyIndex(const std::string& name) const

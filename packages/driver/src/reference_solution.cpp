@@ -75,9 +75,7 @@ std::optional<double> ratio(double bound, double error, double size)
 /// Nodes multiply by 2^dim with every refinement (a little less).
 int affordableRefinements(const Model& model, const ReferenceDepth& depth)
 {
-  std::int64_t dofs = 0;
-  for (const auto& body : model.bodies)
-    dofs += body.numDofs();
+  std::int64_t dofs = model.totalDofs();
   const int children = numChildren(model.bodies.front().mesh.dim);
   int refinements = 0;
   while (refinements < depth.refinements && (dofs *= children) <= depth.maximumDofs)
@@ -132,10 +130,7 @@ bool ReferenceSolution::suits(const Model& coarse, int refinements) const
 
 std::int64_t ReferenceSolution::dofs() const
 {
-  std::int64_t sum = 0;
-  for (const auto& body : model_.bodies)
-    sum += body.numDofs();
-  return sum;
+  return model_.totalDofs();
 }
 
 std::vector<Vector> ReferenceSolution::onFineMesh(const std::vector<Vector>& displacement) const

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <vector>
 
@@ -28,6 +29,7 @@ struct Model
 
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
   std::vector<int> numDofs() const;             ///< per body
+  std::int64_t totalDofs() const;
 };
 
 /// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is
