@@ -12,12 +12,14 @@ import unittest
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(sys.argv.pop(1)) / "apps/ndbench"))
 
-from bench import analysis, campaign, page, references, targets, truth
+from bench import accuracy, analysis, campaign, last_mesh, methods, page, references, targets, truth
 from bench.child import cost_of
+from bench.program import Run
+from bench.scenes import SCENES
 
 
 def timed(method, seconds, error, spread=0.0):
-    return {"scene": "s", "method": method, "cells": 1, "dofs": 10, "seconds": seconds, "error_high": error,
+    return {"scene": "s", "method": method, "size": "1 cells", "dofs": 10, "seconds": seconds, "error_high": error,
             "seconds_least": seconds - spread, "seconds_most": seconds + spread}
 
 
@@ -72,6 +74,63 @@ class Analysis(unittest.TestCase):
         below, above = targets.Target("", "", 1.6, 1.3, None), targets.Target("", "", 1.4, 1.7, None, least=True)
         self.assertEqual([below.verdict(v) for v in (1.3, 1.5, 1.7)], ["aim", "must", "no"])
         self.assertEqual([above.verdict(v) for v in (1.7, 1.5, 1.3)], ["aim", "must", "no"])
+
+
+class Accuracy(unittest.TestCase):
+    """Uniform meshes beside a run with a target."""
+
+    def found(self, wanted, error_of):
+        looked_at = []
+
+        def error(cells):
+            looked_at.append(cells)
+            return error_of(cells)
+
+        return accuracy.cells_for(wanted, error, (8, 16), lambda cells: cells > 500), looked_at
+
+    def test_cells_are_the_fewest_for_the_error(self):
+        """Of even numbers, whether the error is a power of the cells or bends."""
+        for error_of in (lambda n: 0.7 * n**-0.76, lambda n: 0.7 * n**-0.76 + 3 / n**2, lambda n: 40 * n**-2.0):
+            for wanted in (0.02, 0.05, 0.2):
+                cells, looked_at = self.found(wanted, error_of)
+                self.assertLessEqual(error_of(cells), wanted)
+                self.assertGreater(error_of(cells - accuracy.STEP), wanted)
+                self.assertLess(len(looked_at), 12)
+
+    def test_meshes_that_are_too_large_are_predicted_only(self):
+        cells, looked_at = self.found(0.001, lambda n: n**-0.75)
+        self.assertAlmostEqual(cells / 0.001 ** (-1 / 0.75), 1, 2)
+        self.assertEqual(looked_at, [8, 16])
+
+    def test_a_target_replaces_the_meshes_and_keeps_the_scene(self):
+        case = campaign.Case(SCENES[0], methods.ADAPTIVE, 0.00455)
+        self.assertEqual(case.method.on(case.scene, case.size), ("Accuracy/Target=0.00455",))
+        self.assertEqual((str(case), case.alone), ("punch, adaptive, certified, target 0.455 %", None))
+        self.assertNotIn("beam-3d", [case.scene.name for case in campaign.cases(9, methods=(methods.ADAPTIVE,))])
+
+    def test_the_last_mesh_has_the_sides_of_its_bodies(self):
+        press, ground, weight = {"Type": "Pressure", "Side": "top"}, {"Side": "bottom"}, {"Type": "Body Force"}
+        bodies = {"a": {"Supports": {}, "Loads": {"press": press, "weight": weight}},
+                  "b": {"Supports": {"ground": ground}, "Loads": {}}}
+        contact = {"Dirichlet Body": "a", "Dirichlet Side": "bottom", "Neumann Body": "b", "Neumann Side": "top"}
+        settings = list(last_mesh.on_its_mesh({"deck": {"Bodies": bodies, "Interfaces": {"c": contact}}}, "/m.e"))
+        self.assertEqual(settings[:3], [f"Bodies/a/Mesh/{text}" for text in ("Type=Exodus", "File=/m.e", "Blocks={a}")])
+        self.assertEqual([text for text in settings if "Side=" in text], [
+            "Bodies/a/Loads/press/Side=a:top", "Bodies/b/Supports/ground/Side=b:bottom",
+            "Interfaces/c/Dirichlet Side=a:bottom", "Interfaces/c/Neumann Side=b:top"])
+
+    def test_seconds_of_short_runs_are_the_least_without_their_files(self):
+        def done(total):
+            seconds = {"read": 1, "factor": 2, "write": 4}
+            stages = [{"name": name, "seconds": value} for name, value in seconds.items()]
+            return Run(None, {"ledger": {"total_seconds": total, "stages": stages}}, [])
+
+        pairs = [(done(20), done(11)), (done(17), done(12))]
+        self.assertEqual(last_mesh.least(pairs, lambda one: one.solving_seconds), [12, 6])
+
+    def test_a_mesh_that_is_not_run_shows_its_size(self):
+        row = {"scene": "s", "target": 0.001, "beside": "its bound", "dofs": 12_345_678, "wall": None}
+        self.assertIn("| some 12,000,000 | ", page.accuracy_table([row]))
 
 
 class Truth(unittest.TestCase):

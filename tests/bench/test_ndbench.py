@@ -76,7 +76,7 @@ class Campaign(unittest.TestCase):
             self.assertIn("Aitken", (files / "finest.md").read_text())
             self.assertIn("| punch |", (files / "fastest.md").read_text())
         self.assertEqual(tuple(rows[0]), campaign.COLUMNS)
-        self.assertLessEqual({"read", "order", "factor", "write", "start and exit"}, stages)
+        self.assertLessEqual({"read", "order", "factor", "write", "between stages", "start and exit"}, stages)
         self.check_rows(rows)
 
     def check_rows(self, rows):
@@ -90,14 +90,44 @@ class Campaign(unittest.TestCase):
             self.assertLess(int(coarse["dofs"]), int(fine["dofs"]), method)
             self.assertLess(float(fine["error"]), float(coarse["error"]), method)
 
+    def test_uniform_meshes_stand_beside_a_target(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = ndbench(folder, "--accuracy", "--short", "--scene", "punch", "--scene", "contact-loss")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            tables = {}
+            for name in ("accuracy", "last-mesh"):
+                with open(pathlib.Path(folder) / f"{name}.csv", newline="") as table:
+                    tables[name] = list(csv.DictReader(table))
+                self.assertIn("| punch | 5 % |", (pathlib.Path(folder) / f"{name}.md").read_text())
+        self.assertEqual([row["beside"] for row in tables["accuracy"]], ["", "its bound", "its error"] * 2)
+        for whole, *uniform in (tables["accuracy"][:3], tables["accuracy"][3:]):
+            limits = [float(whole[key]) for key in ("bound", "error")]
+            self.assertLessEqual(limits[0], float(whole["target"]))
+            for row, limit in zip(uniform, limits):
+                self.assertTrue(0.7 * limit < float(row["error"]) <= limit, row)
+                self.assertGreater(int(row["dofs"]), 4 * int(whole["dofs"]))
+        self.check_last_meshes(tables["last-mesh"])
+
+    def check_last_meshes(self, rows):
+        """The mesh read back is the same one: so is its bound, but for the sweeps."""
+        for row in rows:
+            self.assertLess(abs(float(row["same_bound"]) - 1), 0.1, row)
+            self.assertGreater(float(row["work"]), 1, row)
+
     def test_targets_are_measured(self):
         with tempfile.TemporaryDirectory() as folder:
             done = ndbench(folder, "--targets", "--short")
             self.assertEqual(done.returncode, 0, done.stderr)
             with open(pathlib.Path(folder) / "targets.csv", newline="") as table:
                 rows = list(csv.DictReader(table))
-        self.assertEqual(len(rows), 11)
+        self.assertEqual(len(rows), 17)
         self.assertTrue(all(row["met"] in ("aim", "must", "no") for row in rows))
+
+    def test_a_scene_without_targets_is_refused(self):
+        with tempfile.TemporaryDirectory() as folder:
+            done = ndbench(folder, "--accuracy", "--scene", "beam-3d")
+        self.assertEqual(done.returncode, 1)
+        self.assertIn("none of the scenes has targets", done.stderr)
 
     def test_a_missing_program_is_named(self):
         done = ndbench("unused", "--program", "/nowhere")

@@ -10,10 +10,11 @@ from bench.scenes import SCENES, Scene
 from bench.truth import true_error
 from bench.yardstick import processor_seconds
 
-OUTSIDE = "start and exit"  # of the process: what no stage counts
+OUTSIDE = "start and exit"  # of the process
+BETWEEN = "between stages"  # what no stage counts; with a target also prediction and refinement
 
 COLUMNS = (
-    "scene", "method", "order", "cells", "dofs", "sweeps", "exit", "wall", "wall_least", "wall_most", "seconds",
+    "scene", "method", "size", "order", "dofs", "sweeps", "exit", "wall", "wall_least", "wall_most", "seconds",
     "seconds_least", "seconds_most", "start", "peak_bytes", "yardstick", "ratio", "error", "error_low", "error_high",
     "error_sharp", "bound", "effectivity",
 )
@@ -21,25 +22,34 @@ COLUMNS = (
 
 @dataclasses.dataclass(frozen=True)
 class Case:
-    """One scene, method and size."""
+    """One scene, method and size (cells or target: methods.py)."""
 
     scene: Scene
     method: Method
-    cells: int
+    size: float
+
+    def run(self, program):
+        return run(program, self.scene.deck, self.method.on(self.scene, self.size))
 
     @property
-    def settings(self):
-        return (*self.scene.on(self.cells), *self.method.settings)
+    def alone(self):
+        """Deck and settings of the libraries' run alone; None where no mesh is given."""
+        settings = self.method.yardstick(self.scene, self.size)
+        return settings and (self.scene.deck, settings)
+
+    @property
+    def key(self):
+        return {"scene": self.scene.name, "method": self.method.name, "size": self.method.words(self.size)}
 
     def __str__(self):
-        return f"{self.scene.name}, {self.method.name}, {self.cells} cells"
+        return ", ".join(self.key.values())
 
 
 def cases(levels, scenes=SCENES, methods=METHODS):
     """All cases on the first `levels` sizes of each scene."""
     return [
-        Case(scene, method, cells)
-        for scene in scenes for method in methods if method.fits(scene) for cells in method.sizes(scene)[:levels]
+        Case(scene, method, size)
+        for scene in scenes for method in methods if method.fits(scene) for size in method.sizes(scene)[:levels]
     ]
 
 
@@ -56,15 +66,14 @@ def measured(program, wanted, repetitions, say):
     runs, yardsticks, starts = {case: [] for case in wanted}, {case: [] for case in wanted}, []
     for repetition in range(repetitions):
         starts.append(start_seconds(program))
-        known = {}  # methods of one scene, size and order share the matrix
+        known = {}
         for number, case in enumerate(wanted):
             say(f"round {repetition + 1} of {repetitions}, {number + 1} of {len(wanted)}: {case}")
-            key = (case.scene, case.cells, case.method.order)
-            if key not in known:
-                order = f"Discretization/Order={case.method.order}"
-                known[key] = processor_seconds(program, case.scene.deck, (*case.scene.on(case.cells), order))
-            yardsticks[case].append(known[key])
-            runs[case].append(run(program, case.scene.deck, case.settings))
+            alone = case.alone
+            if alone and alone not in known:
+                known[alone] = processor_seconds(program, *alone)
+            yardsticks[case].append(known.get(alone))
+            runs[case].append(case.run(program))
     return [(case, runs[case], yardsticks[case]) for case in wanted], median(starts)
 
 
@@ -74,14 +83,13 @@ def row(case, runs, yardsticks, start, exact):
     error = true_error(last, case.scene.gap, exact)
     walls, seconds = ([getattr(each.cost, what) for each in runs] for what in ("wall", "cpu"))
     bound = None if last.bound is None else last.bound / exact.norm
-    coupling = last.summary["coupling"]
     return {
-        "scene": case.scene.name, "method": case.method.name, "order": last.order, "cells": case.cells,
-        "dofs": last.dofs, "sweeps": coupling and coupling["sweeps"], "exit": last.cost.exit,
+        **case.key, "order": last.order, "dofs": last.dofs, "sweeps": last.sweeps, "exit": last.cost.exit,
         "wall": median(walls), "wall_least": min(walls), "wall_most": max(walls), "seconds": median(seconds),
         "seconds_least": min(seconds), "seconds_most": max(seconds), "start": start,
         "peak_bytes": median([each.cost.peak for each in runs]),
-        "yardstick": median(yardsticks), "ratio": median([one / other for one, other in zip(seconds, yardsticks)]),
+        "yardstick": median(yardsticks),
+        "ratio": median([one / other for one, other in zip(seconds, yardsticks) if other is not None]),
         "error": error.best / exact.norm, "error_low": error.low / exact.norm, "error_high": error.high / exact.norm,
         "error_sharp": int(error.sharp), "bound": bound, "effectivity": bound and bound * exact.norm / error.best,
     }
@@ -90,9 +98,10 @@ def row(case, runs, yardsticks, start, exact):
 def stage_rows(case, runs):
     """Median seconds of every stage of a case, and what the process needs beside them."""
     stages = {name: median([each.stages.get(name) for each in runs]) for name in runs[-1].stages}
-    stages[OUTSIDE] = max(median([each.cost.wall for each in runs]) - sum(stages.values()), 0.0)
-    key = {"scene": case.scene.name, "method": case.method.name, "cells": case.cells, "dofs": runs[-1].dofs}
-    return [{**key, "stage": name, "wall": seconds} for name, seconds in stages.items()]
+    inside = median([each.total_seconds for each in runs])
+    stages[BETWEEN] = max(inside - sum(stages.values()), 0.0)
+    stages[OUTSIDE] = max(median([each.cost.wall for each in runs]) - inside, 0.0)
+    return [{**case.key, "dofs": runs[-1].dofs, "stage": name, "wall": seconds} for name, seconds in stages.items()]
 
 
 def tables(results, start, exact):

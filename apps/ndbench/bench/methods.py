@@ -13,7 +13,7 @@ def stopped_at(tolerance):
 
 @dataclasses.dataclass(frozen=True)
 class Method:
-    """Settings of the deck, on a scene's meshes."""
+    """Settings of the deck, on meshes that it names: a size is the number of cells along the interface."""
 
     name: str
     settings: tuple
@@ -29,14 +29,49 @@ class Method:
         """First-order elements get twice the cells: the same nodes, hence about the same dofs."""
         return tuple(2 * n if self.order == 1 else n for n in scene.sizes[: self.levels])
 
+    def on(self, scene, size):
+        return (*scene.on(size), *self.settings)
+
+    def yardstick(self, scene, size):
+        """Settings of the run of the libraries alone; None without a mesh that is given. Methods of one scene, size and
+        order share the matrix."""
+        return (*scene.on(size), f"Discretization/Order={self.order}")
+
+    def words(self, size):
+        return f"{size} cells"
+
+
+class Adaptive(Method):
+    """An accuracy instead of a mesh: a size is a target, and the bound is part of it."""
+
+    def fits(self, scene):
+        return bool(scene.targets)
+
+    def sizes(self, scene):
+        return scene.targets
+
+    def on(self, scene, size):
+        return (*scene.settings, *self.settings, f"Accuracy/Target={size!r}")
+
+    def yardstick(self, scene, size):
+        return None
+
+    def words(self, size):
+        return f"target {100 * size:g} %"
+
+
+ALL_AT_ONCE = Method("monolithic", (MONOLITHIC,))
+AITKEN = Method("Aitken to 1e-4", ("Coupling/Relaxation/Type=Aitken", stopped_at("1e-4")), contact_only=True)
+ADAPTIVE = Adaptive("adaptive, certified", ())
 
 METHODS = (
-    Method("monolithic", (MONOLITHIC,)),
+    ALL_AT_ONCE,
     Method("monolithic, order 1", (MONOLITHIC, "Discretization/Order=1"), order=1),
     Method("monolithic, Mumps", (MONOLITHIC, "Linear Solver/Type=Mumps")),
     Method("monolithic, Krylov", (MONOLITHIC, "Linear Solver/Type=Krylov"), levels=3, leave_out=("hertz",)),
     Method("monolithic, certified", (MONOLITHIC, CERTIFIED)),
     Method("theta 0.5 to 1e-4", (THETA, stopped_at("1e-4")), contact_only=True),
-    Method("Aitken to 1e-4", ("Coupling/Relaxation/Type=Aitken", stopped_at("1e-4")), contact_only=True),
+    AITKEN,
     Method("theta 0.5 to 0.1, certified", (THETA, stopped_at("0.1"), CERTIFIED), contact_only=True),
+    ADAPTIVE,
 )

@@ -11,7 +11,7 @@ def table(head, lines):
 
 
 def setting(row):
-    return f"{row['method']}, {row['cells']} cells"
+    return f"{row['method']}, {row['size']}"
 
 
 def seconds(row):
@@ -47,11 +47,46 @@ def finest_table(rows):
         row = max((row for row in rows if (row["scene"], row["method"]) == key), key=lambda row: row["dofs"])
         lines.append([
             *key, f"{row['dofs']:,}", number(row["sweeps"], "d"), f"{row['wall']:.2g}", f"{row['seconds']:.2g}",
-            f"{row['ratio']:.2f}", f"{row['peak_bytes'] / GIGABYTE:.2f}", error_text(row),
+            number(row["ratio"], ".2f"), f"{row['peak_bytes'] / GIGABYTE:.2f}", error_text(row),
             number(row["bound"] and 100 * row["bound"], ".3g"), number(row["effectivity"], ".3f"),
         ])
     head = ["scene", "method", "dofs", "sweeps", "seconds", "processor", "over yardstick", "GB", "error", "bound, %"]
     return table([*head, "bound / error"], lines)
+
+
+def percent(value):
+    return f"{100 * value:g} %"
+
+
+def accuracy_table(rows):
+    """A run with a target and the uniform runs beside it."""
+    lines = []
+    for row in rows:
+        if row["wall"] is None:
+            dofs = f"some {float(format(row['dofs'], '.2g')):,.0f}"
+            name = f"uniform: {row['beside']}"
+            lines.append([row["scene"], percent(row["target"]), name, dofs, *[""] * 5, "not run"])
+            continue
+        name = f"{row['method']}, {row['size']}: {row['beside']}" if row["beside"] else row["method"]
+        lines.append([
+            row["scene"], percent(row["target"]), name, f"{row['dofs']:,}", error_text(row),
+            number(row["bound"] and 100 * row["bound"], ".3g"), f"{row['wall']:.2g}", f"{row['seconds']:.2g}",
+            f"{row['peak_bytes'] / GIGABYTE:.2f}", f"{row['times']:.3g}",
+        ])
+    head = ["scene", "target", "run", "dofs", "error", "bound, %", "seconds", "processor", "GB", "times the seconds"]
+    return table(head, lines)
+
+
+def last_mesh_table(rows):
+    """The whole of a run with a target over its last mesh alone."""
+    lines = [
+        [row["scene"], percent(row["target"]), str(row["levels"]), str(row["sweeps"]), f"{row['dofs']:,}",
+         f"{row['work']:.2f}", f"{row['seconds']:.2g}", f"{row['alone']:.2g}", f"{row['over']:.2f}",
+         f"{row['wall_over']:.2f}", f"{row['same_bound']:.3f}"]
+        for row in rows
+    ]
+    head = ["scene", "target", "levels", "sweeps", "dofs", "sum of dofs over last", "seconds", "last mesh alone"]
+    return table([*head, "ratio", "ratio of processes", "bound over bound"], lines)
 
 
 def between(text, name, content):

@@ -7,7 +7,7 @@ matplotlib.use("Agg")
 import matplotlib.pyplot as plt
 
 from bench.analysis import exponents, power_law
-from bench.campaign import OUTSIDE
+from bench.campaign import BETWEEN, OUTSIDE
 
 LEGEND = 0.2  # share of a picture's height, at the bottom
 DOFS_FITTED = 10_000  # below, starting the program is most of the time
@@ -101,7 +101,7 @@ def stage_shares(stages, path):
     """Stacked shares of the stages in the seconds of a run, at each method's finest size."""
     figure, parts = panels(stages)
     names = list(dict.fromkeys(row["stage"] for row in stages))
-    names.sort(key=lambda name: name == OUTSIDE)  # the others in the order in which they run
+    names.sort(key=lambda name: (name == OUTSIDE, name == BETWEEN))  # the others in the order in which they run
     colours = {name: plt.get_cmap("tab20")(i % 20) for i, name in enumerate(names)} | {OUTSIDE: "0.85"}
     for scene, axes, own in parts:
         for (method,), mine in groups(own, "method").items():

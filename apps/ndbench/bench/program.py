@@ -35,6 +35,22 @@ class Run:
         return {stage["name"]: stage["seconds"] for stage in self.summary["ledger"]["stages"]}
 
     @property
+    def total_seconds(self):
+        """Of the program, without the start and the exit of the process."""
+        return self.summary["ledger"]["total_seconds"]
+
+    @property
+    def solving_seconds(self):
+        """The same without reading and writing files."""
+        return self.total_seconds - self.stages["read"] - self.stages["write"]
+
+    @property
+    def sweeps(self):
+        """Of all levels; None for a body alone."""
+        coupling = self.summary["coupling"]
+        return (self.summary["accuracy"] or coupling)["sweeps"] if coupling else None
+
+    @property
     def bound(self):
         """The bound of the error in energy; None without a certificate, or where it is not guaranteed."""
         bound = (self.summary["errors"] or {}).get("global")
@@ -53,12 +69,17 @@ def arguments(deck, settings):
 
 def run(program, deck, settings, environment=None, ranks=1):
     """Runs `deck` with `settings` (texts for --set) in a folder of its own, all files written, and reads them back."""
-    launcher = [] if ranks == 1 else ["mpirun", "--oversubscribe", "-np", str(ranks)]
     with tempfile.TemporaryDirectory(prefix="ndbench-") as folder:
-        cost, text = cost_of([*launcher, program, *arguments(deck, settings)], folder, environment)
-        if cost.exit not in USABLE:
-            raise SystemExit(f"ndbench: {program} returned {cost.exit} on {deck} with {list(settings)}:\n{text}")
-        files = pathlib.Path(folder)
-        summary = json.loads(next(files.glob("*.summary.json")).read_text())
-        contact = [row for path in files.glob("*.contact.csv") for row in contact_rows(path)]
+        return run_in(folder, program, deck, settings, environment, ranks)
+
+
+def run_in(folder, program, deck, settings, environment=None, ranks=1):
+    """The same in `folder`, where the files stay."""
+    launcher = [] if ranks == 1 else ["mpirun", "--oversubscribe", "-np", str(ranks)]
+    cost, text = cost_of([*launcher, program, *arguments(deck, settings)], folder, environment)
+    if cost.exit not in USABLE:
+        raise SystemExit(f"ndbench: {program} returned {cost.exit} on {deck} with {list(settings)}:\n{text}")
+    files = pathlib.Path(folder)
+    summary = json.loads(next(files.glob("*.summary.json")).read_text())
+    contact = [row for path in files.glob("*.contact.csv") for row in contact_rows(path)]
     return Run(cost, summary, contact)

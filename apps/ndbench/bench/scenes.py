@@ -23,6 +23,7 @@ class Scene:
     meshes: typing.Callable  # n -> settings
     finest: typing.Callable  # level 0, 1, 2 -> settings of the graded meshes that make the reference
     sizes: tuple  # cells for second-order elements, coarse to fine; the first two are the short form
+    targets: tuple = ()  # relative errors of runs with a target, likewise; plane scenes only
     settings: tuple = ()
     gap: typing.Callable = no_gap  # x -> the deck's gap on the interface
     alone: bool = False  # one body, no interface
@@ -65,12 +66,13 @@ def graded_beam(level):
 
 SCENES = (
     Scene("punch", lambda n: (cells("punch", n, n), cells("foundation", 2 * n, n)),
-          gmsh("punch", "punch", "foundation"), (4, 8, 16, 32, 64, 128)),
+          gmsh("punch", "punch", "foundation"), (4, 8, 16, 32, 64, 128), (0.05, 0.01, 0.00455, 0.001, 1e-4)),
     Scene("contact-loss", lambda n: (cells("upper", n, 0.8 * n), cells("lower", 2 * n, 2 * n)),
-          gmsh("contact-loss", "upper", "lower"), (6, 10, 20, 40, 80)),
+          gmsh("contact-loss", "upper", "lower"), (6, 10, 20, 40, 80), (0.05, 0.01, 0.005, 0.001)),
     Scene("hertz", lambda n: (cells("cylinder", n, n / 2), cells("block", n, n / 2)),
-          gmsh("hertz", "cylinder", "block"), (12, 24, 48, 96, 192), gap=lambda x: 0.5 * x * x),
+          gmsh("hertz", "cylinder", "block"), (12, 24, 48, 96, 192), (0.05, 0.01, 0.005, 0.001),
+          gap=lambda x: 0.5 * x * x),
     # Not the deck's own support, which prescribes the exact solution: a clamp, where the stress is singular.
     Scene("beam-3d", lambda n: (cells("beam", 4 * n, n, n / 2),), graded_beam, (2, 4, 8, 12),
-          ("Bodies/beam/Supports/root/Type=Clamp", "Bodies/beam/Supports/root/Side=left"), alone=True),
+          settings=("Bodies/beam/Supports/root/Type=Clamp", "Bodies/beam/Supports/root/Side=left"), alone=True),
 )
