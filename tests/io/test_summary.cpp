@@ -91,12 +91,13 @@ TEST(LevelTable, HasOneRowALevelAndNoNumberThatIsNotKnown)
 {
   auto levels = contactSummary().accuracy->levels;
   levels[0].worstBody = "a, b";
-  EXPECT_EQ(levelsCsv(levels), "level,dofs,elements,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,"
-                               "largest_y,dofs_to_target,seconds\n"
-                               "1,48,6,2,0.25,0.20000000000000001,0.23999999999999999,0.070000000000000007,\"a, b\","
-                               "0.5,-0.25,832,0.010000\n"
-                               "2,910,201,1,0.0625,0.050000000000000003,0.059999999999999998,0.01,foundation,"
-                               "1.5,0.75,,0.040000\n");
+  EXPECT_EQ(levelsCsv(levels),
+            "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,"
+            "largest_y,dofs_to_target,seconds\n"
+            "1,48,6,0.875,2,0.25,0.20000000000000001,0.23999999999999999,0.070000000000000007,\"a, b\","
+            "0.5,-0.25,832,0.010000\n"
+            "2,910,201,0.5,1,0.0625,0.050000000000000003,0.059999999999999998,0.01,foundation,"
+            "1.5,0.75,,0.040000\n");
 }
 
 TEST(Summary, ErrorsThatWereNotComputedAreNull)

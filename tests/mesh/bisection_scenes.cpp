@@ -21,10 +21,16 @@ Mesh box(const char* lower, const char* upper, const char* cells, const std::str
                   more);
 }
 
+/// The same with other cells.
+std::vector<Mesh> punchOf(const char* upper, const char* lower, const std::string& more = {})
+{
+  return {box("0.5, 1", "1.5, 2", upper, more), box("0, 0", "2, 1", lower, more)};
+}
+
 /// A small box on a large one.
 std::vector<Mesh> punch(const std::string& more)
 {
-  return {box("0.5, 1", "1.5, 2", "4, 3", more), box("0, 0", "2, 1", "8, 3", more)};
+  return punchOf("4, 3", "8, 3", more);
 }
 
 std::vector<Mesh> mapped(std::vector<Mesh> meshes, void (*map)(double* x))
@@ -111,7 +117,20 @@ const std::vector<Bodies>& bisectionScenes()
       {"Equilateral", {equilateral(3)}},
       {"TwoFilesOfTenDigits", tenDigits()},
       {"SingleBox", {box("-1, -1", "3, 0", "3, 2", text("Pattern", "Crossed"))}},
+      {"Long", punchOf("2, 8", "4, 16")},
+      {"Flat", mapped(punchOf("8, 1", "16, 2", text("Pattern", "Alternating")), jitter)},
       {"GmshFile", fromFile("punch-foundation.msh", {"punch", "foundation"})},
+  };
+  return scenes;
+}
+
+const std::vector<Bodies>& squareScenes()
+{
+  static const std::vector<Bodies> scenes{
+      {"Right", punchOf("3, 3", "6, 3", text("Pattern", "Right"))},
+      {"Alternating", punchOf("2, 2", "4, 2", text("Pattern", "Alternating"))},
+      {"Crossed", punchOf("2, 2", "4, 2", text("Pattern", "Crossed"))},
+      {"Rotated", punchOf("2, 2", "4, 2", text("Pattern", "Crossed") + number("Rotation", "33"))},
   };
   return scenes;
 }

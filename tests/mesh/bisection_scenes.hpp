@@ -17,9 +17,12 @@ struct Bodies
 };
 void PrintTo(const Bodies& bodies, std::ostream* stream);
 
-/// Boxes in all patterns, graded, rotated and bent, one to four of them, triangles all of whose edges are equal, and
-/// bodies from a gmsh file.
+/// Boxes in all patterns, graded, rotated, bent and with stretched cells, one to four of them, triangles all of whose
+/// edges are equal, and bodies from a gmsh file.
 const std::vector<Bodies>& bisectionScenes();
+
+/// Two boxes all of whose cells are half squares: nothing is to be mended there.
+const std::vector<Bodies>& squareScenes();
 
 /// n x n equal rhombi of two equilateral triangles each: all edges are equally long.
 Mesh equilateral(int n);

@@ -12,8 +12,6 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "ndframe/mesh/mesh_source.hpp"
-
 namespace ndframe::test
 {
 
@@ -56,7 +54,7 @@ std::string list(const std::string& name, const std::string& entries)
   return fmt::format("<ParameterList name=\"{}\">\n{}</ParameterList>\n", name, entries);
 }
 
-Mesh readMesh(const std::string& entries)
+std::unique_ptr<MeshSource> meshSource(const std::string& entries)
 {
   Registry<MeshSource> registry("mesh");
   registerMeshSources(registry);
@@ -69,7 +67,12 @@ Mesh readMesh(const std::string& entries)
   Diagnostics diagnostics;
   const Params params = validate(parseDeck(list("deck", list("Mesh", entries)), "test.xml"), deckSpec, diagnostics);
   diagnostics.throwIfAny();
-  return registry.build(params.sub("Mesh"))->read();
+  return registry.build(params.sub("Mesh"));
+}
+
+Mesh readMesh(const std::string& entries)
+{
+  return meshSource(entries)->read();
 }
 
 std::string messageOf(const std::string& entries)

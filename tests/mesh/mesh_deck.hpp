@@ -1,8 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <string>
 
-#include "ndframe/mesh/mesh.hpp"
+#include "ndframe/mesh/mesh_source.hpp"
 
 namespace ndframe::test
 {
@@ -16,7 +17,9 @@ std::string number(const std::string& key, const std::string& value);
 std::string integer(const std::string& key, const std::string& value);
 std::string list(const std::string& name, const std::string& entries);
 
-/// The mesh of the list with these entries ("Type" among them). InputError goes through.
+/// What the list with these entries ("Type" among them) makes. InputError goes through.
+std::unique_ptr<MeshSource> meshSource(const std::string& entries);
+/// Its mesh.
 Mesh readMesh(const std::string& entries);
 /// The message of the InputError that readMesh throws; a test failure when it throws none.
 std::string messageOf(const std::string& entries);

@@ -26,6 +26,12 @@ protected:
 INSTANTIATE_TEST_SUITE_P(Bisection, BisectionOf, testing::ValuesIn(bisectionScenes()),
                          [](const auto& scene) { return scene.param.name; });
 
+class BisectionOfSquares : public BisectionOf
+{};
+
+INSTANTIATE_TEST_SUITE_P(Bisection, BisectionOfSquares, testing::ValuesIn(squareScenes()),
+                         [](const auto& scene) { return scene.param.name; });
+
 /// Whether the middle of a cell of another mesh lies inside a cell of this one.
 bool holdsMiddle(const Mesh& mesh, int cell, const Mesh& other, int otherCell)
 {
@@ -60,7 +66,7 @@ TEST_P(BisectionOf, StaysSoundConformingAndMatching)
   }
 }
 
-TEST_P(BisectionOf, HalvesEveryCellAsOftenAsAskedAndPartsLieInTheirParents)
+TEST_P(BisectionOfSquares, HalvesEveryCellAsOftenAsAskedAndPartsLieInTheirParents)
 {
   Bisection bisection(start(), twins());
   for (unsigned round = 0; round < 3; ++round) {
@@ -80,7 +86,22 @@ TEST_P(BisectionOf, HalvesEveryCellAsOftenAsAskedAndPartsLieInTheirParents)
       }
       for (int c = 0; c < before[m].numCells(); ++c)
         EXPECT_NEAR(areas[std::size_t(c)] / cellMeasure(before[m], c), 1.0, 1e-12);
-      EXPECT_TRUE(std::is_sorted(bisection.parents()[m].begin(), bisection.parents()[m].end()));
+    }
+  }
+}
+
+TEST_P(BisectionOf, EveryCellHasAsManyDescendantsAsWereAskedFor)
+{
+  Bisection bisection(start(), twins());
+  for (unsigned round = 0; round < 3; ++round) {
+    const std::vector<Mesh> before = bisection.meshes();
+    const auto halvings = randomHalvings(before, 17 + round, 7);
+    bisection.refine(halvings);
+    for (std::size_t m = 0; m < before.size(); ++m) {
+      const std::vector<int>& parents = bisection.parents()[m];
+      EXPECT_TRUE(std::is_sorted(parents.begin(), parents.end()));
+      for (int c = 0; c < before[m].numCells(); ++c)
+        EXPECT_GE(std::count(parents.begin(), parents.end(), c), 1 << halvings[m][std::size_t(c)]);
     }
   }
 }
@@ -109,20 +130,21 @@ TEST_P(BisectionOf, NothingAskedIsNothingChanged)
   }
 }
 
-/// The number of a side's facet of the parent cell on whose line the facet lies; -1 for none.
-int parentFacet(const Side& parents, const Mesh& before, int parent, const Mesh& mesh, Facet facet)
+/// The number of the side's facet in which the facet lies; -1 for none.
+int parentFacet(const Side& parents, const Mesh& before, const Mesh& mesh, Facet facet)
 {
   int ends[2];
   facetVertices(mesh, facet, ends);
   for (std::size_t f = 0; f < parents.facets.size(); ++f) {
-    double normal[2];
-    const double length = facetNormal(before, parents.facets[f], normal);
-    const double* origin = before.point(before.cell(parent)[(parents.facets[f].local + 1) % 3]);
-    const auto isOff = [&](int v) {
+    const int* cell = before.cell(parents.facets[f].cell);
+    const double* a = before.point(cell[(parents.facets[f].local + 1) % 3]);
+    const double* b = before.point(cell[(parents.facets[f].local + 2) % 3]);
+    const double length = std::hypot(b[0] - a[0], b[1] - a[1]);
+    const auto isIn = [&](int v) {
       const double* x = mesh.point(v);
-      return std::abs(normal[0] * (x[0] - origin[0]) + normal[1] * (x[1] - origin[1])) > 1e-12 * length;
+      return std::hypot(x[0] - a[0], x[1] - a[1]) + std::hypot(b[0] - x[0], b[1] - x[1]) < (1.0 + 1e-12) * length;
     };
-    if (parents.facets[f].cell == parent && std::none_of(ends, ends + 2, isOff))
+    if (std::all_of(ends, ends + 2, isIn))
       return int(f);
   }
   return -1;
@@ -143,8 +165,7 @@ TEST_P(BisectionOf, SidesConsistOfTheHalvesOfTheirFacetsInTheirOrder)
         EXPECT_NEAR(measure(mesh, mesh.sides[s]), length, 1e-12 * length);
         int last = 0, lastEnd = -1;
         for (const Facet facet : mesh.sides[s].facets) {
-          const int parent = bisection.parents()[m][std::size_t(facet.cell)];
-          const int now = parentFacet(before[m].sides[s], before[m], parent, mesh, facet);
+          const int now = parentFacet(before[m].sides[s], before[m], mesh, facet);
           EXPECT_GE(now, last);
           EXPECT_TRUE(now != last || lastEnd < 0 || lastEnd == mesh.cell(facet.cell)[(facet.local + 1) % 3]);
           lastEnd = mesh.cell(facet.cell)[(facet.local + 2) % 3];
@@ -155,7 +176,7 @@ TEST_P(BisectionOf, SidesConsistOfTheHalvesOfTheirFacetsInTheirOrder)
   }
 }
 
-TEST_P(BisectionOf, ManyHalvingsAtOnceAreManyCallsOfOne)
+TEST_P(BisectionOfSquares, ManyHalvingsAtOnceAreManyCallsOfOne)
 {
   Bisection atOnce(start(), twins()), oneByOne(start(), twins());
   auto left = randomHalvings(start(), 5, 6);

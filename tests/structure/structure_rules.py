@@ -19,8 +19,9 @@ ARROWS = {
     "coupling": ["subdomain", "interface"],
     "recovery": ["assembly"],
     "estimation": ["recovery"],
+    "adaptivity": ["algebra", "mesh"],
     "io": ["mesh", "fem", "algebra"],
-    "driver": ["coupling", "estimation", "io"],
+    "driver": ["coupling", "estimation", "adaptivity", "io"],
 }
 
 # Headers of libraries that only one folder may see. The first kind belongs to a module: nothing else may link it.

@@ -42,9 +42,9 @@ public:
     const NeumannProblem neumann(*body2.S, body2.g, body2.freeMotions, ledger);
     DirichletProblem dirichlet(body1, body2, ledger);
     std::optional<IterationError> iteration;
-    if (start.iterationError > 0.0)
+    if (start.iterationError)
       iteration.emplace(system, body1, body2, neumann, ledger);
-    const Stopping stopping = stopping_.withGoal(start.iterationError);
+    const Stopping stopping = stopping_.withGoal(start.iterationError.value_or(0.0));
     CouplingResult result;
     Vector traction = firstTraction(system, body1, body2, start);
     std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0, start);

@@ -88,7 +88,7 @@ bool Stopping::ends(CouplingResult& result, bool agree) const
 {
   const SweepRecord& last = result.history.back();
   const bool hasGoal = iterationError_ > 0.0;
-  const double value = watched(last);
+  const double value = hasGoal ? last.iterationError.value() : last.epsTau;
   const char* name = hasGoal ? "iteration" : "eps_tau";
   const std::string limit =
       hasGoal ? fmt::format("{:.3g} (energy norm)", iterationError_) : fmt::format("{:g}", tolerance_);

@@ -9,10 +9,26 @@ namespace ndframe
 namespace
 {
 
+/// True where a deck says how stresses are recovered.
+bool namesRecovery(const DeckList& errors)
+{
+  const DeckList* recovery = errors.findList("Recovery");
+  return recovery != nullptr && (recovery->findEntry("Type") != nullptr || recovery->findEntry("Sweeps") != nullptr);
+}
+
 /// An optional limit; without it there is none.
 double limit(const Params& list, const char* key, double unit)
 {
   return list.has(key) ? unit * list.get<double>(key) : std::numeric_limits<double>::infinity();
+}
+
+ListSpec choiceSpec(std::string name, std::string doc, const Choices& choices)
+{
+  ListSpec list;
+  list.name = std::move(name);
+  list.doc = std::move(doc);
+  list.choices = choices;
+  return list;
 }
 
 } // namespace
@@ -51,7 +67,7 @@ AccuracyOptions accuracyOptions(const Params& deck)
   return options;
 }
 
-ListSpec accuracySpec()
+ListSpec accuracySpec(const Components& components)
 {
   ListSpec list;
   list.name = "Accuracy";
@@ -69,14 +85,24 @@ ListSpec accuracySpec()
       {"Start", std::string("Coarsest"), accuracyStartNames().range(),
        "The first meshes. Coarsest: boxes with as few cells as their sides and their neighbours allow, meshes from "
        "files as they are. Deck: all as the deck says."},
-      {"Iteration Share", 0.2, inOpenRange(0.0, 1.0),
+      {"Iteration Share", 0.3, inOpenRange(0.0, 1.0),
        "The sweeps on a mesh end when their part of the error is below this share of the mesh's."},
       {"Maximum Dofs", 1000000, atLeast(1), "No mesh gets more dofs than this."},
       {"Maximum Levels", 40, atLeast(1), "No more meshes than this, the first one included."},
       ParamSpec::optional("Maximum Memory", Kind::Double, above(0.0), "GB that a process may take."),
       ParamSpec::optional("Maximum Time", Kind::Double, above(0.0),
                           "Seconds on the wall; a mesh that would not be done in time is not begun.")};
+  list.lists = {
+      choiceSpec("Marking", "Where cells shall be smaller, and how small.", components.markings.choices()),
+      choiceSpec("Refinement", "How the meshes are made.", components.refinements.choices()),
+      choiceSpec("Transfer", "What the sweeps on a finer mesh begin with.", components.contactTransfers.choices()),
+      choiceSpec("Stopping", "When the sweeps on a mesh end.", components.levelStoppings.choices())};
   return list;
+}
+
+bool balancesSweeps(const Params& accuracy, const Components& components)
+{
+  return components.levelStoppings.build(accuracy.sub("Stopping"))->allowed(1.0, 1.0) > 0.0;
 }
 
 void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
@@ -85,6 +111,8 @@ void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
     return;
   if (deck.findList("Error Estimation") == nullptr)
     applySetting(deck, "Error Estimation/Estimators={Global}", diagnostics);
+  if (!namesRecovery(*deck.findList("Error Estimation")))
+    applySetting(deck, "Error Estimation/Recovery/Sweeps=1", diagnostics);
   const DeckList* coupling = deck.findList("Coupling");
   const DeckEntry* type = coupling == nullptr ? nullptr : coupling->findEntry("Type");
   const bool sweeps = type == nullptr || type->value == "Neumann-Dirichlet";
@@ -92,7 +120,7 @@ void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
     applySetting(deck, "Coupling/Initial Traction=Balanced", diagnostics);
 }
 
-void checkAccuracy(const Params& deck, Diagnostics& diagnostics)
+void checkAccuracy(const Params& deck, const Components& components, Diagnostics& diagnostics)
 {
   const Params output = deck.sub("Output");
   const bool allLevels = output.get<bool>("All Levels");
@@ -108,6 +136,9 @@ void checkAccuracy(const Params& deck, Diagnostics& diagnostics)
   if (list.has("Target") == list.has("Absolute Target"))
     diagnostics.add(list.mistake("", list.has("Target") ? "names both Target and Absolute Target; remove one of them."
                                                         : "names no target; give Target = 0.01, say, for 1 %."));
+  if (list.isGiven("Iteration Share") && !balancesSweeps(list, components))
+    diagnostics.add(
+        list.mistake("Iteration Share", "Iteration Share is for Stopping/Type = Balanced; remove one of them."));
   if (!estimatesErrors(deck)) // completeAccuracyDeck() was not called
     diagnostics.add(list.mistake("", "compares a bound with its target; add the list Error Estimation."));
   else if (!errorOptions(deck).wants(Estimator::Global))

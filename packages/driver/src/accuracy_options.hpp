@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "ndframe/base/params.hpp"
+#include "ndframe/driver/components.hpp"
 
 namespace ndframe
 {
@@ -46,13 +47,17 @@ bool wantsAccuracy(const Params& deck);
 /// For decks that do.
 AccuracyOptions accuracyOptions(const Params& deck);
 
-ListSpec accuracySpec();
+ListSpec accuracySpec(const Components& components);
 
-/// What a deck with the list Accuracy means where it says nothing: it estimates errors, and a Neumann-Dirichlet
-/// iteration begins with a traction that carries the loads.
+/// What a deck with the list Accuracy means where it says nothing: it estimates errors, with one sweep over the stars
+/// (which costs less than the dofs that it saves), and a Neumann-Dirichlet iteration begins with a traction that
+/// carries the loads.
 void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics);
 
+/// True when the sweeps on a mesh end by their part of the error; false when Coupling/Stopping ends them.
+bool balancesSweeps(const Params& accuracy, const Components& components);
+
 /// Refuses a list Accuracy that names no target or two, or that this deck cannot serve.
-void checkAccuracy(const Params& deck, Diagnostics& diagnostics);
+void checkAccuracy(const Params& deck, const Components& components, Diagnostics& diagnostics);
 
 } // namespace ndframe

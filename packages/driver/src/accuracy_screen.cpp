@@ -17,28 +17,29 @@ std::string amount(const AccuracySummary& summary, double absolute, double relat
 
 } // namespace
 
-std::string stoppingText(const Params& deck)
+std::string stoppingText(const Params& deck, bool balances)
 {
   const Params coupling = deck.sub("Coupling");
   const bool hasTolerance = coupling.hasSub("Stopping") && coupling.sub("Stopping").isGiven("Tolerance");
-  return hasTolerance ? "\n  stopping: by the balance with the mesh, not by Tolerance" : "";
+  return balances && hasTolerance ? "\n  stopping: by the balance with the mesh, not by Tolerance" : "";
 }
 
 std::string levelTitle(const AccuracySummary& summary, const std::string& stopping)
 {
   return fmt::format("  target {} ({}){}\n\n  level      dofs  sweeps       bound                mesh   iteration   "
-                     "dofs to target   seconds   largest contribution",
+                     "dofs to target   seconds   shape   largest contribution",
                      amount(summary, summary.target, summary.target),
                      summary.of == "Displacement" ? "displacement" : "mean stress", stopping);
 }
 
 std::string levelLine(const LevelSummary& level)
 {
-  return fmt::format("  {:>5} {:>9}  {:>6}  {:>10.4g}  {:>6.3g} %  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:.3g}, "
-                     "{:.3g} in {}",
-                     level.level, grouped(level.dofs), level.sweeps, level.bound, 100.0 * level.relative, level.mesh,
-                     level.iteration, level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds,
-                     level.worstPoint[0], level.worstPoint[1], level.worstBody);
+  return fmt::format(
+      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {:>6.3g} %  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g}, "
+      "{:.3g} in {}",
+      level.level, grouped(level.dofs), level.sweeps, level.bound, 100.0 * level.relative, level.mesh, level.iteration,
+      level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds, level.worstShape, level.worstPoint[0],
+      level.worstPoint[1], level.worstBody);
 }
 
 std::string accuracyText(const AccuracySummary& summary, bool guaranteed)

@@ -9,7 +9,7 @@ namespace ndframe
 {
 
 /// What becomes of the entry of the deck that would stop the sweeps; empty when it has none.
-std::string stoppingText(const Params& deck);
+std::string stoppingText(const Params& deck, bool balances);
 
 /// Title lines of the levels (stopping: stoppingText), and one line a level.
 std::string levelTitle(const AccuracySummary& summary, const std::string& stopping);

@@ -22,18 +22,12 @@ namespace
 
 /// A bound that falls by less than this in two levels does not follow the mesh any more.
 constexpr double stalled = 0.98;
+/// Relative bounds below this may be nothing but round-off of the residuals, which stays when cells become smaller.
+constexpr double roundOff = 1e-8;
 
 /// A bound above that of the coarser mesh before is one of tractions that were left where contact opens, which the
 /// energy of the iteration hardly sees: then the sweeps go on, as long as the bound falls by a tenth.
 constexpr double falling = 0.9, oneMoreDigit = 0.1;
-
-/// What a level hands to the next one.
-struct Carried
-{
-  std::vector<InterfaceMesh> interfaces;
-  Vector traction;
-  std::vector<char> closed; ///< per interface node
-};
 
 /// The traction that the next sweep would begin with, (27); none at open nodes, where what is left of earlier sweeps
 /// decays slowly and costs the bound more than the iteration's part shows: traction times opening.
@@ -54,7 +48,10 @@ class AdaptiveRun
 public:
   AdaptiveRun(RunTools tools, const Log& log, const LevelObserver& onLevel)
       : deck_(tools.deck), log_(log), onLevel_(onLevel), tools_(std::move(tools)), options_(accuracyOptions(deck_)),
-        wanted_(tools_.errors->estimators)
+        wanted_(tools_.errors->estimators),
+        transfer_(tools_.components.contactTransfers.build(deck_.sub("Accuracy").sub("Transfer"))),
+        stopping_(tools_.components.levelStoppings.build(deck_.sub("Accuracy").sub("Stopping"))),
+        balances_(balancesSweeps(deck_.sub("Accuracy"), tools_.components))
   {
     tools_.errors->estimators = {Estimator::Global}; // all that a level needs
     run_.startSeconds = wallSeconds();
@@ -78,11 +75,11 @@ public:
       summary_.reached = errors.reached();
       if (summary_.reached)
         break;
-      const MeshPlan plan = planner_->nextStep(options_.maximumDofs);
+      MeshPlan plan = planner_->nextStep(options_.maximumDofs);
       summary_.limit = limitMet(plan);
       if (!summary_.limit.empty())
         break;
-      carryOver(errors, plan);
+      carryOver(errors, std::move(plan));
       Model model;
       readModel(model, tools_,
                 [&](const Params& body) { return planner_->meshes()[std::size_t(run_.model.bodyIndex(body.name()))]; });
@@ -97,9 +94,9 @@ private:
     Model model;
     readFirstMeshes(model, tools_);
     beginLevel(std::move(model));
-    planner_.emplace(run_.model);
+    planner_.emplace(deck_, tools_.components, run_.model, tools_.comm);
     log_.line(headerText(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic));
-    log_.line("\n" + levelTitle(summary_, stoppingText(deck_)));
+    log_.line("\n" + levelTitle(summary_, stoppingText(deck_, balances_)));
   }
 
   void beginLevel(Model&& model)
@@ -120,10 +117,10 @@ private:
       solveRun(run_, tools_, silentLog(), start);
       sweeps_ += int(run_.coupling.history.size());
       certifyRun(run_, tools_);
-      if (!run_.certificate || !run_.coupling.converged)
+      if (!balances_ || !run_.certificate || !run_.coupling.converged)
         return;
       const LevelErrors errors(run_, options_);
-      const double allowed = options_.iterationShare * errors.mesh;
+      const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
       const bool rises = !summary_.levels.empty() && errors.bound > summary_.levels.back().bound &&
                          errors.bound < falling * boundBefore;
       if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !rises))
@@ -139,21 +136,24 @@ private:
   CouplingStart firstStart() const
   {
     CouplingStart start;
-    start.iterationError = options_.iterationShare * expectedMesh_;
-    if (run_.model.interfaces.empty() || carried_.interfaces.empty())
+    start.iterationError = allowedIteration(expectedMesh_);
+    if (carried_.interfaces.empty())
       return start;
-    start.traction = transferTraction(carried_.interfaces, carried_.traction, run_.model.interfaces);
-    start.closed = statusesOfUnknowns(run_.condensed.interface,
-                                      transferClosed(carried_.interfaces, carried_.closed, run_.model.interfaces));
+    const CarriedContact contact = transfer_->onto(run_.model.interfaces, carried_);
+    start.traction = contact.traction;
+    if (!contact.closed.empty())
+      start.closed = statusesOfUnknowns(run_.condensed.interface, contact.closed);
     return start;
   }
+
+  double allowedIteration(double mesh) const { return stopping_->allowed(mesh, options_.iterationShare); }
 
   void record(const LevelErrors& errors)
   {
     LevelSummary level = summarizeLevel(run_, errors);
     level.level = int(summary_.levels.size()) + 1;
     level.sweeps = sweeps_;
-    level.dofsToTarget = errors.reached() ? 0 : planner_->planFor(errors.target).dofs;
+    level.dofsToTarget = errors.reached() ? 0 : planner_->dofsToTarget().value_or(0);
     level.seconds = wallSeconds() - run_.startSeconds;
     summary_.levels.push_back(level);
     log_.line(levelLine(level));
@@ -170,9 +170,10 @@ private:
     if (int(levels.size()) >= options_.maximumLevels)
       return fmt::format("Maximum Levels = {}", options_.maximumLevels);
     if (levels.size() > 2 && levels.back().bound > stalled * levels[levels.size() - 3].bound)
-      return "the bound does not fall with the mesh any more: round-off";
+      return levels.back().relative < roundOff ? "the bound does not fall with the mesh any more: round-off"
+                                               : "the bound does not fall with the mesh any more";
     const double growth = double(plan.dofs) / double(levels.back().dofs);
-    if (growth <= 1.0)
+    if (plan.dofs > options_.maximumDofs)
       return fmt::format("Maximum Dofs = {}", options_.maximumDofs);
     const double last = levels.back().seconds - (levels.size() > 1 ? levels[levels.size() - 2].seconds : 0.0);
     if (levels.back().seconds + growth * last > options_.maximumSeconds)
@@ -184,10 +185,10 @@ private:
     return {};
   }
 
-  void carryOver(const LevelErrors& errors, const MeshPlan& plan)
+  void carryOver(const LevelErrors& errors, MeshPlan plan)
   {
-    planner_->refine(plan);
     expectedMesh_ = plan.bound / errors.bound * errors.mesh;
+    planner_->accept(std::move(plan));
     if (run_.model.interfaces.empty())
       return;
     carried_ = {run_.model.interfaces, nextTraction(run_.condensed.interface, run_.coupling),
@@ -215,9 +216,12 @@ private:
   const AccuracyOptions options_;
   const std::vector<Estimator> wanted_; ///< by the deck
   Run run_;
+  const std::unique_ptr<ContactTransfer> transfer_;
+  const std::unique_ptr<LevelStopping> stopping_;
+  const bool balances_;
   std::optional<MeshPlanner> planner_;
   double expectedMesh_ = std::numeric_limits<double>::max(); ///< the mesh's part on the next level; unknown at first
-  Carried carried_;
+  CarriedContact carried_;
   int sweeps_ = 0; ///< of this level
   AccuracySummary summary_;
 };

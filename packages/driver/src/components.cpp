@@ -14,6 +14,10 @@ std::unique_ptr<Components> makeComponents(const Extension& extend)
   registerInterfaceOperators(components->interfaceOperators);
   registerRelaxations(components->relaxations);
   registerRecoveries(components->recoveries);
+  registerMarkings(components->markings);
+  registerRefinements(components->refinements);
+  registerContactTransfers(components->contactTransfers);
+  registerLevelStoppings(components->levelStoppings);
   if (extend)
     extend(*components);
   registerCouplings(components->couplings, components->relaxations);

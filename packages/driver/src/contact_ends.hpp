@@ -13,4 +13,7 @@ namespace ndframe
 /// solution is not guaranteed. nodes: those of the interface. In order of the closed points; empty in space.
 std::vector<EndBracket> endBrackets(const InterfaceMesh& interface, const ContactNode* nodes);
 
+/// The vertices next to which the status changes along a plane interface. closed: per interface node.
+std::vector<int> endVertices(const InterfaceMesh& interface, const char* closed);
+
 } // namespace ndframe

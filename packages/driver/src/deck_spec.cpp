@@ -133,7 +133,7 @@ ListSpec makeDeckSpec(const Components& components)
       makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
                  components.interfaceOperators.choices()),
       errorEstimationSpec(components.recoveries.choices()),
-      accuracySpec(),
+      accuracySpec(components),
       outputSpec(),
       makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec()),
       studySpec()};

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+
+#include "ndframe/mesh/shape.hpp"
 
 namespace ndframe
 {
@@ -19,12 +22,9 @@ void findWorst(const Run& run, LevelSummary& level)
       continue;
     largest = *worst;
     const Mesh& mesh = run.model.bodies[b].mesh;
-    const int* vertices = mesh.cell(int(worst - eta.begin()));
+    const auto centre = cellCentre(mesh, int(worst - eta.begin()));
     level.worstBody = run.model.bodies[b].name;
-    level.worstPoint.assign(std::size_t(mesh.dim), 0.0);
-    for (int v = 0; v <= mesh.dim; ++v)
-      for (int k = 0; k < mesh.dim; ++k)
-        level.worstPoint[std::size_t(k)] += mesh.point(vertices[v])[k] / (mesh.dim + 1);
+    level.worstPoint.assign(centre.begin(), centre.begin() + mesh.dim);
   }
 }
 
@@ -43,12 +43,22 @@ LevelErrors::LevelErrors(const Run& run, const AccuracyOptions& options)
   mesh = std::sqrt(std::max(0.0, global.absolute * global.absolute - iteration * iteration));
 }
 
+double LevelErrors::iterationToTarget() const
+{
+  const double allowed = target / bound * std::hypot(mesh, iteration); // of the whole
+  if (reached() || allowed <= mesh)
+    return std::numeric_limits<double>::infinity();
+  return std::sqrt(allowed * allowed - mesh * mesh);
+}
+
 LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
 {
   LevelSummary level;
   level.dofs = run.model.totalDofs();
-  for (const auto& body : run.model.bodies)
+  for (const auto& body : run.model.bodies) {
     level.elements += body.mesh.numCells();
+    level.worstShape = std::min(level.worstShape, worstShape(body.mesh));
+  }
   level.bound = errors.bound;
   level.relative = errors.relative;
   level.iteration = errors.iteration;

@@ -18,6 +18,9 @@ struct LevelErrors
   double mesh = 0.0;      ///< the rest of the bound of the displacement's error
 
   bool reached() const { return bound <= target; }
+
+  /// The part of the sweeps with which this mesh would reach the target; infinite when it cannot.
+  double iterationToTarget() const;
 };
 
 /// The line of a level without what it predicts.

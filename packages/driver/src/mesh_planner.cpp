@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "contact_ends.hpp"
 #include "ndframe/algebra/dense.hpp"
 
 namespace ndframe
@@ -10,22 +11,31 @@ namespace ndframe
 namespace
 {
 
-// Chosen where `punch` and `contact-loss` need the fewest dofs in all for 1 % to 0.1 % (docs/accuracy.md).
+// Chosen where `punch` and `contact-loss` need the fewest dofs in all for 2 % to 0.1 % (docs/accuracy.md).
 
-/// The bound of a mesh is to be at least this part of the one before. With less there are fewer levels, but predictions
-/// do not reach that far.
-constexpr double largestFall = 0.32;
+/// The bound of a mesh is to be at least this part of the one before. With more there are more levels, with less
+/// predictions do not reach that far.
+constexpr double largestFall = 0.22;
+/// The last step aims below the target: predictions are off by some per cent, and a miss costs one more mesh.
+constexpr double aimAtTarget = 0.94;
 /// A level is worth its work if the bound falls to this part at least.
-constexpr double smallestFall = 0.93;
-/// Conformity adds cells that a prediction leaves out; they make the error this much smaller.
-constexpr double gainOfConformity = 1.02;
-/// It adds that many dofs at most.
-constexpr double roomForConformity = 1.1;
-/// How far a prediction is corrected by what became of the one before.
-constexpr double leastOptimism = 0.95, mostOptimism = 1.2;
+constexpr double smallestFall = 0.94;
+/// What became of the last plan corrects the next one, but only where it came out better: a bound that is worse may be
+/// a spike where contact ends on this mesh.
+constexpr double leastCorrection = 0.95;
 
 /// With a larger relative bound nothing can be learned about corners: cells are larger than what they shall show.
 constexpr double tooCoarse = 0.3;
+
+/// Where a frictionless contact ends inside a smooth side, u ~ r^1.5. It ends up to half a facet away from the vertex
+/// that meshes are graded to, and the traction's part of the bound is largest there: a smaller exponent, with smaller
+/// cells, needs fewer dofs and levels in all and brackets the end more closely.
+constexpr double whereContactEnds = 1.0;
+
+/// Plans are made again until they expect what is wanted and not more than this above it; conformity adds cells that a
+/// marking does not know of.
+constexpr double closeEnough = 0.01;
+constexpr int mostTrials = 4;
 
 std::vector<Mesh> meshesOf(const Model& model)
 {
@@ -47,57 +57,122 @@ std::vector<FacetTwin> twinsOf(const Model& model)
 
 } // namespace
 
-MeshPlanner::MeshPlanner(const Model& model)
-    : degree_(model.bodies.front().nodes.order), bisection_(meshesOf(model), twinsOf(model)), exponents_(degree_)
-{}
+MeshPlanner::MeshPlanner(const Params& deck, const Components& components, const Model& model, const Comm& comm)
+    : degree_(model.bodies.front().nodes.order),
+      marking_(components.markings.build(deck.sub("Accuracy").sub("Marking"))), exponents_(degree_)
+{
+  const auto refinement = components.refinements.build(deck.sub("Accuracy").sub("Refinement"));
+  FirstMeshes first{meshesOf(model), twinsOf(model), {}};
+  for (const Params& body : deck.sub("Bodies").subs())
+    first.sources.push_back(components.meshSources.build(body.sub("Mesh")));
+  present_ = refinement->begin(std::move(first), comm);
+  for (const BodyModel& body : model.bodies)
+    eulers_.push_back(2 * std::int64_t(body.mesh.numPoints()) + body.mesh.numCells() - body.nodes.numNodes());
+}
+
+std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
+{
+  std::int64_t nodes = 0;
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    nodes += degree_ == 1 ? meshes[b].numPoints()
+                          : 2 * std::int64_t(meshes[b].numPoints()) + meshes[b].numCells() - eulers_[b];
+  return 2 * nodes;
+}
 
 void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
 {
   const auto& eta = run.certificate->etaGlobal;
-  std::int64_t cells = 0;
   double squared = 0.0;
   std::vector<const Mesh*> meshes;
   for (std::size_t b = 0; b < eta.size(); ++b) {
     meshes.push_back(&run.model.bodies[b].mesh);
-    cells += meshes.back()->numCells();
     squared += dot(eta[b], eta[b]);
   }
   if (expected_ > 0.0)
-    optimism_ = std::clamp(errors.bound / expected_, leastOptimism, mostOptimism);
+    correction_ = std::clamp(errors.bound / expected_, leastCorrection, 1.0);
   if (errors.relative > tooCoarse)
     exponents_ = CornerExponents(degree_);
   exponents_.observe(meshes, eta);
-  refinement_.emplace(bisection_.meshes(), eta, exponents_, degree_);
+  contributions_.emplace(present_->meshes(), eta, exponentsFor(run), degree_);
   bound_ = errors.bound;
   target_ = errors.target;
   total_ = std::sqrt(squared);
-  numDofs_ = run.model.totalDofs();
-  dofsPerCell_ = double(numDofs_) / double(cells);
 }
 
+std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
+{
+  std::vector<Vector> exponents = exponents_.exponents();
+  const auto lower = [&](int body, int node) {
+    double& exponent = exponents[std::size_t(body)][std::size_t(node)];
+    exponent = std::min(exponent, whereContactEnds);
+  };
+  std::vector<char> closed;
+  for (const ContactNode& node : run.contact)
+    closed.push_back(node.closed);
+  const char* ofInterface = closed.data();
+  for (const InterfaceMesh& interface : run.model.interfaces) {
+    for (const int node : endVertices(interface, ofInterface)) {
+      lower(interface.dirichletBody, interface.dirichletNodes[std::size_t(node)]);
+      lower(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
+    }
+    ofInterface += interface.numNodes();
+  }
+  return exponents;
+}
+
+std::optional<std::int64_t> MeshPlanner::dofsToTarget() const
+{
+  const auto cells = marking_->cellsFor(*contributions_, target_ / boundPerTotal());
+  if (!cells)
+    return std::nullopt;
+  double present = 0.0;
+  for (const auto& body : contributions_->cells())
+    present += double(body.size());
+  return std::int64_t(double(dofsOf(meshes())) / present * double(*cells));
+}
+
+/// The conformity of meshes is paid for, so it counts: aims again until the meshes with all their cells fit, and keeps
+/// the smallest that do.
 MeshPlan MeshPlanner::planFor(double wanted) const
 {
-  const double boundPerTotal = optimism_ * bound_ / total_;
+  const double most = (1.0 + closeEnough) * wanted, least = (1.0 - present_->slack()) * wanted;
+  const std::int64_t presentDofs = dofsOf(present_->meshes());
   MeshPlan plan;
-  plan.prediction = refinement_->predict(gainOfConformity * wanted / boundPerTotal);
-  plan.dofs = std::int64_t(dofsPerCell_ * double(plan.prediction.numCells));
-  plan.bound = plan.prediction.error * boundPerTotal;
+  std::int64_t lastDofs = 0;
+  double aim = std::min(wanted / boundPerTotal(), (smallestFall - present_->slack()) * total_);
+  for (int trial = 0; trial < mostTrials; ++trial) {
+    auto meshes = present_->refined(marking_->sizes(*contributions_, aim));
+    const std::int64_t dofs = dofsOf(meshes->meshes());
+    const double expected = contributions_->errorOn(meshes->meshes(), meshes->ancestors()) * boundPerTotal();
+    if (trial > 0 && (dofs == lastDofs || dofs == presentDofs))
+      break; // the marking does not aim, or not so finely
+    const bool better = expected <= most ? plan.bound > most || dofs < plan.dofs : expected < plan.bound;
+    if (trial == 0 || better)
+      plan = {std::move(meshes), dofs, expected};
+    if (expected <= most && expected >= least)
+      break;
+    lastDofs = dofs;
+    aim *= wanted / expected;
+  }
   return plan;
 }
 
 MeshPlan MeshPlanner::nextStep(std::int64_t maximumDofs) const
 {
-  const double steps = std::max(1.0, std::ceil(std::log(target_ / bound_) / std::log(largestFall)));
-  double wanted = bound_ * std::min(smallestFall, std::pow(target_ / bound_, 1.0 / steps));
+  const double way = aimAtTarget * target_ / bound_;
+  const double steps = std::max(1.0, std::ceil(std::log(way) / std::log(largestFall)));
+  double wanted = bound_ * std::min(smallestFall, std::pow(way, 1.0 / steps));
   MeshPlan plan = planFor(wanted);
-  while (roomForConformity * double(plan.dofs) > double(maximumDofs) && wanted < bound_)
-    plan = planFor(wanted *= 1.05);
+  while (plan.dofs > maximumDofs && wanted < bound_) { // dofs ~ bound^(-2 / p) on the best meshes
+    wanted *= std::max(1.02, std::pow(double(plan.dofs) / double(maximumDofs), 0.5 * degree_));
+    plan = planFor(wanted);
+  }
   return plan;
 }
 
-void MeshPlanner::refine(const MeshPlan& plan)
+void MeshPlanner::accept(MeshPlan plan)
 {
-  refinement_->apply(bisection_, plan.prediction);
+  present_ = std::move(plan.meshes);
   expected_ = plan.bound;
 }
 

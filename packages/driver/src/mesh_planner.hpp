@@ -1,50 +1,60 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "level_errors.hpp"
-#include "ndframe/estimation/graded_refinement.hpp"
+#include "ndframe/adaptivity/corner_exponents.hpp"
+#include "ndframe/adaptivity/marking.hpp"
+#include "ndframe/adaptivity/refinement.hpp"
+#include "ndframe/driver/components.hpp"
 
 namespace ndframe
 {
 
-/// What the next meshes shall come to.
+/// The next meshes of a run with a target, and what they shall come to.
 struct MeshPlan
 {
-  Prediction prediction;
+  std::unique_ptr<RefinedMeshes> meshes;
   std::int64_t dofs = 0;
   double bound = 0.0; ///< that is expected
 };
 
-/// Decides about the next meshes of a run with a target, and makes them.
+/// Decides about the next meshes of a run with a target.
 class MeshPlanner
 {
 public:
-  /// The first meshes.
-  explicit MeshPlanner(const Model& model);
+  /// deck: has the list Accuracy. model: of the first meshes.
+  MeshPlanner(const Params& deck, const Components& components, const Model& model, const Comm& comm);
 
   /// Takes in the certificate of the present meshes.
   void learn(const Run& run, const LevelErrors& errors);
 
-  /// Meshes with the bound `wanted`, predicted from the present ones.
-  MeshPlan planFor(double wanted) const;
-  /// One step on the way to the target, and not more dofs than allowed. Without a finer mesh that may be made: a plan
-  /// with the dofs of the present one.
+  /// Dofs of a mesh with the target's bound, without what conformity adds; none where the marking does not predict.
+  std::optional<std::int64_t> dofsToTarget() const;
+
+  /// One step on the way to the target, with not more dofs than allowed; more only where every finer mesh has more.
   MeshPlan nextStep(std::int64_t maximumDofs) const;
 
-  void refine(const MeshPlan& plan);
-  const std::vector<Mesh>& meshes() const { return bisection_.meshes(); }
+  void accept(MeshPlan plan);
+  const std::vector<Mesh>& meshes() const { return present_->meshes(); }
 
 private:
+  /// lambda per body and vertex: what has been learned, and where contact ends now.
+  std::vector<Vector> exponentsFor(const Run& run) const;
+  MeshPlan planFor(double wanted) const;
+  double boundPerTotal() const { return correction_ * bound_ / total_; }
+  std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
+
   int degree_;
-  Bisection bisection_;
+  std::unique_ptr<Marking> marking_;
+  std::unique_ptr<RefinedMeshes> present_;
+  std::vector<std::int64_t> eulers_; ///< per body: vertices - edges + cells, which refinement does not change
   CornerExponents exponents_;
-  std::optional<GradedRefinement> refinement_;
+  std::optional<ContributionModel> contributions_;
   double bound_ = 0.0, target_ = 0.0, total_ = 0.0; ///< of the present meshes; total: sqrt(sum eta_K^2)
   double expected_ = 0.0;                           ///< bound of the present meshes, as it was planned; 0 for the first
-  double optimism_ = 1.0;                           ///< of the last plan, which the next one makes up for
-  double dofsPerCell_ = 0.0;
-  std::int64_t numDofs_ = 0;
+  double correction_ = 1.0;                         ///< of what is expected
 };
 
 } // namespace ndframe

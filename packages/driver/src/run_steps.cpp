@@ -130,7 +130,7 @@ void checkLists(const RunTools& tools)
   if (tools.coupling->roles() == Roles::AsGiven)
     checkRoles(tools.deck, diagnostics);
   checkErrorEstimation(tools.deck, diagnostics);
-  checkAccuracy(tools.deck, diagnostics);
+  checkAccuracy(tools.deck, tools.components, diagnostics);
   diagnostics.throwIfAny();
 }
 

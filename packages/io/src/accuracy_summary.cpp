@@ -20,6 +20,7 @@ Json levelJson(const LevelSummary& level)
   return {{"level", level.level},
           {"dofs", level.dofs},
           {"elements", level.elements},
+          {"worst_shape", level.worstShape},
           {"sweeps", level.sweeps},
           {"bound", level.bound},
           {"relative", level.relative},
@@ -71,11 +72,12 @@ std::string levelsCsv(const std::vector<LevelSummary>& levels)
 {
   fmt::memory_buffer buffer;
   auto out = std::back_inserter(buffer);
-  fmt::format_to(out, "level,dofs,elements,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
-                      "dofs_to_target,seconds\n");
+  fmt::format_to(
+      out, "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
+           "dofs_to_target,seconds\n");
   for (const auto& level : levels) {
-    fmt::format_to(out, "{},{},{},{},{:.17g},{:.17g},{:.17g},{:.17g},", level.level, level.dofs, level.elements,
-                   level.sweeps, level.bound, level.relative, level.mesh, level.iteration);
+    fmt::format_to(out, "{},{},{},{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},", level.level, level.dofs, level.elements,
+                   level.worstShape, level.sweeps, level.bound, level.relative, level.mesh, level.iteration);
     fmt::format_to(out, "{},{:.17g},{},{:.6f}\n", csvField(level.worstBody), fmt::join(level.worstPoint, ","),
                    level.dofsToTarget > 0 ? fmt::format("{}", level.dofsToTarget) : "", level.seconds);
   }

@@ -115,19 +115,17 @@ void Bisection::refine(const std::vector<std::vector<int>>& halvings)
     close();
     halveMarked();
   }
+  swapEdges();
   for (std::size_t m = 0; m < meshes_.size(); ++m)
     writeMesh(int(m));
 }
 
-/// A triangle to be halved at least twice has all its edges halved in the end: marking them at once saves a round.
+/// One halving a round: what comes next is for the halves to choose.
 bool Bisection::markWanted()
 {
-  for (const Triangle& triangle : triangles_) {
-    if (triangle.halvings == 1)
+  for (const Triangle& triangle : triangles_)
+    if (triangle.halvings > 0)
       mark(triangle.edges[std::size_t(triangle.peak)]);
-    if (triangle.halvings > 1)
-      std::for_each(triangle.edges.begin(), triangle.edges.end(), [this](DirectedEdge edge) { mark(edge); });
-  }
   return !marked_.empty();
 }
 
@@ -160,9 +158,24 @@ void Bisection::halveMarked()
   triangles_ = {};
   triangles_.reserve(2 * before.size());
   for (std::size_t m = 0; m < meshes_.size(); ++m) {
-    for (int t = begin[m]; t < begin[m + 1]; ++t)
+    for (int t = begin[m]; t < begin[m + 1]; ++t) {
+      const int first = int(triangles_.size());
       addDescendants(before[std::size_t(t)], int(m));
+      if (int(triangles_.size()) > first + 1)
+        mendPeaks(first, int(m));
+    }
     begin_[m + 1] = int(triangles_.size());
+  }
+}
+
+/// Of the triangles that have just come into being.
+void Bisection::mendPeaks(int first, int mesh)
+{
+  for (int t = first; t < int(triangles_.size()); ++t) {
+    Triangle& triangle = triangles_[std::size_t(t)];
+    triangle.peak = mendedPeak(cornersOf(triangle, mesh), triangle.peak);
+    for (const DirectedEdge edge : triangle.edges)
+      unchecked_.push_back(edge / 2);
   }
 }
 
@@ -190,6 +203,12 @@ void Bisection::addDescendants(const Triangle& triangle, int mesh)
   first.halvings = second.halvings = std::max(0, triangle.halvings - 1);
   addDescendants(first, mesh);
   addDescendants(second, mesh);
+}
+
+std::array<const double*, 3> Bisection::cornersOf(const Triangle& triangle, int mesh) const
+{
+  const Mesh& owner = meshes_[std::size_t(mesh)];
+  return {owner.point(triangle.vertices[0]), owner.point(triangle.vertices[1]), owner.point(triangle.vertices[2])};
 }
 
 /// The middle of the refinement edge; a new point for the first triangle of this mesh that asks.

@@ -1,9 +1,10 @@
 #include "bisection_peaks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 #include <utility>
+
+#include "ndframe/mesh/shape.hpp"
 
 namespace ndframe
 {
@@ -14,6 +15,12 @@ namespace
 constexpr double equalLengths = 1e-8;
 constexpr int undecided = -1;
 
+/// Of the distance.
+double square(const double* p, const double* q)
+{
+  return (p[0] - q[0]) * (p[0] - q[0]) + (p[1] - q[1]) * (p[1] - q[1]);
+}
+
 /// Which edges of a triangle are longest, and the middles of all three, by the opposite vertex.
 struct Shape
 {
@@ -21,21 +28,19 @@ struct Shape
   std::array<std::array<double, 2>, 3> middles;
 };
 
-Shape shapeOf(const Mesh& mesh, int cell)
+Shape shapeOf(const Corners& corners)
 {
-  double points[6];
-  cellPoints(mesh, cell, points);
   Shape shape{};
-  std::array<double, 3> lengths{};
+  std::array<double, 3> squares{};
   for (std::size_t k = 0; k < 3; ++k) {
-    const double* a = points + 2 * ((k + 1) % 3);
-    const double* b = points + 2 * ((k + 2) % 3);
-    lengths[k] = std::hypot(b[0] - a[0], b[1] - a[1]);
+    const double* a = corners[(k + 1) % 3];
+    const double* b = corners[(k + 2) % 3];
+    squares[k] = square(a, b);
     shape.middles[k] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1])};
   }
-  const double longest = *std::max_element(lengths.begin(), lengths.end());
+  const double longest = *std::max_element(squares.begin(), squares.end());
   for (std::size_t k = 0; k < 3; ++k)
-    shape.isLongest[k] = lengths[k] >= (1.0 - equalLengths) * longest;
+    shape.isLongest[k] = squares[k] >= (1.0 - 2.0 * equalLengths) * longest;
   return shape;
 }
 
@@ -52,8 +57,10 @@ std::vector<Shape> shapesOf(const std::vector<Mesh>& meshes)
 {
   std::vector<Shape> shapes;
   for (const Mesh& mesh : meshes)
-    for (int c = 0; c < mesh.numCells(); ++c)
-      shapes.push_back(shapeOf(mesh, c));
+    for (int c = 0; c < mesh.numCells(); ++c) {
+      const int* v = mesh.cell(c);
+      shapes.push_back(shapeOf({mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])}));
+    }
   return shapes;
 }
 
@@ -84,9 +91,9 @@ std::vector<const SharedEdge*> agreedEdges(const std::vector<SharedEdge>& shared
 }
 
 /// The local number of the rightmost among a triangle's longest edges.
-int rightmostLongest(const Shape& shape, const std::array<int, 3>& edges, const std::vector<SharedEdge>& shared)
+int rightmostLongest(const Shape& shape)
 {
-  const auto key = [&](std::size_t k) { return std::pair(shape.isLongest[k], shared[std::size_t(edges[k])].middle); };
+  const auto key = [&](std::size_t k) { return std::pair(shape.isLongest[k], shape.middles[k]); };
   std::size_t best = 0;
   for (std::size_t k = 1; k < 3; ++k)
     if (key(best) < key(k))
@@ -109,9 +116,33 @@ std::vector<int> firstPeaks(const std::vector<Mesh>& meshes, const std::vector<s
         peaks[std::size_t(*slot / 3)] = *slot % 3;
   }
   for (std::size_t t = 0; t < peaks.size(); ++t)
-    if (peaks[t] == undecided)
-      peaks[t] = rightmostLongest(shapes[t], edges[t], shared);
+    if (peaks[t] == undecided) {
+      Shape shape = shapes[t];
+      for (std::size_t k = 0; k < 3; ++k)
+        shape.middles[k] = shared[std::size_t(edges[t][k])].middle; // the same for twins
+      peaks[t] = rightmostLongest(shape);
+    }
   return peaks;
+}
+
+int longestPeak(const Corners& corners)
+{
+  return rightmostLongest(shapeOf(corners));
+}
+
+double worstDescendant(const Corners& corners, int peak)
+{
+  const auto k = std::size_t(peak);
+  const double *x = corners[k], *y = corners[(k + 1) % 3], *z = corners[(k + 2) % 3];
+  const double a = square(x, z), b = square(x, y), c = square(y, z);
+  const double worst = std::max({a + b + c, 3 * a + b, a + 3 * b, 3 * (a + b) - c});
+  return triangleShape(x, y, z) * (a + b + c) / worst;
+}
+
+int mendedPeak(const Corners& corners, int peak)
+{
+  const int longest = longestPeak(corners);
+  return worstDescendant(corners, longest) > clearly * worstDescendant(corners, peak) ? longest : peak;
 }
 
 } // namespace ndframe

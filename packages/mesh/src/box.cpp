@@ -24,6 +24,8 @@ public:
     return mesh;
   }
 
+  MeshScript script() const override { refuseRemesh(params_, "Type"); }
+
 private:
   Params params_;
   BoxGrid grid_;

@@ -204,6 +204,8 @@ public:
     }
   }
 
+  MeshScript script() const override { refuseRemesh(params_, "Type"); }
+
 private:
   Params params_;
 };

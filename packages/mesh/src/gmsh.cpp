@@ -1,200 +1,18 @@
-#include <algorithm>
 #include <filesystem>
-#include <fstream>
-#include <set>
-#include <sstream>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "file_error.hpp"
+#include "gmsh_converter.hpp"
 #include "gmsh_library.hpp"
-#include "mesh_builder.hpp"
 #include "mesh_sources.hpp"
-#include "msh_file.hpp"
 #include "steady_file.hpp"
-#include "vertex_tuples.hpp"
 
 namespace ndframe
 {
 
 namespace
 {
-
-/// gmsh's order of the middle nodes.
-constexpr MidNodes midNodes{{{0, 1}, {1, 2}, {2, 0}, {3, 0}, {3, 2}, {3, 1}}};
-
-const MshElementType& typeOf(const MshBlock& block)
-{
-  return *findMshElementType(block.type);
-}
-
-std::string groupName(const MshFile& file, int dim, int tag)
-{
-  for (const MshGroup& group : file.groups)
-    if (group.dim == dim && group.tag == tag)
-      return group.name;
-  return fmt::format("physical_{}", tag);
-}
-
-bool hasGroup(const MshBlock& block, const std::set<int>& groups)
-{
-  return std::any_of(block.groups.begin(), block.groups.end(), [&](int tag) { return groups.count(tag) > 0; });
-}
-
-/// Turns the contents of a .msh file into a mesh.
-class GmshConverter
-{
-public:
-  /// regions: names of the physical groups to keep; empty for all.
-  GmshConverter(MshFile file, std::vector<std::string> regions);
-  Mesh convert();
-
-private:
-  void addCells();
-  void addSides();
-  void noteEmptyGroups();
-  /// Tags of the physical groups of a dimension that have elements.
-  std::set<int> groupsOf(int dim) const;
-  std::vector<std::string> regionNames() const;
-  std::set<int> selectedRegions() const;
-  std::vector<Facet> facetsOf(int tag, const std::string& name, const VertexTuples& facets) const;
-
-  MshFile file_;
-  std::vector<std::string> regions_;
-  int dim_;
-  MeshBuilder builder_;
-};
-
-int dimensionOf(const MshFile& file)
-{
-  int dim = 0;
-  for (const MshBlock& block : file.blocks)
-    dim = std::max(dim, typeOf(block).dim);
-  if (dim < 2)
-    throw FileError("the mesh has no triangles and no tetrahedra.");
-  return dim;
-}
-
-GmshConverter::GmshConverter(MshFile file, std::vector<std::string> regions)
-    : file_(std::move(file)), regions_(std::move(regions)), dim_(dimensionOf(file_)),
-      builder_(dim_, std::move(file_.coordinates))
-{}
-
-Mesh GmshConverter::convert()
-{
-  addCells();
-  addSides();
-  noteEmptyGroups();
-  try {
-    return builder_.finish();
-  } catch (const FileError& error) {
-    throw FileError(error.what() +
-                    choiceHint(regions_.empty() ? regionNames() : std::vector<std::string>{}, "Regions"));
-  }
-}
-
-std::set<int> GmshConverter::groupsOf(int dim) const
-{
-  std::set<int> tags;
-  for (const MshBlock& block : file_.blocks)
-    if (typeOf(block).dim == dim)
-      tags.insert(block.groups.begin(), block.groups.end());
-  return tags;
-}
-
-std::vector<std::string> GmshConverter::regionNames() const
-{
-  std::vector<std::string> names;
-  for (const int tag : groupsOf(dim_))
-    names.push_back(groupName(file_, dim_, tag));
-  return names;
-}
-
-std::set<int> GmshConverter::selectedRegions() const
-{
-  std::set<int> all = groupsOf(dim_);
-  if (regions_.empty())
-    return all;
-  std::set<int> selected;
-  const std::vector<std::string> names = regionNames();
-  for (const int tag : all)
-    if (std::find(regions_.begin(), regions_.end(), groupName(file_, dim_, tag)) != regions_.end())
-      selected.insert(tag);
-  for (const std::string& region : regions_)
-    if (std::find(names.begin(), names.end(), region) == names.end())
-      throw FileError(fmt::format("there is no physical group \"{}\" of cells; there are: {}.", region,
-                                  names.empty() ? "none" : fmt::format("{}", fmt::join(names, ", "))));
-  return selected;
-}
-
-void GmshConverter::addCells()
-{
-  const std::set<int> selected = selectedRegions();
-  for (const MshBlock& block : file_.blocks) {
-    const MshElementType& type = typeOf(block);
-    if (type.dim != dim_ || !(selected.empty() || hasGroup(block, selected)))
-      continue;
-    if (type.nodes != dim_ + 1 && type.nodes != (dim_ + 1) * (dim_ + 2) / 2)
-      throw FileError(
-          fmt::format("element {} is a {} of order {} with {} nodes; only triangles and tetrahedra of order "
-                      "1 and 2 are read.",
-                      block.numbers.front(), type.name, type.order, type.nodes));
-    builder_.addCells(block.nodes, type.nodes, block.numbers, midNodes);
-  }
-  // Format 2.2 lists an element once for each of its groups.
-  if (selected.size() > 1)
-    builder_.dropRepeatedCells();
-}
-
-std::vector<Facet> GmshConverter::facetsOf(int tag, const std::string& name, const VertexTuples& facets) const
-{
-  std::vector<Facet> found;
-  for (const MshBlock& block : file_.blocks) {
-    const MshElementType& type = typeOf(block);
-    if (type.dim != dim_ - 1 || !hasGroup(block, {tag}))
-      continue;
-    for (std::size_t e = 0; e < block.numbers.size(); ++e) {
-      std::array<int, 3> vertices{};
-      std::copy_n(block.nodes.begin() + std::ptrdiff_t(e) * type.nodes, dim_, vertices.begin());
-      const auto [first, last] = facets.find(vertices.data());
-      if (first < last)
-        found.push_back({facets.at(first) / (dim_ + 1), facets.at(first) % (dim_ + 1)});
-      else if (regions_.empty())
-        throw FileError(
-            fmt::format("element {} of physical group \"{}\" is not a facet of any cell.", block.numbers[e], name));
-    }
-  }
-  return found;
-}
-
-void GmshConverter::addSides()
-{
-  const VertexTuples facets = allFacets(builder_.cells(), builder_.numNodes());
-  for (const int tag : groupsOf(dim_ - 1)) {
-    const std::string name = groupName(file_, dim_ - 1, tag);
-    std::vector<Facet> side = facetsOf(tag, name, facets);
-    if (!side.empty()) // with regions chosen, the sides of the others are left out
-      builder_.addSide(name, std::move(side));
-  }
-}
-
-void GmshConverter::noteEmptyGroups()
-{
-  for (const MshGroup& group : file_.groups)
-    if (group.dim >= dim_ - 1 && groupsOf(group.dim).count(group.tag) == 0)
-      builder_.addNote(fmt::format("The physical group \"{}\" has no elements and is left out.", group.name));
-}
-
-std::string readText(const std::string& path)
-{
-  std::ifstream stream(path, std::ios::binary);
-  std::ostringstream text;
-  text << stream.rdbuf();
-  if (!stream)
-    throw FileError("the file cannot be read; relative names count from the deck's folder.");
-  return std::move(text).str();
-}
 
 /// A mesh made by gmsh.
 class Gmsh final : public MeshSource
@@ -212,15 +30,23 @@ public:
     try {
       const SteadyFile steady(path_);
       const std::string file = readText(path_);
-      const MshFile msh = parseMsh(isScript() ? meshed() : file);
+      MshFile msh = parseMsh(isScript() ? meshed() : file);
       steady.requireUnchanged();
-      return GmshConverter(msh, params_.get<std::vector<std::string>>("Regions")).convert();
+      return meshFromMsh(std::move(msh), regions());
     } catch (const FileError& error) {
       throw InputError(params_.mistake("File", fmt::format("{}: {}", path_, error.what())));
     }
   }
 
+  MeshScript script() const override
+  {
+    if (!isScript())
+      refuseRemesh(params_, "File");
+    return {params_, path_, regions(), params_.get<int>("Maximum Seconds")};
+  }
+
 private:
+  std::vector<std::string> regions() const { return params_.get<std::vector<std::string>>("Regions"); }
   bool isScript() const { return std::filesystem::path(path_).extension() == ".geo"; }
 
   std::string meshed() const

@@ -9,4 +9,7 @@ void registerBox(Registry<MeshSource>& registry);
 void registerGmsh(Registry<MeshSource>& registry);
 void registerExodus(Registry<MeshSource>& registry);
 
+/// What MeshSource::script() does where there is none; key: of the list `Mesh`, which says what there is.
+[[noreturn]] void refuseRemesh(const Params& list, const char* key);
+
 } // namespace ndframe

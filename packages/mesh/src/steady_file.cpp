@@ -1,5 +1,8 @@
 #include "steady_file.hpp"
 
+#include <fstream>
+#include <sstream>
+
 #include "file_error.hpp"
 
 namespace ndframe
@@ -26,6 +29,16 @@ void SteadyFile::requireUnchanged() const
   const Stamp now = stamp();
   if (now.size != before_.size || now.written != before_.written)
     throw FileError("the file changed while it was read; try again when it is complete.");
+}
+
+std::string readText(const std::string& path)
+{
+  std::ifstream stream(path, std::ios::binary);
+  std::ostringstream text;
+  text << stream.rdbuf();
+  if (!stream)
+    throw FileError("the file cannot be read; relative names count from the deck's folder.");
+  return std::move(text).str();
 }
 
 } // namespace ndframe

@@ -31,4 +31,7 @@ private:
   Stamp before_;
 };
 
+/// The bytes of a file; FileError when it cannot be read.
+std::string readText(const std::string& path);
+
 } // namespace ndframe

@@ -55,9 +55,10 @@ struct CouplingResult
 /// statuses that do not hold a body are changed. Monolithic, which has no iteration, uses the statuses only.
 struct CouplingStart
 {
-  Vector traction;             ///< Lambda_0 per interface node (of the contact matrix); empty: Initial Traction
-  std::vector<char> closed;    ///< status per unknown; empty: all closed, if the bodies may touch
-  double iterationError = 0.0; ///< > 0: the sweeps end when SweepRecord::iterationError is below; replaces Tolerance
+  Vector traction;          ///< Lambda_0 per interface node (of the contact matrix); empty: Initial Traction
+  std::vector<char> closed; ///< status per unknown; empty: all closed, if the bodies may touch
+  /// Given: SweepRecord::iterationError is measured. > 0: the sweeps end below it, which replaces Tolerance.
+  std::optional<double> iterationError;
 };
 
 /// Called after every sweep, for the screen and for those who want all states.

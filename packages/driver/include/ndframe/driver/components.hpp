@@ -3,9 +3,13 @@
 #include <functional>
 #include <memory>
 
+#include "ndframe/adaptivity/marking.hpp"
+#include "ndframe/adaptivity/refinement.hpp"
 #include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/assembly/side_condition.hpp"
 #include "ndframe/coupling/coupling.hpp"
+#include "ndframe/coupling/level_stopping.hpp"
+#include "ndframe/interface/contact_transfer.hpp"
 #include "ndframe/interface/interface_operators.hpp"
 #include "ndframe/mechanics/material_law.hpp"
 #include "ndframe/mesh/mesh_source.hpp"
@@ -26,6 +30,10 @@ struct Components
   Registry<RelaxationController> relaxations{"relaxation", "Constant"};
   Registry<Coupling> couplings{"coupling", "Neumann-Dirichlet"};
   Registry<StressRecovery> recoveries{"recovery", "Star"};
+  Registry<Marking> markings{"marking", "Predicted"};
+  Registry<Refinement> refinements{"refinement", "Bisection"};
+  Registry<ContactTransfer> contactTransfers{"transfer", "Carried"};
+  Registry<LevelStopping> levelStoppings{"level stopping", "Balanced"};
 
   Components() = default;
   Components(const Components&) = delete;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <string>
 #include <vector>
 
@@ -48,6 +49,9 @@ void facetVertices(const Mesh& mesh, Facet facet, int* vertices);
 
 /// Outward unit normal of a facet (dim components); returns its measure (length or area).
 double facetNormal(const Mesh& mesh, Facet facet, double* normal);
+
+/// Mean of a cell's vertices; zeros beyond dim.
+std::array<double, 3> cellCentre(const Mesh& mesh, int cell);
 
 /// Signed measure of a cell (area or volume).
 double cellMeasure(const Mesh& mesh, int cell);

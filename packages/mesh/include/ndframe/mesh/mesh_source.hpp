@@ -1,12 +1,23 @@
 #pragma once
 
 #include <memory>
+#include <string>
+#include <vector>
 
 #include "ndframe/base/registry.hpp"
 #include "ndframe/mesh/mesh.hpp"
 
 namespace ndframe
 {
+
+/// A gmsh script that a body's mesh is made of, so that it can be made again (remesh.hpp).
+struct MeshScript
+{
+  Params list; ///< of the deck: the place of mistakes
+  std::string file;
+  std::vector<std::string> regions; ///< physical groups of cells that make the body; empty: all
+  int maximumSeconds = 0;           ///< processor time
+};
 
 /// Where a body's mesh comes from.
 class MeshSource
@@ -17,6 +28,9 @@ public:
   /// triangle/tetrahedron mesh, or changes while it is read. The mesh has passed checkMesh and carries no unused
   /// points.
   virtual Mesh read() const = 0;
+
+  /// The script that gmsh makes the mesh of. Throws InputError (with the deck's place) when the mesh comes from none.
+  virtual MeshScript script() const = 0;
 };
 
 /// "Box", "Gmsh", "Exodus".

@@ -13,14 +13,14 @@ namespace ndframe
 /// Around a corner with u ~ r^lambda the cells of a vertex contribute sum eta_K^2 ~ A^lambda together, A the area of
 /// all of them; where the solution is smooth, A^(p+1) with displacements of degree p. Two meshes, the second refined
 /// from the first, show lambda at every vertex whose cells became smaller. Only vertices of the very first mesh are
-/// looked at: where sides meet or change, there is one. Elsewhere an exponent would be noise, or the moving end of a
-/// contact.
+/// looked at, as far as they stay where they are: where sides meet or change, there is one. Elsewhere an exponent would
+/// be noise, or the moving end of a contact.
 class CornerExponents
 {
 public:
   explicit CornerExponents(int degree) : smooth_(degree + 1.0) {}
 
-  /// The next mesh of every body, whose points keep their numbers, and eta_K on it.
+  /// The next mesh of every body and eta_K on it. Points that stay keep their numbers.
   void observe(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& contributions);
 
   /// lambda per body and vertex of the meshes last seen; p + 1 where nothing has been learned.
@@ -33,8 +33,8 @@ private:
   };
 
   double smooth_;
-  std::vector<std::size_t> numFirst_; ///< vertices of the first mesh per body
-  std::vector<Stars> stars_;          ///< per body, of the last mesh
+  std::vector<Vector> firstPoints_; ///< of the first mesh per body
+  std::vector<Stars> stars_;        ///< per body, of the last mesh
   std::vector<Vector> exponents_;
 };
 

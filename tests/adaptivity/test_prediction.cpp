@@ -1,4 +1,4 @@
-#include "ndframe/estimation/prediction.hpp"
+#include "ndframe/adaptivity/prediction.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,0 +1,104 @@
+#include <algorithm>
+#include <numeric>
+
+#include "refinements.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Halvings that the cells of a mesh still need. Parts of a cell with a gradation differ, so those get one at a time.
+std::vector<int> halvingsOf(const Mesh& mesh, const std::vector<int>& ancestors, const std::vector<CellSize>& sizes)
+{
+  std::vector<int> halvings;
+  for (int c = 0; c < mesh.numCells(); ++c) {
+    const CellSize& size = sizes[std::size_t(ancestors[std::size_t(c)])];
+    const int wanted = halvingsTo(size, cellMeasure(mesh, c), cellCentre(mesh, c));
+    halvings.push_back(size.gradation == 0.0 ? wanted : std::min(1, wanted));
+  }
+  return halvings;
+}
+
+class BisectedMeshes final : public RefinedMeshes
+{
+public:
+  BisectedMeshes(std::vector<Mesh> meshes, const std::vector<FacetTwin>& twins)
+      : bisection_(std::move(meshes), twins), ancestors_(ownAncestors(bisection_.meshes()))
+  {}
+
+  const std::vector<Mesh>& meshes() const override { return bisection_.meshes(); }
+  const std::vector<std::vector<int>>& ancestors() const override { return ancestors_; }
+
+  std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const override
+  {
+    auto next = std::make_unique<BisectedMeshes>(*this);
+    next->ancestors_ = ownAncestors(meshes());
+    while (next->halve(sizes)) {
+    }
+    return next;
+  }
+
+  double slack() const override { return 0.01; }
+
+private:
+  /// False when nothing is left to be halved.
+  bool halve(const SizeField& sizes)
+  {
+    std::vector<std::vector<int>> halvings;
+    bool wanted = false;
+    for (std::size_t b = 0; b < sizes.size(); ++b) {
+      halvings.push_back(halvingsOf(meshes()[b], ancestors_[b], sizes[b]));
+      wanted = wanted || std::any_of(halvings[b].begin(), halvings[b].end(), [](int n) { return n > 0; });
+    }
+    if (!wanted)
+      return false;
+    bisection_.refine(halvings);
+    for (std::size_t b = 0; b < sizes.size(); ++b) {
+      std::vector<int> inherited;
+      for (const int parent : bisection_.parents()[b])
+        inherited.push_back(ancestors_[b][std::size_t(parent)]);
+      ancestors_[b] = std::move(inherited);
+    }
+    return true;
+  }
+
+  Bisection bisection_;
+  std::vector<std::vector<int>> ancestors_;
+};
+
+class BisectionRefinement final : public Refinement
+{
+public:
+  std::unique_ptr<RefinedMeshes> begin(FirstMeshes first, const Comm&) const override
+  {
+    return bisectedMeshes(std::move(first.meshes), first.twins);
+  }
+};
+
+} // namespace
+
+std::vector<std::vector<int>> ownAncestors(const std::vector<Mesh>& meshes)
+{
+  std::vector<std::vector<int>> ancestors;
+  for (const Mesh& mesh : meshes) {
+    ancestors.emplace_back(std::size_t(mesh.numCells()));
+    std::iota(ancestors.back().begin(), ancestors.back().end(), 0);
+  }
+  return ancestors;
+}
+
+std::unique_ptr<RefinedMeshes> bisectedMeshes(std::vector<Mesh> meshes, const std::vector<FacetTwin>& twins)
+{
+  return std::make_unique<BisectedMeshes>(std::move(meshes), twins);
+}
+
+void registerBisection(Registry<Refinement>& registry)
+{
+  registry.add("Bisection",
+               "Triangles are halved again and again, all bodies as one mesh, so that sides go on matching. Works from "
+               "any mesh in two dimensions; sides stay as straight as the first mesh has them.",
+               {}, [](const Params&) { return std::make_unique<BisectionRefinement>(); });
+}
+
+} // namespace ndframe

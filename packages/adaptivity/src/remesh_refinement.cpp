@@ -1,0 +1,153 @@
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/cell_locator.hpp"
+#include "ndframe/mesh/mesh_bytes.hpp"
+#include "ndframe/mesh/remesh.hpp"
+#include "ndframe/mesh/vertex_cells.hpp"
+#include "refinements.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Cells that contribute nothing may grow, but what is predicted for them does not reach far.
+constexpr double logMostGrowth = 2.0;
+
+/// gmsh's edges are that much shorter on average than they should be.
+constexpr double shortfall = 0.95;
+
+/// What all meshes of a run have in common.
+struct RemeshScene
+{
+  std::vector<MeshScript> scripts;
+  std::vector<MatchingSides> matching;
+  const Comm& comm;
+};
+
+/// log2 of the area that a part of an ancestor shall have.
+double logAreaAt(const CellSize& size, double ancestorArea, const std::array<double, 3>& centre)
+{
+  return std::min(size.logAreaAt(centre), std::log2(ancestorArea) + logMostGrowth);
+}
+
+/// Edges of equilateral triangles with the wanted areas, the geometric mean of the cells around a vertex.
+std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancestors, const Mesh& mesh,
+                              const std::vector<CellSize>& sizes)
+{
+  Vector logAreas;
+  for (int c = 0; c < parts.numCells(); ++c) {
+    const int ancestor = ancestors[std::size_t(c)];
+    logAreas.push_back(logAreaAt(sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor), cellCentre(parts, c)));
+  }
+  const VertexCells cells(parts);
+  const double edgePerRootOfArea = 2.0 / std::pow(3.0, 0.25) / shortfall;
+  std::vector<double> lengths;
+  for (int v = 0; v < parts.numPoints(); ++v) {
+    double sum = 0.0;
+    for (const int* c = cells.begin(v); c != cells.end(v); ++c)
+      sum += logAreas[std::size_t(*c)];
+    lengths.push_back(edgePerRootOfArea * std::exp2(0.5 * sum / double(cells.end(v) - cells.begin(v))));
+  }
+  return lengths;
+}
+
+/// Meshed on rank 0, which tells the others; the reason of a failure likewise.
+std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<WantedMesh>& wanted)
+{
+  if (scene.comm.size() == 1)
+    return remesh(scene.scripts, scene.matching, wanted);
+  std::vector<Mesh> meshes(wanted.size());
+  std::optional<InputError> failure;
+  if (scene.comm.rank() == 0) {
+    try {
+      meshes = remesh(scene.scripts, scene.matching, wanted);
+    } catch (const InputError& error) {
+      failure = error;
+    }
+  }
+  for (Mesh& mesh : meshes) {
+    std::string bytes = mesh.numCells() > 0 ? toBytes(mesh) : std::string();
+    scene.comm.broadcast(bytes);
+    if (bytes.empty())
+      throw failure ? *failure : InputError("rank 0 could not make a mesh"); // only rank 0 speaks
+    mesh = meshFromBytes(bytes);
+  }
+  return meshes;
+}
+
+std::vector<int> ancestorsIn(const Mesh& before, const Mesh& mesh)
+{
+  const CellLocator cells(before);
+  std::vector<int> ancestors;
+  for (int c = 0; c < mesh.numCells(); ++c) {
+    const std::array<double, 3> centre = cellCentre(mesh, c);
+    ancestors.push_back(cells.find({centre[0], centre[1]}).cell);
+  }
+  return ancestors;
+}
+
+/// Bisection makes the sizes; gmsh makes meshes with them.
+class RemeshedMeshes final : public RefinedMeshes
+{
+public:
+  RemeshedMeshes(std::shared_ptr<const RemeshScene> scene, std::vector<Mesh> meshes,
+                 std::vector<std::vector<int>> ancestors)
+      : scene_(std::move(scene)), meshes_(std::move(meshes)), ancestors_(std::move(ancestors))
+  {}
+
+  const std::vector<Mesh>& meshes() const override { return meshes_; }
+  const std::vector<std::vector<int>>& ancestors() const override { return ancestors_; }
+
+  std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const override
+  {
+    const auto parts = bisectedMeshes(meshes_, {})->refined(sizes);
+    std::vector<WantedMesh> wanted;
+    for (std::size_t b = 0; b < meshes_.size(); ++b) {
+      const Mesh& mesh = parts->meshes()[b];
+      wanted.push_back({mesh, lengthsOn(mesh, parts->ancestors()[b], meshes_[b], sizes[b])});
+    }
+    std::vector<Mesh> next = remeshShared(*scene_, wanted);
+    std::vector<std::vector<int>> ancestors;
+    for (std::size_t b = 0; b < next.size(); ++b)
+      ancestors.push_back(ancestorsIn(meshes_[b], next[b]));
+    return std::make_unique<RemeshedMeshes>(scene_, std::move(next), std::move(ancestors));
+  }
+
+  /// Loading gmsh takes longer than solving on a few cells more.
+  double slack() const override { return 0.2; }
+
+private:
+  std::shared_ptr<const RemeshScene> scene_;
+  std::vector<Mesh> meshes_;
+  std::vector<std::vector<int>> ancestors_;
+};
+
+class RemeshRefinement final : public Refinement
+{
+public:
+  std::unique_ptr<RefinedMeshes> begin(FirstMeshes first, const Comm& comm) const override
+  {
+    auto scene = std::make_shared<RemeshScene>(RemeshScene{{}, matchingSides(first.meshes, first.twins), comm});
+    for (const auto& source : first.sources)
+      scene->scripts.push_back(source->script());
+    std::vector<std::vector<int>> ancestors = ownAncestors(first.meshes);
+    return std::make_unique<RemeshedMeshes>(std::move(scene), std::move(first.meshes), std::move(ancestors));
+  }
+};
+
+} // namespace
+
+void registerRemesh(Registry<Refinement>& registry)
+{
+  registry.add(
+      "Remesh",
+      "gmsh makes the meshes of .geo scripts again with the wanted sizes. Vertices of a curved boundary lie on "
+      "the curve, matching sides go on matching. Costs 0.1 s a mesh and more.",
+      {}, [](const Params&) { return std::make_unique<RemeshRefinement>(); });
+}
+
+} // namespace ndframe

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "msh_file.hpp"
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// What a physical group is called: its name, or physical_TAG.
+std::string gmshGroupName(const std::string& name, int tag);
+
+/// Turns the contents of a .msh file into a mesh. regions: names of the physical groups of cells to keep; empty for
+/// all. Throws FileError.
+Mesh meshFromMsh(MshFile file, std::vector<std::string> regions);
+
+} // namespace ndframe

@@ -1,0 +1,38 @@
+#pragma once
+
+#include <string>
+
+#include "gmsh_functions.hpp"
+
+namespace ndframe
+{
+
+/// gmsh between initialisation and finalisation, silent on the terminal. Only one at a time.
+class GmshSession
+{
+public:
+  GmshSession();
+  ~GmshSession();
+  GmshSession(const GmshSession&) = delete;
+  GmshSession& operator=(const GmshSession&) = delete;
+
+  void setNumber(const char* option, double value);
+  double number(const char* option) const;
+
+  /// Reads a script. Throws FileError with gmsh's messages, as generate and write do.
+  void open(const std::string& path);
+  /// Dimension of the geometry; FileError below 2.
+  int dimension() const;
+  /// Meshes everything up to a dimension.
+  void generate(int dim);
+  /// Writes all elements as a binary .msh file of format 4.1.
+  void write(const std::string& path);
+
+  /// Throws FileError saying `what` when a function of gmsh reports an error or its log holds one.
+  void requireSuccess(int error, const std::string& what) const;
+
+private:
+  const GmshFunctions& gmsh_ = GmshFunctions::get();
+};
+
+} // namespace ndframe

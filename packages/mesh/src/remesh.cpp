@@ -1,0 +1,159 @@
+#include "ndframe/mesh/remesh.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <fstream>
+#include <limits>
+
+#include <fmt/format.h>
+
+#include "gmsh_geometry.hpp"
+#include "gmsh_library.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/scratch.hpp"
+#include "ndframe/mesh/mesh_bytes.hpp"
+#include "steady_file.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Lengths grow by no more than this per distance: neighbouring triangles differ by half.
+constexpr double slope = 0.5;
+
+/// Two scripts may write the same point with different digits; the first meshes match to 1e-5 of a facet, and new
+/// facets are not a hundred times as short at once.
+constexpr double samePoint = 1e-3;
+
+/// Vertices of a side, each as often as facets meet there.
+std::vector<int> verticesOf(const Mesh& mesh, const std::string& name)
+{
+  const Side* side = mesh.findSide(name);
+  NDFRAME_ASSERT(side, "a mesh made again has the sides of the one before");
+  std::vector<int> vertices;
+  for (const Facet facet : side->facets) {
+    int ends[2];
+    facetVertices(mesh, facet, ends);
+    vertices.insert(vertices.end(), ends, ends + 2);
+  }
+  return vertices;
+}
+
+/// The lengths of a scene, on matching sides the shorter ones of both bodies.
+class SceneLengths
+{
+public:
+  SceneLengths(const std::vector<WantedMesh>& wanted, const std::vector<MatchingSides>& matching)
+  {
+    for (const WantedMesh& body : wanted) {
+      NDFRAME_ASSERT(*std::min_element(body.lengths.begin(), body.lengths.end()) > 0.0, "lengths are positive");
+      fields_.emplace_back(body.background, body.lengths);
+    }
+    for (const MatchingSides& sides : matching) {
+      const std::vector<double> first = shorter(sides.first, sides.firstSide, sides.second);
+      fields_[std::size_t(sides.second)].setLengths(shorter(sides.second, sides.secondSide, sides.first));
+      fields_[std::size_t(sides.first)].setLengths(first);
+    }
+    for (LengthField& field : fields_)
+      field.setLengths(withLimitedGrowth(field.mesh(), field.lengths(), slope));
+  }
+
+  const LengthField& ofBody(std::size_t body) const { return fields_[body]; }
+
+private:
+  std::vector<double> shorter(int body, const std::string& side, int other) const
+  {
+    const Mesh& mesh = fields_[std::size_t(body)].mesh();
+    std::vector<double> lengths = fields_[std::size_t(body)].lengths();
+    for (const int v : verticesOf(mesh, side))
+      lengths[std::size_t(v)] =
+          std::min(lengths[std::size_t(v)], fields_[std::size_t(other)].at({mesh.point(v)[0], mesh.point(v)[1]}));
+    return lengths;
+  }
+
+  std::vector<LengthField> fields_;
+};
+
+FixedSide fixedSide(const std::string& name, const Mesh& neighbour, const std::string& neighbourSide)
+{
+  FixedSide fixed{name, {}, std::numeric_limits<double>::infinity()};
+  for (const int v : verticesOf(neighbour, neighbourSide))
+    fixed.points.push_back({neighbour.point(v)[0], neighbour.point(v)[1]});
+  for (std::size_t i = 0; i < fixed.points.size(); i += 2)
+    fixed.tolerance = std::min(fixed.tolerance, samePoint * std::hypot(fixed.points[i + 1][0] - fixed.points[i][0],
+                                                                       fixed.points[i + 1][1] - fixed.points[i][1]));
+  std::sort(fixed.points.begin(), fixed.points.end());
+  fixed.points.erase(std::unique(fixed.points.begin(), fixed.points.end()), fixed.points.end());
+  return fixed;
+}
+
+std::vector<FixedSide> fixedSides(int body, const std::vector<MatchingSides>& matching, const std::vector<Mesh>& made)
+{
+  std::vector<FixedSide> fixed;
+  for (const MatchingSides& sides : matching)
+    if (sides.second == body)
+      fixed.push_back(fixedSide(sides.secondSide, made[std::size_t(sides.first)], sides.firstSide));
+  return fixed;
+}
+
+std::string fileOf(std::size_t body, const std::filesystem::path& folder)
+{
+  return (folder / fmt::format("{}.mesh", body)).string();
+}
+
+/// Leaves the meshes in files, whole ones only, so that the parent sees how far it came.
+void makeMeshes(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
+                const SceneLengths& lengths, const std::filesystem::path& folder)
+{
+  std::vector<Mesh> made;
+  for (std::size_t b = 0; b < scripts.size(); ++b) {
+    made.push_back(GmshGeometry(scripts[b])
+                       .mesh(lengths.ofBody(b), fixedSides(int(b), matching, made), (folder / "gmsh.msh").string()));
+    const std::filesystem::path unfinished = folder / "unfinished";
+    std::ofstream(unfinished, std::ios::binary) << toBytes(made.back());
+    std::filesystem::rename(unfinished, fileOf(b, folder));
+  }
+}
+
+ChildLimits limitsFor(const std::vector<MeshScript>& scripts)
+{
+  ChildLimits limits{freeMemory(), 0, 0};
+  for (const MeshScript& script : scripts)
+    limits.cpuSeconds += script.maximumSeconds;
+  limits.wallSeconds = 20 * std::min(limits.cpuSeconds, 100'000);
+  return limits;
+}
+
+} // namespace
+
+std::vector<Mesh> remesh(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
+                         const std::vector<WantedMesh>& wanted)
+{
+  NDFRAME_ASSERT(scripts.size() == wanted.size(), "a script for every body");
+  const SceneLengths lengths(wanted, matching);
+  const Scratch folder(makeScratchFolder());
+  const ChildLimits limits = limitsFor(scripts);
+  std::string failure;
+  try {
+    const auto work = [&] {
+      makeMeshes(scripts, matching, lengths, folder.path());
+      return std::string();
+    };
+    runInChild(work, "gmsh", limits);
+  } catch (const ChildFailure& error) {
+    failure = gmshAdvice(error, limits);
+  } catch (const FileError& error) {
+    failure = error.what();
+  }
+  std::vector<Mesh> meshes;
+  for (std::size_t b = 0; b < scripts.size(); ++b) {
+    if (!std::filesystem::exists(fileOf(b, folder.path())))
+      throw InputError(scripts[b].list.mistake("File", fmt::format("{}: {}", scripts[b].file, failure)));
+    meshes.push_back(meshFromBytes(readText(fileOf(b, folder.path()))));
+  }
+  return meshes;
+}
+
+} // namespace ndframe

@@ -1,0 +1,181 @@
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <numeric>
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+#include <unistd.h>
+
+#include "ndframe/adaptivity/refinement.hpp"
+
+using namespace ndframe;
+
+namespace
+{
+
+/// Two halves of a disc of radius 1, y > 0 ("up") and y < 0 ("down"), that share the curve "contact".
+const char* const disc = R"(
+Point(1) = {0, 0, 0, 0.4}; Point(2) = {1, 0, 0, 0.4}; Point(3) = {-1, 0, 0, 0.4};
+Point(4) = {0, 1, 0, 0.4}; Point(5) = {0, -1, 0, 0.4};
+Line(1) = {3, 2}; Circle(2) = {2, 1, 4}; Circle(3) = {4, 1, 3}; Circle(4) = {3, 1, 5}; Circle(5) = {5, 1, 2};
+Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1}; Curve Loop(2) = {-1, 4, 5}; Plane Surface(2) = {2};
+Physical Curve("contact") = {1}; Physical Surface("up") = {1}; Physical Surface("down") = {2};
+)";
+
+/// The component of a registry with these entries.
+template <class Component>
+std::unique_ptr<Component> make(const Registry<Component>& registry, const std::vector<std::string>& settings)
+{
+  ListSpec spec;
+  spec.name = "List";
+  spec.choices = registry.choices();
+  DeckList list;
+  list.name = spec.name;
+  Diagnostics diagnostics;
+  for (const std::string& setting : settings)
+    applySetting(list, setting, diagnostics);
+  const Params params = validate(list, spec, diagnostics);
+  diagnostics.throwIfAny();
+  return registry.build(params);
+}
+
+std::shared_ptr<const MeshSource> source(const std::vector<std::string>& settings)
+{
+  Registry<MeshSource> registry("mesh");
+  registerMeshSources(registry);
+  return make(registry, settings);
+}
+
+std::unique_ptr<RefinedMeshes> begin(const FirstMeshes& first)
+{
+  Registry<Refinement> registry("refinement", "Bisection");
+  registerRefinements(registry);
+  static const Comm comm = Comm::single();
+  return make(registry, {"Type=Remesh"})->begin(first, comm);
+}
+
+/// The facets of both meshes' side "contact", by their middles.
+std::vector<FacetTwin> twinsOf(const std::vector<Mesh>& meshes)
+{
+  const auto middle = [&](std::size_t b, Facet facet) {
+    int ends[2];
+    facetVertices(meshes[b], facet, ends);
+    return 0.5 * (meshes[b].point(ends[0])[0] + meshes[b].point(ends[1])[0]);
+  };
+  std::vector<FacetTwin> twins;
+  for (const Facet first : meshes[0].findSide("contact")->facets)
+    for (const Facet second : meshes[1].findSide("contact")->facets)
+      if (std::abs(middle(0, first) - middle(1, second)) < 1e-9)
+        twins.push_back({0, first, 1, second});
+  return twins;
+}
+
+FirstMeshes halfDiscs()
+{
+  const std::string path = fmt::format("{}ndframe-disc-{}.geo", testing::TempDir(), getpid());
+  std::ofstream(path) << disc;
+  FirstMeshes first;
+  for (const char* region : {"up", "down"}) {
+    first.sources.push_back(source({"Type=Gmsh", "File=" + path, std::string("Regions={") + region + "}"}));
+    first.meshes.push_back(first.sources.back()->read());
+  }
+  first.twins = twinsOf(first.meshes);
+  return first;
+}
+
+/// The same area everywhere.
+SizeField sizesOf(const std::vector<Mesh>& meshes, double area)
+{
+  SizeField sizes;
+  for (const Mesh& mesh : meshes)
+    sizes.emplace_back(std::size_t(mesh.numCells()), CellSize{std::log2(area), 0.0, -100.0, {}});
+  return sizes;
+}
+
+double areaOf(const Mesh& mesh)
+{
+  double area = 0.0;
+  for (int c = 0; c < mesh.numCells(); ++c)
+    area += cellMeasure(mesh, c);
+  return area;
+}
+
+} // namespace
+
+TEST(RemeshRefinement, BeginsWithTheGivenMeshes)
+{
+  const FirstMeshes first = halfDiscs();
+  const auto meshes = begin(first);
+  std::vector<int> own(std::size_t(first.meshes[0].numCells()));
+  std::iota(own.begin(), own.end(), 0);
+  EXPECT_EQ(meshes->meshes()[0].points, first.meshes[0].points);
+  EXPECT_EQ(meshes->ancestors()[0], own);
+}
+
+TEST(RemeshRefinement, MakesCellsOfTheWantedAreasThatFollowTheCircle)
+{
+  const auto first = begin(halfDiscs());
+  const double area = 1e-3;
+  const auto second = first->refined(sizesOf(first->meshes(), area));
+  const auto third = second->refined(sizesOf(second->meshes(), area));
+  for (const Mesh& mesh : third->meshes()) {
+    EXPECT_NEAR(areaOf(mesh), 0.5 * std::acos(-1.0), 2e-3);
+    EXPECT_NEAR(areaOf(mesh) / mesh.numCells(), area, 0.1 * area);
+  }
+}
+
+TEST(RemeshRefinement, SidesGoOnMatching)
+{
+  const auto first = begin(halfDiscs());
+  SizeField sizes = sizesOf(first->meshes(), 0.05);
+  for (CellSize& size : sizes[1])
+    size.logArea = std::log2(2e-3);
+  const auto next = first->refined(sizes);
+  const std::size_t facets = next->meshes()[0].findSide("contact")->facets.size();
+  EXPECT_GT(facets, 20u);
+  EXPECT_EQ(twinsOf(next->meshes()).size(), facets);
+  EXPECT_EQ(next->meshes()[1].findSide("contact")->facets.size(), facets);
+}
+
+TEST(RemeshRefinement, SizesFallTowardsACorner)
+{
+  const auto first = begin(halfDiscs());
+  SizeField sizes = sizesOf(first->meshes(), 1e-2);
+  for (auto& body : sizes)
+    for (CellSize& size : body)
+      size = {std::log2(0.02), 1.0, std::log2(1e-7), {1.0, 0.0, 0.0}}; // area 0.02 r^2
+  const auto next = first->refined(sizes);
+  for (const Mesh& mesh : next->meshes())
+    for (int c = 0; c < mesh.numCells(); ++c) {
+      const std::array<double, 3> centre = cellCentre(mesh, c);
+      const double wanted = std::exp2(sizes[0][0].logAreaAt(centre));
+      EXPECT_LT(cellMeasure(mesh, c), 4.0 * wanted) << centre[0] << ", " << centre[1];
+    }
+}
+
+TEST(RemeshRefinement, AncestorsHoldTheCentres)
+{
+  const auto first = begin(halfDiscs());
+  const auto next = first->refined(sizesOf(first->meshes(), 5e-3));
+  for (std::size_t b = 0; b < 2; ++b)
+    for (int c = 0; c < next->meshes()[b].numCells(); ++c) {
+      const std::array<double, 3> centre = cellCentre(next->meshes()[b], c);
+      if (std::hypot(centre[0], centre[1]) > 0.9)
+        continue; // may lie beside the chords of the first mesh
+      const Mesh& mesh = first->meshes()[b];
+      const int* v = mesh.cell(next->ancestors()[b][std::size_t(c)]);
+      for (int k = 0; k < 3; ++k) {
+        const double *p = mesh.point(v[k]), *q = mesh.point(v[(k + 1) % 3]);
+        EXPECT_GE((q[0] - p[0]) * (centre[1] - p[1]) - (q[1] - p[1]) * (centre[0] - p[0]), 0.0);
+      }
+    }
+}
+
+TEST(RemeshRefinement, NeedsScripts)
+{
+  FirstMeshes first;
+  first.sources.push_back(source({"Type=Box", "Lower={0, 0}", "Upper={1, 1}", "Cells={2, 2}"}));
+  first.meshes.push_back(first.sources.back()->read());
+  EXPECT_THROW(begin(first), InputError);
+}
