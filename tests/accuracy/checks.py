@@ -5,6 +5,7 @@ import statistics
 
 SLOPE = -0.95  # of log(bound) against log(dofs)
 WORK = 2.2  # dofs of all levels over those of the last
+SPREAD = 0.15  # of the dofs with different first meshes
 FIRST = 2  # levels before this index are too coarse to tell a slope
 
 
@@ -27,7 +28,11 @@ def slope_of(runs):
 
 def missed_slope(runs):
     steepness = slope_of(runs)
-    return [f"slope {steepness:.2f} is above {SLOPE}"] if steepness > SLOPE else []
+    return [] if steepness <= SLOPE else [f"slope {steepness:.2f} is not below {SLOPE}"]  # NaN neither
+
+
+def no_answer(run):
+    return [] if run.answered else [f"exit {run.code}: {run.screen[-300:]}"]
 
 
 def missed_target(run):
@@ -39,6 +44,18 @@ def missed_target(run):
     if not math.isclose(error["absolute"], last["bound"], rel_tol=1e-9):
         missed.append(f"the last level says {last['bound']}, the certificate {error['absolute']}")
     return missed
+
+
+def missed_without_reason(run):
+    explained = run.code == 5 and run.accuracy["limit"]
+    return [] if run.accuracy["reached"] or explained else [f"exit {run.code} without target and without a limit"]
+
+
+def worse_than_before(run):
+    """Where the answer that is written is not the best one."""
+    bounds = [level["bound"] for level in run.levels]
+    best = min(bounds)
+    return [f"bound {bounds[-1]:.3g}, but {best:.3g} on level {bounds.index(best) + 1}"] if bounds[-1] > best else []
 
 
 def work(run):
@@ -70,6 +87,19 @@ def lost_force(run, tolerance=1e-9):
 def too_many_sweeps(run, allowed):
     return [f"{level['sweeps']} sweeps on level {level['level']}" for level in run.levels[1:]
             if level["sweeps"] > allowed]
+
+
+def wide_brackets(run, allowed):
+    """Brackets (closed, open) of where contact ends that are missing or wider than allowed."""
+    widths = [math.dist(*bracket) for interface in run.summary["interfaces"] for bracket in interface["end_brackets"]]
+    missed = [] if widths else ["no bracket of where contact ends"]
+    return missed + [f"contact ends in a bracket of {width:.4g}, {allowed} allowed" for width in widths
+                     if width > allowed]
+
+
+def dofs_apart(run, dofs):
+    """Where a run with another first mesh ends with other dofs."""
+    return [f"{run.dofs} dofs instead of {dofs}"] if abs(run.dofs - dofs) > SPREAD * dofs else []
 
 
 def bound_below_error(run):

@@ -16,6 +16,10 @@ class Run:
     summary: dict | None
 
     @property
+    def answered(self):
+        return self.summary is not None and self.summary["accuracy"] is not None
+
+    @property
     def accuracy(self):
         """{target, reached, limit, levels: [{dofs, sweeps, bound, iteration, ...}], ...}"""
         return self.summary["accuracy"]

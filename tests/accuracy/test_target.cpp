@@ -102,6 +102,73 @@ TEST(OneRunToTarget, NoMeshHasALargerBoundThanTheOneBefore)
     EXPECT_LT(levels[l].bound, levels[l - 1].bound) << "level " << levels[l].level;
 }
 
+TEST(OneRunToTarget, HoldsMaximumDofsAndComesNearIt)
+{
+  for (const char* marking : {"Predicted", "Doerfler", "Uniform"})
+    for (const int most : {500, 1000}) {
+      const auto outcome = toTarget("punch", "0.005")
+                               .set("Accuracy/Maximum Dofs=" + std::to_string(most))
+                               .set(std::string("Accuracy/Marking/Type=") + marking)
+                               .run();
+      const AccuracySummary& accuracy = *outcome.run.summary.accuracy;
+      EXPECT_FALSE(accuracy.reached);
+      EXPECT_EQ(accuracy.limit, "Maximum Dofs = " + std::to_string(most));
+      EXPECT_LE(accuracy.levels.back().dofs, most) << marking;
+      EXPECT_GE(accuracy.levels.back().dofs, most / (marking == std::string("Predicted") ? 2 : 4)) << marking;
+    }
+}
+
+TEST(OneRunToTarget, WritesTheBestAnswerWhereTheLastLevelIsWorse)
+{
+  const auto outcome = toTarget("punch", "0.01")
+                           .set("Bodies/punch/Material/Young Modulus=100")
+                           .set("Coupling/Relaxation/Theta=0.2")
+                           .run();
+  const AccuracySummary& accuracy = *outcome.run.summary.accuracy;
+  ASSERT_FALSE(accuracy.reached);
+  EXPECT_NE(accuracy.limit.find("the sweeps do not come to an end"), std::string::npos) << accuracy.limit;
+  ASSERT_LT(accuracy.written, int(accuracy.levels.size()));
+  for (const auto& level : accuracy.levels)
+    EXPECT_GE(level.bound, accuracy.answer().bound);
+  EXPECT_NEAR(outcome.run.summary.errors->global->absolute, accuracy.answer().bound, 1e-9 * accuracy.answer().bound);
+  EXPECT_TRUE(outcome.run.summary.errors->guaranteed);
+  EXPECT_EQ(outcome.run.model.totalDofs(), accuracy.answer().dofs);
+}
+
+TEST(OneRunToTarget, KeepsTheRolesThatTheFirstLevelChose)
+{
+  const auto outcome = toTarget("punch", "0.01")
+                           .set("Coupling/Dirichlet Body=Automatic")
+                           .set("Bodies/punch/Material/Young Modulus=100")
+                           .run();
+  EXPECT_TRUE(outcome.run.summary.accuracy->reached);
+  ASSERT_EQ(outcome.run.summary.coupling->roles.size(), 1u);
+  EXPECT_TRUE(outcome.run.summary.coupling->roles.front().exchanged);
+  EXPECT_EQ(outcome.run.summary.interfaces.front().dirichletBody, "foundation");
+  for (const int sweeps : sweepsOfLevels(outcome.run))
+    EXPECT_LE(sweeps, 4);
+}
+
+TEST(OneRunToTarget, MoreSweepsComeBeforeAnotherMeshWhereTheyReachTheTarget)
+{
+  // With a large share for the sweeps the meshes alone would reach targets that the bounds miss.
+  int levels = 0, reachedBySweeps = 0;
+  for (const char* target : {"0.03", "0.02", "0.015", "0.01", "0.007"}) {
+    const auto outcome = toTarget("punch", target).set("Accuracy/Iteration Share=0.9").run();
+    const AccuracySummary& accuracy = *outcome.run.summary.accuracy;
+    ASSERT_TRUE(accuracy.reached);
+    for (const auto& level : accuracy.levels) {
+      ++levels;
+      const double norm = level.bound / level.relative;
+      EXPECT_TRUE(level.level == int(accuracy.levels.size()) || level.mesh > accuracy.target * norm)
+          << "level " << level.level << " to " << target << " needed sweeps only";
+    }
+    reachedBySweeps += accuracy.levels.back().iteration < 0.5 * accuracy.levels.back().mesh;
+  }
+  EXPECT_GT(levels, 10);
+  EXPECT_GT(reachedBySweeps, 0);
+}
+
 TEST(OneRunToTarget, StopsAtTheLimitOfRoundOff)
 {
   const auto outcome = toTarget("patch", "1e-15").run();

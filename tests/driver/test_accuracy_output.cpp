@@ -180,7 +180,7 @@ INSTANTIATE_TEST_SUITE_P(All, LimitOfATarget,
                                          Limit{"Accuracy/Maximum Time=1e-6", "Maximum Time = 1e-06 s"},
                                          Limit{"Accuracy/Maximum Memory=1e-6", "Maximum Memory = 1e-06 GB"},
                                          Limit{"Coupling/Stopping/Maximum Sweeps=1",
-                                               "the sweeps do not come to an end: iteration "}));
+                                               "the sweeps do not come to an end (iteration "}));
 
 TEST_F(RunWithATarget, WithoutASolutionEndsWithExitCode3)
 {

@@ -34,7 +34,7 @@ AccuracySummary sampleAccuracy()
 {
   const LevelSummary first{1, 48, 6, 0.875, 2, 0.25, 0.2, 0.07, 0.24, "foundation", {0.5, -0.25}, 832, 0.01};
   const LevelSummary second{2, 910, 201, 0.5, 1, 0.0625, 0.05, 0.01, 0.06, "foundation", {1.5, 0.75}, 0, 0.04};
-  return {"Displacement", 0.06, true, true, "", {first, second}};
+  return {"Displacement", 0.06, true, true, "", {first, second}, 2};
 }
 
 } // namespace

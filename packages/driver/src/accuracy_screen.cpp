@@ -44,12 +44,13 @@ std::string levelLine(const LevelSummary& level)
 
 std::string accuracyText(const AccuracySummary& summary, bool guaranteed)
 {
-  const LevelSummary& last = summary.levels.back();
+  const LevelSummary& answer = summary.answer();
   return fmt::format("target {} {}: {} {}, {} dofs, {} level{}, {} sweeps, {:.2f} s{}",
                      amount(summary, summary.target, summary.target), summary.reached ? "reached" : "NOT reached",
-                     amount(summary, last.bound, last.relative), guaranteed ? "guaranteed" : "not guaranteed",
-                     grouped(last.dofs), summary.levels.size(), summary.levels.size() == 1 ? "" : "s", summary.sweeps(),
-                     last.seconds, summary.reached ? std::string() : "; limit: " + summary.limit);
+                     amount(summary, answer.bound, answer.relative), guaranteed ? "guaranteed" : "not guaranteed",
+                     grouped(answer.dofs), summary.levels.size(), summary.levels.size() == 1 ? "" : "s",
+                     summary.sweeps(), summary.levels.back().seconds,
+                     summary.reached ? std::string() : "; limit: " + summary.limit);
 }
 
 std::string missedTarget(const RunSummary& summary)
@@ -57,10 +58,10 @@ std::string missedTarget(const RunSummary& summary)
   if (!summary.accuracy || !summary.errors || summary.accuracy->reached)
     return {};
   const AccuracySummary& accuracy = *summary.accuracy;
-  const LevelSummary& last = accuracy.levels.back();
+  const LevelSummary& answer = accuracy.answer();
   return fmt::format("target {} missed: {}; {} {}", amount(accuracy, accuracy.target, accuracy.target), accuracy.limit,
                      summary.errors->guaranteed ? "the answer is guaranteed to" : "its error, not guaranteed, is",
-                     amount(accuracy, last.bound, last.relative));
+                     amount(accuracy, answer.bound, answer.relative));
 }
 
 } // namespace ndframe

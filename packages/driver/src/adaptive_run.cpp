@@ -6,11 +6,13 @@
 
 #include <fmt/format.h>
 
+#include "accuracy_limits.hpp"
 #include "accuracy_screen.hpp"
 #include "coarsest_meshes.hpp"
 #include "mesh_planner.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/interface/traction_transfer.hpp"
+#include "roles.hpp"
 #include "run_steps.hpp"
 #include "screen.hpp"
 #include "summarize.hpp"
@@ -19,11 +21,6 @@ namespace ndframe
 {
 namespace
 {
-
-/// A bound that falls by less than this in two levels does not follow the mesh any more.
-constexpr double stalled = 0.98;
-/// Relative bounds below this may be nothing but round-off of the residuals, which stays when cells become smaller.
-constexpr double roundOff = 1e-8;
 
 /// A bound above that of the coarser mesh before is one of tractions that were left where contact opens, which the
 /// energy of the iteration hardly sees: then the sweeps go on, as long as the bound falls by a tenth.
@@ -40,6 +37,14 @@ Vector nextTraction(const InterfaceSystem& system, const CouplingResult& couplin
     traction[i] = closed[i] ? traction[i] + theta * (coupling.state.tractionDirichlet[i] - traction[i]) : 0.0;
   return traction;
 }
+
+/// The level with the smallest bound so far.
+struct Best
+{
+  int level = 0; ///< from 1; 0: none
+  std::vector<Mesh> meshes;
+  CarriedContact contact; ///< with the Neumann traction
+};
 
 /// The loop of a run with a target: solve until the iteration is small beside the mesh, certify, stop or refine, carry
 /// over.
@@ -75,16 +80,13 @@ public:
       summary_.reached = errors.reached();
       if (summary_.reached)
         break;
-      MeshPlan plan = planner_->nextStep(options_.maximumDofs);
-      summary_.limit = limitMet(plan);
-      if (!summary_.limit.empty())
+      summary_.limit = endOfProgress(options_, summary_.levels, run_.coupling);
+      if (!summary_.limit.empty() || !refine(errors))
         break;
-      carryOver(errors, std::move(plan));
-      Model model;
-      readModel(model, tools_,
-                [&](const Params& body) { return planner_->meshes()[std::size_t(run_.model.bodyIndex(body.name()))]; });
-      beginLevel(std::move(model));
+      readLevel(planner_->meshes());
     }
+    if (!summary_.reached && best_.level > 0)
+      returnToBest();
     return finish();
   }
 
@@ -96,13 +98,28 @@ private:
     beginLevel(std::move(model));
     planner_.emplace(deck_, tools_.components, run_.model, tools_.comm);
     log_.line(headerText(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic));
-    log_.line("\n" + levelTitle(summary_, stoppingText(deck_, balances_)));
   }
 
+  void readLevel(const std::vector<Mesh>& meshes)
+  {
+    Model model;
+    readModel(model, tools_,
+              [&](const Params& body) { return meshes[std::size_t(run_.model.bodyIndex(body.name()))]; });
+    beginLevel(std::move(model));
+  }
+
+  /// Automatic roles are those of the first level.
   void beginLevel(Model&& model)
   {
+    std::vector<RoleSummary> roles;
+    if (run_.summary.coupling)
+      roles = run_.summary.coupling->roles;
+    if (!roles.empty())
+      orientLike(model, run_.model);
     run_.model = std::move(model);
     run_.summary = outlineSummary(run_.model, deck_, *tools_.solver, tools_.comm.size());
+    if (!roles.empty())
+      run_.summary.coupling->roles = std::move(roles);
     run_.certificate.reset();
     sweeps_ = 0;
   }
@@ -110,7 +127,7 @@ private:
   /// Sweeps until their part is small beside the mesh's, and the certificate of that state.
   void solveLevel()
   {
-    condenseRun(run_, tools_, silentLog());
+    condenseRun(run_, tools_, summary_.levels.empty() ? log_ : silentLog());
     CouplingStart start = firstStart();
     const double unknown = std::numeric_limits<double>::infinity();
     for (double iterationBefore = unknown, boundBefore = unknown;;) {
@@ -155,44 +172,66 @@ private:
     level.sweeps = sweeps_;
     level.dofsToTarget = errors.reached() ? 0 : planner_->dofsToTarget().value_or(0);
     level.seconds = wallSeconds() - run_.startSeconds;
+    if (summary_.levels.empty())
+      log_.line("\n" + levelTitle(summary_, stoppingText(deck_, balances_)));
     summary_.levels.push_back(level);
     log_.line(levelLine(level));
+    if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
+      best_ = {level.level, planner_->meshes(), contactOf(run_.coupling.state.tractionNeumann)};
     if (onLevel_)
       onLevel_(run_, level.level);
   }
 
-  /// Why no level follows; empty when one does.
-  std::string limitMet(const MeshPlan& plan) const
+  /// Plans the next meshes; false when they do not fit into the limits.
+  bool refine(const LevelErrors& errors)
   {
-    const auto& levels = summary_.levels;
-    if (!run_.coupling.converged && !run_.coupling.history.empty())
-      return "the sweeps do not come to an end: " + run_.coupling.reason;
-    if (int(levels.size()) >= options_.maximumLevels)
-      return fmt::format("Maximum Levels = {}", options_.maximumLevels);
-    if (levels.size() > 2 && levels.back().bound > stalled * levels[levels.size() - 3].bound)
-      return levels.back().relative < roundOff ? "the bound does not fall with the mesh any more: round-off"
-                                               : "the bound does not fall with the mesh any more";
-    const double growth = double(plan.dofs) / double(levels.back().dofs);
-    if (plan.dofs > options_.maximumDofs)
-      return fmt::format("Maximum Dofs = {}", options_.maximumDofs);
-    const double last = levels.back().seconds - (levels.size() > 1 ? levels[levels.size() - 2].seconds : 0.0);
-    if (levels.back().seconds + growth * last > options_.maximumSeconds)
-      return fmt::format("Maximum Time = {:g} s: the next mesh would take {:.2g} s", options_.maximumSeconds,
-                         growth * last);
-    if (growth * double(peakMemory()) > options_.maximumMemory)
-      return fmt::format("Maximum Memory = {:g} GB: the next mesh would take some {:.2g} GB",
-                         options_.maximumMemory * 1e-9, 1e-9 * growth * double(peakMemory()));
-    return {};
+    const auto timer = tools_.ledger.time("refine");
+    MeshPlan plan = planner_->nextStep(options_.maximumDofs);
+    summary_.limit = limitMet(options_, summary_.levels, plan.dofs, firstMemory_);
+    if (!summary_.limit.empty())
+      return false;
+    carryOver(errors, std::move(plan));
+    return true;
   }
 
   void carryOver(const LevelErrors& errors, MeshPlan plan)
   {
     expectedMesh_ = plan.bound / errors.bound * errors.mesh;
     planner_->accept(std::move(plan));
+    if (!run_.model.interfaces.empty())
+      carried_ = contactOf(nextTraction(run_.condensed.interface, run_.coupling));
+  }
+
+  CarriedContact contactOf(Vector traction) const
+  {
     if (run_.model.interfaces.empty())
+      return {};
+    return {run_.model.interfaces, std::move(traction),
+            statusesOfNodes(run_.condensed.interface, run_.coupling.state.closed)};
+  }
+
+  /// A level may end with a larger bound than one before, or without any: then that one is computed again. One sweep
+  /// from its Neumann traction is its state.
+  void returnToBest()
+  {
+    const bool isLast = best_.level == int(summary_.levels.size());
+    if (isLast && run_.certificate && run_.failure.empty())
       return;
-    carried_ = {run_.model.interfaces, nextTraction(run_.condensed.interface, run_.coupling),
-                statusesOfNodes(run_.condensed.interface, run_.coupling.state.closed)};
+    if (summary_.limit.empty())
+      summary_.limit = run_.failure.empty() ? run_.coupling.reason : run_.failure;
+    run_.failure.clear();
+    readLevel(best_.meshes);
+    attempt(run_, log_, [&] {
+      condenseRun(run_, tools_, silentLog());
+      CouplingStart start;
+      start.iterationError = std::numeric_limits<double>::max();
+      if (!best_.contact.interfaces.empty()) {
+        start.traction = best_.contact.traction;
+        start.closed = statusesOfUnknowns(run_.condensed.interface, best_.contact.closed);
+      }
+      solveRun(run_, tools_, silentLog(), start);
+      certifyRun(run_, tools_);
+    });
   }
 
   /// The whole certificate of the last level, if the deck asks for more than the bound; the summary.
@@ -202,6 +241,7 @@ private:
       tools_.errors->estimators = wanted_;
       certifyRun(run_, tools_);
     }
+    summary_.written = summary_.reached ? int(summary_.levels.size()) : best_.level;
     run_.summary.accuracy = summary_;
     finishRun(run_, tools_);
     if (!summary_.reached && summary_.limit.empty())
@@ -222,7 +262,9 @@ private:
   std::optional<MeshPlanner> planner_;
   double expectedMesh_ = std::numeric_limits<double>::max(); ///< the mesh's part on the next level; unknown at first
   CarriedContact carried_;
-  int sweeps_ = 0; ///< of this level
+  Best best_;
+  int sweeps_ = 0;                                  ///< of this level
+  const double firstMemory_ = double(peakMemory()); ///< bytes, before there was a mesh
   AccuracySummary summary_;
 };
 

@@ -40,6 +40,12 @@ std::vector<std::string> measureNames(const ErrorOptions& options)
   return names;
 }
 
+std::string refinementOf(const Params& accuracy)
+{
+  return fmt::format("{} sizes, by {}", accuracy.sub("Marking").get<std::string>("Type"),
+                     accuracy.sub("Refinement").get<std::string>("Type"));
+}
+
 } // namespace
 
 Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
@@ -64,6 +70,7 @@ Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
   add("couple", touches, deck.sub("Coupling").get<std::string>("Type") + again, noInterface);
   add("recover", true, "interior displacements, one back-solve a body and state" + again, {});
   addCertificate(deck);
+  add("refine", toTarget, toTarget ? refinementOf(deck.sub("Accuracy")) : "", "the deck has no list Accuracy");
   add("stress", exodus, "for the Exodus file", "no Exodus file is written");
   const bool contact = touches && output.get<bool>("Contact Table");
   const bool levels = toTarget && output.get<bool>("Level Table");

@@ -159,7 +159,8 @@ void condenseRun(Run& run, const RunTools& tools, const Log& log)
   const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
   run.condensed =
       condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, log, std::move(run.condensed));
-  if (run.plan.runs("couple") && tools.coupling->roles() == Roles::Automatic)
+  const bool chooses = run.plan.runs("couple") && tools.coupling->roles() == Roles::Automatic;
+  if (chooses && run.summary.coupling->roles.empty())
     chooseRoles(run, tools.ledger, log);
 }
 

@@ -30,7 +30,7 @@ void checkLists(const RunTools& tools);
 /// deck's.
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes = {});
 
-/// Matrices, factors, Schur complements, and the roles of the bodies.
+/// Matrices, factors, Schur complements, and the roles of the bodies unless the summary has them.
 void condenseRun(Run& run, const RunTools& tools, const Log& log);
 
 /// Sweeps, displacements, contact. Needs condenseRun; may be repeated from another start.

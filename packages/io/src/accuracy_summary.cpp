@@ -63,7 +63,8 @@ Json accuracyJson(const std::optional<AccuracySummary>& accuracy)
           {"limit", accuracy->limit},
           {"number_of_levels", accuracy->levels.size()},
           {"sweeps", accuracy->sweeps()},
-          {"dofs", accuracy->levels.empty() ? 0 : accuracy->levels.back().dofs},
+          {"level", accuracy->written},
+          {"dofs", accuracy->written == 0 ? 0 : accuracy->answer().dofs},
           {"total_dofs", accuracy->totalDofs()},
           {"levels", std::move(levels)}};
 }

@@ -33,7 +33,9 @@ struct AccuracySummary
   bool reached = false;
   std::string limit; ///< why it was not; empty when it was
   std::vector<LevelSummary> levels;
+  int written = 0; ///< the level whose answer is written, from 1: the last, or one with a smaller bound before it
 
+  const LevelSummary& answer() const { return levels[std::size_t(written) - 1]; }
   int sweeps() const;             ///< of all levels
   std::int64_t totalDofs() const; ///< of all levels: the work
 };

@@ -1,0 +1,52 @@
+#include "accuracy_limits.hpp"
+
+#include <fmt/format.h>
+
+#include "ndframe/base/ledger.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A bound that falls by less than this in two levels does not follow the mesh any more.
+constexpr double stalled = 0.98;
+/// Relative bounds below this may be nothing but round-off of the residuals, which stays when cells become smaller.
+constexpr double roundOff = 1e-8;
+
+} // namespace
+
+std::string endOfProgress(const AccuracyOptions& options, const std::vector<LevelSummary>& levels,
+                          const CouplingResult& coupling)
+{
+  if (!coupling.converged && !coupling.history.empty())
+    return fmt::format("the sweeps do not come to an end ({}); with Coupling/Dirichlet Body = Automatic or "
+                       "Coupling/Type = Monolithic they may",
+                       coupling.reason);
+  if (int(levels.size()) >= options.maximumLevels)
+    return fmt::format("Maximum Levels = {}", options.maximumLevels);
+  if (levels.size() > 2 && levels.back().bound > stalled * levels[levels.size() - 3].bound)
+    return levels.back().relative < roundOff ? "the bound does not fall with the mesh any more: round-off"
+                                             : "the bound does not fall with the mesh any more";
+  return {};
+}
+
+std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSummary>& levels, std::int64_t nextDofs,
+                     double firstMemory)
+{
+  const LevelSummary& present = levels.back();
+  const double growth = double(nextDofs) / double(present.dofs);
+  if (nextDofs > options.maximumDofs)
+    return fmt::format("Maximum Dofs = {}", options.maximumDofs);
+  const double last = present.seconds - (levels.size() > 1 ? levels[levels.size() - 2].seconds : 0.0);
+  if (present.seconds + growth * last > options.maximumSeconds)
+    return fmt::format("Maximum Time = {:g} s: the next mesh would take {:.2g} s", options.maximumSeconds,
+                       growth * last);
+  const double memory = firstMemory + growth * (double(peakMemory()) - firstMemory);
+  if (memory > options.maximumMemory)
+    return fmt::format("Maximum Memory = {:g} GB: with the next mesh it would be some {:.3g} GB",
+                       options.maximumMemory * 1e-9, memory * 1e-9);
+  return {};
+}
+
+} // namespace ndframe
