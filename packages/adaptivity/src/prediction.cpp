@@ -42,6 +42,10 @@ Parts sumAt(const std::vector<std::vector<CellDecay>>& cells, double level, int 
   return sum;
 }
 
+/// The levels that are tried lie whole binary fractions apart. Beginning at the largest contribution itself, its number
+/// of halvings would be rounded at exactly n + 1/2, where round-off decides.
+constexpr double awayFromHalves = 0.3;
+
 } // namespace
 
 Prediction predictRefinement(const std::vector<std::vector<CellDecay>>& cells, double target, int degree)
@@ -53,6 +57,7 @@ Prediction predictRefinement(const std::vector<std::vector<CellDecay>>& cells, d
       coarse = std::max(coarse, cell.logSquared + (degree + 1) * std::log2((degree + 1) / cell.exponent));
   if (!std::isfinite(coarse))
     coarse = 0.0; // no cell contributes anything
+  coarse += awayFromHalves;
   double fine = coarse;
   for (double step = 1.0; sumAt(cells, fine, degree).squared > target * target; step *= 2.0)
     fine -= step;
