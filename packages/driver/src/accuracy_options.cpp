@@ -87,7 +87,7 @@ ListSpec accuracySpec(const Components& components)
        "files as they are. Deck: all as the deck says."},
       {"Iteration Share", 0.3, inOpenRange(0.0, 1.0),
        "The sweeps on a mesh end when their part of the error is below this share of the mesh's."},
-      {"Maximum Dofs", 1000000, atLeast(1), "No mesh gets more dofs than this."},
+      {"Maximum Dofs", 1000000, atLeast(1), "No mesh is refined to more dofs than this."},
       {"Maximum Levels", 40, atLeast(1), "No more meshes than this, the first one included."},
       ParamSpec::optional("Maximum Memory", Kind::Double, above(0.0), "GB that a process may take."),
       ParamSpec::optional("Maximum Time", Kind::Double, above(0.0),

@@ -20,7 +20,8 @@ public:
 
   virtual const std::vector<Mesh>& meshes() const = 0;
 
-  /// Per mesh and cell of meshes(): the cell of the meshes before that it is part of (or that its centre lies in).
+  /// Per mesh and cell of meshes(): the cell of the meshes before in whose place it stands (of which it is a part, but
+  /// where shapes were mended), or in which its centre lies.
   virtual const std::vector<std::vector<int>>& ancestors() const = 0;
 
   /// The next meshes: cells as the field wants them, or smaller where matching sides or shapes need it.
