@@ -54,8 +54,8 @@ def missed_without_reason(run):
 def worse_than_before(run):
     """Where the answer that is written is not the best one."""
     bounds = [level["bound"] for level in run.levels]
-    best = min(bounds)
-    return [f"bound {bounds[-1]:.3g}, but {best:.3g} on level {bounds.index(best) + 1}"] if bounds[-1] > best else []
+    best, written = min(bounds), run.summary["errors"]["global"]["absolute"]
+    return [f"bound {written:.3g}, but {best:.3g} on level {bounds.index(best) + 1}"] if written > 1.001 * best else []
 
 
 def work(run):
