@@ -1,7 +1,7 @@
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <limits>
-#include <numeric>
 
 #include "ndframe/adaptivity/marking.hpp"
 
@@ -22,6 +22,19 @@ CellSize halved(const ContributionModel::Cell& cell, double halvings)
   return size;
 }
 
+/// sizeOf: of one cell.
+template <class SizeOf>
+SizeField fieldOf(const ContributionModel& model, const SizeOf& sizeOf)
+{
+  SizeField field;
+  for (const auto& body : model.cells()) {
+    field.emplace_back();
+    for (const ContributionModel::Cell& cell : body)
+      field.back().push_back(sizeOf(cell));
+  }
+  return field;
+}
+
 /// Cells in which every part of the next mesh contributes the same.
 class Predicted final : public Marking
 {
@@ -29,13 +42,7 @@ public:
   SizeField sizes(const ContributionModel& model, double target) const override
   {
     const double level = predictRefinement(model.decays(), target, model.degree()).level;
-    SizeField field;
-    for (const auto& body : model.cells()) {
-      field.emplace_back();
-      for (const ContributionModel::Cell& cell : body)
-        field.back().push_back(sizeOf(cell, level, model.degree()));
-    }
-    return field;
+    return fieldOf(model, [&](const ContributionModel::Cell& cell) { return sizeOf(cell, level, model.degree()); });
   }
 
   std::optional<std::int64_t> cellsFor(const ContributionModel& model, double target) const override
@@ -71,13 +78,9 @@ public:
   SizeField sizes(const ContributionModel& model, double) const override
   {
     const double least = leastMarked(model);
-    SizeField field;
-    for (const auto& body : model.cells()) {
-      field.emplace_back();
-      for (const ContributionModel::Cell& cell : body)
-        field.back().push_back(halved(cell, cell.decay.logSquared >= least ? oneRefinement : 0.0));
-    }
-    return field;
+    return fieldOf(model, [&](const ContributionModel::Cell& cell) {
+      return halved(cell, cell.decay.logSquared >= least ? oneRefinement : 0.0);
+    });
   }
 
   std::optional<std::int64_t> cellsFor(const ContributionModel&, double) const override { return std::nullopt; }
@@ -111,13 +114,7 @@ class Uniform final : public Marking
 public:
   SizeField sizes(const ContributionModel& model, double) const override
   {
-    SizeField field;
-    for (const auto& body : model.cells()) {
-      field.emplace_back();
-      for (const ContributionModel::Cell& cell : body)
-        field.back().push_back(halved(cell, oneRefinement));
-    }
-    return field;
+    return fieldOf(model, [](const ContributionModel::Cell& cell) { return halved(cell, oneRefinement); });
   }
 
   std::optional<std::int64_t> cellsFor(const ContributionModel&, double) const override { return std::nullopt; }

@@ -1,8 +1,7 @@
 #include <algorithm>
 #include <cmath>
-#include <optional>
 
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/mesh/cell_locator.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
 #include "ndframe/mesh/remesh.hpp"
@@ -55,27 +54,18 @@ std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancesto
   return lengths;
 }
 
-/// Meshed on rank 0, which tells the others; the reason of a failure likewise.
+/// Meshed on rank 0, which tells the others; one mesh a message.
 std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<WantedMesh>& wanted)
 {
   if (scene.comm.size() == 1)
     return remesh(scene.scripts, scene.matching, wanted);
   std::vector<Mesh> meshes(wanted.size());
-  std::optional<InputError> failure;
-  if (scene.comm.rank() == 0) {
-    try {
-      meshes = remesh(scene.scripts, scene.matching, wanted);
-    } catch (const InputError& error) {
-      failure = error;
-    }
-  }
-  for (Mesh& mesh : meshes) {
-    std::string bytes = mesh.numCells() > 0 ? toBytes(mesh) : std::string();
-    scene.comm.broadcast(bytes);
-    if (bytes.empty())
-      throw failure ? *failure : InputError("rank 0 could not make a mesh"); // only rank 0 speaks
-    mesh = meshFromBytes(bytes);
-  }
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    meshes[b] = meshFromBytes(fromRankZero(scene.comm, [&] {
+      if (b == 0)
+        meshes = remesh(scene.scripts, scene.matching, wanted);
+      return toBytes(meshes[b]);
+    }));
   return meshes;
 }
 

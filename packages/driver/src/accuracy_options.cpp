@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "list_specs.hpp"
 #include "ndframe/driver/error_options.hpp"
 
 namespace ndframe
@@ -20,15 +21,6 @@ bool namesRecovery(const DeckList& errors)
 double limit(const Params& list, const char* key, double unit)
 {
   return list.has(key) ? unit * list.get<double>(key) : std::numeric_limits<double>::infinity();
-}
-
-ListSpec choiceSpec(std::string name, std::string doc, const Choices& choices)
-{
-  ListSpec list;
-  list.name = std::move(name);
-  list.doc = std::move(doc);
-  list.choices = choices;
-  return list;
 }
 
 } // namespace
@@ -93,10 +85,10 @@ ListSpec accuracySpec(const Components& components)
       ParamSpec::optional("Maximum Time", Kind::Double, above(0.0),
                           "Seconds on the wall; a mesh that would not be done in time is not begun.")};
   list.lists = {
-      choiceSpec("Marking", "Where cells shall be smaller, and how small.", components.markings.choices()),
-      choiceSpec("Refinement", "How the meshes are made.", components.refinements.choices()),
-      choiceSpec("Transfer", "What the sweeps on a finer mesh begin with.", components.contactTransfers.choices()),
-      choiceSpec("Stopping", "When the sweeps on a mesh end.", components.levelStoppings.choices())};
+      makeChoice("Marking", "Where cells shall be smaller, and how small.", components.markings.choices()),
+      makeChoice("Refinement", "How the meshes are made.", components.refinements.choices()),
+      makeChoice("Transfer", "What the sweeps on a finer mesh begin with.", components.contactTransfers.choices()),
+      makeChoice("Stopping", "When the sweeps on a mesh end.", components.levelStoppings.choices())};
   return list;
 }
 

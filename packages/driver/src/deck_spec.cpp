@@ -1,6 +1,7 @@
 #include "ndframe/driver/deck_spec.hpp"
 
 #include "accuracy_options.hpp"
+#include "list_specs.hpp"
 #include "ndframe/driver/error_options.hpp"
 #include "outputs.hpp"
 #include "study_cases.hpp"
@@ -9,21 +10,6 @@ namespace ndframe
 {
 namespace
 {
-
-ListSpec makeList(std::string name, std::string doc)
-{
-  ListSpec list;
-  list.name = std::move(name);
-  list.doc = std::move(doc);
-  return list;
-}
-
-ListSpec makeChoice(std::string name, std::string doc, const Choices& choices)
-{
-  ListSpec list = makeList(std::move(name), std::move(doc));
-  list.choices = choices;
-  return list;
-}
 
 /// A list whose sublists the user names, all of one shape.
 ListSpec makeNamed(std::string name, std::string doc, ListSpec each)

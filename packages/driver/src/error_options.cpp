@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "list_specs.hpp"
+
 namespace ndframe
 {
 namespace
@@ -152,11 +154,8 @@ ListSpec errorEstimationSpec(const Choices& recoveries)
        "not guaranteed."},
       {"Check Equilibrium", false, "Look at the recovered stress itself: divergence, jumps, loads, contact."},
       {"Require Guarantee", false, "A run whose bound is not guaranteed ends with exit code 3."}};
-  ListSpec recovery;
-  recovery.name = "Recovery";
-  recovery.doc = "How the stress in equilibrium with the loads is found.";
-  recovery.choices = recoveries;
-  list.lists = {std::move(recovery), tractionSpec(), referenceSpec()};
+  list.lists = {makeChoice("Recovery", "How the stress in equilibrium with the loads is found.", recoveries),
+                tractionSpec(), referenceSpec()};
   return list;
 }
 
