@@ -217,6 +217,16 @@ TEST_P(MistakenTarget, IsRefusedBeforeAnythingIsComputed)
   EXPECT_THAT(files(), ElementsAre());
 }
 
+TEST_P(MistakenTarget, IsFoundByCheckToo)
+{
+  std::vector<std::string> arguments{"--check", shippedDeck(GetParam().deck)};
+  for (const auto& setting : GetParam().settings)
+    arguments.insert(arguments.end(), {"--set", setting});
+  const auto result = call(arguments);
+  EXPECT_EQ(result.exitCode, 2);
+  EXPECT_THAT(result.err, HasSubstr(GetParam().words));
+}
+
 INSTANTIATE_TEST_SUITE_P(
     All, MistakenTarget,
     testing::Values(
@@ -225,6 +235,10 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"punch", {"Accuracy/Target=0.1", "Error Estimation/Estimators={Residual}"}, "add \"Global\"."},
         Mistake{"punch", {"Accuracy/Target=0"}, "Target = 0 is outside (0, 1)"},
         Mistake{"punch", {"Accuracy/Target=1"}, "Target = 1 is outside (0, 1)"},
+        Mistake{"punch",
+                {"Accuracy/Target=0.1", "Accuracy/Iteration Share=0.2", "Accuracy/Stopping/Type=Tolerance"},
+                "Iteration Share is for Stopping/Type = Balanced"},
+        Mistake{"punch", {"Accuracy/Target=0.1", "Accuracy/Refinement/Type=Remesh"}, "refine by Bisection"},
         Mistake{"punch", {"Output/All Levels=true"}, "the deck has no list Accuracy"},
         Mistake{"punch",
                 {"Accuracy/Target=0.1", "Output/All Levels=true", "Output/Exodus=false"},

@@ -9,7 +9,6 @@
 #include "accuracy_limits.hpp"
 #include "accuracy_screen.hpp"
 #include "coarsest_meshes.hpp"
-#include "mesh_planner.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/interface/traction_transfer.hpp"
 #include "roles.hpp"
@@ -94,9 +93,8 @@ private:
   void begin()
   {
     Model model;
-    readFirstMeshes(model, tools_);
+    planner_ = readFirstMeshes(model, tools_);
     beginLevel(std::move(model));
-    planner_.emplace(deck_, tools_.components, run_.model, tools_.comm);
     log_.line(headerText(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic));
   }
 
@@ -270,7 +268,7 @@ private:
 
 } // namespace
 
-void readFirstMeshes(Model& model, const RunTools& tools)
+MeshPlanner readFirstMeshes(Model& model, const RunTools& tools)
 {
   checkLists(tools);
   const bool coarsest = accuracyOptions(tools.deck).start == AccuracyStart::Coarsest;
@@ -279,6 +277,7 @@ void readFirstMeshes(Model& model, const RunTools& tools)
     throw InputError(tools.deck.sub("Accuracy")
                          .mistake("", "meshes are adapted in two dimensions only; remove the list and choose the "
                                       "mesh."));
+  return {tools.deck, tools.components, model, tools.comm};
 }
 
 Run runToTarget(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,

@@ -1,12 +1,14 @@
 #pragma once
 
+#include "mesh_planner.hpp"
 #include "run_steps.hpp"
 
 namespace ndframe
 {
 
-/// Reads the meshes that a deck with the list Accuracy begins with, and checks them.
-void readFirstMeshes(Model& model, const RunTools& tools);
+/// Reads the meshes that a deck with the list Accuracy begins with, and checks them: also that they can be refined as
+/// the deck says. Returns what refines them.
+MeshPlanner readFirstMeshes(Model& model, const RunTools& tools);
 
 /// Runs a deck with the list Accuracy up to the summary: solves and certifies on finer and finer meshes until the bound
 /// is below the target or a limit is met. The run that is returned is the one on the last

@@ -36,7 +36,10 @@ void compute(Run& run, const RunTools& tools, const Log& log)
 void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
 {
   const RunTools tools(deck, components, comm, ledger);
-  wantsAccuracy(deck) ? readFirstMeshes(model, tools) : readModel(model, tools);
+  if (wantsAccuracy(deck))
+    readFirstMeshes(model, tools);
+  else
+    readModel(model, tools);
 }
 
 Reusable handOn(Run& run)

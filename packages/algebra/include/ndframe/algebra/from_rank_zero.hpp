@@ -8,8 +8,8 @@
 namespace ndframe
 {
 
-/// The bytes (some) that `make` returns on rank 0, on every rank; called there only. An InputError that it throws is one
-/// on every rank. Collective. Limit: 2 GB.
+/// The bytes (some) that `make` returns on rank 0, on every rank; called there only. An InputError that it throws is
+/// one on every rank. Collective. Limit: 2 GB.
 std::string fromRankZero(const Comm& comm, const std::function<std::string()>& make);
 
 } // namespace ndframe
