@@ -38,16 +38,20 @@ def actor(algorithm, configure):
 
 
 def warped(grid, factor):
+    """Moved by the displacement and, where a Gap stands between bodies, by the offset that draws them apart."""
     calculator = vtk.vtkArrayCalculator()
     calculator.SetInputData(grid)
     names = [grid.GetPointData().GetArrayName(i) for i in range(grid.GetPointData().GetNumberOfArrays())]
-    if "disp_" in names:
-        calculator.AddVectorArrayName("disp_")
-        calculator.SetFunction("disp_")
-    else:
-        calculator.AddScalarArrayName("disp_x")
-        calculator.AddScalarArrayName("disp_y")
-        calculator.SetFunction("disp_x*iHat + disp_y*jHat")
+    terms = []
+    for vector in ("disp_", "offset_"):
+        if vector in names:
+            calculator.AddVectorArrayName(vector)
+            terms.append(vector)
+        elif f"{vector}x" in names:
+            calculator.AddScalarArrayName(f"{vector}x")
+            calculator.AddScalarArrayName(f"{vector}y")
+            terms.append(f"{vector}x*iHat + {vector}y*jHat")
+    calculator.SetFunction(" + ".join(terms))
     calculator.SetResultArrayName("displacement")
     warp = vtk.vtkWarpVector()
     warp.SetInputConnection(calculator.GetOutputPort())

@@ -125,15 +125,36 @@ class ExodusFile(unittest.TestCase):
         for block in (0, 1):
             for name, value in exact.items():
                 numpy.testing.assert_allclose(self.patch.element(name, block), value, atol=1e-10, err_msg=name)
+        for name, value in (exact | {"stress_yz": 0, "stress_zx": 0}).items():
+            numpy.testing.assert_allclose(self.patch.nodal(name), value, atol=1e-10, err_msg=name)
+
+    def test_offset_draws_bodies_with_a_gap_apart(self):
+        hertz = Run(shipped("hertz"))
+        header, *rows = hertz.table
+        closed = {float(row[1]): row[header.index("closed")] == "1" for row in rows}
+        first = hertz.summary["bodies"][0]["dofs"] // 2
+        heights = [{}, {}]
+        for node, ((x, y), moved) in enumerate(zip(hertz.points(), hertz.nodal("disp_y") + hertz.nodal("offset_y"))):
+            if y == 0:
+                heights[node >= first][x] = moved
+        for x, is_closed in closed.items():
+            opening = heights[0][x] - heights[1][x]
+            self.assertAlmostEqual(opening, 0, places=12) if is_closed else self.assertGreater(opening, 0)
+        upper = hertz.points()[:first]
+        numpy.testing.assert_allclose(hertz.nodal("offset_y")[:first], upper[:, 0] ** 2 / 2, atol=2e-2)
+        self.assertEqual(abs(hertz.nodal("offset_y")[first:]).max(), 0)
+        self.assertNotIn("offset_x", self.loss.names("name_nod_var"), "no gap, no offset")
 
     def test_a_solid_has_six_stresses_and_no_contact(self):
         self.assertEqual(self.beam.exodus["connect1"].elem_type, "TETRA10")
-        self.assertEqual(self.beam.names("name_nod_var"), ["disp_x", "disp_y", "disp_z"])
-        names = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_xz", "von_mises"]
+        # ParaView joins a tensor's components by these names in this order.
+        names = ["stress_xx", "stress_yy", "stress_zz", "stress_xy", "stress_yz", "stress_zx", "von_mises"]
+        self.assertEqual(self.beam.names("name_nod_var"), ["disp_x", "disp_y", "disp_z", *names])
         self.assertEqual(self.beam.names("name_elem_var"), names)
         self.assertNotIn("num_sset_var", self.beam.exodus.dimensions)
         middles = self.beam.points()[self.beam.exodus["connect1"][:, :4] - 1].mean(axis=1)
         numpy.testing.assert_allclose(self.beam.element("stress_xx", 0), middles[:, 1], atol=1e-10)
+        numpy.testing.assert_allclose(self.beam.nodal("stress_xx"), self.beam.points()[:, 1], atol=1e-10)
 
     def test_contact_stands_on_both_side_sets(self):
         for body in ("dirichlet", "neumann"):
@@ -153,7 +174,7 @@ class ExodusFile(unittest.TestCase):
 
     def test_nodal_pressure_is_that_of_the_table(self):
         header, *rows = self.loss.table
-        pressure = {float(row[1]): -float(row[header.index("traction_dirichlet")]) for row in rows}
+        pressure = {float(row[1]): float(row[header.index("pressure")]) for row in rows}
         upper = self.loss.summary["bodies"][0]["dofs"] // 2
         points, values = self.loss.points()[:upper], self.loss.nodal("contact_pressure")[:upper]
         for (x, y), value in zip(points, values):

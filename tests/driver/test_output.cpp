@@ -89,18 +89,20 @@ TEST_F(Output, ContactTableHoldsEveryNodeOfTheInterface)
   filesOf("contact-loss", {});
   const auto lines = split(contentsOf(path("contact-loss.contact.csv")), '\n');
   EXPECT_EQ(lines.front(),
-            "interface,x,y,u_dirichlet,u_neumann,gap,traction_dirichlet,traction_neumann,nodal_force,closed");
+            "interface,x,y,arc_length,pressure,gap,u_dirichlet,u_neumann,traction_dirichlet,traction_neumann,"
+            "nodal_force,closed");
   const auto contact = Json::parse(contentsOf(path("contact-loss.summary.json")))["interfaces"][0];
   ASSERT_EQ(lines.size(), 1U + contact["nodes"].get<std::size_t>());
   double force = 0.0;
   int closed = 0;
   for (std::size_t i = 1; i < lines.size(); ++i) {
     const auto cells = split(lines[i], ',');
-    ASSERT_EQ(cells.size(), 10U);
+    ASSERT_EQ(cells.size(), 12U);
     EXPECT_EQ(cells[0], "contact");
-    EXPECT_NEAR(std::stod(cells[3]) - std::stod(cells[4]), -std::stod(cells[5]), 1e-14) << "no gap at the start";
-    force -= std::stod(cells[8]);
-    closed += std::stoi(cells[9]);
+    EXPECT_NEAR(std::stod(cells[6]) - std::stod(cells[7]), -std::stod(cells[5]), 1e-14) << "no gap at the start";
+    force -= std::stod(cells[10]);
+    closed += std::stoi(cells[11]);
+    EXPECT_TRUE(cells[11] == "1" || cells[4] == "0") << "no pressure where contact is open";
   }
   EXPECT_NEAR(force, 0.5, 1e-10);
   EXPECT_EQ(closed, contact["closed_nodes"]);

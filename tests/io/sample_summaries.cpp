@@ -45,7 +45,20 @@ RunSummary singleBodySummary()
   summary.version = "0.1.0";
   summary.title = "Beam";
   summary.deckJson = R"({"Title": "Beam", "Bodies": {"beam": {"Mesh": {"Type": "Box", "Cells": [4, 1, 1]}}}})";
-  summary.bodies = {{"beam", 1986, 468, 2, "Cholmod", "clamp at left", 1.0 / 3.0}};
+  const SupportSummary clamp{"wall", "clamp at left", {0.0, 0.0, 1.0}, {0.5, -2.0, 0.0}, {0.0, 0.5, 0.5}};
+  summary.bodies = {{"beam",
+                     1986,
+                     468,
+                     2,
+                     "Cholmod",
+                     "clamp at left",
+                     1.0 / 3.0,
+                     {0.0, 0.0, -1.0},
+                     {clamp},
+                     {0.25, {4.0, 0.0, 1.0}},
+                     {0.01, {0.0, 0.0, 1.0}}}};
+  summary.perUnitThickness = false;
+  summary.warnings = {{"large strain", "strains reach 0.06"}};
   summary.energy = 1.0 / 3.0;
   summary.residuals = {1e-15, 0.0, 0.0, 0.0};
   summary.counts = {{"factorisations", 1}, {"bytes written", 5'000'000'000}};
@@ -60,8 +73,12 @@ RunSummary contactSummary()
   auto summary = singleBodySummary();
   summary.title = "Punch on a foundation";
   summary.ranks = 2;
-  summary.bodies = {{"punch", 1986, 468, 2, "Cholmod", "x: roller at left; y: contact only", 0.5},
-                    {"foundation", 3842, 924, 2, "Cholmod", "clamp at bottom", 1.0}};
+  const PeakSummary peak{0.75, {1.0, 0.5}};
+  const SupportSummary ground{"ground", "clamp at bottom", {0.0, 1.0}, {-0.25}, {1.0, -1.0}};
+  summary.bodies = {
+      {"punch", 1986, 468, 2, "Cholmod", "x: roller at left; y: contact only", 0.5, {0.0, -1.0}, {}, peak, peak},
+      {"foundation", 3842, 924, 2, "Cholmod", "clamp at bottom", 1.0, {0.0, 0.0}, {ground}, peak, peak}};
+  summary.perUnitThickness = true;
   summary.energy = 1.5;
   InterfaceSummary interface;
   interface.name = "contact";

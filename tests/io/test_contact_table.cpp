@@ -31,6 +31,7 @@ ContactNode sampleNode(std::vector<double> point)
   node.tractionDirichlet = -1.75e9;
   node.tractionNeumann = -1.0;
   node.nodalForce = -0.0625;
+  node.pressure = 1.5e9;
   node.closed = true;
   return node;
 }
@@ -39,9 +40,9 @@ ContactNode sampleNode(std::vector<double> point)
 
 TEST(ContactTable, NamesItsColumnsInTheFirstLine)
 {
-  EXPECT_EQ(contactCsv({}, 2), "interface,x,y,u_dirichlet,u_neumann,gap,traction_dirichlet,traction_neumann,"
-                               "nodal_force,closed\n");
-  EXPECT_EQ(split(contactCsv({}, 3), ',').size(), 11U);
+  EXPECT_EQ(contactCsv({}, 2), "interface,x,y,arc_length,pressure,gap,u_dirichlet,u_neumann,traction_dirichlet,"
+                               "traction_neumann,nodal_force,closed\n");
+  EXPECT_EQ(split(contactCsv({}, 3), ',').size(), 12U);
 }
 
 TEST(ContactTable, NumbersReadBackExactly)
@@ -50,14 +51,15 @@ TEST(ContactTable, NumbersReadBackExactly)
   const auto lines = split(contactCsv({node}, 3), '\n');
   ASSERT_EQ(lines.size(), 2U);
   const auto cells = split(lines[1], ',');
-  ASSERT_EQ(cells.size(), 11U);
+  ASSERT_EQ(cells.size(), 12U);
   EXPECT_EQ(cells[0], "contact");
   std::vector<double> values;
-  for (std::size_t i = 1; i < 10; ++i)
+  for (std::size_t i = 1; i < 11; ++i)
     values.push_back(std::stod(cells[i]));
-  EXPECT_THAT(values, testing::ElementsAre(0.1, 2.0 / 3.0, -7.0, node.uDirichlet, node.uNeumann, node.gap,
-                                           node.tractionDirichlet, node.tractionNeumann, node.nodalForce));
-  EXPECT_EQ(cells[10], "1");
+  EXPECT_THAT(values,
+              testing::ElementsAre(0.1, 2.0 / 3.0, -7.0, node.pressure, node.gap, node.uDirichlet, node.uNeumann,
+                                   node.tractionDirichlet, node.tractionNeumann, node.nodalForce));
+  EXPECT_EQ(cells[11], "1");
 }
 
 TEST(ContactTable, HasOneLinePerNodeInTheOrderGiven)

@@ -44,7 +44,8 @@ const char* exitCodeText()
   return "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged, or a bound "
          "without the guarantee that the deck requires, or no certificate (results are written and marked; without "
          "a solution only the summary), 4 an expectation missed, 5 the target of the list Accuracy missed (the "
-         "best answer is written with its bound).\n";
+         "best answer is written with its bound), 6 the answer has warnings and the deck's Strict Input forbids "
+         "them (results are written).\n";
 }
 
 } // namespace ndframe

@@ -5,6 +5,8 @@
 #include <tuple>
 #include <utility>
 
+#include "interface_chains.hpp"
+
 namespace ndframe
 {
 namespace
@@ -18,10 +20,8 @@ class Chain
 {
 public:
   Chain(const InterfaceMesh& interface, const ContactNode* nodes)
-      : interface_(interface), nodes_(nodes), neighbours_(std::size_t(interface.numNodes()))
+      : interface_(interface), nodes_(nodes), neighbours_(neighboursAlong(interface))
   {
-    for (int f = 0; f < interface.numFacets(); ++f)
-      linkFacet(interface.facets.data() + std::ptrdiff_t(f) * interface.nodesPerFacet());
     for (int i = 0; i < interface.numNodes(); ++i) {
       largestForce_ = std::max(largestForce_, -nodes[i].nodalForce);
       largestGap_ = std::max(largestGap_, nodes[i].gap);
@@ -51,23 +51,6 @@ public:
   std::vector<double> point(int node) const { return {interface_.point(node), interface_.point(node) + 2}; }
 
 private:
-  void linkFacet(const int* nodes)
-  {
-    const int first = nodes[0], second = nodes[1];
-    if (interface_.order == 1)
-      link(first, second);
-    else { // the node between the ends comes last
-      link(first, nodes[2]);
-      link(nodes[2], second);
-    }
-  }
-
-  void link(int a, int b)
-  {
-    neighbours_[std::size_t(a)].push_back(b);
-    neighbours_[std::size_t(b)].push_back(a);
-  }
-
   bool isSure(int node) const
   {
     return isClosed(node) ? -nodes_[node].nodalForce > roundOff * largestForce_

@@ -5,6 +5,7 @@
 #include "ndframe/driver/error_options.hpp"
 #include "outputs.hpp"
 #include "study_cases.hpp"
+#include "warnings/warnings.hpp"
 
 namespace ndframe
 {
@@ -106,6 +107,8 @@ ListSpec makeDeckSpec(const Components& components)
   ListSpec deck = makeList("", "The deck.");
   deck.params = {
       {"Title", std::string(""), "One line that describes the scene; shown on the screen and in the results."}};
+  for (auto& param : warningParams())
+    deck.params.push_back(std::move(param));
   ListSpec bodies = makeNamed("Bodies", "The elastic bodies.", bodySpec(components));
   bodies.isRequired = true;
   ListSpec discretization = makeList("Discretization", "The finite elements.");

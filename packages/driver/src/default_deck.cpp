@@ -61,6 +61,7 @@ constexpr const char* text = R"xml(<ParameterList name="default">
       <Parameter name="Neumann Side" type="string" value="top"/>
     </ParameterList>
   </ParameterList>
+  <Parameter name="Strain Limit" type="double" value="10.0"/>
 </ParameterList>
 )xml";
 

@@ -5,6 +5,7 @@
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/fem/quadrature.hpp"
 #include "ndframe/recovery/cell_energy.hpp"
+#include "stress_fields.hpp"
 
 namespace ndframe
 {
@@ -12,20 +13,6 @@ namespace
 {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-/// The components that recovery knows, in its order, with their place in cellStress().
-struct StressComponents
-{
-  std::vector<const char*> names;
-  std::vector<std::size_t> place;
-};
-
-const StressComponents& componentsOf(int dim)
-{
-  static const StressComponents plane{{"xx", "yy", "xy"}, {0, 1, 3}};
-  static const StressComponents spatial{{"xx", "yy", "zz", "xy", "yz", "xz"}, {0, 1, 2, 3, 4, 5}};
-  return dim == 2 ? plane : spatial;
-}
 
 /// Mean over the cell of a stress that is a polynomial on each of the dim + 1 sub-cells, which are of equal size.
 std::array<double, 6> meanOf(const SplitStress& stress, const QuadratureRule& rule)
@@ -46,37 +33,39 @@ std::array<double, 6> meanOf(const SplitStress& stress, const QuadratureRule& ru
   return mean;
 }
 
-/// Means of the equilibrated stress, per component and cell.
-std::vector<Vector> equilibratedMeans(const Run& run, std::size_t body)
+/// What recovery gives, (xx, yy, xy) in the plane, as a whole tensor.
+std::array<double, 6> wholeTensor(const std::array<double, 6>& given, const std::array<double, 3>& outOfPlane)
+{
+  const double zz = outOfPlane[0] * given[0] + outOfPlane[1] * given[1] + outOfPlane[2] * given[2];
+  return {given[0], given[1], zz, given[2], 0.0, 0.0};
+}
+
+/// Means of the equilibrated stress over the cells.
+std::vector<std::array<double, 6>> equilibratedMeans(const Run& run, std::size_t body)
 {
   const BodyModel& model = run.model.bodies[body];
   const Certificate& certificate = *run.certificate;
   const StressCorrection& correction = certificate.corrections[body];
   const auto rule = simplexRule(model.mesh.dim, correction.degree);
-  std::vector<Vector> means(componentsOf(model.mesh.dim).names.size(), Vector(std::size_t(model.mesh.numCells())));
+  const bool plane = model.mesh.dim == 2;
+  const auto outOfPlane = plane ? outOfPlaneOfStress(model.law) : std::array<double, 3>{};
+  std::vector<std::array<double, 6>> means;
   for (int cell = 0; cell < model.mesh.numCells(); ++cell) {
     const auto mean = meanOf(equilibratedStress(model, certificate.intermediate[body], correction, cell), rule);
-    for (std::size_t k = 0; k < means.size(); ++k)
-      means[k][std::size_t(cell)] = mean[k];
+    means.push_back(plane ? wholeTensor(mean, outOfPlane) : mean);
   }
   return means;
 }
 
 /// Their means with the stress of the admissible displacement.
-std::vector<Vector> centreMeans(const Run& run, std::size_t body, std::vector<Vector> means)
+std::vector<std::array<double, 6>> centreMeans(const Run& run, std::size_t body,
+                                               std::vector<std::array<double, 6>> means)
 {
-  const auto& place = componentsOf(run.model.bodies[body].mesh.dim).place;
   const auto computed = cellStress(run.model.bodies[body], run.certificate->admissible[body]);
-  for (std::size_t k = 0; k < means.size(); ++k)
-    for (std::size_t cell = 0; cell < computed.size(); ++cell)
-      means[k][cell] = 0.5 * (means[k][cell] + computed[cell][place[k]]);
+  for (std::size_t cell = 0; cell < computed.size(); ++cell)
+    for (std::size_t k = 0; k < means[cell].size(); ++k)
+      means[cell][k] = 0.5 * (means[cell][k] + computed[cell][k]);
   return means;
-}
-
-void append(std::vector<NamedField>& fields, const std::string& prefix, const std::vector<Vector>& values, int dim)
-{
-  for (std::size_t k = 0; k < values.size(); ++k)
-    fields.push_back({prefix + componentsOf(dim).names[k], values[k]});
 }
 
 } // namespace
@@ -99,9 +88,9 @@ std::vector<NamedField> elementErrorFields(const Run& run, const Params& output,
   if (writesEquilibrated || writesMean) {
     auto means = equilibratedMeans(run, body);
     if (writesEquilibrated)
-      append(fields, "sigma_hat_", means, mesh.dim);
+      append(fields, tensorFields("sigma_hat_", means));
     if (writesMean)
-      append(fields, "mean_stress_", centreMeans(run, body, std::move(means)), mesh.dim);
+      append(fields, tensorFields("mean_stress_", centreMeans(run, body, std::move(means))));
   }
   if (!isFinal)
     for (auto& field : fields)

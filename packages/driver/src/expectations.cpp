@@ -57,10 +57,18 @@ RunSummary withEveryQuantity(RunSummary outline, const Params& deck)
   }
   if (outline.coupling)
     outline.coupling->history.resize(1);
+  const std::vector<double> anyVector(outline.perUnitThickness ? 2 : 3, 0.0);
   for (auto& interface : outline.interfaces) {
     interface.endPoints.assign(2, {0.0, 0.0});
     interface.endBrackets.assign(2, {{0.0, 0.0}, {0.0, 0.0}});
-    interface.forceOnDirichlet = interface.forceOnNeumann = {0.0, 0.0};
+    interface.forceOnDirichlet = interface.forceOnNeumann = anyVector;
+  }
+  for (auto& body : outline.bodies) {
+    body.loadForce = body.displacement.point = body.strain.point = anyVector;
+    for (auto& support : body.supports) {
+      support.force = support.centre = anyVector;
+      support.moment.assign(outline.perUnitThickness ? 1 : 3, 0.0);
+    }
   }
   return outline;
 }

@@ -79,7 +79,9 @@ ExitCode codeOf(const Run& run)
   if (accuracy && !accuracy->reached)
     return ExitCode::TargetMissed;
   const bool met = std::all_of(expectations.begin(), expectations.end(), [](const auto& e) { return e.met; });
-  return met ? ExitCode::Right : ExitCode::ExpectationMissed;
+  if (!met)
+    return ExitCode::ExpectationMissed;
+  return run.strictInput && !run.summary.warnings.empty() ? ExitCode::Warned : ExitCode::Right;
 }
 
 ExitCode report(const Failure& failure, bool computed, const Comm& comm)

@@ -25,6 +25,7 @@
 #include "signals.hpp"
 #include "study.hpp"
 #include "summarize.hpp"
+#include "warnings/warnings.hpp"
 #include "yardstick.hpp"
 
 namespace ndframe
@@ -83,6 +84,12 @@ void reportExpectations(const RunSummary& summary, const Comm& comm, const Log& 
   }
 }
 
+void reportWarnings(const std::vector<WarningSummary>& warnings, const Comm& comm)
+{
+  for (const auto& warning : warnings)
+    complain(comm, warningText(warning));
+}
+
 /// Says why the answer is not what the deck asks for, if it is not.
 void reportShortcomings(const Run& run, const Comm& comm)
 {
@@ -90,6 +97,8 @@ void reportShortcomings(const Run& run, const Comm& comm)
     complain(comm, fmt::format("{}; {}.", run.failure, run.summary.solved ? "the results are marked so" : noSolution));
   else if (const std::string missed = missedTarget(run.summary); !missed.empty())
     complain(comm, missed + ".");
+  else if (codeOf(run) == ExitCode::Warned)
+    complain(comm, "Strict Input allows no warnings; the results are written.");
 }
 
 ExitCode solveDeck(const Params& deck, const CommandLine& options, const Components& components, const Comm& comm,
@@ -114,6 +123,7 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
     log.line("\n  " + accuracyText(*run.summary.accuracy, run.summary.errors->guaranteed));
   log.line("\n" + stageText(run.summary) + "\n");
   reportExpectations(run.summary, comm, log);
+  reportWarnings(run.summary.warnings, comm);
   log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
                        written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
@@ -170,6 +180,8 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
     Ledger ledger(&log);
     Model model;
     checkDeck(model, deck, components, comm, ledger);
+    for (const auto& warning : sceneWarnings(model, deck))
+      complain(comm, warningText(warningSummary(warning)));
     log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
     return ExitCode::Right;
   }

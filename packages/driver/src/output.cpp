@@ -4,13 +4,15 @@
 #include <fmt/format.h>
 
 #include "error_fields.hpp"
-#include "ndframe/assembly/fields.hpp"
+#include "gap_offset.hpp"
+#include "interface_chains.hpp"
 #include "ndframe/driver/run.hpp"
 #include "ndframe/fem/lagrange.hpp"
 #include "ndframe/fem/quadrature.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_writer.hpp"
 #include "outputs.hpp"
+#include "stress_fields.hpp"
 #include "summarize.hpp"
 
 namespace ndframe
@@ -21,34 +23,15 @@ namespace
 constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
 constexpr const char *fieldsEnding = ".e", *contactEnding = ".contact.csv", *levelsEnding = ".levels.csv";
 
-std::vector<NamedField> nodalFields(const Run& run, std::size_t body, std::size_t step)
+/// A vector as the variables PREFIXx, PREFIXy(, PREFIXz).
+std::vector<NamedField> vectorFields(const std::string& prefix, const Vector& values, std::size_t dim)
 {
-  const BodyModel& model = run.model.bodies[body];
-  const auto dim = std::size_t(model.mesh.dim), nodes = std::size_t(model.nodes.numNodes());
   std::vector<NamedField> fields;
   for (std::size_t k = 0; k < dim; ++k) {
-    fields.push_back({std::string("disp_") + axisNames.at(k), Vector(nodes)});
-    for (std::size_t i = 0; i < nodes; ++i)
-      fields.back().values[i] = run.fields[body].displacement[step][i * dim + k];
+    fields.push_back({prefix + axisNames.at(k), {}});
+    for (std::size_t i = k; i < values.size(); i += dim)
+      fields.back().values.push_back(values[i]);
   }
-  return fields;
-}
-
-std::vector<NamedField> elementFields(const Run& run, std::size_t body, std::size_t step)
-{
-  static const std::array<std::pair<const char*, std::size_t>, 6> components{
-      {{"xx", 0}, {"yy", 1}, {"zz", 2}, {"xy", 3}, {"yz", 4}, {"xz", 5}}};
-  const BodyModel& model = run.model.bodies[body];
-  const auto stress = cellStress(model, run.condensed.systems[body].dofs.frames.toGlobal(run.fields[body].u[step]));
-  std::vector<NamedField> fields;
-  for (std::size_t c = 0; c < (model.mesh.dim == 2 ? 4U : 6U); ++c) {
-    fields.push_back({std::string("stress_") + components[c].first, Vector(stress.size())});
-    for (std::size_t e = 0; e < stress.size(); ++e)
-      fields.back().values[e] = stress[e][components[c].second];
-  }
-  fields.push_back({"von_mises", Vector(stress.size())});
-  for (std::size_t e = 0; e < stress.size(); ++e)
-    fields.back().values[e] = vonMises(stress[e]);
   return fields;
 }
 
@@ -91,7 +74,7 @@ std::vector<NamedField> contactFields(const InterfaceMesh& interface, const std:
   return fields;
 }
 
-/// Pressure at the interface nodes of one body, zero elsewhere.
+/// Contact pressure at the interface nodes of one body, the same on both sides; zero elsewhere.
 NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<ContactNode>& contact)
 {
   NamedField field{"contact_pressure", Vector(std::size_t(run.model.bodies[body].nodes.numNodes()), 0.0)};
@@ -99,18 +82,13 @@ NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<Con
   for (const auto& interface : run.model.interfaces) {
     for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
       if (interface.dirichletBody == int(body))
-        field.values[std::size_t(interface.dirichletNodes[i])] = -contact[firstNode + i].tractionDirichlet;
+        field.values[std::size_t(interface.dirichletNodes[i])] = contact[firstNode + i].pressure;
       if (interface.neumannBody == int(body))
-        field.values[std::size_t(interface.neumannNodes[i])] = -contact[firstNode + i].tractionNeumann;
+        field.values[std::size_t(interface.neumannNodes[i])] = contact[firstNode + i].pressure;
     }
     firstNode += std::size_t(interface.numNodes());
   }
   return field;
-}
-
-void append(std::vector<NamedField>& fields, std::vector<NamedField> more)
-{
-  fields.insert(fields.end(), std::make_move_iterator(more.begin()), std::make_move_iterator(more.end()));
 }
 
 ExodusStep exodusStep(const Run& run, const Params& output, std::size_t step)
@@ -121,11 +99,17 @@ ExodusStep exodusStep(const Run& run, const Params& output, std::size_t step)
   const std::size_t sweep = !touches ? 0 : (isFinal ? run.coupling.history.size() : step + 1);
   out.time = double(sweep);
   const auto contact = contactNodes(run.model, run.condensed, run.states[step], run.fields, step);
+  const auto offsets = gapOffsets(run.model);
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-    out.nodal.push_back(nodalFields(run, b, step));
+    const BodyModel& body = run.model.bodies[b];
+    const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(run.fields[b].u[step]);
+    out.nodal.push_back(vectorFields("disp_", run.fields[b].displacement[step], std::size_t(body.mesh.dim)));
+    if (!offsets.empty())
+      append(out.nodal.back(), vectorFields("offset_", offsets[b], std::size_t(body.mesh.dim)));
     if (touches)
       out.nodal.back().push_back(nodalPressure(run, b, contact));
-    out.element.push_back(elementFields(run, b, step));
+    append(out.nodal.back(), nodalStressFields(body, u));
+    out.element.push_back(cellStressFields(body, u));
     append(out.element.back(), elementErrorFields(run, output, b, isFinal));
   }
   std::size_t firstNode = 0;
@@ -218,7 +202,8 @@ std::vector<std::string> writeSolution(const Run& run, const Params& output, con
     if (run.plan.runs("contact table")) {
       written.push_back(stem + contactEnding);
       ledger.count("bytes written",
-                   writeTextAtomically(written.back(), contactCsv(run.contact, run.model.bodies.front().mesh.dim)));
+                   writeTextAtomically(written.back(), contactCsv(sortedAlong(run.model.interfaces, run.contact),
+                                                                  run.model.bodies.front().mesh.dim)));
     }
   }
   return written;

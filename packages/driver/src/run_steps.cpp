@@ -9,6 +9,7 @@
 #include "screen.hpp"
 #include "summarize.hpp"
 #include "trust.hpp"
+#include "warnings/warnings.hpp"
 
 namespace ndframe
 {
@@ -151,6 +152,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   checkHeld(model, deck, diagnostics);
   checkRecovery(deck, tools.components, model.bodies.front().mesh.dim, diagnostics);
   checkExpectationNames(outlineSummary(model, deck, *tools.solver, 1), deck, diagnostics);
+  refuseWarnings(model, deck, diagnostics);
   diagnostics.throwIfAny();
 }
 

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "body_results.hpp"
 #include "trust.hpp"
 
 namespace ndframe
@@ -92,11 +93,7 @@ std::string sweepLine(const SweepRecord& record)
 std::string closingText(const RunSummary& summary)
 {
   const auto width = nameWidth(summary);
-  std::string text = fmt::format("  {:<{}} {:>18}", "body", width, "energy a(u,u)");
-  for (const auto& body : summary.bodies)
-    text += fmt::format("\n  {:<{}} {:>18.8g}", body.name, width, body.energy);
-  if (summary.bodies.size() > 1)
-    text += fmt::format("\n  {:<{}} {:>18.8g}", "all", width, summary.energy);
+  std::string text = bodyTable(summary, width) + "\n\n" + forceTable(summary, width);
   if (!summary.interfaces.empty())
     text += fmt::format("\n\n  {:<{}} {:>14} {:>15} {:>17} {:>12}   {}", "interface", width, "contact force",
                         "contact length", "largest pressure", "penetration", "from - to");

@@ -95,6 +95,18 @@ Balance balance(const BodySystem& system, const BodyTrace* trace, const Interfac
   return result;
 }
 
+/// The pressure of a node is its force over its share of the side, int psi_i dS: never tension, zero where contact is
+/// open, and with the resultant of the forces, which the nodal values C^-1 r are not.
+void addPressures(std::vector<ContactNode>& nodes, const ContactMatrix& C)
+{
+  const Vector share = C.apply(Vector(nodes.size(), 1.0));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].closed) {
+      NDFRAME_ASSERT(share[i] > 0.0, "every node of a plane interface has a share of it");
+      nodes[i].pressure = std::max(0.0, -nodes[i].nodalForce / share[i]);
+    }
+}
+
 double ratio(double value, double scale)
 {
   return scale > 0.0 ? value / scale : 0.0;
@@ -165,6 +177,8 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
     entry.nodalForce = state.forceDirichlet[k];
     entry.closed = state.closed[k] != 0;
   }
+  if (!all.empty())
+    addPressures(all, *condensed.interface.C);
   return all;
 }
 

@@ -20,8 +20,9 @@ namespace
 
 ExitCode graver(ExitCode a, ExitCode b)
 {
-  constexpr std::array byGravity{ExitCode::Right,        ExitCode::ExpectationMissed, ExitCode::TargetMissed,
-                                 ExitCode::NotConverged, ExitCode::UserInput,         ExitCode::Bug};
+  constexpr std::array byGravity{ExitCode::Right,        ExitCode::Warned,       ExitCode::ExpectationMissed,
+                                 ExitCode::TargetMissed, ExitCode::NotConverged, ExitCode::UserInput,
+                                 ExitCode::Bug};
   const auto gravity = [&](ExitCode code) { return std::find(byGravity.begin(), byGravity.end(), code); };
   return gravity(a) < gravity(b) ? b : a;
 }
@@ -90,9 +91,12 @@ ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
   const ExitCode code = codeOf(run);
   writeResults(run, given.deck, deckName_, comm_, ledger_);
   copyLedger(run.summary, ledger_, run.startSeconds);
+  if (code == ExitCode::Warned)
+    row.reason = run.summary.warnings.front().message;
   row.summary = std::move(run.summary);
   reusable_ = handOn(run);
-  row.reason = reasonOf(run.failure, *row.summary);
+  if (code != ExitCode::Warned)
+    row.reason = reasonOf(run.failure, *row.summary);
   return code;
 }
 

@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "body_results.hpp"
 #include "contact_ends.hpp"
-#include "ndframe/assembly/fields.hpp"
+#include "warnings/warnings.hpp"
 
 namespace ndframe
 {
@@ -86,7 +87,7 @@ void completeInterfaces(Run& run)
     for (int k = 0; k < interface.numNodes(); ++k) {
       const ContactNode& node = run.contact[firstNode + std::size_t(k)];
       summary.closedNodes += node.closed;
-      summary.largestPressure = std::max(summary.largestPressure, -node.tractionDirichlet);
+      summary.largestPressure = std::max(summary.largestPressure, node.pressure);
       summary.largestPenetration = std::max(summary.largestPenetration, -node.gap);
     }
     firstNode += std::size_t(interface.numNodes());
@@ -105,6 +106,12 @@ void completeCoupling(RunSummary& summary, const CouplingResult& result)
                                 record.penetration, record.note});
 }
 
+void addWarnings(RunSummary& summary, const std::vector<Warning>& warnings)
+{
+  for (const auto& warning : warnings)
+    summary.warnings.push_back(warningSummary(warning));
+}
+
 } // namespace
 
 std::string versionText()
@@ -119,6 +126,7 @@ RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSo
   summary.title = deck.get<std::string>("Title");
   summary.deckJson = toJson(deck);
   summary.ranks = ranks;
+  summary.perUnitThickness = model.bodies.front().mesh.dim == 2;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     BodySummary body;
     body.name = model.bodies[b].name;
@@ -127,6 +135,8 @@ RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSo
     body.order = model.bodies[b].nodes.order;
     body.solver = solver.name(ranks);
     body.heldBy = heldBy(model, int(b));
+    for (const auto& support : model.bodies[b].supports)
+      body.supports.push_back({support->params().name(), support->description(), {}, {}, {}});
     summary.bodies.push_back(std::move(body));
   }
   for (const auto& interface : model.interfaces) {
@@ -148,15 +158,14 @@ void completeSummary(Run& run, const Params& deck, const Comm& comm)
 {
   if (run.summary.coupling)
     completeCoupling(run.summary, run.coupling);
+  run.strictInput = deck.get<bool>("Strict Input");
   run.summary.solved = !run.states.empty();
+  addWarnings(run.summary, sceneWarnings(run.model, deck));
   if (!run.summary.solved)
     return;
-  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-    run.summary.bodies[b].energy =
-        energy(run.model.bodies[b], run.condensed.systems[b].dofs.frames.toGlobal(run.fields[b].u.back()));
-    run.summary.energy += run.summary.bodies[b].energy;
-  }
+  completeBodies(run, comm);
   completeInterfaces(run);
+  addWarnings(run.summary, answerWarnings(run, deck));
   run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
   if (run.certificate)
     run.summary.errors = run.certificate->summary;

@@ -25,14 +25,17 @@ std::string contactCsv(const std::vector<ContactNode>& nodes, int dim)
   fmt::format_to(out, "interface");
   for (int i = 0; i < dim; ++i)
     fmt::format_to(out, ",{}", coordinateNames[std::size_t(i)]);
-  fmt::format_to(out, ",u_dirichlet,u_neumann,gap,traction_dirichlet,traction_neumann,nodal_force,closed\n");
+  fmt::format_to(out, "{},pressure,gap,u_dirichlet,u_neumann,traction_dirichlet,traction_neumann,nodal_force,closed\n",
+                 dim == 2 ? ",arc_length" : "");
   for (const auto& node : nodes) {
     NDFRAME_ASSERT(int(node.point.size()) == dim, "a contact node has dim coordinates");
     fmt::format_to(out, "{}", csvField(node.interface));
     for (const double x : node.point)
       fmt::format_to(out, ",{:.17g}", x);
-    for (const double value :
-         {node.uDirichlet, node.uNeumann, node.gap, node.tractionDirichlet, node.tractionNeumann, node.nodalForce})
+    if (dim == 2)
+      fmt::format_to(out, ",{:.17g}", node.arcLength);
+    for (const double value : {node.pressure, node.gap, node.uDirichlet, node.uNeumann, node.tractionDirichlet,
+                               node.tractionNeumann, node.nodalForce})
       fmt::format_to(out, ",{:.17g}", value);
     fmt::format_to(out, ",{:d}\n", int(node.closed));
   }

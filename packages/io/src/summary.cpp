@@ -22,10 +22,38 @@ Json arrayOf(const std::vector<Item>& items, Convert convert)
   return array;
 }
 
+Json supportJson(const SupportSummary& support)
+{
+  return {{"name", support.name},
+          {"description", support.description},
+          {"force", support.force},
+          {"moment", support.moment},
+          {"centre", support.centre}};
+}
+
+Json peakJson(const PeakSummary& peak)
+{
+  return {{"value", peak.value}, {"point", peak.point}};
+}
+
 Json bodyJson(const BodySummary& body)
 {
-  return {{"name", body.name},     {"dofs", body.dofs},      {"elements", body.elements}, {"order", body.order},
-          {"solver", body.solver}, {"held_by", body.heldBy}, {"energy", body.energy}};
+  return {{"name", body.name},
+          {"dofs", body.dofs},
+          {"elements", body.elements},
+          {"order", body.order},
+          {"solver", body.solver},
+          {"held_by", body.heldBy},
+          {"energy", body.energy},
+          {"load_force", body.loadForce},
+          {"supports", arrayOf(body.supports, supportJson)},
+          {"largest_displacement", peakJson(body.displacement)},
+          {"largest_strain", peakJson(body.strain)}};
+}
+
+Json warningJson(const WarningSummary& warning)
+{
+  return {{"kind", warning.kind}, {"message", warning.message}};
 }
 
 Json bracketJson(const EndBracket& bracket)
@@ -132,7 +160,8 @@ void eraseSolution(Json& json)
 {
   json["energy"] = nullptr;
   for (auto& body : json["bodies"])
-    body["energy"] = nullptr;
+    for (const auto* key : {"energy", "load_force", "supports", "largest_displacement", "largest_strain"})
+      body[key] = nullptr;
   for (auto& interface : json["interfaces"])
     for (const auto* key : {"closed_nodes", "force_on_dirichlet", "force_on_neumann", "contact_force", "contact_length",
                             "end_points", "end_brackets", "largest_pressure", "largest_penetration"})
@@ -148,12 +177,14 @@ Json summaryJson(const RunSummary& summary)
   Json json{{"version", summary.version},
             {"title", summary.title},
             {"ranks", summary.ranks},
+            {"per_unit_thickness", summary.perUnitThickness},
             {"deck", deckJson(summary.deckJson)},
             {"bodies", arrayOf(summary.bodies, bodyJson)},
             {"energy", summary.energy},
             {"interfaces", arrayOf(summary.interfaces, interfaceJson)},
             {"coupling", couplingJson(summary.coupling)},
             {"residuals", residualsJson(summary.residuals)},
+            {"warnings", arrayOf(summary.warnings, warningJson)},
             {"errors", errorsJson(summary.errors)},
             {"accuracy", accuracyJson(summary.accuracy)},
             {"expectations", arrayOf(summary.expectations, expectationJson)},

@@ -28,6 +28,7 @@ struct Run
   std::optional<Certificate> certificate;             ///< of the final state, when the deck asks for it
   std::shared_ptr<const ReferenceSolution> reference; ///< of this run or an earlier one; null if there was none
   RunSummary summary;
+  bool strictInput = false;  ///< of the deck: warnings are errors
   std::string failure;       ///< why there is no result or it may not be trusted (exit code 3); empty when it may
   double startSeconds = 0.0; ///< wall clock when the run began
 };

@@ -7,21 +7,19 @@
 #include <vector>
 
 #include "ndframe/io/accuracy_summary.hpp"
+#include "ndframe/io/body_summary.hpp"
 #include "ndframe/io/error_summary.hpp"
 
 namespace ndframe
 {
 
-/// What a run leaves in NAME.summary.json. Plain values; docs/summary.schema.json describes the file.
-struct BodySummary
+// What a run leaves in NAME.summary.json. Plain values; docs/summary.schema.json describes the file.
+
+/// What a user should look at although nothing is forbidden.
+struct WarningSummary
 {
-  std::string name;
-  std::int64_t dofs = 0; ///< dim * nodes, supports included
-  std::int64_t elements = 0;
-  int order = 0;
-  std::string solver;
-  std::string heldBy;  ///< "x: roller at left; y: contact only"
-  double energy = 0.0; ///< a(u,u) = int K eps:eps, no 1/2
+  std::string kind; ///< of the check, e.g. "large strain"
+  std::string message;
 };
 
 /// The end of contact between two nodes: the nearest that is closed and pressed, the nearest that is open with a gap.
@@ -113,12 +111,14 @@ struct RunSummary
   std::string title;
   std::string deckJson; ///< the effective deck (base/params.hpp: toJson)
   int ranks = 1;
-  bool solved = true; ///< false: the run ended without a solution, whose numbers then are null in the file
+  bool perUnitThickness = true; ///< a plane scene: forces and energies are those of a slice of thickness 1
+  bool solved = true;           ///< false: the run ended without a solution, whose numbers then are null in the file
   std::vector<BodySummary> bodies;
   double energy = 0.0; ///< sum over bodies
   std::vector<InterfaceSummary> interfaces;
   std::optional<CouplingSummary> coupling; ///< absent without interfaces
   ResidualSummary residuals;
+  std::vector<WarningSummary> warnings;
   std::optional<ErrorSummary> errors;      ///< absent without Error Estimation
   std::optional<AccuracySummary> accuracy; ///< absent without Accuracy
   std::vector<ExpectationSummary> expectations;

@@ -1,0 +1,68 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "ndframe/assembly/nodal_stress.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Part of a body that may have larger strains: at corners they grow without bound as cells get smaller.
+constexpr double smallPart = 1e-4;
+/// Steel under 2 kPa: nobody computes that. Far below it strains are the round-off of a motion without any.
+constexpr double hardlyAny = 1e-8, roundOff = 1e-13;
+
+struct StrainOfBody
+{
+  double largest = 0.0;
+  double share = 0.0; ///< of the body's measure in cells above the limit
+};
+
+StrainOfBody strainOf(const BodyModel& body, const Vector& u, double limit)
+{
+  StrainOfBody result;
+  double total = 0.0, above = 0.0;
+  const auto strains = largestStrains(body, u);
+  for (int c = 0; c < body.mesh.numCells(); ++c) {
+    const double measure = cellMeasure(body.mesh, c);
+    total += measure;
+    result.largest = std::max(result.largest, strains[std::size_t(c)].value);
+    if (strains[std::size_t(c)].value > limit)
+      above += measure;
+  }
+  result.share = above / total;
+  return result;
+}
+
+} // namespace
+
+/// Strains that the theory does not hold for, or that are next to nothing: units of modulus and load that do not fit.
+void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
+{
+  const double limit = deck.get<double>("Strain Limit");
+  double largest = 0.0, motion = 0.0;
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    const BodyModel& body = run.model.bodies[b];
+    const PeakSummary& peak = run.summary.bodies[b].strain;
+    const StrainOfBody strain =
+        strainOf(body, run.condensed.systems[b].dofs.frames.toGlobal(run.fields[b].u.back()), limit);
+    largest = std::max(largest, strain.largest);
+    motion = std::max(motion, run.summary.bodies[b].displacement.value / diameter(body.mesh));
+    if (strain.share > smallPart)
+      found.add(deck.sub("Bodies").sub(body.name).mistake(
+          "", fmt::format("strains reach {:.2g} at {} and are above {:g} in {:.3g} % of the body: the theory is one of "
+                          "small strains. Check the units of loads and moduli; where only proportions count, raise "
+                          "Strain Limit.",
+                          peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * strain.share)));
+  }
+  if (largest > 0.0 && largest < hardlyAny && largest > roundOff * motion)
+    found.add(deck.sub("Bodies").mistake(
+        "", fmt::format("the largest strain is {:.1e}: such loads hardly do anything to bodies of such moduli. Check "
+                        "their units (modulus in Pa, loads in MPa?).",
+                        largest)));
+}
+
+} // namespace ndframe
