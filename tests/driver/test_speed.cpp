@@ -31,17 +31,20 @@ std::vector<Vector> etaOf(const Outcome& outcome)
   return outcome.run.certificate ? outcome.run.certificate->etaGlobal : std::vector<Vector>{};
 }
 
-/// A pressure that counts how often it is asked.
+/// A pressure that counts how often its functions are asked for.
 class CountingLoad final : public Load
 {
 public:
   explicit CountingLoad(const Params& params) : Load(params) {}
-  bool isConstant() const override { return false; }
-  void density(int dim, const double* point, const double*, double* q) const override
+  std::vector<SampledFunction> functions(int) const override
   {
     ++asked;
+    return {{std::make_shared<const ExpressionTree>("x"), {}}};
+  }
+  void density(int dim, const double* values, const double*, double* q) const override
+  {
     for (int k = 0; k < dim; ++k)
-      q[k] = -point[0];
+      q[k] = -values[0];
   }
   static int asked;
 };

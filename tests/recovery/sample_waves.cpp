@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "common/test_main.hpp"
 
 namespace ndframe::test
@@ -68,20 +70,72 @@ struct Waves
   }
 };
 
-/// A load given by a function of point and normal; side and place stand in the deck of the load that it replaces.
-class FunctionLoad final : public Load
+/// The same derivatives as expressions: u_i,j, or their derivative along x_l if l >= 0.
+std::vector<std::string> gradientText(const Waves& u, int l = -1)
+{
+  constexpr const char* axes[] = {"x", "y", "z"};
+  std::vector<std::string> all;
+  for (int i = 0; i < u.dim; ++i)
+    for (int j = 0; j < u.dim; ++j) {
+      std::string text = "0";
+      for (int m = 0; m < Waves::count; ++m) {
+        std::string argument = fmt::format("({:.17g})", u.phase[m][i]);
+        for (int d = 0; d < u.dim; ++d)
+          argument += fmt::format(" + ({:.17g})*{}", u.k[m][d], axes[d]);
+        const double kj = u.k[m][j], kl = l < 0 ? 0.0 : u.k[m][l], a = u.amplitude[m][i];
+        const std::string sine = "sin(" + argument + ")", cosine = "cos(" + argument + ")";
+        text += l < 0 ? fmt::format(" + ({:.17g})*({}*{} + x*({:.17g})*{})", a, int(j == 0), sine, kj, cosine)
+                      : fmt::format(" + ({:.17g})*(({:.17g})*{} - x*({:.17g})*{})", a, (j == 0) * kl + (l == 0) * kj,
+                                    cosine, kj * kl, sine);
+      }
+      all.push_back(text);
+    }
+  return all;
+}
+
+/// The stress of these derivatives, Voigt.
+std::vector<std::string> stressText(const Elasticity& law, const std::vector<std::string>& gradient)
+{
+  std::vector<std::string> stress;
+  for (int s = 0; s < law.strains(); ++s) {
+    std::string text = "0";
+    for (std::size_t e = 0; e < gradient.size(); ++e) {
+      Vector unit(gradient.size(), 0.0);
+      unit[e] = 1.0;
+      text += fmt::format(" + ({:.17g})*({})", stressOf(law, strainOf(law.dim, unit))[std::size_t(s)], gradient[e]);
+    }
+    stress.push_back(text);
+  }
+  return stress;
+}
+
+/// The traction or the force of an exact solution; side and place stand in the deck of the load that it replaces.
+class ExactLoad final : public Load
 {
 public:
-  using Density = std::function<void(const double* x, const double* normal, double* q)>;
-  FunctionLoad(const Params& params, Density density) : Load(params), density_(std::move(density)) {}
-  bool isConstant() const override { return false; }
-  void density(int, const double* x, const double* normal, double* q) const override { density_(x, normal, q); }
+  ExactLoad(const Params& params, const ExactSolution& exact) : Load(params), exact_(exact) {}
+
+  std::vector<SampledFunction> functions(int) const override
+  {
+    return params().has("Side") ? exact_.stressFunctions : exact_.forceFunctions;
+  }
+
+  void density(int dim, const double* values, const double* normal, double* q) const override
+  {
+    for (int i = 0; i < dim; ++i)
+      q[i] = normal == nullptr ? values[i] : rowTimes(dim, values, i, normal);
+  }
 
 private:
-  Density density_;
+  ExactSolution exact_;
 };
 
 } // namespace
+
+SampledFunction functionOf(const std::string& text)
+{
+  return {std::make_shared<const ExpressionTree>(text), {}};
+}
 
 ExactSolution waveSolution(const Elasticity& law, double waves, unsigned seed)
 {
@@ -101,15 +155,17 @@ ExactSolution waveSolution(const Elasticity& law, double waves, unsigned seed)
     const Vector values = stress(x, -1);
     std::copy(values.begin(), values.end(), sigma);
   };
-  exact.force = [stress, dim](const double* x, double* b) {
-    std::fill_n(b, dim, 0.0);
-    for (int l = 0; l < dim; ++l) {
-      const Vector derivative = stress(x, l);
-      const double axis[3] = {double(l == 0), double(l == 1), double(l == 2)};
-      for (int i = 0; i < dim; ++i)
-        b[i] -= rowTimes(dim, derivative.data(), i, axis);
-    }
-  };
+  for (const auto& text : stressText(law, gradientText(u)))
+    exact.stressFunctions.push_back(functionOf(text));
+  constexpr int inSpace[3][3] = {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}};
+  std::vector<std::string> force(std::size_t(dim), "0");
+  for (int l = 0; l < dim; ++l) {
+    const auto derivative = stressText(law, gradientText(u, l));
+    for (int i = 0; i < dim; ++i)
+      force[std::size_t(i)] += " - (" + derivative[std::size_t(dim == 2 && i != l ? 2 : inSpace[i][l])] + ")";
+  }
+  for (const auto& text : force)
+    exact.forceFunctions.push_back(functionOf(text));
   return exact;
 }
 
@@ -122,14 +178,7 @@ Problem solvedUnder(const ExactSolution& exact, Mesh mesh, int order, int degree
   BodyModel body = makeBody(std::move(mesh), order, conditions);
   body.law = law;
   for (auto& load : body.loads)
-    load = std::make_unique<FunctionLoad>(load->params(), [exact](const double* x, const double* normal, double* q) {
-      if (normal == nullptr)
-        return exact.force(x, q);
-      double sigma[6];
-      exact.stress(x, sigma);
-      for (int i = 0; i < exact.dim; ++i)
-        q[i] = rowTimes(exact.dim, sigma, i, normal);
-    });
+    load = std::make_unique<ExactLoad>(load->params(), exact);
   return solved(std::move(body), degree);
 }
 

@@ -10,9 +10,12 @@ namespace ndframe::test
 struct ExactSolution
 {
   int dim = 0;
-  StressField stress;                                    ///< K eps(u), Voigt
-  std::function<void(const double* x, double* b)> force; ///< - div of it
+  StressField stress;                                           ///< K eps(u), Voigt
+  std::vector<SampledFunction> stressFunctions, forceFunctions; ///< the same as expressions, and - div of it
 };
+
+/// A function of the position that is finite everywhere.
+SampledFunction functionOf(const std::string& text);
 
 /// u_i = x sum_m a_im sin(k_m . x + phase_im): not a polynomial, zero on x = 0. waves: times 2 pi over the unit length.
 ExactSolution waveSolution(const Elasticity& law, double waves, unsigned seed);

@@ -8,7 +8,7 @@
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/admissible_displacement.hpp"
 #include "ndframe/recovery/contact_nodes.hpp"
-#include "recovery/contact_strip.hpp"
+#include "recovery/sample_gap.hpp"
 
 namespace ndframe
 {
@@ -17,16 +17,13 @@ namespace
 {
 
 using test::ContactStrip;
-using Gap = std::function<double(double x)>;
+using test::Gap;
 
-double roundedGap(double x)
-{
-  return 0.01 + 0.02 * std::exp(2.0 * x);
-}
+const Gap roundedGap = "0.01 + 0.02*exp(2*x)";
 
 GapBound bound(const ContactStrip& strip, const Gap& gap)
 {
-  return boundGap(strip.bodyPointers(), strip.facets, 2, [&](int, const double* x) { return gap(x[0]); });
+  return boundGap(strip.bodyPointers(), strip.facets, 2, gap.on(strip));
 }
 
 AdmissibleDisplacement admit(const ContactStrip& strip, const Gap& gap, const std::vector<Vector>& displacement)
@@ -100,7 +97,7 @@ INSTANTIATE_TEST_SUITE_P(Strips, Admission, testing::Values(Strip{1, 0.0}, Strip
 TEST_P(Admission, MakesTheJumpStayBelowTheGapEverywhere)
 {
   for (unsigned seed = 0; seed < 5; ++seed)
-    for (const Gap& gap : {Gap(roundedGap), Gap([](double) { return 0.0; })}) {
+    for (const Gap& gap : {roundedGap, Gap("0")}) {
       const auto before = randomDisplacement(strip, seed);
       const AdmissibleDisplacement after = admit(strip, gap, before);
       EXPECT_GT(deepest(strip, gap, before), 1e-2);
@@ -160,8 +157,7 @@ TEST_P(Admission, DoesNotDependOnUnits)
     for (double& value : body)
       value *= 1e-12;
   const AdmissibleDisplacement here = admit(strip, roundedGap, before),
-                               there = admit(
-                                   strip, [](double x) { return 1e-12 * roundedGap(x); }, tiny);
+                               there = admit(strip, "1e-12*(0.01 + 0.02*exp(2*x))", tiny);
   EXPECT_EQ(here.moved, there.moved);
   EXPECT_NEAR(there.charge, 1e-12 * here.charge, 1e-24 * here.charge);
 }
@@ -209,8 +205,7 @@ TEST(AdmissionByStiffness, MovesTheSofterBodyMore)
   std::vector<Vector> closed;
   for (const auto& body : strip.bodies)
     closed.emplace_back(std::size_t(body.numDofs()), 0.0);
-  const AdmissibleDisplacement after = admit(
-      strip, [](double) { return -0.1; }, closed);
+  const AdmissibleDisplacement after = admit(strip, "-0.1", closed);
   for (std::size_t f = 0; f < strip.facets.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
       const double up = strip.at(after.displacement, f, i, true)[1],

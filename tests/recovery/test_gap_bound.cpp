@@ -4,7 +4,7 @@
 
 #include "ndframe/fem/quadrature.hpp"
 #include "ndframe/recovery/gap_bound.hpp"
-#include "recovery/contact_strip.hpp"
+#include "recovery/sample_gap.hpp"
 
 namespace ndframe
 {
@@ -12,16 +12,11 @@ namespace ndframe
 namespace
 {
 
-using Gap = std::function<double(double x)>;
-
-FacetGap along(const Gap& gap)
-{
-  return [gap](int, const double* point) { return gap(point[0]); };
-}
+using test::Gap;
 
 GapBound bound(const test::ContactStrip& strip, const Gap& gap, int degree = 3)
 {
-  return boundGap(strip.bodyPointers(), strip.facets, degree, along(gap));
+  return boundGap(strip.bodyPointers(), strip.facets, degree, gap.on(strip));
 }
 
 /// g_h at t on a facet.
@@ -47,12 +42,18 @@ std::array<double, 2> clearances(const GapBound& gap, const test::ContactStrip& 
 
 const std::vector<Gap>& roughGaps()
 {
-  static const std::vector<Gap> gaps = {[](double x) { return 0.1 * std::exp(3.0 * x); },
-                                        [](double x) { return 0.02 + 0.01 * std::sin(20.0 * x); },
-                                        [](double x) { return std::abs(x - 0.43); },
-                                        [](double x) { return 0.5 - std::sqrt(0.25 - 0.2 * x * x); },
-                                        [](double x) { return x > 0.57 ? 0.1 * x * x : 0.05; },
-                                        [](double x) { return std::pow(x, 1.5); }};
+  static const std::vector<Gap> gaps = {"0.1*exp(3*x)",
+                                        "0.02 + 0.01*sin(20*x)",
+                                        "abs(x - 0.43)",
+                                        "0.5 - sqrt(0.25 - 0.2*x^2)",
+                                        "x > 0.57 ? 0.1*x^2 : 0.05",
+                                        "x^1.5",
+                                        "sqrt(x)",
+                                        "abs(x^2 - 0.2)",
+                                        "x^2 > 0.3 ? 0.1 : 0.2",
+                                        "0.1 - 0.09*exp(-((x - 0.3217)/0.001)^2)",
+                                        "0.05*(1 + tanh((x - 0.61)/1e-4))",
+                                        "0.2 - 0.1*(x > 0.401)*(x < 0.402)"};
   return gaps;
 }
 
@@ -68,12 +69,12 @@ INSTANTIATE_TEST_SUITE_P(Orders, GapBounds, testing::Values(1, 2), testing::Prin
 TEST_P(GapBounds, LieBelowRoughGapsEverywhere)
 {
   for (std::size_t g = 0; g < roughGaps().size(); ++g)
-    EXPECT_GE(clearances(bound(strip, roughGaps()[g]), strip, roughGaps()[g])[0], -1e-12) << "gap " << g;
+    EXPECT_GE(clearances(bound(strip, roughGaps()[g]), strip, roughGaps()[g])[0], -1e-12) << roughGaps()[g].text();
 }
 
 TEST_P(GapBounds, StayCloseToSmoothGaps)
 {
-  const Gap gap = [](double x) { return 0.1 * std::exp(x); };
+  const Gap gap = "0.1*exp(x)";
   double previous = 1e300;
   for (const int facets : {4, 8}) {
     const auto finer = test::contactStrip(facets, order);
@@ -86,9 +87,7 @@ TEST_P(GapBounds, StayCloseToSmoothGaps)
 
 TEST_P(GapBounds, KeepPolynomialsOfTheOrder)
 {
-  for (const Gap& gap : {Gap([](double) { return 0.0; }), Gap([](double) { return 0.3; }),
-                         Gap([this](double x) { return order == 1 ? 0.1 + x : 0.2 - x + 2.0 * x * x; })})
-  {
+  for (const Gap& gap : {Gap("0"), Gap("0.3"), Gap(order == 1 ? "0.1 + x" : "0.2 - x + 2*x^2")}) {
     const auto result = bound(strip, gap);
     const auto [least, most] = clearances(result, strip, gap);
     EXPECT_NEAR(least, 0.0, 1e-15);
@@ -101,7 +100,9 @@ TEST_P(GapBounds, KeepTheValuesAtTheVerticesOfQuadraticBodies)
 {
   if (order == 1)
     return;
-  for (const Gap& gap : roughGaps()) {
+  for (const Gap& gap : {Gap("0.1*exp(3*x)"), Gap("0.02 + 0.01*sin(20*x)"), Gap("abs(x - 0.43)"),
+                         Gap("0.5 - sqrt(0.25 - 0.2*x^2)"), Gap("x > 0.57 ? 0.1*x^2 : 0.05")})
+  {
     const GapBound result = bound(strip, gap);
     for (std::size_t f = 0; f < strip.facets.size(); ++f)
       for (const double t : {0.0, 1.0})
@@ -111,7 +112,7 @@ TEST_P(GapBounds, KeepTheValuesAtTheVerticesOfQuadraticBodies)
 
 TEST_P(GapBounds, KnowTheMomentsOfTheGapItself)
 {
-  const Gap gap = [](double x) { return 0.1 * std::exp(3.0 * x); };
+  const Gap gap = "0.1*exp(3*x)";
   const GapBound result = bound(strip, gap, 2);
   const MomentBasis basis = facetBasis(2, 2);
   const QuadratureRule rule = simplexRule(1, 24);
@@ -129,8 +130,8 @@ TEST_P(GapBounds, KnowTheMomentsOfTheGapItself)
 
 TEST_P(GapBounds, ScaleWithTheirUnit)
 {
-  const Gap gap = [](double x) { return 0.1 * std::exp(3.0 * x); };
-  const GapBound here = bound(strip, gap), there = bound(strip, [&](double x) { return 1e-20 * gap(x); });
+  const Gap gap = "0.1*exp(3*x)";
+  const GapBound here = bound(strip, gap), there = bound(strip, "1e-20*0.1*exp(3*x)");
   for (std::size_t i = 0; i < here.bernstein.size(); ++i)
     EXPECT_NEAR(there.bernstein[i], 1e-20 * here.bernstein[i], 1e-32);
 }

@@ -119,7 +119,7 @@ TEST_P(Charges, SeveralSupportsOfAFacetActTogether)
       charge(mesh, order, {test::onSide("Roller", "bottom"), displacement("bottom", {{"X", "sin(3*x)"}})});
   const auto given = charge(mesh, order, {displacement("bottom", {{"X", "sin(3*x)"}, {"Y", "sin(3*x)/sqrt(3)"}})});
   EXPECT_GT(given.charge, 1e-3);
-  EXPECT_NEAR(combined.charge, given.charge, 1e-12);
+  EXPECT_NEAR(combined.charge, given.charge, 1e-7 * given.charge); // what polynomials may miss is bounded differently
 }
 
 TEST_P(Charges, OfAKinkAreFiniteAndCertain)

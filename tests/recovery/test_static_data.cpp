@@ -334,11 +334,17 @@ TEST(SupportedFacets, CombineTheDirectionsOfSeveralSupports)
   }
 }
 
-TEST(Caveats, NameALoadThatJumpsInsideCells)
+TEST(Caveats, NameALoadThatJumpsAlongACurveAndThePlace)
 {
-  const BodyModel body = test::makeBody(sampleMesh(2), 2, {{}, {load("Body Force", {{"Y", "x > 0.4"}})}});
+  const BodyModel body = test::makeBody(sampleMesh(2), 2, {{}, {load("Body Force", {{"Y", "x^2 + y^2 > 0.4"}})}});
   EXPECT_THAT(makeStaticData(body, 2, {}).caveat,
-              testing::AllOf(testing::HasSubstr("body force of body"), testing::HasSubstr("inside a cell")));
+              testing::AllOf(testing::HasSubstr("integrals of the body force of body"), testing::HasSubstr("near (")));
+}
+
+TEST(Caveats, AreNotNeededForAJumpAlongALine)
+{
+  const BodyModel body = test::makeBody(sampleMesh(2), 2, {{}, {load("Body Force", {{"Y", "x + 0.3*y > 0.4"}})}});
+  EXPECT_EQ(makeStaticData(body, 2, {}).caveat, "");
 }
 
 TEST(Caveats, AreNotNeededForAJumpInsideAnEdge)

@@ -5,7 +5,7 @@
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/contact_moments.hpp"
 #include "ndframe/recovery/tighten_displacement.hpp"
-#include "recovery/contact_strip.hpp"
+#include "recovery/sample_gap.hpp"
 
 namespace ndframe
 {
@@ -19,7 +19,7 @@ struct Scene
   {
     const Vector pressure(std::size_t(4 * order + 1), -1.0);
     traction = tractionFromNodes(strip.facets, pressure, order, 2);
-    gap = boundGap(strip.bodyPointers(), strip.facets, 2, [](int, const double* x) { return 0.02 * x[0]; });
+    gap = boundGap(strip.bodyPointers(), strip.facets, 2, test::Gap("0.02*x").on(strip));
     test::Random random(3);
     for (std::size_t b = 0; b < 2; ++b) {
       const BodyModel& body = strip.bodies[b];

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "ndframe/base/diagnostics.hpp"
+#include "data_enclosures.hpp"
+#include "sampled_slab.hpp"
 #include "sampling_rules.hpp"
 
 namespace ndframe
@@ -11,183 +13,238 @@ namespace ndframe
 namespace
 {
 
-constexpr double agreement = 1e-12;           ///< of a function with its polynomials, relative to its scale
-constexpr int mostPieces[] = {0, 128, 64, 4}; ///< by dimension: pieces of higher dimension hold more points
+constexpr double agreement = 1e-13;  ///< what functions may miss of polynomials, relative to their scale
+constexpr double negligible = 1e-15; ///< the same, times the share of the simplex where they miss it
+constexpr int mostPieces = 2000;
+constexpr int mostSearched = 4000; ///< pieces looked at for the largest value
 
-/// A piece with the values at the points of its rule and what polynomials miss of them, weighted with the piece.
+/// The largest absolute value of the functions at a point, 0 where it is not finite.
+double sizeAt(const std::vector<SampledFunction>& functions, const Region::Point& x)
+{
+  double size = 0.0, value = 0.0;
+  for (const auto& function : functions) {
+    function.tree->values(x.data(), 1, &value);
+    if (std::isfinite(value))
+      size = std::max(size, std::abs(value));
+  }
+  return size;
+}
+
+/// What functions are, to be shown by their enclosures, on a slab with one of the rules.
 struct Leaf
 {
-  Samples::Piece piece;
-  std::vector<double> values;
-  double error = 0.0;
+  SampledSlab slab;
+  const QuadratureRule* rule = nullptr;
+  double error = 0.0, slopeError = 0.0;
+  bool isSettled = false;
+  std::size_t worst = 0; ///< the function that misses most
+  std::optional<AffineFunction> cut;
+
+  double weight() const { return isSettled ? 0.0 : slab.fraction() * error; }
 };
 
-/// The function to be sampled and the simplex it is sampled on.
-class Sampler
+bool settlesLater(const Leaf& a, const Leaf& b)
 {
-public:
-  Sampler(int dim, const double* const* vertices, int space, int components, double scale, const PointFunction& f)
-      : dim_(dim), space_(space), components_(components), vertices_(vertices), f_(f), scale_(scale)
-  {}
+  return a.weight() < b.weight();
+}
 
-  /// Climbs the ladder on a piece until a rule settles.
-  Leaf resolve(const Samples::Piece& piece)
-  {
-    Leaf leaf{piece, {}, 0.0};
-    for (const SamplingRule& sampling : samplingLadder(dim_)) {
-      leaf.piece.rule = &sampling.rule;
-      leaf.values.clear();
-      evaluate(piece, sampling.rule.lambda, leaf.values);
-      for (const double value : leaf.values)
-        scale_ = std::max(scale_, std::abs(value));
-      const std::size_t size = leaf.values.size();
-      evaluate(piece, sampling.corners, leaf.values);
-      leaf.error = piece.fraction * largestRest(sampling.rest, leaf.values);
-      leaf.values.resize(size);
-      if (settled(leaf))
-        break;
+/// A bound of the derivative of f minus the polynomial through the points of a rule along a piece of length 1: that of
+/// f minus its Taylor polynomial, and of the polynomial through their difference by Markov's inequality. The
+/// polynomials that are 1 at one Gauss point and 0 at the others add up to less than their number.
+double slopeError(const Enclosure& enclosure, const SamplingRule& sampling)
+{
+  const double points = sampling.rule.size(), markov = 2.0 * (points - 1.0) * (points - 1.0);
+  double least = std::numeric_limits<double>::infinity();
+  for (int n = 1; n <= std::min(sampling.kept + 1, Enclosure::order); ++n)
+    least = std::min(least, (2.0 * n + markov * points) * enclosure.remainder[std::size_t(n)]);
+  return least;
+}
+
+Leaf resolve(const SimplexGeometry& simplex, SampledSlab slab, double scale, DataEnclosures& data)
+{
+  const auto enclosures = data.on(simplex.dim(), slab.corners(simplex), slab.isWhole(), agreement * scale);
+  const double fraction = slab.fraction();
+  Leaf leaf{std::move(slab), nullptr, 0.0, 0.0, false, 0, {}};
+  for (const SamplingRule& sampling : samplingLadder(simplex.dim())) {
+    leaf.rule = &sampling.rule;
+    leaf.error = leaf.slopeError = 0.0;
+    for (std::size_t f = 0; f < enclosures.size(); ++f) {
+      const double error = enclosures[f].distance(sampling.kept);
+      if (error > leaf.error)
+        leaf.worst = f;
+      leaf.error = std::max(leaf.error, error);
+      if (simplex.dim() == 1)
+        leaf.slopeError = std::max(leaf.slopeError, slopeError(enclosures[f], sampling));
     }
-    return leaf;
+    leaf.isSettled = leaf.error <= agreement * scale || fraction * leaf.error <= negligible * scale;
+    if (leaf.isSettled)
+      break;
   }
+  for (const auto& enclosure : enclosures)
+    if (!leaf.cut)
+      leaf.cut = enclosure.cut;
+  return leaf;
+}
 
-  bool settled(const Leaf& leaf) const { return leaf.error <= agreement * scale_; }
-  double scale() const { return scale_; }
+std::vector<SampledSlab> split(const SimplexGeometry& simplex, const Leaf& leaf, const DataEnclosures& data)
+{
+  const auto across =
+      leaf.cut ? leaf.cut : data.steepest(simplex.dim(), leaf.slab.corners(simplex), leaf.worst, leaf.error);
+  if (across)
+    if (auto slabs = leaf.slab.cut(simplex, *across); !slabs.empty())
+      return slabs;
+  return leaf.slab.bisect(simplex);
+}
 
-  /// Barycentric coordinates in the simplex of a rule's point on a piece.
-  void locate(const Samples::Piece& piece, const double* local, double* lambda) const
-  {
-    for (int k = 0; k <= dim_; ++k) {
-      lambda[k] = 0.0;
-      for (int corner = 0; corner <= dim_; ++corner)
-        lambda[k] += local[corner] * piece.corners[std::size_t(corner * (dim_ + 1) + k)];
+/// Adds the points of a piece, and the values of the functions there.
+void append(const SimplexGeometry& geometry, const std::vector<SampledFunction>& functions, const Samples::Piece& piece,
+            Samples& samples)
+{
+  const QuadratureRule& rule = *piece.rule;
+  const auto count = std::size_t(rule.size());
+  std::vector<Region::Point> points;
+  double lambda[4];
+  for (int q = 0; q < rule.size(); ++q) {
+    geometry.locate(piece, rule.point(q), lambda);
+    points.push_back(geometry.place(lambda));
+    samples.rule.lambda.insert(samples.rule.lambda.end(), lambda, lambda + geometry.dim() + 1);
+    samples.rule.weights.push_back(piece.fraction * rule.weights[std::size_t(q)]);
+  }
+  std::vector<double> values(count);
+  samples.values.resize(samples.values.size() + count * functions.size());
+  double* next = samples.values.data() + samples.values.size() - count * functions.size();
+  for (std::size_t f = 0; f < functions.size(); ++f) {
+    functions[f].tree->values(points.front().data(), int(count), values.data());
+    for (std::size_t q = 0; q < count; ++q) {
+      if (!std::isfinite(values[q]))
+        functions[f].refuse(points[q].data(), geometry.space(), values[q]);
+      samples.scale = std::max(samples.scale, std::abs(values[q]));
+      next[q * functions.size() + f] = values[q];
     }
   }
-
-  /// Halves the longest edge of a piece.
-  std::array<Samples::Piece, 2> bisect(const Samples::Piece& piece) const;
-
-private:
-  void evaluate(const Samples::Piece& piece, const std::vector<double>& points, std::vector<double>& values) const;
-  double largestRest(const DenseMatrix& rest, const std::vector<double>& values) const;
-  void place(const double* lambda, double* x) const;
-
-  int dim_, space_, components_;
-  const double* const* vertices_;
-  const PointFunction& f_;
-  double scale_;
-};
-
-void Sampler::place(const double* lambda, double* x) const
-{
-  std::fill_n(x, space_, 0.0);
-  for (int v = 0; v <= dim_; ++v)
-    for (int k = 0; k < space_; ++k)
-      x[k] += lambda[v] * vertices_[v][k];
 }
 
-/// Appends the values at points, barycentric in the piece.
-void Sampler::evaluate(const Samples::Piece& piece, const std::vector<double>& points,
-                       std::vector<double>& values) const
-{
-  std::size_t next = values.size();
-  values.resize(next + points.size() / std::size_t(dim_ + 1) * std::size_t(components_));
-  double lambda[4], x[3] = {};
-  for (std::size_t q = 0; q < points.size(); q += std::size_t(dim_ + 1)) {
-    locate(piece, points.data() + q, lambda);
-    place(lambda, x);
-    f_(x, values.data() + next);
-    for (const std::size_t end = next + std::size_t(components_); next < end; ++next)
-      NDFRAME_ASSERT(std::isfinite(values[next]), "functions refuse values that are not finite themselves");
-  }
-}
-
-double Sampler::largestRest(const DenseMatrix& rest, const std::vector<double>& values) const
-{
-  double largest = 0.0;
-  std::vector<double> sums(std::size_t(rest.rows()));
-  for (int k = 0; k < components_; ++k) {
-    std::fill(sums.begin(), sums.end(), 0.0);
-    for (int q = 0; q < rest.cols(); ++q)
-      for (int i = 0; i < rest.rows(); ++i)
-        sums[std::size_t(i)] += rest(i, q) * values[std::size_t(q * components_ + k)];
-    for (const double sum : sums)
-      largest = std::max(largest, std::abs(sum));
-  }
-  return largest;
-}
-
-std::array<Samples::Piece, 2> Sampler::bisect(const Samples::Piece& piece) const
-{
-  int first = 0, second = 1;
-  double longest = -1.0, x[4][3];
-  const double* corners = piece.corners.data();
-  for (int a = 0; a <= dim_; ++a)
-    place(corners + a * (dim_ + 1), x[a]);
-  for (int a = 0; a <= dim_; ++a)
-    for (int b = a + 1; b <= dim_; ++b) {
-      double square = 0.0;
-      for (int k = 0; k < space_; ++k)
-        square += (x[a][k] - x[b][k]) * (x[a][k] - x[b][k]);
-      if (square > longest)
-        longest = square, first = a, second = b;
-    }
-  std::array<Samples::Piece, 2> halves{piece, piece};
-  for (int k = 0; k <= dim_; ++k) {
-    const double middle = 0.5 * (corners[first * (dim_ + 1) + k] + corners[second * (dim_ + 1) + k]);
-    halves[0].corners[std::size_t(second * (dim_ + 1) + k)] = middle;
-    halves[1].corners[std::size_t(first * (dim_ + 1) + k)] = middle;
-  }
-  halves[0].fraction = halves[1].fraction = 0.5 * piece.fraction;
-  return halves;
-}
-
-Samples::Piece wholeSimplex(int dim)
-{
-  Samples::Piece piece;
-  for (int corner = 0; corner <= dim; ++corner)
-    piece.corners[std::size_t(corner * (dim + 2))] = 1.0;
-  return piece;
-}
-
-Samples join(const Sampler& sampler, int dim, const std::vector<Leaf>& leaves)
+Samples join(const SimplexGeometry& geometry, const std::vector<SampledFunction>& functions,
+             const std::vector<Leaf>& leaves, double scale)
 {
   Samples samples;
-  samples.rule.dim = dim;
-  samples.scale = sampler.scale();
-  double lambda[4];
-  for (const Leaf& leaf : leaves) {
-    samples.pieces.push_back(leaf.piece);
-    samples.pieces.back().first = samples.rule.size();
-    for (int q = 0; q < leaf.piece.rule->size(); ++q) {
-      sampler.locate(leaf.piece, leaf.piece.rule->point(q), lambda);
-      samples.rule.lambda.insert(samples.rule.lambda.end(), lambda, lambda + dim + 1);
-      samples.rule.weights.push_back(leaf.piece.fraction * leaf.piece.rule->weights[std::size_t(q)]);
+  samples.rule.dim = geometry.dim();
+  samples.scale = scale;
+  double mean = 0.0, square = 0.0;
+  for (const Leaf& leaf : leaves)
+    for (Samples::Piece piece : leaf.slab.parts()) {
+      piece.rule = leaf.rule;
+      piece.error = leaf.error;
+      piece.slopeError = leaf.slopeError;
+      piece.first = samples.rule.size();
+      append(geometry, functions, piece, samples);
+      samples.pieces.push_back(piece);
+      mean += piece.fraction * piece.error;
+      square += piece.fraction * piece.error * piece.error;
     }
-    samples.values.insert(samples.values.end(), leaf.values.begin(), leaf.values.end());
-    if (!sampler.settled(leaf))
-      samples.uncertainty += leaf.error / sampler.scale();
-  }
+  samples.spread = std::sqrt(square);
+  samples.uncertainty = mean == 0.0 ? 0.0 : mean / samples.scale;
   return samples;
 }
 
 } // namespace
 
-Samples sampleAdaptively(int dim, const double* const* vertices, int space, int components, double scale,
-                         const PointFunction& f)
+class DataSampler::Implementation
 {
-  Sampler sampler(dim, vertices, space, components, scale, f);
-  const auto settlesLater = [](const Leaf& a, const Leaf& b) { return a.error < b.error; };
-  std::vector<Leaf> leaves{sampler.resolve(wholeSimplex(dim))}; // a heap, the worst leaf on top
-  while (!sampler.settled(leaves.front()) && int(leaves.size()) < mostPieces[dim]) {
-    const auto halves = sampler.bisect(leaves.front().piece);
-    std::pop_heap(leaves.begin(), leaves.end(), settlesLater);
-    leaves.pop_back();
-    for (const auto& half : halves) {
-      leaves.push_back(sampler.resolve(half));
-      std::push_heap(leaves.begin(), leaves.end(), settlesLater);
+public:
+  Implementation(std::vector<SampledFunction> functions, int space)
+      : functions_(std::move(functions)), data_(functions_, space), space_(space)
+  {}
+
+  SimplexGeometry geometry(int dim, const Vertices& vertices) const { return {dim, space_, vertices}; }
+  double scaleOn(const std::function<void(const Visit&)>& visit);
+  double searched(std::vector<std::pair<SimplexGeometry, Samples::Piece>> candidates, double found);
+  std::vector<Leaf> leaves(const SimplexGeometry& simplex, double scale);
+
+  std::vector<SampledFunction> functions_;
+  DataEnclosures data_;
+  int space_;
+  int cutsLeft_ = 400000;
+};
+
+double DataSampler::Implementation::scaleOn(const std::function<void(const Visit&)>& visit)
+{
+  double found = 0.0;
+  const auto centroid = [](const SimplexGeometry& simplex) {
+    const double share = 1.0 / (simplex.dim() + 1), lambda[4] = {share, share, share, share};
+    return simplex.place(lambda);
+  };
+  visit([&](int dim, const Vertices& vertices) {
+    found = std::max(found, sizeAt(functions_, centroid(geometry(dim, vertices))));
+  });
+  std::vector<std::pair<SimplexGeometry, Samples::Piece>> candidates;
+  if (!data_.arePolynomials())
+    visit([&](int dim, const Vertices& vertices) {
+      const SimplexGeometry simplex = geometry(dim, vertices);
+      if (data_.largestAround(simplex) > 2.0 * found)
+        candidates.emplace_back(simplex, simplex.whole());
+    });
+  return searched(std::move(candidates), found);
+}
+
+/// Branch and bound: the piece with the largest bound is split until no bound is above twice the largest value found.
+double DataSampler::Implementation::searched(std::vector<std::pair<SimplexGeometry, Samples::Piece>> candidates,
+                                             double found)
+{
+  using Entry = std::pair<double, std::size_t>;
+  std::vector<Entry> open;
+  for (std::size_t i = 0; i < candidates.size(); ++i)
+    open.emplace_back(data_.largestOn(candidates[i].first, candidates[i].second), i);
+  std::make_heap(open.begin(), open.end());
+  for (int step = 0; step < mostSearched && !open.empty() && open.front().first > 2.0 * found; ++step) {
+    std::pop_heap(open.begin(), open.end());
+    const auto [simplex, piece] = candidates[open.back().second];
+    open.pop_back();
+    for (const auto& half : simplex.bisect(piece)) {
+      Region::Point middle{};
+      for (const auto& corner : simplex.corners(half))
+        for (std::size_t k = 0; k < 3; ++k)
+          middle[k] += corner[k] / (simplex.dim() + 1);
+      found = std::max(found, sizeAt(functions_, middle));
+      candidates.emplace_back(simplex, half);
+      open.emplace_back(data_.largestOn(simplex, half), candidates.size() - 1);
+      std::push_heap(open.begin(), open.end());
     }
   }
-  return join(sampler, dim, leaves);
+  return found;
+}
+
+std::vector<Leaf> DataSampler::Implementation::leaves(const SimplexGeometry& simplex, double scale)
+{
+  std::vector<Leaf> all{resolve(simplex, SampledSlab(simplex.whole()), scale, data_)}; // a heap, the worst on top
+  while (all.front().weight() > 0.0 && int(all.size()) < mostPieces && cutsLeft_ > 0) {
+    --cutsLeft_;
+    std::pop_heap(all.begin(), all.end(), settlesLater);
+    const Leaf worst = std::move(all.back());
+    all.pop_back();
+    for (auto& slab : split(simplex, worst, data_)) {
+      all.push_back(resolve(simplex, std::move(slab), scale, data_));
+      std::push_heap(all.begin(), all.end(), settlesLater);
+    }
+  }
+  return all;
+}
+
+DataSampler::DataSampler(std::vector<SampledFunction> functions, int space)
+    : implementation_(std::make_unique<Implementation>(std::move(functions), space))
+{}
+
+DataSampler::~DataSampler() = default;
+
+double DataSampler::scaleOn(const std::function<void(const Visit&)>& visit)
+{
+  return implementation_->scaleOn(visit);
+}
+
+Samples DataSampler::sample(int dim, const Vertices& vertices, double scale)
+{
+  const SimplexGeometry simplex = implementation_->geometry(dim, vertices);
+  return join(simplex, implementation_->functions_, implementation_->leaves(simplex, scale), scale);
 }
 
 Samples sampleConstant(int dim, const std::vector<double>& value)

@@ -15,7 +15,7 @@ struct Place
 {
   int dim = 0; ///< of the simplex
   std::array<const double*, 4> points{};
-  std::array<double, 3> normal{}, centroid{};
+  std::array<double, 3> normal{};
   bool isCell = false;
 
   const double* outward() const { return isCell ? nullptr : normal.data(); }
@@ -33,11 +33,8 @@ Place locate(const Mesh& mesh, LoadedSimplex& simplex)
     facetVertices(mesh, simplex.facet, simplex.vertices.data());
     simplex.measure = facetNormal(mesh, simplex.facet, place.normal.data());
   }
-  for (std::size_t v = 0; v <= std::size_t(place.dim); ++v) {
+  for (std::size_t v = 0; v <= std::size_t(place.dim); ++v)
     place.points[v] = mesh.point(simplex.vertices[v]);
-    for (std::size_t k = 0; k < std::size_t(mesh.dim); ++k)
-      place.centroid[k] += place.points[v][k] / (place.dim + 1);
-  }
   return place;
 }
 
@@ -59,16 +56,13 @@ void visitSimplices(const Load& load, const Mesh& mesh, const Visit& visit)
   }
 }
 
-/// The load's size: its largest component at the centroids.
-double sizeOf(const Load& load, const Mesh& mesh)
+/// The samples of q from those of the functions that it is made of.
+void toDensity(const Load& load, int dim, std::size_t functions, const double* normal, Samples& samples)
 {
-  double largest = 0.0, q[3];
-  visitSimplices(load, mesh, [&](const LoadedSimplex&, const Place& place) {
-    load.density(mesh.dim, place.centroid.data(), place.outward(), q);
-    for (int k = 0; k < mesh.dim; ++k)
-      largest = std::max(largest, std::abs(q[k]));
-  });
-  return largest;
+  std::vector<double> q(std::size_t(samples.rule.size() * dim));
+  for (std::size_t g = 0; g < std::size_t(samples.rule.size()); ++g)
+    load.density(dim, samples.values.data() + g * functions, normal, q.data() + g * std::size_t(dim));
+  samples.values = std::move(q);
 }
 
 /// Adds int q . v for the Lagrange functions on one simplex.
@@ -90,19 +84,37 @@ void scatter(const LoadedSimplex& simplex, const int* nodes, int dim, Vector& lo
 
 } // namespace
 
+namespace
+{
+
+void visitConstant(const Load& load, const std::vector<SampledFunction>& functions, const Mesh& mesh,
+                   const std::function<void(const LoadedSimplex&)>& visit)
+{
+  const double origin[3] = {};
+  std::vector<double> values, q(static_cast<std::size_t>(mesh.dim));
+  for (const auto& function : functions)
+    values.push_back(valueAt(function, mesh.dim, origin));
+  visitSimplices(load, mesh, [&](LoadedSimplex& simplex, const Place& place) {
+    load.density(mesh.dim, values.data(), place.outward(), q.data());
+    simplex.samples = sampleConstant(place.dim, q);
+    visit(simplex);
+  });
+}
+
+} // namespace
+
 void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(const LoadedSimplex&)>& visit)
 {
-  const int dim = mesh.dim;
-  const bool isConstant = load.isConstant();
-  const double size = isConstant ? 0.0 : sizeOf(load, mesh);
-  std::vector<double> value(static_cast<std::size_t>(dim));
+  const auto functions = load.functions(mesh.dim);
+  if (areConstant(functions))
+    return visitConstant(load, functions, mesh, visit);
+  DataSampler sampler(functions, mesh.dim);
+  const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
+    visitSimplices(load, mesh, [&](const LoadedSimplex&, const Place& place) { measure(place.dim, place.points); });
+  });
   visitSimplices(load, mesh, [&](LoadedSimplex& simplex, const Place& place) {
-    if (isConstant) {
-      load.density(dim, place.centroid.data(), place.outward(), value.data());
-      simplex.samples = sampleConstant(place.dim, value);
-    } else
-      simplex.samples = sampleAdaptively(place.dim, place.points.data(), dim, dim, size,
-                                         [&](const double* x, double* q) { load.density(dim, x, place.outward(), q); });
+    simplex.samples = sampler.sample(place.dim, place.points, scale);
+    toDensity(load, mesh.dim, functions.size(), place.outward(), simplex.samples);
     visit(simplex);
   });
 }

@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "ndframe/assembly/side_condition.hpp"
-#include "ndframe/base/expression.hpp"
 
 namespace ndframe
 {
@@ -16,30 +15,22 @@ constexpr std::array<const char*, 3> axisNames{"X", "Y", "Z"};
 class Pressure final : public Load
 {
 public:
-  explicit Pressure(const Params& params) : Load(params), pressure_(params.expression("Value")) {}
+  using Load::Load;
 
-  bool isConstant() const override { return pressure_.isConstant(); }
+  std::vector<SampledFunction> functions(int) const override { return {sampled("Value")}; }
 
-  void density(int dim, const double* point, const double* normal, double* q) const override
+  void density(int dim, const double* values, const double* normal, double* q) const override
   {
-    const double p = evaluate(pressure_, "Value", point, dim);
     for (int k = 0; k < dim; ++k)
-      q[k] = -p * normal[k];
+      q[k] = -values[0] * normal[k];
   }
-
-private:
-  Expression pressure_;
 };
 
 /// A vector given by one expression per component: t on a side, equation (3), or b in the whole body, equation (2).
 class VectorLoad final : public Load
 {
 public:
-  explicit VectorLoad(const Params& params) : Load(params)
-  {
-    for (const char* name : axisNames)
-      components_.push_back(params.expression(name));
-  }
+  using Load::Load;
 
   void check(const Mesh& mesh, Diagnostics& diagnostics) const override
   {
@@ -48,19 +39,15 @@ public:
       diagnostics.add(params().mistake("Z", "this body is two-dimensional and takes no load along z."));
   }
 
-  bool isConstant() const override
+  std::vector<SampledFunction> functions(int dim) const override
   {
-    return std::all_of(components_.begin(), components_.end(), [](const auto& c) { return c.isConstant(); });
-  }
-
-  void density(int dim, const double* point, const double*, double* q) const override
-  {
+    std::vector<SampledFunction> components;
     for (int k = 0; k < dim; ++k)
-      q[k] = evaluate(components_[std::size_t(k)], axisNames[std::size_t(k)], point, dim);
+      components.push_back(sampled(axisNames[std::size_t(k)]));
+    return components;
   }
 
-private:
-  std::vector<Expression> components_;
+  void density(int dim, const double* values, const double*, double* q) const override { std::copy_n(values, dim, q); }
 };
 
 template <class Component>

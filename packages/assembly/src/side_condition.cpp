@@ -53,18 +53,40 @@ const Side& SideCondition::side(const Mesh& mesh) const
   return *found;
 }
 
-double SideCondition::evaluate(const Expression& expression, const char* key, const double* x, int dim) const
+SampledFunction sampledFunction(const Params& params, const char* key)
 {
-  const double value = expression(x[0], x[1], dim == 3 ? x[2] : 0.0);
+  const std::string text = params.expression(key).text();
+  return {std::make_shared<const ExpressionTree>(text), [params, key, text](const double* x, int dim, double value) {
+            throw InputError(
+                params.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it counts.", key,
+                                                text, std::abs(value), pointText(x, dim))));
+          }};
+}
+
+bool areConstant(const std::vector<SampledFunction>& functions)
+{
+  return std::all_of(functions.begin(), functions.end(), [](const auto& f) { return f.tree->isConstant(); });
+}
+
+double valueAt(const SampledFunction& function, int dim, const double* point)
+{
+  const double x[3] = {point[0], point[1], dim == 3 ? point[2] : 0.0};
+  double value = 0.0;
+  function.tree->values(x, 1, &value);
   if (!std::isfinite(value))
-    throw InputError(params_.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it counts.",
-                                                      key, expression.text(), std::abs(value), pointText(x, dim))));
+    function.refuse(x, dim, value);
   return value;
 }
 
-double Support::value(int, int, const double*) const
+const std::vector<SampledFunction>& Support::functions() const
 {
-  return 0.0;
+  static const std::vector<SampledFunction> none;
+  return none;
+}
+
+bool Support::isConstant() const
+{
+  return areConstant(functions());
 }
 
 std::vector<NodeConstraint> Support::constraints(const Mesh& mesh, const NodeMap& nodes) const
@@ -73,8 +95,13 @@ std::vector<NodeConstraint> Support::constraints(const Mesh& mesh, const NodeMap
   std::vector<NodeConstraint> all;
   for (const int node : sideNodes(nodes, side(mesh)))
     for (std::size_t k = 0; k < held.size(); ++k)
-      all.push_back({node, held[k], value(mesh.dim, int(k), nodes.point(node))});
+      all.push_back({node, held[k], functions().empty() ? 0.0 : valueAt(functions()[k], mesh.dim, nodes.point(node))});
   return all;
+}
+
+bool Load::isConstant(int dim) const
+{
+  return areConstant(functions(dim));
 }
 
 const std::vector<Facet>* Load::facets(const Mesh& mesh) const

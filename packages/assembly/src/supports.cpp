@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include "ndframe/assembly/side_condition.hpp"
-#include "ndframe/base/expression.hpp"
 
 namespace ndframe
 {
@@ -72,13 +71,13 @@ public:
   {
     for (std::size_t k = 0; k < axes.size(); ++k)
       if (params.has(axisNames[k]))
-        given_.push_back({k, params.expression(axisNames[k])});
+        axes_.push_back(k), functions_.push_back(sampled(axisNames[k]));
   }
 
   void check(const Mesh& mesh, Diagnostics& diagnostics) const override
   {
     Support::check(mesh, diagnostics);
-    if (given_.empty())
+    if (axes_.empty())
       diagnostics.add(params().mistake("", "prescribes no component; give at least one of X, Y, Z."));
     if (mesh.dim == 2 && params().has("Z"))
       diagnostics.add(params().mistake("Z", "this body is two-dimensional and has no z displacement."));
@@ -87,29 +86,16 @@ public:
   std::vector<Direction> directions(const Mesh&) const override
   {
     std::vector<Direction> all;
-    for (const auto& component : given_)
-      all.push_back(axes[component.axis]);
+    for (const std::size_t axis : axes_)
+      all.push_back(axes[axis]);
     return all;
   }
 
-  double value(int dim, int k, const double* point) const override
-  {
-    const auto& component = given_[std::size_t(k)];
-    return evaluate(component.value, axisNames[component.axis], point, dim);
-  }
-
-  bool isConstant() const override
-  {
-    return std::all_of(given_.begin(), given_.end(), [](const auto& c) { return c.value.isConstant(); });
-  }
+  const std::vector<SampledFunction>& functions() const override { return functions_; }
 
 private:
-  struct Component
-  {
-    std::size_t axis;
-    Expression value;
-  };
-  std::vector<Component> given_;
+  std::vector<std::size_t> axes_; ///< the given components, and what is given
+  std::vector<SampledFunction> functions_;
 };
 
 template <class Component>

@@ -5,17 +5,16 @@
 #include <fmt/format.h>
 #include <muParser.h>
 
+#include "ndframe/base/expression_tree.hpp"
 #include "text.hpp"
 
 namespace ndframe
 {
 
+/// muParser checks the text and says what is wrong with it; the values are those of the tree.
 struct Expression::Parser
 {
-  mu::Parser parser;
-  double x = 0.0, y = 0.0, z = 0.0; ///< muParser reads the variables from here
-  bool isConstant = false;
-  double constant = 0.0; ///< its value: parsed expressions are slow
+  ExpressionTree tree;
 };
 
 namespace
@@ -42,21 +41,19 @@ std::string reason(const mu::ParserError& error)
       inQuotes(trimmed(error.GetToken())), error.GetPos() + 1);
 }
 
-} // namespace
-
-Expression::Expression(const std::string& text) : text_(text), parser_(std::make_shared<Parser>())
+/// Throws with muParser's reason unless `text` is one number.
+void checkSyntax(const std::string& text)
 {
-  refuseAssignment(text);
-  mu::Parser& parser = parser_->parser;
+  double position[3] = {};
+  mu::Parser parser;
   parser.ClearConst();
   parser.DefineConst("pi", 3.14159265358979323846);
-  parser.DefineVar("x", &parser_->x);
-  parser.DefineVar("y", &parser_->y);
-  parser.DefineVar("z", &parser_->z);
+  parser.DefineVar("x", position);
+  parser.DefineVar("y", position + 1);
+  parser.DefineVar("z", position + 2);
   try {
     parser.SetExpr(text);
-    parser_->constant = parser.Eval();
-    parser_->isConstant = parser.GetUsedVar().empty();
+    parser.Eval();
   } catch (const mu::ParserError& error) {
     throw std::invalid_argument(reason(error));
   }
@@ -64,19 +61,26 @@ Expression::Expression(const std::string& text) : text_(text), parser_(std::make
     throw std::invalid_argument("it has several results separated by commas; write a decimal point, not a comma");
 }
 
+} // namespace
+
+Expression::Expression(const std::string& text) : text_(text)
+{
+  refuseAssignment(text);
+  checkSyntax(text);
+  parser_ = std::make_shared<Parser>(Parser{ExpressionTree(text)});
+}
+
 double Expression::operator()(double x, double y, double z) const
 {
-  if (parser_->isConstant)
-    return parser_->constant;
-  parser_->x = x;
-  parser_->y = y;
-  parser_->z = z;
-  return parser_->parser.Eval();
+  const double point[3] = {x, y, z};
+  double value = 0.0;
+  parser_->tree.values(point, 1, &value);
+  return value;
 }
 
 bool Expression::isConstant() const
 {
-  return parser_->isConstant;
+  return parser_->tree.isConstant();
 }
 
 } // namespace ndframe

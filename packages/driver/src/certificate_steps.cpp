@@ -8,7 +8,6 @@
 #include "intermediate_fields.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
-#include "ndframe/base/expression.hpp"
 #include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
@@ -156,12 +155,10 @@ GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode m
     return {};
   if (mode == ErrorMode::Paper)
     return {{}, nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree), {}};
-  std::vector<Expression> gaps;
+  std::vector<FacetGap> gaps;
   for (const auto& interface : scene.model.interfaces)
-    gaps.insert(gaps.end(), std::size_t(interface.numFacets()),
-                deck.sub("Interfaces").sub(interface.name).expression("Gap"));
-  return boundGap(scene.bodies, scene.facets, scene.degree,
-                  [&](int facet, const double* point) { return gaps[std::size_t(facet)](point[0], point[1], 0.0); });
+    gaps.push_back({interface.numFacets(), sampledFunction(deck.sub("Interfaces").sub(interface.name), "Gap")});
+  return boundGap(scene.bodies, scene.facets, scene.degree, gaps);
 }
 
 std::vector<const ConstraintSet*> constraintsOf(const Model& model)

@@ -7,6 +7,22 @@
 
 namespace ndframe
 {
+namespace
+{
+
+/// Halves a polynomial's Bernstein coefficients (de Casteljau): returns those of the left half and leaves the right.
+Vector leftHalf(Vector& coefficients)
+{
+  Vector left;
+  for (std::size_t last = coefficients.size(); last > 0; --last) {
+    left.push_back(coefficients.front());
+    for (std::size_t i = 0; i + 1 < last; ++i)
+      coefficients[i] = 0.5 * (coefficients[i] + coefficients[i + 1]);
+  }
+  return left;
+}
+
+} // namespace
 
 const EdgePieces::Table& EdgePieces::table(int points)
 {
@@ -31,13 +47,28 @@ Vector EdgePieces::coefficients(const QuadratureRule& rule, const double* values
 
 double EdgePieces::upperBound(const QuadratureRule& rule, const double* values)
 {
-  const int points = rule.size();
-  const Vector all = coefficients(rule, values);
-  const Vector bernstein = multiply(table(points).toBernstein, all);
-  // Legendre coefficients of a kink fall like k^(-3/2): what follows the last two is of the order of their number times
-  // them, and an orthonormal polynomial reaches sqrt(2 k + 1).
-  const double last = std::abs(all[std::size_t(points - 1)]) + std::abs(all[std::size_t(points - 2)]);
-  return *std::max_element(bernstein.begin(), bernstein.end()) + points * std::sqrt(2.0 * points) * last;
+  constexpr int mostHalvings = 60;
+  std::vector<Vector> parts{multiply(table(rule.size()).toBernstein, coefficients(rule, values))};
+  const auto top = [](const Vector& part) { return *std::max_element(part.begin(), part.end()); };
+  const auto isLower = [&](const Vector& a, const Vector& b) { return top(a) < top(b); };
+  double attained = std::max(parts[0].front(), parts[0].back());
+  for (int step = 0; step < mostHalvings && top(parts.front()) > attained; ++step) {
+    std::pop_heap(parts.begin(), parts.end(), isLower);
+    Vector right = parts.back();
+    const Vector left = leftHalf(right);
+    attained = std::max(attained, left.back());
+    parts.back() = left;
+    std::push_heap(parts.begin(), parts.end(), isLower);
+    parts.push_back(std::move(right));
+    std::push_heap(parts.begin(), parts.end(), isLower);
+  }
+  return top(parts.front());
+}
+
+std::array<double, 2> EdgePieces::endValues(const QuadratureRule& rule, const double* values)
+{
+  const Vector bernstein = multiply(table(rule.size()).toBernstein, coefficients(rule, values));
+  return {bernstein.front(), bernstein.back()};
 }
 
 Vector EdgePieces::derivatives(const Samples::Piece& piece, const double* values)

@@ -16,9 +16,14 @@ public:
   /// Barycentric coordinates t of the second vertex at the ends of a piece.
   static std::array<double, 2> ends(const Samples::Piece& piece) { return {piece.corners[1], piece.corners[3]}; }
 
-  /// An upper bound on the piece: the largest Bernstein coefficient, and what the last Legendre coefficients show to be
-  /// missing where the polynomial has not settled (a kink). values: per point of the piece's rule.
+  /// The polynomial's largest value on the piece, from above: the largest Bernstein coefficient where the piece is
+  /// halved as often as it takes. values: per point of the piece's rule.
   double upperBound(const QuadratureRule& rule, const double* values);
+  /// 1 + Lebesgue's constant, from above: how much further from a function than its best polynomial the one through the
+  /// Gauss points is.
+  static double interpolationFactor(const QuadratureRule& rule) { return 1.0 + rule.size(); }
+  /// The polynomial's values at the piece's first and last corner.
+  std::array<double, 2> endValues(const QuadratureRule& rule, const double* values);
   /// d/dt of the polynomial at the rule's points, t running over the whole edge.
   Vector derivatives(const Samples::Piece& piece, const double* values);
 

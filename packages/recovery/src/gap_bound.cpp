@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include <fmt/format.h>
 
+#include "doubt.hpp"
 #include "edge_pieces.hpp"
 #include "ndframe/recovery/contact_nodes.hpp"
 
@@ -33,29 +33,69 @@ double valueAt(const Vector& bernstein, double t)
   return s * s * bernstein[0] + 2.0 * s * t * bernstein[1] + t * t * bernstein[2];
 }
 
-/// Lowers the interpolant below the sampled gap. For order 2 its excess vanishes at the vertices, so that
-/// kappa t (1 - t) with kappa >= excess / (t (1 - t)) takes it off.
+/// The interpolant minus the gap on a facet, on every piece a polynomial and an error.
+class Excess
+{
+public:
+  Excess(const Vector& bernstein, const Samples& gap, EdgePieces& pieces) : gap_(gap), pieces_(pieces)
+  {
+    for (int i = 0; i < gap.rule.size(); ++i)
+      values_.push_back(valueAt(bernstein, gap.rule.point(i)[1]) - gap.values[std::size_t(i)]);
+  }
+
+  bool isRoundOff() const
+  {
+    const auto isSmall = [this](double value) { return std::abs(value) <= roundOff * gap_.scale; };
+    return std::all_of(values_.begin(), values_.end(), isSmall) &&
+           std::all_of(gap_.pieces.begin(), gap_.pieces.end(), [&](const auto& piece) { return isSmall(piece.error); });
+  }
+
+  /// An upper bound of what is left of it less kappa t (1 - t), 0 when that is nowhere positive but for round-off.
+  double left(double kappa) const
+  {
+    Vector rest = values_;
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      rest[i] -= kappa * gap_.rule.point(int(i))[0] * gap_.rule.point(int(i))[1];
+    double largest = 0.0;
+    for (const auto& piece : gap_.pieces)
+      largest = std::max(largest, pieces_.upperBound(*piece.rule, rest.data() + piece.first) +
+                                      EdgePieces::interpolationFactor(*piece.rule) * piece.error);
+    return largest <= roundOff * gap_.scale ? 0.0 : largest;
+  }
+
+  /// About the smallest kappa that leaves no more than a very large one.
+  double bubble() const
+  {
+    constexpr double veryLarge = 1024.0;
+    constexpr int halvings = 20;
+    double least = 0.0;
+    for (std::size_t i = 0; i < values_.size(); ++i)
+      least = std::max(least, values_[i] / (gap_.rule.point(int(i))[0] * gap_.rule.point(int(i))[1]));
+    double enough = veryLarge * least;
+    const double unavoidable = (1.0 + 1e-6) * left(enough);
+    for (int step = 0; step < halvings; ++step)
+      (left(0.5 * (least + enough)) <= unavoidable ? enough : least) = 0.5 * (least + enough);
+    return enough;
+  }
+
+private:
+  const Samples& gap_;
+  EdgePieces& pieces_;
+  Vector values_;
+};
+
+/// Lowers the interpolant below the gap: by a bubble for order 2, then by the constant that is still missing.
 void lower(Vector& bernstein, const Samples& gap, EdgePieces& pieces)
 {
-  Vector excess(gap.values.size());
-  double largest = 0.0;
-  for (std::size_t i = 0; i < excess.size(); ++i) {
-    excess[i] = valueAt(bernstein, gap.rule.point(int(i))[1]) - gap.values[i];
-    largest = std::max(largest, std::abs(excess[i]));
-  }
-  if (largest <= roundOff * gap.scale)
+  const Excess excess(bernstein, gap, pieces);
+  if (excess.isRoundOff())
     return;
-  const bool quadratic = bernstein.size() == 3;
-  for (std::size_t i = 0; quadratic && i < excess.size(); ++i)
-    excess[i] /= gap.rule.point(int(i))[0] * gap.rule.point(int(i))[1];
-  double bound = 0.0;
-  for (const auto& piece : gap.pieces)
-    bound = std::max(bound, pieces.upperBound(*piece.rule, excess.data() + piece.first));
-  if (quadratic)
-    bernstein[1] -= 0.5 * bound; // t (1 - t) is half the middle Bernstein polynomial
-  else
-    for (double& coefficient : bernstein)
-      coefficient -= bound;
+  const double kappa = bernstein.size() == 3 ? excess.bubble() : 0.0;
+  if (kappa > 0.0)
+    bernstein[1] -= 0.5 * kappa; // t (1 - t) is half the middle Bernstein polynomial
+  const double constant = excess.left(kappa);
+  for (double& coefficient : bernstein)
+    coefficient -= constant;
 }
 
 /// int g L_k on a facet.
@@ -70,63 +110,57 @@ Vector gapMoments(const Samples& gap, const MomentBasis& basis, double measure)
   return moments;
 }
 
-/// The gap at the nodes of every facet.
-std::vector<std::array<double, 3>> nodalGaps(const std::vector<const BodyModel*>& bodies,
-                                             const std::vector<ContactFacet>& facets, const FacetGap& gap)
+/// The gap at the nodes of a facet.
+std::array<double, 3> nodalGaps(const BodyModel& body, const ContactFacet& facet, const SampledFunction& gap)
 {
-  std::vector<std::array<double, 3>> all(facets.size());
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const BodyModel& body = *bodies[std::size_t(facets[f].dirichletBody)];
-    const auto nodes = contactNodes(body, facets[f], true);
-    for (std::size_t i = 0; i <= std::size_t(body.nodes.order); ++i)
-      all[f][i] = gap(int(f), body.nodes.point(nodes[i]));
-  }
-  return all;
+  std::array<double, 3> values{};
+  const auto nodes = contactNodes(body, facet, true);
+  for (std::size_t i = 0; i <= std::size_t(body.nodes.order); ++i)
+    values[i] = valueAt(gap, body.mesh.dim, body.nodes.point(nodes[i]));
+  return values;
 }
 
-/// The largest gap between two bodies: what round-off in their gap is relative to.
-using GapSizes = std::map<std::pair<int, int>, double>;
-
-GapSizes gapSizes(const std::vector<ContactFacet>& facets, const std::vector<std::array<double, 3>>& nodal)
+/// The ends of a facet, in the order of ContactFacet::nodes.
+DataSampler::Vertices endsOf(const BodyModel& body, const ContactFacet& facet)
 {
-  GapSizes sizes;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (const double g : nodal[f]) {
-      double& size = sizes[{facets[f].dirichletBody, facets[f].neumannBody}];
-      size = std::max(size, std::abs(g));
-    }
-  return sizes;
+  const auto nodes = contactNodes(body, facet, true);
+  return {body.nodes.point(nodes[0]), body.nodes.point(nodes[1]), nullptr, nullptr};
 }
 
 } // namespace
 
 GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets, int degree,
-                  const FacetGap& gap)
+                  const std::vector<FacetGap>& gaps)
 {
   GapBound bound;
   const MomentBasis basis = facetBasis(2, degree);
   EdgePieces pieces;
-  double uncertainty = 0.0;
-  const auto nodal = nodalGaps(bodies, facets, gap);
-  const GapSizes sizes = gapSizes(facets, nodal);
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const BodyModel& body = *bodies[std::size_t(facets[f].dirichletBody)];
-    const auto nodes = contactNodes(body, facets[f], true);
-    const std::array<const double*, 2> ends{body.nodes.point(nodes[0]), body.nodes.point(nodes[1])};
-    const Samples samples =
-        sampleAdaptively(1, ends.data(), 2, 1, sizes.at({facets[f].dirichletBody, facets[f].neumannBody}),
-                         [&](const double* x, double* g) { *g = gap(int(f), x); });
-    Vector bernstein = interpolant(body.nodes.order, nodal[f]);
-    lower(bernstein, samples, pieces);
-    const Vector moments = gapMoments(samples, basis, facets[f].measure);
-    bound.bernstein.insert(bound.bernstein.end(), bernstein.begin(), bernstein.end());
-    bound.moments.insert(bound.moments.end(), moments.begin(), moments.end());
-    uncertainty = std::max(uncertainty, samples.uncertainty);
+  std::size_t first = 0;
+  for (const FacetGap& gap : gaps) {
+    DataSampler sampler({gap.function}, 2);
+    const std::size_t end = first + std::size_t(gap.numFacets);
+    const auto ends = [&](std::size_t f) { return endsOf(*bodies[std::size_t(facets[f].dirichletBody)], facets[f]); };
+    const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
+      for (std::size_t f = first; f < end; ++f)
+        measure(1, ends(f));
+    });
+    Doubt doubt;
+    for (std::size_t f = first; f < end; ++f) {
+      const BodyModel& body = *bodies[std::size_t(facets[f].dirichletBody)];
+      const Samples samples = sampler.sample(1, ends(f), scale);
+      Vector bernstein = interpolant(body.nodes.order, nodalGaps(body, facets[f], gap.function));
+      lower(bernstein, samples, pieces);
+      const Vector moments = gapMoments(samples, basis, facets[f].measure);
+      bound.bernstein.insert(bound.bernstein.end(), bernstein.begin(), bernstein.end());
+      bound.moments.insert(bound.moments.end(), moments.begin(), moments.end());
+      int vertices[3];
+      facetVertices(body.mesh, facets[f].dirichlet, vertices);
+      doubt.add(samples, body.mesh, 1, vertices);
+    }
+    if (doubt)
+      bound.caveat += fmt::format("the integrals of the gap are not certain near {} ({}). ", doubt.place, doubt.size());
+    first = end;
   }
-  if (uncertainty > 0.0)
-    bound.caveat = fmt::format("the gap varies too abruptly inside a facet to be bounded with certainty (to {:.1g} of "
-                               "its size there). ",
-                               uncertainty);
   return bound;
 }
 

@@ -154,6 +154,7 @@ void LoadMoments::addRemainder(const LoadedSimplex& simplex, SimplexMoments& mom
   moments.rest = distance(simplex, fine_, all);
   if (isPiecewise_)
     moments.rest += distanceToPiecewise(simplex, {all.begin(), all.begin() + (dim_ + 1) * dim_}, dim_, dim_);
+  moments.rest += 2.0 * dim_ * simplex.samples.spread * std::sqrt(simplex.measure); // of the samples and of the data
   if (moments.rest <= small)
     moments.rest = 0.0;
   auto beyond = all;

@@ -2,12 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 
 #include <fmt/format.h>
 
+#include "doubt.hpp"
 #include "edge_pieces.hpp"
 #include "ndframe/mechanics/kernels.hpp"
+#include "prescribed_displacement.hpp"
 
 namespace ndframe
 {
@@ -16,66 +19,8 @@ namespace
 
 /// Data that differ from their interpolant by less, relative to their size, are the interpolant.
 constexpr double roundOff = 1e-12;
-
-/// The displacement that all supports of a facet prescribe together, as a vector along their directions.
-class PrescribedDisplacement
-{
-public:
-  PrescribedDisplacement(const BodyModel& body, std::vector<const Support*> supports)
-      : body_(body), supports_(std::move(supports))
-  {}
-
-  bool isConstant() const
-  {
-    return std::all_of(supports_.begin(), supports_.end(), [](const Support* s) { return s->isConstant(); });
-  }
-
-  void operator()(const double* x, double* u) const
-  {
-    const int dim = body_.mesh.dim;
-    ConstraintSet combined(dim, 1.0); // the reduction to orthonormal directions that nodes get
-    for (const Support* support : supports_) {
-      const auto directions = support->directions(body_.mesh);
-      for (std::size_t k = 0; k < directions.size(); ++k)
-        combined.add({0, directions[k], support->value(dim, int(k), x)});
-    }
-    const ConstraintSet::Node& node = combined.nodes().at(0);
-    std::fill_n(u, dim, 0.0);
-    for (std::size_t j = 0; j < std::size_t(node.count); ++j)
-      for (int i = 0; i < dim; ++i)
-        u[i] += node.value[j] * node.direction[j][std::size_t(i)];
-  }
-
-private:
-  const BodyModel& body_;
-  std::vector<const Support*> supports_;
-};
-
-/// The facets on which something varies, with what is prescribed there.
-std::vector<std::pair<Facet, PrescribedDisplacement>> varyingFacets(const BodyModel& body)
-{
-  const int perCell = body.mesh.dim + 1;
-  std::map<int, std::vector<const Support*>> supports;
-  for (const auto& support : body.supports)
-    for (const Facet facet : support->facets(body.mesh))
-      supports[facet.cell * perCell + facet.local].push_back(support.get());
-  std::vector<std::pair<Facet, PrescribedDisplacement>> facets;
-  for (const auto& [number, onFacet] : supports)
-    if (PrescribedDisplacement prescribed(body, onFacet); !prescribed.isConstant())
-      facets.emplace_back(Facet{number / perCell, number % perCell}, prescribed);
-  return facets;
-}
-
-/// Values of the prescribed displacement at a facet's nodes, node by node.
-Vector atNodes(const BodyModel& body, Facet facet, const PrescribedDisplacement& prescribed)
-{
-  int nodes[6];
-  facetNodes(body.nodes, facet, nodes);
-  Vector values(std::size_t(body.nodes.nodesPerFacet * body.mesh.dim));
-  for (int a = 0; a < body.nodes.nodesPerFacet; ++a)
-    prescribed(body.nodes.point(nodes[a]), values.data() + a * body.mesh.dim);
-  return values;
-}
+/// The same for values at the ends of pieces, to which polynomials through Gauss points extend round-off.
+constexpr double continuity = 1e-10;
 
 double largest(const Vector& values)
 {
@@ -144,48 +89,155 @@ double liftedEnergy(const BodyModel& body, Facet facet, const Samples& samples, 
   return energy;
 }
 
-Samples sampleFacet(const BodyModel& body, Facet facet, double size, const PrescribedDisplacement& prescribed)
+/// Where delta jumps its lift has no finite energy: the polynomials of neighbouring pieces have to meet, and delta has
+/// to vanish at the facet's ends, as its interpolant does for the facets beside.
+bool isContinuous(const Samples& samples, const Vector& delta, int dim, EdgePieces& pieces)
+{
+  auto sorted = samples.pieces;
+  std::sort(sorted.begin(), sorted.end(), [](const auto& a, const auto& b) {
+    return EdgePieces::ends(a)[0] + EdgePieces::ends(a)[1] < EdgePieces::ends(b)[0] + EdgePieces::ends(b)[1];
+  });
+  for (int i = 0; i < dim; ++i) {
+    double reached = 0.0, error = 0.0;
+    for (const auto& piece : sorted) {
+      auto values = pieces.endValues(*piece.rule, delta.data() + i * samples.rule.size() + piece.first);
+      if (const auto ends = EdgePieces::ends(piece); ends[0] > ends[1])
+        std::swap(values[0], values[1]);
+      const double missed = EdgePieces::interpolationFactor(*piece.rule) * piece.error;
+      if (std::abs(values[0] - reached) > error + missed + continuity * samples.scale)
+        return false;
+      reached = values[1];
+      error = missed;
+    }
+    if (std::abs(reached) > error + continuity * samples.scale)
+      return false;
+  }
+  return true;
+}
+
+/// A bound of |w| for what the polynomials on the pieces miss of delta: at most e and its slope e' there, times `gain`.
+/// |grad w| <= (|e| + |e'|) sum_v |grad lambda_v|, and the largest eigenvalue of K is below its trace in Mandel's form.
+double missedEnergy(const BodyModel& body, Facet facet, const Samples& samples, double gain)
+{
+  double points[6], gradLambda[6], square = 0.0, trace = 0.0;
+  cellPoints(body.mesh, facet.cell, points);
+  const double measure = barycentricGradients<2>(points, gradLambda);
+  const int* local = facetLocalNodes(2, 1, facet.local);
+  double gradients = 0.0;
+  for (int v = 0; v < 2; ++v)
+    gradients += std::hypot(gradLambda[2 * local[v]], gradLambda[2 * local[v] + 1]);
+  for (int i = 0; i < 3; ++i)
+    trace += (i < 2 ? 1.0 : 2.0) * body.law(i, i);
+  for (const auto& piece : samples.pieces) {
+    const double value = EdgePieces::interpolationFactor(*piece.rule) * piece.error, slope = piece.slopeError;
+    if (value + slope > 0.0)
+      square += piece.fraction * std::pow(value + slope / piece.fraction, 2);
+  }
+  return measure * trace * std::pow(gain * gradients, 2) * square;
+}
+
+DataSampler::Vertices verticesOf(const Mesh& mesh, Facet facet)
 {
   int vertices[3];
-  facetVertices(body.mesh, facet, vertices);
-  std::array<const double*, 3> points{};
-  for (std::size_t v = 0; v < std::size_t(body.mesh.dim); ++v)
-    points[v] = body.mesh.point(vertices[v]);
-  return sampleAdaptively(body.mesh.dim - 1, points.data(), body.mesh.dim, body.mesh.dim, size, prescribed);
+  facetVertices(mesh, facet, vertices);
+  DataSampler::Vertices points{};
+  for (std::size_t v = 0; v < std::size_t(mesh.dim); ++v)
+    points[v] = mesh.point(vertices[v]);
+  return points;
+}
+
+/// Replaces the functions' values at the samples by displacements.
+void toDisplacements(const PrescribedDisplacement& prescribed, int dim, Samples& samples)
+{
+  Vector u(std::size_t(samples.rule.size() * dim));
+  for (int q = 0; q < samples.rule.size(); ++q)
+    prescribed.displacement(samples.values.data() + std::size_t(q) * prescribed.functions().size(), u.data() + q * dim);
+  samples.values = std::move(u);
+}
+
+/// Adds up what the facets of one set of supports cost.
+class Charge
+{
+public:
+  explicit Charge(const BodyModel& body) : body_(body) {}
+
+  void add(const HeldFacets& held);
+  PrescribedCharge result() const;
+
+private:
+  void addFacet(Facet facet, const Samples& samples, const Vector& delta, double gain);
+
+  const BodyModel& body_;
+  std::map<int, double> norms_; ///< per cell: several of its facets may be prescribed
+  double uncharged_ = 0.0;
+  Doubt doubt_;
+  EdgePieces pieces_;
+};
+
+void Charge::add(const HeldFacets& held)
+{
+  const PrescribedDisplacement prescribed(body_, held.supports);
+  const int dim = body_.mesh.dim;
+  DataSampler sampler(prescribed.functions(), dim);
+  const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
+    for (const Facet facet : held.facets)
+      measure(dim - 1, verticesOf(body_.mesh, facet));
+  });
+  for (const Facet facet : held.facets) {
+    Samples samples = sampler.sample(dim - 1, verticesOf(body_.mesh, facet), scale);
+    int vertices[3];
+    facetVertices(body_.mesh, facet, vertices);
+    doubt_.add(samples, body_.mesh, dim - 1, vertices);
+    toDisplacements(prescribed, dim, samples);
+    addFacet(facet, samples, difference(body_, samples, prescribed.atNodes(facet)), prescribed.gain());
+  }
+}
+
+void Charge::addFacet(Facet facet, const Samples& samples, const Vector& delta, double gain)
+{
+  const double missed = samples.spread * gain;
+  if (largest(delta) + missed <= roundOff * samples.scale)
+    return;
+  if (body_.mesh.dim == 2 && !isContinuous(samples, delta, 2, pieces_))
+    norms_[facet.cell] = std::numeric_limits<double>::infinity();
+  else if (body_.mesh.dim == 2)
+    norms_[facet.cell] += std::sqrt(liftedEnergy(body_, facet, samples, delta, pieces_)) +
+                          std::sqrt(missedEnergy(body_, facet, samples, gain));
+  else
+    uncharged_ = std::max(uncharged_, largest(delta) + missed);
+}
+
+PrescribedCharge Charge::result() const
+{
+  PrescribedCharge result;
+  for (const auto& entry : norms_)
+    result.charge = std::hypot(result.charge, entry.second);
+  if (uncharged_ > 0.0)
+    result.caveat +=
+        fmt::format("the displacements prescribed on {} are met at nodes only (up to {:.2g} between them), "
+                    "which is charged in the plane only. ",
+                    body_.name, uncharged_);
+  if (doubt_)
+    result.caveat += fmt::format("the displacements prescribed on {} are not certain near {} ({}). ", body_.name,
+                                 doubt_.place, doubt_.size());
+  if (!std::isfinite(result.charge)) {
+    result.charge = 0.0;
+    result.caveat +=
+        fmt::format("the displacements prescribed on {} are not shown to be those of a field of finite energy "
+                    "(they jump, or their slope is not bounded). ",
+                    body_.name);
+  }
+  return result;
 }
 
 } // namespace
 
 PrescribedCharge chargePrescribed(const BodyModel& body)
 {
-  const auto facets = varyingFacets(body);
-  double size = 0.0, uncertainty = 0.0, uncharged = 0.0;
-  for (const auto& [facet, prescribed] : facets)
-    size = std::max(size, largest(atNodes(body, facet, prescribed)));
-  std::map<int, double> norms; // per cell: several of its facets may be prescribed
-  EdgePieces pieces;
-  for (const auto& [facet, prescribed] : facets) {
-    const Samples samples = sampleFacet(body, facet, size, prescribed);
-    const Vector delta = difference(body, samples, atNodes(body, facet, prescribed));
-    uncertainty = std::max(uncertainty, samples.uncertainty);
-    if (largest(delta) <= roundOff * samples.scale)
-      continue;
-    if (body.mesh.dim == 2)
-      norms[facet.cell] += std::sqrt(liftedEnergy(body, facet, samples, delta, pieces));
-    else
-      uncharged = std::max(uncharged, largest(delta));
-  }
-  PrescribedCharge result;
-  for (const auto& entry : norms)
-    result.charge = std::hypot(result.charge, entry.second);
-  if (uncharged > 0.0)
-    result.caveat +=
-        fmt::format("the displacements prescribed on {} are met at nodes only (up to {:.2g} between them), "
-                    "which is charged in the plane only. ",
-                    body.name, uncharged);
-  if (uncertainty > 0.0)
-    result.caveat += fmt::format("the displacements prescribed on {} vary too abruptly inside a facet. ", body.name);
-  return result;
+  Charge charge(body);
+  for (const auto& held : varyingFacets(body))
+    charge.add(held);
+  return charge.result();
 }
 
 } // namespace ndframe

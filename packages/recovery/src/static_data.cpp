@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "cell_form.hpp"
+#include "doubt.hpp"
 #include "load_moments.hpp"
 #include "oscillation.hpp"
 
@@ -128,16 +129,17 @@ void DataBuilder::addInCell(const LoadedSimplex& simplex)
 
 void DataBuilder::addLoad(const Load& load)
 {
-  double uncertainty = 0.0;
+  Doubt doubt;
   visitLoad(load, body_.mesh, [&](const LoadedSimplex& simplex) {
-    uncertainty = std::max(uncertainty, simplex.samples.uncertainty);
+    doubt.add(simplex.samples, body_.mesh, simplex.isCell ? body_.mesh.dim : body_.mesh.dim - 1,
+              simplex.vertices.data());
     simplex.isCell ? addInCell(simplex) : addOnFacet(simplex);
   });
-  if (uncertainty > 0.0)
+  if (doubt)
     data_.caveat +=
-        fmt::format("the {} of {} varies too abruptly inside a {} for its integrals to be certain (to {:.1g} "
-                    "of its size there); let its jumps fall on the mesh's edges. ",
-                    load.description(), body_.name, load.facets(body_.mesh) ? "facet" : "cell", uncertainty);
+        fmt::format("the integrals of the {} of {} are not certain near {} ({}); let its jumps and kinks fall "
+                    "on the mesh's edges, or on straight lines. ",
+                    load.description(), body_.name, doubt.place, doubt.size());
 }
 
 /// The stress tau with div tau = - (b - b_h) in a cell and tau n = p - p_h on its facets gives

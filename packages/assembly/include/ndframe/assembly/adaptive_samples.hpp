@@ -2,17 +2,20 @@
 
 #include <array>
 #include <functional>
+#include <memory>
 #include <vector>
 
+#include "ndframe/base/expression_tree.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
 namespace ndframe
 {
 
-/// A function on a simplex by its values where Gauss rules on pieces of the simplex integrate it.
+/// Functions on a simplex by their values where Gauss rules on pieces of the simplex integrate them.
 ///
-/// sum_i weights_i values_i P(lambda_i) is the mean value of f P for polynomials P of degree <= 4, to about
-/// 1e-13 of the function's scale (1e-12 next to a jump). Every integral of a load (load vector, moments, oscillation)
+/// On every piece each function is, to within the piece's `error`, a polynomial that the rule integrates exactly
+/// together with polynomials of degree <= 4 and with itself. So sum_i weights_i values_i P(lambda_i) is the mean value
+/// of f P to within `uncertainty` times scale max |P|. Every integral of a load (load vector, moments, oscillation)
 /// uses the same samples, so that they agree to round-off whatever the load.
 struct Samples
 {
@@ -22,28 +25,61 @@ struct Samples
     double fraction = 1.0;            ///< of the simplex's measure
     int first = 0;                    ///< its first point; its points follow each other
     const QuadratureRule* rule = nullptr;
+    /// Bound of |f - polynomial|, the largest of the functions; infinite when nothing is known.
+    double error = 0.0;
+    /// The same for the derivative along a piece of an edge, its length being 1.
+    double slopeError = 0.0;
   };
   std::vector<Piece> pieces;
   QuadratureRule rule;        ///< the points of all pieces, barycentric in the simplex; weights add up to 1
-  std::vector<double> values; ///< components per point
+  std::vector<double> values; ///< functions per point
   double scale = 0.0;         ///< largest value here or elsewhere: what is small is small against it
-  /// 0 when the rules settled; else what they leave uncertain of mean values, relative to the scale.
-  double uncertainty = 0.0;
+  double uncertainty = 0.0;   ///< bound of what mean values may be wrong by, relative to the scale
+  double spread = 0.0;        ///< bound of the root mean square of f - polynomials
+
+  /// Mean values and norms are right to 1e-10 of the scale, proven by enclosures.
+  bool areCertain() const { return uncertainty <= 1e-10; }
 };
 
-/// Fills `value` at a point of space.
-using PointFunction = std::function<void(const double* x, double* value)>;
+/// A function of the position, and what throws where its value is not finite (dim: of space).
+struct SampledFunction
+{
+  std::shared_ptr<const ExpressionTree> tree;
+  std::function<void(const double* x, int dim, double value)> refuse;
+};
 
-/// Rules of degree 6, 8, 12 and (not in tetrahedra) 18 are tried until the function at their points, and just inside
-/// the corners, is a polynomial that the rule integrates exactly; a piece on which none is good enough is bisected, the
-/// worst first, up to 128 pieces of an edge, 64 of a triangle, 4 of a tetrahedron. A jump inside an edge is resolved to
-/// round-off, one inside a triangle is not (uncertainty). The points are a test, not a proof: a peak between them stays
-/// unseen.
+/// Samples functions of the position on many simplices. Nothing is decided by looking at values: expressions are
+/// enclosed (expression_enclosure.hpp), so nothing between the points stays unseen.
 ///
-/// dim: of the simplex; vertices: dim + 1 points with `space` coordinates; f: `components` finite values.
-/// scale: the function's size elsewhere, which round-off is relative to (0 when unknown).
-Samples sampleAdaptively(int dim, const double* const* vertices, int space, int components, double scale,
-                         const PointFunction& f);
+/// Polynomials get one exact rule. Otherwise Gauss rules of degree 6, 8, 12 and (not in tetrahedra) 18 are tried; a
+/// simplex on which none is shown to be good enough is cut: where comparisons and kinks of affine functions change
+/// their sign, else across the function that varies most, the worst piece first. What is smaller than 1e-13 of the
+/// scale counts as settled. Limits: 2000 pieces a simplex, 400 000 cuts in all; what is left is the samples'
+/// uncertainty. A jump or kink along a curve inside a triangle is not resolved to the end.
+class DataSampler
+{
+public:
+  /// space: the number of coordinates of points.
+  DataSampler(std::vector<SampledFunction> functions, int space);
+  ~DataSampler();
+  DataSampler(const DataSampler&) = delete;
+  DataSampler& operator=(const DataSampler&) = delete;
+
+  /// Vertices of a simplex.
+  using Vertices = std::array<const double*, 4>;
+
+  /// A lower bound of the functions' largest absolute value on the simplices visited, most often within a factor 2:
+  /// what round-off is relative to. visit calls its argument with every simplex; their points stay where they are.
+  using Visit = std::function<void(int dim, const Vertices& vertices)>;
+  double scaleOn(const std::function<void(const Visit&)>& visit);
+
+  /// Samples on a simplex of dimension `dim`. scale: as from scaleOn.
+  Samples sample(int dim, const Vertices& vertices, double scale);
+
+private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
 
 /// The function that is constant on the simplex, by a rule of degree 2: exact for loads on elements of order 2.
 Samples sampleConstant(int dim, const std::vector<double>& value);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/fem/node_map.hpp"
 
@@ -22,6 +23,9 @@ struct NodeConstraint
   Direction direction;
   double value;
 };
+
+/// The expression of a key; a value that is not finite is the user's mistake.
+SampledFunction sampledFunction(const Params& params, const char* key);
 
 /// What a support or a load has in common: it stands in the deck and may name a side of its body.
 class SideCondition
@@ -39,8 +43,7 @@ public:
 protected:
   /// The side named by "Side"; check() has passed.
   const Side& side(const Mesh& mesh) const;
-  /// An expression's value at a point; a value that is not finite is the user's mistake.
-  double evaluate(const Expression& expression, const char* key, const double* point, int dim) const;
+  SampledFunction sampled(const char* key) const { return sampledFunction(params_, key); }
 
 private:
   Params params_;
@@ -53,30 +56,39 @@ public:
   using SideCondition::SideCondition;
   /// The directions, unit vectors.
   virtual std::vector<Direction> directions(const Mesh& mesh) const = 0;
-  /// The displacement along the k-th of them at a point of a body of dimension `dim`: a length.
-  virtual double value(int dim, int k, const double* point) const;
+  /// The displacements along them as functions of the position: lengths. Empty: all are zero.
+  virtual const std::vector<SampledFunction>& functions() const;
   /// The values are the same everywhere.
-  virtual bool isConstant() const { return true; }
+  bool isConstant() const;
 
   const std::vector<Facet>& facets(const Mesh& mesh) const { return side(mesh).facets; }
   /// The equations at all nodes of the side.
   std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const;
 };
 
-/// A force per area on the facets of a side, or a force per volume in all cells, given by its value at a point.
+/// A force per area on the facets of a side, or a force per volume in all cells, linear in functions of the position.
 class Load : public SideCondition
 {
 public:
   using SideCondition::SideCondition;
   /// The facets it acts on; null: it acts in all cells.
   const std::vector<Facet>* facets(const Mesh& mesh) const;
+  /// The functions of the position that it is made of in a body of dimension `dim`.
+  virtual std::vector<SampledFunction> functions(int dim) const = 0;
+  /// Fills q (dim components), linear in the functions' values; normal: the facet's outward normal, null in a cell.
+  /// |q| is at most dim times the largest value.
+  virtual void density(int dim, const double* values, const double* normal, double* q) const = 0;
   /// It has one value on a facet, or in all cells.
-  virtual bool isConstant() const = 0;
-  /// Fills q (dim components) at a point; normal: the facet's outward normal, null in a cell.
-  virtual void density(int dim, const double* point, const double* normal, double* q) const = 0;
+  bool isConstant(int dim) const;
   /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp).
   void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const;
 };
+
+/// All are constant.
+bool areConstant(const std::vector<SampledFunction>& functions);
+
+/// The value at a point of space (three coordinates are read only where the dimension has them).
+double valueAt(const SampledFunction& function, int dim, const double* point);
 
 /// "Clamp", "Roller", "Displacement".
 void registerSupports(Registry<Support>& registry);

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <vector>
+
+#include "ndframe/base/expression_tree.hpp"
+#include "ndframe/base/interval.hpp"
+
+namespace ndframe
+{
+
+/// The points that an enclosure is to hold for, as affine functions see them: everything between `points`, and the
+/// directions between `directions`.
+struct Region
+{
+  using Point = std::array<double, 3>;
+  std::vector<Point> points, directions;
+
+  /// A simplex, with the directions from its centroid to its points.
+  static Region simplex(const std::vector<Point>& vertices);
+  /// A box of the given middle and half width, with the directions of at most `step` along each axis. dim: of space.
+  static Region box(int dim, const Point& middle, double halfWidth, double step);
+};
+
+/// What is known of an expression f on a region.
+///
+/// distance(m) bounds |f - q| on the region for a polynomial q of degree m: by Taylor's theorem about its middle c,
+///
+///   |f(x) - sum_{k < n} D^k f(c)[x - c, ...] / k!|  <=  sup |D^n f(y)[v, ...]| / n!   over points y and directions v,
+///
+/// enclosed by interval arithmetic on truncated Taylor series (Moore 1966). Where f has a kink only n = 1 is bounded,
+/// by its Lipschitz constant; where it may jump only n = 0, by the radius of its range. Infinite: nothing is known.
+struct Enclosure
+{
+  static constexpr int order = 10; ///< the highest derivative
+
+  Interval range;
+  std::array<double, order + 1> remainder{}; ///< by n; n = 0: the radius of the range
+  /// An affine function that changes its sign inside, where the expression switches: the region should be cut there.
+  std::optional<AffineFunction> cut;
+
+  double distance(int degree) const;
+};
+
+/// Encloses an expression on a region. A comparison of affine functions that touch only at the region's boundary (to
+/// 1e-13) counts as decided: the enclosure holds almost everywhere. only: all features but this one (its place in the
+/// tree) keep their value in the middle; -1: all vary.
+Enclosure enclose(const ExpressionTree& tree, const Region& region, int only = -1);
+
+/// The range of an affine function on a region.
+Interval rangeOf(const AffineFunction& f, const Region& region);
+
+} // namespace ndframe
