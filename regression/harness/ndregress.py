@@ -116,7 +116,8 @@ def conclude(results, work, options):
 
 
 def carry_out(options, root):
-    cases = choose(read_cases(options.cases), options.names, options.label)
+    # Runs have folders of their own, where relative names would mean something else.
+    cases = choose(read_cases(options.cases.resolve()), options.names, options.label)
     if options.list:
         show_list(cases)
         return 0

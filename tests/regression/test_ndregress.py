@@ -1,6 +1,7 @@
 """ndregress with a program that does as its deck says: test_ndregress.py REGRESSION."""
 
 import json
+import os
 import pathlib
 import sys
 import textwrap
@@ -166,6 +167,15 @@ class Regression(Called):
         self.case("wrong", energy=2.0)
         code, screen, _ = self.call("--list")
         self.assertEqual((code, screen), (0, "wrong  What wrong protects.  [fast]\n1 cases\n"))
+
+    def test_a_relative_folder_of_cases_counts_from_the_working_directory(self):
+        self.case("one")
+        here = os.getcwd()
+        self.addCleanup(os.chdir, here)
+        os.chdir(self.folder)
+        self.cases = self.cases.relative_to(self.folder)
+        code, screen, _ = self.call()
+        self.assertEqual(code, 0, screen)
 
     def test_every_number_of_ranks_is_a_run(self):
         self.case("both", np=[1, 2])
