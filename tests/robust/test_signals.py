@@ -1,6 +1,7 @@
 """A run that is killed, in the solve or while it writes, leaves no file that could be taken for a result."""
 
 import os
+import re
 import signal
 
 from robust import PROGRAM, PUNCH, RoughWorld, cells, main, nicely, on_ranks, wait_for_line, wait_until
@@ -13,10 +14,11 @@ LONG_WRITE = (*cells(40), "--set", "Output/Steps=All Sweeps", "--set", "Coupling
 
 class Signals(RoughWorld):
     def killed_at(self, line, number):
+        """The exit code, and the last words of the run."""
         process = self.start(PROGRAM, "-i", PUNCH, *cells(60), preexec_fn=nicely)
         self.assertTrue(wait_for_line(process, line))
         process.send_signal(number)
-        return process.wait(timeout=60)
+        return process.wait(timeout=60), process.stderr.read()
 
     def killed_while_writing(self, number):
         """The exit code of a run that got the signal while an unfinished file was there."""
@@ -29,9 +31,12 @@ class Signals(RoughWorld):
         return self.fail("a run was never caught writing")
 
     def test_the_solve_ends_by_the_signal(self):
-        for number in (signal.SIGTERM, signal.SIGINT, signal.SIGHUP):
-            self.assertEqual(self.killed_at(HEADER, number), -number)
-        self.assertEqual(self.killed_at(SWEEPS, signal.SIGTERM), -signal.SIGTERM)
+        for number, cause in ((signal.SIGTERM, "ended by SIGTERM"), (signal.SIGHUP, "ended by SIGHUP"),
+                              (signal.SIGINT, "interrupted by Ctrl-C (SIGINT)")):
+            code, words = self.killed_at(HEADER, number)
+            self.assertEqual(code, -number)
+            self.assertRegex(words, rf'^{re.escape(cause)}.*; this run has written no file\.\n$')
+        self.assertEqual(self.killed_at(SWEEPS, signal.SIGTERM)[0], -signal.SIGTERM)
         self.assertEqual(self.files(), [])
 
     def test_unfinished_files_are_removed(self):

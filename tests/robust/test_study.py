@@ -25,10 +25,13 @@ class Studies(RoughWorld):
         self.assertTrue(wait_until(written, process), "the study ended before it was caught")
         process.send_signal(number)
         self.assertEqual(process.wait(timeout=60), -number)
+        return process.stderr.read()
 
     def test_that_is_killed_leaves_the_cases_it_has_solved(self):
         for number in (signal.SIGTERM, signal.SIGKILL):
-            self.killed_after_two_cases(number)
+            words = self.killed_after_two_cases(number)
+            if number != signal.SIGKILL:
+                self.assertIn(f"complete files of this run: {PARTIAL}.", words)
             rows = self.rows(PARTIAL)
             self.assertLess(len(rows), 20)
             self.assertEqual([row["case"] for row in rows], [str(k + 1) for k in range(len(rows))])

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/memory.hpp"
 #include "serial_openmp.hpp"
 
 namespace ndframe
@@ -19,17 +20,28 @@ namespace
 /// (length over height)^-3 only; those of singular ones were measured up to 5e-13 with 250 000 dofs.
 constexpr double smallestPivot = 1e-12;
 
-[[noreturn]] void failCholmod(const cholmod_common& common, int numKept)
+/// In bytes: the factor, and T and S of the interface's Schur complement.
+double neededMemory(const cholmod_factor& factor, int numKept)
 {
-  if (common.status != CHOLMOD_OUT_OF_MEMORY && common.status != CHOLMOD_TOO_LARGE)
-    throw InternalError(fmt::format("CHOLMOD failed with status {}", common.status));
+  return 8.0 * double(factor.xsize) + 16.0 * double(numKept) * numKept;
+}
+
+[[noreturn]] void failForMemory(const cholmod_common& common, int numKept, const std::string& more = {})
+{
   std::string size;
   if (common.lnz > 0) // negative before the analysis has counted it
     size = fmt::format(": it takes {:.1f} GB, {:.1f} GB of it for the {} nodes on the interface", 8e-9 * common.lnz,
                        4e-9 * double(numKept) * numKept, numKept);
-  throw InputError(fmt::format("The Cholesky factor does not fit into memory{}; use Krylov as linear solver or a "
+  throw InputError(fmt::format("The Cholesky factor does not fit into memory{}{}; use Krylov as linear solver or a "
                                "coarser mesh.",
-                               size));
+                               size, more));
+}
+
+[[noreturn]] void failCholmod(const cholmod_common& common, int numKept)
+{
+  if (common.status != CHOLMOD_OUT_OF_MEMORY && common.status != CHOLMOD_TOO_LARGE)
+    throw InternalError(fmt::format("CHOLMOD failed with status {}", common.status));
+  failForMemory(common, numKept);
 }
 
 } // namespace
@@ -78,6 +90,9 @@ CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKep
     cholmod_sparse view = viewOf(A);
     analyse(view, std::move(order));
     numNonzeros_ = std::int64_t(common_.lnz);
+    // Else it would take what there is until the system ends some process.
+    if (const MemoryLeft left = memoryLeft(); neededMemory(*factor_, numKept_) > double(left.bytes))
+      failForMemory(common_, numKept_, ", and " + left.text() + " is left");
     const SerialOpenMp serial;
     cholmod_factorize(&view, factor_, &common_);
     if (common_.status < CHOLMOD_OK)

@@ -1,12 +1,13 @@
 #include "ndframe/algebra/comm.hpp"
 
-#include <array>
 #include <cstdlib>
 #include <limits>
 
+#include <fmt/format.h>
 #include <mpi.h>
 
 #include "krylov_module.hpp"
+#include "ndframe/algebra/launcher.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -15,22 +16,12 @@ namespace ndframe
 namespace
 {
 
-/// How many processes the launcher started; 1 without a launcher.
-int launchedProcesses()
-{
-  constexpr std::array<const char*, 2> variables = {"OMPI_COMM_WORLD_SIZE", "PMI_SIZE"};
-  for (const char* variable : variables)
-    if (const char* value = std::getenv(variable))
-      return std::atoi(value);
-  return 1;
-}
-
 void initMpi(int* argc, char*** argv)
 {
   if (mpiIsRunning())
     return;
   // Alone, Open MPI would spend 0.2 s looking for networks; what the user has set goes first.
-  if (launchedProcesses() <= 1) {
+  if (!launcherOfThisProcess().mayHaveStartedMore()) {
     setenv("OMPI_MCA_pml", "ob1", 0);
     setenv("OMPI_MCA_btl", "self", 0);
   }
@@ -48,12 +39,19 @@ int mpiCount(std::size_t n)
 
 Comm Comm::world(int& argc, char**& argv)
 {
-  if (launchedProcesses() <= 1)
+  const Launcher launcher = launcherOfThisProcess();
+  if (!launcher.mayHaveStartedMore())
     return single();
   initMpi(&argc, &argv);
   int rank = 0, size = 1;
   MPI_Comm_rank(MPI_COMM_WORLD, &rank);
   MPI_Comm_size(MPI_COMM_WORLD, &size);
+  if (size == 1 && launcher.size > 1)
+    throw InputError(fmt::format(
+        "{} processes were started ({}), but this program's MPI joins only 1 of them: each would compute and write the "
+        "same. Start them with the mpirun of the MPI that ndframe was built with, or with srun --mpi=pmix; for runs "
+        "that have nothing to do with each other unset {}.",
+        launcher.size, launcher.sizeVariable, launcher.sizeVariable));
   return Comm(rank, size);
 }
 

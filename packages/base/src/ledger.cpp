@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "ndframe/base/log.hpp"
+#include "ndframe/base/progress.hpp"
 
 namespace ndframe
 {
@@ -47,6 +48,7 @@ Ledger::Timer::Timer(Ledger& ledger, std::string name) : ledger_(ledger), name_(
 {
   const std::lock_guard<std::mutex> lock(ledger_.mutex_);
   resetHighWaterMark();
+  noteStage(name_);
   if (ledger_.live_)
     ledger_.live_->startLive(name_);
 }
@@ -56,6 +58,7 @@ Ledger::Timer::~Timer()
   const std::lock_guard<std::mutex> lock(ledger_.mutex_);
   if (ledger_.live_)
     ledger_.live_->stopLive();
+  noteStage({});
   auto& stages = ledger_.stages_;
   auto stage = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == name_; });
   if (stage == stages.end())

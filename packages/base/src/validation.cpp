@@ -1,10 +1,13 @@
 #include <algorithm>
 #include <stdexcept>
+#include <utility>
 
 #include <Teuchos_ParameterList.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "checked_value.hpp"
+#include "ndframe/base/help.hpp"
 #include "ndframe/base/params.hpp"
 #include "params_node.hpp"
 #include "spec_view.hpp"
@@ -71,6 +74,14 @@ bool isReplacedBySetting(const DeckList& given, const ListSpec& spec)
   return type != nullptr && isSetting(*type);
 }
 
+/// True for a list that settings alone have made.
+bool isMadeBySettings(const DeckList& list)
+{
+  return std::all_of(list.entries.begin(), list.entries.end(), isSetting) &&
+         std::all_of(list.lists.begin(), list.lists.end(), isMadeBySettings) &&
+         !(list.entries.empty() && list.lists.empty());
+}
+
 /// Walks deck and specification together and collects what does not fit.
 class Validator
 {
@@ -116,7 +127,34 @@ private:
     if (spec.each)
       for (const auto& named : given.lists)
         if (context.view.findList(named.name) == nullptr)
-          node->lists.push_back(list(named, *spec.each, joinPath(path, named.name)));
+          node->lists.push_back(namedList(named, given, *spec.each, path));
+    return node;
+  }
+
+  /// A list with a name of the user's. One that settings make and that lacks something was often meant to be another.
+  std::shared_ptr<const Params::Node> namedList(const DeckList& named, const DeckList& siblings, const ListSpec& spec,
+                                                const std::string& path)
+  {
+    const Diagnostics before = std::exchange(diagnostics_, {});
+    auto node = list(named, spec, joinPath(path, named.name));
+    const Diagnostics found = std::exchange(diagnostics_, before);
+    std::vector<std::string> names;
+    for (const auto& sibling : siblings.lists)
+      if (!isMadeBySettings(sibling))
+        names.push_back(sibling.name);
+    if (found.empty() || names.empty() || !isMadeBySettings(named)) {
+      diagnostics_.append(found);
+      return node;
+    }
+    const std::string near = nearestName(named.name, names);
+    const std::string refusal = fmt::format("{} is not in the deck", inQuotes(named.name));
+    if (!near.empty()) {
+      mistake(named.file, named.line, path, refusal + "; did you mean " + inQuotes(near) + "?");
+      return node;
+    }
+    mistake(named.file, named.line, path,
+            refusal + fmt::format(" ({}), and lacks something to be a new one:", fmt::join(names, ", ")));
+    diagnostics_.append(found);
     return node;
   }
 

@@ -58,12 +58,19 @@ Range plainFileName()
           [](const Value& value) { return std::get<std::string>(value).find('/') == std::string::npos; }};
 }
 
+Range someFolder()
+{
+  return {"a folder; \".\" is the working directory",
+          [](const Value& value) { return !std::get<std::string>(value).empty(); }};
+}
+
 ListSpec outputSpec()
 {
   ListSpec list =
       makeList("Output", "What is written, and where. Files appear under their final name only when complete.");
   list.params = {
-      {"Directory", std::string("."), "Folder of the results, relative to the working directory; made if missing."},
+      {"Directory", std::string("."), someFolder(),
+       "Folder of the results, relative to the working directory; made if missing."},
       {"Name", std::string(""), plainFileName(),
        "Beginning of the file names; empty: the deck's file name without its ending."},
       {"Exodus", true, "Write NAME.e for ParaView."},

@@ -3,8 +3,11 @@
 #include <malloc.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <iostream>
 #include <limits>
+#include <optional>
+#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -14,6 +17,7 @@
 #include "command_line.hpp"
 #include "error_screen.hpp"
 #include "failures.hpp"
+#include "ndframe/algebra/launcher.hpp"
 #include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/help.hpp"
@@ -174,7 +178,7 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
     log.line(planText(deck, components, comm));
     return ExitCode::Right;
   }
-  checkOutputFolder(deck);
+  checkOutput(deck, options.deck);
   claimLibraryMemory();
   if (options.check) {
     Ledger ledger(&log);
@@ -210,13 +214,36 @@ ExitCode checkScreen(ExitCode code, const Comm& comm)
   return code == ExitCode::Right ? ExitCode::UserInput : code;
 }
 
+/// True where a line that is drawn and erased again disturbs nobody: on a terminal that knows how to, and not below a
+/// launcher, which gives its processes terminals and writes what they say to files.
+bool showsLiveLines(const Comm& comm)
+{
+  const char *const noColour = std::getenv("NO_COLOR"), *const terminal = std::getenv("TERM");
+  const bool isPlain =
+      (noColour != nullptr && *noColour != '\0') || terminal == nullptr || std::string_view(terminal) == "dumb";
+  return comm.size() == 1 && !launcherOfThisProcess().present && !isPlain && isatty(STDOUT_FILENO) != 0;
+}
+
+/// The processes of this run; none where they cannot be joined, which the first of them says.
+std::optional<Comm> joinProcesses(int& argc, char**& argv)
+{
+  try {
+    return Comm::world(argc, argv);
+  } catch (const InputError& error) {
+    if (launcherOfThisProcess().rank == 0)
+      std::cerr << error.what() << "\n";
+    finishMpi();
+    return std::nullopt;
+  }
+}
+
 /// All that the command line asks for.
 ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& extend, const Comm& comm,
               bool& computed)
 {
   const Verbosity verbosity =
       options.quiet ? Verbosity::Quiet : (options.verbose ? Verbosity::Verbose : Verbosity::Normal);
-  const Log log(std::cout, verbosity, comm.rank() == 0, isatty(STDOUT_FILENO) != 0);
+  const Log log(std::cout, verbosity, comm.rank() == 0, showsLiveLines(comm));
   const auto components = makeComponents(extend);
   std::ostream nobody(nullptr);
   if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))
@@ -230,7 +257,10 @@ int runMain(int argc, char** argv, const Extension& extend)
 {
   keepFreedMemory();
   prepareProcess();
-  const Comm comm = Comm::world(argc, argv);
+  const std::optional<Comm> joined = joinProcesses(argc, argv);
+  if (!joined)
+    return int(ExitCode::UserInput);
+  const Comm& comm = *joined;
   CommandLine options;
   CLI::App app("Certified unilateral contact between elastic bodies by Neumann-Dirichlet domain decomposition.",
                "ndframe");

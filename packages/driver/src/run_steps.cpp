@@ -150,6 +150,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   if (tools.coupling->roles() == Roles::Automatic)
     giveOneRole(model, deck, diagnostics);
   checkHeld(model, deck, diagnostics);
+  checkFieldNames(model, deck, diagnostics);
   checkRecovery(deck, tools.components, model.bodies.front().mesh.dim, diagnostics);
   checkExpectationNames(outlineSummary(model, deck, *tools.solver, 1), deck, diagnostics);
   refuseWarnings(model, deck, diagnostics);

@@ -7,6 +7,7 @@
 #include <future>
 #include <iostream>
 #include <memory>
+#include <string>
 #include <system_error>
 #include <thread>
 
@@ -14,7 +15,9 @@
 #include <poll.h>
 #include <unistd.h>
 
+#include "ndframe/algebra/launcher.hpp"
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/base/progress.hpp"
 #include "ndframe/base/scratch.hpp"
 
 namespace ndframe
@@ -37,12 +40,28 @@ sigset_t endingSignals()
   return signals;
 }
 
+/// What was interrupted and what is there, from the first process only. With a write of its own: std::cerr may be in
+/// the hands of a thread that does not let go of it.
+void speakLast(int number)
+{
+  if (launcherOfThisProcess().rank != 0)
+    return;
+  const std::string newLine = isatty(STDERR_FILENO) != 0 ? "\n" : ""; // after "^C"
+  const std::string cause = number == SIGINT    ? "interrupted by Ctrl-C (SIGINT)"
+                            : number == SIGTERM ? "ended by SIGTERM"
+                                                : "ended by SIGHUP, the terminal has gone";
+  const std::string text = newLine + lastWords(cause) + "\n";
+  if (write(STDERR_FILENO, text.data(), text.size()) < 0)
+    return; // nobody reads it
+}
+
 [[noreturn]] void endByOneOf(const sigset_t& signals)
 {
   int number = 0;
   while (sigwait(&signals, &number) != 0)
     ;
   removeScratch();
+  speakLast(number);
   std::signal(number, SIG_DFL);
   raise(number); // to this thread, where it waits until it is let in
   pthread_sigmask(SIG_UNBLOCK, &signals, nullptr);

@@ -9,6 +9,7 @@
 
 #include "accuracy_screen.hpp"
 #include "failures.hpp"
+#include "ndframe/base/progress.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "outputs.hpp"
 #include "summarize.hpp"
@@ -149,6 +150,7 @@ ExitCode StudyRunner::check(const Log& log)
 ExitCode StudyRunner::run(const Log& log, bool& computed)
 {
   const double start = wallSeconds();
+  checkNameLength(study_.cases.front().deck.sub("Output"), study_.fileName);
   if (!study_.columns.empty())
     checkColumns();
   const std::string stem =
@@ -170,6 +172,7 @@ ExitCode StudyRunner::run(const Log& log, bool& computed)
   std::error_code ignored;
   if (comm_.rank() == 0)
     std::filesystem::remove(partial, ignored);
+  noteRemoved(partial);
   log.line(fmt::format("\n  {}\n  wrote {}.study.csv   {:.2f} s, {:.0f} MB", studyTotal(rows_), stem,
                        wallSeconds() - start, double(peakMemory()) / 1e6));
   return code;

@@ -15,6 +15,7 @@
 #include <unistd.h>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/progress.hpp"
 #include "ndframe/base/scratch.hpp"
 
 namespace ndframe
@@ -107,6 +108,7 @@ std::int64_t writeAtomically(const std::string& path, const std::function<void(c
     write(temporary.path().string());
     const auto bytes = std::int64_t(fs::file_size(temporary.path()));
     fs::rename(temporary.path(), target);
+    noteWritten(path);
     return bytes;
   } catch (const InputError&) {
     throw;
@@ -120,6 +122,12 @@ std::int64_t writeAtomically(const std::string& path, const std::function<void(c
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text)
 {
   return writeAtomically(path, [&](const std::string& temporaryPath) { writeText(temporaryPath, text); });
+}
+
+std::size_t longestFileName()
+{
+  constexpr std::size_t longestProcessNumber = 10;
+  return NAME_MAX - temporaryPrefix("").size() - longestProcessNumber - 4; // ".tmp"
 }
 
 void removeEarlier(const std::string& path)

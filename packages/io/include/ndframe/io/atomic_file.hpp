@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <string>
@@ -19,6 +20,9 @@ std::int64_t writeAtomically(const std::string& path,
 
 /// The same for a text.
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text);
+
+/// Characters that the name of a file may have, its temporary name included.
+std::size_t longestFileName();
 
 /// Removes the file that a writer would have replaced, and what a killed writer left of it. Without one it does
 /// nothing; InputError when there is one that cannot be removed.

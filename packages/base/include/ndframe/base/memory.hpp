@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+
+namespace ndframe
+{
+
+/// Memory that this process can still take.
+struct MemoryLeft
+{
+  std::int64_t bytes = 0; ///< the largest number where nobody tells
+  std::string limit;      ///< who sets it: "the machine", "the container (cgroup)", "ulimit -v", "ulimit -d"
+
+  /// "7.9 GB (the machine)"
+  std::string text() const;
+};
+
+/// The least of what is free on the machine without swapping (MemAvailable), what the control groups of this process
+/// (versions 1 and 2, all levels) leave, files that they can drop taken as free, and what its own limits leave. `root`:
+/// where /proc and /sys are looked for; the limits are then left out.
+MemoryLeft memoryLeft(const std::string& root = "");
+
+} // namespace ndframe
