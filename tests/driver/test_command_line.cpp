@@ -2,9 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cstdlib>
 #include <filesystem>
+#include <regex>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
+#include <sys/wait.h>
 
 #include "driver/program_folder.hpp"
 
@@ -169,6 +173,60 @@ TEST_F(Program, NeedsTheKrylovModuleOnlyWhereADeckAsksForIt)
   EXPECT_EQ(copyCall({"--check", shippedDeck("punch")}).exitCode, 0);
   EXPECT_EQ(copyCall({"--help", "Krylov"}).exitCode, 0);
   EXPECT_EQ(copyCall({"--reference"}).out, contentsOf(NDFRAME_REFERENCE));
+}
+
+TEST_F(Program, RefusesNamesThatNoFileCanHaveBeforeItSolves)
+{
+  for (const std::size_t length : {220, 240, 251, 5000}) {
+    const auto result = punch({"Output/Name=" + std::string(length, 'n')});
+    EXPECT_EQ(result.exitCode, 2) << length;
+    EXPECT_THAT(result.err, AllOf(HasSubstr(fmt::format("Output: the files' names would begin with {} char", length)),
+                                  HasSubstr("give a shorter Name"), HasSubstr("nothing was computed")));
+    EXPECT_THAT(result.out, Not(HasSubstr("eps_tau")));
+  }
+  for (const std::string& folder : {std::string(256, 'f'), "a/" + std::string(300, 'f') + "/b"})
+    EXPECT_THAT(punch({"Output/Directory=" + folder}).err,
+                HasSubstr("Directory is longer than the system lets a folder's path be"));
+  const std::string deck = path(std::string(230, 'd') + ".xml");
+  writeFile(deck, contentsOf(shippedDeck("punch")));
+  EXPECT_THAT(call({"-i", deck}).err, HasSubstr("would begin with 230 characters"));
+  std::filesystem::remove(deck);
+  EXPECT_THAT(files(), IsEmpty());
+  EXPECT_EQ(punch({"Output/Name=" + std::string(100, 'n')}).exitCode, 0);
+}
+
+TEST_F(Program, RefusesNamesOfBodiesAndInterfacesThatNoFieldCanHaveBeforeItSolves)
+{
+  for (const char* name : {"upper", "contact"})
+    for (const std::size_t length : {240, 260}) {
+      writeFile(path("long.xml"), std::regex_replace(contentsOf(shippedDeck("patch")),
+                                                     std::regex(std::string("([\"/])") + name + "([\"/])"),
+                                                     "$1" + std::string(length, name[0]) + "$2"));
+      const auto result = call({"-i", path("long.xml")});
+      EXPECT_EQ(result.exitCode, length < 256 ? 0 : 2) << result.err;
+      if (length < 256)
+        continue;
+      EXPECT_THAT(result.err, AllOf(HasSubstr("characters in the Exodus file, which takes 256; shorten it"),
+                                    HasSubstr("1 error; nothing was computed.")));
+      EXPECT_THAT(result.out, Not(HasSubstr("eps_tau")));
+      EXPECT_EQ(call({"-i", path("long.xml"), "--set", "Output/Exodus=false"}).exitCode, 0);
+    }
+}
+
+TEST_F(Program, SaysWhenTheWorkingDirectoryIsGone)
+{
+  const auto inGone = [this](const std::string& arguments) {
+    const std::string gone = path("gone"), err = path("err");
+    const std::string script = "mkdir " + gone + "; cd " + gone + "; rmdir " + gone + "; " + NDFRAME_PROGRAM +
+                               " -q -i " + shippedDeck("punch") + arguments + " 2> " + err;
+    const int status = std::system(script.c_str());
+    return std::pair(WEXITSTATUS(status), contentsOf(err));
+  };
+  const auto [code, message] = inGone("");
+  EXPECT_EQ(code, 2);
+  EXPECT_THAT(message, HasSubstr("Output: the working directory does not exist any more"));
+  EXPECT_EQ(inGone(" --set Output/Directory=" + path("there")).first, 0);
+  EXPECT_TRUE(std::filesystem::exists(path("there/punch.e")));
 }
 
 TEST_F(Program, ListsAllComponents)

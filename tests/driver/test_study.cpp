@@ -124,6 +124,31 @@ TEST_F(StudyProgram, GivesEveryCaseTheNumbersOfARunOfItsOwn)
   }
 }
 
+TEST_F(StudyProgram, RefusesTheSameAxisTwice)
+{
+  const auto twice = study({"Coupling/Stopping/Tolerance=0.1; 0.01", " Coupling / Stopping/Tolerance =0.2; 0.3"});
+  EXPECT_EQ(twice.exitCode, 2);
+  EXPECT_THAT(twice.err, HasSubstr("--study: Coupling/Stopping/Tolerance is given twice; write all its values in one, "
+                                   "with \";\" between them."));
+  const auto joined = study({"Coupling/Stopping/Tolerance=0.1; 0.01 && Coupling/Stopping/Tolerance=0.2; 0.3"});
+  EXPECT_EQ(joined.exitCode, 2);
+  EXPECT_THAT(joined.err, HasSubstr("varies along another axis already"));
+}
+
+TEST_F(StudyProgram, RefusesAxesThatDoNothing)
+{
+  const std::string idle = "all its values give the same results; leave it out, or vary something that this deck uses.";
+  for (const char* axis : {"Coupling/Relaxation/Theta=0.4; 0.40", "Title=one; two", "Output/Steps=Final; All Sweeps"}) {
+    const auto result = study({"Bodies/punch/Material/Young Modulus=1; 2", axis});
+    EXPECT_EQ(result.exitCode, 2) << axis;
+    EXPECT_THAT(result.err, HasSubstr(idle)) << axis;
+  }
+  EXPECT_EQ(study({"Output/Steps=Final; All Sweeps"}, {"--set", "Study/Files=true"}).exitCode, 0);
+  const auto alone =
+      runProgram({"-i", shippedDeck("beam-3d"), "--study", "Coupling/Relaxation/Theta=0.4; 0.5"}, folder().file("."));
+  EXPECT_THAT(alone.err, HasSubstr(idle)) << "the deck has no interface";
+}
+
 TEST_F(StudyProgram, GoesOnAfterACaseThatFailsAndEndsWithTheGravestExitCode)
 {
   const auto result = study({"Coupling/Stopping/Maximum Sweeps=2; 50", "Bodies/punch/Loads/press/Side=roof; top"});

@@ -23,6 +23,12 @@ double limit(const Params& list, const char* key, double unit)
   return list.has(key) ? unit * list.get<double>(key) : std::numeric_limits<double>::infinity();
 }
 
+/// Who writes 10 means 10 %.
+Range share()
+{
+  return {"(0, 1); 0.1 is 10 %", inOpenRange(0.0, 1.0).contains};
+}
+
 } // namespace
 
 const Names<AccuracyOf>& accuracyOfNames()
@@ -67,7 +73,7 @@ ListSpec accuracySpec(const Components& components)
              "their part is small, until the bound is below the target. In two dimensions.";
   list.onlyIfGiven = true;
   list.params = {
-      ParamSpec::optional("Target", Kind::Double, inOpenRange(0.0, 1.0),
+      ParamSpec::optional("Target", Kind::Double, share(),
                           "The bound over the energy norm of the solution: 0.01 is 1 %."),
       ParamSpec::optional("Absolute Target", Kind::Double, above(0.0),
                           "The bound itself, in the energy norm (root of an energy); instead of Target."),

@@ -6,6 +6,7 @@
 #include <set>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "accuracy_options.hpp"
 
@@ -34,6 +35,12 @@ std::vector<std::string> partsOf(const std::string& text, const std::string& sep
   }
   parts.push_back(trimmed(text.substr(begin)));
   return parts;
+}
+
+/// A path without the blanks that settings may have around names.
+std::string plainPath(const std::string& path)
+{
+  return fmt::format("{}", fmt::join(partsOf(path, "/"), "/"));
 }
 
 template <class Items>
@@ -70,7 +77,7 @@ void refuseRepeated(const std::vector<StudyAxis>& axes, Diagnostics& diagnostics
   std::set<std::string> seen;
   for (const auto& axis : axes)
     for (const auto& parameter : axis.parameters)
-      if (!seen.insert(parameter.path).second)
+      if (!seen.insert(plainPath(parameter.path)).second)
         diagnostics.add({parameter.file, parameter.line, "Study/" + axis.name,
                          fmt::format("{} varies along another axis already; leave it out of one.", parameter.path)});
 }
@@ -133,15 +140,54 @@ StudyCase makeCase(const Study& study, DeckList deck, std::int64_t number, const
   return {std::move(values), validate(deck, spec, diagnostics)};
 }
 
-/// Replaces the values of a parameter that an axis moves already; false if none does.
-bool replaceValues(DeckList& study, const DeckEntry& entry)
+/// Replaces the values of a parameter that an axis of the deck moves already; false if none does.
+bool replaceValues(DeckList& study, const DeckEntry& entry, Diagnostics& diagnostics)
 {
   for (auto& axis : study.lists)
-    if (const auto found = findNamed(axis.entries, entry.name); found != axis.entries.end()) {
-      *found = entry;
-      return true;
-    }
+    for (auto& present : axis.entries)
+      if (plainPath(present.name) == plainPath(entry.name)) {
+        if (present.file == entry.file)
+          diagnostics.add({"--study",
+                           0,
+                           {},
+                           fmt::format("{} is given twice; write all its values in one, with \";\" between them.",
+                                       plainPath(entry.name))});
+        present = entry;
+        return true;
+      }
   return false;
+}
+
+/// What decides about the results of a case: all of its deck but what only names them.
+std::string decisiveText(const Study& study, const Params& deck)
+{
+  const bool touches = !deck.sub("Interfaces").subs().empty();
+  std::string text;
+  if (study.writesFiles) {
+    const std::string name = deck.sub("Output").get<std::string>("Name");
+    text = toXml(deck.sub("Output"));
+    text.erase(text.find(name), name.size()); // every case has its own
+  }
+  for (const Params& list : deck.subs())
+    if (list.name() != "Output" && (touches || list.name() != "Coupling"))
+      text += toXml(list);
+  return text;
+}
+
+/// An axis along which nothing changes solves the same thing again and again.
+void refuseIdle(const Study& study, Diagnostics& diagnostics)
+{
+  std::size_t stride = study.cases.size();
+  for (const auto& axis : study.axes) {
+    stride /= axis.size();
+    std::set<std::string> different;
+    for (std::size_t point = 0; point < axis.size(); ++point)
+      different.insert(decisiveText(study, study.cases[point * stride].deck));
+    const auto& place = axis.parameters.front();
+    if (axis.size() > 1 && different.size() == 1)
+      diagnostics.add({place.file, place.line, "Study/" + axis.name,
+                       "all its values give the same results; leave it out, or vary something that this deck uses."});
+  }
 }
 
 } // namespace
@@ -184,7 +230,7 @@ void addAxis(DeckList& deck, const std::string& axis, Diagnostics& diagnostics)
       continue;
     }
     const DeckEntry entry{trimmed(part.substr(0, equals)), {}, part.substr(equals + 1), "--study", 0};
-    if (!replaceValues(study, entry))
+    if (!replaceValues(study, entry, diagnostics))
       added.entries.push_back(entry);
   }
   if (added.entries.empty())
@@ -223,6 +269,8 @@ Study expandStudy(const DeckList& deck, const std::string& deckName, const ListS
       if (said.insert(mistake.text()).second)
         diagnostics.add(mistake);
   }
+  if (said.empty())
+    refuseIdle(study, diagnostics);
   return study;
 }
 
