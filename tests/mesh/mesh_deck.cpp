@@ -49,6 +49,10 @@ std::string integer(const std::string& key, const std::string& value)
 {
   return entry(key, "int", value);
 }
+std::string boolean(const std::string& key, const std::string& value)
+{
+  return entry(key, "bool", value);
+}
 std::string list(const std::string& name, const std::string& entries)
 {
   return fmt::format("<ParameterList name=\"{}\">\n{}</ParameterList>\n", name, entries);

@@ -15,6 +15,7 @@ std::string strings(const std::string& key, const std::string& values);
 std::string text(const std::string& key, const std::string& value);
 std::string number(const std::string& key, const std::string& value);
 std::string integer(const std::string& key, const std::string& value);
+std::string boolean(const std::string& key, const std::string& value);
 std::string list(const std::string& name, const std::string& entries);
 
 /// What the list with these entries ("Type" among them) makes. InputError goes through.

@@ -4,9 +4,11 @@
 #include <cstdio>
 #include <cstdlib>
 #include <fstream>
+#include <functional>
 #include <stdexcept>
 #include <string>
 #include <thread>
+#include <vector>
 
 #include <gmock/gmock.h>
 #include <unistd.h>
@@ -39,6 +41,28 @@ TEST(ChildProcess, CrashIsAMessageHere)
             "the library");
       },
       ThrowsMessage<FileError>(HasSubstr("the library crashed on this file (signal 9)")));
+}
+
+TEST(ChildProcess, StartsThreadsButNoProgramWhereItMayNot)
+{
+  ChildLimits limits;
+  limits.mayStartPrograms = false;
+  const auto withThread = [] {
+    std::string text;
+    std::thread([&] { text = "done"; }).join();
+    return text;
+  };
+  EXPECT_EQ(runInChild(withThread, "it", limits), "done");
+  const std::vector<std::function<void()>> ways{[] { fork(); }, [] { std::fclose(popen("true", "r")); },
+                                                [] { execl("/bin/true", "true", static_cast<char*>(nullptr)); },
+                                                [] { std::thread([] { fork(); }).join(); }};
+  for (const auto& way : ways)
+    try {
+      runInChild([&] { return way(), std::string(); }, "it", limits);
+      ADD_FAILURE();
+    } catch (const ChildFailure& failure) {
+      EXPECT_EQ(failure.kind(), ChildFailure::Kind::StartsProgram);
+    }
 }
 
 TEST(ChildProcess, ExitIsNoCrashAndRunsNoHandlerOfTheParent)

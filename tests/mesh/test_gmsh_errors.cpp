@@ -152,6 +152,8 @@ TEST(GmshErrors, SizeFactorIsForScripts)
   EXPECT_THAT(messageFor(header, number("Mesh Size Factor", "0")), HasSubstr("Mesh Size Factor"));
   EXPECT_THAT(messageFor(header, integer("Maximum Seconds", "2")),
               HasSubstr("this key changes how a .geo file is meshed"));
+  EXPECT_THAT(messageFor(header, boolean("Allow Commands", "true")),
+              HasSubstr("this key changes how a .geo file is meshed"));
 }
 
 TEST(GmshErrors, ScriptsReportGmshsOwnMessage)
@@ -192,6 +194,31 @@ TEST(GmshErrors, ScriptsThatEndGmshAreNamed)
 {
   EXPECT_THAT(messageOf(gmsh(scratchFile("exit.geo", square + "Exit;\n"))),
               HasSubstr("the script ended gmsh before it had a mesh"));
+}
+
+TEST(GmshErrors, ScriptsStartProgramsOnlyIfTheDeckAllowsIt)
+{
+  const std::string mark = scratchPath("mark"), touch = "touch " + mark;
+  const std::string harmless = scratchFile("square.geo", square);
+  for (const std::string& line : {"SystemCall \"" + touch + "\";", "NonBlockingSystemCall \"" + touch + "\";",
+                                  "For i In {1:1}\n SystemCall StrCat(\"tou\", \"ch " + mark + "\");\nEndFor",
+                                  "OnelabRun(\"solver\", \"" + touch + "\");",
+                                  "Macro hidden\n SystemCall \"" + touch + "\";\nReturn\nCall hidden;"})
+  {
+    const std::string script = scratchFile("command.geo", square + line + "\n");
+    std::filesystem::remove(mark);
+    EXPECT_THAT(messageOf(gmsh(script)),
+                AllOf(HasSubstr("command.geo: the script starts another program"),
+                      HasSubstr("if you trust it, set \"Allow Commands\" = true, or mesh the script beforehand")))
+        << line;
+    EXPECT_FALSE(std::filesystem::exists(mark)) << line;
+  }
+  const std::string script = scratchFile("command.geo", square + "SystemCall \"" + touch + "\";\n");
+  EXPECT_NEAR(volume(readMesh(gmsh(script, boolean("Allow Commands", "true")))), 1.0, 1e-12);
+  EXPECT_TRUE(std::filesystem::exists(mark));
+  const std::string including = scratchFile("including.geo", "Include \"" + script + "\";\n");
+  EXPECT_THAT(messageOf(gmsh(including)), HasSubstr("starts another program"));
+  EXPECT_NEAR(volume(readMesh(gmsh(harmless))), 1.0, 1e-12);
 }
 
 TEST(GmshErrors, ScriptsThatAskGetTheirDefaults)

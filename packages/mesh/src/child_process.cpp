@@ -19,6 +19,8 @@
 
 #include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/memory.hpp"
+#include "no_programs.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)
 #define NDFRAME_HAS_ADDRESS_SANITIZER 1 // its shadow memory does not fit under a limit
@@ -41,7 +43,8 @@ enum class Verdict : char
 };
 
 // The status of a child that ends without an answer; the sanitizers have other ones.
-constexpr int exitedStatus = 99;   // its library called exit()
+constexpr int exitedStatus = 99; // its library called exit()
+constexpr int unwatchedStatus = 97;
 constexpr int noMemoryStatus = 98; // at once: the exception of a library's own thread would be a crash
 
 void endWithoutMemory()
@@ -145,6 +148,8 @@ void prepareChild(ChildLimits limits, pid_t parent)
     std::ifstream("/proc/self/statm") >> pages;
     lower(RLIMIT_AS, rlim_t(pages * sysconf(_SC_PAGESIZE) + limits.extraBytes));
   }
+  if (!limits.mayStartPrograms && !forbidPrograms())
+    _exit(unwatchedStatus);
 }
 
 std::string answerOf(const std::function<std::string()>& work)
@@ -177,6 +182,11 @@ int waitFor(pid_t child)
   const int exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   if (signal == SIGXCPU)
     throw ChildFailure(Kind::OutOfTime, fmt::format("{} did not come to an end on this file; it is damaged.", library));
+  if (signal == SIGSYS)
+    throw ChildFailure(Kind::StartsProgram, fmt::format("{} tried to start another program.", library));
+  if (exitStatus == unwatchedStatus)
+    throw ChildFailure(Kind::Unwatched,
+                       fmt::format("this system has no way to keep {} from starting programs.", library));
   if (exitStatus == noMemoryStatus)
     throw ChildFailure(Kind::OutOfMemory, fmt::format("{} asks for more memory than the process may take.", library));
   if (exitStatus == exitedStatus)
@@ -204,12 +214,8 @@ std::string resultOf(const std::string& answer, int status, const std::string& l
 
 std::int64_t freeMemory()
 {
-  std::ifstream lines("/proc/meminfo");
-  std::string name, unit;
-  for (std::int64_t kilobytes = 0; lines >> name >> kilobytes && std::getline(lines, unit);)
-    if (name == "MemAvailable:")
-      return kilobytes << 10;
-  return 0;
+  const MemoryLeft left = memoryLeft();
+  return left.limit.empty() ? 0 : left.bytes;
 }
 
 std::string runInChild(const std::function<std::string()>& work, const std::string& library, ChildLimits limits)

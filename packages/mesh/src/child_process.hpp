@@ -15,9 +15,10 @@ struct ChildLimits
   std::int64_t extraBytes = 0; ///< memory beyond what the parent has at the start; 0: no limit
   int cpuSeconds = 0;          ///< 0: no limit
   int wallSeconds = 0;         ///< for children that wait, which takes no processor time; 0: no limit; at most 2e6
+  bool mayStartPrograms = true;
 };
 
-/// Bytes that processes can still take before the machine has to swap; 0 where the system does not tell.
+/// Bytes that this process and its children can still take (memoryLeft()); 0 where the system does not tell.
 std::int64_t freeMemory();
 
 /// A child process ended without an answer.
@@ -30,7 +31,9 @@ public:
     Waits,     ///< it takes none and does not end
     OutOfMemory,
     Exited, ///< the library ended its process
-    Crashed
+    Crashed,
+    StartsProgram, ///< one that may not
+    Unwatched      ///< it may start no program, and the system offers no way to see to that
   };
 
   ChildFailure(Kind kind, const std::string& message) : FileError(message), kind_(kind) {}

@@ -20,7 +20,7 @@ class Gmsh final : public MeshSource
 public:
   explicit Gmsh(const Params& params) : params_(params), path_(params.file("File"))
   {
-    for (const char* key : {"Mesh Size Factor", "Maximum Seconds"})
+    for (const char* key : {"Mesh Size Factor", "Maximum Seconds", "Allow Commands"})
       if (params_.isGiven(key) && !isScript())
         throw InputError(params_.mistake(key, "this key changes how a .geo file is meshed; File names a mesh."));
   }
@@ -52,7 +52,8 @@ private:
   std::string meshed() const
   {
     const int seconds = params_.get<int>("Maximum Seconds");
-    const ChildLimits limits{freeMemory(), seconds, 20 * std::min(seconds, 100'000)};
+    const ChildLimits limits{freeMemory(), seconds, 20 * std::min(seconds, 100'000),
+                             params_.get<bool>("Allow Commands")};
     return meshGeoFile(path_, params_.get<double>("Mesh Size Factor"), limits);
   }
 
@@ -77,7 +78,11 @@ void registerGmsh(Registry<MeshSource>& registry)
         "cells if there are no such groups."},
        {"Mesh Size Factor", 1.0, above(0.0), "Multiplies the mesh sizes of a .geo script."},
        {"Maximum Seconds", 300, atLeast(1),
-        "Processor time that gmsh may take for a .geo script. A million triangles take about half a minute."}},
+        "Processor time that gmsh may take for a .geo script. A million triangles take about half a minute."},
+       {"Allow Commands", false,
+        "Let a .geo script start other programs (SystemCall, OnelabRun and the like); else it is refused when it "
+        "tries. "
+        "Scripts that are meshed again (Refinement Remesh) may only if all of them may."}},
       [](const Params& params) { return std::make_unique<Gmsh>(params); });
 }
 

@@ -51,6 +51,14 @@ std::string gmshAdvice(const ChildFailure& failure, ChildLimits limits)
     return fmt::format("gmsh asks for more memory than is free. Look for too small mesh sizes; if it needs more, {} on "
                        "a larger machine.",
                        beforehand);
+  case Kind::StartsProgram:
+    return fmt::format("the script starts another program (SystemCall, OnelabRun or the like). Look at what it starts; "
+                       "if you trust it, set \"Allow Commands\" = true, or {}.",
+                       beforehand);
+  case Kind::Unwatched:
+    return fmt::format("this system has no way to keep a script from starting programs (seccomp). If you trust it, set "
+                       "\"Allow Commands\" = true, or {}.",
+                       beforehand);
   case Kind::Exited:
     return "the script ended gmsh before it had a mesh; is there an Exit in it?";
   default:

@@ -120,8 +120,10 @@ void makeMeshes(const std::vector<MeshScript>& scripts, const std::vector<Matchi
 ChildLimits limitsFor(const std::vector<MeshScript>& scripts)
 {
   ChildLimits limits{freeMemory(), 0, 0};
-  for (const MeshScript& script : scripts)
+  for (const MeshScript& script : scripts) {
     limits.cpuSeconds += script.maximumSeconds;
+    limits.mayStartPrograms = limits.mayStartPrograms && script.list.get<bool>("Allow Commands");
+  }
   limits.wallSeconds = 20 * std::min(limits.cpuSeconds, 100'000);
   return limits;
 }
