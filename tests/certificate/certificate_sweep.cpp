@@ -19,7 +19,8 @@ bool searchViolations(const SweepOptions& options)
   std::ofstream table(options.folder + "/sweep.csv");
   table << titleRow();
   for (int i = options.first; i < options.first + options.scenes; ++i) {
-    trials.push_back(runTrial(drawScene(options.seed, i), i, options.folder, options.keep));
+    const DrawnScene scene = options.needles ? drawNeedleScene(options.seed, i) : drawScene(options.seed, i);
+    trials.push_back(runTrial(scene, i, options.folder, options.keep));
     table << row(trials.back()) << std::flush;
     for (const auto& violation : trials.back().violations)
       fmt::print("scene {} ({}): {}\n", i, trials.back().kind, violation);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <map>
+#include <optional>
 #include <string>
 
 #include "certificate/deck_text.hpp"
@@ -10,6 +11,12 @@
 namespace ndframe::test
 {
 
+/// The resultant of the first body's loads along its last axis, in closed form, and that of their absolute values.
+struct ExpectedLoad
+{
+  double resultant = 0.0, size = 0.0;
+};
+
 /// A deck, its mesh files, and the words under which its results are grouped.
 struct DrawnScene
 {
@@ -18,6 +25,7 @@ struct DrawnScene
   DeckText deck;
   std::map<std::string, std::string> files; ///< contents by name, in the deck's folder
   std::string kind;
+  std::optional<ExpectedLoad> load;
 };
 
 /// How all bodies of a scene are meshed.
@@ -54,5 +62,9 @@ DrawnScene drawLinearScene(int dim, Draw& draw);
 
 /// Scene `index` of a sweep.
 DrawnScene drawScene(std::uint64_t seed, int index);
+
+/// Scene `index` of the sweep for data narrower than the mesh: as pressure, traction, body force, gap and prescribed
+/// displacement; two bodies, one body, one in space; some with a target.
+DrawnScene drawNeedleScene(std::uint64_t seed, int index);
 
 } // namespace ndframe::test

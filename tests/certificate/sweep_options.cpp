@@ -20,6 +20,7 @@ SweepOptions readOptions(int argc, char** argv)
       {"--folder", [&](const std::string& value) { options.folder = value; }},
       {"--finest", [&](const std::string& value) { options.finest = std::stoi(value); }}};
   const std::map<std::string, bool SweepOptions::*> flags{{"--keep", &SweepOptions::keep},
+                                                          {"--needles", &SweepOptions::needles},
                                                           {"--sharpness", &SweepOptions::sharpness}};
   try {
     for (int i = 1; i < argc; ++i)
@@ -30,9 +31,9 @@ SweepOptions readOptions(int argc, char** argv)
       else
         throw std::invalid_argument("value");
   } catch (const std::exception&) {
-    std::fputs(
-        "certificate_sweep [--scenes N] [--seed S] [--first N] [--folder F] [--keep] [--sharpness [--finest N]]\n",
-        stderr);
+    std::fputs("certificate_sweep [--scenes N] [--seed S] [--first N] [--folder F] [--keep] [--needles] [--sharpness "
+               "[--finest N]]\n",
+               stderr);
     std::exit(2);
   }
   std::filesystem::create_directories(options.folder);

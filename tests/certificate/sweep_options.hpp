@@ -14,10 +14,12 @@ struct SweepOptions
   std::string folder = "certificate-sweep"; ///< decks of violations, the table
   bool keep = false;                        ///< keep all decks
   bool sharpness = false;                   ///< measure effectivities instead of looking for violations
+  bool needles = false;                     ///< scenes whose data are narrower than the mesh
   int finest = 24;                          ///< cells a side of the sharpness scenes, at most
 };
 
-/// --scenes N --seed S --first N --folder F --keep --sharpness --finest N. Anything else ends the program with code 2.
+/// --scenes N --seed S --first N --folder F --keep --needles --sharpness --finest N. Anything else ends the program
+/// with code 2.
 SweepOptions readOptions(int argc, char** argv);
 
 } // namespace ndframe::test

@@ -28,7 +28,18 @@ bool isKnownLimit(const std::string& reason)
   return false;
 }
 
-void fill(Trial& trial, const std::string& deck)
+/// What a bound that is guaranteed may have wrong: loads that were missed.
+void judgeLoad(Trial& trial, const Run& run, const ExpectedLoad& load)
+{
+  constexpr double resultants = 1e-9;
+  const double found = run.summary.bodies.front().loadForce.back();
+  const double wrong = std::abs(found - load.resultant) / load.size;
+  if (trial.errors.guaranteed && !(wrong <= resultants))
+    trial.violations.push_back(
+        fmt::format("guaranteed with the load {} instead of {}, wrong by {:.1e}", found, load.resultant, wrong));
+}
+
+void fill(Trial& trial, const std::string& deck, const DrawnScene& scene)
 {
   try {
     const Run run = runDeckFile(deck);
@@ -45,6 +56,8 @@ void fill(Trial& trial, const std::string& deck)
     trial.errors = *run.summary.errors;
     trial.violations = judge(trial.errors, std::max(leastRoundOff, 10.0 * run.summary.residuals.equilibrium));
     trial.excused = !trial.errors.guaranteed && isKnownLimit(trial.errors.reason);
+    if (scene.load)
+      judgeLoad(trial, run, *scene.load);
     if (!trial.errors.guaranteed && !trial.excused)
       trial.violations.push_back("not guaranteed: " + trial.errors.reason);
   } catch (const InputError& error) {
@@ -80,14 +93,14 @@ Trial runTrial(const DrawnScene& scene, int index, const std::string& folder, bo
   Trial trial;
   trial.index = index;
   trial.kind = scene.kind;
-  fill(trial, writeScene(scene, place));
+  fill(trial, writeScene(scene, place), scene);
   if (!trial.violations.empty()) {
     // The reference is a finite element solution, which penetrates between its nodes: it misses what the proof asks of
     // the true one by what vanishes with h. A violation is one if a reference four times finer still shows it.
     trial.violations.clear();
     DrawnScene finer = scene;
     finer.deck.set("Error Estimation/Reference/Refinements", 5);
-    fill(trial, writeScene(finer, place));
+    fill(trial, writeScene(finer, place), finer);
   }
   if (trial.violations.empty() && !keep)
     std::filesystem::remove_all(place);

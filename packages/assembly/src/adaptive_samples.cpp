@@ -14,7 +14,7 @@ namespace
 {
 
 constexpr double agreement = 1e-13;  ///< what functions may miss of polynomials, relative to their scale
-constexpr double negligible = 1e-15; ///< the same, times the share of the simplex where they miss it
+constexpr double negligible = 1e-14; ///< the same, times the share of the simplex where they miss it
 constexpr int mostPieces = 2000;
 constexpr int mostSearched = 4000; ///< pieces looked at for the largest value
 
@@ -28,6 +28,20 @@ double sizeAt(const std::vector<SampledFunction>& functions, const Region::Point
       size = std::max(size, std::abs(value));
   }
   return size;
+}
+
+/// Widens a box, by its corners, to a point.
+void widen(std::vector<Region::Point>& corners, const double* x, int space)
+{
+  if (corners.empty()) {
+    Region::Point first{};
+    std::copy_n(x, space, first.begin());
+    corners.assign(std::size_t(1) << space, first);
+  }
+  for (std::size_t corner = 0; corner < corners.size(); ++corner)
+    for (std::size_t k = 0; k < std::size_t(space); ++k)
+      corners[corner][k] =
+          (corner >> k) % 2 == 0 ? std::min(corners[corner][k], x[k]) : std::max(corners[corner][k], x[k]);
 }
 
 /// What functions are, to be shown by their enclosures, on a slab with one of the rules.
@@ -102,11 +116,14 @@ void append(const SimplexGeometry& geometry, const std::vector<SampledFunction>&
 {
   const QuadratureRule& rule = *piece.rule;
   const auto count = std::size_t(rule.size());
-  std::vector<Region::Point> points;
+  std::vector<Region::Point> points(count);
   double lambda[4];
   for (int q = 0; q < rule.size(); ++q) {
-    geometry.locate(piece, rule.point(q), lambda);
-    points.push_back(geometry.place(lambda));
+    if (piece.fraction == 1.0)
+      std::copy_n(rule.point(q), geometry.dim() + 1, lambda);
+    else
+      geometry.locate(piece, rule.point(q), lambda);
+    points[std::size_t(q)] = geometry.place(lambda);
     samples.rule.lambda.insert(samples.rule.lambda.end(), lambda, lambda + geometry.dim() + 1);
     samples.rule.weights.push_back(piece.fraction * rule.weights[std::size_t(q)]);
   }
@@ -164,7 +181,7 @@ public:
   std::vector<SampledFunction> functions_;
   DataEnclosures data_;
   int space_;
-  int cutsLeft_ = 400000;
+  int cutsLeft_ = 100000;
 };
 
 double DataSampler::Implementation::scaleOn(const std::function<void(const Visit&)>& visit)
@@ -174,11 +191,15 @@ double DataSampler::Implementation::scaleOn(const std::function<void(const Visit
     const double share = 1.0 / (simplex.dim() + 1), lambda[4] = {share, share, share, share};
     return simplex.place(lambda);
   };
+  std::vector<Region::Point> corners; // of the box around all
   visit([&](int dim, const Vertices& vertices) {
-    found = std::max(found, sizeAt(functions_, centroid(geometry(dim, vertices))));
+    const Region::Point x = centroid(geometry(dim, vertices));
+    found = std::max(found, sizeAt(functions_, x));
+    for (int v = 0; v <= dim; ++v)
+      widen(corners, vertices[std::size_t(v)], space_);
   });
   std::vector<std::pair<SimplexGeometry, Samples::Piece>> candidates;
-  if (!data_.arePolynomials())
+  if (!data_.arePolynomials() && data_.largestBetween(corners) > 2.0 * found)
     visit([&](int dim, const Vertices& vertices) {
       const SimplexGeometry simplex = geometry(dim, vertices);
       if (data_.largestAround(simplex) > 2.0 * found)
@@ -194,7 +215,7 @@ double DataSampler::Implementation::searched(std::vector<std::pair<SimplexGeomet
   using Entry = std::pair<double, std::size_t>;
   std::vector<Entry> open;
   for (std::size_t i = 0; i < candidates.size(); ++i)
-    open.emplace_back(data_.largestOn(candidates[i].first, candidates[i].second), i);
+    open.emplace_back(data_.largestBetween(candidates[i].first.corners(candidates[i].second)), i);
   std::make_heap(open.begin(), open.end());
   for (int step = 0; step < mostSearched && !open.empty() && open.front().first > 2.0 * found; ++step) {
     std::pop_heap(open.begin(), open.end());
@@ -207,7 +228,7 @@ double DataSampler::Implementation::searched(std::vector<std::pair<SimplexGeomet
           middle[k] += corner[k] / (simplex.dim() + 1);
       found = std::max(found, sizeAt(functions_, middle));
       candidates.emplace_back(simplex, half);
-      open.emplace_back(data_.largestOn(simplex, half), candidates.size() - 1);
+      open.emplace_back(data_.largestBetween(simplex.corners(half)), candidates.size() - 1);
       std::push_heap(open.begin(), open.end());
     }
   }

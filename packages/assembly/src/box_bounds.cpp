@@ -17,10 +17,15 @@ const Enclosure& BoxBounds::around(const Region::Point& centroid, double radius)
     cell[k] = std::int64_t(std::clamp(number, -9e18, 9e18));
     middle[k] = (number + 0.5) * width;
   }
-  const auto [place, isNew] = boxes_.try_emplace({level, cell[0], cell[1], cell[2]});
+  const Place place{level, cell[0], cell[1], cell[2]};
+  if (ofLast_ != nullptr && place == last_)
+    return *ofLast_;
+  const auto [found, isNew] = boxes_.try_emplace(place);
   if (isNew)
-    place->second = enclose(tree_, Region::box(space_, middle, 0.5 * width + largest, largest));
-  return place->second;
+    found->second = enclose(tree_, Region::box(space_, middle, 0.5 * width + largest, largest));
+  last_ = place;
+  ofLast_ = &found->second;
+  return *ofLast_;
 }
 
 } // namespace ndframe

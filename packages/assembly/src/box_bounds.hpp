@@ -23,7 +23,10 @@ public:
 private:
   const ExpressionTree& tree_;
   int space_;
-  std::map<std::tuple<int, std::int64_t, std::int64_t, std::int64_t>, Enclosure> boxes_; ///< by level and cell
+  using Place = std::tuple<int, std::int64_t, std::int64_t, std::int64_t>; ///< level and cell
+  std::map<Place, Enclosure> boxes_;
+  Place last_{}; ///< neighbours follow each other
+  const Enclosure* ofLast_ = nullptr;
 };
 
 } // namespace ndframe

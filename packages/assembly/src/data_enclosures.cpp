@@ -85,10 +85,10 @@ double DataEnclosures::largestAround(const SimplexGeometry& simplex)
   return largest;
 }
 
-double DataEnclosures::largestOn(const SimplexGeometry& simplex, const Samples::Piece& piece) const
+double DataEnclosures::largestBetween(const std::vector<Region::Point>& corners) const
 {
   double largest = 0.0;
-  const Region region = Region::simplex(simplex.corners(piece));
+  const Region region = Region::simplex(corners);
   for (const auto* tree : trees_)
     largest = std::max(largest, enclose(*tree, region).range.magnitude());
   return largest;

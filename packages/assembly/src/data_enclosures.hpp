@@ -21,8 +21,8 @@ public:
   std::vector<Enclosure> on(int dim, const std::vector<Region::Point>& corners, bool isWhole, double enough);
   /// An upper bound of the functions' absolute values on a simplex, by the tree of boxes.
   double largestAround(const SimplexGeometry& simplex);
-  /// The same on a piece, by the piece itself.
-  double largestOn(const SimplexGeometry& simplex, const Samples::Piece& piece) const;
+  /// The same between corners, by the region itself.
+  double largestBetween(const std::vector<Region::Point>& corners) const;
   /// Where to cut a region on which a function misses polynomials by `error`: the affine function in it that explains
   /// most of this alone, less its value in the middle. Nothing when none explains a tenth.
   std::optional<AffineFunction> steepest(int dim, const std::vector<Region::Point>& corners, std::size_t function,

@@ -11,57 +11,45 @@ namespace
 /// What a load may differ from its polynomial by, relative to its size, and still be that polynomial.
 constexpr double roundOff = 1e-12;
 
-/// The barycentric coordinates of a sample for the simplex's vertices in ascending order.
-void sortCoordinates(const LoadedSimplex& simplex, int point, double* lambda)
+/// Where the simplex's vertices stand in ascending order.
+std::array<int, 4> ascendingPlaces(const LoadedSimplex& simplex)
 {
-  const QuadratureRule& rule = simplex.samples.rule;
-  for (int v = 0; v <= rule.dim; ++v) {
-    const auto first = simplex.vertices.begin();
-    const int vertex = simplex.vertices[std::size_t(v)];
-    lambda[std::count_if(first, first + rule.dim + 1, [vertex](int w) { return w < vertex; })] = rule.point(point)[v];
-  }
-}
-
-/// Calls visit(lambda, m, w q) at the samples, m the values of the basis.
-template <class Visit>
-void visitSamples(const LoadedSimplex& simplex, const MomentBasis& basis, int components, const Visit& visit)
-{
-  std::vector<double> m(std::size_t(basis.size()));
-  double lambda[4] = {}, q[3] = {};
-  for (int g = 0; g < simplex.samples.rule.size(); ++g) {
-    sortCoordinates(simplex, g, lambda);
-    basis.values(lambda, m.data());
-    for (int i = 0; i < components; ++i)
-      q[i] = simplex.measure * simplex.samples.rule.weights[std::size_t(g)] *
-             simplex.samples.values[std::size_t(g * components + i)];
-    visit(lambda, m, q);
-  }
+  const int count = simplex.samples.rule.dim + 1;
+  std::array<int, 4> places{};
+  for (int v = 0; v < count; ++v)
+    places[std::size_t(v)] = int(std::count_if(simplex.vertices.begin(), simplex.vertices.begin() + count,
+                                               [&](int w) { return w < simplex.vertices[std::size_t(v)]; }));
+  return places;
 }
 
 /// int phi_a q m_k per vertex, mode and component.
-std::vector<double> hatMoments(const LoadedSimplex& simplex, const MomentBasis& basis, int components)
+std::vector<double> hatMoments(const LoadedSimplex& simplex, const BasisSamples& at, int components)
 {
-  const auto vertices = std::size_t(basis.dim() + 1), modes = std::size_t(basis.size()), size = std::size_t(components);
+  const auto vertices = std::size_t(at.dim + 1), modes = std::size_t(at.modes), size = std::size_t(components);
   std::vector<double> moments(vertices * modes * size, 0.0);
-  visitSamples(simplex, basis, components, [&](const double* lambda, const std::vector<double>& m, const double* q) {
+  for (std::size_t g = 0; g < std::size_t(simplex.samples.rule.size()); ++g) {
+    const double weight = simplex.measure * simplex.samples.rule.weights[g];
     for (std::size_t a = 0; a < vertices; ++a)
-      for (std::size_t k = 0; k < modes; ++k)
+      for (std::size_t k = 0; k < modes; ++k) {
+        const double factor = weight * at.lambda[g * vertices + a] * at.values[g * modes + k];
         for (std::size_t i = 0; i < size; ++i)
-          moments[(a * modes + k) * size + i] += lambda[a] * m[k] * q[i];
-  });
+          moments[(a * modes + k) * size + i] += factor * simplex.samples.values[g * size + i];
+      }
+  }
   return moments;
 }
 
 /// int q m_k per mode and component.
-std::vector<double> momentsOf(const LoadedSimplex& simplex, const MomentBasis& basis, int components)
+std::vector<double> momentsOf(const LoadedSimplex& simplex, const BasisSamples& at, int components)
 {
-  const auto modes = std::size_t(basis.size()), size = std::size_t(components);
+  const auto modes = std::size_t(at.modes), size = std::size_t(components);
   std::vector<double> moments(modes * size, 0.0);
-  visitSamples(simplex, basis, components, [&](const double*, const std::vector<double>& m, const double* q) {
-    for (std::size_t k = 0; k < modes; ++k)
+  for (std::size_t g = 0; g < std::size_t(simplex.samples.rule.size()); ++g)
+    for (std::size_t k = 0; k < modes; ++k) {
+      const double factor = simplex.measure * simplex.samples.rule.weights[g] * at.values[g * modes + k];
       for (std::size_t i = 0; i < size; ++i)
-        moments[k * size + i] += m[k] * q[i];
-  });
+        moments[k * size + i] += factor * simplex.samples.values[g * size + i];
+    }
   return moments;
 }
 
@@ -79,21 +67,17 @@ std::vector<double> sharesOfForces(const std::vector<double>& forces, const Shar
 }
 
 /// |q - q_h| for q_h with these moments.
-double distance(const LoadedSimplex& simplex, const MomentBasis& basis, const std::vector<double>& moments)
+double distance(const LoadedSimplex& simplex, const BasisSamples& at, const std::vector<double>& moments)
 {
-  const std::size_t modes = std::size_t(basis.size()), size = moments.size() / modes;
-  std::vector<double> m(modes);
-  double lambda[4], square = 0.0;
-  for (int g = 0; g < simplex.samples.rule.size(); ++g) {
-    sortCoordinates(simplex, g, lambda);
-    basis.values(lambda, m.data());
+  const std::size_t modes = std::size_t(at.modes), size = moments.size() / modes;
+  double square = 0.0;
+  for (std::size_t g = 0; g < std::size_t(simplex.samples.rule.size()); ++g)
     for (std::size_t i = 0; i < size; ++i) {
-      double rest = simplex.samples.values[std::size_t(g) * size + i];
+      double rest = simplex.samples.values[g * size + i];
       for (std::size_t k = 0; k < modes; ++k)
-        rest -= moments[k * size + i] * m[k] / simplex.measure;
-      square += simplex.measure * simplex.samples.rule.weights[std::size_t(g)] * rest * rest;
+        rest -= moments[k * size + i] * at.values[g * modes + k] / simplex.measure;
+      square += simplex.measure * simplex.samples.rule.weights[g] * rest * rest;
     }
-  }
   return std::sqrt(square);
 }
 
@@ -133,6 +117,30 @@ LoadMoments LoadMoments::inCells(int dim, int order, int degree, int fine)
                      degree == 1);
 }
 
+/// Most simplices are one piece, so that their points are those of a rule in one of a few orders of the vertices.
+const BasisSamples& LoadMoments::samplesOf(const LoadedSimplex& simplex, const MomentBasis& basis, int number) const
+{
+  const Samples& samples = simplex.samples;
+  const auto places = ascendingPlaces(simplex);
+  const bool isWhole = samples.pieces.size() == 1;
+  if (isWhole)
+    if (const auto known = known_.find({number, samples.pieces.front().rule, places}); known != known_.end())
+      return known->second;
+  BasisSamples at{basis.dim(), basis.size(), {}, {}};
+  const auto vertices = std::size_t(at.dim + 1), modes = std::size_t(at.modes),
+             points = std::size_t(samples.rule.size());
+  at.lambda.resize(points * vertices);
+  at.values.resize(points * modes);
+  for (std::size_t g = 0; g < points; ++g) {
+    for (std::size_t v = 0; v < vertices; ++v)
+      at.lambda[g * vertices + std::size_t(places[v])] = samples.rule.point(int(g))[v];
+    basis.values(at.lambda.data() + g * vertices, at.values.data() + g * modes);
+  }
+  if (isWhole)
+    return known_[{number, samples.pieces.front().rule, places}] = std::move(at);
+  return many_[std::size_t(number)] = std::move(at);
+}
+
 std::vector<double> LoadMoments::sharesOf(const LoadedSimplex& simplex) const
 {
   const int vertices = basis_.dim() + 1;
@@ -143,15 +151,16 @@ std::vector<double> LoadMoments::sharesOf(const LoadedSimplex& simplex) const
     return sharesOfForces(forces, unit_, vertices, basis_.size());
   }
   if (order_ == 2)
-    return hatMoments(simplex, basis_, dim_);
-  return sharesOfForces(hatMoments(simplex, constant_, dim_), unit_, vertices, basis_.size());
+    return hatMoments(simplex, samplesOf(simplex, basis_, 0), dim_);
+  return sharesOfForces(hatMoments(simplex, samplesOf(simplex, constant_, 1), dim_), unit_, vertices, basis_.size());
 }
 
 void LoadMoments::addRemainder(const LoadedSimplex& simplex, SimplexMoments& moments) const
 {
-  const auto all = momentsOf(simplex, fine_, dim_);
+  const BasisSamples& at = samplesOf(simplex, fine_, 2);
+  const auto all = momentsOf(simplex, at, dim_);
   const double small = roundOff * simplex.samples.scale * std::sqrt(simplex.measure);
-  moments.rest = distance(simplex, fine_, all);
+  moments.rest = distance(simplex, at, all);
   if (isPiecewise_)
     moments.rest += distanceToPiecewise(simplex, {all.begin(), all.begin() + (dim_ + 1) * dim_}, dim_, dim_);
   moments.rest += 2.0 * dim_ * simplex.samples.spread * std::sqrt(simplex.measure); // of the samples and of the data

@@ -1,5 +1,8 @@
 #pragma once
 
+#include <map>
+#include <tuple>
+
 #include "ndframe/assembly/load_samples.hpp"
 #include "ndframe/recovery/static_data.hpp"
 
@@ -15,6 +18,13 @@ struct SimplexMoments
   std::vector<double> beyond;
   /// Bound of what is left in L2; 0 when it is round-off.
   double rest = 0.0;
+};
+
+/// A basis at the points of samples, in barycentric coordinates for the vertices in ascending order.
+struct BasisSamples
+{
+  int dim = 0, modes = 0;
+  std::vector<double> lambda, values; ///< per point
 };
 
 /// Moments of loads on the simplices of one kind, from the samples that the load vector is made of: facets with
@@ -35,11 +45,16 @@ private:
   std::vector<double> sharesOf(const LoadedSimplex& simplex) const;
   void addRemainder(const LoadedSimplex& simplex, SimplexMoments& moments) const;
 
+  const BasisSamples& samplesOf(const LoadedSimplex& simplex, const MomentBasis& basis, int number) const;
+
   int dim_, order_; ///< of the body
   bool isPiecewise_;
   MomentBasis basis_, constant_, fine_;
   std::size_t carried_; ///< functions of `fine` that the shares carry (of their affine twin when piecewise constant)
   Shares unit_;
+  /// By the number of the basis, the rule and the order of the vertices.
+  mutable std::map<std::tuple<int, const QuadratureRule*, std::array<int, 4>>, BasisSamples> known_;
+  mutable std::array<BasisSamples, 3> many_; ///< of the last simplex that is not one piece
 };
 
 } // namespace ndframe
