@@ -160,7 +160,7 @@ Samples join(const SimplexGeometry& geometry, const std::vector<SampledFunction>
       square += piece.fraction * piece.error * piece.error;
     }
   samples.spread = std::sqrt(square);
-  samples.uncertainty = mean == 0.0 ? 0.0 : mean / samples.scale;
+  samples.uncertainty = mean == 0.0 ? 0.0 : 2.0 * mean / samples.scale; // by the rule and by the integral
   return samples;
 }
 
