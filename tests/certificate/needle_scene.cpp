@@ -156,12 +156,11 @@ DrawnScene NeedleScene::take()
     drawContact();
   } else {
     const Needle f = drawNeedle("x", 1.0, draw_);
-    const bool moves = draw_.chance(0.4) && f.isSmooth;
+    const bool moves = dim_ == 2 && draw_.chance(0.4) && f.isSmooth;
     scene_.deck.set(list + "ground/Type", moves ? "Displacement" : "Clamp");
     scene_.deck.set(list + "ground/Side", "bottom");
     if (moves)
-      for (int k = 1; k < dim_; ++k)
-        scene_.deck.set(list + "ground/" + (k == 1 ? "Y" : "Z"), "0.0003*" + f.text);
+      scene_.deck.set(list + "ground/Y", "0.0003*" + f.text);
     scene_.kind += moves ? " moved" : " clamped";
   }
   if (dim_ == 3) {

@@ -15,8 +15,8 @@ namespace
 
 constexpr double agreement = 1e-13;  ///< what functions may miss of polynomials, relative to their scale
 constexpr double negligible = 1e-14; ///< the same, times the share of the simplex where they miss it
-constexpr int mostPieces = 2000;
-constexpr int mostSearched = 4000; ///< pieces looked at for the largest value
+constexpr int mostPieces = 6000;     ///< made on a simplex
+constexpr int mostSearched = 4000;   ///< pieces looked at for the largest value
 
 /// The largest absolute value of the functions at a point, 0 where it is not finite.
 double sizeAt(const std::vector<SampledFunction>& functions, const Region::Point& x)
@@ -181,7 +181,7 @@ public:
   std::vector<SampledFunction> functions_;
   DataEnclosures data_;
   int space_;
-  int cutsLeft_ = 100000;
+  int piecesLeft_ = 200000;
 };
 
 double DataSampler::Implementation::scaleOn(const std::function<void(const Visit&)>& visit)
@@ -238,12 +238,14 @@ double DataSampler::Implementation::searched(std::vector<std::pair<SimplexGeomet
 std::vector<Leaf> DataSampler::Implementation::leaves(const SimplexGeometry& simplex, double scale)
 {
   std::vector<Leaf> all{resolve(simplex, SampledSlab(simplex.whole()), scale, data_)}; // a heap, the worst on top
-  while (all.front().weight() > 0.0 && int(all.size()) < mostPieces && cutsLeft_ > 0) {
-    --cutsLeft_;
+  int pieces = 1;
+  while (all.front().weight() > 0.0 && pieces < mostPieces && piecesLeft_ > 0) {
     std::pop_heap(all.begin(), all.end(), settlesLater);
     const Leaf worst = std::move(all.back());
     all.pop_back();
     for (auto& slab : split(simplex, worst, data_)) {
+      pieces += int(slab.parts().size());
+      piecesLeft_ -= int(slab.parts().size());
       all.push_back(resolve(simplex, std::move(slab), scale, data_));
       std::push_heap(all.begin(), all.end(), settlesLater);
     }

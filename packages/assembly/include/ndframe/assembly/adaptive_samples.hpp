@@ -54,7 +54,7 @@ struct SampledFunction
 /// Polynomials get one exact rule. Otherwise Gauss rules of degree 6, 8, 12 and (not in tetrahedra) 18 are tried; a
 /// simplex on which none is shown to be good enough is cut: where comparisons and kinks of affine functions change
 /// their sign, else across the function that varies most, the worst piece first. What is smaller than 1e-13 of the
-/// scale counts as settled. Limits: 2000 cuts a simplex, 100 000 in all; what is left is the samples'
+/// scale counts as settled. Limits: 6000 pieces made on a simplex, 200 000 in all; what is left is the samples'
 /// uncertainty. A jump or kink along a curve inside a triangle is not resolved to the end.
 class DataSampler
 {
