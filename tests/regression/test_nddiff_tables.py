@@ -36,6 +36,7 @@ class Summaries(Comparison):
             new.update(version="0.2.0", ranks=3)
             new["ledger"].update(total_seconds=1.0, peak_bytes=9)
             new["ledger"]["counts"]["bytes written"] = 11
+            new["ledger"]["counts"]["settled stresses"] = 1
             new["ledger"]["stages"][0].update(seconds=0.2, peak_bytes=6)
         self.assert_success(*self.pair(change))
 
