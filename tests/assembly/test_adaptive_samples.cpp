@@ -185,6 +185,24 @@ TEST(AdaptiveSamples, CutTrianglesAndTetrahedraWhereAffineFunctionsSwitch)
   EXPECT_NEAR(mean(Simplex(2).sample("x + 2*y < 0.7 ? 3 : -1"), 0, 0), -1.0 + 4.0 * 0.7 * 0.35, 1e-13);
 }
 
+/// On an edge along which a comparison holds with equality the points must agree with it, or nobody is certain.
+TEST(AdaptiveSamples, AreCertainWhereDataSwitchAlongAnEdgeOnlyIfAllPointsAgree)
+{
+  const auto along = [](std::array<double, 4> ends, const std::string& text) {
+    DataSampler sampler({{std::make_shared<const ExpressionTree>(text), {}}}, 2);
+    return sampler.sample(1, {ends.data(), ends.data() + 2, nullptr, nullptr}, 1.0);
+  };
+  test::Random random(7);
+  for (int sample = 0; sample < 200; ++sample) {
+    const double c = random(0.1, 9.0);
+    const auto number = fmt::format("{:.17g}", c);
+    const Samples upright = along({c, 0.3, c, 1.7}, "x <= " + number);
+    EXPECT_TRUE(upright.areCertain());
+    EXPECT_NEAR(mean(upright, 0, 0), 1.0, 1e-14);
+    EXPECT_FALSE(along({0.0, c, c, 0.0}, "x + y <= " + number).areCertain());
+  }
+}
+
 TEST(AdaptiveSamples, SayHowUncertainTheyAreAtACurvedJump)
 {
   const Samples samples = Simplex(2).sample("x^2 + y^2 < 0.25");

@@ -1,5 +1,6 @@
 #include "simplex_piece.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace ndframe
@@ -32,6 +33,14 @@ bool findChange(const Values& values, int dim, std::size_t& negative, std::size_
 
 } // namespace
 
+SimplexGeometry::SimplexGeometry(int dim, int space, const DataSampler::Vertices& vertices)
+    : dim_(dim), space_(space), vertices_(vertices)
+{
+  for (std::size_t k = 0; k < std::size_t(space); ++k)
+    isShared_[k] = std::all_of(vertices.begin(), vertices.begin() + dim + 1,
+                               [&](const double* vertex) { return vertex[k] == vertices[0][k]; });
+}
+
 Samples::Piece SimplexGeometry::whole() const
 {
   Samples::Piece piece;
@@ -52,9 +61,12 @@ void SimplexGeometry::locate(const Samples::Piece& piece, const double* local, d
 Region::Point SimplexGeometry::place(const double* lambda) const
 {
   Region::Point x{};
-  for (int v = 0; v <= dim_; ++v)
-    for (int k = 0; k < space_; ++k)
-      x[std::size_t(k)] += lambda[v] * vertices_[std::size_t(v)][k];
+  for (std::size_t k = 0; k < std::size_t(space_); ++k) {
+    for (std::size_t v = 0; v <= std::size_t(dim_); ++v)
+      x[k] += lambda[v] * vertices_[v][k];
+    if (isShared_[k])
+      x[k] = vertices_[0][k];
+  }
   return x;
 }
 

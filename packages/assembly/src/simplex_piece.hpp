@@ -12,16 +12,15 @@ namespace ndframe
 class SimplexGeometry
 {
 public:
-  SimplexGeometry(int dim, int space, const DataSampler::Vertices& vertices)
-      : dim_(dim), space_(space), vertices_(vertices)
-  {}
+  SimplexGeometry(int dim, int space, const DataSampler::Vertices& vertices);
 
   int dim() const { return dim_; }
   int space() const { return space_; }
   Samples::Piece whole() const;
   /// Barycentric coordinates in the simplex of a point of a piece.
   void locate(const Samples::Piece& piece, const double* local, double* lambda) const;
-  /// The point of space; coordinates that space does not have are zero.
+  /// The point of space; coordinates that space does not have are zero, and those that all vertices share are kept to
+  /// the last bit: data may switch there.
   Region::Point place(const double* lambda) const;
   std::vector<Region::Point> corners(const Samples::Piece& piece) const;
 
@@ -36,6 +35,7 @@ private:
 
   int dim_, space_;
   DataSampler::Vertices vertices_;
+  std::array<bool, 3> isShared_{}; ///< per coordinate
 };
 
 } // namespace ndframe

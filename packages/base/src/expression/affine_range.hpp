@@ -14,4 +14,7 @@ struct AffineRange
   AffineRange(const AffineFunction& f, const Region& region);
 };
 
+/// The value of f on a region along which the coordinates that it depends on do not change by a bit; nothing on others.
+std::optional<double> valueAlong(const AffineFunction& f, const Region& region);
+
 } // namespace ndframe

@@ -77,8 +77,8 @@ Interval Encloser::signs(const ExpressionNode& node, std::size_t k)
   if (!(range.lo < 0.0 && range.hi > 0.0))
     return range;
   if (f && range.hi - range.lo <= 2.0 * touching * AffineRange(*f, region_).terms) {
-    const double middle = range.middle(); // a region along the line of zeros
-    return {middle, middle};
+    const auto value = valueAlong(*f, region_); // a region along the line of zeros
+    return value ? Interval{*value, *value} : range;
   }
   cutAt(node.operands[k], 0.0);
   return range;

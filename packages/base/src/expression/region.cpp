@@ -45,6 +45,16 @@ AffineRange::AffineRange(const AffineFunction& f, const Region& region)
     slope = {};
 }
 
+std::optional<double> valueAlong(const AffineFunction& f, const Region& region)
+{
+  const Region::Point& first = region.points.front();
+  for (const auto& x : region.points)
+    for (std::size_t k = 0; k < 3; ++k)
+      if (f[k + 1] != 0.0 && x[k] != first[k])
+        return {};
+  return f[0] + linearPart(f, first);
+}
+
 Region Region::simplex(const std::vector<Point>& vertices)
 {
   Region region{vertices, vertices};
