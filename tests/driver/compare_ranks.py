@@ -40,12 +40,20 @@ def compare_errors(one, other, where, norm=None):
 
 
 one = summary_on(1)
+largest_reaction = max((abs(x) for body in one["bodies"] for support in body["supports"]
+                        for x in support["force"] + support["moment"]), default=0.0)
 for ranks in (2, 3):
     other = summary_on(ranks)
     assert other["ranks"] == ranks
     assert close(one["energy"], other["energy"], 1e-10), (one["energy"], other["energy"])
     for a, b in zip(one["bodies"], other["bodies"], strict=True):
         assert close(a["energy"], b["energy"], 1e-10), (ranks, a, b)
+        assert close(a["largest_displacement"]["value"], b["largest_displacement"]["value"], 1e-8), (ranks, a, b)
+        assert close(a["largest_strain"]["value"], b["largest_strain"]["value"], 1e-8), (ranks, a, b)
+        for p, q in zip(a["supports"], b["supports"], strict=True):
+            reactions = list(zip(p["force"] + p["moment"], q["force"] + q["moment"], strict=True))
+            assert all(abs(x - y) <= 1e-8 * largest_reaction for x, y in reactions), (ranks, p, q)
+    assert one["warnings"] == other["warnings"], (ranks, one["warnings"], other["warnings"])
     for a, b in zip(one["interfaces"], other["interfaces"], strict=True):
         assert a["closed_nodes"] == b["closed_nodes"] and a["end_points"] == b["end_points"], (ranks, a, b)
         assert close(a["largest_pressure"], b["largest_pressure"], 1e-6), (ranks, a, b)

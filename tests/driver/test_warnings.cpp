@@ -168,6 +168,55 @@ TEST(Warnings, OfBodiesThatTheLoadBringsIntoEachOther)
   EXPECT_THAT(warningsOf(twoBoxes("1.02", "2", "-10")), IsEmpty()) << "not as far";
 }
 
+TEST(Warnings, OfContactThatReachesTheEndOfASideThatGoesOn)
+{
+  // Only the left half of the punch is named, although the whole of it stands on the foundation.
+  const auto scene = [](const std::string& at) {
+    return steelPunch()
+        .set("Bodies/punch/Mesh/Splits/half/Side=bottom")
+        .set("Bodies/punch/Mesh/Splits/half/At={" + at + "}")
+        .set("Bodies/punch/Mesh/Splits/half/Names={contact, rest}")
+        .set("Bodies/foundation/Mesh/Splits/under the punch/At={" + at + "}")
+        .set("Interfaces/contact/Dirichlet Side=contact");
+  };
+  const auto warnings = warningsOf(scene("0.4"));
+  EXPECT_THAT(warnings, Contains(warning("contact at the end of a side",
+                                         "Interfaces/contact: contact presses at the end of the sides, at (0.4, 0), "
+                                         "and the boundaries of both bodies go on close to each other")));
+  EXPECT_THAT(warnings, Contains(warning("touching bodies", "coincide at (0.4")));
+}
+
+TEST(Warnings, OfAMeshOfUnconnectedParts)
+{
+  // Two squares of two triangles each, apart.
+  TemporaryFolder folder;
+  writeFile(folder.file("parts.msh"), "$MeshFormat\n2.2 0 8\n$EndMeshFormat\n"
+                                      "$PhysicalNames\n2\n1 1 \"base\"\n2 2 \"all\"\n$EndPhysicalNames\n"
+                                      "$Nodes\n8\n1 0 0 0\n2 1 0 0\n3 1 1 0\n4 0 1 0\n"
+                                      "5 2 0 0\n6 3 0 0\n7 3 1 0\n8 2 1 0\n$EndNodes\n"
+                                      "$Elements\n6\n1 1 2 1 1 1 2\n2 1 2 1 2 5 6\n"
+                                      "3 2 2 2 1 1 2 3\n4 2 2 2 1 1 3 4\n5 2 2 2 2 5 6 7\n6 2 2 2 2 5 7 8\n"
+                                      "$EndElements\n");
+  const Scene scene =
+      Scene::fromText("<ParameterList name=\"parts\"><ParameterList name=\"Bodies\"><ParameterList name=\"plate\">"
+                      "<ParameterList name=\"Mesh\"><Parameter name=\"Type\" type=\"string\" value=\"Gmsh\"/>"
+                      "<Parameter name=\"File\" type=\"string\" value=\"" +
+                      folder.file("parts.msh") +
+                      "\"/></ParameterList><ParameterList name=\"Material\">"
+                      "<Parameter name=\"Young Modulus\" type=\"double\" value=\"1000\"/>"
+                      "<Parameter name=\"Poisson Ratio\" type=\"double\" value=\"0.3\"/></ParameterList>"
+                      "<ParameterList name=\"Supports\"><ParameterList name=\"ground\">"
+                      "<Parameter name=\"Type\" type=\"string\" value=\"Clamp\"/>"
+                      "<Parameter name=\"Side\" type=\"string\" value=\"base\"/></ParameterList></ParameterList>"
+                      "<ParameterList name=\"Loads\"><ParameterList name=\"weight\">"
+                      "<Parameter name=\"Type\" type=\"string\" value=\"Body Force\"/>"
+                      "<Parameter name=\"Y\" type=\"double\" value=\"-1\"/></ParameterList></ParameterList>"
+                      "</ParameterList></ParameterList></ParameterList>");
+  EXPECT_THAT(warningsOf(scene),
+              ElementsAre(warning("unconnected parts", "Bodies/plate: its mesh has 2 parts that share no edge; one of "
+                                                       "them is at (2.6")));
+}
+
 TEST(Warnings, OfContactOnOneOrTwoNodes)
 {
   const auto scene = [] {

@@ -36,9 +36,22 @@ Vector sharesOf(const Vector& force, const std::vector<Hold>& holds)
   return multiply(pseudoInverse(directions, parallel), force);
 }
 
+/// Mean of the nodes that a support without a side holds.
+Direction centreOfNodes(const Support& support, const BodyModel& body)
+{
+  Direction centre{};
+  const auto constraints = support.constraints(body.mesh, body.nodes);
+  for (const auto& constraint : constraints)
+    for (int k = 0; k < body.mesh.dim; ++k)
+      centre[std::size_t(k)] += body.nodes.point(constraint.node)[k] / double(constraints.size());
+  return centre;
+}
+
 /// Centre of a support's side.
 Direction centreOf(const Support& support, const BodyModel& body)
 {
+  if (!support.params().has("Side"))
+    return centreOfNodes(support, body);
   Direction centre{}, normal{};
   double total = 0.0;
   int vertices[3];

@@ -13,6 +13,7 @@
 #include "ndframe/io/atomic_file.hpp"
 #include "outputs.hpp"
 #include "summarize.hpp"
+#include "warnings/warnings.hpp"
 
 namespace ndframe
 {
@@ -92,6 +93,8 @@ ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
   const ExitCode code = codeOf(run);
   writeResults(run, given.deck, deckName_, comm_, ledger_);
   copyLedger(run.summary, ledger_, run.startSeconds);
+  for (const auto& warning : run.summary.warnings)
+    complain(comm_, fmt::format("case {}: {}", row.number, warningText(warning)));
   if (code == ExitCode::Warned)
     row.reason = run.summary.warnings.front().message;
   row.summary = std::move(run.summary);

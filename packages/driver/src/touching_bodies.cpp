@@ -39,6 +39,8 @@ template <class Report>
 void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes, const Report& report)
 {
   std::vector<std::vector<Facet>> facets;
+  if (meshes.size() < 2)
+    return;
   for (const auto& body : model.bodies)
     facets.push_back(boundaryFacets(body.mesh));
   for (int a = 0; a < int(meshes.size()); ++a)

@@ -18,6 +18,8 @@ constexpr double part = 1e-6;
 std::set<FacetKey> facetsOf(const Support& support, const Mesh& mesh)
 {
   std::set<FacetKey> keys;
+  if (!support.params().has("Side"))
+    return keys;
   for (const Facet facet : support.facets(mesh))
     keys.insert({facet.cell, facet.local});
   return keys;

@@ -1,5 +1,7 @@
 #include "warnings.hpp"
 
+#include <cmath>
+
 #include <fmt/format.h>
 
 #include "checks.hpp"
@@ -54,6 +56,8 @@ std::vector<Warning> sceneWarnings(const Model& model, const Params& deck)
 
 std::vector<Warning> answerWarnings(const Run& run, const Params& deck)
 {
+  if (!std::isfinite(run.summary.energy)) // the run says so itself
+    return {};
   return collect(answerChecks, run, deck);
 }
 
