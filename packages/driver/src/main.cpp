@@ -123,7 +123,7 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
     log.line("\n" + closingText(run.summary));
   if (run.summary.errors)
     log.line("\n" + errorText(*run.summary.errors));
-  if (run.summary.accuracy && run.summary.errors)
+  if (run.summary.accuracy && run.summary.errors && !run.summary.accuracy->levels.empty())
     log.line("\n  " + accuracyText(*run.summary.accuracy, run.summary.errors->guaranteed));
   log.line("\n" + stageText(run.summary) + "\n");
   reportExpectations(run.summary, comm, log);
