@@ -35,7 +35,10 @@ bool pushesAlong(const Load& load, const Mesh& mesh, Facet facet, const std::vec
     for (int k = 0; k < mesh.dim; ++k)
       centre[std::size_t(k)] += mesh.point(vertices[v])[k] / mesh.dim;
   facetNormal(mesh, facet, normal.data());
-  load.density(mesh.dim, centre.data(), normal.data(), q.data());
+  Vector values;
+  for (const auto& function : load.functions(mesh.dim))
+    values.push_back(valueAt(function, mesh.dim, centre.data()));
+  load.density(mesh.dim, values.data(), normal.data(), q.data());
   const double size = std::sqrt(dotProduct(q, q));
   return std::any_of(directions.begin(), directions.end(),
                      [&](const Direction& d) { return std::abs(dotProduct(q, d)) > part * size; });
