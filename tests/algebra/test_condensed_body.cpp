@@ -1,10 +1,12 @@
 #include <cmath>
+#include <map>
 #include <tuple>
 
 #include <gtest/gtest.h>
 
 #include "algebra/sample_bodies.hpp"
 #include "common/test_main.hpp"
+#include "ndframe/algebra/neumann_solver.hpp"
 
 /// What every linear solver promises (linear_solver.hpp), against dense elimination on one rank.
 
@@ -45,6 +47,7 @@ protected:
   Vector load(unsigned seed) const { return test::randomVector(std::size_t(body.matrix.numDofs()), seed); }
   Vector keptValues(unsigned seed) const { return test::randomVector(problem.kept.size(), seed); }
   double tolerance() const { return GetParam().tolerance; }
+  const NeumannSolver& neumann() const { return neumannSolver(*condensed); }
 
   test::SampleBody body, whole;
   SolverProblem problem;
@@ -132,9 +135,44 @@ TEST_P(EverySolver, CountsOneBackSolvePerRightHandSide)
   condensed->reduce(DenseMatrix(body.matrix.numDofs(), 2));
   EXPECT_EQ(ledger.counted("back-solves"), 5);
   condensed->applySchur(Vector(std::size_t(n), 0.0));
-  EXPECT_EQ(ledger.counted("back-solves"), 6);
+  neumann().solveNeumann(Vector(std::size_t(n), 0.0));
+  const bool isDirect = condensed->hasCheapSchur(); // the block of the kept dofs is enough
+  EXPECT_EQ(ledger.counted("back-solves"), isDirect ? 5 : 7);
+  EXPECT_EQ(ledger.counted("kept solves"), isDirect ? 2 : 0);
   condensed->schurComplement();
-  EXPECT_EQ(ledger.counted("back-solves"), condensed->hasCheapSchur() ? 6 : 6 + n);
+  EXPECT_EQ(ledger.counted("back-solves"), isDirect ? 5 : 7 + n);
+}
+
+TEST_P(EverySolver, NeumannSolutionVanishesAtTheHeldDofsAndMeetsTheOtherEquations)
+{
+  ASSERT_TRUE(neumann().solvesNeumann());
+  const Vector force = keptValues(7), u = neumann().solveNeumann(force);
+  Vector reached = multiply(reference.schur, u), wanted = force;
+  for (const int held : neumann().freeMotions().held) {
+    EXPECT_EQ(u[std::size_t(held)], 0.0);
+    reached[std::size_t(held)] = wanted[std::size_t(held)] = 0.0;
+  }
+  EXPECT_LT(test::relativeDifference(reached, wanted), 100.0 * tolerance());
+}
+
+TEST_P(EverySolver, ForcesThatBalanceTheFreeMotionsNeedNoReaction)
+{
+  const Vector force = multiply(reference.schur, keptValues(8)); // of a displacement, so in balance
+  EXPECT_LT(test::relativeDifference(multiply(reference.schur, neumann().solveNeumann(force)), force),
+            100.0 * tolerance());
+}
+
+TEST_P(EverySolver, FreeMotionsNeedNoForce)
+{
+  const FreeMotions& motions = neumann().freeMotions();
+  const int rigid = GetParam().cells.size() == 2 ? 3 : 6;
+  const std::map<test::Support, int> count = {
+      {test::Support::None, rigid}, {test::Support::Guide, 1}, {test::Support::Clamp, 0}};
+  EXPECT_EQ(motions.traces.cols(), count.at(GetParam().support));
+  EXPECT_EQ(int(motions.held.size()), motions.traces.cols());
+  for (int m = 0; m < motions.traces.cols(); ++m)
+    EXPECT_LT(norm(multiply(reference.schur, motions.traces.column(m))),
+              1e-10 * norm(reference.schur.column(0)) * norm(motions.traces.column(m)));
 }
 
 TEST_P(EverySolver, RefusesLoadsOfTheWrongShape)

@@ -141,6 +141,26 @@ TEST(Ledger, CountsNoFactorisationForASecondTolerance)
   EXPECT_EQ(scene.ledger.counted("back-solves"), backSolves);
 }
 
+/// A body's Neumann problem is solved by its factor, not by conjugate gradients over products with S: once a sweep.
+TEST(Ledger, CountsOneNeumannSolveASweepMatrixFree)
+{
+  const auto outcome =
+      Scene("punch").set("Interface Operator/Type=Matrix Free").set("Coupling/Stopping/Tolerance=1e-3").run();
+  const int sweeps = outcome.run.summary.coupling->sweeps;
+  EXPECT_GE(sweeps, 12);
+  EXPECT_LE(outcome.ledger->counted("back-solves"), 4);
+  EXPECT_LE(outcome.ledger->counted("kept solves"), 3 * sweeps);
+}
+
+/// Conjugate gradients on the body itself, from what earlier sweeps found.
+TEST(Ledger, CountsFewKrylovIterationsMatrixFree)
+{
+  const auto outcome = Scene("punch").set("Linear Solver/Type=Krylov").set("Coupling/Stopping/Tolerance=1e-3").run();
+  EXPECT_GE(outcome.run.summary.coupling->sweeps, 12);
+  EXPECT_LE(outcome.ledger->counted("back-solves"), 40);
+  EXPECT_LE(outcome.ledger->counted("Krylov iterations"), 400);
+}
+
 namespace
 {
 

@@ -100,6 +100,7 @@ CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKep
     if (common_.status == CHOLMOD_NOT_POSDEF)
       throw BadPivot{this->order(int(factor_->minor))};
     checkPivots(A);
+    findTrailingColumns();
   } catch (...) {
     cholmod_free_factor(&factor_, &common_);
     cholmod_finish(&common_);
@@ -162,10 +163,9 @@ void CholmodFactor::forEachColumn(int firstColumn, Visit visit) const
 
 void CholmodFactor::checkPivots(const UpperTriangle& A) const
 {
-  const int numInterior = size() - numKept_;
   forEachColumn(0, [&](int column, const int*, const double* entries, int) {
     const double pivot = entries[0] * entries[0];
-    if (column < numInterior && !(pivot > smallestPivot * A.diagonal(order(column))))
+    if (!(pivot > smallestPivot * A.diagonal(order(column))))
       throw BadPivot{order(column)};
   });
 }
@@ -192,26 +192,67 @@ void CholmodFactor::backward(DenseMatrix& X) const
   solveInPlace(cholmod_super_ltsolve, X);
 }
 
+void CholmodFactor::findTrailingColumns()
+{
+  forEachColumn(size() - numKept_, [&](int, const int* rows, const double* entries, int count) {
+    trailing_.push_back({rows, entries, count});
+  });
+}
+
 DenseMatrix CholmodFactor::trailingBlock() const
 {
   DenseMatrix T(numKept_, numKept_);
   const int first = size() - numKept_;
-  forEachColumn(first, [&](int column, const int* rows, const double* entries, int count) {
-    for (int k = 0; k < count; ++k)
-      T(rows[k] - first, column - first) = entries[k];
-  });
+  for (int j = 0; j < numKept_; ++j) {
+    const TrailingColumn& column = trailing_[std::size_t(j)];
+    for (int k = 0; k < column.count; ++k)
+      T(column.rows[k] - first, j) = column.entries[k];
+  }
   return T;
 }
 
 Vector CholmodFactor::trailingTransposedTimes(const double* x) const
 {
-  Vector y(std::size_t(numKept_), 0.0);
+  Vector y;
+  y.reserve(trailing_.size());
   const int first = size() - numKept_;
-  forEachColumn(first, [&](int column, const int* rows, const double* entries, int count) {
-    for (int k = 0; k < count; ++k)
-      y[std::size_t(column - first)] += entries[k] * x[rows[k] - first];
-  });
+  for (const TrailingColumn& column : trailing_) {
+    double sum = 0.0;
+    for (int k = 0; k < column.count; ++k)
+      sum += column.entries[k] * x[column.rows[k] - first];
+    y.push_back(sum);
+  }
   return y;
+}
+
+Vector CholmodFactor::trailingTimes(const double* y) const
+{
+  Vector x(trailing_.size(), 0.0);
+  const int first = size() - numKept_;
+  for (const TrailingColumn& column : trailing_) {
+    for (int k = 0; k < column.count; ++k)
+      x[std::size_t(column.rows[k] - first)] += column.entries[k] * *y;
+    ++y;
+  }
+  return x;
+}
+
+Vector CholmodFactor::trailingSolve(Vector b) const
+{
+  const int first = size() - numKept_;
+  const auto at = [first](const TrailingColumn& column, int k) { return std::size_t(column.rows[k] - first); };
+  for (const TrailingColumn& column : trailing_) {
+    const double y = b[at(column, 0)] /= column.entries[0];
+    for (int k = 1; k < column.count; ++k)
+      b[at(column, k)] -= column.entries[k] * y;
+  }
+  for (auto column = trailing_.rbegin(); column != trailing_.rend(); ++column) {
+    double x = b[at(*column, 0)];
+    for (int k = 1; k < column->count; ++k)
+      x -= column->entries[k] * b[at(*column, k)];
+    b[at(*column, 0)] = x / column->entries[0];
+  }
+  return b;
 }
 
 } // namespace ndframe

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <stdexcept>
 #include <vector>
 
 #include <cholmod.h>
@@ -20,6 +21,7 @@ struct UpperTriangle
 
   int size() const { return int(colPtr.size()) - 1; }
   double diagonal(int column) const { return values[std::size_t(colPtr[std::size_t(column) + 1]) - 1]; }
+  double& diagonal(int column) { return values[std::size_t(colPtr[std::size_t(column) + 1]) - 1]; }
 };
 
 /// CHOLMOD, quiet, for supernodal factors in the order that it is given.
@@ -30,8 +32,10 @@ cholmod_sparse viewOf(UpperTriangle& A);
 cholmod_dense viewOf(DenseMatrix& X);
 
 /// A pivot that is not positive, or nothing but round-off.
-struct BadPivot
+class BadPivot : public std::runtime_error
 {
+public:
+  explicit BadPivot(int badColumn) : std::runtime_error("a pivot is not positive"), column(badColumn) {}
   int column; ///< in the numbering of the matrix
 };
 
@@ -45,7 +49,7 @@ class CholmodFactor
 {
 public:
   /// `order`: position -> column; its last numKept positions are not moved. Throws BadPivot when a pivot is not above
-  /// round-off relative to its diagonal entry (the first numKept from the end: not positive).
+  /// round-off relative to its diagonal entry.
   CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept);
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
@@ -61,8 +65,10 @@ public:
   void backward(DenseMatrix& X) const;
   /// T, numKept x numKept, zero above the diagonal.
   DenseMatrix trailingBlock() const;
-  /// T^T x without forming T.
+  /// T^T x, T y, and T^-T T^-1 b without forming T.
   Vector trailingTransposedTimes(const double* x) const;
+  Vector trailingTimes(const double* y) const;
+  Vector trailingSolve(Vector b) const;
 
 private:
   void analyse(cholmod_sparse& view, std::vector<int> order);
@@ -72,6 +78,7 @@ private:
   /// the diagonal entry first.
   template <class Visit>
   void forEachColumn(int firstColumn, Visit visit) const;
+  void findTrailingColumns();
   using Sweep = int (*)(cholmod_factor*, cholmod_dense*, cholmod_dense*, cholmod_common*);
   void solveInPlace(Sweep sweep, DenseMatrix& X) const;
 
@@ -79,6 +86,15 @@ private:
   cholmod_factor* factor_ = nullptr;
   int numKept_;
   std::int64_t numNonzeros_ = 0;
+
+  /// A column of T, from its diagonal entry on.
+  struct TrailingColumn
+  {
+    const int* rows; ///< in the order of elimination
+    const double* entries;
+    int count;
+  };
+  std::vector<TrailingColumn> trailing_;
 };
 
 } // namespace ndframe

@@ -21,18 +21,25 @@ namespace
 
 /// One factorisation of
 ///
-///   [ K_ii  K_ic         ]   [ L_ii    ] [ L_ii^T  L_ci^T ]
-///   [ K_ci  K_cc + s I   ] = [ L_ci  T ] [         T^T    ],   S = T T^T - s I.
+///   [ K_ii  K_ic     ]   [ L_ii    ] [ L_ii^T  L_ci^T ]
+///   [ K_ci  K_cc + D ] = [ L_ci  T ] [         T^T    ],   S = T T^T - D.
 ///
-/// The shift s, of the size of K_cc, makes a floating body's matrix regular; it leaves K_ii and everything computed
-/// from it untouched. Kept values are prescribed by their image T^T u_c between the two half solves.
+/// D is zero but where a floating body is held: at as many kept dofs as it has free motions, with a number of the size
+/// of K_cc, which makes the matrix regular. Where that is not enough (unconnected parts, mechanisms) D is this number
+/// everywhere, and there is no Neumann solve. D leaves K_ii and all that is computed from it untouched. Kept values are
+/// prescribed by their image T^T u_c between the two half solves.
 class CholmodBody final : public SplitBody
 {
 public:
-  CholmodBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, FreeDofs free, double shift,
+  CholmodBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, FreeDofs free, Vector shift,
               std::unique_ptr<CholmodFactor> factor)
-      : SplitBody(problem, comm, ledger), free_(std::move(free)), shift_(shift), factor_(std::move(factor))
-  {}
+      : SplitBody(problem, comm, ledger), free_(std::move(free)), shift_(std::move(shift)), factor_(std::move(factor))
+  {
+    const auto shifts = std::count_if(shift_.begin(), shift_.end(), [](double s) { return s != 0.0; });
+    solvesNeumann_ = std::size_t(shifts) == motions_.held.size();
+    if (solvesNeumann_ && shifts > 0)
+      respondHeld();
+  }
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
   {
@@ -55,14 +62,40 @@ public:
     DenseMatrix x = gather(load);
     factor_->forward(x);
     ledger_.count("back-solves", x.cols());
-    const DenseMatrix T = factor_->trailingBlock();
     DenseMatrix g(numKept(), load.cols());
     for (int j = 0; j < g.cols(); ++j) {
-      const Vector column = multiply(T, Vector(x.col(j) + numInterior(), x.col(j) + x.rows()));
+      const Vector column = factor_->trailingTimes(x.col(j) + numInterior());
       std::copy(column.begin(), column.end(), g.col(j));
     }
     return g;
   }
+
+  Vector applySchur(const Vector& kept) const override
+  {
+    ledger_.count("kept solves");
+    Vector force = factor_->trailingTimes(factor_->trailingTransposedTimes(kept.data()).data());
+    for (std::size_t c = 0; c < force.size(); ++c)
+      force[c] -= shift_[c] * kept[c];
+    return force;
+  }
+
+  /// (S + D) u = r, less what forces at the held dofs do that bring them back to zero.
+  Vector solveNeumann(const Vector& force) const override
+  {
+    NDFRAME_ASSERT(solvesNeumann_, "this body has no Neumann solve");
+    ledger_.count("kept solves");
+    Vector u = factor_->trailingSolve(force);
+    if (motions_.held.empty())
+      return u;
+    const Vector change = multiply(response_, valuesAtHeld(u));
+    for (std::size_t c = 0; c < u.size(); ++c)
+      u[c] -= change[c];
+    for (const int held : motions_.held)
+      u[std::size_t(held)] = 0.0;
+    return u;
+  }
+
+  bool solvesNeumann() const override { return solvesNeumann_; }
 
   DenseMatrix schurComplement() const override
   {
@@ -73,7 +106,7 @@ public:
       return S;
     cblas_dsyrk(CblasColMajor, CblasLower, CblasNoTrans, n, n, 1.0, T.data(), n, 0.0, S.data(), n);
     for (int j = 0; j < n; ++j) {
-      S(j, j) -= shift_;
+      S(j, j) -= shift_[std::size_t(j)];
       for (int i = j + 1; i < n; ++i)
         S(j, i) = S(i, j);
     }
@@ -111,20 +144,56 @@ private:
     return u;
   }
 
+  Vector valuesAtHeld(const Vector& u) const
+  {
+    Vector values;
+    for (const int held : motions_.held)
+      values.push_back(u[std::size_t(held)]);
+    return values;
+  }
+
+  /// Displacements that are one at one held dof and zero at the others: G (G at the held dofs)^-1, (S + D) G = unit
+  /// forces there.
+  void respondHeld()
+  {
+    const int n = numKept(), count = int(motions_.held.size());
+    DenseMatrix G(n, count), atHeld(count, count);
+    for (int m = 0; m < count; ++m) {
+      Vector unit(std::size_t(n), 0.0);
+      unit[std::size_t(motions_.held[std::size_t(m)])] = 1.0;
+      const Vector column = factor_->trailingSolve(std::move(unit)), values = valuesAtHeld(column);
+      std::copy(column.begin(), column.end(), G.col(m));
+      std::copy(values.begin(), values.end(), atHeld.col(m));
+    }
+    response_ = multiply(G, pseudoInverse(atHeld, 0.0));
+  }
+
   FreeDofs free_;
-  double shift_;
+  Vector shift_; ///< D, per kept dof
   std::unique_ptr<CholmodFactor> factor_;
+  bool solvesNeumann_;
+  DenseMatrix response_; ///< to unit displacements of the held dofs
 };
 
 std::unique_ptr<CholmodFactor> factorFree(const SolverProblem& problem, const FreeDofs& free, UpperTriangle A,
-                                          std::vector<int> order)
+                                          const Vector& shift, std::vector<int> order)
 {
+  shiftKept(A, problem, free, shift);
   try {
     return std::make_unique<CholmodFactor>(std::move(A), std::move(order), int(problem.kept.size()));
   } catch (const BadPivot& bad) {
     const int dof = free.dofs[std::size_t(bad.column)];
     throw SingularBody(fmt::format("the stiffness matrix is not positive definite at dof {}", dof), dof);
   }
+}
+
+/// `size` at the held dofs.
+Vector shiftOfHeld(const FreeMotions& motions, double size)
+{
+  Vector shift(std::size_t(motions.traces.rows()), 0.0);
+  for (const int held : motions.held)
+    shift[std::size_t(held)] = size;
+  return shift;
 }
 
 /// Deferred where no other thread may be or can be started.
@@ -142,11 +211,20 @@ public:
       throw InputError("Cholmod runs on one rank; use Mumps or Krylov (or Automatic)");
     checkProblem(problem, comm);
     FreeDofs free(problem.roles);
-    const double shift = meanKeptDiagonal(problem, comm);
-    auto matrix = std::async(besideOrdering(comm), [&] { return freeUpperTriangle(problem, free, shift); });
-    std::vector<int> order = eliminationOrder(problem, free, comm, ledger);
+    const double size = meanKeptDiagonal(problem, comm);
+    Vector shift = shiftOfHeld(freeMotions(problem, comm), size);
+    auto matrix = std::async(besideOrdering(comm), [&] { return freeUpperTriangle(problem, free); });
+    const std::vector<int> order = eliminationOrder(problem, free, comm, ledger);
     const auto timer = ledger.time("factor");
-    auto factor = factorFree(problem, free, matrix.get(), std::move(order));
+    std::unique_ptr<CholmodFactor> factor;
+    try {
+      factor = factorFree(problem, free, matrix.get(), shift, order);
+    } catch (const SingularBody& singular) {
+      if (problem.roles[std::size_t(singular.dof)] != DofRole::Kept)
+        throw;
+      std::fill(shift.begin(), shift.end(), size); // more than its rigid motions is free
+      factor = factorFree(problem, free, freeUpperTriangle(problem, free), shift, order);
+    }
     ledger.count("factorisations");
     ledger.count("factor nonzeros", factor->numNonzeros());
     return std::make_unique<CholmodBody>(problem, comm, ledger, std::move(free), shift, std::move(factor));

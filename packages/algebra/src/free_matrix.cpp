@@ -18,7 +18,13 @@ double meanKeptDiagonal(const SolverProblem& problem, const Comm& comm)
   return sum / double(problem.kept.size());
 }
 
-UpperTriangle freeUpperTriangle(const SolverProblem& problem, const FreeDofs& free, double shift)
+void shiftKept(UpperTriangle& A, const SolverProblem& problem, const FreeDofs& free, const Vector& shift)
+{
+  for (std::size_t c = 0; c < shift.size(); ++c)
+    A.diagonal(free.number[std::size_t(problem.kept[c])]) += shift[c];
+}
+
+UpperTriangle freeUpperTriangle(const SolverProblem& problem, const FreeDofs& free)
 {
   const BlockMatrix& K = *problem.matrix;
   UpperTriangle A;
@@ -35,11 +41,11 @@ UpperTriangle freeUpperTriangle(const SolverProblem& problem, const FreeDofs& fr
         if (free.number[std::size_t(other)] < 0)
           continue;
         A.rows.push_back(free.number[std::size_t(other)]);
-        A.values.push_back(K.values[std::size_t((b * K.dim + component) * K.dim + j)]);
+        A.values.push_back(
+            K.values[(std::size_t(b) * std::size_t(K.dim) + std::size_t(component)) * std::size_t(K.dim) +
+                     std::size_t(j)]);
       }
     NDFRAME_ASSERT(!A.rows.empty() && A.rows.back() == free.number[std::size_t(dof)], "a row has no diagonal entry");
-    if (problem.roles[std::size_t(dof)] == DofRole::Kept)
-      A.values.back() += shift;
     NDFRAME_ASSERT(A.rows.size() <= std::size_t(std::numeric_limits<int>::max()),
                    "the matrix is too large for Cholmod");
     A.colPtr.push_back(int(A.rows.size()));

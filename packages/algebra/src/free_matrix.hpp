@@ -6,8 +6,11 @@
 namespace ndframe
 {
 
-/// K on the free dofs, `shift` added to the diagonal of the kept ones.
-UpperTriangle freeUpperTriangle(const SolverProblem& problem, const FreeDofs& free, double shift);
+/// K on the free dofs.
+UpperTriangle freeUpperTriangle(const SolverProblem& problem, const FreeDofs& free);
+
+/// Adds to the diagonal of the kept dofs.
+void shiftKept(UpperTriangle& A, const SolverProblem& problem, const FreeDofs& free, const Vector& shift);
 
 /// The mean diagonal entry of the kept dofs: a shift of their size. 0 without any.
 double meanKeptDiagonal(const SolverProblem& problem, const Comm& comm);

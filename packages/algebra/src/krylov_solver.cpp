@@ -7,6 +7,7 @@
 #include "library_list.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "preconditioner_registry.hpp"
+#include "recycled_solutions.hpp"
 #include "solver_problem.hpp"
 #include "solvers.hpp"
 #include "split_body.hpp"
@@ -41,18 +42,103 @@ std::unique_ptr<ConjugateGradients> makeCg(const SolverProblem& problem, const C
   }
 }
 
+/// K on the dofs of one role, solved by conjugate gradients from a start that earlier solutions give.
+class KrylovSystem
+{
+public:
+  KrylovSystem(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
+               const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
+      : matrix_(*problem.matrix), roles_(problem.roles), comm_(comm), ledger_(ledger), options_(options),
+        cg_(makeCg(problem, comm, preconditioner, belos))
+  {}
+
+  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first: CG follows a
+  /// residual of its own that drifts, so it is started again on what is left. Throws NotConverged and SingularBody.
+  Vector solve(const Vector& load, Vector u) const
+  {
+    Vector residual = interiorResidual(load, u);
+    const double initial = norm(residual);
+    u = sum(std::move(u), recycled_.start(residual));
+    const Vector start = u, missing = residual = interiorResidual(load, u);
+    double current = norm(residual);
+    int iterations = 0;
+    while (!(current <= options_.tolerance * initial)) {
+      if (iterations >= options_.maxIterations || !std::isfinite(current))
+        throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
+                                       "Iterations\" or use another preconditioner or a direct solver",
+                                       current / initial, options_.tolerance, iterations));
+      const double reduction = 0.5 * options_.tolerance * initial / current;
+      ConjugateGradients::Result step = cg_->solve(residual, reduction, options_.maxIterations - iterations);
+      comm_.sum(step.x);
+      for (std::size_t dof = 0; dof < u.size(); ++dof)
+        if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
+          u[dof] += step.x[dof];
+      iterations += std::max(step.iterations, 1);
+      residual = interiorResidual(load, u);
+      current = norm(residual);
+    }
+    if (iterations > 0)
+      recycled_.add(difference(u, start), difference(missing, residual));
+    ledger_.count("back-solves");
+    ledger_.count("Krylov solves");
+    ledger_.count("Krylov iterations", iterations);
+    return u;
+  }
+
+private:
+  static Vector sum(Vector a, const Vector& b)
+  {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      a[i] += b[i];
+    return a;
+  }
+  static Vector difference(Vector a, const Vector& b)
+  {
+    for (std::size_t i = 0; i < a.size(); ++i)
+      a[i] -= b[i];
+    return a;
+  }
+
+  /// load - K u on the interior dofs, zero elsewhere.
+  Vector interiorResidual(const Vector& load, const Vector& u) const
+  {
+    Vector residual = multiply(matrix_, u, comm_);
+    for (std::size_t dof = 0; dof < residual.size(); ++dof)
+      residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
+    return residual;
+  }
+
+  const BlockMatrix& matrix_;
+  std::vector<DofRole> roles_;
+  Comm comm_;
+  Ledger& ledger_;
+  KrylovOptions options_;
+  std::unique_ptr<ConjugateGradients> cg_;
+  mutable RecycledSolutions recycled_;
+};
+
+/// The problem whose kept dofs are unknowns, but for the held ones.
+SolverProblem freeProblem(SolverProblem problem, const FreeMotions& motions)
+{
+  for (const int dof : problem.kept)
+    problem.roles[std::size_t(dof)] = DofRole::Interior;
+  for (const int held : motions.held)
+    problem.roles[std::size_t(problem.kept[std::size_t(held)])] = DofRole::Fixed;
+  problem.kept.clear();
+  return problem;
+}
+
 /// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
 /// dof.
 class KrylovBody final : public SplitBody
 {
 public:
   KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-             const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
-      : SplitBody(problem, comm, ledger), options_(options), preconditionerName_(preconditioner.name()),
-        cg_(makeCg(problem, comm, preconditioner, belos))
+             std::shared_ptr<const Preconditioner> preconditioner, Teuchos::ParameterList belos)
+      : SplitBody(problem, comm, ledger), problem_(problem), options_(options),
+        preconditioner_(std::move(preconditioner)), belos_(std::move(belos)), interior_(makeSystem(problem))
   {}
 
-  /// Throws NotConverged and SingularBody.
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
   {
     checkShapes(load, kept);
@@ -61,11 +147,26 @@ public:
       Vector start(std::size_t(numDofs()), 0.0);
       for (int c = 0; c < numKept(); ++c)
         start[std::size_t(kept_[std::size_t(c)])] = kept(c, j);
-      const Vector solution = solve(load.column(j), std::move(start));
+      const Vector solution = interior_->solve(load.column(j), std::move(start));
       std::copy(solution.begin(), solution.end(), u.col(j));
     }
     return u;
   }
+
+  Vector solveNeumann(const Vector& force) const override
+  {
+    if (!free_)
+      free_ = makeSystem(freeProblem(problem_, motions_));
+    Vector load(std::size_t(numDofs()), 0.0), kept;
+    for (std::size_t c = 0; c < kept_.size(); ++c)
+      load[std::size_t(kept_[c])] = force[c];
+    const Vector u = free_->solve(load, Vector(load.size(), 0.0));
+    for (const int dof : kept_)
+      kept.push_back(u[std::size_t(dof)]);
+    return kept;
+  }
+
+  bool solvesNeumann() const override { return true; }
 
   DenseMatrix schurComplement() const override
   {
@@ -87,51 +188,21 @@ public:
 
   std::string description() const override
   {
-    return fmt::format("Krylov, Belos CG, {}, tolerance {:.0e}", preconditionerName_, options_.tolerance);
+    return fmt::format("Krylov, Belos CG, {}, tolerance {:.0e}", preconditioner_->name(), options_.tolerance);
   }
 
 private:
-  /// load - K u on the interior dofs, zero elsewhere.
-  Vector interiorResidual(const Vector& load, const Vector& u) const
+  std::unique_ptr<KrylovSystem> makeSystem(const SolverProblem& problem) const
   {
-    Vector residual = multiply(matrix_, u, comm_);
-    for (std::size_t dof = 0; dof < residual.size(); ++dof)
-      residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
-    return residual;
+    return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, *preconditioner_, belos_);
   }
 
-  /// Improves u (its kept and fixed values are given) until the true residual is small: CG follows a residual of its
-  /// own that drifts, so it is started again on what is left.
-  Vector solve(const Vector& load, Vector u) const
-  {
-    Vector residual = interiorResidual(load, u);
-    const double initial = norm(residual);
-    double current = initial;
-    int iterations = 0;
-    while (!(current <= options_.tolerance * initial)) {
-      if (iterations >= options_.maxIterations || !std::isfinite(current))
-        throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
-                                       "Iterations\" or use another preconditioner or a direct solver",
-                                       current / initial, options_.tolerance, iterations));
-      const double reduction = 0.5 * options_.tolerance * initial / current;
-      ConjugateGradients::Result step = cg_->solve(residual, reduction, options_.maxIterations - iterations);
-      comm_.sum(step.x);
-      for (std::size_t dof = 0; dof < u.size(); ++dof)
-        if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
-          u[dof] += step.x[dof];
-      iterations += std::max(step.iterations, 1);
-      residual = interiorResidual(load, u);
-      current = norm(residual);
-    }
-    ledger_.count("back-solves");
-    ledger_.count("Krylov solves");
-    ledger_.count("Krylov iterations", iterations);
-    return u;
-  }
-
+  SolverProblem problem_;
   KrylovOptions options_;
-  std::string preconditionerName_;
-  std::unique_ptr<ConjugateGradients> cg_;
+  std::shared_ptr<const Preconditioner> preconditioner_;
+  Teuchos::ParameterList belos_;
+  std::unique_ptr<KrylovSystem> interior_;
+  mutable std::unique_ptr<KrylovSystem> free_; ///< with the kept dofs as unknowns: set up when it is first needed
 };
 
 class Krylov final : public LinearSolver
@@ -145,7 +216,7 @@ public:
   {
     checkProblem(problem, comm);
     const auto timer = ledger.time("factor");
-    return std::make_unique<KrylovBody>(problem, comm, ledger, options_, *preconditioner_, belos_);
+    return std::make_unique<KrylovBody>(problem, comm, ledger, options_, preconditioner_, belos_);
   }
 
   std::string name(int) const override { return "Krylov"; }
@@ -153,7 +224,7 @@ public:
 
 private:
   KrylovOptions options_;
-  std::unique_ptr<Preconditioner> preconditioner_;
+  std::shared_ptr<const Preconditioner> preconditioner_;
   Teuchos::ParameterList belos_;
 };
 

@@ -2,7 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "mumps_entries.hpp"
 #include "mumps_instance.hpp"
+#include "ndframe/algebra/symmetric_operator.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ordering.hpp"
 #include "solver_problem.hpp"
@@ -17,41 +19,6 @@ namespace
 
 /// A pivot of the scaled matrix below this is round-off; the same as Cholmod's.
 constexpr double smallestPivot = 1e-12;
-
-/// This rank's rows of the lower triangle on the free dofs, numbered from one.
-struct LowerEntries
-{
-  std::vector<MUMPS_INT> rows;
-  std::vector<MUMPS_INT> cols;
-  std::vector<double> values;
-};
-
-LowerEntries ownLowerEntries(const BlockMatrix& K, const FreeDofs& free)
-{
-  LowerEntries entries;
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
-      for (int i = 0; i < K.dim; ++i)
-        for (int j = 0; j < K.dim; ++j) {
-          const int row = free.number[std::size_t(K.rows[r] * K.dim + i)];
-          const int col = free.number[std::size_t(K.cols[std::size_t(b)] * K.dim + j)];
-          if (row < 0 || col < 0 || col > row)
-            continue;
-          entries.rows.push_back(row + 1);
-          entries.cols.push_back(col + 1);
-          entries.values.push_back(K.values[std::size_t((b * K.dim + i) * K.dim + j)]);
-        }
-  return entries;
-}
-
-/// MUMPS wants, for every variable, its position.
-std::vector<MUMPS_INT> positionsFromOne(const std::vector<int>& order)
-{
-  std::vector<MUMPS_INT> positions(order.size());
-  for (std::size_t k = 0; k < order.size(); ++k)
-    positions[std::size_t(order[k])] = MUMPS_INT(k) + 1;
-  return positions;
-}
 
 [[noreturn]] void rethrow(const MumpsFailure& failure)
 {
@@ -131,16 +98,45 @@ public:
     return g;
   }
 
+  /// On the host, which has S.
+  Vector applySchur(const Vector& kept) const override
+  {
+    ledger_.count("kept solves");
+    Vector force(kept.size(), 0.0);
+    if (comm_.rank() == 0)
+      force = multiplyLowerRows(schur_, kept);
+    comm_.broadcast(force);
+    return force;
+  }
+
+  /// By a dense factor of S on the host, made when it is first needed.
+  Vector solveNeumann(const Vector& force) const override
+  {
+    NDFRAME_ASSERT(solvesNeumann(), "this body has no Neumann solve");
+    ledger_.count("kept solves");
+    Vector u = force;
+    if (inverse_)
+      u = inverse_->solve(force);
+    comm_.broadcast(u);
+    return u;
+  }
+
+  bool solvesNeumann() const override
+  {
+    if (state_.empty()) {
+      state_ = {1.0};
+      if (comm_.rank() == 0)
+        invert();
+      comm_.broadcast(state_);
+    }
+    return state_.front() > 0.0;
+  }
+
   DenseMatrix schurComplement() const override
   {
     Vector rows = schur_;
     comm_.broadcast(rows);
-    const int n = numKept();
-    DenseMatrix S(n, n);
-    for (int i = 0; i < n; ++i) // MUMPS gives the lower triangle, row after row
-      for (int j = 0; j <= i; ++j)
-        S(i, j) = S(j, i) = rows[std::size_t(i) * std::size_t(n) + std::size_t(j)];
-    return S;
+    return matrixOfLowerRows(rows, numKept());
   }
 
   bool hasCheapSchur() const override { return true; }
@@ -152,6 +148,18 @@ public:
   }
 
 private:
+  void invert() const
+  {
+    std::vector<char> isFree(kept_.size(), 1);
+    for (const int held : motions_.held)
+      isFree[std::size_t(held)] = 0;
+    try {
+      inverse_ = makeDenseOperator(matrixOfLowerRows(schur_, numKept()))->inverseOn(isFree, 0.0);
+    } catch (const NotPositiveDefinite&) {
+      state_ = {0.0};
+    }
+  }
+
   /// ICNTL(26)
   enum class Half
   {
@@ -246,7 +254,9 @@ private:
   }
 
   FreeDofs free_;
-  Vector schur_; ///< on the host
+  Vector schur_;                                       ///< on the host
+  mutable std::unique_ptr<RestrictedInverse> inverse_; ///< on the host
+  mutable Vector state_;                               ///< empty before invert(); 1 if it has an inverse
   mutable MumpsInstance mumps_;
 };
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/algebra/pivot_rows.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -42,18 +43,41 @@ DenseMatrix unitModes(DenseMatrix modes)
   return modes;
 }
 
-DenseMatrix rowsNotInterior(const DenseMatrix& modes, const std::vector<DofRole>& roles)
+std::vector<int> dofsOf(const SolverProblem& problem, std::initializer_list<DofRole> roles)
 {
-  std::vector<int> held;
-  for (std::size_t dof = 0; dof < roles.size(); ++dof)
-    if (roles[dof] != DofRole::Interior)
-      held.push_back(int(dof));
-  DenseMatrix rows(int(held.size()), modes.cols());
+  std::vector<int> dofs;
+  for (std::size_t dof = 0; dof < problem.roles.size(); ++dof)
+    if (std::find(roles.begin(), roles.end(), problem.roles[dof]) != roles.end())
+      dofs.push_back(int(dof));
+  return dofs;
+}
+
+DenseMatrix rowsOf(const DenseMatrix& modes, const std::vector<int>& dofs)
+{
+  DenseMatrix rows(int(dofs.size()), modes.cols());
   for (int m = 0; m < modes.cols(); ++m)
     for (int i = 0; i < rows.rows(); ++i)
-      rows(i, m) = modes(held[std::size_t(i)], m);
+      rows(i, m) = modes(dofs[std::size_t(i)], m);
   return rows;
 }
+
+/// Whether a motion needs no energy.
+class EnergyTest
+{
+public:
+  EnergyTest(const SolverProblem& problem, const Comm& comm)
+      : K_(*problem.matrix), comm_(comm), stiffness_(largestEntry(diagonal(K_, comm)))
+  {}
+  bool isFree(const Vector& motion) const
+  {
+    return largestEntry(multiply(K_, motion, comm_)) <= zeroMotion * stiffness_ * largestEntry(motion);
+  }
+
+private:
+  const BlockMatrix& K_;
+  const Comm& comm_;
+  double stiffness_;
+};
 
 } // namespace
 
@@ -75,12 +99,11 @@ void checkProblem(const SolverProblem& problem, const Comm& comm)
   if (problem.nearNullSpace.cols() == 0)
     return;
   const DenseMatrix modes = unitModes(problem.nearNullSpace);
-  const DenseMatrix unheld = nullSpace(rowsNotInterior(modes, problem.roles), zeroMotion);
-  const double stiffness = largestEntry(diagonal(*problem.matrix, comm));
+  const DenseMatrix unheld = nullSpace(rowsOf(modes, dofsOf(problem, {DofRole::Fixed, DofRole::Kept})), zeroMotion);
+  const EnergyTest energy(problem, comm);
   for (int k = 0; k < unheld.cols(); ++k) {
     const Vector motion = multiply(modes, unheld.column(k));
-    const double force = largestEntry(multiply(*problem.matrix, motion, comm));
-    if (force > zeroMotion * stiffness * largestEntry(motion))
+    if (!energy.isFree(motion))
       continue;
     const auto most =
         std::max_element(motion.begin(), motion.end(), [](double a, double b) { return std::abs(a) < std::abs(b); });
@@ -89,6 +112,22 @@ void checkProblem(const SolverProblem& problem, const Comm& comm)
         fmt::format("a rigid motion of the body moves none of its fixed or interface dofs; dof {} moves most", dof),
         dof);
   }
+}
+
+FreeMotions freeMotions(const SolverProblem& problem, const Comm& comm)
+{
+  FreeMotions motions{DenseMatrix(int(problem.kept.size()), 0), {}};
+  if (problem.nearNullSpace.cols() == 0 || problem.kept.empty())
+    return motions;
+  const DenseMatrix modes = unitModes(problem.nearNullSpace);
+  const DenseMatrix unheld = nullSpace(rowsOf(modes, dofsOf(problem, {DofRole::Fixed})), zeroMotion);
+  const EnergyTest energy(problem, comm);
+  for (int k = 0; k < unheld.cols(); ++k)
+    if (!energy.isFree(multiply(modes, unheld.column(k))))
+      return motions; // these modes do not know what the body can do
+  motions.traces = multiply(rowsOf(modes, problem.kept), unheld);
+  motions.held = pivotRows(motions.traces);
+  return motions;
 }
 
 } // namespace ndframe

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/neumann_solver.hpp"
 
 namespace ndframe
 {
@@ -22,5 +22,8 @@ struct FreeDofs
 /// the near null space that needs no energy moves neither a fixed nor a kept dof: nothing holds the body, and K_ii is
 /// singular whatever its pivots look like.
 void checkProblem(const SolverProblem& problem, const Comm& comm);
+
+/// The combinations of the near null space that move no fixed dof and need no energy. `held` by pivotRows().
+FreeMotions freeMotions(const SolverProblem& problem, const Comm& comm);
 
 } // namespace ndframe

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "solver_problem.hpp"
 
 namespace ndframe
 {
@@ -31,7 +32,8 @@ double rowTimes(const BlockMatrix& K, int dof, const double* u)
 } // namespace
 
 SplitBody::SplitBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger)
-    : matrix_(*problem.matrix), roles_(problem.roles), kept_(problem.kept), comm_(comm), ledger_(ledger)
+    : matrix_(*problem.matrix), roles_(problem.roles), kept_(problem.kept),
+      motions_(ndframe::freeMotions(problem, comm)), comm_(comm), ledger_(ledger)
 {}
 
 DenseMatrix SplitBody::reduce(const DenseMatrix& load) const
@@ -46,6 +48,13 @@ DenseMatrix SplitBody::reduce(const DenseMatrix& load) const
 Vector SplitBody::applySchur(const Vector& kept) const
 {
   return keptRowsTimes(expand(DenseMatrix(numDofs(), 1), DenseMatrix(kept))).column(0);
+}
+
+const NeumannSolver& neumannSolver(const CondensedBody& body)
+{
+  const auto* solver = dynamic_cast<const NeumannSolver*>(&body);
+  NDFRAME_ASSERT(solver != nullptr, "a condensed body has no Neumann solver");
+  return *solver;
 }
 
 void SplitBody::checkShapes(const DenseMatrix& load, const DenseMatrix& kept) const

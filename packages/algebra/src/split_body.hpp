@@ -2,19 +2,20 @@
 
 #include <vector>
 
-#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/neumann_solver.hpp"
 
 namespace ndframe
 {
 
 /// What the factored bodies share: the split into interior and kept dofs, and what follows from expand() alone.
-class SplitBody : public CondensedBody
+class SplitBody : public CondensedBody, public NeumannSolver
 {
 public:
   /// g = load_c - (K u)_c with u = expand(load, 0).
   DenseMatrix reduce(const DenseMatrix& load) const override;
   /// S u_c = (K u)_c with u = expand(0, u_c).
   Vector applySchur(const Vector& kept) const override;
+  const FreeMotions& freeMotions() const override { return motions_; }
 
 protected:
   SplitBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger);
@@ -29,6 +30,7 @@ protected:
   const BlockMatrix& matrix_;
   std::vector<DofRole> roles_;
   std::vector<int> kept_;
+  FreeMotions motions_;
   Comm comm_;
   Ledger& ledger_;
 };

@@ -98,7 +98,8 @@ Yardstick measureYardstick(const SolverProblem& problem, const Vector& load)
 {
   const Comm comm = Comm::single();
   const FreeDofs free(problem.roles);
-  UpperTriangle A = freeUpperTriangle(problem, free, meanKeptDiagonal(problem, comm));
+  UpperTriangle A = freeUpperTriangle(problem, free);
+  shiftKept(A, problem, free, Vector(problem.kept.size(), meanKeptDiagonal(problem, comm)));
   Vector freeLoad;
   for (const int dof : free.dofs)
     freeLoad.push_back(load[std::size_t(dof)]);

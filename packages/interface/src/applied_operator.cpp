@@ -26,8 +26,12 @@ public:
   Vector solve(const Vector& b) const override
   {
     const int mostIterations = 200 + 10 * A_.size();
-    Vector x(b.size(), 0.0), r = restricted(b), p = r;
+    Vector x(b.size(), 0.0), r = restricted(b);
     double rr = dot(r, r), stiffest = 0.0;
+    if (rr == 0.0)
+      return x;
+    Vector p = restricted(A_.precondition(r));
+    double rz = dot(r, p);
     const double target = A_.tolerance() * A_.tolerance() * rr;
     for (int iteration = 0; rr > target; ++iteration) {
       if (iteration == mostIterations)
@@ -40,15 +44,17 @@ public:
       stiffest = std::max(stiffest, stiffness);
       if (!(stiffness > noStiffness * stiffest))
         throw NotPositiveDefinite{-1};
-      const double step = rr / curvature;
+      const double step = rz / curvature;
       for (std::size_t i = 0; i < x.size(); ++i) {
         x[i] += step * p[i];
         r[i] -= step * Ap[i];
       }
-      const double next = dot(r, r);
+      const Vector z = restricted(A_.precondition(r));
+      const double next = dot(r, z);
       for (std::size_t i = 0; i < p.size(); ++i)
-        p[i] = r[i] + next / rr * p[i];
-      rr = next;
+        p[i] = z[i] + next / rz * p[i];
+      rz = next;
+      rr = dot(r, r);
     }
     return x;
   }
@@ -78,16 +84,25 @@ private:
 
 std::unique_ptr<RestrictedInverse> AppliedOperator::inverseOn(const std::vector<char>& isFree, double shift) const
 {
+  if (shift == 0.0)
+    if (auto direct = directInverse(isFree))
+      return direct;
   return std::make_unique<ConjugateGradients>(*this, isFree, shift);
+}
+
+const AppliedOperator* asApplied(const SymmetricOperator& S)
+{
+  if (S.dense() != nullptr)
+    return nullptr;
+  const auto* applied = dynamic_cast<const AppliedOperator*>(&S);
+  NDFRAME_ASSERT(applied != nullptr, "an interface operator is neither stored nor an AppliedOperator");
+  return applied;
 }
 
 double toleranceOf(const SymmetricOperator& S)
 {
-  if (S.dense() != nullptr)
-    return 0.0;
-  const auto* applied = dynamic_cast<const AppliedOperator*>(&S);
-  NDFRAME_ASSERT(applied != nullptr, "an interface operator is neither stored nor an AppliedOperator");
-  return applied->tolerance();
+  const AppliedOperator* applied = asApplied(S);
+  return applied == nullptr ? 0.0 : applied->tolerance();
 }
 
 } // namespace ndframe

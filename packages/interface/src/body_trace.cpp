@@ -9,25 +9,49 @@ namespace ndframe
 namespace
 {
 
+Vector product(Vector v, const Vector& scale)
+{
+  for (std::size_t i = 0; i < v.size(); ++i)
+    v[i] *= scale[i];
+  return v;
+}
+
+/// a S_FF^-1 a.
+class ScaledInverse final : public RestrictedInverse
+{
+public:
+  ScaledInverse(std::unique_ptr<RestrictedInverse> inverse, const Vector& scale)
+      : inverse_(std::move(inverse)), scale_(scale)
+  {}
+  Vector solve(const Vector& b) const override { return product(inverse_->solve(product(b, scale_)), scale_); }
+
+private:
+  std::unique_ptr<RestrictedInverse> inverse_;
+  const Vector& scale_;
+};
+
 /// a^-1 S a^-1 for an operator that is only applied.
 class ScaledOperator final : public AppliedOperator
 {
 public:
-  ScaledOperator(std::unique_ptr<SymmetricOperator> S, Vector inverseScale, double tolerance)
-      : AppliedOperator(tolerance), S_(std::move(S)), inverseScale_(std::move(inverseScale))
+  ScaledOperator(std::unique_ptr<SymmetricOperator> S, Vector scale, Vector inverseScale)
+      : AppliedOperator(toleranceOf(*S)), owned_(std::move(S)), S_(*asApplied(*owned_)), scale_(std::move(scale)),
+        inverseScale_(std::move(inverseScale))
   {}
-  int size() const override { return S_->size(); }
-  Vector apply(const Vector& x) const override { return scaled(S_->apply(scaled(x))); }
+  int size() const override { return S_.size(); }
+  Vector apply(const Vector& x) const override { return product(S_.apply(product(x, inverseScale_)), inverseScale_); }
+  bool hasPreconditioner() const override { return S_.hasPreconditioner(); }
+  Vector precondition(const Vector& b) const override { return product(S_.precondition(product(b, scale_)), scale_); }
+  std::unique_ptr<RestrictedInverse> directInverse(const std::vector<char>& isFree) const override
+  {
+    auto inverse = S_.directInverse(isFree);
+    return inverse ? std::make_unique<ScaledInverse>(std::move(inverse), scale_) : nullptr;
+  }
 
 private:
-  Vector scaled(Vector v) const
-  {
-    for (std::size_t i = 0; i < v.size(); ++i)
-      v[i] *= inverseScale_[i];
-    return v;
-  }
-  std::unique_ptr<SymmetricOperator> S_;
-  Vector inverseScale_;
+  std::unique_ptr<SymmetricOperator> owned_;
+  const AppliedOperator& S_;
+  Vector scale_, inverseScale_;
 };
 
 } // namespace
@@ -38,9 +62,11 @@ std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body
   auto S = representation.represent(body, int(trace.size()));
   if (std::all_of(trace.begin(), trace.end(), [](const TraceDof& t) { return t.scale == 1.0; }))
     return S;
-  Vector inverse;
-  for (const auto& t : trace)
+  Vector scale, inverse;
+  for (const auto& t : trace) {
+    scale.push_back(t.scale);
     inverse.push_back(1.0 / t.scale);
+  }
   if (const DenseMatrix* stored = S->dense()) {
     DenseMatrix scaled = *stored;
     for (int j = 0; j < scaled.cols(); ++j)
@@ -48,8 +74,7 @@ std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body
         scaled(i, j) *= inverse[std::size_t(i)] * inverse[std::size_t(j)];
     return makeDenseOperator(std::move(scaled));
   }
-  const double tolerance = toleranceOf(*S);
-  return std::make_shared<ScaledOperator>(std::move(S), std::move(inverse), tolerance);
+  return std::make_shared<ScaledOperator>(std::move(S), std::move(scale), std::move(inverse));
 }
 
 Vector traceLoad(const CondensedBody& body, const std::vector<TraceDof>& trace, const SymmetricOperator& S,
