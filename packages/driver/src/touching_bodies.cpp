@@ -34,20 +34,25 @@ std::set<std::pair<int, int>> pairedFacets(const Model& model, int body, int oth
   return paired;
 }
 
+/// The boundaries of the bodies; a body alone meets nobody.
+std::vector<std::vector<Facet>> boundariesOf(const Model& model)
+{
+  std::vector<std::vector<Facet>> boundaries;
+  for (std::size_t b = 0; model.bodies.size() > 1 && b < model.bodies.size(); ++b)
+    boundaries.push_back(boundaryFacets(model.bodies[b].mesh));
+  return boundaries;
+}
+
 /// Every pair of bodies on these meshes.
 template <class Report>
-void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes, const Report& report)
+void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes,
+                  const std::vector<std::vector<Facet>>& boundaries, const Report& report)
 {
-  std::vector<std::vector<Facet>> facets;
-  if (meshes.size() < 2)
-    return;
-  for (const auto& body : model.bodies)
-    facets.push_back(boundaryFacets(body.mesh));
-  for (int a = 0; a < int(meshes.size()); ++a)
-    for (int b = a + 1; b < int(meshes.size()); ++b)
+  for (int a = 0; a < int(boundaries.size()); ++a)
+    for (int b = a + 1; b < int(boundaries.size()); ++b)
       report(a, b,
-             encounterOf({meshes[std::size_t(a)], facets[std::size_t(a)], pairedFacets(model, a, b)},
-                         {meshes[std::size_t(b)], facets[std::size_t(b)], pairedFacets(model, b, a)}));
+             encounterOf({meshes[std::size_t(a)], boundaries[std::size_t(a)], pairedFacets(model, a, b)},
+                         {meshes[std::size_t(b)], boundaries[std::size_t(b)], pairedFacets(model, b, a)}));
 }
 
 std::string bodyNames(const Model& model, int a, int b)
@@ -82,7 +87,7 @@ void findTouchingBodies(const Model& model, const Params& deck, Diagnostics& fou
   std::vector<const Mesh*> meshes;
   for (const auto& body : model.bodies)
     meshes.push_back(&body.mesh);
-  forEveryPair(model, meshes, [&](int a, int b, const Encounter& encounter) {
+  forEveryPair(model, meshes, boundariesOf(model), [&](int a, int b, const Encounter& encounter) {
     const int dim = meshes.front()->dim;
     if (encounter.depth > 0.0)
       found.add(deck.sub("Bodies").mistake(
@@ -102,6 +107,7 @@ void findTouchingBodies(const Model& model, const Params& deck, Diagnostics& fou
 /// Bodies that their displacements bring into each other where no interface is.
 void findOverlaps(const Run& run, const Params& deck, Diagnostics& found)
 {
+  const auto boundaries = boundariesOf(run.model);
   const auto offsets = gapOffsets(run.model);
   const double factor = drawnPart(run.summary);
   double motion = 0.0;
@@ -116,11 +122,11 @@ void findOverlaps(const Run& run, const Params& deck, Diagnostics& found)
     after.push_back(&moved[b]);
   }
   std::set<std::pair<int, int>> known; // they touch or overlap in the mesh already
-  forEveryPair(run.model, before, [&](int a, int b, const Encounter& encounter) {
+  forEveryPair(run.model, before, boundaries, [&](int a, int b, const Encounter& encounter) {
     if (encounter.depth > 0.0 || encounter.touching)
       known.insert({a, b});
   });
-  forEveryPair(run.model, after, [&](int a, int b, const Encounter& encounter) {
+  forEveryPair(run.model, after, boundaries, [&](int a, int b, const Encounter& encounter) {
     if (known.count({a, b}) == 0 && encounter.depth > secondOrder * motion)
       found.add(
           deck.sub("Interfaces")
