@@ -13,13 +13,25 @@ using namespace ndframe::test;
 namespace
 {
 
+DrawnScene sceneOf(const SweepOptions& options, int index)
+{
+  if (options.needles)
+    return drawNeedleScene(options.seed, index);
+  if (!options.turning)
+    return drawScene(options.seed, index);
+  DrawnScene scene = drawTurningScene(options.seed, index);
+  if (options.ownNormals)
+    scene.deck.set("Interfaces/contact/Corner Angle", 0.0);
+  return scene;
+}
+
 bool searchViolations(const SweepOptions& options)
 {
   std::vector<Trial> trials;
   std::ofstream table(options.folder + "/sweep.csv");
   table << titleRow();
   for (int i = options.first; i < options.first + options.scenes; ++i) {
-    const DrawnScene scene = options.needles ? drawNeedleScene(options.seed, i) : drawScene(options.seed, i);
+    const DrawnScene scene = sceneOf(options, i);
     trials.push_back(runTrial(scene, i, options.folder, options.keep));
     table << row(trials.back()) << std::flush;
     for (const auto& violation : trials.back().violations)

@@ -11,8 +11,10 @@ namespace
 class ContactScene
 {
 public:
-  explicit ContactScene(Draw& draw)
-      : draw_(draw), frame_{draw.pick<double>({1.0, 1.0, 1e-3, 2e3}), draw.chance(0.4) ? draw.uniform(0.0, 360.0) : 0.0}
+  explicit ContactScene(Draw& draw, bool turning = false)
+      : draw_(draw), frame_{draw.pick<double>({1.0, 1.0, 1e-3, 2e3}),
+                            draw.chance(0.4) ? draw.uniform(0.0, 360.0) : 0.0},
+        turning_(turning)
   {}
 
   DrawnScene take();
@@ -20,6 +22,7 @@ public:
 private:
   void drawBodies();
   void drawMeshes();
+  std::function<double(double)> drawShape(const std::vector<double>& x);
   void supportUpper();
   void supportLower();
   void loadUpper();
@@ -31,6 +34,7 @@ private:
 
   Draw& draw_;
   const Frame frame_;
+  const bool turning_; ///< the sides are curved or kinked, and the coupling converges
   DrawnScene scene_{"sweep"};
   double stress_ = 1.0, displacement_ = 1.0; ///< sizes to expect
   std::string contactSide_;
@@ -48,13 +52,32 @@ void ContactScene::drawBodies()
   displacement_ = 0.01 * frame_.length;
 }
 
+/// A curve or a kink at a vertex, and its word.
+std::function<double(double)> ContactScene::drawShape(const std::vector<double>& x)
+{
+  const double size = draw_.logarithmic(0.02, 0.2) * (draw_.chance(0.5) ? 1.0 : -1.0);
+  const std::string shape = draw_.pick<std::string>({"arc", "wave", "hump", "kinked", "kinked"});
+  scene_.kind = shape;
+  if (shape == "arc")
+    return [=](double X) { return 4.0 * size * X * (1.0 - X); };
+  if (shape == "wave")
+    return [=](double X) { return size * std::cos(std::acos(-1.0) * X); };
+  if (shape == "hump") // between straight parts
+    return [=](double X) { return size * std::pow(std::max(0.0, 4.0 * (X - 0.25) * (0.75 - X)), 2); };
+  const double at = x[std::size_t(draw_.integer(1, int(x.size()) - 2))];
+  return [=](double X) { return 4.0 * size * std::max(0.0, X - at); };
+}
+
 void ContactScene::drawMeshes()
 {
   MeshStyle style = drawMeshStyle(draw_);
   kinked_ = draw_.chance(0.15);
   if (kinked_)
     style = {true, {}, 1.0, "kinked"};
-  const int cells = draw_.integer(2, 5), more = draw_.chance(0.5) ? draw_.integer(1, 3) : 0;
+  if (turning_)
+    style = {true, {}, 1.0, ""};
+  const int cells = turning_ ? draw_.integer(3, 9) : draw_.integer(2, 5),
+            more = draw_.chance(0.5) ? draw_.integer(1, 3) : 0;
   Rectangle upper, lower;
   upper.x = gridLines(0.0, 1.0, cells);
   if (style.random)
@@ -72,10 +95,12 @@ void ContactScene::drawMeshes()
   if (more > 0)
     std::tie(lower.split, lower.at, lower.first, lower.second) = std::tuple("top", 1.0, "contact", "free");
   const double slope = kinked_ ? draw_.uniform(-0.3, 0.3) : 0.0, start = upper.x[1];
-  const auto lift = [=](double x) { return slope * std::max(0.0, x - start); };
+  std::function<double(double)> lift = [=](double x) { return slope * std::max(0.0, x - start); };
+  if (turning_)
+    lift = drawShape(upper.x);
   drawMesh(scene_, "upper", upper, style, lift, frame_, draw_);
   drawMesh(scene_, "lower", lower, style, lift, frame_, draw_);
-  scene_.kind = style.word;
+  scene_.kind += style.word;
 }
 
 void ContactScene::support(const std::string& path, const std::string& type, const std::string& side)
@@ -118,7 +143,7 @@ void ContactScene::supportUpper()
 void ContactScene::supportLower()
 {
   const int way = draw_.integer(0, 3);
-  if (way == 0 && !kinked_) {
+  if (way == 0 && !kinked_ && !turning_) {
     support("lower/Supports/ground", "Roller", "bottom");
     support("lower/Supports/symmetry", "Roller", "left");
   } else if (way == 1) {
@@ -183,7 +208,7 @@ void ContactScene::drawGap()
 
 void ContactScene::drawCoupling()
 {
-  if (draw_.chance(0.2)) {
+  if (turning_ || draw_.chance(0.2)) {
     scene_.deck.set("Coupling/Type", "Monolithic");
     scene_.kind += " monolithic";
     return;
@@ -215,6 +240,12 @@ DrawnScene ContactScene::take()
 DrawnScene drawContactScene(Draw& draw)
 {
   return ContactScene(draw).take();
+}
+
+DrawnScene drawTurningScene(std::uint64_t seed, int index)
+{
+  Draw draw(seed * 1000003u + std::uint64_t(index));
+  return ContactScene(draw, true).take();
 }
 
 } // namespace ndframe::test

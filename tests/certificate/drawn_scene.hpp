@@ -57,6 +57,8 @@ void drawCertificate(DrawnScene& scene, int dim, bool touches, Draw& draw);
 
 /// Two bodies in contact.
 DrawnScene drawContactScene(Draw& draw);
+/// Two bodies whose sides are curved or kinked, without iteration between them.
+DrawnScene drawTurningScene(std::uint64_t seed, int index);
 /// One body, dim 2 or 3.
 DrawnScene drawLinearScene(int dim, Draw& draw);
 

@@ -21,7 +21,9 @@ SweepOptions readOptions(int argc, char** argv)
       {"--finest", [&](const std::string& value) { options.finest = std::stoi(value); }}};
   const std::map<std::string, bool SweepOptions::*> flags{{"--keep", &SweepOptions::keep},
                                                           {"--needles", &SweepOptions::needles},
-                                                          {"--sharpness", &SweepOptions::sharpness}};
+                                                          {"--sharpness", &SweepOptions::sharpness},
+                                                          {"--turning", &SweepOptions::turning},
+                                                          {"--own-normals", &SweepOptions::ownNormals}};
   try {
     for (int i = 1; i < argc; ++i)
       if (const auto flag = flags.find(argv[i]); flag != flags.end())
@@ -32,7 +34,7 @@ SweepOptions readOptions(int argc, char** argv)
         throw std::invalid_argument("value");
   } catch (const std::exception&) {
     std::fputs("certificate_sweep [--scenes N] [--seed S] [--first N] [--folder F] [--keep] [--needles] [--sharpness "
-               "[--finest N]]\n",
+               "[--finest N]] [--turning [--own-normals]]\n",
                stderr);
     std::exit(2);
   }

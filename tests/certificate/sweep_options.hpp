@@ -15,11 +15,13 @@ struct SweepOptions
   bool keep = false;                        ///< keep all decks
   bool sharpness = false;                   ///< measure effectivities instead of looking for violations
   bool needles = false;                     ///< scenes whose data are narrower than the mesh
+  bool turning = false;                     ///< scenes whose sides are curved or kinked
+  bool ownNormals = false;                  ///< Corner Angle = 0 in these
   int finest = 24;                          ///< cells a side of the sharpness scenes, at most
 };
 
-/// --scenes N --seed S --first N --folder F --keep --needles --sharpness --finest N. Anything else ends the program
-/// with code 2.
+/// --scenes N --seed S --first N --folder F --keep --needles --sharpness --turning --own-normals --finest N. Anything
+/// else ends the program with code 2.
 SweepOptions readOptions(int argc, char** argv);
 
 } // namespace ndframe::test

@@ -131,11 +131,14 @@ BodyModel renumbered(const BodyModel& body)
   return result;
 }
 
-Params interfaceEntry(const std::string& dirichletSide, const std::string& neumannSide, const std::string& gap)
+Params interfaceEntry(const std::string& dirichletSide, const std::string& neumannSide, const std::string& gap,
+                      double cornerAngle)
 {
   ListSpec spec;
   spec.params = {ParamSpec::required("Dirichlet Side", Kind::String, ""),
-                 ParamSpec::required("Neumann Side", Kind::String, ""), ParamSpec::expression("Gap", "0", "")};
+                 ParamSpec::required("Neumann Side", Kind::String, ""),
+                 ParamSpec::expression("Gap", "0", ""),
+                 {"Corner Angle", cornerAngle, ""}};
   return validated(text("Dirichlet Side", dirichletSide) + text("Neumann Side", neumannSide) + text("Gap", gap), spec,
                    "contact");
 }

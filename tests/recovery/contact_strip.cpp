@@ -8,6 +8,7 @@
 
 #include "ndframe/fem/lagrange.hpp"
 #include "ndframe/recovery/contact_nodes.hpp"
+#include "recovery/turn_facets.hpp"
 
 namespace ndframe::test
 {
@@ -80,11 +81,14 @@ double ContactStrip::jump(const std::vector<Vector>& displacement, std::size_t f
   const double lambda[2] = {1.0 - t, t};
   double N[3], value = 0.0;
   const int order = bodies[0].nodes.order;
+  const ContactFacet& here = facets[facet];
+  Direction normal = here.normal;
+  for (std::size_t k = 0; here.turns && k < 2; ++k)
+    normal[k] = lambda[0] * here.ends[0][k] + lambda[1] * here.ends[1][k];
   order == 1 ? Lagrange<1, 1>::values(lambda, N) : Lagrange<1, 2>::values(lambda, N);
   for (std::size_t i = 0; i <= std::size_t(order); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      value +=
-          N[i] * facets[facet].normal[k] * (at(displacement, facet, i, true)[k] - at(displacement, facet, i, false)[k]);
+      value += N[i] * normal[k] * (at(displacement, facet, i, true)[k] - at(displacement, facet, i, false)[k]);
   return value;
 }
 
@@ -111,6 +115,13 @@ ContactStrip contactStrip(int numFacets, int order, double bend, const Condition
   for (const auto& body : strip.bodies)
     strip.constraints.push_back(constraintsOf(body));
   strip.facets = pairFacets(strip.bodies[0], strip.bodies[1]);
+  return strip;
+}
+
+ContactStrip turningStrip(int numFacets, int order, double bend)
+{
+  ContactStrip strip = contactStrip(numFacets, order, bend);
+  turnFacets(strip.facets);
   return strip;
 }
 

@@ -28,4 +28,7 @@ struct ContactStrip
 ContactStrip contactStrip(int numFacets, int order, double bend = 0.0, const Conditions& upper = {},
                           const Conditions& lower = {});
 
+/// The same with a normal that turns along the facets (turnFacets).
+ContactStrip turningStrip(int numFacets, int order, double bend);
+
 } // namespace ndframe::test

@@ -11,6 +11,7 @@
 #include "mechanics/sample_laws.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/recovery/contact_moments.hpp"
+#include "recovery/turn_facets.hpp"
 
 namespace ndframe::test
 {
@@ -132,6 +133,8 @@ ContactScene contactScene(const ContactKind& kind)
   scene.bodies.push_back(contactBody(kind, true));
   scene.bodies.push_back(contactBody(kind, false));
   addFacets(scene);
+  if (kind.turns)
+    turnFacets(scene.recovery.facets);
   const auto& facets = scene.recovery.facets;
   std::vector<BodySystem> systems;
   for (const BodyModel& body : scene.bodies)

@@ -13,6 +13,7 @@ struct ContactKind
   int order = 2, degree = 2;
   bool floating = false; ///< the punch has no support at all; else a roller on its left side
   bool kinked = false;   ///< the interface bends in its middle
+  bool turns = false;    ///< n_c turns along the facets
   double pull = 0.0;     ///< the traction that is projected is -1 + pull * x: for pull > 2 the contact ends
   double length = 1.0, stress = 1.0;
   bool renumbered = false; ///< points and cells of both bodies in another order

@@ -15,7 +15,8 @@ namespace
 /// A strip with a displacement that penetrates here and opens there, a stress d = K eps(w) and the pressure 1.
 struct Scene
 {
-  Scene(int order, double bend) : strip(test::contactStrip(4, order, bend))
+  Scene(int order, double bend, bool turns)
+      : strip(turns ? test::turningStrip(4, order, bend) : test::contactStrip(4, order, bend))
   {
     const Vector pressure(std::size_t(4 * order + 1), -1.0);
     traction = tractionFromNodes(strip.facets, pressure, order, 2);
@@ -102,15 +103,25 @@ double deepest(const Scene& scene, const std::vector<Vector>& displacement)
 
 } // namespace
 
-struct Tightening : testing::TestWithParam<std::pair<int, double>>
+struct Strip
 {
-  Scene scene{GetParam().first, GetParam().second};
+  int order;
+  double bend;
+  bool turns = false;
+};
+
+struct Tightening : testing::TestWithParam<Strip>
+{
+  Scene scene{GetParam().order, GetParam().bend, GetParam().turns};
 };
 INSTANTIATE_TEST_SUITE_P(Strips, Tightening,
-                         testing::Values(std::pair(1, 0.0), std::pair(2, 0.0), std::pair(1, 0.6), std::pair(2, 0.6)),
+                         testing::Values(Strip{1, 0.0}, Strip{2, 0.0}, Strip{1, 0.6}, Strip{2, 0.6},
+                                         Strip{1, 0.6, true}, Strip{2, 0.6, true}),
                          [](const auto& test) {
-                           return "Order" + std::to_string(test.param.first) +
-                                  (test.param.second > 0 ? "Bent" : "Flat");
+                           return "Order" + std::to_string(test.param.order) +
+                                  (test.param.turns        ? "Turning"
+                                   : test.param.bend > 0.0 ? "Bent"
+                                                           : "Flat");
                          });
 
 TEST_P(Tightening, LowersTheBoundAndStaysBelowTheGap)

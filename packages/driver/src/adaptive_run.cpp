@@ -101,6 +101,7 @@ private:
   void readLevel(const std::vector<Mesh>& meshes)
   {
     Model model;
+    model.interfaces = run_.model.interfaces;
     readModel(model, tools_,
               [&](const Params& body) { return meshes[std::size_t(run_.model.bodyIndex(body.name()))]; });
     beginLevel(std::move(model));

@@ -137,6 +137,7 @@ void Certifier::checkStresses()
 void Certifier::measureGlobal()
 {
   ErrorSummary& summary = result_.summary;
+  addContactOscillation(scene_, global_, options_.mode, admissible_);
   globalMeasure_ = options_.mode == ErrorMode::Strict && !scene_.facets.empty()
                        ? tighten(scene_, global_, admissible_)
                        : measureStress(scene_, global_, admissible_);

@@ -10,6 +10,7 @@
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/cell_energy.hpp"
 #include "ndframe/recovery/contact_moments.hpp"
+#include "ndframe/recovery/contact_oscillation.hpp"
 #include "ndframe/recovery/equilibrium_check.hpp"
 #include "ndframe/recovery/prescribed_charge.hpp"
 #include "ndframe/recovery/settle_balance.hpp"
@@ -69,6 +70,19 @@ AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, cons
         result.caveat = caveat;
   }
   return result;
+}
+
+void addContactOscillation(const CertifiedScene& scene, const RecoveredField& recovered, ErrorMode mode,
+                           AdmissibleScene& admissible)
+{
+  if (mode == ErrorMode::Paper)
+    return;
+  const auto contact = contactOscillation(scene.bodies, scene.facets, recovered.stress.onDirichlet);
+  for (std::size_t b = 0; b < contact.size(); ++b)
+    for (std::size_t cell = 0; cell < contact[b].size(); ++cell) {
+      double& square = admissible.oscillation[b][cell];
+      square = std::pow(std::sqrt(square) + std::sqrt(contact[b][cell]), 2);
+    }
 }
 
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,

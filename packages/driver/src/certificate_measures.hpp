@@ -19,7 +19,7 @@ struct AdmissibleScene
 {
   GapBound gap;
   AdmissibleDisplacement displacement;
-  std::vector<Vector> oscillation; ///< loads that polynomials do not carry, squared, per body and cell
+  std::vector<Vector> oscillation; ///< loads and t^ n that polynomials do not carry, squared, per body and cell
   double prescribed = 0.0;         ///< prescribed displacements that polynomials do not carry
   std::string caveat;              ///< why these are not proven; empty when they are
 };
@@ -27,6 +27,10 @@ struct AdmissibleScene
 /// u^, the gap and the data's oscillation.
 AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, const RecoveryScene& recovery,
                            ErrorMode mode);
+
+/// Adds to the oscillation what the stress leaves over of t^ n where n turns along a facet; not in Paper mode.
+void addContactOscillation(const CertifiedScene& scene, const RecoveredField& recovered, ErrorMode mode,
+                           AdmissibleScene& admissible);
 
 /// (39): distance of the stress from K eps(u^), contact term, what is added.
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,

@@ -9,6 +9,7 @@
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/contact_nodes.hpp"
+#include "ndframe/recovery/jump_coefficients.hpp"
 
 namespace ndframe
 {
@@ -188,11 +189,11 @@ double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>
 {
   double deepest = 0.0;
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {
-    const auto jump = facetJump(scene.bodies, scene.facets[f], displacement);
+    const JumpCoefficients jump{scene.facets[f], scene.order};
+    const auto opening = facetOpening(scene.bodies, scene.facets[f], displacement);
     const double* bound = gap.bernstein.data() + f * std::size_t(scene.order + 1);
-    deepest = std::max({deepest, jump[0] - bound[0], jump[1] - bound[scene.order]});
-    if (scene.order == 2)
-      deepest = std::max(deepest, 2.0 * jump[2] - 0.5 * (jump[0] + jump[1]) - bound[1]);
+    for (std::size_t k = 0; k < jump.size(); ++k)
+      deepest = std::max(deepest, jump.of(k, opening) - jump.gap(k, bound));
   }
   const double scale = largest(displacement);
   return scale > 0.0 ? deepest / scale : deepest;

@@ -41,32 +41,14 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
     ours[std::size_t(i)] = nodeAt(interface, f, nodes[std::size_t(i)]);
     facet.nodes[std::size_t(i)] = firstNode + ours[std::size_t(i)];
   }
+  if (!interface.endNormals.empty()) {
+    const auto& ends = interface.endNormals[std::size_t(f)];
+    const bool backwards = ours[0] != interface.facets[std::size_t(f * interface.nodesPerFacet())];
+    facet.turns = dotProduct(ends[0], ends[0]) > 0.0;
+    facet.ends = backwards ? std::array{ends[1], ends[0]} : ends;
+  }
   facet.reversed = interface.neumannNodes[std::size_t(ours[0])] > interface.neumannNodes[std::size_t(ours[1])];
   return facet;
-}
-
-/// int psi_i motion . n_c over the facets, with the sign with which a body feels t_N.
-Vector motionWork(const Model& model, int body, const Vector& motion, const std::vector<ContactFacet>& facets,
-                  int numNodes)
-{
-  const BodyModel& moved = model.bodies[std::size_t(body)];
-  const auto matrix = facetContactMatrix(moved.nodes.order);
-  const auto n = std::size_t(moved.nodes.order + 1);
-  Vector work(std::size_t(numNodes), 0.0);
-  for (const ContactFacet& facet : facets) {
-    const bool isDirichlet = facet.dirichletBody == body;
-    if (!isDirichlet && facet.neumannBody != body)
-      continue;
-    const auto nodes = contactNodes(moved, facet, isDirichlet);
-    for (std::size_t j = 0; j < n; ++j) {
-      double along = 0.0;
-      for (std::size_t k = 0; k < 2; ++k)
-        along += facet.normal[k] * motion[std::size_t(nodes[j]) * 2 + k];
-      for (std::size_t i = 0; i < n; ++i)
-        work[std::size_t(facet.nodes[i])] += (isDirichlet ? 1.0 : -1.0) * facet.measure * matrix[i * n + j] * along;
-    }
-  }
-  return work;
 }
 
 } // namespace
@@ -117,7 +99,7 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
     const DenseMatrix modes = rigidModes(model.rigid[b], model.bodies[b].nodes, system.dofs.frames);
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
-      rows.push_back(motionWork(model, trace.body, system.dofs.frames.toGlobal(motion), facets, numNodes));
+      rows.push_back(motionWork(model.bodies[b], trace.body, system.dofs.frames.toGlobal(motion), facets, numNodes));
       conditions.value.push_back(-dot(system.load, motion));
       conditions.names.push_back(trace.motionNames[std::size_t(m)]);
     }

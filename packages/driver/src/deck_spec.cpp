@@ -48,7 +48,10 @@ ListSpec interfaceSpec()
       ParamSpec::required("Neumann Side", Kind::String, "Its side."),
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: "
-                            "u1_N - u2_N <= g. The meshes touch all the same.")};
+                            "u1_N - u2_N <= g. The meshes touch all the same."),
+      {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),
+       "In degrees. Where the side's facets meet at a smaller angle on the first mesh they stand for a curve, and n_c "
+       "turns along them from vertex to vertex; at a larger one each facet keeps its own normal. 0: all facets do."}};
   return list;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/base/help.hpp"
+#include "ndframe/interface/normal_field.hpp"
 #include "shared_mesh.hpp"
 
 namespace ndframe
@@ -88,7 +89,20 @@ int findBody(const Model& model, const Params& definition, const char* key, Diag
   return -1;
 }
 
-void addInterface(Model& model, const Params& definition, Diagnostics& diagnostics)
+/// A side that is the polygon it was before keeps the normals of the mesh that it had first.
+void keepNormals(InterfaceMesh& interface, const std::vector<InterfaceMesh>& earlier)
+{
+  for (const InterfaceMesh& before : earlier) {
+    if (before.name != interface.name || before.endNormals.empty())
+      continue;
+    auto first = before.firstMesh ? before.firstMesh : std::make_shared<const InterfaceMesh>(before);
+    if (inheritNormals(interface, *first))
+      interface.firstMesh = std::move(first);
+  }
+}
+
+void addInterface(Model& model, const Params& definition, const std::vector<InterfaceMesh>& earlier,
+                  Diagnostics& diagnostics)
 {
   const int first = findBody(model, definition, "Dirichlet Body", diagnostics);
   const int second = findBody(model, definition, "Neumann Body", diagnostics);
@@ -105,6 +119,7 @@ void addInterface(Model& model, const Params& definition, Diagnostics& diagnosti
                                         "contact between three-dimensional bodies is not available in this version; "
                                         "three-dimensional bodies can be solved alone."));
   InterfaceMesh interface = pairSides(definition, dirichlet, neumann);
+  keepNormals(interface, earlier);
   interface.dirichletBody = first;
   interface.neumannBody = second;
   model.interfaces.push_back(std::move(interface));
@@ -228,11 +243,12 @@ void remeshModel(Model& model, const Params& deck, const Components& components,
                  Ledger& ledger)
 {
   const auto timer = ledger.time("read");
-  model = buildModel(deck, components, meshOf);
+  model = buildModel(deck, components, meshOf, model.interfaces);
   countBodyForces(model, ledger);
 }
 
-Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf)
+Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf,
+                 const std::vector<InterfaceMesh>& earlier)
 {
   Model model;
   Diagnostics diagnostics;
@@ -249,7 +265,7 @@ Model buildModel(const Params& deck, const Components& components, const MeshOfB
   for (const auto& body : model.bodies)
     model.loads.push_back(evaluateLoads(body, diagnostics));
   for (const auto& definition : deck.sub("Interfaces").subs())
-    collecting(diagnostics, [&] { addInterface(model, definition, diagnostics); });
+    collecting(diagnostics, [&] { addInterface(model, definition, earlier, diagnostics); });
   refuseSharedNodes(model, deck, diagnostics);
   diagnostics.throwIfAny();
   refuseIdleInterfaces(model, deck, diagnostics);

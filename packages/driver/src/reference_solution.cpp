@@ -97,8 +97,10 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const Components& compo
       meshes[b] = refineUniformly(meshes[b]);
     }
   }
-  model_ = buildModel(deck, components,
-                      [&](const Params& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name()))]); });
+  model_ = buildModel(
+      deck, components,
+      [&](const Params& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name()))]); },
+      model.interfaces);
   orientLike(model_, model);
 
   Ledger ledger;

@@ -32,6 +32,10 @@ void exchange(Model& model, InterfaceMesh& interface)
   for (auto& normal : interface.normals)
     for (double& component : normal)
       component = -component;
+  for (auto& ends : interface.endNormals)
+    for (auto& normal : ends)
+      for (double& component : normal)
+        component = -component;
   const NodeMap& nodes = model.bodies[std::size_t(interface.dirichletBody)].nodes;
   const auto numNodes = std::size_t(interface.nodesPerFacet());
   std::vector<int> bodyNodes(numNodes);
@@ -39,12 +43,15 @@ void exchange(Model& model, InterfaceMesh& interface)
   for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
     facetNodes(nodes, interface.dirichletFacets[f], bodyNodes.data());
     const auto first = interface.facets.begin() + std::ptrdiff_t(f * numNodes), last = first + std::ptrdiff_t(numNodes);
+    const int firstVertex = *first;
     std::sort(first, last, [&](int a, int b) {
       const auto place = [&](int node) {
         return std::find(bodyNodes.begin(), bodyNodes.end(), interface.dirichletNodes[std::size_t(node)]);
       };
       return place(a) < place(b);
     });
+    if (!interface.endNormals.empty() && *first != firstVertex)
+      std::swap(interface.endNormals[f][0], interface.endNormals[f][1]);
   }
 }
 

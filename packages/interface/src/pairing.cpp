@@ -7,7 +7,7 @@
 #include <nanoflann.hpp>
 
 #include "ndframe/base/expression.hpp"
-#include "ndframe/interface/interface_mesh.hpp"
+#include "ndframe/interface/normal_field.hpp"
 
 namespace ndframe
 {
@@ -246,6 +246,8 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
                                            "different facets.",
                                            names)));
   refuseSameSide(definition, interface, dirichlet, neumann);
+  if (interface.dim == 2)
+    turnNormals(interface, dirichlet.mesh, definition.get<double>("Corner Angle"));
   evaluateGap(definition, interface);
   return interface;
 }

@@ -34,8 +34,19 @@ public:
         separate(entry.second);
   }
 
+  /// Where the normal turns along facets of order 1, the inner coefficient belongs to both vertices: they open
+  /// together.
+  void openBetween()
+  {
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+      if (facets_[f].turns && bodies_.front()->nodes.order == 1)
+        separateBetween(f);
+  }
+
 private:
   void separate(const Pair& pair);
+  void separateBetween(std::size_t facet);
+  void move(const Pair& pair, const Compliance& apart, double force);
   void refuse(const Pair& pair, double excess);
 
   const std::vector<const BodyModel*>& bodies_;
@@ -53,25 +64,52 @@ void Admission::refuse(const Pair& pair, double excess)
                   bodies_[pair.body[1]]->name, excess, pointText(body.nodes.point(pair.node[0]), body.mesh.dim));
 }
 
-void Admission::separate(const Pair& pair)
+void Admission::move(const Pair& pair, const Compliance& apart, double force)
 {
-  double largest = 0.0, force = 0.0;
-  for (const Corner& corner : pair.corners)
-    largest = std::max(largest, pairs_.excess(corner));
-  if (largest <= tolerance_)
-    return;
-  const Compliance apart = pairs_.compliance(pair);
-  for (const Corner& corner : pair.corners) {
-    const double needed = pairs_.excess(corner), gain = apart.gain(facets_[corner.facet].normal);
-    if (needed > 0.0 && gain <= 0.0)
-      return refuse(pair, needed);
-    if (needed > 0.0)
-      force = std::max(force, needed / gain * (corner.number == 2 ? 0.5 : 1.0));
-  }
   for (std::size_t side = 0; side < 2; ++side)
     for (std::size_t k = 0; k < 2; ++k)
       result_.displacement[pair.body[side]][std::size_t(pair.node[side]) * 2 + k] += force * apart.move[side][k];
   ++result_.moved;
+}
+
+void Admission::separate(const Pair& pair)
+{
+  double largest = 0.0, force = 0.0;
+  for (const Corner& corner : pair.corners)
+    for (const std::size_t k : pairs_.decided(corner))
+      largest = std::max(largest, pairs_.excess(corner.facet, k));
+  if (largest <= tolerance_)
+    return;
+  const Compliance apart = pairs_.compliance(pair);
+  for (const Corner& corner : pair.corners)
+    for (const std::size_t k : pairs_.decided(corner)) {
+      const double needed = pairs_.excess(corner.facet, k);
+      const double gain = apart.gain(pairs_.coefficients(corner.facet).weight(k, corner.number));
+      if (needed > 0.0 && gain <= 0.0)
+        return refuse(pair, needed);
+      if (needed > 0.0)
+        force = std::max(force, needed / gain);
+    }
+  move(pair, apart, force);
+}
+
+void Admission::separateBetween(std::size_t facet)
+{
+  const double needed = pairs_.excess(facet, 1);
+  if (needed <= tolerance_)
+    return;
+  std::array<const Pair*, 2> ends{};
+  std::array<Compliance, 2> apart{};
+  double gain = 0.0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    ends[end] = &pairs_.all().at(facets_[facet].nodes[end]);
+    apart[end] = pairs_.compliance(*ends[end]);
+    gain += apart[end].gain(pairs_.coefficients(facet).weight(1, end));
+  }
+  if (gain <= 0.0)
+    return refuse(*ends[0], needed);
+  for (std::size_t end = 0; end < 2; ++end)
+    move(*ends[end], apart[end], needed / gain);
 }
 
 } // namespace
@@ -99,6 +137,7 @@ AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bo
   Admission admission(bodies, constraints, facets, gap, result);
   admission.open(false);
   admission.open(true);
+  admission.openBetween();
   if (result.moved > 0)
     result.charge = changeInEnergy(bodies, displacement, result.displacement);
   return result;

@@ -6,6 +6,7 @@
 #include "edge_functions.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/fem/quadrature.hpp"
+#include "turning_normal.hpp"
 
 namespace ndframe
 {
@@ -56,18 +57,28 @@ void addFacetShares(const ContactFacet& facet, const ContactTraction& traction, 
                     Vector& all)
 {
   const auto modes = std::size_t(traction.degree + 1);
-  const bool turned = isNeumann && facet.reversed;
+  const bool backwards = isNeumann && facet.reversed;
   for (std::size_t a = 0; a < verticesPerFacet; ++a) {
-    const double* share = traction.shares.data() + (f * verticesPerFacet + (turned ? 1 - a : a)) * modes;
+    const std::size_t first = (f * verticesPerFacet + (backwards ? 1 - a : a)) * modes;
     for (std::size_t k = 0; k < modes; ++k) {
-      const double moment = (turned && k % 2 == 1) != isNeumann ? -share[k] : share[k];
-      for (int i = 0; i < dim; ++i)
-        all.push_back(moment * facet.normal[std::size_t(i)]);
+      const double sign = (backwards && k % 2 == 1) != isNeumann ? -1.0 : 1.0;
+      for (std::size_t i = 0; i < std::size_t(dim); ++i)
+        all.push_back(sign * (facet.turns ? traction.vectors[(first + k) * 2 + i]
+                                          : traction.shares[first + k] * facet.normal[i]));
     }
   }
 }
 
 } // namespace
+
+Direction ContactFacet::normalAt(std::size_t node) const
+{
+  if (!turns)
+    return normal;
+  if (node < 2)
+    return ends[node];
+  return {0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]), 0.0};
+}
 
 Vector ContactTraction::moments(int facet) const
 {
@@ -120,7 +131,8 @@ ContactTraction tractionFromNodes(const std::vector<ContactFacet>& facets, const
   NDFRAME_ASSERT(order <= degree, "a traction of the displacements' order must fit the degree");
   const auto table = nodalShares(order, degree);
   const auto modes = std::size_t(degree + 1), nodes = std::size_t(order + 1);
-  ContactTraction traction{degree, Vector(facets.size() * verticesPerFacet * modes, 0.0)};
+  ContactTraction traction{degree, Vector(facets.size() * verticesPerFacet * modes, 0.0),
+                           turnedShares(facets, nodal, order, degree)};
   for (std::size_t f = 0; f < facets.size(); ++f)
     for (std::size_t a = 0; a < verticesPerFacet; ++a)
       for (std::size_t i = 0; i < nodes; ++i)

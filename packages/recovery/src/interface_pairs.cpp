@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include "ndframe/recovery/contact_nodes.hpp"
 
@@ -33,14 +34,27 @@ InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
   }
 }
 
-double InterfacePairs::excess(const Corner& corner) const
+JumpCoefficients InterfacePairs::coefficients(std::size_t facet) const
+{
+  return {facets_[facet], bodies_.front()->nodes.order};
+}
+
+std::vector<std::size_t> InterfacePairs::decided(const Corner& corner) const
+{
+  const std::size_t size = coefficients(corner.facet).size();
+  if (corner.number < 2)
+    return {corner.number == 0 ? 0 : size - 1};
+  std::vector<std::size_t> inner(size - 2);
+  std::iota(inner.begin(), inner.end(), 1);
+  return inner;
+}
+
+double InterfacePairs::excess(std::size_t facet, std::size_t coefficient) const
 {
   const std::size_t size = gap_.bernstein.size() / facets_.size();
-  const double* gap = gap_.bernstein.data() + corner.facet * size;
-  const auto jump = facetJump(bodies_, facets_[corner.facet], displacement_);
-  if (corner.number == 2)
-    return 2.0 * jump[2] - 0.5 * (jump[0] + jump[1]) - gap[1];
-  return jump[corner.number] - gap[corner.number * (size - 1)];
+  const JumpCoefficients jump = coefficients(facet);
+  return jump.of(coefficient, facetOpening(bodies_, facets_[facet], displacement_)) -
+         jump.gap(coefficient, gap_.bernstein.data() + facet * size);
 }
 
 const NodeStiffness& InterfacePairs::stiffness(std::size_t body)
@@ -55,7 +69,7 @@ Compliance InterfacePairs::compliance(const Pair& pair)
   Direction normal{};
   for (const Corner& corner : pair.corners)
     for (std::size_t k = 0; k < 2; ++k)
-      normal[k] += facets_[corner.facet].measure * facets_[corner.facet].normal[k];
+      normal[k] += facets_[corner.facet].measure * facets_[corner.facet].normalAt(corner.number)[k];
   const double length = std::sqrt(dotProduct(normal, normal));
   for (double& component : normal)
     component /= length;

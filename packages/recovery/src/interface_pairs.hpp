@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ndframe/recovery/gap_bound.hpp"
+#include "ndframe/recovery/jump_coefficients.hpp"
 #include "node_stiffness.hpp"
 
 namespace ndframe
@@ -30,8 +31,8 @@ struct Pair
 struct Compliance
 {
   std::array<Direction, 2> move{};
-  /// What the opening along a facet's normal gains.
-  double gain(const Direction& normal) const { return dotProduct(move[1], normal) - dotProduct(move[0], normal); }
+  /// How much  weight . (u1 - u2)  falls.
+  double gain(const Direction& weight) const { return dotProduct(move[1], weight) - dotProduct(move[0], weight); }
 };
 
 /// The nodes of all interfaces as pairs of nodes that move against each other.
@@ -47,8 +48,12 @@ public:
   /// Largest displacement or gap on the interfaces.
   double size() const { return size_; }
 
-  /// How much the jump's Bernstein coefficient is above the gap's.
-  double excess(const Corner& corner) const;
+  JumpCoefficients coefficients(std::size_t facet) const;
+  /// The coefficients (of its facet's jump) that a corner decides: its own one at a vertex, the inner ones in the
+  /// middle.
+  std::vector<std::size_t> decided(const Corner& corner) const;
+  /// How much a Bernstein coefficient of a facet's jump is above the gap's.
+  double excess(std::size_t facet, std::size_t coefficient) const;
   Compliance compliance(const Pair& pair);
   const NodeStiffness& stiffness(std::size_t body);
 

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "turning_normal.hpp"
 
 namespace ndframe
 {
@@ -28,25 +29,52 @@ int firstEnd(const RecoveryScene& scene, const ContactFacet& facet)
   return (b[1] - a[1]) * facet.normal[0] - (b[0] - a[0]) * facet.normal[1] > 0.0 ? 0 : 1;
 }
 
-/// Body `isNeumann` of the facets at a vertex: its own modes run backwards on reversed facets.
+/// How the released tractions on the facets of a vertex follow from t_N, facet after facet. The Neumann body's own
+/// modes run backwards on reversed facets.
+DenseMatrix releasedByTraction(const RecoveryScene& scene, const InterfaceVertex& vertex, int modes, bool isNeumann)
+{
+  int rows = 0;
+  for (const FacetEnd& end : vertex.ends)
+    rows += (scene.facets[std::size_t(end.facet)].turns ? 2 : 1) * modes;
+  DenseMatrix map(rows, int(vertex.ends.size()) * modes);
+  const EndTables turning = turningModes(modes - 1, modes - 1);
+  int row = 0, col = 0;
+  for (const FacetEnd& end : vertex.ends) {
+    const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
+    const auto sign = [&](int k) { return (isNeumann && facet.reversed && k % 2 == 1) != isNeumann ? -1.0 : 1.0; };
+    for (int k = 0; !facet.turns && k < modes; ++k)
+      map(row + k, col + k) = sign(k);
+    for (int d = 0; facet.turns && d < 2; ++d)
+      for (int k = 0; k < modes; ++k)
+        for (int j = 0; j < modes; ++j)
+          for (std::size_t e = 0; e < 2; ++e)
+            map(row + d * modes + k, col + j) += sign(k) * facet.ends[e][std::size_t(d)] * turning[e](k, j);
+    row += (facet.turns ? 2 : 1) * modes;
+    col += modes;
+  }
+  return map;
+}
+
+/// Body `isNeumann` of the facets at a vertex.
 InterfaceStar::Side makeSide(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
                              const InterfaceVertex& vertex, bool isNeumann)
 {
   std::vector<ReleasedFacet> released;
-  Vector signs;
   int body = -1, meshPoint = -1;
   for (const FacetEnd& end : vertex.ends) {
     const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-    const bool reversed = isNeumann && facet.reversed;
+    const Facet own = isNeumann ? facet.neumann : facet.dirichlet;
     body = isNeumann ? facet.neumannBody : facet.dirichletBody;
-    released.push_back({isNeumann ? facet.neumann : facet.dirichlet, facet.normal});
-    const StarBody& star = *bodies[std::size_t(body)];
-    meshPoint = meshVertex(star.model().mesh, released.back().facet, reversed ? 1 - end.vertex : end.vertex);
-    for (int k = 0; k < star.facetModes(); ++k)
-      signs.push_back((reversed && k % 2 == 1) != isNeumann ? -1.0 : 1.0);
+    if (facet.turns)
+      released.insert(released.end(), {{own, {1.0, 0.0, 0.0}}, {own, {0.0, 1.0, 0.0}}});
+    else
+      released.push_back({own, facet.normal});
+    meshPoint = meshVertex(bodies[std::size_t(body)]->model().mesh, own,
+                           isNeumann && facet.reversed ? 1 - end.vertex : end.vertex);
   }
   const StarBody& star = *bodies[std::size_t(body)];
-  return {body, StarSystem(star, star.star(meshPoint), released), std::move(signs)};
+  return {body, StarSystem(star, star.star(meshPoint), released),
+          releasedByTraction(scene, vertex, star.facetModes(), isNeumann)};
 }
 
 } // namespace
@@ -79,13 +107,6 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
   return vertices;
 }
 
-Vector InterfaceStar::Side::own(Vector change) const
-{
-  for (std::size_t i = 0; i < change.size(); ++i)
-    change[i] *= signs[i];
-  return change;
-}
-
 InterfaceStar::InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
                              const InterfaceVertex& vertex)
     : scene_(scene),
@@ -94,8 +115,9 @@ InterfaceStar::InterfaceStar(const RecoveryScene& scene, const std::vector<const
 
 TractionStep InterfaceStar::step(const std::array<StarFields, 2>& x, const Vector& opening) const
 {
-  const int size = int(sides_[0].signs.size()), modes = size / int(vertex_.ends.size());
-  const DenseMatrix rows[2] = {sides_[0].system.conditions(), sides_[1].system.conditions()};
+  const int size = sides_[0].released.cols(), modes = size / int(vertex_.ends.size());
+  const DenseMatrix rows[2] = {multiply(sides_[0].system.conditions(), sides_[0].released),
+                               multiply(sides_[1].system.conditions(), sides_[1].released)};
   DenseMatrix E(rows[0].rows() + rows[1].rows(), size), H(size, size);
   Vector h;
   for (int i = 0; i < size; ++i) {
@@ -104,14 +126,14 @@ TractionStep InterfaceStar::step(const std::array<StarFields, 2>& x, const Vecto
   }
   for (std::size_t s = 0, first = 0; s < 2; first += std::size_t(rows[s++].rows())) {
     const Side& side = sides_[s];
-    const DenseMatrix gradient = side.system.gradient(x[s]);
+    const DenseMatrix gradient = multiplyTransposed(side.released, side.system.gradient(x[s]));
+    const DenseMatrix stiffness = multiplyTransposed(side.released, multiply(side.system.stiffness(), side.released));
     for (int j = 0; j < size; ++j) {
-      const double sign = side.signs[std::size_t(j)];
-      h[std::size_t(j)] += sign * gradient(j, 0);
+      h[std::size_t(j)] += gradient(j, 0);
       for (int i = 0; i < size; ++i)
-        H(i, j) += sign * side.signs[std::size_t(i)] * side.system.stiffness()(i, j);
+        H(i, j) += stiffness(i, j);
       for (int i = 0; i < rows[s].rows(); ++i)
-        E(int(first) + i, j) = sign * rows[s](i, j);
+        E(int(first) + i, j) = rows[s](i, j);
     }
   }
   return TractionStep(vertex_.ends, E, std::move(H), std::move(h));

@@ -23,15 +23,12 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene);
 class InterfaceStar
 {
 public:
-  /// One body's part, released along n_c.
+  /// One body's part. Released along n_c; where n_c turns along the facet, along both axes.
   struct Side
   {
     int body;
     StarSystem system;
-    Vector signs;
-
-    /// A change of the traction as the body feels it, in its own modes.
-    Vector own(Vector change) const;
+    DenseMatrix released; ///< the released tractions, in the body's own modes, by a change of t_N
   };
 
   InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex);

@@ -2,6 +2,8 @@
 
 #include <utility>
 
+#include "turning_normal.hpp"
+
 namespace ndframe
 {
 namespace
@@ -9,6 +11,18 @@ namespace
 
 /// Passes over the vertices in the initial pass; more change the bound in its third digit.
 constexpr int passes = 3;
+
+/// A vertex's change of t_N in what the stresses carry of it.
+void addTurned(const EndTables& modes, const std::vector<ContactFacet>& facets, const InterfaceVertex& vertex,
+               const Vector& change, ContactTraction& traction)
+{
+  const std::size_t size = change.size() / vertex.ends.size();
+  auto first = change.begin();
+  for (const FacetEnd& end : vertex.ends) {
+    addTurned(modes, facets, std::size_t(end.facet), end.vertex, Vector(first, first + std::ptrdiff_t(size)), traction);
+    first += std::ptrdiff_t(size);
+  }
+}
 
 } // namespace
 
@@ -37,9 +51,10 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, Ledger& ledger
     }
     steps.push_back(star.step(x, field.opening));
   }
+  const EndTables turning = turningModes(traction.degree, traction.degree);
   for (int pass = 0; pass < passes; ++pass)
-    for (TractionStep& step : steps)
-      step.apply(traction);
+    for (std::size_t v = 0; v < vertices_.size(); ++v)
+      addTurned(turning, scene_.facets, vertices_[v], steps[v].apply(traction), traction);
   ledger.count("interface stars", std::int64_t(passes) * std::int64_t(steps.size()));
   return traction;
 }
@@ -47,6 +62,7 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, Ledger& ledger
 void InterfaceStars::sweep(const Vector& opening, ContactTraction& traction,
                            const std::vector<StressCorrection*>& corrections, Ledger& ledger) const
 {
+  const EndTables turning = turningModes(traction.degree, traction.degree);
   for (const InterfaceVertex& vertex : vertices_) {
     const InterfaceStar star(scene_, bodies_, vertex);
     std::array<StarFields, 2> x;
@@ -55,9 +71,10 @@ void InterfaceStars::sweep(const Vector& opening, ContactTraction& traction,
       x[s] = gather(*bodies_[std::size_t(side.body)], side.system.star(), {corrections[std::size_t(side.body)]});
     }
     const Vector change = star.step(x, opening).apply(traction);
+    addTurned(turning, scene_.facets, vertex, change, traction);
     for (std::size_t s = 0; s < 2; ++s) {
       const InterfaceStar::Side& side = star.sides()[s];
-      side.system.relax(x[s], DenseMatrix(side.own(change)));
+      side.system.relax(x[s], multiply(side.released, DenseMatrix(change)));
       scatter(*bodies_[std::size_t(side.body)], side.system.star(), x[s], {corrections[std::size_t(side.body)]});
     }
   }

@@ -32,10 +32,18 @@ private:
   /// What a Bernstein coefficient of the jump, lowered by 1, opens.
   using Opening = std::vector<std::pair<int, double>>;
 
+  /// A coefficient of a facet's jump and how much it falls when a pair opens by 1.
+  struct Condition
+  {
+    std::size_t facet, coefficient;
+    double gain;
+  };
+
   Opening opening(int pair) const;
+  std::vector<Condition> conditions(const Opening& opening) const;
   double moved(int pair, const std::vector<Vector>& displacement) const;
   double square(double sign, double contact) const;
-  double nearest(int pair) const;
+  std::pair<double, double> range(int pair) const;
   void pass(double A, double R);
   void open(int pair, double amount);
 
@@ -48,6 +56,7 @@ private:
   Vector residual_, traction_; ///< <d, eps(m)>, int t^ w_m of the pairs' moves m
   Vector x_, force_;           ///< openings; a(m, v)
   std::vector<Opening> openings_;
+  std::vector<std::vector<Condition>> conditions_;
 };
 
 /// A vertex takes the middles of its facets along by a quarter: their coefficients stay.
@@ -92,15 +101,49 @@ double Tightening::square(double sign, double contact) const
   return std::max(value, 0.0);
 }
 
-/// The opening (below zero: closing) by which the bodies just touch.
-double Tightening::nearest(int number) const
+/// What an opening decides: on a straight facet the pair's own coefficient (the others stay), on one along which the
+/// normal turns all that it changes.
+std::vector<Tightening::Condition> Tightening::conditions(const Opening& opening) const
 {
-  double least = -HUGE_VAL;
-  for (const Corner& corner : moves_.pairs[std::size_t(number)].corners) {
-    const double gain = moves_.moves[std::size_t(number)].gain(facets_[corner.facet].normal);
-    least = std::max(least, pairs_.excess(corner) / (corner.number == 2 ? 2.0 * gain : gain));
+  std::vector<Condition> result;
+  const auto first = std::size_t(opening.front().first);
+  for (const Corner& corner : moves_.pairs[first].corners) {
+    const ContactFacet& facet = facets_[corner.facet];
+    const JumpCoefficients jump = pairs_.coefficients(corner.facet);
+    if (!facet.turns) {
+      const std::size_t own = pairs_.decided(corner).front();
+      result.push_back({corner.facet, own, moves_.moves[first].gain(jump.weight(own, corner.number))});
+      continue;
+    }
+    for (std::size_t k = 0; k < jump.size(); ++k) {
+      double gain = 0.0;
+      for (std::size_t node = 0; node <= std::size_t(jump.order); ++node)
+        for (const auto& [pair, amount] : opening)
+          if (const auto found = moves_.index.find(facet.nodes[node]);
+              found != moves_.index.end() && found->second == pair)
+            gain += amount * moves_.moves[std::size_t(pair)].gain(jump.weight(k, node));
+      if (gain != 0.0)
+        result.push_back({corner.facet, k, gain});
+    }
   }
-  return least;
+  return result;
+}
+
+/// From the opening (below zero: closing) by which the bodies just touch to the one that closes a coefficient beside.
+std::pair<double, double> Tightening::range(int number) const
+{
+  double least = -HUGE_VAL, most = HUGE_VAL;
+  for (const Condition& condition : conditions_[std::size_t(number)]) {
+    double excess = pairs_.excess(condition.facet, condition.coefficient);
+    if (facets_[condition.facet].turns) // u^ is admissible: above zero it is round-off, and gains may be small
+      excess = std::min(excess, 0.0);
+    const double amount = excess / condition.gain;
+    if (condition.gain > 0.0)
+      least = std::max(least, amount);
+    else
+      most = std::min(most, amount);
+  }
+  return {least, most};
 }
 
 void Tightening::open(int number, double amount)
@@ -129,7 +172,8 @@ void Tightening::pass(double A, double R)
             curvature += amount * other * M;
     }
     curvature *= 1.0 / A + 1.0 / R;
-    const double step = std::max(-slope / curvature, nearest(int(i)));
+    const auto [least, most] = range(int(i));
+    const double step = std::max(std::min(-slope / curvature, most), least);
     for (const auto& [k, amount] : openings_[i])
       open(k, step * amount);
   }
@@ -141,6 +185,7 @@ void Tightening::run(const std::vector<Vector>& displacement)
     residual_.push_back(moves_.work(i, bound_.residual));
     traction_.push_back(moves_.work(i, bound_.traction));
     openings_.push_back(opening(i));
+    conditions_.push_back(conditions(openings_.back()));
     x_.push_back(moved(i, displacement));
   }
   for (std::size_t i = 0; i < x_.size(); ++i)

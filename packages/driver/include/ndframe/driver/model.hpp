@@ -53,10 +53,12 @@ struct GivenMesh
 /// The mesh of a body, given its list in the deck.
 using MeshOfBody = std::function<GivenMesh(const Params& body)>;
 
-/// The same scene on other meshes than those that the deck names.
-Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf);
+/// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes
+/// before; a side that still is the same polygon keeps their normals (inheritNormals).
+Model buildModel(const Params& deck, const Components& components, const MeshOfBody& meshOf,
+                 const std::vector<InterfaceMesh>& earlier = {});
 
-/// The same as a stage of a run. Not to be reused: the model has no recipe.
+/// The same as a stage of a run; model.interfaces are the earlier ones. Not to be reused: the model has no recipe.
 void remeshModel(Model& model, const Params& deck, const Components& components, const MeshOfBody& meshOf,
                  Ledger& ledger);
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <vector>
 
@@ -20,11 +21,16 @@ struct InterfaceMesh
   int order = 0;
   std::vector<int> dirichletNodes, neumannNodes; ///< per interface node, node numbers in the two bodies
   std::vector<double> points;                    ///< dim per interface node
-  std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure
+  std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure,
+                                                 ///< or the value of the turning field (normal_field.hpp)
   Vector gap;                                    ///< g >= 0 at the nodes, a length
   std::vector<int> facets;                       ///< interface nodes per facet, in the order of facetLocalNodes
   std::vector<double> measures;                  ///< of the facets
   std::vector<Facet> dirichletFacets, neumannFacets; ///< the same facet on the two sides
+  /// n_c at the two vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
+  /// their own normal. Empty where nothing turns.
+  std::vector<std::array<Direction, 2>> endNormals;
+  std::shared_ptr<const InterfaceMesh> firstMesh; ///< the side as first meshed, which gave the normals; null: this one
 
   int numNodes() const { return int(dirichletNodes.size()); }
   int numFacets() const { return int(measures.size()); }
@@ -32,7 +38,7 @@ struct InterfaceMesh
   const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
 };
 
-/// Pairs the two sides named by an `Interfaces` entry (keys "Dirichlet Side", "Neumann Side", "Gap").
+/// Pairs the two sides named by an `Interfaces` entry (keys "Dirichlet Side", "Neumann Side", "Gap", "Corner Angle").
 ///
 /// Throws InputError when a side does not exist; when the sides do not match (how many nodes, the largest distance and
 /// where); when the bodies overlap (both on the same side of the interface, one side inside the other body, or a

@@ -22,8 +22,9 @@ Vector contactContributions(const std::vector<ContactFacet>& facets, const Conta
 /// Per contact facet and mode: int f L_k dS of the function with the given values at the interface nodes.
 Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree);
 
-/// Per facet and interface node of the facet (ContactFacet::nodes): int psi_i f dS for f given by its nodal values, row
-/// i of the facet's contact matrix: (order + 1) x (order + 1), row-major, over the facet's measure.
-std::vector<double> facetContactMatrix(int order);
+/// int psi_i v . n_c dS over the facets that a body takes part in, by interface node, with the sign with which the body
+/// feels t_N: the work of nodal tractions. motion: numNodes * dim, global axes.
+Vector motionWork(const BodyModel& body, int bodyIndex, const Vector& motion, const std::vector<ContactFacet>& facets,
+                  int numInterfaceNodes);
 
 } // namespace ndframe

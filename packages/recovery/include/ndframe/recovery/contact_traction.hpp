@@ -14,10 +14,15 @@ struct ContactFacet
 {
   int dirichletBody = 0, neumannBody = 0;
   Facet dirichlet, neumann;
-  Direction normal{};         ///< n_c on this facet: outward normal of the Dirichlet body
-  double measure = 0.0;       ///< length
-  bool reversed = false;      ///< the ascending vertex order of the Neumann body runs the other way
-  std::array<int, 3> nodes{}; ///< interface nodes: Dirichlet body's ascending vertices, then (order 2) the middle
+  Direction normal{};              ///< n_c on this facet: outward normal of the Dirichlet body
+  double measure = 0.0;            ///< length
+  bool reversed = false;           ///< the ascending vertex order of the Neumann body runs the other way
+  std::array<int, 3> nodes{};      ///< interface nodes: Dirichlet body's ascending vertices, then (order 2) the middle
+  bool turns = false;              ///< n_c turns along the facet: linear between `ends`
+  std::array<Direction, 2> ends{}; ///< n_c at the vertices (nodes 0, 1) where it turns
+
+  /// n_c at a node of the facet (0, 1 the vertices, 2 the middle).
+  Direction normalAt(std::size_t node) const;
 };
 
 /// Normal tractions t_N <= 0 on the facets of all interfaces, as polynomials of degree q that may jump from facet to
@@ -27,6 +32,10 @@ struct ContactTraction
 {
   int degree = 0;
   Vector shares; ///< per facet, per vertex (ascending on the Dirichlet side), per mode: int t_a L_k, a force
+  /// Where n_c turns: what the stresses carry of t n_c, which is of one degree more than t (contactOscillation has the
+  /// rest). Laid out like `shares` with two components a mode; zero on facets that do not turn, empty without any that
+  /// does.
+  Vector vectors{};
 
   /// Moments of the whole traction on a facet (degree + 1 values).
   Vector moments(int facet) const;

@@ -1,0 +1,28 @@
+#pragma once
+
+#include "ndframe/interface/interface_mesh.hpp"
+
+namespace ndframe
+{
+
+/// The direction n along which two sides in the plane may not come closer, where their polygon stands for a curve:
+/// continuous, linear along every facet between the values at its vertices.
+///
+/// At a vertex n points along the radius of the circle through it and its neighbours (the facets' normals weighted by
+/// each other's lengths) and is so long that its parts along the two facets' normals are 1 in the mean: on equal chords
+/// of a circle they are 1 everywhere, so that the traction t n is the pressure -t and a traction along the facet.
+///
+/// A vertex where the side turns by more than `cornerAngle` (degrees) is a corner: n jumps there, as it may where the
+/// side goes straight on (up to 1e-6). At corners and ends of a side a facet has the value of its other vertex mirrored
+/// at its own normal. Facets without a vertex that turns keep their own normal.
+///
+/// Sets endNormals and the normals at the nodes of turning facets (at corners they stay the mean); nothing on sides
+/// that do not turn.
+void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle);
+
+/// Gives a mesh the normals of another one of the same polygon, whose facets contain its facets: the condition of
+/// contact stays the same function. `earlier` may look from the other body. False, and nothing is changed, where `mesh`
+/// does not lie on the polygon (up to 1e-6 of its facets), as when a curve was meshed anew.
+bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier);
+
+} // namespace ndframe

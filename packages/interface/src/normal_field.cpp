@@ -1,0 +1,175 @@
+#include "ndframe/interface/normal_field.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "facet_tree.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A side that turns by less (radians) at a vertex goes straight on: coordinates in files have some digits only.
+constexpr double straightOn = 1e-6;
+/// A facet lies on another one if its ends do, relative to the other's length; nearer than the second it is one's end.
+constexpr double onFacet = 1e-6, sameEnd = 1e-9;
+
+Direction combine(double a, const Direction& x, double b, const Direction& y)
+{
+  return {a * x[0] + b * y[0], a * x[1] + b * y[1], 0.0};
+}
+
+bool isZero(const Direction& d)
+{
+  return dotProduct(d, d) == 0.0;
+}
+
+/// Finds what every vertex of a side is and turns its facets.
+class TurningSide
+{
+public:
+  TurningSide(InterfaceMesh& mesh, const Mesh& dirichletMesh) : mesh_(mesh), around_(std::size_t(mesh.numNodes()))
+  {
+    for (int f = 0; f < mesh.numFacets(); ++f) {
+      own_.emplace_back();
+      facetNormal(dirichletMesh, mesh.dirichletFacets[std::size_t(f)], own_.back().data());
+      for (const int end : {0, 1})
+        around_[std::size_t(vertex(f, end))].push_back(f);
+    }
+  }
+
+  void turn(double cornerAngle)
+  {
+    std::vector<std::array<Direction, 2>> ends(own_.size());
+    bool turns = false;
+    for (int f = 0; f < mesh_.numFacets(); ++f) {
+      ends[std::size_t(f)] = endsOf(f, cornerAngle);
+      turns = turns || !isZero(ends[std::size_t(f)][0]);
+    }
+    if (turns)
+      mesh_.endNormals = std::move(ends);
+  }
+
+private:
+  enum class Kind
+  {
+    Open, ///< an end of the side or a corner
+    Straight,
+    Turning
+  };
+
+  int vertex(int facet, int end) const { return mesh_.facets[std::size_t(facet * mesh_.nodesPerFacet() + end)]; }
+
+  Kind kind(int node, double cornerAngle) const
+  {
+    const auto& facets = around_[std::size_t(node)];
+    if (facets.size() != 2)
+      return Kind::Open;
+    const Direction &a = own_[std::size_t(facets[0])], &b = own_[std::size_t(facets[1])];
+    const double turned = std::abs(std::atan2(a[0] * b[1] - a[1] * b[0], dotProduct(a, b)));
+    if (turned <= straightOn)
+      return Kind::Straight;
+    return turned > cornerAngle * std::acos(-1.0) / 180.0 ? Kind::Open : Kind::Turning;
+  }
+
+  Direction normalAt(int node) const
+  {
+    const auto& facets = around_[std::size_t(node)];
+    const auto first = std::size_t(facets[0]), second = std::size_t(facets[1]);
+    const Direction sum = combine(mesh_.measures[second], own_[first], mesh_.measures[first], own_[second]);
+    return combine(2.0 / (dotProduct(sum, own_[first]) + dotProduct(sum, own_[second])), sum, 0.0, sum);
+  }
+
+  std::array<Direction, 2> endsOf(int facet, double cornerAngle) const
+  {
+    const Direction& own = own_[std::size_t(facet)];
+    std::array<Direction, 2> ends{own, own};
+    std::array<Kind, 2> kinds{};
+    for (const std::size_t end : {0u, 1u}) {
+      kinds[end] = kind(vertex(facet, int(end)), cornerAngle);
+      if (kinds[end] == Kind::Turning)
+        ends[end] = normalAt(vertex(facet, int(end)));
+    }
+    if (kinds[0] != Kind::Turning && kinds[1] != Kind::Turning)
+      return {};
+    for (const std::size_t end : {0u, 1u})
+      if (kinds[end] == Kind::Open)
+        ends[end] = combine(2.0 * dotProduct(own, ends[1 - end]), own, -1.0, ends[1 - end]);
+    return ends;
+  }
+
+  InterfaceMesh& mesh_;
+  std::vector<Direction> own_;           ///< the facets' normals
+  std::vector<std::vector<int>> around_; ///< a vertex's facets
+};
+
+/// The nodes of turning facets take the field's value where it is one value.
+void setNodes(InterfaceMesh& mesh)
+{
+  const int nodes = mesh.nodesPerFacet();
+  std::vector<Direction> value(mesh.normals.size());
+  std::vector<char> keeps(mesh.normals.size(), 0);
+  for (int f = 0; f < mesh.numFacets(); ++f)
+    for (int i = 0; i < nodes; ++i) {
+      const auto node = std::size_t(mesh.facets[std::size_t(f * nodes + i)]);
+      const auto& ends = mesh.endNormals[std::size_t(f)];
+      const Direction n = i < 2 ? ends[std::size_t(i)] : combine(0.5, ends[0], 0.5, ends[1]);
+      const Direction change = combine(1.0, n, -1.0, value[node]);
+      if (isZero(n) || (!isZero(value[node]) && dotProduct(change, change) > straightOn * straightOn))
+        keeps[node] = 1;
+      value[node] = n;
+    }
+  for (std::size_t node = 0; node < value.size(); ++node)
+    if (!keeps[node])
+      mesh.normals[node] = value[node];
+}
+
+/// Where a point lies on a segment: from 0 at its first end to 1; NaN beside it.
+double placeOn(const double* a, const double* b, const double* x)
+{
+  const double dx = b[0] - a[0], dy = b[1] - a[1], squared = dx * dx + dy * dy;
+  const double along = ((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / squared;
+  const double beside = ((x[0] - a[0]) * dy - (x[1] - a[1]) * dx) / squared;
+  for (const double end : {0.0, 1.0})
+    if (std::abs(along - end) <= sameEnd && std::abs(beside) <= onFacet)
+      return end;
+  return std::abs(beside) <= onFacet && along >= -onFacet && along <= 1.0 + onFacet ? along : std::nan("");
+}
+
+} // namespace
+
+void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle)
+{
+  TurningSide(mesh, dirichletMesh).turn(cornerAngle);
+  if (!mesh.endNormals.empty())
+    setNodes(mesh);
+}
+
+bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
+{
+  const FacetTree tree(earlier);
+  const auto vertex = [](const InterfaceMesh& side, int facet, int end) {
+    return side.point(side.facets[std::size_t(facet * side.nodesPerFacet() + end)]);
+  };
+  std::vector<std::array<Direction, 2>> normals(std::size_t(mesh.numFacets()));
+  for (int f = 0; f < mesh.numFacets(); ++f) {
+    const double *a = vertex(mesh, f, 0), *b = vertex(mesh, f, 1);
+    const double middle[3] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.0};
+    const int parent = tree.nearest(middle).facet;
+    const double *start = vertex(earlier, parent, 0), *end = vertex(earlier, parent, 1);
+    const std::array<double, 2> place{placeOn(start, end, a), placeOn(start, end, b)};
+    if (std::isnan(place[0]) || std::isnan(place[1]))
+      return false;
+    const auto& ends = earlier.endNormals[std::size_t(parent)];
+    const Direction& ours = mesh.normals[std::size_t(mesh.facets[std::size_t(f * mesh.nodesPerFacet())])];
+    const double sign = dotProduct(ends[0], ours) < 0.0 ? -1.0 : 1.0; // seen from the other body
+    for (std::size_t i = 0; i < 2; ++i)
+      normals[std::size_t(f)][i] = combine(sign * (1.0 - place[i]), ends[0], sign * place[i], ends[1]);
+  }
+  mesh.endNormals = std::move(normals);
+  setNodes(mesh);
+  return true;
+}
+
+} // namespace ndframe
