@@ -4,7 +4,8 @@ from robust import PROGRAM, PUNCH, RESULTS, RoughWorld, cells, limited, main, on
 
 MEGABYTES = (150, 250, 300, 400, 500, 600, 650, 700, 900)
 # By the program, and by the dynamic linker where not even the libraries fit.
-REASONS = {2: ("more memory than the process may take", "does not fit into memory", "too little memory"),
+REASONS = {2: ("more memory than the process may take", "does not fit into memory", "too little memory",
+               "are left: use coarser meshes"),
            127: ("error while loading shared libraries",)}
 
 
@@ -27,6 +28,11 @@ class MemoryLimits(RoughWorld):
         codes = [self.outcome(*under(megabytes, *cells(40))) for megabytes in MEGABYTES]
         self.assertIn(2, codes)
         self.assertEqual(codes[-1], 0)
+
+    def test_a_scene_that_cannot_fit_is_refused_before_it_is_assembled(self):
+        done = self.run_command(*under(600, *cells(300)))
+        self.assert_refused(done, "dofs need about ", "(ulimit -v) are left: use coarser meshes, order 1, or Krylov",
+                            "nothing was computed")
 
     def test_threads_find_their_memory(self):
         """Two bodies are factored at once, each thread with a buffer of OpenBLAS."""

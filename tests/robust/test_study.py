@@ -8,7 +8,7 @@ from robust import PROGRAM, PUNCH, RoughWorld, cells, limited, main, nicely, wai
 PARTIAL, WHOLE = "punch.study.partial.csv", "punch.study.csv"
 # Every case factors again, for long enough to be caught at it.
 STIFFNESSES = "; ".join(str(E) for E in range(1, 21))
-# The cases in the middle are too large: the first for CHOLMOD, which says so, the second for anything.
+# The cases in the middle are too large: the first for CHOLMOD, which says so, the second for anything, as its size says.
 SIZES = ("Bodies/punch/Mesh/Cells={5, 5}; {90, 90}; {200, 200}; {6, 6}"
          " && Bodies/foundation/Mesh/Cells={10, 5}; {180, 90}; {400, 200}; {12, 6}")
 
@@ -45,7 +45,7 @@ class Studies(RoughWorld):
         rows = self.rows(WHOLE)
         self.assertEqual([row["exit_code"] for row in rows], ["0", "2", "2", "0"])
         self.assertIn("does not fit into memory", rows[1]["reason"])
-        self.assertIn("more memory than the process may take", rows[2]["reason"])
+        self.assertIn("are left: use coarser meshes", rows[2]["reason"])
         self.assertEqual(self.files(), [WHOLE])
 
 

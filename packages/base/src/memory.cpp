@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/resource.h>
 
 namespace ndframe
@@ -104,6 +105,8 @@ MemoryLeft memoryLeft(const std::string& root)
   if (root.empty()) {
     atMost(leftUnder(RLIMIT_AS, "VmSize:"), "ulimit -v");
     atMost(leftUnder(RLIMIT_DATA, "VmData:"), "ulimit -d");
+    if (!left.limit.empty())
+      left.bytes += std::int64_t(mallinfo2().fordblks); // freed and kept by this process
   }
   return left;
 }

@@ -17,6 +17,7 @@
 #include "command_line.hpp"
 #include "error_screen.hpp"
 #include "failures.hpp"
+#include "memory_plan.hpp"
 #include "ndframe/algebra/launcher.hpp"
 #include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
@@ -137,7 +138,9 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
 
 std::string planText(const Params& deck, const Components& components, const Comm& comm)
 {
-  return Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text();
+  return fmt::format("{}\n\n  memory: {}",
+                     Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text(),
+                     memoryPlan(deck));
 }
 
 void greet(const Params& deck, const CommandLine& options, const Log& log)

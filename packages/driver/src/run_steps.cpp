@@ -4,6 +4,7 @@
 
 #include "accuracy_options.hpp"
 #include "error_checks.hpp"
+#include "memory_plan.hpp"
 #include "outputs.hpp"
 #include "roles.hpp"
 #include "screen.hpp"
@@ -151,6 +152,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
     giveOneRole(model, deck, diagnostics);
   checkHeld(model, deck, diagnostics);
   checkFieldNames(model, deck, diagnostics);
+  checkMemory(model, deck, tools.comm, diagnostics);
   checkRecovery(deck, tools.components, model.bodies.front().mesh.dim, diagnostics);
   checkExpectationNames(outlineSummary(model, deck, *tools.solver, 1), deck, diagnostics);
   refuseWarnings(model, deck, diagnostics);

@@ -17,8 +17,8 @@ struct MemoryLeft
 };
 
 /// The least of what is free on the machine without swapping (MemAvailable), what the control groups of this process
-/// (versions 1 and 2, all levels) leave, files that they can drop taken as free, and what its own limits leave. `root`:
-/// where /proc and /sys are looked for; the limits are then left out.
+/// (versions 1 and 2, all levels) leave, files that they can drop taken as free, and what its own limits leave, with
+/// what it has freed and keeps. `root`: where /proc and /sys are looked for; the limits are then left out.
 MemoryLeft memoryLeft(const std::string& root = "");
 
 } // namespace ndframe
