@@ -72,15 +72,17 @@ TEST_F(RunWithATarget, WritesItsHistoryAsATable)
   ASSERT_EQ(reach().exitCode, 0);
   const auto rows = table();
   const auto levels = summary("punch")["accuracy"]["levels"];
-  EXPECT_THAT(rows.front(),
-              ElementsAre("level", "dofs", "elements", "worst_shape", "sweeps", "bound", "relative", "mesh",
-                          "iteration", "largest_body", "largest_x", "largest_y", "dofs_to_target", "seconds"));
+  EXPECT_THAT(rows.front(), ElementsAre("level", "dofs", "elements", "worst_shape", "sweeps", "bound", "relative",
+                                        "mesh", "iteration", "largest_body", "largest_x", "largest_y", "dofs_to_target",
+                                        "seconds", "energy_lower", "energy_upper"));
   ASSERT_EQ(rows.size(), levels.size() + 1);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     ASSERT_EQ(rows[i + 1].size(), rows.front().size());
     EXPECT_EQ(std::stoll(rows[i + 1][1]), levels[i]["dofs"].get<std::int64_t>());
     EXPECT_EQ(std::stod(rows[i + 1][5]), levels[i]["bound"].get<double>());
     EXPECT_EQ(std::stod(rows[i + 1][10]), levels[i]["largest"]["point"][0].get<double>());
+    EXPECT_EQ(std::stod(rows[i + 1][14]), levels[i]["energy_bracket"]["lower"].get<double>());
+    EXPECT_EQ(std::stod(rows[i + 1][15]), levels[i]["energy_bracket"]["upper"].get<double>());
   }
 }
 

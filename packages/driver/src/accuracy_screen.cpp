@@ -44,6 +44,9 @@ std::string levelLine(const LevelSummary& level)
 
 std::string accuracyText(const AccuracySummary& summary, bool guaranteed)
 {
+  if (summary.levels.empty())
+    return fmt::format("target {} NOT reached: no level was finished; limit: {}",
+                       amount(summary, summary.target, summary.target), summary.limit);
   const LevelSummary& answer = summary.answer();
   return fmt::format("target {} {}: {} {}, {} dofs, {} level{}, {} sweeps, {:.2f} s{}",
                      amount(summary, summary.target, summary.target), summary.reached ? "reached" : "NOT reached",
@@ -55,7 +58,7 @@ std::string accuracyText(const AccuracySummary& summary, bool guaranteed)
 
 std::string missedTarget(const RunSummary& summary)
 {
-  if (!summary.accuracy || !summary.errors || summary.accuracy->reached)
+  if (!summary.accuracy || !summary.errors || summary.accuracy->reached || summary.accuracy->levels.empty())
     return {};
   const AccuracySummary& accuracy = *summary.accuracy;
   const LevelSummary& answer = accuracy.answer();

@@ -9,8 +9,10 @@
 #include "accuracy_limits.hpp"
 #include "accuracy_screen.hpp"
 #include "coarsest_meshes.hpp"
+#include "energy_comparison.hpp"
+#include "failures.hpp"
+#include "level_contact.hpp"
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/interface/traction_transfer.hpp"
 #include "roles.hpp"
 #include "run_steps.hpp"
 #include "screen.hpp"
@@ -25,18 +27,6 @@ namespace
 /// energy of the iteration hardly sees: then the sweeps go on, as long as the bound falls by a tenth.
 constexpr double falling = 0.9, oneMoreDigit = 0.1;
 
-/// The traction that the next sweep would begin with, (27); none at open nodes, where what is left of earlier sweeps
-/// decays slowly and costs the bound more than the iteration's part shows: traction times opening.
-Vector nextTraction(const InterfaceSystem& system, const CouplingResult& coupling)
-{
-  const double theta = coupling.history.back().theta;
-  const std::vector<char> closed = statusesOfNodes(system, coupling.state.closed);
-  Vector traction = coupling.state.tractionNeumann;
-  for (std::size_t i = 0; i < traction.size(); ++i)
-    traction[i] = closed[i] ? traction[i] + theta * (coupling.state.tractionDirichlet[i] - traction[i]) : 0.0;
-  return traction;
-}
-
 /// The level with the smallest bound so far.
 struct Best
 {
@@ -50,7 +40,7 @@ struct Best
 class AdaptiveRun
 {
 public:
-  AdaptiveRun(RunTools tools, const Log& log, const LevelObserver& onLevel)
+  AdaptiveRun(RunTools tools, const Log& log, const LevelObserver& onLevel, EnergyRecords energies)
       : deck_(tools.deck), log_(log), onLevel_(onLevel), tools_(std::move(tools)), options_(accuracyOptions(deck_)),
         wanted_(tools_.errors->estimators),
         transfer_(tools_.components.contactTransfers.build(deck_.sub("Accuracy").sub("Transfer"))),
@@ -59,6 +49,7 @@ public:
   {
     tools_.errors->estimators = {Estimator::Global}; // all that a level needs
     run_.startSeconds = wallSeconds();
+    run_.energies = std::move(energies);
     run_.plan = Plan(deck_, *tools_.solver, tools_.comm.size());
     summary_.of = accuracyOfNames().name(options_.of);
     summary_.target = options_.target;
@@ -69,22 +60,10 @@ public:
   {
     const SerialBlas serial;
     begin();
-    for (;;) {
-      attempt(run_, log_, [&] { solveLevel(); });
-      if (!run_.certificate || !run_.failure.empty())
-        break;
-      const LevelErrors errors(run_, options_);
-      planner_->learn(run_, errors);
-      record(errors);
-      summary_.reached = errors.reached();
-      if (summary_.reached)
-        break;
-      summary_.limit = endOfProgress(options_, summary_.levels, run_.coupling);
-      if (!summary_.limit.empty() || !refine(errors))
-        break;
-      readLevel(planner_->meshes());
+    attempt(run_, log_, [&] { solveLevel(); });
+    while (needsAnother() && takeNext()) {
     }
-    if (!summary_.reached && best_.level > 0)
+    if (!summary_.reached && best_.level > 0 && !run_.contradiction)
       returnToBest();
     return finish();
   }
@@ -96,6 +75,46 @@ private:
     planner_ = readFirstMeshes(model, tools_);
     beginLevel(std::move(model));
     log_.line(headerText(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic));
+  }
+
+  /// Records the level that was solved. False without an answer on it, at the target, and at the end of progress.
+  bool needsAnother()
+  {
+    if (!run_.certificate || !run_.failure.empty())
+      return false;
+    const LevelErrors errors(run_, options_);
+    planner_->learn(run_, errors);
+    record(errors);
+    summary_.reached = errors.reached() && !run_.contradiction;
+    if (run_.contradiction)
+      summary_.limit = contradictingText(*run_.contradiction);
+    else if (!summary_.reached)
+      summary_.limit = endOfProgress(options_, summary_.levels, run_.coupling);
+    return !summary_.reached && summary_.limit.empty();
+  }
+
+  /// Goes to the next meshes and solves. Whatever fails on the way is a limit, as the levels before have an answer.
+  bool takeNext()
+  {
+    const auto failure = failureIn(tools_.comm, [&] {
+      if (!refine(LevelErrors(run_, options_)))
+        return;
+      readLevel(planner_->meshes());
+      attempt(run_, log_, [&] { solveLevel(); });
+    });
+    if (failure)
+      endWith(*failure);
+    return summary_.limit.empty();
+  }
+
+  void endWith(const Failure& failure)
+  {
+    summary_.limit =
+        fmt::format("level {}: {}", summary_.levels.size() + 1, failure.outOfMemory ? needsMoreMemory : failure.text);
+    if (failure.code == ExitCode::Bug)
+      run_.bug = failure.text;
+    run_.certificate.reset(); // what is left may be half of a level
+    run_.condensed = {};
   }
 
   void readLevel(const std::vector<Mesh>& meshes)
@@ -120,6 +139,7 @@ private:
     if (!roles.empty())
       run_.summary.coupling->roles = std::move(roles);
     run_.certificate.reset();
+    run_.level = int(summary_.levels.size()) + 1;
     sweeps_ = 0;
   }
 
@@ -133,7 +153,7 @@ private:
       solveRun(run_, tools_, silentLog(), start);
       sweeps_ += int(run_.coupling.history.size());
       certifyRun(run_, tools_);
-      if (!balances_ || !run_.certificate || !run_.coupling.converged)
+      if (!balances_ || !run_.certificate || !run_.coupling.converged || run_.contradiction)
         return;
       const LevelErrors errors(run_, options_);
       const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
@@ -141,7 +161,7 @@ private:
                          errors.bound < falling * boundBefore;
       if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !rises))
         return;
-      start.traction = nextTraction(run_.condensed.interface, run_.coupling);
+      start.traction = nextTraction(run_);
       start.closed = run_.coupling.state.closed;
       start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
       iterationBefore = errors.iteration;
@@ -151,14 +171,9 @@ private:
 
   CouplingStart firstStart() const
   {
-    CouplingStart start;
+    const bool begins = carried_.interfaces.empty();
+    CouplingStart start = begins ? CouplingStart() : startFrom(run_, transfer_->onto(run_.model.interfaces, carried_));
     start.iterationError = allowedIteration(expectedMesh_);
-    if (carried_.interfaces.empty())
-      return start;
-    const CarriedContact contact = transfer_->onto(run_.model.interfaces, carried_);
-    start.traction = contact.traction;
-    if (!contact.closed.empty())
-      start.closed = statusesOfUnknowns(run_.condensed.interface, contact.closed);
     return start;
   }
 
@@ -176,7 +191,7 @@ private:
     summary_.levels.push_back(level);
     log_.line(levelLine(level));
     if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
-      best_ = {level.level, planner_->meshes(), contactOf(run_.coupling.state.tractionNeumann)};
+      best_ = {level.level, planner_->meshes(), contactOf(run_, run_.coupling.state.tractionNeumann)};
     if (onLevel_)
       onLevel_(run_, level.level);
   }
@@ -197,16 +212,7 @@ private:
   {
     expectedMesh_ = plan.bound / errors.bound * errors.mesh;
     planner_->accept(std::move(plan));
-    if (!run_.model.interfaces.empty())
-      carried_ = contactOf(nextTraction(run_.condensed.interface, run_.coupling));
-  }
-
-  CarriedContact contactOf(Vector traction) const
-  {
-    if (run_.model.interfaces.empty())
-      return {};
-    return {run_.model.interfaces, std::move(traction),
-            statusesOfNodes(run_.condensed.interface, run_.coupling.state.closed)};
+    carried_ = contactOf(run_, nextTraction(run_));
   }
 
   /// A level may end with a larger bound than one before, or without any: then that one is computed again. One sweep
@@ -219,18 +225,21 @@ private:
     if (summary_.limit.empty())
       summary_.limit = run_.failure.empty() ? run_.coupling.reason : run_.failure;
     run_.failure.clear();
-    readLevel(best_.meshes);
     attempt(run_, log_, [&] {
-      condenseRun(run_, tools_, silentLog());
-      CouplingStart start;
-      start.iterationError = std::numeric_limits<double>::max();
-      if (!best_.contact.interfaces.empty()) {
-        start.traction = best_.contact.traction;
-        start.closed = statusesOfUnknowns(run_.condensed.interface, best_.contact.closed);
-      }
-      solveRun(run_, tools_, silentLog(), start);
-      certifyRun(run_, tools_);
+      if (const auto failure = failureIn(tools_.comm, [&] { solveBestAgain(); }))
+        throw NotConverged(fmt::format("the answer of level {} could not be computed again: {}", best_.level,
+                                       failure->outOfMemory ? needsMoreMemory : failure->text));
     });
+  }
+
+  void solveBestAgain()
+  {
+    readLevel(best_.meshes);
+    condenseRun(run_, tools_, silentLog());
+    CouplingStart start = startFrom(run_, best_.contact);
+    start.iterationError = std::numeric_limits<double>::max();
+    solveRun(run_, tools_, silentLog(), start);
+    certifyRun(run_, tools_);
   }
 
   /// The whole certificate of the last level, if the deck asks for more than the bound; the summary.
@@ -240,7 +249,7 @@ private:
       tools_.errors->estimators = wanted_;
       certifyRun(run_, tools_);
     }
-    summary_.written = summary_.reached ? int(summary_.levels.size()) : best_.level;
+    summary_.written = summary_.reached || run_.contradiction ? int(summary_.levels.size()) : best_.level;
     run_.summary.accuracy = summary_;
     finishRun(run_, tools_);
     if (!summary_.reached && summary_.limit.empty())
@@ -282,11 +291,11 @@ MeshPlanner readFirstMeshes(Model& model, const RunTools& tools)
 }
 
 Run runToTarget(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
-                const LevelObserver& onLevel)
+                const LevelObserver& onLevel, EnergyRecords energies)
 {
   RunTools tools(deck, components, comm, ledger);
   checkLists(tools);
-  return AdaptiveRun(std::move(tools), log, onLevel).run();
+  return AdaptiveRun(std::move(tools), log, onLevel, std::move(energies)).run();
 }
 
 } // namespace ndframe

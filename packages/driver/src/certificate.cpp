@@ -147,6 +147,8 @@ void Certifier::measureGlobal()
   const Guarantee guarantee = judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0));
   summary.guaranteed = guarantee.holds();
   summary.reason = guarantee.reason();
+  if (guarantee.holds())
+    result_.energy = energyOf(scene_, global_, admissible_, globalMeasure_);
   result_.etaGlobal = cellContributions(globalMeasure_);
   result_.traction = global_.stress.onDirichlet;
   result_.facets = scene_.facets;

@@ -40,6 +40,17 @@ bool isZero(const Vector& v)
   return std::all_of(v.begin(), v.end(), [](double value) { return value == 0.0; });
 }
 
+/// Of the forces at a node, relative to the largest; 0 without any.
+double largestImbalance(const RecoveredField& recovered)
+{
+  double force = 0.0, imbalance = 0.0;
+  for (const auto& correction : recovered.stress.corrections) {
+    force = std::max(force, correction.force);
+    imbalance = std::max(imbalance, correction.imbalance);
+  }
+  return imbalance > 0.0 ? imbalance / force : 0.0;
+}
+
 /// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
 double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
 {
@@ -170,15 +181,11 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   guarantee.accept(admissible.caveat);
   guarantee.accept(admissible.gap.caveat);
   guarantee.accept(admissible.displacement.caveat);
-  double force = 0.0, imbalance = 0.0;
-  for (const auto& correction : recovered.stress.corrections) {
-    force = std::max(force, correction.force);
-    imbalance = std::max(imbalance, correction.imbalance);
-  }
+  const double imbalance = largestImbalance(recovered);
   guarantee.require(
-      imbalance <= largestDefect * force,
+      imbalance <= largestDefect,
       fmt::format("the forces are out of balance by {:.1e} of the largest at a node (limit {:.0e}): solve more tightly",
-                  imbalance / force, largestDefect));
+                  imbalance, largestDefect));
   guarantee.require(equilibrium <= largestDefect,
                     fmt::format("the equilibrated stress is out of balance by {:.1e}", equilibrium));
   if (scene.facets.empty() || mode == ErrorMode::Paper)
@@ -209,6 +216,20 @@ ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovere
   tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, admissible.gap, scene.solved, bound,
                       admissible.displacement);
   return measureStress(scene, recovered, admissible);
+}
+
+std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const RecoveredField& recovered,
+                                      const AdmissibleScene& admissible, const ErrorMeasure& measure)
+{
+  double strainEnergy = 0.0, work = 0.0;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Vector& displacement = admissible.displacement.displacement[b];
+    strainEnergy += energy(*scene.bodies[b], displacement);
+    work += dot(scene.model.loads[b], displacement);
+    if (measure.prescribed > 0.0 && !scene.bodies[b]->loads.empty())
+      return std::nullopt;
+  }
+  return bracketEnergy(measure, strainEnergy, work, largestImbalance(recovered));
 }
 
 double boundOf(const ErrorMeasure& measure, ErrorMode mode)

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "certificate_steps.hpp"
-#include "ndframe/estimation/error_measure.hpp"
+#include "ndframe/estimation/energy_bracket.hpp"
 #include "ndframe/io/summary.hpp"
 
 namespace ndframe
@@ -52,6 +52,11 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
 /// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found, 0 if not asked.
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
                 ErrorMode mode, double equilibrium);
+
+/// What the certificate says of the exact energy, where its conditions hold; none where loads do work on what
+/// prescribed displacements are not met by.
+std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const RecoveredField& recovered,
+                                      const AdmissibleScene& admissible, const ErrorMeasure& measure);
 
 /// Moves u^ to where the bound with this stress is smallest (tightenDisplacement); the measure with it. Strict mode,
 /// scenes with interfaces.

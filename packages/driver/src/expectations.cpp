@@ -34,6 +34,11 @@ ErrorSummary everyError(const ErrorOptions& options)
   fill(Estimator::ZienkiewiczZhu, errors.zienkiewiczZhu);
   fill(Estimator::Residual, errors.residual);
   fill(Estimator::Reference, errors.reference);
+  fill(Estimator::Global, errors.energyBracket);
+  if (errors.energyBracket) {
+    errors.energyBracket->work.emplace();
+    errors.energyBracket->drive.emplace();
+  }
   if (options.checkEquilibrium)
     errors.equilibrium.emplace();
   if (errors.reference && errors.global) {
@@ -54,6 +59,7 @@ RunSummary withEveryQuantity(RunSummary outline, const Params& deck)
     outline.accuracy->levels.resize(1);
     outline.accuracy->levels.front().worstPoint = {0.0, 0.0};
     outline.accuracy->levels.front().dofsToTarget = 1;
+    outline.accuracy->levels.front().energy.emplace();
   }
   if (outline.coupling)
     outline.coupling->history.resize(1);

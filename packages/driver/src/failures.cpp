@@ -70,10 +70,25 @@ Failure currentFailure()
   }
 }
 
+std::optional<Failure> failureIn(const Comm& comm, const std::function<void()>& steps)
+{
+  try {
+    steps();
+    return std::nullopt;
+  } catch (...) {
+    const Failure failure = currentFailure();
+    if (comm.size() > 1 && (failure.code == ExitCode::Bug || failure.outOfMemory))
+      throw;
+    return failure;
+  }
+}
+
 ExitCode codeOf(const Run& run)
 {
   const auto& accuracy = run.summary.accuracy;
   const auto& expectations = run.summary.expectations;
+  if (!run.bug.empty())
+    return ExitCode::Bug;
   if (!run.failure.empty())
     return ExitCode::NotConverged;
   if (accuracy && !accuracy->reached)

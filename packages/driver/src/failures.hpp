@@ -1,6 +1,8 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
+#include <optional>
 #include <string>
 
 #include "ndframe/algebra/comm.hpp"
@@ -26,6 +28,10 @@ constexpr const char* needsMoreMemory =
 
 /// The exception that is being handled; to be called in a handler.
 Failure currentFailure();
+
+/// What went wrong in steps that others may follow; none when they were done. With several ranks a bug and a lack of
+/// memory pass through, as the other ranks may know nothing of them.
+std::optional<Failure> failureIn(const Comm& comm, const std::function<void()>& steps);
 
 /// What a run that came to its end is to the user: the gravest of what is wrong with it.
 ExitCode codeOf(const Run& run);

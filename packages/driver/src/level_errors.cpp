@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "energy_comparison.hpp"
 #include "ndframe/mesh/shape.hpp"
 
 namespace ndframe
@@ -63,6 +64,7 @@ LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
   level.relative = errors.relative;
   level.iteration = errors.iteration;
   level.mesh = errors.mesh;
+  level.energy = bracketOf(run.energy);
   findWorst(run, level);
   return level;
 }

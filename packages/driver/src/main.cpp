@@ -15,6 +15,7 @@
 #include "accuracy_options.hpp"
 #include "accuracy_screen.hpp"
 #include "command_line.hpp"
+#include "energy_comparison.hpp"
 #include "error_screen.hpp"
 #include "failures.hpp"
 #include "memory_plan.hpp"
@@ -98,6 +99,8 @@ void reportWarnings(const std::vector<WarningSummary>& warnings, const Comm& com
 /// Says why the answer is not what the deck asks for, if it is not.
 void reportShortcomings(const Run& run, const Comm& comm)
 {
+  if (!run.bug.empty())
+    complain(comm, run.bug);
   if (!run.failure.empty())
     complain(comm, fmt::format("{}; {}.", run.failure, run.summary.solved ? "the results are marked so" : noSolution));
   else if (const std::string missed = missedTarget(run.summary); !missed.empty())
@@ -124,7 +127,9 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
     log.line("\n" + closingText(run.summary));
   if (run.summary.errors)
     log.line("\n" + errorText(*run.summary.errors));
-  if (run.summary.accuracy && run.summary.errors && !run.summary.accuracy->levels.empty())
+  if (run.summary.errors && run.summary.errors->energyBracket)
+    log.line(energyText(*run.summary.errors->energyBracket));
+  if (run.summary.accuracy && run.summary.errors)
     log.line("\n  " + accuracyText(*run.summary.accuracy, run.summary.errors->guaranteed));
   log.line("\n" + stageText(run.summary) + "\n");
   reportExpectations(run.summary, comm, log);

@@ -44,19 +44,20 @@ void checkDeck(Model& model, const Params& deck, const Components& components, c
 
 Reusable handOn(Run& run)
 {
-  return {std::move(run.model), std::move(run.condensed), std::move(run.reference)};
+  return {std::move(run.model), std::move(run.condensed), std::move(run.reference), std::move(run.energies)};
 }
 
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
             Reusable&& previous, const LevelObserver& onLevel)
 {
   if (wantsAccuracy(deck))
-    return runToTarget(deck, components, comm, ledger, log, onLevel);
+    return runToTarget(deck, components, comm, ledger, log, onLevel, previous.energies);
   Run run;
   run.startSeconds = wallSeconds();
   run.model = std::move(previous.model);
   run.condensed = std::move(previous.condensed);
   run.reference = std::move(previous.reference);
+  run.energies = std::move(previous.energies);
   try {
     compute(run, RunTools(deck, components, comm, ledger), log);
   } catch (...) {

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "accuracy_options.hpp"
+#include "energy_comparison.hpp"
 #include "error_checks.hpp"
 #include "memory_plan.hpp"
 #include "outputs.hpp"
@@ -172,6 +173,7 @@ void condenseRun(Run& run, const RunTools& tools, const Log& log)
 void solveRun(Run& run, const RunTools& tools, const Log& log, const CouplingStart& start)
 {
   run.states.clear();
+  run.certificate.reset(); // of another state
   if (run.plan.runs("couple"))
     couple(run, tools, log, start);
   else
@@ -195,6 +197,8 @@ void certifyRun(Run& run, const RunTools& tools)
   });
   if (!failure.empty())
     run.failure = "no certificate: " + failure;
+  if (run.certificate)
+    compareEnergies(run, tools.deck);
 }
 
 void attempt(Run& run, const Log& log, const std::function<void()>& steps)
@@ -209,6 +213,8 @@ void finishRun(Run& run, const RunTools& tools)
   completeSummary(run, tools.deck, tools.comm);
   if (const std::string verdict = verdictOn(run, tools.deck); !verdict.empty())
     run.failure = verdict;
+  if (run.contradiction)
+    run.failure = contradictionText(*run.contradiction);
   copyLedger(run.summary, tools.ledger, run.startSeconds);
 }
 

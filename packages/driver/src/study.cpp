@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include "accuracy_screen.hpp"
+#include "energy_comparison.hpp"
 #include "failures.hpp"
 #include "ndframe/base/progress.hpp"
 #include "ndframe/io/atomic_file.hpp"
@@ -55,6 +56,11 @@ std::string reasonOf(const std::string& failure, const RunSummary& summary)
   return target.empty() || expectations.empty() ? target + expectations : target + "; " + expectations;
 }
 
+std::string caseName(std::size_t number)
+{
+  return fmt::format("case {}", number);
+}
+
 } // namespace
 
 StudyRunner::StudyRunner(const Study& study, const std::string& deckName, const Components& components,
@@ -88,6 +94,7 @@ void StudyRunner::checkColumns()
 
 ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
 {
+  reusable_.energies.begin(caseName(row.number));
   Run run = runDeck(given.deck, components_, comm_, ledger_, silentLog(), std::move(reusable_),
                     levelWriter(given.deck, deckName_, comm_, ledger_));
   const ExitCode code = codeOf(run);
@@ -98,10 +105,32 @@ ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
   if (code == ExitCode::Warned)
     row.reason = run.summary.warnings.front().message;
   row.summary = std::move(run.summary);
+  if (run.contradiction)
+    withdraw(*run.contradiction);
   reusable_ = handOn(run);
   if (code != ExitCode::Warned)
     row.reason = reasonOf(run.failure, *row.summary);
   return code;
+}
+
+/// An earlier case that the present one contradicts is not guaranteed either.
+void StudyRunner::withdraw(const Contradiction& contradiction)
+{
+  for (StudyRow& row : rows_) {
+    const std::string name = caseName(row.number);
+    if (contradiction.earlier != name && contradiction.earlier.rfind(name + ",", 0) != 0)
+      continue;
+    row.code = graver(row.code, ExitCode::NotConverged);
+    row.reason = contradictionText(contradiction);
+    row.summary->errors->guaranteed = false;
+    row.summary->errors->reason = row.reason;
+    row.summary->errors->energyBracket.reset();
+    const Params output = study_.cases[row.number - 1].deck.sub("Output");
+    if (study_.writesFiles && output.get<bool>("Summary"))
+      writeOnFirstRank(comm_, [&] {
+        writeTextAtomically(outputStem(output, deckName_).string() + ".summary.json", toJson(*row.summary));
+      });
+  }
 }
 
 StudyRow StudyRunner::runCase(std::size_t index)
@@ -119,7 +148,7 @@ StudyRow StudyRunner::runCase(std::size_t index)
     if (failure.code == ExitCode::Bug || (failure.outOfMemory && comm_.size() > 1))
       throw; // the other ranks may know nothing of it
     if (failure.outOfMemory)
-      reusable_ = {}; // the next case may need this memory
+      reusable_ = {{}, {}, nullptr, std::move(reusable_.energies)}; // the next case may need the memory
     row.code = failure.code;
     row.reason = failure.outOfMemory ? needsMoreMemory : failure.text;
   }

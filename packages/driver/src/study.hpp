@@ -31,6 +31,7 @@ private:
   void checkColumns();
   StudyRow runCase(std::size_t index);
   ExitCode solve(const StudyCase& given, StudyRow& row);
+  void withdraw(const Contradiction& contradiction);
   void writeRows(const std::string& path) const;
 
   const Study& study_;

@@ -5,6 +5,7 @@
 
 #include "body_results.hpp"
 #include "contact_ends.hpp"
+#include "energy_comparison.hpp"
 #include "warnings/warnings.hpp"
 
 namespace ndframe
@@ -167,8 +168,10 @@ void completeSummary(Run& run, const Params& deck, const Comm& comm)
   completeInterfaces(run);
   addWarnings(run.summary, answerWarnings(run, deck));
   run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
-  if (run.certificate)
+  if (run.certificate) {
     run.summary.errors = run.certificate->summary;
+    run.summary.errors->energyBracket = summarizeEnergy(run, deck);
+  }
   checkExpectations(run.summary, deck);
 }
 

@@ -28,7 +28,8 @@ Json levelJson(const LevelSummary& level)
           {"iteration", level.iteration},
           {"largest", {{"body", level.worstBody}, {"point", level.worstPoint}}},
           {"dofs_to_target", level.dofsToTarget > 0 ? Json(level.dofsToTarget) : Json()},
-          {"seconds", level.seconds}};
+          {"seconds", level.seconds},
+          {"energy_bracket", bracketOrNull(level.energy)}};
 }
 
 } // namespace
@@ -75,12 +76,14 @@ std::string levelsCsv(const std::vector<LevelSummary>& levels)
   auto out = std::back_inserter(buffer);
   fmt::format_to(
       out, "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
-           "dofs_to_target,seconds\n");
+           "dofs_to_target,seconds,energy_lower,energy_upper\n");
   for (const auto& level : levels) {
     fmt::format_to(out, "{},{},{},{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},", level.level, level.dofs, level.elements,
                    level.worstShape, level.sweeps, level.bound, level.relative, level.mesh, level.iteration);
-    fmt::format_to(out, "{},{:.17g},{},{:.6f}\n", csvField(level.worstBody), fmt::join(level.worstPoint, ","),
+    fmt::format_to(out, "{},{:.17g},{},{:.6f},", csvField(level.worstBody), fmt::join(level.worstPoint, ","),
                    level.dofsToTarget > 0 ? fmt::format("{}", level.dofsToTarget) : "", level.seconds);
+    fmt::format_to(out, "{}\n",
+                   level.energy ? fmt::format("{:.17g},{:.17g}", level.energy->lower, level.energy->upper) : ",");
   }
   return fmt::to_string(buffer);
 }

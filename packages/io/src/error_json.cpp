@@ -73,6 +73,7 @@ Json errorsJson(const std::optional<ErrorSummary>& errors)
                 {"residual", orNull(e.residual)},
                 {"equilibrium", orNull(e.equilibrium)},
                 {"reference", orNull(e.reference, referenceJson)},
+                {"energy_bracket", energyJson(e.energyBracket)},
                 {"advice", e.advice}};
   });
 }

@@ -12,6 +12,10 @@ using Json = nlohmann::ordered_json;
 /// The certificate; null without one. What was not computed is null.
 Json errorsJson(const std::optional<ErrorSummary>& errors);
 
+/// The bracket of the exact energy; null without one.
+Json energyJson(const std::optional<EnergySummary>& energy);
+Json bracketOrNull(const std::optional<NumberBracket>& bracket);
+
 /// The levels of a run with a target; null for a run without one.
 Json accuracyJson(const std::optional<AccuracySummary>& accuracy);
 

@@ -6,6 +6,7 @@
 #include "ndframe/driver/condensed_model.hpp"
 #include "ndframe/driver/error_options.hpp"
 #include "ndframe/driver/solution.hpp"
+#include "ndframe/estimation/energy_bracket.hpp"
 #include "ndframe/io/summary.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
@@ -18,6 +19,7 @@ class ReferenceSolution;
 struct Certificate
 {
   ErrorSummary summary;
+  std::optional<EnergyBracket> energy; ///< with a guaranteed bound, but see docs/theory.md, section 8
   /// Contributions of the elements (42), not squared, per body and cell; empty when not asked for.
   std::vector<Vector> etaGlobal, etaDiscretization, etaAlgorithm;
   std::vector<ContactFacet> facets; ///< of all interfaces, in the order of their InterfaceMesh facets

@@ -8,6 +8,7 @@
 
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/certificate.hpp"
+#include "ndframe/driver/energy_records.hpp"
 #include "ndframe/driver/plan.hpp"
 #include "ndframe/driver/solution.hpp"
 
@@ -27,9 +28,14 @@ struct Run
   std::vector<ContactNode> contact;                   ///< final state
   std::optional<Certificate> certificate;             ///< of the final state, when the deck asks for it
   std::shared_ptr<const ReferenceSolution> reference; ///< of this run or an earlier one; null if there was none
+  EnergyRecords energies;                     ///< of all certificates of this run and of those that handed theirs on
+  EnergyRecord energy;                        ///< of the scene of the last certificate
+  int level = 0;                              ///< of a run with a target, from 1
+  std::optional<Contradiction> contradiction; ///< of two certificates: neither is guaranteed (exit code 3)
   RunSummary summary;
   bool strictInput = false;  ///< of the deck: warnings are errors
   std::string failure;       ///< why there is no result or it may not be trusted (exit code 3); empty when it may
+  std::string bug;           ///< what ended a run with a target on a later level (exit code 1); empty for none
   double startSeconds = 0.0; ///< wall clock when the run began
 };
 
@@ -39,6 +45,7 @@ struct Reusable
   Model model;
   CondensedModel condensed;
   std::shared_ptr<const ReferenceSolution> reference = nullptr;
+  EnergyRecords energies = {};
 };
 
 /// Takes out of a run what the next one may take over; the answer stays.

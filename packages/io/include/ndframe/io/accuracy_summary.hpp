@@ -1,8 +1,11 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
+
+#include "ndframe/io/energy_summary.hpp"
 
 namespace ndframe
 {
@@ -20,8 +23,9 @@ struct LevelSummary
   double mesh = 0.0;      ///< of it: the rest, sqrt(bound^2 - iteration^2)
   std::string worstBody;  ///< where the largest contribution is
   std::vector<double> worstPoint;
-  std::int64_t dofsToTarget = 0; ///< predicted for the target; 0 when it is reached
-  double seconds = 0.0;          ///< since the run began
+  std::int64_t dofsToTarget = 0;       ///< predicted for the target; 0 when it is reached
+  double seconds = 0.0;                ///< since the run began
+  std::optional<NumberBracket> energy; ///< of the exact solution, the best so far; absent without a guaranteed bound
 };
 
 /// How a target was reached, or why not.

@@ -4,6 +4,8 @@
 #include <optional>
 #include <string>
 
+#include "ndframe/io/energy_summary.hpp"
+
 namespace ndframe
 {
 
@@ -47,7 +49,8 @@ struct ErrorSummary
   std::optional<double> zienkiewiczZhu, residual;       ///< unguaranteed comparisons, absolute
   std::optional<double> equilibrium;                    ///< largest defect found by Check Equilibrium
   std::optional<ReferenceSummary> reference;
-  std::string advice; ///< what would make the error smaller, in words; empty without both parts
+  std::optional<EnergySummary> energyBracket; ///< of all certificates of the scene; absent without a guaranteed one
+  std::string advice;                         ///< what would make the error smaller, in words; empty without both parts
 };
 
 } // namespace ndframe

@@ -1,0 +1,193 @@
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "energy_comparison.hpp"
+#include "ndframe/base/expression.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Nodal forces of a load with one direction are parallel to this, relative to the largest.
+constexpr double parallel = 1e-10;
+
+NumberBracket times(double factor, NumberBracket bracket)
+{
+  const double a = factor * bracket.lower, b = factor * bracket.upper;
+  return {std::min(a, b), std::max(a, b)};
+}
+
+bool isGapless(const Model& model, const Params& deck)
+{
+  return std::all_of(model.interfaces.begin(), model.interfaces.end(), [&](const InterfaceMesh& interface) {
+    const Expression gap = deck.sub("Interfaces").sub(interface.name).expression("Gap");
+    return gap.isConstant() && gap(0.0, 0.0, 0.0) == 0.0;
+  });
+}
+
+/// The displacement that a constant support prescribes, along its directions.
+Direction prescribedBy(const Support& support, const Mesh& mesh)
+{
+  Direction u{};
+  const std::vector<Direction> directions = support.directions(mesh);
+  for (std::size_t k = 0; k < directions.size(); ++k)
+    for (std::size_t i = 0; i < u.size(); ++i)
+      u[i] += support.value(mesh.dim, int(k), mesh.point(0)) * directions[k][i];
+  return u;
+}
+
+double lengthOf(const Direction& vector)
+{
+  return std::sqrt(dotProduct(vector, vector));
+}
+
+/// What moves the bodies.
+struct Causes
+{
+  int loads = 0, movingSupports = 0;
+  bool supportsAreConstant = true;
+  std::size_t body = 0; ///< of the last load or moving support
+  const SideCondition* last = nullptr;
+  double displacement = 0.0; ///< that the last moving support prescribes
+  bool loadIsConstant = false;
+
+  std::string name(const Model& model) const { return last->params().name() + " of " + model.bodies[body].name; }
+};
+
+Causes causesOf(const Model& model)
+{
+  Causes causes;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    for (const auto& load : body.loads) {
+      ++causes.loads;
+      causes.body = b;
+      causes.last = load.get();
+      causes.loadIsConstant = load->isConstant();
+    }
+    for (const auto& support : body.supports) {
+      causes.supportsAreConstant = causes.supportsAreConstant && support->isConstant();
+      const double moves = support->isConstant() ? lengthOf(prescribedBy(*support, body.mesh)) : 0.0;
+      if (moves == 0.0)
+        continue;
+      ++causes.movingSupports;
+      causes.body = b;
+      causes.last = support.get();
+      causes.displacement = moves;
+    }
+  }
+  return causes;
+}
+
+/// The resultant of a load with one direction everywhere; 0 for others.
+double forceOf(const Vector& load, int dim)
+{
+  Direction sum{};
+  const auto n = std::size_t(dim);
+  double largest = 0.0;
+  for (std::size_t i = 0; i < load.size(); ++i) {
+    sum[i % n] += load[i];
+    largest = std::max(largest, std::abs(load[i]));
+  }
+  const double force = lengthOf(sum);
+  for (std::size_t i = 0; i < load.size(); i += n) {
+    double along = 0.0;
+    for (std::size_t k = 0; k < n; ++k)
+      along += load[i + k] * sum[k] / force;
+    for (std::size_t k = 0; k < n; ++k)
+      if (!(std::abs(load[i + k] - along * sum[k] / force) <= parallel * largest))
+        return 0.0;
+  }
+  return force;
+}
+
+/// One load: E = -W / 2, W = force times mean displacement.
+void addWorkOfLoads(EnergySummary& summary, const Model& model, const Causes& causes)
+{
+  summary.workOf = "the loads";
+  const NumberBracket work = *(summary.work = times(-2.0, summary.energy));
+  const double force = causes.loads == 1 && causes.loadIsConstant
+                           ? forceOf(model.loads[causes.body], model.bodies[causes.body].mesh.dim)
+                           : 0.0;
+  if (force > 0.0 && work.lower > 0.0)
+    summary.drive = DriveSummary{causes.name(model),
+                                 {force, force},
+                                 times(1.0 / force, work),
+                                 {force * force / work.upper, force * force / work.lower}};
+}
+
+/// One moving support: E = W / 2, W = displacement times force.
+void addWorkOfSupports(EnergySummary& summary, const Model& model, const Causes& causes)
+{
+  summary.workOf = "the supports";
+  const NumberBracket work = *(summary.work = times(2.0, summary.energy));
+  const double u = causes.displacement;
+  if (causes.movingSupports == 1)
+    summary.drive = DriveSummary{causes.name(model), times(1.0 / u, work), {u, u}, times(1.0 / (u * u), work)};
+}
+
+/// Both ends with the digits that tell them apart.
+std::string text(NumberBracket bracket)
+{
+  const double size = std::max(std::abs(bracket.lower), std::abs(bracket.upper));
+  const double relative = size > 0.0 ? (bracket.upper - bracket.lower) / size : 0.0;
+  const int digits = relative > 0.0 ? int(std::clamp(std::ceil(-std::log10(relative)) + 2.0, 4.0, 15.0)) : 15;
+  return fmt::format("[{:.{}g}, {:.{}g}]", bracket.lower, digits, bracket.upper, digits);
+}
+
+std::string line(const std::string& what, NumberBracket bracket, const std::string& remark)
+{
+  return fmt::format("  {:<18}in {}   {}", what, text(bracket), remark);
+}
+
+} // namespace
+
+std::optional<NumberBracket> bracketOf(const EnergyRecord& record)
+{
+  if (record.certificates() == 0 || !record.holds())
+    return std::nullopt;
+  return NumberBracket{std::min(record.lower(), record.upper()), std::max(record.lower(), record.upper())};
+}
+
+std::optional<EnergySummary> summarizeEnergy(const Run& run, const Params& deck)
+{
+  const auto bracket = bracketOf(run.energy);
+  if (!bracket)
+    return std::nullopt;
+  EnergySummary summary;
+  summary.energy = *bracket;
+  summary.certificates = run.energy.certificates();
+  const double strainEnergy = 0.5 * run.summary.energy;
+  summary.relativeWidth = strainEnergy > 0.0 ? (bracket->upper - bracket->lower) / strainEnergy : 0.0;
+  const Causes causes = causesOf(run.model);
+  if (!causes.supportsAreConstant || !isGapless(run.model, deck))
+    return summary;
+  if (causes.movingSupports == 0 && causes.loads > 0)
+    addWorkOfLoads(summary, run.model, causes);
+  else if (causes.movingSupports > 0 && causes.loads == 0)
+    addWorkOfSupports(summary, run.model, causes);
+  return summary;
+}
+
+std::string energyText(const EnergySummary& summary)
+{
+  std::string lines =
+      line("energy", summary.energy,
+           fmt::format("strain energy less work of the loads, exact, guaranteed; width {:.2g}, {} "
+                       "certificate{}",
+                       summary.relativeWidth, summary.certificates, summary.certificates == 1 ? "" : "s"));
+  if (summary.work)
+    lines += "\n" + line("work", *summary.work, "of " + summary.workOf);
+  if (const auto& drive = summary.drive) {
+    const bool isLoad = drive->force.lower == drive->force.upper;
+    lines += "\n" + (isLoad ? line("displacement", drive->displacement, "mean, along " + drive->cause)
+                            : line("force", drive->force, "along " + drive->cause));
+    lines += "\n" + line("stiffness", drive->stiffness, "force over displacement");
+  }
+  return lines;
+}
+
+} // namespace ndframe

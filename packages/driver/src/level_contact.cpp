@@ -1,0 +1,38 @@
+#include "level_contact.hpp"
+
+#include "ndframe/interface/traction_transfer.hpp"
+
+namespace ndframe
+{
+
+Vector nextTraction(const Run& run)
+{
+  if (run.model.interfaces.empty())
+    return {};
+  const CouplingResult& coupling = run.coupling;
+  const double theta = coupling.history.back().theta;
+  const std::vector<char> closed = statusesOfNodes(run.condensed.interface, coupling.state.closed);
+  Vector traction = coupling.state.tractionNeumann;
+  for (std::size_t i = 0; i < traction.size(); ++i)
+    traction[i] = closed[i] ? traction[i] + theta * (coupling.state.tractionDirichlet[i] - traction[i]) : 0.0;
+  return traction;
+}
+
+CarriedContact contactOf(const Run& run, Vector traction)
+{
+  if (run.model.interfaces.empty())
+    return {};
+  return {run.model.interfaces, std::move(traction),
+          statusesOfNodes(run.condensed.interface, run.coupling.state.closed)};
+}
+
+CouplingStart startFrom(const Run& run, const CarriedContact& contact)
+{
+  CouplingStart start;
+  start.traction = contact.traction;
+  if (!contact.closed.empty())
+    start.closed = statusesOfUnknowns(run.condensed.interface, contact.closed);
+  return start;
+}
+
+} // namespace ndframe
