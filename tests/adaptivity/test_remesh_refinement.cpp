@@ -8,6 +8,7 @@
 #include <unistd.h>
 
 #include "ndframe/adaptivity/refinement.hpp"
+#include "persistent_remesh.hpp"
 
 using namespace ndframe;
 
@@ -20,6 +21,15 @@ Point(1) = {0, 0, 0, 0.4}; Point(2) = {1, 0, 0, 0.4}; Point(3) = {-1, 0, 0, 0.4}
 Point(4) = {0, 1, 0, 0.4}; Point(5) = {0, -1, 0, 0.4};
 Line(1) = {3, 2}; Circle(2) = {2, 1, 4}; Circle(3) = {4, 1, 3}; Circle(4) = {3, 1, 5}; Circle(5) = {5, 1, 2};
 Curve Loop(1) = {1, 2, 3}; Plane Surface(1) = {1}; Curve Loop(2) = {-1, 4, 5}; Plane Surface(2) = {2};
+Physical Curve("contact") = {1}; Physical Surface("up") = {1}; Physical Surface("down") = {2};
+)";
+
+/// The same names; both boundaries cross themselves.
+const char* const crossedDisc = R"(
+Point(2) = {1, 0, 0, 0.4}; Point(3) = {-1, 0, 0, 0.4}; Point(4) = {0.5, 1, 0, 0.4}; Point(5) = {-0.5, 1, 0, 0.4};
+Point(6) = {0.5, -1, 0, 0.4}; Point(7) = {-0.5, -1, 0, 0.4};
+Line(1) = {3, 2}; Line(2) = {2, 5}; Line(3) = {5, 4}; Line(4) = {4, 3}; Line(5) = {3, 6}; Line(6) = {6, 7}; Line(7) = {7, 2};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1}; Curve Loop(2) = {-1, 5, 6, 7}; Plane Surface(2) = {2};
 Physical Curve("contact") = {1}; Physical Surface("up") = {1}; Physical Surface("down") = {2};
 )";
 
@@ -170,6 +180,72 @@ TEST(RemeshRefinement, AncestorsHoldTheCentres)
         EXPECT_GE((q[0] - p[0]) * (centre[1] - p[1]) - (q[1] - p[1]) * (centre[0] - p[0]), 0.0);
       }
     }
+}
+
+TEST(RemeshRefinement, BisectsWhereGmshGivesUp)
+{
+  // The script that the first meshes came from has a boundary that crosses itself now.
+  const FirstMeshes first = halfDiscs();
+  const auto meshes = begin(first);
+  std::ofstream(fmt::format("{}ndframe-disc-{}.geo", testing::TempDir(), getpid())) << crossedDisc;
+  const auto next = meshes->refined(sizesOf(meshes->meshes(), 1e-2));
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_GT(next->meshes()[b].numCells(), first.meshes[b].numCells());
+    EXPECT_NEAR(areaOf(next->meshes()[b]), areaOf(first.meshes[b]), 1e-12); // the polygon stays
+    EXPECT_EQ(next->ancestors()[b].size(), std::size_t(next->meshes()[b].numCells()));
+  }
+  EXPECT_EQ(twinsOf(next->meshes()).size(), next->meshes()[0].findSide("contact")->facets.size());
+  std::ofstream(fmt::format("{}ndframe-disc-{}.geo", testing::TempDir(), getpid())) << disc;
+  const auto third = next->refined(sizesOf(next->meshes(), 1e-3)); // and gmsh follows the circle again
+  for (const Mesh& mesh : third->meshes())
+    EXPECT_NEAR(areaOf(mesh), 0.5 * std::acos(-1.0), 2e-3);
+}
+
+TEST(PersistentRemesh, AsksAgainUntilThereIsAMesh)
+{
+  const std::vector<WantedMesh> wanted{{Mesh(), {0.5, 0.25}}};
+  for (int failures = 0; failures < 5; ++failures) {
+    std::vector<std::pair<GmshAlgorithm, double>> asked;
+    const auto meshes = remeshPersistently(wanted, [&](const std::vector<WantedMesh>& now, GmshAlgorithm algorithm) {
+      EXPECT_LE(now[0].lengths[1], 0.25);
+      EXPECT_DOUBLE_EQ(now[0].lengths[0], 2.0 * now[0].lengths[1]);
+      for (const auto& before : asked)
+        EXPECT_NE(before, std::pair(algorithm, now[0].lengths[0]));
+      asked.emplace_back(algorithm, now[0].lengths[0]);
+      if (int(asked.size()) <= failures)
+        throw RemeshFailure("gmsh gives up");
+      return std::vector<Mesh>(1);
+    });
+    EXPECT_EQ(meshes.size(), 1u);
+    EXPECT_EQ(int(asked.size()), failures + 1);
+    EXPECT_EQ(asked.front(), std::pair(GmshAlgorithm::FrontalDelaunay, 0.5));
+  }
+}
+
+TEST(PersistentRemesh, EndsWithTheFirstReason)
+{
+  int asked = 0;
+  try {
+    remeshPersistently({}, [&](const auto&, GmshAlgorithm) -> std::vector<Mesh> {
+      throw RemeshFailure("reason " + std::to_string(++asked));
+    });
+    ADD_FAILURE() << "it has no mesh";
+  } catch (const RemeshFailure& failure) {
+    EXPECT_STREQ(failure.what(), "reason 1");
+  }
+  EXPECT_EQ(asked, 5);
+}
+
+TEST(PersistentRemesh, DoesNotRepeatTheUsersMistakes)
+{
+  int asked = 0;
+  EXPECT_THROW(remeshPersistently({},
+                                  [&](const auto&, GmshAlgorithm) -> std::vector<Mesh> {
+                                    ++asked;
+                                    throw InputError("no corner there");
+                                  }),
+               InputError);
+  EXPECT_EQ(asked, 1);
 }
 
 TEST(RemeshRefinement, NeedsScripts)

@@ -100,18 +100,19 @@ class Forgetful final : public Load
 {
 public:
   explicit Forgetful(const Params& params) : Load(params) { forgetfulValue += perModel; }
-  bool isConstant() const override { return true; }
-  void density(int dim, const double*, const double* normal, double* q) const override
+  std::vector<SampledFunction> functions(int) const override { return {sampled("Value")}; }
+  void density(int dim, const double* values, const double* normal, double* q) const override
   {
     for (int k = 0; k < dim; ++k)
-      q[k] = -forgetfulValue * normal[k];
+      q[k] = -forgetfulValue * values[0] * normal[k];
   }
 };
 
 const Components& withForgetful()
 {
   static const auto all = makeComponents([](Components& components) {
-    components.loads.add("Forgetful", "A load that is not what it was.", {sideSpec()},
+    components.loads.add("Forgetful", "A load that is not what it was.",
+                         {sideSpec(), ParamSpec::required("Value", Kind::Expression, "The pressure.")},
                          [](const Params& p) { return std::make_unique<Forgetful>(p); });
   });
   return *all;
@@ -121,11 +122,6 @@ DeckList forgetfulList(const std::vector<std::string>& settings)
 {
   Scene scene = punch();
   scene.changeAll("Type", [](const std::string& type) { return type == "Pressure" ? "Forgetful" : type; });
-  for (auto& list : scene.deck().lists)
-    if (list.name == "Bodies") {
-      auto& entries = list.lists[0].lists[3].lists[0].entries; // the load's
-      entries.erase(entries.begin() + 2);
-    }
   for (const auto& setting : settings)
     scene.set(setting);
   return scene.deck();

@@ -6,6 +6,7 @@
 #include "ndframe/mesh/mesh_bytes.hpp"
 #include "ndframe/mesh/remesh.hpp"
 #include "ndframe/mesh/vertex_cells.hpp"
+#include "persistent_remesh.hpp"
 #include "refinements.hpp"
 
 namespace ndframe
@@ -54,18 +55,27 @@ std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancesto
   return lengths;
 }
 
-/// Meshed on rank 0, which tells the others; one mesh a message.
+/// Meshed on rank 0, which tells the others; one mesh a message. None where gmsh gives up.
 std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<WantedMesh>& wanted)
 {
-  if (scene.comm.size() == 1)
-    return remesh(scene.scripts, scene.matching, wanted);
-  std::vector<Mesh> meshes(wanted.size());
-  for (std::size_t b = 0; b < meshes.size(); ++b)
-    meshes[b] = meshFromBytes(fromRankZero(scene.comm, [&] {
-      if (b == 0)
-        meshes = remesh(scene.scripts, scene.matching, wanted);
-      return toBytes(meshes[b]);
-    }));
+  std::vector<Mesh> meshes;
+  const auto make = [&](const std::vector<WantedMesh>& lengths, GmshAlgorithm algorithm) {
+    return remesh(scene.scripts, scene.matching, lengths, algorithm);
+  };
+  const std::string made = "made";
+  const std::string outcome = fromRankZero(scene.comm, [&]() -> std::string {
+    try {
+      meshes = remeshPersistently(wanted, make);
+      return made;
+    } catch (const RemeshFailure&) {
+      return "gmsh gives up";
+    }
+  });
+  if (outcome != made || scene.comm.size() == 1)
+    return meshes;
+  meshes.resize(wanted.size());
+  for (Mesh& mesh : meshes)
+    mesh = meshFromBytes(fromRankZero(scene.comm, [&] { return toBytes(mesh); }));
   return meshes;
 }
 
@@ -101,6 +111,8 @@ public:
       wanted.push_back({mesh, lengthsOn(mesh, parts->ancestors()[b], meshes_[b], sizes[b])});
     }
     std::vector<Mesh> next = remeshShared(*scene_, wanted);
+    if (next.empty())
+      return bisected(sizes);
     std::vector<std::vector<int>> ancestors;
     for (std::size_t b = 0; b < next.size(); ++b)
       ancestors.push_back(ancestorsIn(meshes_[b], next[b]));
@@ -111,6 +123,14 @@ public:
   double slack() const override { return 0.2; }
 
 private:
+  /// What is left where gmsh gives up: the vertices stay, curved boundaries are followed again by the next mesh that it
+  /// makes.
+  std::unique_ptr<RefinedMeshes> bisected(const SizeField& sizes) const
+  {
+    const auto next = bisectedMeshes(meshes_, twinsOf(meshes_, scene_->matching))->refined(sizes);
+    return std::make_unique<RemeshedMeshes>(scene_, next->meshes(), next->ancestors());
+  }
+
   std::shared_ptr<const RemeshScene> scene_;
   std::vector<Mesh> meshes_;
   std::vector<std::vector<int>> ancestors_;
@@ -136,7 +156,9 @@ void registerRemesh(Registry<Refinement>& registry)
   registry.add(
       "Remesh",
       "gmsh makes the meshes of .geo scripts again with the wanted sizes. Vertices of a curved boundary lie on "
-      "the curve, matching sides go on matching. Costs 0.1 s a mesh and more.",
+      "the curve, matching sides go on matching. Costs 0.1 s a mesh and more. Where gmsh gives up, it is asked again "
+      "with "
+      "other algorithms and slightly smaller sizes; in the end the triangles are halved.",
       {}, [](const Params&) { return std::make_unique<RemeshRefinement>(); });
 }
 

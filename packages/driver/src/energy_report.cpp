@@ -33,9 +33,10 @@ Direction prescribedBy(const Support& support, const Mesh& mesh)
 {
   Direction u{};
   const std::vector<Direction> directions = support.directions(mesh);
-  for (std::size_t k = 0; k < directions.size(); ++k)
+  const std::vector<SampledFunction>& functions = support.functions();
+  for (std::size_t k = 0; k < functions.size(); ++k)
     for (std::size_t i = 0; i < u.size(); ++i)
-      u[i] += support.value(mesh.dim, int(k), mesh.point(0)) * directions[k][i];
+      u[i] += valueAt(functions[k], mesh.dim, mesh.point(0)) * directions[k][i];
   return u;
 }
 
@@ -66,7 +67,7 @@ Causes causesOf(const Model& model)
       ++causes.loads;
       causes.body = b;
       causes.last = load.get();
-      causes.loadIsConstant = load->isConstant();
+      causes.loadIsConstant = load->isConstant(body.mesh.dim);
     }
     for (const auto& support : body.supports) {
       causes.supportsAreConstant = causes.supportsAreConstant && support->isConstant();

@@ -52,9 +52,6 @@ double lengthAt(int, int, double x, double y, double, void* field)
 
 /// gmsh integrates sizes along curves to 1e-9 if it is not told otherwise, which takes longer than to make the mesh.
 constexpr double curvePrecision = 1e-5;
-/// Frontal Delaunay: good triangles also where sizes change.
-constexpr double frontalDelaunay = 6;
-
 constexpr int line = 1; ///< gmsh's element type of two nodes
 
 } // namespace
@@ -125,7 +122,6 @@ void GmshGeometry::forgetOwnSizes()
   session_.setNumber("Mesh.MeshSizeMax", 1e22);
   session_.setNumber("Mesh.MeshSizeFactor", 1);
   session_.setNumber("Mesh.ElementOrder", 1);
-  session_.setNumber("Mesh.Algorithm", frontalDelaunay);
   session_.setNumber("Mesh.LcIntegrationPrecision", curvePrecision);
   int error = 0;
   gmsh_.clearMesh(nullptr, 0, &error); // of a script that meshes
@@ -133,8 +129,10 @@ void GmshGeometry::forgetOwnSizes()
   require(error);
 }
 
-Mesh GmshGeometry::mesh(const LengthField& lengths, const std::vector<FixedSide>& fixed, const std::string& file)
+Mesh GmshGeometry::mesh(const LengthField& lengths, const std::vector<FixedSide>& fixed, GmshAlgorithm algorithm,
+                        const std::string& file)
 {
+  session_.setNumber("Mesh.Algorithm", double(algorithm));
   int error = 0;
   gmsh_.setSizeCallback(lengthAt, const_cast<LengthField*>(&lengths), &error);
   require(error);

@@ -7,7 +7,7 @@
 
 #include "gmsh_session.hpp"
 #include "length_field.hpp"
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/mesh/remesh.hpp"
 
 namespace ndframe
 {
@@ -28,9 +28,10 @@ public:
   /// FileError.
   explicit GmshGeometry(const MeshScript& script);
 
-  /// The mesh; `file` is written on the way. Throws FileError: gmsh's messages, or a fixed side without a vertex where
+  /// The mesh; `file` is written on the way. Throws GmshGaveUp, and FileError for a fixed side without a vertex where
   /// the script has a corner.
-  Mesh mesh(const LengthField& lengths, const std::vector<FixedSide>& fixed, const std::string& file);
+  Mesh mesh(const LengthField& lengths, const std::vector<FixedSide>& fixed, GmshAlgorithm algorithm,
+            const std::string& file);
 
 private:
   using Point = std::array<double, 3>;

@@ -4,7 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -80,7 +79,11 @@ void GmshSession::generate(int dim)
 {
   int error = 0;
   gmsh_.generate(dim, &error);
-  requireSuccess(error, "gmsh cannot mesh the script");
+  try {
+    requireSuccess(error, "gmsh cannot mesh the script");
+  } catch (const FileError& failure) {
+    throw GmshGaveUp(failure.what());
+  }
 }
 
 void GmshSession::write(const std::string& path)

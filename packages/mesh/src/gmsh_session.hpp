@@ -2,10 +2,18 @@
 
 #include <string>
 
+#include "file_error.hpp"
 #include "gmsh_functions.hpp"
 
 namespace ndframe
 {
+
+/// gmsh has read a script and cannot mesh it; another algorithm or other sizes may help.
+class GmshGaveUp final : public FileError
+{
+public:
+  using FileError::FileError;
+};
 
 /// gmsh between initialisation and finalisation, silent on the terminal. Only one at a time.
 class GmshSession
@@ -23,7 +31,7 @@ public:
   void open(const std::string& path);
   /// Dimension of the geometry; FileError below 2.
   int dimension() const;
-  /// Meshes everything up to a dimension.
+  /// Meshes everything up to a dimension. Throws GmshGaveUp.
   void generate(int dim);
   /// Writes all elements as a binary .msh file of format 4.1.
   void write(const std::string& path);

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
@@ -42,7 +43,45 @@ std::vector<Place> twinsOf(const std::vector<Place>& facets, const std::map<Plac
   return others;
 }
 
+/// Of a facet's middle from another's.
+constexpr double samePlace = 0.1;
+
+struct Middle
+{
+  double x, y, length;
+};
+
+Middle middleOf(const Mesh& mesh, Facet facet)
+{
+  int ends[2];
+  facetVertices(mesh, facet, ends);
+  const double *a = mesh.point(ends[0]), *b = mesh.point(ends[1]);
+  return {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), std::hypot(b[0] - a[0], b[1] - a[1])};
+}
+
+const std::vector<Facet>& facetsOf(const std::vector<Mesh>& meshes, int mesh, const std::string& name)
+{
+  const Side* side = meshes[std::size_t(mesh)].findSide(name);
+  NDFRAME_ASSERT(side, "matching sides exist");
+  return side->facets;
+}
+
 } // namespace
+
+std::vector<FacetTwin> twinsOf(const std::vector<Mesh>& meshes, const std::vector<MatchingSides>& matching)
+{
+  std::vector<FacetTwin> twins;
+  for (const MatchingSides& sides : matching)
+    for (const Facet facet : facetsOf(meshes, sides.first, sides.firstSide)) {
+      const Middle here = middleOf(meshes[std::size_t(sides.first)], facet);
+      for (const Facet other : facetsOf(meshes, sides.second, sides.secondSide)) {
+        const Middle there = middleOf(meshes[std::size_t(sides.second)], other);
+        if (std::hypot(there.x - here.x, there.y - here.y) <= samePlace * here.length)
+          twins.push_back({sides.first, facet, sides.second, other});
+      }
+    }
+  return twins;
+}
 
 std::vector<MatchingSides> matchingSides(const std::vector<Mesh>& meshes, const std::vector<FacetTwin>& twins)
 {

@@ -105,16 +105,25 @@ std::string fileOf(std::size_t body, const std::filesystem::path& folder)
 
 /// Leaves the meshes in files, whole ones only, so that the parent sees how far it came.
 void makeMeshes(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
-                const SceneLengths& lengths, const std::filesystem::path& folder)
+                const SceneLengths& lengths, GmshAlgorithm algorithm, const std::filesystem::path& folder)
 {
   std::vector<Mesh> made;
   for (std::size_t b = 0; b < scripts.size(); ++b) {
-    made.push_back(GmshGeometry(scripts[b])
-                       .mesh(lengths.ofBody(b), fixedSides(int(b), matching, made), (folder / "gmsh.msh").string()));
+    made.push_back(
+        GmshGeometry(scripts[b])
+            .mesh(lengths.ofBody(b), fixedSides(int(b), matching, made), algorithm, (folder / "gmsh.msh").string()));
     const std::filesystem::path unfinished = folder / "unfinished";
     std::ofstream(unfinished, std::ios::binary) << toBytes(made.back());
     std::filesystem::rename(unfinished, fileOf(b, folder));
   }
+}
+
+[[noreturn]] void refuse(const MeshScript& script, const std::string& failure, bool gaveUp)
+{
+  const Diagnostic mistake = script.list.mistake("File", fmt::format("{}: {}", script.file, failure));
+  if (gaveUp)
+    throw RemeshFailure(mistake);
+  throw InputError(mistake);
 }
 
 ChildLimits limitsFor(const std::vector<MeshScript>& scripts)
@@ -131,28 +140,35 @@ ChildLimits limitsFor(const std::vector<MeshScript>& scripts)
 } // namespace
 
 std::vector<Mesh> remesh(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
-                         const std::vector<WantedMesh>& wanted)
+                         const std::vector<WantedMesh>& wanted, GmshAlgorithm algorithm)
 {
   NDFRAME_ASSERT(scripts.size() == wanted.size(), "a script for every body");
   const SceneLengths lengths(wanted, matching);
   const Scratch folder(makeScratchFolder());
   const ChildLimits limits = limitsFor(scripts);
   std::string failure;
+  bool gaveUp = true;
   try {
-    const auto work = [&] {
-      makeMeshes(scripts, matching, lengths, folder.path());
-      return std::string();
+    const auto work = [&]() -> std::string {
+      try {
+        makeMeshes(scripts, matching, lengths, algorithm, folder.path());
+        return {};
+      } catch (const GmshGaveUp& error) {
+        return error.what();
+      }
     };
-    runInChild(work, "gmsh", limits);
+    failure = runInChild(work, "gmsh", limits);
   } catch (const ChildFailure& error) {
     failure = gmshAdvice(error, limits);
+    gaveUp = error.kind() == ChildFailure::Kind::Crashed;
   } catch (const FileError& error) {
     failure = error.what();
+    gaveUp = false;
   }
   std::vector<Mesh> meshes;
   for (std::size_t b = 0; b < scripts.size(); ++b) {
     if (!std::filesystem::exists(fileOf(b, folder.path())))
-      throw InputError(scripts[b].list.mistake("File", fmt::format("{}: {}", scripts[b].file, failure)));
+      refuse(scripts[b], failure, gaveUp);
     meshes.push_back(meshFromBytes(readText(fileOf(b, folder.path()))));
   }
   return meshes;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/mesh/bisection.hpp"
 #include "ndframe/mesh/mesh_source.hpp"
 
@@ -29,7 +30,22 @@ struct WantedMesh
   std::vector<double> lengths; ///< per vertex, positive
 };
 
-/// Makes the meshes of all bodies anew, by gmsh from the script of each (frontal Delaunay triangles).
+/// How gmsh makes triangles, by its own numbers.
+enum class GmshAlgorithm
+{
+  MeshAdapt = 1, ///< slow, for difficult geometry
+  Delaunay = 5,
+  FrontalDelaunay = 6 ///< good triangles also where sizes change
+};
+
+/// gmsh has no mesh although scripts and deck are as they should be: another algorithm or other lengths may help.
+class RemeshFailure final : public InputError
+{
+public:
+  using InputError::InputError;
+};
+
+/// Makes the meshes of all bodies anew, by gmsh from the script of each.
 ///
 /// Boundaries are those of the script, curved ones too: vertices lie on them, and its points are vertices. Sizes and
 /// size fields of the script give way. Where lengths grow by more than half of the distance they are made smaller.
@@ -39,9 +55,14 @@ struct WantedMesh
 /// Limits: plane meshes. What the script makes Transfinite or puts into a boundary layer stays as it is. A
 /// curve of a matching side has two ends.
 ///
-/// Throws InputError with the place of the body's mesh in the deck: gmsh's own messages, more memory than is free, more
-/// processor time than the scripts may take, boundaries of matching sides with different corners.
+/// Throws InputError with the place of the body's mesh in the deck: scripts that cannot be read, more memory than is
+/// free, more processor time than the scripts may take, boundaries of matching sides with different corners; where gmsh
+/// gives up, RemeshFailure with its own messages.
 std::vector<Mesh> remesh(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
-                         const std::vector<WantedMesh>& wanted);
+                         const std::vector<WantedMesh>& wanted,
+                         GmshAlgorithm algorithm = GmshAlgorithm::FrontalDelaunay);
+
+/// The facets of matching sides that lie on each other, to a tenth of their length.
+std::vector<FacetTwin> twinsOf(const std::vector<Mesh>& meshes, const std::vector<MatchingSides>& matching);
 
 } // namespace ndframe
