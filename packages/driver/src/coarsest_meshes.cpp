@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "matching_stations.hpp"
 #include "shared_mesh.hpp"
 
 namespace ndframe
@@ -28,7 +29,24 @@ std::vector<int> cellsOfSize(const Params& mesh, double size)
   return cells;
 }
 
-Params boxWith(const std::vector<int>& cells, const Params& mesh, const Components& components)
+/// Cuts a side where grid lines must be; nobody asks for the parts.
+void addStations(DeckList& box, const Stations& stations, Diagnostics& diagnostics)
+{
+  for (std::size_t d = 0; d < stations.size(); ++d) {
+    if (stations[d].empty())
+      continue;
+    const std::string direction = d == 0 ? "X" : "Y", list = "Splits/grid lines of neighbours, " + direction;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k <= stations[d].size(); ++k)
+      names.push_back(fmt::format("between grid lines {} {}", direction, k));
+    applySetting(box, fmt::format("{}/Side={}", list, d == 0 ? "bottom" : "left"), diagnostics);
+    applySetting(box, fmt::format("{}/At={{{:.17g}}}", list, fmt::join(stations[d], ", ")), diagnostics);
+    applySetting(box, fmt::format("{}/Names={{{}}}", list, fmt::join(names, ", ")), diagnostics);
+  }
+}
+
+Params boxWith(const std::vector<int>& cells, const Stations& stations, const Params& mesh,
+               const Components& components)
 {
   ListSpec spec;
   spec.name = mesh.name();
@@ -36,6 +54,7 @@ Params boxWith(const std::vector<int>& cells, const Params& mesh, const Componen
   Diagnostics diagnostics;
   DeckList list = parseDeck(toXml(mesh), mesh.path());
   applySetting(list, fmt::format("Cells={{{}}}", fmt::join(cells, ", ")), diagnostics);
+  addStations(list, stations, diagnostics);
   Params coarser = validate(list, spec, diagnostics);
   diagnostics.throwIfAny();
   return coarser;
@@ -52,17 +71,17 @@ bool hasRoomForSplits(const Params& box, const Components& components)
 }
 
 /// A box whose cells are not longer than `size`, with more of them in a direction whose splits need more.
-Params coarseBox(const Params& mesh, const Components& components, double size)
+Params coarseBox(const Params& mesh, const Stations& stations, const Components& components, double size)
 {
   const auto asked = mesh.get<std::vector<int>>("Cells");
   std::vector<int> cells = cellsOfSize(mesh, size);
   while (cells != asked) {
-    if (Params box = boxWith(cells, mesh, components); hasRoomForSplits(box, components))
+    if (Params box = boxWith(cells, stations, mesh, components); hasRoomForSplits(box, components))
       return box;
     for (std::size_t d = 0; d < cells.size(); ++d) {
       std::vector<int> more = cells;
       more[d] = std::min(cells[d] + 1, asked[d]);
-      if (Params box = boxWith(more, mesh, components); hasRoomForSplits(box, components))
+      if (Params box = boxWith(more, stations, mesh, components); hasRoomForSplits(box, components))
         return box;
     }
     for (std::size_t d = 0; d < cells.size(); ++d)
@@ -71,9 +90,10 @@ Params coarseBox(const Params& mesh, const Components& components, double size)
   return mesh;
 }
 
-Mesh readCoarse(const Params& mesh, const Components& components, const Comm& comm, double size)
+Mesh readCoarse(const Params& mesh, const Stations& stations, const Components& components, const Comm& comm,
+                double size)
 {
-  const Params chosen = isBox(mesh) ? coarseBox(mesh, components, size) : mesh;
+  const Params chosen = isBox(mesh) ? coarseBox(mesh, stations, components, size) : mesh;
   return readShared(*components.meshSources.build(chosen), comm);
 }
 
@@ -114,10 +134,12 @@ bool fits(const Params& deck, const Components& components, const MeshOfBody& me
 MeshOfBody coarsestMeshes(const Params& deck, const Components& components, const Comm& comm)
 {
   const double largest = largestBox(deck);
+  const auto stations = matchingStations(deck);
   for (int pieces = 1; pieces < mostCells(deck); ++pieces) {
     const double size = largest / pieces;
-    MeshOfBody meshes = [&components, &comm, size](const Params& body) -> GivenMesh {
-      return readCoarse(body.sub("Mesh"), components, comm, size);
+    MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
+      const auto found = stations.find(body.name());
+      return readCoarse(body.sub("Mesh"), found == stations.end() ? Stations() : found->second, components, comm, size);
     };
     if (fits(deck, components, meshes))
       return meshes;
