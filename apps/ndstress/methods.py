@@ -12,7 +12,7 @@ class Method:
 
 
 def sweeps(relaxation, **more):
-    return {"Coupling": {"Type": "Neumann-Dirichlet", "Relaxation": relaxation,
+    return {"Coupling": {"Type": "Neumann-Dirichlet", "Dirichlet Body": "As Given", "Relaxation": relaxation,
                          "Stopping": {"Tolerance": 1e-9, "Maximum Sweeps": 500}, **more}}
 
 

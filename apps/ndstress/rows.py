@@ -131,7 +131,7 @@ def one_node():
 
 
 def theta(value):
-    return {"Coupling": {"Relaxation": {"Type": "Constant", "Theta": value},
+    return {"Coupling": {"Dirichlet Body": "As Given", "Relaxation": {"Type": "Constant", "Theta": value},
                          "Stopping": {"Tolerance": 1e-8, "Maximum Sweeps": 2000}}}
 
 

@@ -32,6 +32,7 @@ REMESHED = ("hole", "l-on-block")
 STIFFNESS_RATIOS = (1e-3, 1e-2, 0.1, 1.0, 10.0, 100.0, 1e3)
 RELAXATIONS = {f"{kind} {theta}": (f"Coupling/Relaxation/Type={kind}", f"Coupling/Relaxation/{name}={theta}")
                for kind, name in (("Constant", "Theta"), ("Aitken", "Initial Theta")) for theta in (0.2, 0.5, 0.9)}
+RELAXATIONS["Automatic"] = ("Coupling/Dirichlet Body=Automatic", "Coupling/Relaxation/Type=Automatic")
 SHORT_SCENES = ("inclined", "body-force")
 SHORT_TARGETS = (0.02, 0.005)
 

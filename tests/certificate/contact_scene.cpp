@@ -215,6 +215,7 @@ void ContactScene::drawCoupling()
   }
   const bool aitken = draw_.chance(0.3), stops = draw_.chance(0.7);
   scene_.deck.set("Coupling/Initial Traction", !held_ && draw_.chance(0.3) ? "Balanced" : "Zero");
+  scene_.deck.set("Coupling/Dirichlet Body", "As Given");
   scene_.deck.set("Coupling/Relaxation/Type", aitken ? "Aitken" : "Constant");
   scene_.deck.set(std::string("Coupling/Relaxation/") + (aitken ? "Initial Theta" : "Theta"), draw_.uniform(0.2, 0.9));
   scene_.deck.set("Coupling/Stopping/Tolerance", 1e-9);

@@ -117,6 +117,41 @@ TEST(Relaxation, AitkenKeepsItsFactorWhenNothingChanges)
     EXPECT_EQ(controller->next({-1.0}, {-1.0}).theta, 0.75);
 }
 
+TEST(Relaxation, AutomaticHasTheBestThetaOfTheSpectrum)
+{
+  const auto controller = makeRelaxation(text("Type", "Automatic"));
+  ASSERT_TRUE(controller->needsSpectrum());
+  const RoleSpectrum held{0.5, 3.5, false, false}, floating{0.5, 3.5, true, false};
+  for (const auto& [spectrum, theta] : {std::pair(held, 2.0 / 6.0), std::pair(floating, 2.0 / 5.5)}) {
+    controller->startWith(spectrum);
+    for (int sweep = 0; sweep < 3; ++sweep)
+      EXPECT_DOUBLE_EQ(controller->next({-1.0}, {std::pow(0.5, sweep) - 1.0}).theta, theta);
+  }
+}
+
+TEST(Relaxation, AutomaticConvergesWhereAnEigenvalueWasUnderestimated)
+{
+  // Lambda_dir = -mu Lambda - 1 with mu = 10, of which the spectrum knows 0 to 4: 1 - theta (1 + mu) = -2.7.
+  const auto controller = makeRelaxation(text("Type", "Automatic"));
+  controller->startWith({0.0, 4.0, false, false});
+  double traction = 0.0;
+  bool noted = false;
+  for (int sweep = 0; sweep < 30; ++sweep) {
+    const auto next = controller->next({-10.0 * traction - 1.0}, {traction});
+    noted = noted || next.note.find("theta lowered") == 0;
+    traction = next.traction[0];
+  }
+  EXPECT_TRUE(noted);
+  EXPECT_NEAR(traction, -1.0 / 11.0, 1e-9);
+}
+
+TEST(Relaxation, AutomaticWithoutASpectrumBeginsWithOneHalf)
+{
+  const auto controller = makeRelaxation(text("Type", "Automatic"));
+  controller->startWith({std::nan(""), std::nan(""), false, false});
+  EXPECT_EQ(controller->next({-1.0}, {0.0}).theta, 0.5);
+}
+
 TEST(Relaxation, FactorsOutOfRangeAreRefused)
 {
   for (const char* theta : {"0.0", "2.0", "-0.5", "nan"})

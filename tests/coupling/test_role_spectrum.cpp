@@ -123,6 +123,37 @@ TEST(RoleSpectrum, PredictsTheContractionOfTheSweeps)
   }
 }
 
+TEST(RoleSpectrum, IsWhatAutomaticRelaxationConvergesWithAtAnyStiffnessRatio)
+{
+  for (const double ratio : {1e-6, 1e-3, 1.0, 1e3, 1e6}) {
+    const auto system = twoBodies(mildStiffness(8, 2, ratio), false, mildStiffness(8, 1, 1.0));
+    const auto result = run(*neumannDirichlet(1e-8, list("Relaxation", text("Type", "Automatic"))), system);
+    EXPECT_TRUE(result.converged) << ratio << ": " << result.reason;
+    EXPECT_LE(result.history.size(), 60u) << ratio;
+  }
+}
+
+TEST(RoleSpectrum, WithAGivenThetaPredictsTheFactorOfTheWorstMode)
+{
+  const RoleSpectrum spectrum{0.5, 3.0, false, false}, floating{0.5, 3.0, true, false};
+  EXPECT_DOUBLE_EQ(spectrum.contraction(spectrum.bestTheta()), spectrum.contraction());
+  EXPECT_DOUBLE_EQ(floating.contraction(floating.bestTheta()), floating.contraction());
+  EXPECT_DOUBLE_EQ(spectrum.contraction(0.5), 1.0);  // |1 - 0.5 * 4|
+  EXPECT_DOUBLE_EQ(spectrum.contraction(0.1), 0.85); // |1 - 0.1 * 1.5|
+}
+
+TEST(RoleSpectrum, OfAllPartsSpansThoseOfEach)
+{
+  std::vector<ConnectedBodies> parts{{{0, 1}, {0.5, 2.0, false, false}}, {{2, 3}, {0.1, 0.2, false, true}}};
+  const RoleSpectrum all = joinedSpectrum(parts);
+  EXPECT_EQ(all.smallest, 0.1);
+  EXPECT_EQ(all.largest, 2.0);
+  EXPECT_FALSE(all.dirichletFloats);
+  EXPECT_TRUE(all.neumannFloats);
+  parts[1].spectrum.largest = std::nan("");
+  EXPECT_FALSE(joinedSpectrum(parts).isKnown());
+}
+
 TEST(RoleSpectrum, OfASingleNodeHeldByContactContractsAtOnce)
 {
   InterfaceSystem system = emptySystem(2);

@@ -13,6 +13,8 @@ using testing::Not;
 namespace
 {
 
+constexpr ConvergenceAdvice fixedTheta{true, false, false};
+
 /// The verdict after sweeps with a goal for the iteration's part of the error, which had these values; eps_tau never
 /// falls.
 CouplingResult verdictWithGoal(double goal, const Vector& iterationError, int maximumSweeps)
@@ -24,7 +26,7 @@ CouplingResult verdictWithGoal(double goal, const Vector& iterationError, int ma
     result.history.back().epsTau = 2.0;
     result.history.back().iterationError = value;
   }
-  Stopping(0.1, maximumSweeps).withGoal(goal).ends(result, false);
+  Stopping(0.1, maximumSweeps, fixedTheta).withGoal(goal).ends(result, false);
   return result;
 }
 
@@ -79,7 +81,7 @@ TEST(StoppingMeasure, DoesNotDependOnTheUnitOfStress)
 
 TEST(Stopping, EndsBelowTheTolerance)
 {
-  const Stopping stopping(0.1, 10);
+  const Stopping stopping(0.1, 10, fixedTheta);
   EXPECT_EQ(verdict(stopping, {2.0, 0.1}, {-1.0, -1.0}).reason, "");
   const auto result = verdict(stopping, {2.0, 0.0912}, {-1.0, -1.0});
   EXPECT_TRUE(result.converged);
@@ -88,7 +90,7 @@ TEST(Stopping, EndsBelowTheTolerance)
 
 TEST(Stopping, MaximumSweepsIsNotConverged)
 {
-  const auto result = verdict(Stopping(0.1, 3), {2.0, 0.5, 0.25}, {-1.0, -1.0, -1.0});
+  const auto result = verdict(Stopping(0.1, 3, fixedTheta), {2.0, 0.5, 0.25}, {-1.0, -1.0, -1.0});
   EXPECT_FALSE(result.converged);
   EXPECT_THAT(result.reason, AllOf(HasSubstr("eps_tau 0.25 has not fallen below 0.1 in 3 sweeps (Maximum Sweeps)"),
                                    Not(HasSubstr("Theta"))));
@@ -96,28 +98,41 @@ TEST(Stopping, MaximumSweepsIsNotConverged)
 
 TEST(Stopping, OneSweepCannotTellWhetherItHelps)
 {
-  EXPECT_THAT(verdict(Stopping(0.1, 1), {2.0}, {-1.0}).reason, Not(HasSubstr("Theta")));
+  EXPECT_THAT(verdict(Stopping(0.1, 1, fixedTheta), {2.0}, {-1.0}).reason, Not(HasSubstr("Theta")));
 }
 
 TEST(Stopping, SweepsThatDoNotHelpAdviseAboutTheta)
 {
   for (const Vector& jumping : {Vector{2.0, 1.5, 1.4, 1.5}, Vector{2.0, 1.4, 1.9, 1.4}, Vector{1.4, 2.0, 1.4, 1.9}})
-    EXPECT_THAT(verdict(Stopping(0.1, 4), jumping, Vector(4, -1.0), true).reason,
-                HasSubstr("and hardly falls; a smaller Theta or Aitken may help"));
+    EXPECT_THAT(verdict(Stopping(0.1, 4, fixedTheta), jumping, Vector(4, -1.0), true).reason,
+                HasSubstr("and hardly falls; a smaller Theta, Coupling/Relaxation/Type = Automatic"));
 }
 
 TEST(Stopping, SweepsThatCreepAdviseALargerTheta)
 {
-  EXPECT_THAT(verdict(Stopping(0.1, 4), {2.0, 1.99, 1.98, 1.97}, Vector(4, -1.0)).reason,
-              HasSubstr("and hardly falls; a larger Theta or Aitken may help"));
+  EXPECT_THAT(verdict(Stopping(0.1, 4, fixedTheta), {2.0, 1.99, 1.98, 1.97}, Vector(4, -1.0)).reason,
+              HasSubstr("and hardly falls; a larger Theta, Coupling/Relaxation/Type = Automatic"));
+}
+
+TEST(Stopping, AdvisesNothingThatIsSetAlready)
+{
+  const auto advice = [](ConvergenceAdvice set) {
+    return verdict(Stopping(0.1, 4, set), {2.0, 1.99, 1.98, 1.97}, Vector(4, -1.0)).reason;
+  };
+  const char *theta = "Theta", *relaxation = "Relaxation/Type = Automatic", *roles = "Dirichlet Body = Automatic";
+  EXPECT_THAT(advice({true, false, false}), AllOf(HasSubstr(theta), HasSubstr(relaxation), HasSubstr(roles)));
+  EXPECT_THAT(advice({false, false, true}), AllOf(Not(HasSubstr(theta)), HasSubstr(relaxation), Not(HasSubstr(roles))));
+  EXPECT_THAT(advice({false, true, false}), AllOf(Not(HasSubstr(theta)), Not(HasSubstr(relaxation)), HasSubstr(roles)));
+  EXPECT_THAT(advice({false, true, true}), HasSubstr("hardly falls; Coupling/Type = Monolithic may help"));
 }
 
 TEST(Stopping, ForcesThatGrowWithoutBoundDiverge)
 {
-  const auto result = verdict(Stopping(0.1, 100), {2.0, 2.0, 1.9}, {0.0, -1e-3, -1e28});
+  const auto result = verdict(Stopping(0.1, 100, fixedTheta), {2.0, 2.0, 1.9}, {0.0, -1e-3, -1e28});
   EXPECT_FALSE(result.converged);
-  EXPECT_THAT(result.reason, HasSubstr("diverges (sweep 3); a smaller Theta or Aitken may help"));
-  EXPECT_THAT(verdict(Stopping(0.1, 100), {2.0, std::nan("")}, {-1.0, std::nan("")}).reason, HasSubstr("diverges"));
+  EXPECT_THAT(result.reason, HasSubstr("diverges (sweep 3); a smaller Theta, Coupling/Relaxation/Type = Automatic"));
+  EXPECT_THAT(verdict(Stopping(0.1, 100, fixedTheta), {2.0, std::nan("")}, {-1.0, std::nan("")}).reason,
+              HasSubstr("diverges"));
 }
 
 TEST(Stopping, EndsWhereTheForcesAgreeToRoundOff)
@@ -125,7 +140,7 @@ TEST(Stopping, EndsWhereTheForcesAgreeToRoundOff)
   CouplingResult result;
   result.history.emplace_back();
   result.history.back().epsTau = 0.3;
-  EXPECT_TRUE(Stopping(0.1, 10).ends(result, true));
+  EXPECT_TRUE(Stopping(0.1, 10, fixedTheta).ends(result, true));
   EXPECT_TRUE(result.converged);
   EXPECT_THAT(result.reason, HasSubstr("agree to round-off of the loads (eps_tau 0.3)"));
 }
@@ -144,5 +159,6 @@ TEST(Stopping, AGoalThatIsNotMetIsNotConverged)
   EXPECT_FALSE(falling.converged);
   EXPECT_EQ(falling.reason, "iteration 0.02 has not fallen below 0.001 (energy norm) in 3 sweeps (Maximum Sweeps)");
   EXPECT_FALSE(stuck.converged);
-  EXPECT_THAT(stuck.reason, HasSubstr("(Maximum Sweeps) and hardly falls; a larger Theta or Aitken may help"));
+  EXPECT_THAT(stuck.reason,
+              HasSubstr("(Maximum Sweeps) and hardly falls; a larger Theta, Coupling/Relaxation/Type = Automatic"));
 }

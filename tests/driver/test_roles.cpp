@@ -210,6 +210,34 @@ TEST(Roles, StayThoseOfTheDeckWhereAStiffnessIsLostInRoundOff)
 }
 
 /// It moves 1e8 times as far as it deforms.
+TEST(Roles, AreChosenForTheThetaThatTheDeckNames)
+{
+  const auto chosen = [](double theta) {
+    return automatic(coarse("punch")).set(fmt::format("Coupling/Relaxation/Theta={}", theta)).run().run;
+  };
+  for (const double theta : {0.1, 0.3, 0.5}) {
+    const auto run = chosen(theta);
+    const RoleSummary& roles = run.summary.coupling->roles.front();
+    EXPECT_LT(roles.contraction, 1.0) << theta;
+    EXPECT_LE(0.9 * roles.contraction, roles.contractionExchanged) << theta;
+    EXPECT_DOUBLE_EQ(roles.theta, theta);
+    EXPECT_TRUE(run.coupling.converged) << run.coupling.reason;
+  }
+}
+
+TEST(Roles, AreFoundTogetherWithThetaByDefault)
+{
+  for (const double stiffness : {1e-6, 1e-3, 3.0, 1e3, 1e6}) {
+    Scene scene("hertz"); // names neither
+    scene.set(fmt::format("Bodies/cylinder/Material/Young Modulus={}", stiffness));
+    const auto run = scene.run().run;
+    EXPECT_TRUE(run.coupling.converged) << stiffness << ": " << run.coupling.reason;
+    EXPECT_EQ(run.summary.coupling->roles.size(), 1u);
+    for (const auto& sweep : run.coupling.history)
+      EXPECT_DOUBLE_EQ(sweep.theta, run.summary.coupling->roles.front().bestTheta);
+  }
+}
+
 TEST(FloatingNeumannBody, KeepsTheDigitsOfItsStrains)
 {
   double before = 0.0;

@@ -34,6 +34,8 @@ public:
   {}
 
   Roles roles() const override { return roles_; }
+  bool needsSpectrum() const override { return relaxation_->needsSpectrum(); }
+  std::optional<double> givenTheta() const override { return relaxation_->givenTheta(); }
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
@@ -48,7 +50,7 @@ public:
     CouplingResult result;
     Vector traction = firstTraction(system, body1, body2, start);
     std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0, start);
-    relaxation_->start();
+    startRelaxation(system, ledger, start);
     do {
       const Vector force = system.force(traction);
       Vector u2;
@@ -77,6 +79,14 @@ public:
   }
 
 private:
+  void startRelaxation(const InterfaceSystem& system, Ledger& ledger, const CouplingStart& start) const
+  {
+    if (relaxation_->needsSpectrum())
+      relaxation_->startWith(start.spectrum ? *start.spectrum : joinedSpectrum(roleSpectra(system, ledger)));
+    else
+      relaxation_->start();
+  }
+
   Vector firstTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
                        const CouplingStart& start) const
   {
@@ -146,15 +156,17 @@ void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<Relax
       {{"Initial Traction", std::string("Zero"), initialTractions().range(),
         "Traction before the first sweep: zero as in the paper, or the one that carries the resultants of the floating "
         "bodies' loads. The loads of a floating Neumann body are carried in any case."},
-       {"Dirichlet Body", std::string("As Given"), roleNames().range(),
-        "Which bodies are the Dirichlet bodies: those that the interfaces name, or, Automatic, those with which the "
+       {"Dirichlet Body", std::string("Automatic"), roleNames().range(),
+        "Which bodies are the Dirichlet bodies: those that the interfaces name (As Given), or those with which the "
         "iteration converges faster, found from the bodies' stiffnesses on the interface; the screen says why."}},
       [&relaxations](const Params& p) {
         const Params stopping = p.sub("Stopping");
+        const Roles roles = roleNames().value(p.get<std::string>("Dirichlet Body"));
+        auto controller = relaxations.build(p.sub("Relaxation"));
+        const ConvergenceAdvice advice = adviceFor(*controller, roles);
         return std::make_unique<NeumannDirichlet>(
-            roleNames().value(p.get<std::string>("Dirichlet Body")), relaxations.build(p.sub("Relaxation")),
-            initialTractions().value(p.get<std::string>("Initial Traction")),
-            Stopping(stopping.get<double>("Tolerance"), stopping.get<int>("Maximum Sweeps")));
+            roles, std::move(controller), initialTractions().value(p.get<std::string>("Initial Traction")),
+            Stopping(stopping.get<double>("Tolerance"), stopping.get<int>("Maximum Sweeps"), advice));
       },
       {relaxation, Stopping::spec()});
 }

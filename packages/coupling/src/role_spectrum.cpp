@@ -237,6 +237,12 @@ double RoleSpectrum::bestTheta() const
   return 2.0 / (2.0 + (dirichletFloats ? 0.0 : smallest) + largest);
 }
 
+double RoleSpectrum::contraction(double theta) const
+{
+  const double least = dirichletFloats ? 0.0 : smallest;
+  return std::max(std::abs(1.0 - theta * (1.0 + least)), std::abs(1.0 - theta * (1.0 + largest)));
+}
+
 RoleSpectrum RoleSpectrum::exchanged() const
 {
   const auto inverse = [](double mu) { return mu > 0.0 ? 1.0 / mu : mu; };
@@ -258,6 +264,22 @@ std::vector<ConnectedBodies> roleSpectra(const InterfaceSystem& system, Ledger& 
     parts.push_back(std::move(connected));
   }
   return parts;
+}
+
+RoleSpectrum joinedSpectrum(const std::vector<ConnectedBodies>& parts)
+{
+  RoleSpectrum joined;
+  for (const auto& part : parts) {
+    const RoleSpectrum& one = part.spectrum;
+    const bool isFirst = &part == &parts.front();
+    if (!one.isKnown())
+      return one;
+    joined.smallest = isFirst ? one.smallest : std::min(joined.smallest, one.smallest);
+    joined.largest = std::max(joined.largest, one.largest);
+    joined.dirichletFloats = joined.dirichletFloats || one.dirichletFloats;
+    joined.neumannFloats = joined.neumannFloats || one.neumannFloats;
+  }
+  return joined;
 }
 
 } // namespace ndframe

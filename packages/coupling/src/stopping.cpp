@@ -44,13 +44,10 @@ bool isFalling(const std::vector<SweepRecord>& history)
          clearly * watched(*std::min_element(history.begin(), middle, smaller));
 }
 
-/// What may help an iteration that gets nowhere. Tractions that overshoot differ from sweep to sweep in turned
-/// directions; when they keep their direction, the steps are too short.
-const char* advice(const std::vector<SweepRecord>& history)
+bool overshoots(const std::vector<SweepRecord>& history)
 {
   const auto middle = history.begin() + std::ptrdiff_t((history.size() + 1) / 2);
-  const bool overshoots = std::any_of(middle, history.end(), [](const SweepRecord& sweep) { return sweep.turned; });
-  return overshoots ? "a smaller Theta or Aitken may help" : "a larger Theta or Aitken may help";
+  return std::any_of(middle, history.end(), [](const SweepRecord& sweep) { return sweep.turned; });
 }
 
 Range toleranceRange()
@@ -102,11 +99,11 @@ bool Stopping::ends(CouplingResult& result, bool agree) const
     result.reason =
         fmt::format("the contact forces on both sides agree to round-off of the loads ({} {:.3g})", name, value);
   else if (diverges(result.history))
-    result.reason = fmt::format("the iteration diverges (sweep {}); a smaller Theta or Aitken may help", last.sweep);
+    result.reason = fmt::format("the iteration diverges (sweep {}); {}", last.sweep, advice_.text(true));
   else if (last.sweep >= maximumSweeps_)
     result.reason = fmt::format(
         "{} {:.3g} has not fallen below {} in {} sweeps (Maximum Sweeps){}", name, value, limit, maximumSweeps_,
-        isFalling(result.history) ? "" : fmt::format(" and hardly falls; {}", advice(result.history)));
+        isFalling(result.history) ? "" : " and hardly falls; " + advice_.text(overshoots(result.history)));
   return !result.reason.empty();
 }
 

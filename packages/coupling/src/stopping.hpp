@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/coupling/coupling.hpp"
+#include "convergence_advice.hpp"
 
 namespace ndframe
 {
@@ -13,7 +13,9 @@ namespace ndframe
 class Stopping
 {
 public:
-  Stopping(double tolerance, int maximumSweeps) : tolerance_(tolerance), maximumSweeps_(maximumSweeps) {}
+  Stopping(double tolerance, int maximumSweeps, ConvergenceAdvice advice)
+      : tolerance_(tolerance), maximumSweeps_(maximumSweeps), advice_(advice)
+  {}
 
   /// The same with a goal for SweepRecord::iterationError; 0: none.
   Stopping withGoal(double iterationError) const;
@@ -30,6 +32,7 @@ public:
 private:
   double tolerance_;
   int maximumSweeps_;
+  ConvergenceAdvice advice_;
   double iterationError_ = 0.0;
 };
 

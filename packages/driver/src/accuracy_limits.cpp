@@ -20,9 +20,7 @@ std::string endOfProgress(const AccuracyOptions& options, const std::vector<Leve
                           const CouplingResult& coupling)
 {
   if (!coupling.converged && !coupling.history.empty())
-    return fmt::format("the sweeps do not come to an end ({}); with Coupling/Dirichlet Body = Automatic or "
-                       "Coupling/Type = Monolithic they may",
-                       coupling.reason);
+    return fmt::format("the sweeps do not come to an end ({})", coupling.reason);
   if (int(levels.size()) >= options.maximumLevels)
     return fmt::format("Maximum Levels = {}", options.maximumLevels);
   if (levels.size() > 2 && levels.back().bound > stalled * levels[levels.size() - 3].bound)

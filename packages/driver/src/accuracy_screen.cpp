@@ -15,6 +15,14 @@ std::string amount(const AccuracySummary& summary, double absolute, double relat
   return summary.relative ? fmt::format("{:.3g} %", 100.0 * relative) : fmt::format("{:.4g}", absolute);
 }
 
+/// A bound above the size of the solution says nothing of its size; nor do predictions from there.
+constexpr double meaningless = 1.0;
+
+std::string relativeText(const LevelSummary& level)
+{
+  return level.relative > meaningless ? " > 100 %" : fmt::format("{:>6.3g} %", 100.0 * level.relative);
+}
+
 } // namespace
 
 std::string stoppingText(const Params& deck, bool balances)
@@ -35,9 +43,9 @@ std::string levelTitle(const AccuracySummary& summary, const std::string& stoppi
 std::string levelLine(const LevelSummary& level)
 {
   return fmt::format(
-      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {:>6.3g} %  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g}, "
+      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {}  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g}, "
       "{:.3g} in {}",
-      level.level, grouped(level.dofs), level.sweeps, level.bound, 100.0 * level.relative, level.mesh, level.iteration,
+      level.level, grouped(level.dofs), level.sweeps, level.bound, relativeText(level), level.mesh, level.iteration,
       level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds, level.worstShape, level.worstPoint[0],
       level.worstPoint[1], level.worstBody);
 }

@@ -23,9 +23,10 @@ namespace ndframe
 namespace
 {
 
-/// A bound above that of the coarser mesh before is one of tractions that were left where contact opens, which the
-/// energy of the iteration hardly sees: then the sweeps go on, as long as the bound falls by a tenth.
-constexpr double falling = 0.9, oneMoreDigit = 0.1;
+/// Tractions that are left where contact opens cost the bound traction times opening, which the energy of the iteration
+/// hardly sees. A bound above that of the coarser mesh before, or with this share of such work, may be of them: then
+/// the sweeps go on, as long as the bound falls by a tenth.
+constexpr double shareOfContact = 0.5, falling = 0.9, oneMoreDigit = 0.1;
 
 /// The level with the smallest bound so far.
 struct Best
@@ -33,6 +34,7 @@ struct Best
   int level = 0; ///< from 1; 0: none
   std::vector<Mesh> meshes;
   CarriedContact contact; ///< with the Neumann traction
+  std::vector<RoleSummary> roles;
 };
 
 /// The loop of a run with a target: solve until the iteration is small beside the mesh, certify, stop or refine, carry
@@ -73,7 +75,7 @@ private:
   {
     Model model;
     planner_ = readFirstMeshes(model, tools_);
-    beginLevel(std::move(model));
+    beginLevel(std::move(model), {});
     log_.line(headerText(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic));
   }
 
@@ -99,7 +101,7 @@ private:
     const auto failure = failureIn(tools_.comm, [&] {
       if (!refine(LevelErrors(run_, options_)))
         return;
-      readLevel(planner_->meshes());
+      readLevel(planner_->meshes(), run_.model.interfaces);
       attempt(run_, log_, [&] { solveLevel(); });
     });
     if (failure)
@@ -117,23 +119,21 @@ private:
     run_.condensed = {};
   }
 
-  void readLevel(const std::vector<Mesh>& meshes)
+  void readLevel(const std::vector<Mesh>& meshes, const std::vector<InterfaceMesh>& before)
   {
     Model model;
     model.interfaces = run_.model.interfaces;
     readModel(model, tools_,
               [&](const Params& body) { return meshes[std::size_t(run_.model.bodyIndex(body.name()))]; });
-    beginLevel(std::move(model));
+    beginLevel(std::move(model), before);
   }
 
-  /// Automatic roles are those of the first level.
-  void beginLevel(Model&& model)
+  /// The bodies have the roles of the level before, until its own are found.
+  void beginLevel(Model&& model, const std::vector<InterfaceMesh>& before)
   {
-    std::vector<RoleSummary> roles;
-    if (run_.summary.coupling)
-      roles = run_.summary.coupling->roles;
+    std::vector<RoleSummary> roles = rolesOf(run_);
     if (!roles.empty())
-      orientLike(model, run_.model);
+      orientLike(model, before);
     run_.model = std::move(model);
     run_.summary = outlineSummary(run_.model, deck_, *tools_.solver, tools_.comm.size());
     if (!roles.empty())
@@ -147,6 +147,7 @@ private:
   void solveLevel()
   {
     condenseRun(run_, tools_, summary_.levels.empty() ? log_ : silentLog());
+    findRoles(run_, tools_, summary_.levels.empty() ? log_ : silentLog());
     CouplingStart start = firstStart();
     const double unknown = std::numeric_limits<double>::infinity();
     for (double iterationBefore = unknown, boundBefore = unknown;;) {
@@ -157,9 +158,8 @@ private:
         return;
       const LevelErrors errors(run_, options_);
       const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
-      const bool rises = !summary_.levels.empty() && errors.bound > summary_.levels.back().bound &&
-                         errors.bound < falling * boundBefore;
-      if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !rises))
+      const bool mayFall = showsIteration(errors) && errors.bound < falling * boundBefore;
+      if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !mayFall))
         return;
       start.traction = nextTraction(run_);
       start.closed = run_.coupling.state.closed;
@@ -167,6 +167,13 @@ private:
       iterationBefore = errors.iteration;
       boundBefore = errors.bound;
     }
+  }
+
+  /// Whether the bound may be one of the sweeps although their own measure is small.
+  bool showsIteration(const LevelErrors& errors) const
+  {
+    const bool rises = !summary_.levels.empty() && errors.bound > summary_.levels.back().bound;
+    return rises || errors.contact > shareOfContact * errors.bound;
   }
 
   CouplingStart firstStart() const
@@ -184,14 +191,14 @@ private:
     LevelSummary level = summarizeLevel(run_, errors);
     level.level = int(summary_.levels.size()) + 1;
     level.sweeps = sweeps_;
-    level.dofsToTarget = errors.reached() ? 0 : planner_->dofsToTarget().value_or(0);
+    level.dofsToTarget = errors.reached() || !errors.tells() ? 0 : planner_->dofsToTarget().value_or(0);
     level.seconds = wallSeconds() - run_.startSeconds;
     if (summary_.levels.empty())
       log_.line("\n" + levelTitle(summary_, stoppingText(deck_, balances_)));
     summary_.levels.push_back(level);
     log_.line(levelLine(level));
     if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
-      best_ = {level.level, planner_->meshes(), contactOf(run_, run_.coupling.state.tractionNeumann)};
+      best_ = {level.level, planner_->meshes(), contactOf(run_, run_.coupling.state.tractionNeumann), rolesOf(run_)};
     if (onLevel_)
       onLevel_(run_, level.level);
   }
@@ -225,6 +232,8 @@ private:
     if (summary_.limit.empty())
       summary_.limit = run_.failure.empty() ? run_.coupling.reason : run_.failure;
     run_.failure.clear();
+    if (run_.summary.coupling)
+      run_.summary.coupling->roles = best_.roles;
     attempt(run_, log_, [&] {
       if (const auto failure = failureIn(tools_.comm, [&] { solveBestAgain(); }))
         throw NotConverged(fmt::format("the answer of level {} could not be computed again: {}", best_.level,
@@ -234,7 +243,7 @@ private:
 
   void solveBestAgain()
   {
-    readLevel(best_.meshes);
+    readLevel(best_.meshes, best_.contact.interfaces);
     condenseRun(run_, tools_, silentLog());
     CouplingStart start = startFrom(run_, best_.contact);
     start.iterationError = std::numeric_limits<double>::max();

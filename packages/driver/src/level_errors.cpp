@@ -41,6 +41,7 @@ LevelErrors::LevelErrors(const Run& run, const AccuracyOptions& options)
   target = options.target * (options.relative ? norm : 1.0);
   if (!run.coupling.history.empty())
     iteration = run.coupling.history.back().iterationError.value_or(0.0);
+  contact = global.contact;
   mesh = std::sqrt(std::max(0.0, global.absolute * global.absolute - iteration * iteration));
 }
 

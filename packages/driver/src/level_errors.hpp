@@ -16,8 +16,11 @@ struct LevelErrors
   double relative = 0.0;  ///< the bound over the norm of the solution
   double iteration = 0.0; ///< the part of the stopped sweeps
   double mesh = 0.0;      ///< the rest of the bound of the displacement's error
+  double contact = 0.0;   ///< in the bound: tractions across openings, of the mesh or left by the sweeps
 
   bool reached() const { return bound <= target; }
+  /// Whether anything can be predicted from the bound: one above the solution's own size says only that.
+  bool tells() const { return relative <= 1.0; }
 
   /// The part of the sweeps with which this mesh would reach the target; infinite when it cannot.
   double iterationToTarget() const;

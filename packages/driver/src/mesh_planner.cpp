@@ -20,6 +20,8 @@ constexpr double largestFall = 0.22;
 constexpr double aimAtTarget = 0.94;
 /// A level is worth its work if the bound falls to this part at least.
 constexpr double smallestFall = 0.94;
+/// Where Maximum Dofs decides about the meshes, they are made again for at least such a fall.
+constexpr double worthwhile = 0.9;
 /// What became of the last plan corrects the next one, but only where it came out better: a bound that is worse may be
 /// a spike where contact ends on this mesh.
 constexpr double leastCorrection = 0.95;
@@ -163,8 +165,10 @@ MeshPlan MeshPlanner::nextStep(std::int64_t maximumDofs) const
   const double steps = std::max(1.0, std::ceil(std::log(way) / std::log(largestFall)));
   double wanted = bound_ * std::min(smallestFall, std::pow(way, 1.0 / steps));
   MeshPlan plan = planFor(wanted);
-  while (plan.dofs > maximumDofs && wanted < bound_) { // dofs ~ bound^(-2 / p) on the best meshes
+  const double most = worthwhile * bound_;
+  while (plan.dofs > maximumDofs && wanted < most) { // dofs ~ bound^(-2 / p) on the best meshes
     wanted *= std::max(1.02, std::pow(double(plan.dofs) / double(maximumDofs), 0.5 * degree_));
+    wanted = std::min(wanted, most);
     plan = planFor(wanted);
   }
   return plan;

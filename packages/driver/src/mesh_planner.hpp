@@ -33,7 +33,8 @@ public:
   /// Dofs of a mesh with the target's bound, without what conformity adds; none where the marking does not predict.
   std::optional<std::int64_t> dofsToTarget() const;
 
-  /// One step on the way to the target, with not more dofs than allowed; more only where every finer mesh has more.
+  /// One step on the way to the target, with not more dofs than allowed; more only where every mesh that is worth its
+  /// work has more.
   MeshPlan nextStep(std::int64_t maximumDofs) const;
 
   void accept(MeshPlan plan);

@@ -205,7 +205,8 @@ void checkRoles(const Params& deck, Diagnostics& diagnostics)
       diagnostics.add(interface.mistake(
           "Neumann Body",
           fmt::format("\"{}\" is the Dirichlet body of another interface; Neumann-Dirichlet solves a body "
-                      "in one role: exchange the roles here, or use the Monolithic coupling.",
+                      "in one role: exchange the roles here, or use Coupling/Dirichlet Body = Automatic or "
+                      "Coupling/Type = Monolithic.",
                       name)));
   }
 }

@@ -101,7 +101,7 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const Components& compo
       deck, components,
       [&](const Params& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name()))]); },
       model.interfaces);
-  orientLike(model_, model);
+  orientLike(model_, model.interfaces);
 
   Ledger ledger;
   const auto solver = chooseSolver(deck, components);

@@ -7,14 +7,12 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ndframe/coupling/role_spectrum.hpp"
-
 namespace ndframe
 {
 namespace
 {
 
-/// The other contraction must be smaller than this times the given one: estimates that agree leave the deck's roles.
+/// Other roles must need less than this part of the sweeps: estimates that agree leave the deck's roles.
 constexpr double clearly = 0.9;
 
 void negate(Vector& values)
@@ -117,13 +115,23 @@ private:
   std::vector<int> role_;
 };
 
-RoleSummary summarize(const Model& model, const ConnectedBodies& part, bool exchanged)
+/// What decides between two roles: the factor of the error in a sweep.
+double factorOf(const RoleSpectrum& spectrum, std::optional<double> givenTheta)
 {
-  const RoleSpectrum other = part.spectrum.exchanged();
-  const RoleSpectrum &chosen = exchanged ? other : part.spectrum, &refused = exchanged ? part.spectrum : other;
+  return givenTheta ? spectrum.contraction(*givenTheta) : spectrum.contraction();
+}
+
+/// Factors of 1 and more never end; below it sweeps go by their logarithms.
+bool isClearlyBetter(double factor, double other)
+{
+  return other < 1.0 && factor < 1.0 ? std::log(factor) > clearly * std::log(other) : other < clearly * factor;
+}
+
+RoleSummary summarize(const Model& model, const std::vector<int>& bodies)
+{
   RoleSummary summary;
   for (const auto& interface : model.interfaces)
-    if (std::binary_search(part.bodies.begin(), part.bodies.end(), interface.dirichletBody)) {
+    if (std::binary_search(bodies.begin(), bodies.end(), interface.dirichletBody)) {
       summary.dirichletBodies.push_back(model.bodies[std::size_t(interface.dirichletBody)].name);
       summary.neumannBodies.push_back(model.bodies[std::size_t(interface.neumannBody)].name);
     }
@@ -131,10 +139,6 @@ RoleSummary summarize(const Model& model, const ConnectedBodies& part, bool exch
     std::sort(names->begin(), names->end());
     names->erase(std::unique(names->begin(), names->end()), names->end());
   }
-  summary.exchanged = exchanged;
-  summary.contraction = chosen.contraction();
-  summary.bestTheta = chosen.bestTheta();
-  summary.contractionExchanged = refused.contraction();
   return summary;
 }
 
@@ -144,7 +148,7 @@ std::string roleText(const RoleSummary& roles)
       std::isnan(roles.contraction)
           ? "as the deck says: a body's stiffness on the interface is lost in round-off, so nothing can be chosen"
           : fmt::format("chosen: contraction {:.2g} with theta {:.2g}, against {:.2g} with the roles exchanged",
-                        roles.contraction, roles.bestTheta, roles.contractionExchanged);
+                        roles.contraction, roles.theta, roles.contractionExchanged);
   return fmt::format("  Dirichlet {}: {} ({})", roles.dirichletBodies.size() == 1 ? "body" : "bodies",
                      fmt::join(roles.dirichletBodies, ", "), reason);
 }
@@ -160,8 +164,9 @@ void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics)
       diagnostics.add(
           deck.sub("Interfaces")
               .sub(interface.name)
-              .mistake("", "closes a ring of an odd number of bodies, in which two neighbours have the same role; use "
-                           "the Monolithic coupling."));
+              .mistake("",
+                       "closes a ring of an odd number of bodies, in which two neighbours would have the same role, "
+                       "which Neumann-Dirichlet cannot solve; use Coupling/Type = Monolithic."));
       return;
     }
     if (keep)
@@ -171,23 +176,27 @@ void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics)
   }
 }
 
-void chooseRoles(Run& run, Ledger& ledger, const Log& log)
+RoleSpectrum chooseRoles(Run& run, const std::vector<ConnectedBodies>& parts, std::optional<double> givenTheta)
 {
-  std::vector<ConnectedBodies> parts;
-  {
-    const auto timer = ledger.time("interface");
-    parts = roleSpectra(run.condensed.interface, ledger);
-  }
   std::vector<int>& all = run.condensed.exchanged;
-  for (const auto& part : parts) {
-    const bool exchanged =
-        part.spectrum.isKnown() && part.spectrum.exchanged().contraction() < clearly * part.spectrum.contraction();
+  const std::vector<RoleSummary> before = std::exchange(run.summary.coupling->roles, {});
+  std::vector<ConnectedBodies> chosen = parts;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const RoleSpectrum given = parts[k].spectrum, other = given.exchanged();
+    const double factor = factorOf(given, givenTheta), otherFactor = factorOf(other, givenTheta);
+    const bool exchanged = given.isKnown() && isClearlyBetter(factor, otherFactor);
     if (exchanged) {
-      exchange(run.model, run.condensed, part.bodies);
-      all.insert(all.end(), part.bodies.begin(), part.bodies.end());
+      chosen[k].spectrum = other;
+      exchange(run.model, run.condensed, parts[k].bodies);
+      all.insert(all.end(), parts[k].bodies.begin(), parts[k].bodies.end());
     }
-    run.summary.coupling->roles.push_back(summarize(run.model, part, exchanged));
-    log.line(roleText(run.summary.coupling->roles.back()));
+    RoleSummary summary = summarize(run.model, parts[k].bodies);
+    summary.exchanged = exchanged != (!before.empty() && before[k].exchanged);
+    summary.contraction = exchanged ? otherFactor : factor;
+    summary.contractionExchanged = exchanged ? factor : otherFactor;
+    summary.bestTheta = chosen[k].spectrum.bestTheta();
+    summary.theta = givenTheta.value_or(summary.bestTheta);
+    run.summary.coupling->roles.push_back(std::move(summary));
   }
   std::sort(all.begin(), all.end());
   for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
@@ -195,6 +204,20 @@ void chooseRoles(Run& run, Ledger& ledger, const Log& log)
     run.summary.interfaces[i].dirichletBody = run.model.bodies[std::size_t(interface.dirichletBody)].name;
     run.summary.interfaces[i].neumannBody = run.model.bodies[std::size_t(interface.neumannBody)].name;
   }
+  return joinedSpectrum(chosen);
+}
+
+std::vector<RoleSummary> rolesOf(const Run& run)
+{
+  return run.summary.coupling ? run.summary.coupling->roles : std::vector<RoleSummary>();
+}
+
+std::string rolesText(const std::vector<RoleSummary>& roles)
+{
+  std::string text;
+  for (const RoleSummary& part : roles)
+    text += (text.empty() ? "" : "\n") + roleText(part);
+  return text;
 }
 
 void giveBackRoles(Model& model, CondensedModel& condensed)
@@ -202,10 +225,10 @@ void giveBackRoles(Model& model, CondensedModel& condensed)
   exchange(model, condensed, std::exchange(condensed.exchanged, {}));
 }
 
-void orientLike(Model& model, const Model& other)
+void orientLike(Model& model, const std::vector<InterfaceMesh>& others)
 {
   for (std::size_t i = 0; i < model.interfaces.size(); ++i)
-    if (model.interfaces[i].dirichletBody != other.interfaces[i].dirichletBody)
+    if (model.interfaces[i].dirichletBody != others[i].dirichletBody)
       exchange(model, model.interfaces[i]);
 }
 

@@ -14,14 +14,21 @@ namespace ndframe
 void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics);
 
 /// Exchanges the roles of the bodies in each connected part of the condensed scene where the iteration then contracts
-/// clearly better, and says so in the summary and on the screen. No factorisation: the stiffness on the interface
-/// stays, what is counted along n_c changes its sign.
-void chooseRoles(Run& run, Ledger& ledger, const Log& log);
+/// clearly better with the theta that it uses, and says so in the summary; roles that stand there are those of an
+/// earlier mesh, like which the scene is oriented. No factorisation: the stiffness on the interface stays, what is
+/// counted along n_c changes its sign. Returns the eigenvalues for the roles that were chosen.
+RoleSpectrum chooseRoles(Run& run, const std::vector<ConnectedBodies>& parts, std::optional<double> givenTheta);
+
+/// Those that were chosen; empty where they were not.
+std::vector<RoleSummary> rolesOf(const Run& run);
+
+/// Who has become Dirichlet body and why, for the screen; one line a connected part.
+std::string rolesText(const std::vector<RoleSummary>& roles);
 
 /// Undoes what chooseRoles exchanged: the scene is again as it was condensed.
 void giveBackRoles(Model& model, CondensedModel& condensed);
 
 /// Turns the interfaces of a model that was just built as those of another model of the same deck.
-void orientLike(Model& model, const Model& other);
+void orientLike(Model& model, const std::vector<InterfaceMesh>& others);
 
 } // namespace ndframe

@@ -24,6 +24,7 @@ void compute(Run& run, const RunTools& tools, const Log& log)
   log.line(headerText(run.summary, run.model, tools.coupling->roles() != Roles::Automatic));
   attempt(run, log, [&] {
     condenseRun(run, tools, log);
+    findRoles(run, tools, log);
     solveRun(run, tools, log);
     if (run.plan.runs("certificate"))
       certifyRun(run, tools);

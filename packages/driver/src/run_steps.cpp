@@ -165,13 +165,27 @@ void condenseRun(Run& run, const RunTools& tools, const Log& log)
   const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
   run.condensed =
       condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, log, std::move(run.condensed));
-  const bool chooses = run.plan.runs("couple") && tools.coupling->roles() == Roles::Automatic;
-  if (chooses && run.summary.coupling->roles.empty())
-    chooseRoles(run, tools.ledger, log);
 }
 
-void solveRun(Run& run, const RunTools& tools, const Log& log, const CouplingStart& start)
+void findRoles(Run& run, const RunTools& tools, const Log& log)
 {
+  const bool chooses = tools.coupling->roles() == Roles::Automatic;
+  run.spectrum.reset();
+  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()))
+    return;
+  std::vector<ConnectedBodies> parts;
+  {
+    const auto timer = tools.ledger.time("interface");
+    parts = roleSpectra(run.condensed.interface, tools.ledger);
+  }
+  run.spectrum = chooses ? chooseRoles(run, parts, tools.coupling->givenTheta()) : joinedSpectrum(parts);
+  if (chooses)
+    log.line(rolesText(run.summary.coupling->roles));
+}
+
+void solveRun(Run& run, const RunTools& tools, const Log& log, CouplingStart start)
+{
+  start.spectrum = run.spectrum;
   run.states.clear();
   run.certificate.reset(); // of another state
   if (run.plan.runs("couple"))

@@ -30,11 +30,14 @@ void checkLists(const RunTools& tools);
 /// deck's.
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes = {});
 
-/// Matrices, factors, Schur complements, and the roles of the bodies unless the summary has them.
+/// Matrices, factors, Schur complements.
 void condenseRun(Run& run, const RunTools& tools, const Log& log);
 
+/// Run::spectrum, if the coupling needs it, and the roles of the bodies, if they are to be found.
+void findRoles(Run& run, const RunTools& tools, const Log& log);
+
 /// Sweeps, displacements, contact. Needs condenseRun; may be repeated from another start.
-void solveRun(Run& run, const RunTools& tools, const Log& log, const CouplingStart& start = {});
+void solveRun(Run& run, const RunTools& tools, const Log& log, CouplingStart start = {});
 
 /// The certificate of the last state; without one Run::failure says why.
 void certifyRun(Run& run, const RunTools& tools);

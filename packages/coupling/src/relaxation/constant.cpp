@@ -14,6 +14,7 @@ class Constant final : public RelaxationController
 public:
   explicit Constant(double theta) : theta_(theta) {}
   void start() override {}
+  std::optional<double> givenTheta() const override { return theta_; }
   RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
   {
     return {relax(dirichlet, neumann, theta_), theta_, {}};

@@ -13,6 +13,7 @@ Vector relax(const Vector& dirichlet, const Vector& neumann, double theta)
 
 void registerRelaxations(Registry<RelaxationController>& registry)
 {
+  registerAutomatic(registry);
   registerConstant(registry);
   registerAitken(registry);
 }

@@ -5,6 +5,7 @@
 namespace ndframe
 {
 
+void registerAutomatic(Registry<RelaxationController>& registry);
 void registerConstant(Registry<RelaxationController>& registry);
 void registerAitken(Registry<RelaxationController>& registry);
 

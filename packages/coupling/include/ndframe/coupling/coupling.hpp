@@ -59,6 +59,7 @@ struct CouplingStart
   std::vector<char> closed; ///< status per unknown; empty: all closed, if the bodies may touch
   /// Given: SweepRecord::iterationError is measured. > 0: the sweeps end below it, which replaces Tolerance.
   std::optional<double> iterationError;
+  std::optional<RoleSpectrum> spectrum = {}; ///< of the sweeps, if it is known already (Coupling::needsSpectrum)
 };
 
 /// Called after every sweep, for the screen and for those who want all states.
@@ -82,6 +83,10 @@ public:
   virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                                const CouplingStart& start = {}) const = 0;
   virtual Roles roles() const = 0;
+  /// Whether solve() finds the eigenvalues of the sweeps unless the start has them.
+  virtual bool needsSpectrum() const { return false; }
+  /// The relaxation factor of all sweeps, where the deck says it: what roles are chosen for.
+  virtual std::optional<double> givenTheta() const { return std::nullopt; }
 };
 
 /// "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before; their registry

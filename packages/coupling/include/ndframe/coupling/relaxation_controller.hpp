@@ -1,9 +1,11 @@
 #pragma once
 
+#include <optional>
 #include <string>
 
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/registry.hpp"
+#include "ndframe/coupling/role_spectrum.hpp"
 
 namespace ndframe
 {
@@ -25,6 +27,12 @@ public:
   virtual ~RelaxationController() = default;
   /// Forgets everything: a new run of the iteration begins.
   virtual void start() = 0;
+  /// Whether it begins with startWith() and not with start().
+  virtual bool needsSpectrum() const { return false; }
+  /// As start(), knowing the eigenvalues that govern the sweeps.
+  virtual void startWith(const RoleSpectrum&) { start(); }
+  /// The factor of all sweeps, where the deck says it.
+  virtual std::optional<double> givenTheta() const { return std::nullopt; }
   /// dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1), both per interface node, a stress.
   virtual RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) = 0;
 };
@@ -32,7 +40,7 @@ public:
 /// The update (27) with a given factor.
 Vector relax(const Vector& dirichlet, const Vector& neumann, double theta);
 
-/// "Constant", "Aitken".
+/// "Automatic", "Constant", "Aitken".
 void registerRelaxations(Registry<RelaxationController>& registry);
 
 } // namespace ndframe

@@ -25,6 +25,8 @@ struct RoleSpectrum
   /// The factor max |1 - theta (1 + mu)| with the best theta = 2 / (2 + mu_min + mu_max), and that theta.
   double contraction() const;
   double bestTheta() const;
+  /// The same factor with a given theta; above 1 the iteration diverges.
+  double contraction(double theta) const;
   /// With the roles exchanged: mu becomes 1/mu.
   RoleSpectrum exchanged() const;
 };
@@ -39,5 +41,8 @@ struct ConnectedBodies
 /// The connected parts of the network of bodies with the spectra of the roles they have; the extreme eigenvalues come
 /// from some Lanczos steps, each as dear as a linear sweep ("role steps" in the ledger), and are good to some percent.
 std::vector<ConnectedBodies> roleSpectra(const InterfaceSystem& system, Ledger& ledger);
+
+/// The eigenvalues of all parts together, for a theta that all have in common.
+RoleSpectrum joinedSpectrum(const std::vector<ConnectedBodies>& parts);
 
 } // namespace ndframe

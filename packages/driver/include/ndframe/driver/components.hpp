@@ -27,7 +27,7 @@ struct Components
   Registry<Load> loads{"load"};
   Registry<LinearSolver> linearSolvers{"linear solver", "Automatic"};
   Registry<InterfaceOperator> interfaceOperators{"interface operator", "Automatic"};
-  Registry<RelaxationController> relaxations{"relaxation", "Constant"};
+  Registry<RelaxationController> relaxations{"relaxation", "Automatic"};
   Registry<Coupling> couplings{"coupling", "Neumann-Dirichlet"};
   Registry<StressRecovery> recoveries{"recovery", "Star"};
   Registry<Marking> markings{"marking", "Predicted"};

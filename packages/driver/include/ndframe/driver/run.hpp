@@ -21,7 +21,8 @@ struct Run
   Plan plan;
   Model model;
   CondensedModel condensed;
-  CouplingResult coupling; ///< empty history without interfaces
+  std::optional<RoleSpectrum> spectrum; ///< of the sweeps, where the coupling needs it
+  CouplingResult coupling;              ///< empty history without interfaces
   std::vector<InterfaceState>
       states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
   std::vector<BodyFields> fields;                     ///< per body, per kept state

@@ -63,9 +63,10 @@ struct SweepSummary
 struct RoleSummary
 {
   std::vector<std::string> dirichletBodies, neumannBodies;
-  bool exchanged = false;            ///< against the deck
-  double contraction = 0.0;          ///< of the traction's error in a sweep with the best theta
-  double bestTheta = 0.0;            ///< a relaxation factor
+  bool exchanged = false;   ///< against the deck
+  double contraction = 0.0; ///< of the traction's error in a sweep with `theta`
+  double theta = 0.0;       ///< relaxation factor: the deck's, or the best
+  double bestTheta = 0.0;
   double contractionExchanged = 0.0; ///< the one that the other roles would have
 };
 

@@ -1,0 +1,72 @@
+#include "anderson_mixing.hpp"
+
+#include <algorithm>
+
+#include "ndframe/algebra/dense.hpp"
+#include "ndframe/coupling/relaxation_controller.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr std::size_t memory = 8; ///< sweeps
+constexpr int mostRestarts = 4;
+constexpr double dependent = 1e-10; ///< relative size below which a direction is round-off
+
+Vector difference(Vector a, const Vector& b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+  return a;
+}
+
+DenseMatrix columns(const std::deque<Vector>& vectors)
+{
+  DenseMatrix matrix(int(vectors.front().size()), int(vectors.size()));
+  for (std::size_t j = 0; j < vectors.size(); ++j)
+    std::copy(vectors[j].begin(), vectors[j].end(), matrix.col(int(j)));
+  return matrix;
+}
+
+} // namespace
+
+void AndersonMixing::start()
+{
+  *this = {};
+}
+
+void AndersonMixing::remember(const Vector& residual, const Vector& traction)
+{
+  if (norm(residual) > norm(residual_)) {
+    residualChanges_.clear();
+    tractionChanges_.clear();
+    ++restarts_;
+    return;
+  }
+  residualChanges_.push_back(difference(residual, residual_));
+  tractionChanges_.push_back(difference(traction, traction_));
+  if (residualChanges_.size() > memory) {
+    residualChanges_.pop_front();
+    tractionChanges_.pop_front();
+  }
+}
+
+Vector AndersonMixing::next(const Vector& dirichlet, const Vector& neumann, double theta)
+{
+  const Vector residual = difference(dirichlet, neumann);
+  if (!residual_.empty() && restarts_ < mostRestarts)
+    remember(residual, neumann);
+  Vector next = relax(dirichlet, neumann, theta);
+  if (!residualChanges_.empty()) {
+    const Vector gamma = multiply(pseudoInverse(columns(residualChanges_), dependent), residual);
+    for (std::size_t j = 0; j < gamma.size(); ++j)
+      for (std::size_t i = 0; i < next.size(); ++i)
+        next[i] -= gamma[j] * (tractionChanges_[j][i] + theta * residualChanges_[j][i]);
+  }
+  residual_ = residual;
+  traction_ = neumann;
+  return next;
+}
+
+} // namespace ndframe
