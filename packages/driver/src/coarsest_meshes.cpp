@@ -14,6 +14,9 @@ namespace ndframe
 namespace
 {
 
+/// An even grid with no more cells along the largest box is coarse enough.
+constexpr int fewPieces = 4;
+
 bool isBox(const Params& mesh)
 {
   return mesh.get<std::string>("Type") == "Box";
@@ -29,7 +32,9 @@ std::vector<int> cellsOfSize(const Params& mesh, double size)
   return cells;
 }
 
-/// Cuts a side where grid lines must be; nobody asks for the parts.
+constexpr const char* unaskedPart = "between grid lines";
+
+/// Cuts a side where grid lines must be; readCoarse() takes the parts out again.
 void addStations(DeckList& box, const Stations& stations, Diagnostics& diagnostics)
 {
   for (std::size_t d = 0; d < stations.size(); ++d) {
@@ -38,7 +43,7 @@ void addStations(DeckList& box, const Stations& stations, Diagnostics& diagnosti
     const std::string direction = d == 0 ? "X" : "Y", list = "Splits/grid lines of neighbours, " + direction;
     std::vector<std::string> names;
     for (std::size_t k = 0; k <= stations[d].size(); ++k)
-      names.push_back(fmt::format("between grid lines {} {}", direction, k));
+      names.push_back(fmt::format("{} {} {}", unaskedPart, direction, k));
     applySetting(box, fmt::format("{}/Side={}", list, d == 0 ? "bottom" : "left"), diagnostics);
     applySetting(box, fmt::format("{}/At={{{:.17g}}}", list, fmt::join(stations[d], ", ")), diagnostics);
     applySetting(box, fmt::format("{}/Names={{{}}}", list, fmt::join(names, ", ")), diagnostics);
@@ -94,7 +99,10 @@ Mesh readCoarse(const Params& mesh, const Stations& stations, const Components& 
                 double size)
 {
   const Params chosen = isBox(mesh) ? coarseBox(mesh, stations, components, size) : mesh;
-  return readShared(*components.meshSources.build(chosen), comm);
+  Mesh read = readShared(*components.meshSources.build(chosen), comm);
+  const auto isUnasked = [](const Side& side) { return side.name.rfind(unaskedPart, 0) == 0; };
+  read.sides.erase(std::remove_if(read.sides.begin(), read.sides.end(), isUnasked), read.sides.end());
+  return read;
 }
 
 double largestBox(const Params& deck)
@@ -134,17 +142,26 @@ bool fits(const Params& deck, const Components& components, const MeshOfBody& me
 MeshOfBody coarsestMeshes(const Params& deck, const Components& components, const Comm& comm)
 {
   const double largest = largestBox(deck);
-  const auto stations = matchingStations(deck);
-  for (int pieces = 1; pieces < mostCells(deck); ++pieces) {
-    const double size = largest / pieces;
-    MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
-      const auto found = stations.find(body.name());
-      return readCoarse(body.sub("Mesh"), found == stations.end() ? Stations() : found->second, components, comm, size);
-    };
-    if (fits(deck, components, meshes))
-      return meshes;
-  }
-  return {};
+  const int most = mostCells(deck);
+  const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations) -> MeshOfBody {
+    for (int pieces = first; pieces < end; ++pieces) {
+      const double size = largest / pieces;
+      MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
+        const auto found = stations.find(body.name());
+        const Stations lines = found == stations.end() ? Stations() : found->second;
+        return readCoarse(body.sub("Mesh"), lines, components, comm, size);
+      };
+      if (fits(deck, components, meshes))
+        return meshes;
+    }
+    return {};
+  };
+  // Even grids are better shaped; where sides are cut so that only fine ones match, grid lines go on across bodies.
+  if (MeshOfBody even = tryPieces(1, std::min(most, fewPieces + 1), {}))
+    return even;
+  if (MeshOfBody uneven = tryPieces(1, most, matchingStations(deck)))
+    return uneven;
+  return tryPieces(fewPieces + 1, most, {});
 }
 
 } // namespace ndframe
