@@ -123,6 +123,22 @@ INSTANTIATE_TEST_SUITE_P(Ways, PaperMode,
                                          Way{{"Error Estimation/Interface Traction/Mean=Updated"}},
                                          Way{{"Interfaces/contact/Gap=0.01*x^2"}}));
 
+/// What the indicator's stress shows is reported beside it.
+TEST(CheckEquilibrium, JudgesTheBoundByItsOwnStressOnly)
+{
+  const auto outcome = smallScene("punch").set("Error Estimation/Check Equilibrium=true").run();
+  const ErrorSummary& errors = errorsOf(outcome);
+  ASSERT_TRUE(errors.equilibrium && errors.equilibriumDiscretization);
+  EXPECT_LT(*errors.equilibrium, 1e-12);
+  EXPECT_TRUE(errors.guaranteed) << errors.reason;
+  const auto alone = smallScene("punch")
+                         .set("Error Estimation/Check Equilibrium=true")
+                         .set("Error Estimation/Estimators={Global}")
+                         .run();
+  EXPECT_DOUBLE_EQ(*errorsOf(alone).equilibrium, *errors.equilibrium);
+  EXPECT_FALSE(errorsOf(alone).equilibriumDiscretization);
+}
+
 TEST(Split, NeedsNoOtherEstimatorAndComesWithTheIterationsPart)
 {
   const auto all = smallScene("punch").run();

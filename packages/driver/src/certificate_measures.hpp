@@ -49,7 +49,8 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
 /// Largest defect that checkEquilibrium finds in a stress, relative to the largest stress of the scene.
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered);
 
-/// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found, 0 if not asked.
+/// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found in its own
+/// stress, 0 if not asked.
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
                 ErrorMode mode, double equilibrium);
 

@@ -152,7 +152,10 @@ ListSpec errorEstimationSpec(const Choices& recoveries)
       {"Mode", std::string("Strict"), errorModeNames().range(),
        "Strict: the displacement is made admissible between the nodes, so that the bound is one. Paper: as published, "
        "not guaranteed."},
-      {"Check Equilibrium", false, "Look at the recovered stress itself: divergence, jumps, loads, contact."},
+      {"Check Equilibrium", false,
+       "Look at the recovered stresses themselves: divergence, jumps, loads, contact. The bound's own decides about "
+       "the "
+       "guarantee; that of the indicator Discretization is only reported."},
       {"Require Guarantee", false, "A run whose bound is not guaranteed ends with exit code 3."}};
   list.lists = {makeChoice("Recovery", "How the stress in equilibrium with the loads is found.", recoveries),
                 tractionSpec(), referenceSpec()};

@@ -93,6 +93,9 @@ std::string comparisonsText(const ErrorSummary& errors)
     text += line("residual", "~", *errors.residual, {}, "a comparison, not guaranteed");
   if (errors.equilibrium)
     text += fmt::format("\n  equilibrium of the recovered stress checked: largest defect {:.1e}", *errors.equilibrium);
+  if (errors.equilibriumDiscretization)
+    text += fmt::format("\n  equilibrium of the indicator's stress checked: largest defect {:.1e}",
+                        *errors.equilibriumDiscretization);
   return text;
 }
 

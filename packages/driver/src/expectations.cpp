@@ -39,8 +39,10 @@ ErrorSummary everyError(const ErrorOptions& options)
     errors.energyBracket->work.emplace();
     errors.energyBracket->drive.emplace();
   }
-  if (options.checkEquilibrium)
+  if (options.checkEquilibrium && options.recoversGlobalStress())
     errors.equilibrium.emplace();
+  if (options.checkEquilibrium)
+    fill(Estimator::Discretization, errors.equilibriumDiscretization);
   if (errors.reference && errors.global) {
     auto& reference = *errors.reference;
     fill(Estimator::Reference, reference.stress, reference.meanStress, reference.effectivity,

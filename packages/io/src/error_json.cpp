@@ -72,6 +72,7 @@ Json errorsJson(const std::optional<ErrorSummary>& errors)
                 {"zienkiewicz_zhu", orNull(e.zienkiewiczZhu)},
                 {"residual", orNull(e.residual)},
                 {"equilibrium", orNull(e.equilibrium)},
+                {"equilibrium_discretization", orNull(e.equilibriumDiscretization)},
                 {"reference", orNull(e.reference, referenceJson)},
                 {"energy_bracket", energyJson(e.energyBracket)},
                 {"advice", e.advice}};

@@ -47,7 +47,8 @@ struct ErrorSummary
   std::optional<double> splitStress;                    ///< |sigma^ - sigma~|, the mesh part of Split, absolute
   std::optional<double> meanStress, meanStressRelative; ///< bound of the mean stress's error
   std::optional<double> zienkiewiczZhu, residual;       ///< unguaranteed comparisons, absolute
-  std::optional<double> equilibrium;                    ///< largest defect found by Check Equilibrium
+  std::optional<double> equilibrium;                    ///< largest defect of the bound's stress, by Check Equilibrium
+  std::optional<double> equilibriumDiscretization;      ///< the same of the stress behind `discretization`
   std::optional<ReferenceSummary> reference;
   std::optional<EnergySummary> energyBracket; ///< of all certificates of the scene; absent without a guaranteed one
   std::string advice;                         ///< what would make the error smaller, in words; empty without both parts
