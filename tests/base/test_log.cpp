@@ -25,7 +25,7 @@ std::string written(Verbosity verbosity, bool speaks, bool terminal)
   return stream.str();
 }
 
-/// A terminal that can be waited for.
+/// A stream that can be waited for.
 class Terminal : public std::streambuf
 {
 public:
@@ -95,4 +95,19 @@ TEST(Log, CanBeSilent)
   silentLog().line("nowhere");
   silentLog().startLive("nowhere");
   silentLog().stopLive();
+}
+
+TEST(Log, SaysOnAPipeThatALongStageGoesOn)
+{
+  Terminal pipe;
+  std::ostream stream(&pipe);
+  {
+    const Log log(stream, Verbosity::Normal, true, false, std::chrono::milliseconds(20));
+    log.startLive("factor");
+    EXPECT_TRUE(pipe.waitFor("  factor ... 0 s\n  factor ... 0 s\n")) << "again and again";
+    log.stopLive();
+    log.line("line");
+  }
+  EXPECT_EQ(pipe.text().find('\x1b'), std::string::npos);
+  EXPECT_EQ(pipe.text().substr(pipe.text().size() - 5), "line\n");
 }

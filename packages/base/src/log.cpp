@@ -1,6 +1,5 @@
 #include "ndframe/base/log.hpp"
 
-#include <chrono>
 #include <condition_variable>
 #include <mutex>
 #include <thread>
@@ -8,12 +7,14 @@
 namespace ndframe
 {
 
-/// The live line: a thread that waits for the stage to last a second, then draws. Every write to the stream goes
-/// through here, so that a line never lands in the middle of the drawn one.
+/// Signs of life: a thread that waits for the stage to last, then writes. Every write to the stream goes through here,
+/// so that a line never lands in the middle of another.
 class Log::Live
 {
 public:
-  explicit Live(std::ostream& stream) : stream_(stream), thread_([this] { run(); }) {}
+  Live(std::ostream& stream, bool erases, std::chrono::milliseconds patience)
+      : stream_(stream), erases_(erases), patience_(patience), thread_([this] { run(); })
+  {}
 
   ~Live()
   {
@@ -31,8 +32,7 @@ public:
     const std::lock_guard lock(mutex_);
     erase();
     what_ = what;
-    drawAt_ = Clock::now() + std::chrono::seconds(1);
-    changed_.notify_one();
+    wait();
   }
 
   void stop()
@@ -47,11 +47,19 @@ public:
     const std::lock_guard lock(mutex_);
     erase();
     stream_ << text << '\n' << std::flush;
-    drawAt_ = Clock::now() + std::chrono::seconds(1);
+    wait();
   }
 
 private:
   using Clock = std::chrono::steady_clock;
+
+  /// From now on, as long as at first.
+  void wait()
+  {
+    since_ = Clock::now();
+    drawAt_ = since_ + patience_;
+    changed_.notify_one();
+  }
 
   void run()
   {
@@ -68,8 +76,14 @@ private:
 
   void draw()
   {
-    stream_ << "  " << what_ << " ..." << std::flush;
-    drawn_ = true;
+    stream_ << "  " << what_ << " ...";
+    if (!erases_) {
+      const auto silent = Clock::now() - since_;
+      stream_ << ' ' << std::chrono::duration_cast<std::chrono::seconds>(silent).count() << " s\n";
+      drawAt_ += silent;
+    }
+    stream_ << std::flush;
+    drawn_ = erases_;
   }
 
   void erase()
@@ -81,20 +95,22 @@ private:
   }
 
   std::ostream& stream_;
+  const bool erases_; ///< a terminal
+  const std::chrono::milliseconds patience_;
   std::mutex mutex_;
   std::condition_variable changed_;
   std::string what_; ///< empty: nothing to show
-  Clock::time_point drawAt_;
+  Clock::time_point since_, drawAt_;
   bool drawn_ = false;
   bool quit_ = false;
   std::thread thread_; ///< last: it uses all of the above
 };
 
-Log::Log(std::ostream& stream, Verbosity verbosity, bool speaks, bool terminal)
+Log::Log(std::ostream& stream, Verbosity verbosity, bool speaks, bool terminal, std::chrono::milliseconds patience)
     : stream_(stream), verbosity_(verbosity), speaks_(speaks)
 {
-  if (terminal && speaks && verbosity != Verbosity::Quiet)
-    live_ = std::make_unique<Live>(stream);
+  if (speaks && verbosity != Verbosity::Quiet)
+    live_ = std::make_unique<Live>(stream, terminal, terminal ? std::chrono::seconds(1) : patience);
 }
 
 Log::~Log() = default;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <memory>
 #include <ostream>
 #include <string>
@@ -18,8 +19,10 @@ enum class Verbosity
 class Log
 {
 public:
-  /// `terminal`: the stream is a terminal, so a live line may be drawn (and erased) on it.
-  Log(std::ostream& stream, Verbosity verbosity, bool speaks, bool terminal);
+  /// `terminal`: the stream is a terminal, so a live line may be drawn (and erased) on it. `patience`: how long a stage
+  /// is silent on anything else before a line says that it goes on.
+  Log(std::ostream& stream, Verbosity verbosity, bool speaks, bool terminal,
+      std::chrono::milliseconds patience = std::chrono::seconds(10));
   ~Log();
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
@@ -29,7 +32,8 @@ public:
   /// Details, only with -v.
   void detail(const std::string& text) const;
 
-  /// Draws "  <what> ..." on a terminal once a second has passed, until stopLive(); nothing on a pipe.
+  /// Until stopLive(): draws "  <what> ..." on a terminal once a second has passed; on a pipe or in a file one line
+  /// "  <what> ... 10 s" after each 10, 20, 40, ... s without any other.
   void startLive(const std::string& what) const;
   void stopLive() const;
 
@@ -40,7 +44,7 @@ private:
   std::ostream& stream_;
   Verbosity verbosity_;
   bool speaks_;
-  std::unique_ptr<Live> live_; ///< null unless the stream is a terminal
+  std::unique_ptr<Live> live_; ///< null if nothing is to be said
 };
 
 /// A sink for tests and library use.
