@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 #include <sys/resource.h>
+#include <unistd.h>
 
 #include "ndframe/base/memory.hpp"
 
@@ -19,7 +20,7 @@ constexpr std::int64_t MB = 1 << 20;
 class Machine : public testing::Test
 {
 protected:
-  Machine() : root_(testing::TempDir() + "/ndframe-machine")
+  Machine() : root_(testing::TempDir() + "/ndframe-machine-" + std::to_string(getpid()))
   {
     std::filesystem::remove_all(root_);
     write("/proc/meminfo", "MemTotal: 16777216 kB\nMemFree: 100 kB\nMemAvailable: 8388608 kB\n");

@@ -129,7 +129,7 @@ class ExodusFile(unittest.TestCase):
             numpy.testing.assert_allclose(self.patch.nodal(name), value, atol=1e-10, err_msg=name)
 
     def test_offset_draws_bodies_with_a_gap_apart(self):
-        hertz = Run(shipped("hertz"))
+        hertz = Run(shipped("hertz"), "Coupling/Dirichlet Body=As Given")  # offsets move the Dirichlet body
         header, *rows = hertz.table
         closed = {float(row[1]): row[header.index("closed")] == "1" for row in rows}
         first = hertz.summary["bodies"][0]["dofs"] // 2

@@ -17,22 +17,21 @@ namespace
 
 Mesh square(const std::string& cells, const std::string& degrees = "17")
 {
-  return readMesh(text("Type", "Box") + doubles("Lower", "{0.3, 0.1}") + doubles("Upper", "{1.3, 1.1}") +
+  return readMesh(text("Type", "Box") + doubles("Lower", "0.3, 0.1") + doubles("Upper", "1.3, 1.1") +
                   ints("Cells", cells) + number("Rotation", degrees));
 }
 
 Mesh cube(const std::string& cells)
 {
-  return readMesh(text("Type", "Box") + doubles("Lower", "{0, 0, 0}") + doubles("Upper", "{1, 1, 1}") +
+  return readMesh(text("Type", "Box") + doubles("Lower", "0, 0, 0") + doubles("Upper", "1, 1, 1") +
                   ints("Cells", cells));
 }
 
 /// The top is cut in two.
 Mesh split(const std::string& at)
 {
-  return readMesh(
-      text("Type", "Box") + doubles("Lower", "{0, 0}") + doubles("Upper", "{1, 1}") + ints("Cells", "{10, 2}") +
-      list("Splits", list("one", text("Side", "top") + doubles("At", "{" + at + "}") + strings("Names", "{a, b}"))));
+  return readMesh(text("Type", "Box") + doubles("Lower", "0, 0") + doubles("Upper", "1, 1") + ints("Cells", "10, 2") +
+                  list("Splits", list("one", text("Side", "top") + doubles("At", at) + strings("Names", "a, b"))));
 }
 
 Mesh moved(Mesh mesh, const std::function<void(double*)>& move)
@@ -52,7 +51,7 @@ void bend(double* p)
 
 TEST(Outline, OfASquareHasTwoCornersASide)
 {
-  for (const auto& [name, side] : outlineOf(square("{5, 3}")).sides) {
+  for (const auto& [name, side] : outlineOf(square("5, 3")).sides) {
     EXPECT_EQ(side.corners.size(), 4u) << name;
     EXPECT_NEAR(side.measure, 1.0, 1e-14) << name;
   }
@@ -60,7 +59,7 @@ TEST(Outline, OfASquareHasTwoCornersASide)
 
 TEST(Outline, OfACubeHasFourCornersASide)
 {
-  for (const auto& [name, side] : outlineOf(cube("{3, 2, 4}")).sides) {
+  for (const auto& [name, side] : outlineOf(cube("3, 2, 4")).sides) {
     EXPECT_EQ(side.corners.size(), 12u) << name;
     EXPECT_NEAR(side.measure, 1.0, 1e-14) << name;
   }
@@ -68,15 +67,15 @@ TEST(Outline, OfACubeHasFourCornersASide)
 
 TEST(Outline, DoesNotDependOnTheMesh)
 {
-  const MeshOutline coarse = outlineOf(square("{1, 1}"));
-  EXPECT_TRUE(sameOutline(coarse, outlineOf(square("{7, 13}"))));
-  EXPECT_TRUE(sameOutline(coarse, outlineOf(refineUniformly(square("{3, 3}")))));
-  EXPECT_TRUE(sameOutline(outlineOf(cube("{1, 1, 1}")), outlineOf(cube("{3, 2, 5}"))));
+  const MeshOutline coarse = outlineOf(square("1, 1"));
+  EXPECT_TRUE(sameOutline(coarse, outlineOf(square("7, 13"))));
+  EXPECT_TRUE(sameOutline(coarse, outlineOf(refineUniformly(square("3, 3")))));
+  EXPECT_TRUE(sameOutline(outlineOf(cube("1, 1, 1")), outlineOf(cube("3, 2, 5"))));
 }
 
 TEST(Outline, SeesAnotherPolygon)
 {
-  const Mesh three = square("{3, 2}", "0"), six = square("{6, 2}", "0");
+  const Mesh three = square("3, 2", "0"), six = square("6, 2", "0");
   EXPECT_TRUE(sameOutline(outlineOf(three), outlineOf(six)));
   EXPECT_FALSE(sameOutline(outlineOf(moved(three, bend)), outlineOf(moved(six, bend))));
   EXPECT_FALSE(sameOutline(outlineOf(three), outlineOf(moved(three, bend))));
@@ -91,7 +90,7 @@ TEST(Outline, SeesSidesThatEndElsewhere)
 
 TEST(Outline, SeesABodyMovedOrOfAnotherSize)
 {
-  const Mesh one = square("{2, 2}");
+  const Mesh one = square("2, 2");
   EXPECT_FALSE(sameOutline(outlineOf(one), outlineOf(moved(one, [](double* p) { p[0] += 1e-9; }))));
   EXPECT_FALSE(sameOutline(outlineOf(one), outlineOf(moved(one, [](double* p) { p[1] *= 1.0 + 1e-9; }))));
 }

@@ -1,6 +1,5 @@
 #include "adaptive_run.hpp"
 
-#include <cmath>
 #include <limits>
 #include <optional>
 
@@ -23,10 +22,8 @@ namespace ndframe
 namespace
 {
 
-/// Tractions that are left where contact opens cost the bound traction times opening, which the energy of the iteration
-/// hardly sees. A bound above that of the coarser mesh before, or with this share of such work, may be of them: then
-/// the sweeps go on, as long as the bound falls by a tenth.
-constexpr double shareOfContact = 0.5, falling = 0.9, oneMoreDigit = 0.1;
+/// Sweeps that go on make the bound fall by a tenth at least; another digit where only that may help.
+constexpr double falling = 0.9, oneMoreDigit = 0.1;
 
 /// The level with the smallest bound so far.
 struct Best
@@ -158,7 +155,7 @@ private:
         return;
       const LevelErrors errors(run_, options_);
       const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
-      const bool mayFall = showsIteration(errors) && errors.bound < falling * boundBefore;
+      const bool mayFall = errors.mayBeOfSweeps(summary_.levels) && errors.bound < falling * boundBefore;
       if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !mayFall))
         return;
       start.traction = nextTraction(run_);
@@ -167,13 +164,6 @@ private:
       iterationBefore = errors.iteration;
       boundBefore = errors.bound;
     }
-  }
-
-  /// Whether the bound may be one of the sweeps although their own measure is small.
-  bool showsIteration(const LevelErrors& errors) const
-  {
-    const bool rises = !summary_.levels.empty() && errors.bound > summary_.levels.back().bound;
-    return rises || errors.contact > shareOfContact * errors.bound;
   }
 
   CouplingStart firstStart() const

@@ -45,6 +45,13 @@ LevelErrors::LevelErrors(const Run& run, const AccuracyOptions& options)
   mesh = std::sqrt(std::max(0.0, global.absolute * global.absolute - iteration * iteration));
 }
 
+bool LevelErrors::mayBeOfSweeps(const std::vector<LevelSummary>& before) const
+{
+  constexpr double shareOfContact = 0.5; // of the bound
+  const bool rises = !before.empty() && bound > before.back().bound;
+  return rises || contact > shareOfContact * bound;
+}
+
 double LevelErrors::iterationToTarget() const
 {
   const double allowed = target / bound * std::hypot(mesh, iteration); // of the whole

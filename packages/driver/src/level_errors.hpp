@@ -22,6 +22,11 @@ struct LevelErrors
   /// Whether anything can be predicted from the bound: one above the solution's own size says only that.
   bool tells() const { return relative <= 1.0; }
 
+  /// Whether the bound may be one of the sweeps although their own measure is small: tractions that are left where
+  /// contact opens cost the bound traction times opening, which the energy of the iteration hardly sees. before: the
+  /// levels.
+  bool mayBeOfSweeps(const std::vector<LevelSummary>& before) const;
+
   /// The part of the sweeps with which this mesh would reach the target; infinite when it cannot.
   double iterationToTarget() const;
 };

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 
 #include <fmt/format.h>
 
@@ -21,6 +22,14 @@ constexpr double slow = 0.6;
 constexpr double lowered = 0.5;
 constexpr int running = 2;
 
+/// A factor to the two digits that a few steps of Lanczos' method are sure of, so that it does not depend on the
+/// numbering of the nodes.
+double rounded(double theta)
+{
+  const double unit = std::pow(10.0, std::floor(std::log10(theta)) - 1.0);
+  return unit * std::round(theta / unit);
+}
+
 /// The best constant factor, from the extreme eigenvalues mu of the sweep (role_spectrum.hpp):
 ///
 ///   theta = 2 / (2 + mu_min + mu_max),   contraction (mu_max - mu_min) / (2 + mu_min + mu_max).
@@ -39,7 +48,7 @@ public:
   void startWith(const RoleSpectrum& spectrum) override
   {
     if (spectrum.isKnown())
-      begin(spectrum.bestTheta(), std::max(spectrum.contraction(), 1.0 - spectrum.bestTheta()) > slow);
+      begin(rounded(spectrum.bestTheta()), std::max(spectrum.contraction(), 1.0 - spectrum.bestTheta()) > slow);
     else
       start();
   }
