@@ -144,8 +144,8 @@ TEST_F(StudyProgram, RefusesAxesThatDoNothing)
     EXPECT_THAT(result.err, HasSubstr(idle)) << axis;
   }
   EXPECT_EQ(study({"Output/Steps=Final; All Sweeps"}, {"--set", "Study/Files=true"}).exitCode, 0);
-  const auto alone =
-      runProgram({"-i", shippedDeck("beam-3d"), "--study", "Coupling/Stopping/Tolerance=0.1; 0.01"}, folder().file("."));
+  const auto alone = runProgram({"-i", shippedDeck("beam-3d"), "--study", "Coupling/Stopping/Tolerance=0.1; 0.01"},
+                                folder().file("."));
   EXPECT_THAT(alone.err, HasSubstr(idle)) << "the deck has no interface";
 }
 
