@@ -114,7 +114,8 @@ TEST_P(Hypercircles, AreEqualitiesForPolynomialLoads)
 TEST_P(Hypercircles, HoldUpToTheOscillationOfOtherLoads)
 {
   const auto [dim, order, degree] = GetParam();
-  for (const double waves : dim == 2 ? Vector{0.1, 0.5, 1.5} : Vector{0.1}) {
+  for (const double waves : dim == 2 ? Vector{0.1, 0.5, 1.5} : Vector{0.02})
+  { // shorter ones are cut too often in space
     SCOPED_TRACE(waves);
     const Elasticity law = lawsOf(dim).front();
     const auto exact = test::waveSolution(law, waves, 5);
