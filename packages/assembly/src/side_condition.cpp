@@ -43,7 +43,12 @@ std::string SideCondition::description() const
 {
   std::string type = params_.get<std::string>("Type");
   std::transform(type.begin(), type.end(), type.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return params_.has("Side") ? type + " at " + params_.get<std::string>("Side") : type;
+  if (params_.has("Side"))
+    return type + " at " + params_.get<std::string>("Side");
+  if (!params_.has("At"))
+    return type;
+  const auto at = params_.get<std::vector<double>>("At");
+  return type + " at " + pointText(at.data(), int(at.size()));
 }
 
 const Side& SideCondition::side(const Mesh& mesh) const

@@ -64,7 +64,7 @@ private:
 };
 
 /// u . e_k = given value (an expression) for the components that the deck names.
-class Displacement final : public Support
+class Displacement : public Support
 {
 public:
   explicit Displacement(const Params& params) : Support(params)
@@ -98,6 +98,86 @@ private:
   std::vector<SampledFunction> functions_;
 };
 
+/// No facets: what holds points or motions prescribes nothing of the continuum.
+const std::vector<Facet>& noFacets()
+{
+  static const std::vector<Facet> none;
+  return none;
+}
+
+/// Given displacement components at the vertex that lies at a point. In a continuum of two or three dimensions a point
+/// can carry no force, so this is for bodies that are in equilibrium without it.
+class Point final : public Displacement
+{
+public:
+  explicit Point(const Params& params) : Displacement(params), at_(params.get<std::vector<double>>("At")) {}
+
+  void check(const Mesh& mesh, Diagnostics& diagnostics) const override
+  {
+    Displacement::check(mesh, diagnostics);
+    if (int(at_.size()) != mesh.dim) {
+      diagnostics.add(params().mistake(
+          "At", fmt::format("At has {} coordinates and the body {} dimensions.", at_.size(), mesh.dim)));
+      return;
+    }
+    const double* const found = mesh.point(nearest(mesh));
+    const double tolerance = params().get<double>("Tolerance") * diameter(mesh), apart = distance(found, mesh.dim);
+    if (apart > tolerance)
+      diagnostics.add(params().mistake(
+          "At", fmt::format("no vertex of the mesh lies within {:.3g} of {}; the nearest one is {}, {:.3g} away. Name "
+                            "that one, raise Tolerance, or make the mesh with a vertex there.",
+                            tolerance, pointText(at_.data(), mesh.dim), pointText(found, mesh.dim), apart)));
+  }
+
+  const std::vector<Facet>& facets(const Mesh&) const override { return noFacets(); }
+
+  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap&) const override
+  {
+    const int vertex = nearest(mesh); // its node has the same number
+    const auto held = directions(mesh);
+    std::vector<NodeConstraint> all;
+    for (std::size_t k = 0; k < held.size(); ++k)
+      all.push_back({vertex, held[k], valueAt(functions()[k], mesh.dim, mesh.point(vertex))});
+    return all;
+  }
+
+private:
+  double distance(const double* x, int dim) const
+  {
+    double squared = 0.0;
+    for (int k = 0; k < dim; ++k)
+      squared += std::pow(x[k] - at_[std::size_t(k)], 2);
+    return std::sqrt(squared);
+  }
+
+  int nearest(const Mesh& mesh) const
+  {
+    int best = 0;
+    for (int p = 1; p < mesh.numPoints(); ++p)
+      if (distance(mesh.point(p), mesh.dim) < distance(mesh.point(best), mesh.dim))
+        best = p;
+    return best;
+  }
+
+  std::vector<double> at_;
+};
+
+/// The mean rigid motion of the body, or of a side: among the solutions that differ by motions which nothing resists,
+/// the one whose mean motion vanishes. It carries no force, so the loads must be in equilibrium along these motions.
+class Hold final : public Support
+{
+public:
+  using Support::Support;
+  std::vector<Direction> directions(const Mesh&) const override { return {}; }
+  const std::vector<Facet>& facets(const Mesh&) const override { return noFacets(); }
+  std::vector<NodeConstraint> constraints(const Mesh&, const NodeMap&) const override { return pins_; }
+  bool holdsMeanMotion() const override { return true; }
+  void pin(std::vector<NodeConstraint> pins) override { pins_ = std::move(pins); }
+
+private:
+  std::vector<NodeConstraint> pins_;
+};
+
 template <class Component>
 auto build()
 {
@@ -116,6 +196,21 @@ void registerSupports(Registry<Support>& registry)
                 ParamSpec::optional("Y", Kind::Expression, "u_y, a length."),
                 ParamSpec::optional("Z", Kind::Expression, "u_z, a length (three-dimensional bodies).")},
                build<Displacement>());
+  registry.add("Point",
+               "Given displacement components at one vertex, for bodies whose loads are in equilibrium without it: a "
+               "point can carry no force, and a bound is guaranteed only if it carries none.",
+               {ParamSpec::required("At", Kind::Doubles, "Coordinates of the vertex."),
+                {"Tolerance", 1e-6, above(0.0), "How far from it a vertex may be, relative to the body's diameter."},
+                ParamSpec::optional("X", Kind::Expression, "u_x, a length."),
+                ParamSpec::optional("Y", Kind::Expression, "u_y, a length."),
+                ParamSpec::optional("Z", Kind::Expression, "u_z, a length (three-dimensional bodies).")},
+               build<Point>());
+  registry.add("Hold",
+               "The mean rigid motion, as far as neither other supports nor contact hold it: of the displacements that "
+               "differ by such motions the one without a mean motion. It carries no force: loads that are not in "
+               "equilibrium along these motions are refused.",
+               {ParamSpec::optional("Side", Kind::String, "The mean over this side; without it, over the body.")},
+               build<Hold>());
 }
 
 } // namespace ndframe

@@ -5,6 +5,7 @@
 #include "ndframe/driver/components.hpp"
 #include "ndframe/estimation/residual.hpp"
 #include "ndframe/estimation/zienkiewicz_zhu.hpp"
+#include "point_caveat.hpp"
 #include "reference_solution.hpp"
 
 namespace ndframe
@@ -146,7 +147,8 @@ void Certifier::measureGlobal()
   summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
   summary.meanStress = globalMeasure_.meanStress();
   summary.meanStressRelative = scene_.norm > 0.0 ? *summary.meanStress / scene_.norm : 0.0;
-  const Guarantee guarantee = judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0));
+  const Guarantee guarantee =
+      judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0), pointCaveat(scene_, comm_));
   summary.guaranteed = guarantee.holds();
   summary.reason = guarantee.reason();
   if (guarantee.holds())

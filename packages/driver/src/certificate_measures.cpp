@@ -173,10 +173,11 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
 }
 
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
-                ErrorMode mode, double equilibrium)
+                ErrorMode mode, double equilibrium, const std::string& pointCaveat)
 {
   Guarantee guarantee;
   guarantee.require(mode == ErrorMode::Strict, "Mode is Paper");
+  guarantee.accept(pointCaveat);
   guarantee.accept(geometryCaveat(scene.model));
   guarantee.accept(admissible.caveat);
   guarantee.accept(admissible.gap.caveat);

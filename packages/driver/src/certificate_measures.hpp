@@ -50,9 +50,9 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered);
 
 /// Every condition of the bound (docs/theory.md, section 2). equilibrium: what Check Equilibrium found in its own
-/// stress, 0 if not asked.
+/// stress, 0 if not asked; pointCaveat: of point_caveat.hpp.
 Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible,
-                ErrorMode mode, double equilibrium);
+                ErrorMode mode, double equilibrium, const std::string& pointCaveat);
 
 /// What the certificate says of the exact energy, where its conditions hold; none where loads do work on what
 /// prescribed displacements are not met by.

@@ -92,16 +92,17 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
   BalanceConditions conditions;
   for (const auto& trace : condensed.interface.bodies) {
     const auto b = std::size_t(trace.body);
-    const DenseMatrix& free = model.freeMotions[b];
+    const DenseMatrix& free = model.balancedMotions[b];
     if (free.cols() == 0)
       continue;
     const BodySystem& system = condensed.systems[b];
     const DenseMatrix modes = rigidModes(model.rigid[b], model.bodies[b].nodes, system.dofs.frames);
+    const auto names = describeMotions(model.rigid[b], free);
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
       rows.push_back(motionWork(model.bodies[b], trace.body, system.dofs.frames.toGlobal(motion), facets, numNodes));
       conditions.value.push_back(-dot(system.load, motion));
-      conditions.names.push_back(trace.motionNames[std::size_t(m)]);
+      conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }
   }
   conditions.work = DenseMatrix(int(rows.size()), numNodes);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "holds.hpp"
 #include "ndframe/base/help.hpp"
 #include "ndframe/interface/normal_field.hpp"
 #include "shared_mesh.hpp"
@@ -276,6 +277,8 @@ Model buildModel(const Params& deck, const Components& components, const MeshOfB
     model.freeMotions.push_back(
         nullSpace(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), rigidTolerance));
   }
+  resolveHolds(model, deck, diagnostics);
+  diagnostics.throwIfAny();
   return model;
 }
 

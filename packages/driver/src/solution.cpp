@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "holds.hpp"
 #include "ndframe/algebra/threads.hpp"
 
 namespace ndframe
@@ -149,6 +150,12 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
       all[b].u.push_back(std::move(full));
     }
   });
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    std::vector<Vector*> ofState;
+    for (BodyFields& body : all)
+      ofState.push_back(&body.displacement[s]);
+    removeMeanMotions(model, std::move(ofState));
+  }
   return all;
 }
 

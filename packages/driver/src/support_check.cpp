@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "holds.hpp"
 #include "ndframe/driver/model.hpp"
 #include "ndframe/interface/body_trace.hpp"
 
@@ -35,7 +36,21 @@ void appendRows(DenseMatrix& A, const DenseMatrix& rows, int offset, double sign
       A(firstRow + i, offset + j) += sign * rows(i, j);
 }
 
-/// All rigid motions of the bodies that their supports and the jumps on the interfaces between them leave free.
+void report(const Model& model, const Params& deck, std::size_t body, const DenseMatrix& motions,
+            Diagnostics& diagnostics)
+{
+  if (motions.cols() == 0)
+    return;
+  const auto names = describeMotions(model.rigid[body], motions);
+  diagnostics.add(deck.sub("Bodies")
+                      .sub(model.bodies[body].name)
+                      .mistake("", fmt::format("nothing holds this body; free rigid motions: {}. Add a support that "
+                                               "stops it; where the loads are in equilibrium along it, Hold does.",
+                                               fmt::join(names, ", "))));
+}
+
+} // namespace
+
 DenseMatrix freeTogether(const Model& model)
 {
   int total = 0, rows = 0;
@@ -63,7 +78,6 @@ DenseMatrix freeTogether(const Model& model)
   return nullSpace(A, rigidTolerance);
 }
 
-/// Part of joint motions that moves one body, reduced to an orthonormal basis.
 DenseMatrix partOf(const DenseMatrix& motions, int offset, int size)
 {
   std::vector<Vector> basis;
@@ -88,21 +102,6 @@ DenseMatrix partOf(const DenseMatrix& motions, int offset, int size)
   return result;
 }
 
-void report(const Model& model, const Params& deck, std::size_t body, const DenseMatrix& motions,
-            Diagnostics& diagnostics)
-{
-  if (motions.cols() == 0)
-    return;
-  const auto names = describeMotions(model.rigid[body], motions);
-  diagnostics.add(deck.sub("Bodies")
-                      .sub(model.bodies[body].name)
-                      .mistake("", fmt::format("nothing holds this body; free rigid motions: {}. Add a support that "
-                                               "stops it.",
-                                               fmt::join(names, ", "))));
-}
-
-} // namespace
-
 void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
   const DenseMatrix motions = freeTogether(model);
@@ -117,8 +116,11 @@ void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics)
 std::string heldBy(const Model& model, int body)
 {
   std::string text;
-  for (const auto& support : model.bodies[std::size_t(body)].supports)
-    text += (text.empty() ? "" : "; ") + support->description();
+  const auto& supports = model.bodies[std::size_t(body)].supports;
+  for (std::size_t s = 0; s < supports.size(); ++s) {
+    const std::string motions = heldMotions(model, body, s);
+    text += (text.empty() ? "" : "; ") + supports[s]->description() + (motions.empty() ? "" : ": " + motions);
+  }
   const DenseMatrix& free = model.freeMotions[std::size_t(body)];
   if (free.cols() > 0)
     text += fmt::format("{}by contact: {}", text.empty() ? "" : "; ",

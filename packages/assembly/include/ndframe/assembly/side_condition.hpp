@@ -49,7 +49,8 @@ private:
   Params params_;
 };
 
-/// Prescribes displacements on a side: u . direction_k = value_k, the same directions on all its facets.
+/// Prescribes displacements on a side: u . direction_k = value_k, the same directions on all its facets. A support may
+/// also hold a point (constraints without facets), or mean rigid motions (neither; the model chooses how).
 class Support : public SideCondition
 {
 public:
@@ -61,9 +62,14 @@ public:
   /// The values are the same everywhere.
   bool isConstant() const;
 
-  const std::vector<Facet>& facets(const Mesh& mesh) const { return side(mesh).facets; }
+  /// Where it prescribes displacements of the continuum.
+  virtual const std::vector<Facet>& facets(const Mesh& mesh) const { return side(mesh).facets; }
   /// The equations at all nodes of the side.
-  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const;
+  virtual std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const;
+  /// It holds the mean rigid motions that nothing else resists, and can carry no force.
+  virtual bool holdsMeanMotion() const { return false; }
+  /// For such a support: the equations that fix these motions in a system.
+  virtual void pin(std::vector<NodeConstraint>) {}
 };
 
 /// A force per area on the facets of a side, or a force per volume in all cells, linear in functions of the position.
@@ -90,7 +96,7 @@ bool areConstant(const std::vector<SampledFunction>& functions);
 /// The value at a point of space (three coordinates are read only where the dimension has them).
 double valueAt(const SampledFunction& function, int dim, const double* point);
 
-/// "Clamp", "Roller", "Displacement".
+/// "Clamp", "Roller", "Displacement", "Point", "Hold".
 void registerSupports(Registry<Support>& registry);
 
 /// "Pressure", "Traction", "Body Force".

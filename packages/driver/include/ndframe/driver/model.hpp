@@ -13,14 +13,28 @@
 namespace ndframe
 {
 
+/// A support Hold and what it holds (driver/src/holds.hpp).
+struct HeldMean
+{
+  int body = 0;
+  std::size_t support = 0;
+  DenseMatrix motions;              ///< orthonormal columns in the body's rigid basis
+  std::vector<NodeConstraint> pins; ///< as many, where the system is fixed
+  std::vector<Vector> means;        ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
+};
+
 /// The scene: what the deck says, read and checked, before anything is assembled.
 struct Model
 {
   std::vector<BodyModel> bodies;
-  std::vector<ConstraintSet> constraints; ///< per body
-  std::vector<Vector> loads;              ///< per body: int q . v in global axes, as integrateLoads gives it
-  std::vector<RigidBasis> rigid;          ///< per body
-  std::vector<DenseMatrix> freeMotions;   ///< per body: columns span the rigid motions that its supports leave free
+  std::vector<ConstraintSet> constraints;   ///< per body
+  std::vector<Vector> loads;                ///< per body: int q . v in global axes, as integrateLoads gives it
+  std::vector<RigidBasis> rigid;            ///< per body
+  std::vector<DenseMatrix> freeMotions;     ///< per body: columns span the rigid motions that its supports leave free
+  std::vector<DenseMatrix> balancedMotions; ///< per body: those of its rigid motions without support along which
+                                            ///< contact pushes; its traction must balance the loads along them
+  DenseMatrix jointMotions;                 ///< of all bodies together that Holds fix (freeTogether)
+  std::vector<HeldMean> holds;
   std::vector<InterfaceMesh> interfaces;
   SceneRecipe recipe; ///< what it was made from; empty when it is not to be reused
 
