@@ -106,7 +106,7 @@ StaticData makeData(const BodyModel& body, int degree)
       if (x == body.mesh.point(ends[1])[0] && (x == 0.0 || x == 1.0))
         data.boundary.push_back({{cell, local}, 2, {{{1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}}}});
     }
-  data.facetShares.assign(data.boundary.size() * std::size_t(4 * (degree + 1)), 0.0);
+  data.facetShares.assign(data.boundary.size() * 4 * std::size_t(degree + 1), 0.0);
   return data;
 }
 

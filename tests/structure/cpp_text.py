@@ -98,3 +98,16 @@ def _function(text, code, start, end):
     data_lines = sum(token[0].count("\n") for token in _TOKEN.finditer(as_written) if token[0].startswith("R"))
     num_lines = as_written.count("\n") + 1 - data_lines
     return Function(_name(head), code.count("\n", 0, begin) + 1, num_lines, code[begin : end + 1], as_written)
+
+
+def has_product(code, start):
+    """True if `code` from `start` to the parenthesis that closes before it has a product outside of its brackets, of no
+    doubles."""
+    depth, found = 0, False
+    for place in range(start, len(code)):
+        letter = code[place]
+        depth += (letter in "([{") - (letter in ")]}")
+        if depth < 0:
+            return found and "double(" not in code[start:place]
+        found = found or (depth == 0 and re.match(r"\s\*\s", code[place - 1 : place + 2]) is not None)
+    return False

@@ -1,6 +1,7 @@
 """The rules that keep the house in order. Each is a function of a Tree that yields Problems; RULES lists them all."""
 
 import dataclasses
+import functools
 import pathlib
 import re
 
@@ -55,6 +56,11 @@ class SourceFile:
         self.name = str(path.relative_to(root))
         self.raw = path.read_text(errors="replace")
 
+    @functools.cached_property
+    def code(self):
+        """The text without comments and literals."""
+        return cpp_text.blanked(self.raw)
+
     @property
     def package(self):
         parts = self.name.split("/")
@@ -80,6 +86,10 @@ class Tree:
 
     def packages(self):
         return sorted(p.name for p in (self.root / "packages").iterdir() if p.is_dir())
+
+
+def line_of(text, place):
+    return text.count("\n", 0, place) + 1
 
 
 def reachable(package, arrows):
@@ -191,6 +201,31 @@ def names_are_looked_up_not_compared(tree):
                 yield Problem(file.name, function.line, message)
 
 
+def what_is_thrown_is_an_exception(tree):
+    """A type that does not derive from std::exception passes every handler that the program has."""
+    bases = {}
+    pattern = r"\b(?:class|struct)\s+(\w+)(?:\s+final)?\s*(?::\s*public\s+([\w:]+))?\s*\{"
+    for file in tree.product_code:
+        for match in re.finditer(pattern, file.code):
+            bases.setdefault(match[1], match[2])
+    for file in tree.product_code:
+        for match in re.finditer(r"\bthrow\s+(\w+)\s*[({]", file.code):
+            base = match[1]
+            while base in bases:
+                base = bases[base]
+            if not (base or "").startswith("std::"):
+                yield Problem(file.name, line_of(file.code, match.start()), f"{match[1]} is no std::exception")
+
+
+def products_are_widened_first(tree):
+    """std::size_t(a * b) overflows as int where size_t(a) * size_t(b) does not. Products of doubles show a double(."""
+    for file in tree.product_code:
+        for match in re.finditer(r"\bstd::(?:size_t|ptrdiff_t|int64_t)\(", file.code):
+            if cpp_text.has_product(file.code, match.end()):
+                message = "a product is widened too late: give each factor the wide type"
+                yield Problem(file.name, line_of(file.code, match.start()), message)
+
+
 def nothing_is_unfinished(tree):
     for file in tree.texts:
         for number, line in enumerate(file.raw.splitlines(), start=1):
@@ -222,6 +257,8 @@ RULES = [
     files_are_short,
     functions_are_short,
     names_are_looked_up_not_compared,
+    what_is_thrown_is_an_exception,
+    products_are_widened_first,
     nothing_is_unfinished,
     headers_are_guarded,
     headers_are_included,

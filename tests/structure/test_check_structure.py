@@ -135,6 +135,26 @@ class StructureCheck(unittest.TestCase):
         problems = self.found(packages__mesh__src__m_dot_cpp=chain % '  if ("Exodus" == t) return 4;\n')
         self.assert_one(problems, "packages/mesh/src/m.cpp:1", 'f compares with "Box", "Exodus", "Gmsh"')
 
+    def test_thrown_type_outside_the_exceptions(self):
+        thrown = "%s\nvoid f()\n{\n  throw Bad{1};\n}\n"
+        for good in ("class Bad : public std::runtime_error\n{\n};", "", "class Bad final : public Worse {};\n"
+                     "class Worse : public std::exception {};"):
+            if good:
+                self.assertEqual(self.found(packages__mesh__src__m_dot_cpp=thrown % good), [])
+        for bad in ("struct Bad\n{\n};", "struct Worse {};\nstruct Bad : public Worse {};"):
+            problems = self.found(packages__mesh__src__m_dot_cpp=thrown % bad)
+            self.assertEqual(len(problems), 1, problems)
+            self.assertIn("Bad is no std::exception", problems[0])
+
+    def test_product_widened_too_late(self):
+        for good in ("std::size_t(a) * std::size_t(b * 2 > c)", "std::size_t(f(a * b))", "std::size_t(*a)", "// size_t(a * b)"):
+            with self.subTest(good):
+                good = good.replace("b * 2 > c", "g(b * 2)")
+                self.assertEqual(self.found(packages__mesh__src__m_dot_cpp=f"auto n = 1; {good};\n"), [])
+        for bad in ("std::size_t(a * b)", "std::ptrdiff_t(c + a\n * b)", "std::int64_t(f(a) * 2)"):
+            problems = self.found(packages__mesh__src__m_dot_cpp=f"auto n =\n {bad};\n")
+            self.assert_one(problems, "packages/mesh/src/m.cpp:2", "widened too late")
+
     def test_unfinished_work(self):
         for word in ("TO" "DO", "FIX" "ME", "XX" "X"):
             for place in ("packages/mesh/src/m.cpp", "tests/mesh/t.py", "cmake/x.cmake"):

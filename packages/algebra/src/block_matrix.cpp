@@ -47,7 +47,7 @@ Vector diagonal(const BlockMatrix& K, const Comm& comm)
     const double* entry = K.block(int(r), K.rows[r]);
     NDFRAME_ASSERT(entry != nullptr, "a row has no diagonal block");
     for (int i = 0; i < K.dim; ++i)
-      d[std::size_t(K.rows[r] * K.dim + i)] = entry[i * K.dim + i];
+      d[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)] = entry[i * K.dim + i];
   }
   comm.sum(d);
   return d;

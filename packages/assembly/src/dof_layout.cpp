@@ -88,13 +88,13 @@ void layOutNode(DofLayout& layout, int dim, int node, const ConstraintSet::Node*
   const auto places = placeDirections(layout.frames, dim, node, directions);
   for (int k = 0; k < numFixed; ++k) {
     const auto [component, sign] = places[std::size_t(k)];
-    const auto dof = std::size_t(node * dim + component);
+    const auto dof = std::size_t(node) * std::size_t(dim) + std::size_t(component);
     layout.roles[dof] = DofRole::Fixed;
     layout.prescribed[dof] = sign * fixed->value[std::size_t(k)];
   }
   if (trace != nullptr) {
     const auto [component, sign] = places.back();
-    layout.roles[std::size_t(node * dim + component)] = DofRole::Kept;
+    layout.roles[std::size_t(node) * std::size_t(dim) + std::size_t(component)] = DofRole::Kept;
     layout.trace.push_back({node * dim + component, sign * scale, offset});
   }
 }
@@ -154,7 +154,7 @@ std::vector<int> DofLayout::keptDofs() const
 
 DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces)
 {
-  const auto numDofs = std::size_t(nodes.numNodes() * nodes.dim);
+  const auto numDofs = std::size_t(nodes.numNodes()) * std::size_t(nodes.dim);
   DofLayout layout{
       Frames(nodes.dim, nodes.numNodes()), std::vector<DofRole>(numDofs, DofRole::Interior), Vector(numDofs, 0.0), {}};
   std::vector<char> isTrace(std::size_t(nodes.numNodes()), 0);

@@ -59,7 +59,7 @@ void visitSimplices(const Load& load, const Mesh& mesh, const Visit& visit)
 /// The samples of q from those of the functions that it is made of.
 void toDensity(const Load& load, int dim, std::size_t functions, const double* normal, Samples& samples)
 {
-  std::vector<double> q(std::size_t(samples.rule.size() * dim));
+  std::vector<double> q(std::size_t(samples.rule.size()) * std::size_t(dim));
   for (std::size_t g = 0; g < std::size_t(samples.rule.size()); ++g)
     load.density(dim, samples.values.data() + g * functions, normal, q.data() + g * std::size_t(dim));
   samples.values = std::move(q);
@@ -78,7 +78,7 @@ void scatter(const LoadedSimplex& simplex, const int* nodes, int dim, Vector& lo
     const double* q = simplex.samples.values.data() + g * dim;
     for (int a = 0; a < count; ++a)
       for (int k = 0; k < dim; ++k)
-        load[std::size_t(nodes[a] * dim + k)] += weight * N[a] * q[k];
+        load[std::size_t(nodes[a]) * std::size_t(dim) + std::size_t(k)] += weight * N[a] * q[k];
   }
 }
 

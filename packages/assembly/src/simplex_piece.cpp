@@ -45,7 +45,7 @@ Samples::Piece SimplexGeometry::whole() const
 {
   Samples::Piece piece;
   for (int corner = 0; corner <= dim_; ++corner)
-    piece.corners[std::size_t(corner * (dim_ + 2))] = 1.0;
+    piece.corners[std::size_t(corner) * std::size_t(dim_ + 2)] = 1.0;
   return piece;
 }
 
@@ -54,7 +54,7 @@ void SimplexGeometry::locate(const Samples::Piece& piece, const double* local, d
   for (int k = 0; k <= dim_; ++k) {
     lambda[k] = 0.0;
     for (int corner = 0; corner <= dim_; ++corner)
-      lambda[k] += local[corner] * piece.corners[std::size_t(corner * (dim_ + 1) + k)];
+      lambda[k] += local[corner] * piece.corners[std::size_t(corner) * std::size_t(dim_ + 1) + std::size_t(k)];
   }
 }
 
@@ -83,8 +83,8 @@ Samples::Piece SimplexGeometry::replaced(const Samples::Piece& piece, int corner
 {
   Samples::Piece moved = piece;
   for (int k = 0; k <= dim_; ++k) {
-    double& lambda = moved.corners[std::size_t(corner * (dim_ + 1) + k)];
-    lambda += share * (piece.corners[std::size_t(other * (dim_ + 1) + k)] - lambda);
+    double& lambda = moved.corners[std::size_t(corner) * std::size_t(dim_ + 1) + std::size_t(k)];
+    lambda += share * (piece.corners[std::size_t(other) * std::size_t(dim_ + 1) + std::size_t(k)] - lambda);
   }
   moved.fraction *= 1.0 - share;
   return moved;

@@ -48,7 +48,7 @@ BlockMatrix makeSparsity(const NodeMap& nodes, std::vector<int> ownedNodes)
     K.rowPtr.push_back(std::int64_t(K.cols.size()));
   }
   K.cols.shrink_to_fit();
-  K.values.assign(K.cols.size() * std::size_t(nodes.dim * nodes.dim), 0.0);
+  K.values.assign(K.cols.size() * std::size_t(nodes.dim) * std::size_t(nodes.dim), 0.0);
   return K;
 }
 

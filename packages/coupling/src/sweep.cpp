@@ -66,7 +66,7 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
 RoleSystem gatherJump(const InterfaceSystem& system)
 {
   const int n = system.size();
-  RoleSystem role{nullptr, Vector(std::size_t(2 * n), 0.0), DenseMatrix(2 * n, 0), {}};
+  RoleSystem role{nullptr, Vector(2 * std::size_t(n), 0.0), DenseMatrix(2 * n, 0), {}};
   std::vector<OperatorPart> parts;
   for (const auto& body : system.bodies) {
     std::vector<std::array<int, 2>> inputs;

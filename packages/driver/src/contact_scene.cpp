@@ -43,7 +43,7 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   }
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
-    const bool backwards = ours[0] != interface.facets[std::size_t(f * interface.nodesPerFacet())];
+    const bool backwards = ours[0] != interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())];
     facet.turns = dotProduct(ends[0], ends[0]) > 0.0;
     facet.ends = backwards ? std::array{ends[1], ends[0]} : ends;
   }

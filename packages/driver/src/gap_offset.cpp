@@ -80,7 +80,7 @@ void setOnSides(const std::vector<OffsetSide>& sides, const NodeMap& map, Vector
     if (size > farOff * widest)
       continue;
     for (std::size_t k = 0; k < std::size_t(map.dim); ++k) {
-      double& component = offset[std::size_t(node * map.dim) + k];
+      double& component = offset[std::size_t(node) * std::size_t(map.dim) + k];
       component = 0.0;
       for (std::size_t d = 0; d < std::size_t(at.count); ++d)
         component += at.value[d] * at.direction[d][k];
@@ -91,7 +91,7 @@ void setOnSides(const std::vector<OffsetSide>& sides, const NodeMap& map, Vector
 Vector offsetOf(const Model& model, int body)
 {
   const NodeMap& map = model.bodies[std::size_t(body)].nodes;
-  Vector offset(std::size_t(map.numNodes() * map.dim), 0.0);
+  Vector offset(std::size_t(map.numNodes()) * std::size_t(map.dim), 0.0);
   const auto sides = sidesOf(model, body);
   const bool moves = std::any_of(sides.begin(), sides.end(), [](const auto& side) {
     return std::any_of(side.along.begin(), side.along.end(), [](double value) { return value != 0.0; });
@@ -107,7 +107,7 @@ Vector offsetOf(const Model& model, int body)
     for (std::size_t s = 0; s < sides.size(); ++s)
       addNearest(*trees[s], sides[s], map.point(node), sum, weights);
     for (std::size_t k = 0; k < std::size_t(map.dim); ++k)
-      offset[std::size_t(node * map.dim) + k] = sum[k] / weights;
+      offset[std::size_t(node) * std::size_t(map.dim) + k] = sum[k] / weights;
   }
   setOnSides(sides, map, offset);
   return offset;

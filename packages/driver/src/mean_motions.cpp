@@ -25,7 +25,7 @@ void addMean(Vector& weights, const NodeMap& nodes, const int* simplex, double m
     const Direction m = displacementOf(rigid, motion, x);
     for (int a = 0; a < Basis::nodes; ++a)
       for (int k = 0; k < nodes.dim; ++k)
-        weights[std::size_t(simplex[a] * nodes.dim + k)] +=
+        weights[std::size_t(simplex[a]) * std::size_t(nodes.dim) + std::size_t(k)] +=
             measure * rule.weights[std::size_t(q)] * N[a] * m[std::size_t(k)];
   }
 }
@@ -83,7 +83,7 @@ double workAlong(const BodyModel& body, const RigidBasis& rigid, const Vector& m
   for (int node = 0; node < body.nodes.numNodes(); ++node) {
     const Direction u = displacementOf(rigid, motion, body.nodes.point(node));
     for (int k = 0; k < body.mesh.dim; ++k)
-      work += forces[std::size_t(node * body.mesh.dim + k)] * u[std::size_t(k)];
+      work += forces[std::size_t(node) * std::size_t(body.mesh.dim) + std::size_t(k)] * u[std::size_t(k)];
   }
   return work;
 }
@@ -122,7 +122,7 @@ void removeMeanMotions(const Model& model, std::vector<Vector*> displacement)
     for (int node = 0; largestEntry(own) > 0.0 && node < nodes.numNodes(); ++node) {
       const Direction u = displacementOf(model.rigid[b], own, nodes.point(node));
       for (int k = 0; k < nodes.dim; ++k)
-        (*displacement[b])[std::size_t(node * nodes.dim + k)] -= u[std::size_t(k)];
+        (*displacement[b])[std::size_t(node) * std::size_t(nodes.dim) + std::size_t(k)] -= u[std::size_t(k)];
     }
   }
 }

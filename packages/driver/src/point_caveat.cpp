@@ -42,8 +42,8 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
       for (const auto& held : support->constraints(scene.bodies[b]->mesh, scene.bodies[b]->nodes)) {
         double force = 0.0;
         for (int k = 0; k < scene.bodies[b]->mesh.dim; ++k)
-          force +=
-              held.direction[std::size_t(k)] * reactions[b][std::size_t(held.node * scene.bodies[b]->mesh.dim + k)];
+          force += held.direction[std::size_t(k)] *
+                   reactions[b][std::size_t(held.node) * std::size_t(scene.bodies[b]->mesh.dim) + std::size_t(k)];
         if (holdsPoint(*support, scene.bodies[b]->mesh) && std::abs(force) > roundOff * largest)
           return fmt::format(
               "{} holds a point with a force of {:.3g}, and no stress of finite energy is in equilibrium "

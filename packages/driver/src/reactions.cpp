@@ -91,7 +91,7 @@ Vector contactForces(const Model& model, const CondensedModel& condensed, const 
   const auto add = [&](const InterfaceMesh& interface, const std::vector<int>& nodes, const Vector& along) {
     for (std::size_t i = 0; i < nodes.size(); ++i)
       for (std::size_t k = 0; k < std::size_t(interface.dim); ++k)
-        forces[std::size_t(nodes[i] * interface.dim) + k] += along[first + i] * interface.normals[i][k];
+        forces[std::size_t(nodes[i]) * std::size_t(interface.dim) + k] += along[first + i] * interface.normals[i][k];
   };
   for (const auto& interface : model.interfaces) {
     if (interface.dirichletBody == body)

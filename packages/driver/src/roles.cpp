@@ -40,7 +40,8 @@ void exchange(Model& model, InterfaceMesh& interface)
   // A facet's nodes stand in the order of the Dirichlet body's facet.
   for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
     facetNodes(nodes, interface.dirichletFacets[f], bodyNodes.data());
-    const auto first = interface.facets.begin() + std::ptrdiff_t(f * numNodes), last = first + std::ptrdiff_t(numNodes);
+    const auto first = interface.facets.begin() + std::ptrdiff_t(f) * std::ptrdiff_t(numNodes),
+               last = first + std::ptrdiff_t(numNodes);
     const int firstVertex = *first;
     std::sort(first, last, [&](int a, int b) {
       const auto place = [&](int node) {

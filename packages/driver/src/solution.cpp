@@ -60,7 +60,7 @@ double normalDisplacement(const Vector& displacement, int node, const Direction&
 {
   double u = 0.0;
   for (int k = 0; k < dim; ++k)
-    u += displacement[std::size_t(node * dim + k)] * normal[std::size_t(k)];
+    u += displacement[std::size_t(node) * std::size_t(dim) + std::size_t(k)] * normal[std::size_t(k)];
   return u;
 }
 

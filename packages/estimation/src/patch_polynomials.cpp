@@ -76,7 +76,7 @@ public:
           for (int j = 0; j < terms; ++j)
             normal(i, j) += m[i] * m[j];
           for (int c = 0; c < samples_.components; ++c)
-            right(i, c) += m[i] * samples_.values[std::size_t(s * samples_.components + c)];
+            right(i, c) += m[i] * samples_.values[std::size_t(s) * std::size_t(samples_.components) + std::size_t(c)];
         }
       }
     try {
@@ -93,7 +93,10 @@ public:
   }
 
 private:
-  const double* point(int sample) const { return samples_.points.data() + std::size_t(sample * mesh_.dim); }
+  const double* point(int sample) const
+  {
+    return samples_.points.data() + std::size_t(sample) * std::size_t(mesh_.dim);
+  }
 
   void setScale(const std::vector<int>& cells)
   {
@@ -113,13 +116,13 @@ private:
 PatchPolynomials::PatchPolynomials(const Mesh& mesh, int degree, const PatchSamples& samples)
     : mesh_(mesh), degree_(degree), components_(samples.components), terms_(numTerms(mesh.dim, degree)),
       scale_(std::size_t(mesh.numPoints())),
-      coefficients_(std::size_t(mesh.numPoints()) * std::size_t(terms_ * components_), 0.0)
+      coefficients_(std::size_t(mesh.numPoints()) * std::size_t(terms_) * std::size_t(components_), 0.0)
 {
   NDFRAME_ASSERT(degree <= 2, "polynomials of degree 2 at most");
   const VertexCells around(mesh);
   for (int v = 0; v < mesh.numPoints(); ++v) {
     Fit fit(mesh, samples, v);
-    double* coefficients = coefficients_.data() + std::size_t(v * terms_ * components_);
+    double* coefficients = coefficients_.data() + std::size_t(v) * std::size_t(terms_) * std::size_t(components_);
     std::vector<int> cells(around.begin(v), around.end(v));
     for (int d = degree; !fit.solve(cells, d, coefficients);) {
       auto grown = withNeighbours(mesh, around, cells);
@@ -138,7 +141,7 @@ void PatchPolynomials::blend(const int* vertices, const double* lambda, const do
   for (int a = 0; a <= mesh_.dim; ++a) {
     const auto v = std::size_t(vertices[a]);
     monomials(mesh_.dim, degree_, x, mesh_.point(vertices[a]), scale_[v], m);
-    const double* coefficient = coefficients_.data() + v * std::size_t(terms_ * components_);
+    const double* coefficient = coefficients_.data() + v * std::size_t(terms_) * std::size_t(components_);
     for (int i = 0; i < terms_; ++i)
       for (int c = 0; c < components_; ++c)
         values[c] += lambda[a] * m[i] * *coefficient++;

@@ -23,7 +23,7 @@ struct Residuals
 /// Where the moments of a facet begin.
 std::size_t facetOffset(const Mesh& mesh, int cell, int sorted, int facetData)
 {
-  return std::size_t(cell * (mesh.dim + 1) + sorted) * std::size_t(facetData);
+  return (std::size_t(cell) * std::size_t(mesh.dim + 1) + std::size_t(sorted)) * std::size_t(facetData);
 }
 
 std::size_t facetOffset(const Mesh& mesh, Facet facet, int facetData)
@@ -78,14 +78,15 @@ Residuals stressMoments(const BodyModel& body, const Vector& displacement, int d
   const MomentBasis facet = facetBasis(dim, degree), load = loadBasis(dim, degree);
   const QuadratureRule rule = simplexRule(dim - 1, order - 1 + degree);
   const int facetData = facet.size() * dim, loadData = load.size() * dim, numCells = body.mesh.numCells();
-  Residuals residuals{Vector(std::size_t(numCells * (dim + 1) * facetData), 0.0),
-                      Vector(std::size_t(numCells * loadData), 0.0)};
+  Residuals residuals{Vector(std::size_t(numCells) * std::size_t(dim + 1) * std::size_t(facetData), 0.0),
+                      Vector(std::size_t(numCells) * std::size_t(loadData), 0.0)};
   for (int cell = 0; cell < numCells; ++cell) {
     const CellField<dim, order> field(body, displacement, cell);
     for (int i = 0; i <= dim; ++i)
       addTraction(body.mesh, field, cell, i, facet, rule,
                   residuals.facets.data() + facetOffset(body.mesh, cell, i, facetData));
-    addDivergence(field, cellMeasure(body.mesh, cell), residuals.cells.data() + std::size_t(cell * loadData));
+    addDivergence(field, cellMeasure(body.mesh, cell),
+                  residuals.cells.data() + std::size_t(cell) * std::size_t(loadData));
   }
   return residuals;
 }
@@ -113,7 +114,7 @@ void takeLoads(const Mesh& mesh, const StaticData& data, const Vector* contact, 
   }
   if (data.cellShares.empty())
     return;
-  const auto loadData = std::size_t(loadBasis(data.dim, data.degree).size() * data.dim);
+  const auto loadData = std::size_t(loadBasis(data.dim, data.degree).size()) * std::size_t(data.dim);
   for (std::size_t c = 0; c < std::size_t(mesh.numCells()); ++c)
     addShares(data.cellShares.data() + c * loadData * std::size_t(data.dim + 1), data.dim + 1, loadData, 1.0,
               residuals.cells.data() + c * loadData);

@@ -49,9 +49,11 @@ void prolongateCells(const NodeMap& coarse, const NodeMap& fine, const std::vect
         std::array<double, dim> value{};
         for (int b = 0; b < nodes; ++b)
           for (int k = 0; k < dim; ++k)
-            value[std::size_t(k)] += table.N[a][b] * values[std::size_t(coarse.cell(c)[b] * dim + k)];
+            value[std::size_t(k)] +=
+                table.N[a][b] * values[std::size_t(coarse.cell(c)[b]) * std::size_t(dim) + std::size_t(k)];
         for (int k = 0; k < dim; ++k)
-          result[std::size_t(fine.cell(c * children + child)[a] * dim + k)] = value[std::size_t(k)];
+          result[std::size_t(fine.cell(c * children + child)[a]) * std::size_t(dim) + std::size_t(k)] =
+              value[std::size_t(k)];
       }
   }
 }

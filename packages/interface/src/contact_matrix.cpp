@@ -17,13 +17,13 @@ std::vector<double> facetMass()
 {
   constexpr int nodes = Lagrange<facetDim, order>::nodes;
   const auto rule = simplexRule(facetDim, 2 * order);
-  std::vector<double> mass(std::size_t(nodes * nodes), 0.0);
+  std::vector<double> mass(std::size_t(nodes) * std::size_t(nodes), 0.0);
   double N[nodes];
   for (int q = 0; q < rule.size(); ++q) {
     Lagrange<facetDim, order>::values(rule.point(q), N);
     for (int a = 0; a < nodes; ++a)
       for (int b = 0; b < nodes; ++b)
-        mass[std::size_t(a * nodes + b)] += rule.weights[std::size_t(q)] * N[a] * N[b];
+        mass[std::size_t(a) * std::size_t(nodes) + std::size_t(b)] += rule.weights[std::size_t(q)] * N[a] * N[b];
   }
   return mass;
 }
@@ -44,9 +44,9 @@ ContactMatrix::ContactMatrix(const std::vector<InterfaceMesh>& interfaces)
     for (int f = 0; f < interface.numFacets(); ++f)
       for (int a = 0; a < nodes; ++a)
         for (int b = 0; b < nodes; ++b)
-          rows[std::size_t(offset + interface.facets[std::size_t(f * nodes + a)])]
-              [offset + interface.facets[std::size_t(f * nodes + b)]] +=
-              interface.measures[std::size_t(f)] * mass[std::size_t(a * nodes + b)];
+          rows[std::size_t(offset + interface.facets[std::size_t(f) * std::size_t(nodes) + std::size_t(a)])]
+              [offset + interface.facets[std::size_t(f) * std::size_t(nodes) + std::size_t(b)]] +=
+              interface.measures[std::size_t(f)] * mass[std::size_t(a) * std::size_t(nodes) + std::size_t(b)];
     offset += interface.numNodes();
   }
   rowPtr_.push_back(0);

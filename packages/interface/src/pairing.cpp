@@ -180,12 +180,12 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
     facetNormal(neumann.mesh, interface.neumannFacets[std::size_t(f)], n2.data());
     if (dotProduct(n1, n2) > 0.0)
       throw InputError(definition.mistake(
-          "",
-          fmt::format("the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
-                      "name the sides that face each other.",
-                      dirichlet.name, neumann.name,
-                      pointText(interface.point(interface.facets[std::size_t(f * interface.nodesPerFacet())]),
-                                interface.dim))));
+          "", fmt::format(
+                  "the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
+                  "name the sides that face each other.",
+                  dirichlet.name, neumann.name,
+                  pointText(interface.point(interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())]),
+                            interface.dim))));
   }
 }
 

@@ -14,7 +14,7 @@ constexpr double singular = 1e-12; ///< a relative determinant below this is rou
 
 double entry(const SpatialStiffness& C, int i, int j)
 {
-  return C[std::size_t(6 * i + j)];
+  return C[6 * std::size_t(i) + std::size_t(j)];
 }
 } // namespace
 
@@ -37,7 +37,7 @@ Elasticity reduceTo(Hypothesis hypothesis, const SpatialStiffness& C)
       const double throughThickness = hypothesis == Hypothesis::PlaneStress
                                           ? entry(C, inPlane[i], zz) * entry(C, zz, inPlane[j]) / entry(C, zz, zz)
                                           : 0.0;
-      law.D[std::size_t(3 * i + j)] = entry(C, inPlane[i], inPlane[j]) - throughThickness;
+      law.D[3 * std::size_t(i) + std::size_t(j)] = entry(C, inPlane[i], inPlane[j]) - throughThickness;
     }
     law.outOfPlane[std::size_t(i)] = hypothesis == Hypothesis::PlaneStrain ? entry(C, zz, inPlane[i]) : 0.0;
   }
@@ -59,13 +59,13 @@ SpatialStiffness rotateAboutZ(const SpatialStiffness& C, double angle)
     for (int j = 0; j < 6; ++j)
       for (int k = 0; k < 6; ++k)
         for (int l = 0; l < 6; ++l)
-          turned[std::size_t(6 * i + j)] += T[i][k] * entry(C, k, l) * T[j][l];
+          turned[6 * std::size_t(i) + std::size_t(j)] += T[i][k] * entry(C, k, l) * T[j][l];
   return turned;
 }
 
 std::optional<SpatialStiffness> orthotropicStiffness(const std::array<double, 9>& S, const std::array<double, 3>& shear)
 {
-  const auto at = [&S](int i, int j) { return S[std::size_t(3 * (i % 3) + j % 3)]; };
+  const auto at = [&S](int i, int j) { return S[3 * std::size_t(i % 3) + std::size_t(j % 3)]; };
   const auto cofactor = [&at](int i, int j) {
     return at(i + 1, j + 1) * at(i + 2, j + 2) - at(i + 1, j + 2) * at(i + 2, j + 1);
   };
@@ -78,8 +78,8 @@ std::optional<SpatialStiffness> orthotropicStiffness(const std::array<double, 9>
   SpatialStiffness C{};
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j)
-      C[std::size_t(6 * i + j)] = cofactor(j, i) / det;
-    C[std::size_t(7 * (i + 3))] = shear[std::size_t(i)];
+      C[6 * std::size_t(i) + std::size_t(j)] = cofactor(j, i) / det;
+    C[7 * std::size_t(i + 3)] = shear[std::size_t(i)];
   }
   return C;
 }

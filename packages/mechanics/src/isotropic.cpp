@@ -25,8 +25,8 @@ public:
     SpatialStiffness C{};
     for (int i = 0; i < 3; ++i) {
       for (int j = 0; j < 3; ++j)
-        C[std::size_t(6 * i + j)] = lambda + (i == j ? 2.0 * mu : 0.0);
-      C[std::size_t(7 * (i + 3))] = mu;
+        C[6 * std::size_t(i) + std::size_t(j)] = lambda + (i == j ? 2.0 * mu : 0.0);
+      C[7 * std::size_t(i + 3)] = mu;
     }
     return reduceTo(hypothesis_, C);
   }

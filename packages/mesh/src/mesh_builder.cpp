@@ -101,7 +101,8 @@ void MeshBuilder::dropUnusedPoints()
   mesh_.points.resize(std::size_t(used) * std::size_t(mesh_.dim));
   for (int node = 0; node < numNodes(); ++node)
     for (int i = 0; i < mesh_.dim && renumbered[node] >= 0; ++i)
-      mesh_.points[std::size_t(renumbered[node] * mesh_.dim + i)] = coordinates_[std::size_t(3 * node + i)];
+      mesh_.points[std::size_t(renumbered[node]) * std::size_t(mesh_.dim) + std::size_t(i)] =
+          coordinates_[3 * std::size_t(node) + std::size_t(i)];
   for (int& v : mesh_.cells)
     v = renumbered[v];
 }

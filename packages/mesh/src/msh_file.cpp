@@ -164,7 +164,7 @@ void MshParser::nodes22()
   if (in_.binary())
     in_.endLine();
   nodeNumbers_.reserve(std::size_t(count));
-  file_.coordinates.reserve(std::size_t(3 * count));
+  file_.coordinates.reserve(3 * std::size_t(count));
   for (std::int64_t i = 0; i < count; ++i) {
     nodeNumbers_.push_back(in_.int32());
     for (int k = 0; k < 3; ++k)
@@ -180,7 +180,7 @@ void MshParser::nodes41()
   in_.size();
   in_.size();
   nodeNumbers_.reserve(std::size_t(total));
-  file_.coordinates.reserve(std::size_t(3 * total));
+  file_.coordinates.reserve(3 * std::size_t(total));
   for (std::int64_t b = 0; b < blocks; ++b) {
     const int dim = in_.int32();
     in_.int32();
@@ -240,7 +240,7 @@ void MshParser::elements41()
     const MshElementType& properties = elementType(type);
     if (properties.dim != dim)
       in_.fail(fmt::format("a {} on an entity of dimension {}", properties.name, dim));
-    const std::int64_t count = in_.count(std::size_t(8 * (1 + properties.nodes)));
+    const std::int64_t count = in_.count(8 * std::size_t(1 + properties.nodes));
     if (count == 0)
       continue;
     const auto groups = entityGroups_[dim].find(entity);

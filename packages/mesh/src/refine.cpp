@@ -33,7 +33,7 @@ public:
   explicit Edges(const Mesh& mesh) : vertices_(mesh.dim + 1), edgesPerCell_(mesh.dim * (mesh.dim + 1) / 2)
   {
     std::vector<int> pairs;
-    pairs.reserve(std::size_t(mesh.numCells()) * std::size_t(2 * edgesPerCell_));
+    pairs.reserve(std::size_t(mesh.numCells()) * 2 * std::size_t(edgesPerCell_));
     for (int c = 0; c < mesh.numCells(); ++c)
       for (int b = 1; b < vertices_; ++b)
         for (int a = 0; a < b; ++a)
@@ -42,7 +42,7 @@ public:
     number_.resize(std::size_t(tuples.size()));
     for (int place = 0, end = 0; place < tuples.size(); place = end) {
       end = tuples.groupEnd(place);
-      const auto first = std::size_t(2 * tuples.at(place));
+      const auto first = 2 * std::size_t(tuples.at(place));
       ends_.push_back({pairs[first], pairs[first + 1]});
       for (int p = place; p < end; ++p)
         number_[std::size_t(tuples.at(p))] = int(ends_.size()) - 1;
@@ -54,7 +54,8 @@ public:
   int number(int cell, int a, int b) const
   {
     const auto [low, high] = std::minmax(a, b);
-    return number_[std::size_t(cell * edgesPerCell_ + high * (high - 1) / 2 + low)];
+    return number_[std::size_t(cell) * std::size_t(edgesPerCell_) + std::size_t(high) * std::size_t(high - 1) / 2 +
+                   std::size_t(low)];
   }
 
 private:

@@ -51,7 +51,7 @@ std::pair<int, int> VertexTuples::find(int* wanted) const
 VertexTuples allFacets(const Mesh& mesh, int numVertices)
 {
   const int facets = mesh.dim + 1;
-  std::vector<int> tuples(std::size_t(mesh.numCells()) * std::size_t(facets * mesh.dim));
+  std::vector<int> tuples(std::size_t(mesh.numCells()) * std::size_t(facets) * std::size_t(mesh.dim));
   int* next = tuples.data();
   for (int c = 0; c < mesh.numCells(); ++c)
     for (int local = 0; local < facets; ++local, next += mesh.dim)

@@ -47,7 +47,7 @@ Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const 
   constexpr int order[3] = {0, 1, 2};
   const auto stiffness = planeStiffness(body.law);
   const int lanes = kernels.lanes, cells = body.mesh.numCells();
-  AlignedDoubles memory(std::size_t((edgeValues + nodeValues + stressValues) * lanes));
+  AlignedDoubles memory(std::size_t(edgeValues + nodeValues + stressValues) * std::size_t(lanes));
   CellBatch batch;
   batch.edges = memory.data();
   batch.displacement = batch.edges + edgeValues * lanes;
@@ -76,7 +76,7 @@ Vector batchedCellDistances(const BodyModel& body, const StressCorrection& corre
   const auto distance = kernels.degree[correction.degree - 1].distance;
   const int lanes = kernels.lanes, cells = body.mesh.numCells();
   const int tractions = 6 * (correction.degree + 1), loads = 2 * loadModesOf(correction.degree);
-  AlignedDoubles memory(std::size_t((edgeValues + nodeValues + tractions + loads + 1) * lanes));
+  AlignedDoubles memory(std::size_t(edgeValues + nodeValues + tractions + loads + 1) * std::size_t(lanes));
   CellBatch batch;
   batch.edges = memory.data();
   batch.data = batch.edges + edgeValues * lanes;

@@ -72,7 +72,7 @@ void BatchedPass::closeFan(int lane)
     FanEnd facet = fanEnd(stars_, vertices[first], vertices[towards], opposite, inputs_, fields_);
     for (int k = 0; k < fields_; ++k)
       for (int i = 0; i < facetData_; ++i)
-        facet.given[std::size_t(k * facetData_ + i)] -=
+        facet.given[std::size_t(k) * std::size_t(facetData_) + std::size_t(i)] -=
             batch_.jumps[place((k * (last + 1) + spoke) * facetData_ + i, lane)];
     return facet;
   };

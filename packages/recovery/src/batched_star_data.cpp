@@ -46,7 +46,7 @@ FanEnd fanEnd(const BatchedStarData& stars, int vertex, int other, int facet, co
   FanEnd end;
   for (int i = 0; i < 2; ++i)
     end.spoke[std::size_t(i)] = stars.body.mesh.point(other)[i] - stars.body.mesh.point(vertex)[i];
-  end.given.assign(std::size_t(2 * modes * fields), 0.0);
+  end.given.assign(2 * std::size_t(modes) * std::size_t(fields), 0.0);
   const auto boundary = stars.boundary.find(facet);
   if (boundary != stars.boundary.end()) {
     const BoundaryFacet& prescribed = stars.data.boundary[std::size_t(boundary->second)];

@@ -49,8 +49,8 @@ public:
     const bool isLoad = rimMode < 0;
     const double force = isLoad ? double(mode == 0) : -double(rimMode == 0);
     const double end = rimMode == 0 ? 0.5 : (rimMode == 1 ? arm_ : 0.0); // on the rim X_2 = s, X_1 = 1 - s
-    const double arm1 = isLoad ? loadMeans_[std::size_t(3 * mode + 1)] : end + force;
-    const double arm2 = isLoad ? loadMeans_[std::size_t(3 * mode + 2)] : -end;
+    const double arm1 = isLoad ? loadMeans_[3 * std::size_t(mode) + 1] : end + force;
+    const double arm2 = isLoad ? loadMeans_[3 * std::size_t(mode) + 2] : -end;
     return {i == 0 ? force : 0.0, i == 1 ? force : 0.0, i == 0 ? -arm2 : arm1};
   }
   /// Moment mode, along X_1, of a traction with wrench w on the second spoke.

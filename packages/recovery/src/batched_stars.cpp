@@ -20,13 +20,14 @@ std::vector<int> runBatches(const BatchedStarData& stars, const StarFieldInputs*
   for (const int vertex : vertices)
     maxCells = std::max(maxCells, rings.valence(vertex));
   BatchedPass pass(stars, inputs, maxCells, corrections);
-  std::vector<std::vector<int>> waiting(std::size_t(2 * maxCells + 2));
+  std::vector<std::vector<int>> waiting(2 * std::size_t(maxCells) + 2);
   for (const int vertex : vertices) {
     if (rings.kind(vertex) == Rings::Kind::None) {
       left.push_back(vertex);
       continue;
     }
-    auto& batch = waiting[std::size_t(2 * rings.valence(vertex) + (rings.kind(vertex) == Rings::Kind::Fan ? 1 : 0))];
+    auto& batch =
+        waiting[2 * std::size_t(rings.valence(vertex)) + std::size_t(rings.kind(vertex) == Rings::Kind::Fan ? 1 : 0)];
     batch.push_back(vertex);
     if (int(batch.size()) == stars.kernels.lanes) {
       pass.run(batch.data(), int(batch.size()));

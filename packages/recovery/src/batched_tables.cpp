@@ -42,7 +42,7 @@ std::vector<double> linearCoefficients(const MomentBasis& basis)
       basis.values(rule.point(point), m.data());
       SubCell{2, sub}.simplexCoordinates(rule.point(point), lambda);
       for (int i = 0; i < 9; ++i)
-        coefficients[std::size_t(9 * sub + i)] +=
+        coefficients[9 * std::size_t(sub) + std::size_t(i)] +=
             rule.weights[std::size_t(point)] * m[std::size_t(i / 3)] * lambda[i % 3];
     }
   return coefficients;
@@ -110,8 +110,8 @@ LoadPermutations::LoadPermutations(int degree)
     for (int b = 0; b < 3; ++b) {
       if (a == b)
         continue;
-      std::vector<double>& matrix = matrices_[std::size_t(3 * a + b)];
-      matrix.assign(std::size_t(n * n), 0.0);
+      std::vector<double>& matrix = matrices_[3 * std::size_t(a) + std::size_t(b)];
+      matrix.assign(std::size_t(n) * std::size_t(n), 0.0);
       for (int point = 0; point < rule.size(); ++point) {
         const double* lambda = rule.point(point);
         const double turned[3] = {lambda[a], lambda[b], lambda[3 - a - b]};
@@ -119,7 +119,7 @@ LoadPermutations::LoadPermutations(int degree)
         basis.values(lambda, ascending.data());
         for (int i = 0; i < n; ++i)
           for (int j = 0; j < n; ++j)
-            matrix[std::size_t(i * n + j)] +=
+            matrix[std::size_t(i) * std::size_t(n) + std::size_t(j)] +=
                 rule.weights[std::size_t(point)] * ours[std::size_t(i)] * ascending[std::size_t(j)];
       }
     }

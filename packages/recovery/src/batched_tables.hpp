@@ -59,7 +59,7 @@ class LoadPermutations
 public:
   explicit LoadPermutations(int degree);
   /// modes x modes, row by row.
-  const double* of(int rankA, int rankB) const { return matrices_[std::size_t(3 * rankA + rankB)].data(); }
+  const double* of(int rankA, int rankB) const { return matrices_[3 * std::size_t(rankA) + std::size_t(rankB)].data(); }
 
 private:
   std::array<std::vector<double>, 9> matrices_;

@@ -27,7 +27,7 @@ BatchWorkspace::BatchWorkspace(int degree, int lanes, int maxCells, int fields, 
                                              {&batch_.scale, fields}};
   std::size_t size = 0;
   for (const auto& [pointer, count] : arrays)
-    size += std::size_t(count * lanes);
+    size += std::size_t(count) * std::size_t(lanes);
   memory_ = AlignedDoubles(size);
   double* next = memory_.data();
   for (const auto& [pointer, count] : arrays) {

@@ -9,7 +9,9 @@ DenseMatrix cellEnergyMatrix(const ReferenceStress& reference, const CellMap& ma
 {
   const DenseMatrix local = CellForm(reference, map, law).condensed();
   const int dim = map.dim, n = local.rows();
-  const auto inverse = [&map, dim](int i, int k) { return map.inverse[std::size_t(i * dim + k)]; };
+  const auto inverse = [&map, dim](int i, int k) {
+    return map.inverse[std::size_t(i) * std::size_t(dim) + std::size_t(k)];
+  };
   DenseMatrix half(n, n), A(n, n);
   for (int j = 0; j < n; ++j)
     for (int i = 0; i < n; ++i)

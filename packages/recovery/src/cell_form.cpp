@@ -64,11 +64,12 @@ Vector CellForm::coefficients(const Vector& data) const
 
 StressCorrection zeroCorrection(const Mesh& mesh, int degree)
 {
-  const auto perMode = std::size_t(mesh.numCells() * mesh.dim);
+  const auto perMode = std::size_t(mesh.numCells()) * std::size_t(mesh.dim);
   StressCorrection correction;
   correction.dim = mesh.dim;
   correction.degree = degree;
-  correction.tractions.assign(perMode * std::size_t((mesh.dim + 1) * facetBasis(mesh.dim, degree).size()), 0.0);
+  correction.tractions.assign(perMode * std::size_t(mesh.dim + 1) * std::size_t(facetBasis(mesh.dim, degree).size()),
+                              0.0);
   correction.loads.assign(perMode * std::size_t(loadBasis(mesh.dim, degree).size()), 0.0);
   return correction;
 }
@@ -81,7 +82,8 @@ Vector pullBack(const ReferenceStress& reference, const CellMap& map, const Stre
     for (int at = 0; at < count; ++at) {
       double component = 0.0;
       for (int k = 0; k < map.dim; ++k)
-        component += map.inverse[std::size_t(at % map.dim * map.dim + k)] * first[at / map.dim * map.dim + k];
+        component += map.inverse[std::size_t(at % map.dim) * std::size_t(map.dim) + std::size_t(k)] *
+                     first[at / map.dim * map.dim + k];
       result.push_back(component);
     }
   };

@@ -38,7 +38,7 @@ CellMap cellMap(const Mesh& mesh, const SortedCell& cell)
       points[a * dim + i] = mesh.point(cell.vertices[std::size_t(a)])[i];
   for (int i = 0; i < dim; ++i)
     for (int k = 0; k < dim; ++k)
-      map.F[std::size_t(i * dim + k)] = points[(k + 1) * dim + i] - points[i];
+      map.F[std::size_t(i) * std::size_t(dim) + std::size_t(k)] = points[(k + 1) * dim + i] - points[i];
   const double measure =
       dim == 2 ? barycentricGradients<2>(points, gradients) : barycentricGradients<3>(points, gradients);
   map.det = std::abs(measure) / referenceMeasure(dim);

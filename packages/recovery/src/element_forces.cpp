@@ -71,21 +71,21 @@ NodalForces forcesOfOrder(const EdgeMap& edges, const BodyModel& body, const Sta
   const int modes = basis.size(), numCells = body.mesh.numCells();
   NodalForces forces;
   forces.edgeNodes = order + 1;
-  forces.tractions.resize(std::size_t(numCells * 3 * (order + 1)));
-  forces.residual.resize(std::size_t(numCells * 3 * order));
-  forces.loads.assign(std::size_t(numCells * modes * 2), 0.0);
+  forces.tractions.resize(std::size_t(numCells) * 3 * std::size_t(order + 1));
+  forces.residual.resize(std::size_t(numCells) * 3 * std::size_t(order));
+  forces.loads.assign(std::size_t(numCells) * std::size_t(modes) * 2, 0.0);
   for (int c = 0; c < numCells; ++c) {
     const CellStress stress = cellStress(body, c, edges.cells[std::size_t(c)], displacement);
     const Force divergence = divergenceOf(stress);
-    Force* residual = &forces.residual[std::size_t(c * 3 * order)];
-    double* loads = &forces.loads[std::size_t(c * modes * 2)];
-    addTractions<order>(stress, &forces.tractions[std::size_t(c * 3 * (order + 1))]);
+    Force* residual = &forces.residual[std::size_t(c) * 3 * std::size_t(order)];
+    double* loads = &forces.loads[std::size_t(c) * std::size_t(modes) * 2];
+    addTractions<order>(stress, &forces.tractions[std::size_t(c) * 3 * std::size_t(order + 1)]);
     std::fill_n(residual + (order == 1 ? 0 : 3), 3, -1.0 / 3.0 * divergence);
     loads[0] = -divergence.x;
     loads[1] = -divergence.y;
     if (data.cellShares.empty())
       continue;
-    const double* shares = &data.cellShares[std::size_t(c * 3 * modes * 2)];
+    const double* shares = &data.cellShares[std::size_t(c) * 3 * std::size_t(modes) * 2];
     subtractBodyForce<order>(shares, ofLambda, modes, residual);
     for (int i = 0; i < 3 * modes * 2; ++i)
       loads[i % (modes * 2)] -= shares[i];
@@ -102,7 +102,7 @@ NodalForces nodalForces(const EdgeMap& edges, const BodyModel& body, const Stati
 }
 
 BoundaryTractions::BoundaryTractions(const Mesh& mesh, const StaticData& data, const Vector* contact)
-    : place_(std::size_t(3 * mesh.numCells()), 0)
+    : place_(3 * std::size_t(mesh.numCells()), 0)
 {
   const auto modes = std::size_t(facetBasis(2, data.degree).size());
   entries_.push_back({{{1.0, 0.0}, {0.0, 1.0}}, std::vector<Force>(modes)});
@@ -122,7 +122,7 @@ BoundaryTractions::BoundaryTractions(const Mesh& mesh, const StaticData& data, c
 
 BoundaryTractions::Entry& BoundaryTractions::makeEntry(const Mesh& mesh, Facet facet)
 {
-  int& place = place_[std::size_t(3 * facet.cell + sortedFacet(mesh, facet))];
+  int& place = place_[3 * std::size_t(facet.cell) + std::size_t(sortedFacet(mesh, facet))];
   if (place == 0) {
     place = int(entries_.size());
     entries_.push_back(Entry(entries_.front()));

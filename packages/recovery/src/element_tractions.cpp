@@ -44,7 +44,7 @@ private:
   Force& traction(int half, int node) { return tractions_[std::size_t(index(half, node))]; }
   Force residual(int cell, int node) const
   {
-    return forces_.residual[std::size_t(cell * 3 * (forces_.edgeNodes - 1) + node)];
+    return forces_.residual[std::size_t(cell) * 3 * std::size_t(forces_.edgeNodes - 1) + std::size_t(node)];
   }
   /// int_e (sigma~_1 n_1 + sigma~_2 n_2) phi_i; zero on the boundary.
   Force jump(int half, int node) const
@@ -166,7 +166,7 @@ StressCorrection ElementBalance::correction(int degree) const
   result.loads = forces_.loads;
   result.imbalance = imbalance_;
   result.force = force_;
-  result.tractions.reserve(edges_.twin.size() * std::size_t(2 * modes));
+  result.tractions.reserve(edges_.twin.size() * 2 * std::size_t(modes));
   for (int half = 0; half < int(edges_.twin.size()); ++half)
     for (int k = 0; k < modes; ++k) {
       Force moment;

@@ -28,8 +28,9 @@ void addElasticStress(const BodyModel& body, const Vector& displacement, int cel
       basis.values(rule.point(q), m);
       for (int s = 0; s < numStrains(dim); ++s)
         for (int k = 0; k < modes; ++k)
-          stress.coefficients[std::size_t((sub * numStrains(dim) + s) * basis.size() + k)] +=
-              rule.weights[std::size_t(q)] * S[s] * m[k];
+          stress.coefficients[(std::size_t(sub) * std::size_t(numStrains(dim)) + std::size_t(s)) *
+                                  std::size_t(basis.size()) +
+                              std::size_t(k)] += rule.weights[std::size_t(q)] * S[s] * m[k];
     }
 }
 

@@ -35,8 +35,8 @@ Direction gradient(const CellMap& map, int a)
   Direction result{};
   for (int k = 1; k <= map.dim; ++k)
     for (int i = 0; i < map.dim; ++i)
-      result[std::size_t(i)] +=
-          (a == 0 ? -1.0 : (a == k ? 1.0 : 0.0)) * map.inverse[std::size_t((k - 1) * map.dim + i)];
+      result[std::size_t(i)] += (a == 0 ? -1.0 : (a == k ? 1.0 : 0.0)) *
+                                map.inverse[std::size_t(k - 1) * std::size_t(map.dim) + std::size_t(i)];
   return result;
 }
 
@@ -109,8 +109,9 @@ double EquilibriumSearch::stressOfSums(const CellMap& map, int cell) const
   const int nodes = body_.nodes.nodesPerCell;
   for (int n = 0; n < nodes; ++n)
     for (int i = 0; i < mesh_.dim; ++i)
-      displacement =
-          std::max(displacement, std::abs(displacement_[std::size_t(body_.nodes.cell(cell)[n] * mesh_.dim + i)]));
+      displacement = std::max(
+          displacement,
+          std::abs(displacement_[std::size_t(body_.nodes.cell(cell)[n]) * std::size_t(mesh_.dim) + std::size_t(i)]));
   return modulus * slope * displacement;
 }
 

@@ -122,7 +122,8 @@ TractionStep InterfaceStar::step(const std::array<StarFields, 2>& x, const Vecto
   Vector h;
   for (int i = 0; i < size; ++i) {
     const FacetEnd& end = vertex_.ends[std::size_t(i / modes)];
-    h.push_back(opening[std::size_t(end.facet * modes + i % modes)] / scene_.facets[std::size_t(end.facet)].measure);
+    h.push_back(opening[std::size_t(end.facet) * std::size_t(modes) + std::size_t(i % modes)] /
+                scene_.facets[std::size_t(end.facet)].measure);
   }
   for (std::size_t s = 0, first = 0; s < 2; first += std::size_t(rows[s++].rows())) {
     const Side& side = sides_[s];

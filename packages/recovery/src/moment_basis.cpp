@@ -63,12 +63,12 @@ void orthonormalise(const QuadratureRule& rule, int size, std::vector<double>& v
       target[i] -= factor * source[i];
   };
   for (int k = 0; k < size; ++k) {
-    double *f = &values[std::size_t(k * points)], *c = &coefficients[std::size_t(k * size)];
+    double *f = &values[std::size_t(k) * std::size_t(points)], *c = &coefficients[std::size_t(k) * std::size_t(size)];
     for (int step = 0; step < 2 * k; ++step) {
-      const double* g = &values[std::size_t(step % k * points)];
+      const double* g = &values[std::size_t(step % k) * std::size_t(points)];
       const double factor = product(rule, f, g);
       subtract(f, g, points, factor);
-      subtract(c, &coefficients[std::size_t(step % k * size)], size, factor);
+      subtract(c, &coefficients[std::size_t(step % k) * std::size_t(size)], size, factor);
     }
     const double length = std::sqrt(product(rule, f, f));
     std::for_each(f, f + points, [length](double& x) { x /= length; });
@@ -117,7 +117,7 @@ void MomentBasis::polynomialValues(const double* lambda, double* m) const
     for (int i = 0; i < dim_; ++i)
       monomial *= power(lambda[i + 1] - 1.0 / (dim_ + 1), powers_[std::size_t(j)][std::size_t(i)]);
     for (int k = j; k < size_; ++k)
-      m[k] += coefficients_[std::size_t(k * size_ + j)] * monomial;
+      m[k] += coefficients_[std::size_t(k) * std::size_t(size_) + std::size_t(j)] * monomial;
   }
 }
 
@@ -144,7 +144,7 @@ void MomentBasis::gradients(const double* lambda, double* dm) const
       for (int i = 0; i < dim_; ++i)
         derivative *= power(lambda[i + 1] - 1.0 / (dim_ + 1), powers_[std::size_t(j)][std::size_t(i)] - (i == d));
       for (int k = j; k < size_; ++k)
-        dm[k * dim_ + d] += coefficients_[std::size_t(k * size_ + j)] * derivative;
+        dm[k * dim_ + d] += coefficients_[std::size_t(k) * std::size_t(size_) + std::size_t(j)] * derivative;
     }
 }
 

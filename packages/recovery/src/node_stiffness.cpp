@@ -32,7 +32,7 @@ NodeStiffness blocksBetween(const BodyModel& body, const std::set<int>& chosen)
         NodeBlock& block = blocks[{cellNodes[a], cellNodes[b]}];
         for (int i = 0; i < 2; ++i)
           for (int j = 0; j < 2; ++j)
-            block.K[std::size_t(i * 2 + j)] += element[(a * 2 + i) * dofs + b * 2 + j];
+            block.K[std::size_t(i) * 2 + std::size_t(j)] += element[(a * 2 + i) * dofs + b * 2 + j];
       }
   }
   return blocks;

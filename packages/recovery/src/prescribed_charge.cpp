@@ -34,16 +34,17 @@ double largest(const Vector& values)
 Vector difference(const BodyModel& body, const Samples& samples, const Vector& nodal)
 {
   const int dim = body.mesh.dim, points = samples.rule.size();
-  Vector delta(std::size_t(dim * points));
+  Vector delta(std::size_t(dim) * std::size_t(points));
   withDimAndOrder(dim, body.nodes.order, [&](auto d, auto p) {
     constexpr int nodes = Lagrange<d() - 1, p()>::nodes;
     double N[nodes];
     for (int q = 0; q < points; ++q) {
       Lagrange<d() - 1, p()>::values(samples.rule.point(q), N);
       for (int i = 0; i < dim; ++i) {
-        double& value = delta[std::size_t(i * points + q)] = samples.values[std::size_t(q * dim + i)];
+        double& value = delta[std::size_t(i) * std::size_t(points) + std::size_t(q)] =
+            samples.values[std::size_t(q) * std::size_t(dim) + std::size_t(i)];
         for (int a = 0; a < nodes; ++a)
-          value -= N[a] * nodal[std::size_t(a * dim + i)];
+          value -= N[a] * nodal[std::size_t(a) * std::size_t(dim) + std::size_t(i)];
       }
     }
   });
@@ -149,7 +150,7 @@ DataSampler::Vertices verticesOf(const Mesh& mesh, Facet facet)
 /// Replaces the functions' values at the samples by displacements.
 void toDisplacements(const PrescribedDisplacement& prescribed, int dim, Samples& samples)
 {
-  Vector u(std::size_t(samples.rule.size() * dim));
+  Vector u(std::size_t(samples.rule.size()) * std::size_t(dim));
   for (int q = 0; q < samples.rule.size(); ++q)
     prescribed.displacement(samples.values.data() + std::size_t(q) * prescribed.functions().size(), u.data() + q * dim);
   samples.values = std::move(u);

@@ -46,7 +46,7 @@ Vector PrescribedDisplacement::atNodes(Facet facet) const
   const int dim = body_.mesh.dim;
   int nodes[6];
   facetNodes(body_.nodes, facet, nodes);
-  Vector values(std::size_t(body_.nodes.nodesPerFacet * dim)), ofFunctions;
+  Vector values(std::size_t(body_.nodes.nodesPerFacet) * std::size_t(dim)), ofFunctions;
   for (int a = 0; a < body_.nodes.nodesPerFacet; ++a) {
     ofFunctions.clear();
     for (const auto& function : functions_)

@@ -8,7 +8,7 @@ namespace ndframe
 PrescribedTractions::PrescribedTractions(const BodyModel& body, const StaticData& data, const FieldInput& field)
     : mesh_(body.mesh), basis_(facetBasis(data.dim, data.degree))
 {
-  const std::size_t shares = std::size_t(data.dim * data.dim * basis_.size());
+  const std::size_t shares = std::size_t(data.dim) * std::size_t(data.dim) * std::size_t(basis_.size());
   NDFRAME_ASSERT(data.facetShares.size() == data.boundary.size() * shares, "one share per vertex of a loaded facet");
   for (std::size_t i = 0; i < data.boundary.size(); ++i) {
     const BoundaryFacet& boundary = data.boundary[i];
@@ -24,7 +24,7 @@ PrescribedTractions::PrescribedTractions(const BodyModel& body, const StaticData
 
 void PrescribedTractions::add(Facet facet, const double* shares)
 {
-  const std::size_t size = std::size_t(mesh_.dim * basis_.size());
+  const std::size_t size = std::size_t(mesh_.dim) * std::size_t(basis_.size());
   Vector& moments = facets_[{facet.cell, facet.local}].moments;
   moments.resize(size, 0.0);
   for (int vertex = 0; vertex < mesh_.dim; ++vertex)

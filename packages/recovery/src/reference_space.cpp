@@ -45,7 +45,7 @@ void ReferenceSpace::addTraction(DenseMatrix& rows, int firstRow, int sub, int o
 DenseMatrix ReferenceSpace::divergence() const
 {
   DenseMatrix rows((dim_ + 1) * divergenceModes() * dim_, coefficients());
-  std::vector<double> m(std::size_t(divergenceModes()), 0.0), dm(std::size_t(modes() * dim_), 0.0);
+  std::vector<double> m(std::size_t(divergenceModes()), 0.0), dm(std::size_t(modes()) * std::size_t(dim_), 0.0);
   for (int q = 0; q < cellRule_.size(); ++q) {
     divergence_.values(cellRule_.point(q), m.data());
     stress_.gradients(cellRule_.point(q), dm.data());
@@ -54,7 +54,8 @@ DenseMatrix ReferenceSpace::divergence() const
         for (int j = 0; j < dim_; ++j) {
           double derivative = 0.0;
           for (int a = 1; a <= dim_; ++a)
-            derivative += dm[std::size_t(l * dim_ + a - 1)] * SubCell{dim_, sub}.gradient(a, j);
+            derivative +=
+                dm[std::size_t(l) * std::size_t(dim_) + std::size_t(a - 1)] * SubCell{dim_, sub}.gradient(a, j);
           derivative *= cellRule_.weights[std::size_t(q)];
           for (int k = 0; k < divergenceModes(); ++k)
             for (int i = 0; i < dim_; ++i)

@@ -88,7 +88,8 @@ Vector BalanceSettler::elasticTraction(int half) const
   Vector moments(std::size_t(facetData()), 0.0);
   for (int k = 0; k < reference_.facetModes; ++k)
     for (int b = 0; b < dim; ++b)
-      addForce(stress, b < facet ? b : b + 1, facet, -dim * stress.measure * facetMeans_[std::size_t(k * dim + b)],
+      addForce(stress, b < facet ? b : b + 1, facet,
+               -dim * stress.measure * facetMeans_[std::size_t(k) * std::size_t(dim) + std::size_t(b)],
                moments.data() + k * dim);
   return moments;
 }

@@ -16,15 +16,15 @@ Shares::Shares(const MomentBasis& basis, int order) : dim_(basis.dim()), modes_(
 {
   NDFRAME_ASSERT(order == 1 || order == 2, "displacements of order 1 or 2");
   const int vertices = dim_ + 1;
-  one_.assign(std::size_t(vertices * modes_), 0.0);
+  one_.assign(std::size_t(vertices) * std::size_t(modes_), 0.0);
   if (order == 1) {
     for (int a = 0; a < vertices; ++a)
-      basis.vertexForce(a, &one_[std::size_t(a * modes_)]);
+      basis.vertexForce(a, &one_[std::size_t(a) * std::size_t(modes_)]);
     for (double& moment : one_)
       moment /= vertices;
     return;
   }
-  linear_.assign(std::size_t(vertices * vertices * modes_), 0.0);
+  linear_.assign(std::size_t(vertices) * std::size_t(vertices) * std::size_t(modes_), 0.0);
   const QuadratureRule rule = simplexRule(dim_, exactDegree);
   std::vector<double> m(std::size_t(modes_), 0.0);
   for (int q = 0; q < rule.size(); ++q) {
@@ -33,9 +33,10 @@ Shares::Shares(const MomentBasis& basis, int order) : dim_(basis.dim()), modes_(
     for (int a = 0; a < vertices; ++a)
       for (int k = 0; k < modes_; ++k) {
         const double moment = rule.weights[std::size_t(q)] * lambda[a] * m[std::size_t(k)];
-        one_[std::size_t(a * modes_ + k)] += moment;
+        one_[std::size_t(a) * std::size_t(modes_) + std::size_t(k)] += moment;
         for (int b = 0; b < vertices; ++b)
-          linear_[std::size_t((a * vertices + b) * modes_ + k)] += moment * lambda[b];
+          linear_[(std::size_t(a) * std::size_t(vertices) + std::size_t(b)) * std::size_t(modes_) + std::size_t(k)] +=
+              moment * lambda[b];
       }
   }
 }

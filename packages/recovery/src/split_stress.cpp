@@ -36,7 +36,7 @@ void SplitStress::divergence(int sub, const double* lambda, double* div) const
   for (int i = 0; i < dim; ++i) {
     div[i] = 0.0;
     for (int j = 0; j < dim; ++j)
-      div[i] += map.F[std::size_t(i * dim + j)] * Div[j] / map.det;
+      div[i] += map.F[std::size_t(i) * std::size_t(dim) + std::size_t(j)] * Div[j] / map.det;
   }
 }
 
@@ -50,7 +50,8 @@ double SplitStress::energy(const Elasticity& law) const
       double S[6];
       Vector sigma(std::size_t(strains), 0.0);
       for (int s = 0; s < strains; ++s)
-        S[s] = coefficients[std::size_t((sub * strains + s) * modes + m)];
+        S[s] = coefficients[(std::size_t(sub) * std::size_t(strains) + std::size_t(s)) * std::size_t(modes) +
+                            std::size_t(m)];
       transformStress(dim, map.F.data(), 1.0 / map.det, S, sigma.data());
       sigma = stiffness.solveLower(std::move(sigma));
       sum += dot(sigma, sigma);

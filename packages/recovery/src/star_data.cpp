@@ -45,7 +45,8 @@ void StarLoads::addShare(const Star& star, const Spoke& spoke, const double* sha
 {
   const int facetData = body_->facetData();
   const int apex = Star::apexOnFacet(star.cells[std::size_t(spoke.cell[0])].apex, spoke.facet[0]);
-  const double* share = shares + std::ptrdiff_t(index * body_->dim() + apex) * facetData;
+  const double* share =
+      shares + (std::ptrdiff_t(index) * std::ptrdiff_t(body_->dim()) + std::ptrdiff_t(apex)) * facetData;
   double* target = x + spoke.cell[0] * body_->reference().data() + spoke.facet[0] * facetData;
   for (int i = 0; i < facetData; ++i)
     target[i] += share[i];
@@ -67,7 +68,9 @@ void StarLoads::addLoads(const Star& star, int field, double* x) const
   const int loads = body_->reference().loads;
   for (std::size_t c = 0; c < star.cells.size() && !data.cellShares.empty(); ++c) {
     const StarCell& cell = star.cells[c];
-    const double* share = data.cellShares.data() + std::ptrdiff_t(cell.cell * (data.dim + 1) + cell.apex) * loads;
+    const double* share =
+        data.cellShares.data() +
+        (std::ptrdiff_t(cell.cell) * std::ptrdiff_t(data.dim + 1) + std::ptrdiff_t(cell.apex)) * loads;
     double* target = x + int(c) * body_->reference().data() + body_->reference().tractions;
     for (int i = 0; i < loads; ++i)
       target[i] -= share[i];

@@ -119,7 +119,7 @@ Vector meanCoordinates(const MomentBasis& basis)
 {
   const int corners = basis.dim() + 1;
   const QuadratureRule rule = simplexRule(basis.dim(), 4);
-  Vector means(std::size_t(basis.size() * corners), 0.0), values(std::size_t(basis.size()), 0.0);
+  Vector means(std::size_t(basis.size()) * std::size_t(corners), 0.0), values(std::size_t(basis.size()), 0.0);
   Vector lambda(std::size_t(corners), 0.0);
   // Over the sub-cells of the split simplex: the basis may jump between them.
   for (int sub = 0; sub < corners; ++sub)
@@ -131,7 +131,8 @@ Vector meanCoordinates(const MomentBasis& basis)
       const double weight = rule.weights[std::size_t(p)] / corners;
       for (int k = 0; k < basis.size(); ++k)
         for (int v = 0; v < corners; ++v)
-          means[std::size_t(k * corners + v)] += weight * values[std::size_t(k)] * lambda[std::size_t(v)];
+          means[std::size_t(k) * std::size_t(corners) + std::size_t(v)] +=
+              weight * values[std::size_t(k)] * lambda[std::size_t(v)];
     }
   return means;
 }

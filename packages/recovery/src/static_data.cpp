@@ -82,7 +82,7 @@ void DataBuilder::listBoundary()
     data_.boundary.push_back(facet);
   }
   const auto modes = std::size_t(facetBasis(data_.dim, data_.degree).size());
-  data_.facetShares.assign(found.size() * std::size_t(data_.dim * data_.dim) * modes, 0.0);
+  data_.facetShares.assign(found.size() * std::size_t(data_.dim) * std::size_t(data_.dim) * modes, 0.0);
 }
 
 void DataBuilder::addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values, double factor)

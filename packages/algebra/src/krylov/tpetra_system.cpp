@@ -66,9 +66,10 @@ void appendRow(const SolverProblem& problem, const ColumnNodes& columns, std::si
   for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
     const int node = K.cols[std::size_t(b)];
     for (int j = 0; j < K.dim; ++j)
-      if (problem.roles[std::size_t(node * K.dim + j)] == DofRole::Interior)
+      if (problem.roles[std::size_t(node) * std::size_t(K.dim) + std::size_t(j)] == DofRole::Interior)
         row.emplace_back(columns.local[std::size_t(node)] * K.dim + j,
-                         K.values[std::size_t((b * K.dim + component) * K.dim + j)]);
+                         K.values[(std::size_t(b) * std::size_t(K.dim) + std::size_t(component)) * std::size_t(K.dim) +
+                                  std::size_t(j)]);
   }
   std::sort(row.begin(), row.end());
   for (const auto& [column, value] : row) {
@@ -83,7 +84,7 @@ LocalRows interiorRows(const SolverProblem& problem, const ColumnNodes& columns,
   LocalRows rows;
   for (std::size_t r = 0; r < K.rows.size(); ++r)
     for (int i = 0; i < K.dim; ++i) {
-      if (problem.roles[std::size_t(K.rows[r] * K.dim + i)] == DofRole::Interior)
+      if (problem.roles[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)] == DofRole::Interior)
         appendRow(problem, columns, r, i, rows);
       else {
         rows.cols.push_back(Local(r) * K.dim + i);
@@ -142,7 +143,8 @@ Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
   const auto points = Teuchos::rcp(new TpetraVectors(mapOf(K.rows, 1, comm), std::size_t(K.dim)));
   for (std::size_t r = 0; r < K.rows.size(); ++r)
     for (int i = 0; i < K.dim; ++i)
-      points->replaceLocalValue(Local(r), std::size_t(i), problem.nodePoints[std::size_t(K.rows[r] * K.dim + i)]);
+      points->replaceLocalValue(Local(r), std::size_t(i),
+                                problem.nodePoints[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)]);
   return points;
 }
 

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <stdexcept>
+#include <string>
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
@@ -57,9 +59,13 @@ private:
   DenseMatrix factor_;
 };
 
-struct NotPositiveDefinite
+class NotPositiveDefinite : public std::runtime_error
 {
-  int row; ///< first row whose pivot vanishes
+public:
+  explicit NotPositiveDefinite(int firstRow)
+      : std::runtime_error("a matrix is not positive definite at row " + std::to_string(firstRow)), row(firstRow)
+  {}
+  int row; ///< first row whose pivot vanishes; -1 when it is not known
 };
 
 /// Orthonormal basis (columns) of the null space of A, singular values below `relativeTolerance` times the largest are

@@ -18,7 +18,10 @@ public:
   bool isTurned(int node) const { return index_[std::size_t(node)] >= 0; }
   bool anyTurned() const { return !axes_.empty(); }
   /// dim x dim, row k = axis of component k; only for turned nodes.
-  const double* axes(int node) const { return axes_.data() + std::size_t(index_[std::size_t(node)] * dim_ * dim_); }
+  const double* axes(int node) const
+  {
+    return axes_.data() + std::size_t(index_[std::size_t(node)]) * std::size_t(dim_) * std::size_t(dim_);
+  }
   void turn(int node, const double* axes);
 
   /// Components in the nodes' own axes from global components, and back; vectors of numNodes * dim.

@@ -28,7 +28,7 @@ struct Elasticity
   std::array<double, 3> outOfPlane{}; ///< dim 2: sigma_zz = outOfPlane . eps (zero in plane stress)
 
   int strains() const { return dim == 2 ? 3 : 6; }
-  double operator()(int i, int j) const { return D[std::size_t(i * strains() + j)]; }
+  double operator()(int i, int j) const { return D[std::size_t(i) * std::size_t(strains()) + std::size_t(j)]; }
 };
 
 /// Stiffness of the material in space, 6 x 6 row-major in the Voigt order above.
