@@ -68,15 +68,18 @@ void Certifier::admitTractions()
 {
   const auto timer = ledger_.time(certificateStage::traction);
   const InterfaceState& state = scene_.coupling.state;
+  const bool asPublished = options_.mode == ErrorMode::Paper;
+  const TractionSign sign = asPublished ? TractionSign::Values : TractionSign::Coefficients;
   if (options_.needsGlobalField()) {
     const bool updated = options_.tractionMean == TractionMean::Updated;
     auto& both = global_.field;
-    both.onDirichlet = both.onNeumann = admitTraction(scene_, meanTraction(scene_.coupling, updated));
+    both.onDirichlet = both.onNeumann = admitTraction(scene_, meanTraction(scene_.coupling, updated),
+                                                      options_.optimises() ? TractionSign::Coefficients : sign);
   }
   if (!wants(Estimator::Discretization))
     return;
   auto& sides = separate_.field;
-  sides.onDirichlet = admitTraction(scene_, state.tractionDirichlet);
+  sides.onDirichlet = admitTraction(scene_, state.tractionDirichlet, sign);
   sides.onNeumann = state.tractionDirichlet == state.tractionNeumann
                         ? sides.onDirichlet
                         : tractionFromNodes(scene_.facets, state.tractionNeumann, scene_.order, scene_.degree);

@@ -51,6 +51,14 @@ double largestImbalance(const RecoveredField& recovered)
   return imbalance > 0.0 ? imbalance / force : 0.0;
 }
 
+/// The root of the contact term, with its sign: where u^ penetrates (Paper mode) it takes away from the measure.
+double contactRoot(double contact, double norm)
+{
+  if (contact < 0.0 && contact >= -roundOff * norm * norm)
+    return 0.0;
+  return std::copysign(std::sqrt(std::abs(contact)), contact);
+}
+
 /// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
 double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
 {
@@ -241,7 +249,7 @@ double boundOf(const ErrorMeasure& measure, ErrorMode mode)
 ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double absolute, double norm)
 {
   return {absolute,           norm > 0.0 ? absolute / norm : 0.0,
-          measure.elements,   std::sqrt(std::max(measure.contact, 0.0)),
+          measure.elements,   contactRoot(measure.contact, norm),
           measure.projection, measure.oscillation + measure.prescribed};
 }
 

@@ -115,12 +115,12 @@ double largestTension(const CertifiedScene& scene, const ContactTraction& tracti
   return scale > 0.0 ? tension / scale : tension;
 }
 
-ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal)
+ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign)
 {
   const auto balance = balanceConditions(scene.model, scene.condensed, scene.facets);
   try {
     const Vector projected =
-        projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance);
+        projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign);
     return tractionFromNodes(scene.facets, projected, scene.order, scene.degree);
   } catch (const InfeasibleTraction& failure) {
     throw NotConverged(fmt::format("no pressure on the interfaces balances the loads ({}): they act too close to the "

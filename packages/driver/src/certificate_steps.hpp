@@ -7,6 +7,7 @@
 #include "ndframe/driver/error_options.hpp"
 #include "ndframe/driver/solution.hpp"
 #include "ndframe/recovery/admissible_displacement.hpp"
+#include "ndframe/recovery/admissible_traction.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
 namespace ndframe
@@ -59,9 +60,9 @@ SceneField makeSceneField(const IntermediateField& field);
 /// The interface tractions of a stress as one body feels them (FieldInput::contact); empty without contact.
 Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body);
 
-/// Steps 1 and 2 of section 5.3 for a traction at the interface nodes. Throws InputError when no compressive traction
-/// holds a floating body.
-ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal);
+/// Steps 1 and 2 of section 5.3 for a traction at the interface nodes. Throws NotConverged when no traction that
+/// presses everywhere holds a floating body.
+ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign);
 
 /// Solves (40) for several pairs of tractions at once: at most one back-solve a body and field.
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "banded_program.hpp"
+#include "facet_unknowns.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "quadratic_program.hpp"
 
@@ -77,56 +78,15 @@ private:
   int next_ = 0;
 };
 
-/// int B_i B_j over a facet of length 1, nodes in the order of ContactFacet::nodes.
-double bernsteinMass(int order, int i, int j)
-{
-  static constexpr double linear[2][2] = {{1. / 3, 1. / 6}, {1. / 6, 1. / 3}};
-  static constexpr double quadratic[3][3] = {
-      {1. / 5, 1. / 30, 1. / 10}, {1. / 30, 1. / 5, 1. / 10}, {1. / 10, 1. / 10, 2. / 15}};
-  return order == 1 ? linear[i][j] : quadratic[i][j];
-}
-
-/// The middle's Bernstein coefficient from its value, 2 m - (v_0 + v_1) / 2, in place.
-void toBernstein(const std::vector<ContactFacet>& facets, int order, Vector& values)
-{
-  for (const ContactFacet& facet : facets)
-    if (order == 2) {
-      double& middle = values[std::size_t(facet.nodes[2])];
-      middle = 2.0 * middle - 0.5 * (values[std::size_t(facet.nodes[0])] + values[std::size_t(facet.nodes[1])]);
-    }
-}
-
-void toNodal(const std::vector<ContactFacet>& facets, int order, Vector& coefficients)
-{
-  for (const ContactFacet& facet : facets)
-    if (order == 2) {
-      double& middle = coefficients[std::size_t(facet.nodes[2])];
-      middle =
-          0.5 * middle + 0.25 * (coefficients[std::size_t(facet.nodes[0])] + coefficients[std::size_t(facet.nodes[1])]);
-    }
-}
-
-/// The work of a unit Bernstein coefficient from that of nodal values: the transpose of toNodal, in place.
-void toBernsteinWork(const std::vector<ContactFacet>& facets, int order, Vector& work)
-{
-  for (const ContactFacet& facet : facets)
-    if (order == 2) {
-      double& middle = work[std::size_t(facet.nodes[2])];
-      for (const int end : {0, 1})
-        work[std::size_t(facet.nodes[std::size_t(end)])] += 0.25 * middle;
-      middle *= 0.5;
-    }
-}
-
-/// Mass matrix of the facets' Bernstein polynomials.
-BandMatrix massMatrix(const std::vector<ContactFacet>& facets, const ChainOrder& order, int numNodes, int p)
+BandMatrix massMatrix(const std::vector<ContactFacet>& facets, const FacetUnknowns& unknowns, const ChainOrder& order,
+                      int numNodes, int p)
 {
   BandMatrix M(numNodes, order.bandwidth());
-  for (const ContactFacet& facet : facets)
+  for (std::size_t f = 0; f < facets.size(); ++f)
     for (int i = 0; i <= p; ++i)
       for (int j = 0; j <= i; ++j)
-        M(order.position(facet.nodes[std::size_t(i)]), order.position(facet.nodes[std::size_t(j)])) +=
-            facet.measure * bernsteinMass(p, i, j);
+        M(order.position(facets[f].nodes[std::size_t(i)]), order.position(facets[f].nodes[std::size_t(j)])) +=
+            facets[f].measure * unknowns.mass(i, j);
   return M;
 }
 
@@ -138,19 +98,16 @@ Vector permuted(const Vector& nodal, const ChainOrder& order)
   return values;
 }
 
-/// The work of unit Bernstein coefficients, n x conditions; motions that slide along the interface do none.
-DenseMatrix workMatrix(const std::vector<ContactFacet>& facets, const ChainOrder& order, int p,
-                       const BalanceConditions& balance, int numNodes)
+/// The work of unit unknowns, n x conditions; motions that slide along the interface do none.
+DenseMatrix workMatrix(const FacetUnknowns& unknowns, const ChainOrder& order, const BalanceConditions& balance,
+                       double area, int numNodes)
 {
-  double area = 0.0;
-  for (const ContactFacet& facet : facets)
-    area += facet.measure;
   DenseMatrix W(numNodes, balance.work.rows());
   for (int k = 0; k < W.cols(); ++k) {
     Vector row;
     for (int node = 0; node < numNodes; ++node)
       row.push_back(balance.work(k, node));
-    toBernsteinWork(facets, p, row);
+    unknowns.workFromNodal(row);
     row = permuted(row, order);
     const double total =
         std::accumulate(row.begin(), row.end(), 0.0, [](double sum, double value) { return sum + std::abs(value); });
@@ -192,26 +149,52 @@ Vector reachableValue(const DenseMatrix& W, const BalanceConditions& balance)
   return multiplyTransposed(polar.B, DenseMatrix(rest->multipliers)).column(0);
 }
 
+/// The projection for one choice of unknowns, all of them <= 0.
+class Projection
+{
+public:
+  Projection(const std::vector<ContactFacet>& facets, int order, const Vector& mean, const BalanceConditions& balance)
+      : facets_(facets), order_(order), mean_(mean), balance_(balance), chain_(facets, int(mean.size()), order + 1)
+  {}
+
+  /// Nodal values of the nearest.
+  Vector nearest(const FacetUnknowns& unknowns) const
+  {
+    const int numNodes = int(mean_.size());
+    double area = 0.0;
+    for (const ContactFacet& facet : facets_)
+      area += facet.measure;
+    DenseMatrix W = workMatrix(unknowns, chain_, balance_, area, numNodes);
+    Vector reachable = reachableValue(W, balance_);
+    BandedProgram program{
+        massMatrix(facets_, unknowns, chain_, numNodes, order_), {}, std::move(W), std::move(reachable)};
+    Vector wanted = mean_;
+    unknowns.fromNodal(wanted);
+    program.f = multiply(program.M, permuted(wanted, chain_));
+    const Vector found = minimise(program);
+    Vector nodal(mean_.size());
+    for (int node = 0; node < numNodes; ++node)
+      nodal[std::size_t(node)] = found[std::size_t(chain_.position(node))];
+    unknowns.toNodal(nodal);
+    return nodal;
+  }
+
+private:
+  const std::vector<ContactFacet>& facets_;
+  int order_;
+  const Vector& mean_;
+  const BalanceConditions& balance_;
+  ChainOrder chain_;
+};
+
 } // namespace
 
 Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
-                       const BalanceConditions& balance)
+                       const BalanceConditions& balance, TractionSign sign)
 {
-  NDFRAME_ASSERT(order == 1 || order == 2, "tractions of order 1 or 2");
   NDFRAME_ASSERT(int(mean.size()) == numNodes, "one value per interface node is needed");
-  const ChainOrder chain(facets, numNodes, order + 1);
-  DenseMatrix W = workMatrix(facets, chain, order, balance, numNodes);
-  Vector reachable = reachableValue(W, balance);
-  BandedProgram program{massMatrix(facets, chain, numNodes, order), {}, std::move(W), std::move(reachable)};
-  Vector nearest = mean;
-  toBernstein(facets, order, nearest);
-  program.f = multiply(program.M, permuted(nearest, chain));
-  const Vector coefficients = minimise(program);
-  Vector nodal(mean.size());
-  for (int node = 0; node < numNodes; ++node)
-    nodal[std::size_t(node)] = coefficients[std::size_t(chain.position(node))];
-  toNodal(facets, order, nodal);
-  return nodal;
+  const Projection projection(facets, order, mean, balance);
+  return projection.nearest(FacetUnknowns(facets, order, sign));
 }
 
 } // namespace ndframe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stdexcept>
 #include <string>
 
 #include "ndframe/algebra/dense.hpp"
@@ -21,18 +22,30 @@ struct BalanceConditions
   std::vector<std::string> names; ///< "translation along y of punch", for messages
 };
 
-/// Section 5.3: the traction with nodal values nearest in L2 to `mean`, whose Bernstein coefficients are <= 0 on every
-/// facet and which balances the loads of floating bodies.
+/// What a traction that presses everywhere has to show.
+enum class TractionSign
+{
+  Coefficients, ///< Bernstein coefficients <= 0 on every facet: more than is needed, kept by every later step
+  Values        ///< t_N <= 0 at the nodes, as the paper asks: a quadratic may still pull between them
+};
+
+/// Section 5.3: the traction with nodal values nearest in L2 to `mean` that presses everywhere and balances the loads
+/// of floating bodies.
 ///
 /// A strictly convex quadratic program, solved exactly by block principal pivoting on banded factors (Judice and Pires;
 /// Kim and Park 2011) that falls back on Murty's single pivots (finite). KKT conditions hold to 1e-12 relative.
 /// Throws InfeasibleTraction when no t_N <= 0 balances the loads (a floating body is pulled).
 /// mean, result: per interface node. order: 1 or 2.
 Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
-                       const BalanceConditions& balance);
+                       const BalanceConditions& balance, TractionSign sign = TractionSign::Coefficients);
 
-struct InfeasibleTraction
+/// No t_N <= 0 balances the loads.
+class InfeasibleTraction : public std::runtime_error
 {
+public:
+  explicit InfeasibleTraction(const std::string& along)
+      : std::runtime_error("no traction that presses balances the loads along " + along), motion(along)
+  {}
   std::string motion; ///< along which the loads pull: names of the conditions, joined by "and"
 };
 
