@@ -35,6 +35,22 @@ std::optional<double> dofsOfBox(const Params& mesh, int order)
   return 2.0 * bricks * vertices * (order == 1 ? 1.0 : 4.0);
 }
 
+/// Of the stored Schur complements and their factors: three matrices a body.
+double memoryOfInterfaces(const Model& model, const Params& representation)
+{
+  constexpr auto limit = "Largest Condensed"; // where the deck leaves the choice
+  const bool isStored = representation.get<std::string>("Type") == "Condensed";
+  std::vector<double> sizes(model.bodies.size(), 0.0);
+  for (const InterfaceMesh& interface : model.interfaces)
+    for (const int body : {interface.dirichletBody, interface.neumannBody})
+      sizes[std::size_t(body)] += interface.numNodes();
+  double bytes = 0.0;
+  for (const double size : sizes)
+    if (isStored || (representation.has(limit) && size <= representation.get<int>(limit)))
+      bytes += 3.0 * 8.0 * size * size;
+  return bytes;
+}
+
 } // namespace
 
 double memoryOfBody(double dofs, int dim)
@@ -54,7 +70,7 @@ std::string memoryPlan(const Params& deck)
   for (const Params& body : deck.sub("Bodies").subs()) {
     const auto ofBox = dofsOfBox(body.sub("Mesh"), order);
     if (!ofBox)
-      return fmt::format("known when the mesh files are read (--check); {}", left);
+      return fmt::format("checked when the mesh files are read; {}", left);
     dofs += *ofBox;
     bytes += memoryOfBody(*ofBox, int(body.sub("Mesh").get<std::vector<int>>("Cells").size()));
   }
@@ -64,16 +80,20 @@ std::string memoryPlan(const Params& deck)
 
 void checkMemory(const Model& model, const Params& deck, const Comm& comm, Diagnostics& diagnostics)
 {
-  double bytes = 0.0;
+  const double ofInterfaces = memoryOfInterfaces(model, deck.sub("Interface Operator"));
+  double bytes = ofInterfaces;
   for (const auto& body : model.bodies)
     bytes += memoryOfBody(double(body.numDofs()), body.mesh.dim);
   const MemoryLeft left = memoryLeft();
   const bool isTooLarge = isDirect(deck) && 0.5 * bytes > double(left.bytes);
-  if (comm.sum(std::int64_t(isTooLarge)) > 0)
-    diagnostics.add(deck.sub("Bodies").mistake(
-        "", fmt::format("{} dofs need about {:.2g} GB of memory, and {} are left: use coarser meshes, order 1, or "
-                        "Krylov as linear solver.",
-                        grouped(model.totalDofs()), 1e-9 * bytes, left.text())));
+  if (comm.sum(std::int64_t(isTooLarge)) == 0)
+    return;
+  const bool isInterface = ofInterfaces > 0.5 * bytes;
+  diagnostics.add(deck.sub("Bodies").mistake(
+      "", fmt::format("{} dofs need about {:.2g} GB of memory{}, and {} are left: use {}.", grouped(model.totalDofs()),
+                      1e-9 * bytes, isInterface ? ", most of it for stored interface operators" : "", left.text(),
+                      isInterface ? "Interface Operator/Type = Matrix Free or a coarser interface"
+                                  : "coarser meshes, order 1, or Krylov as linear solver")));
 }
 
 } // namespace ndframe
