@@ -96,6 +96,8 @@ InterfaceSystem emptySystem(int nodes)
   system.nodeOfUnknown.resize(std::size_t(nodes));
   std::iota(system.nodeOfUnknown.begin(), system.nodeOfUnknown.end(), 0);
   system.gap.assign(std::size_t(nodes), 0.0);
+  system.isObstacle.assign(std::size_t(nodes), 0);
+  system.obstacle.assign(std::size_t(nodes), 0.0);
   return system;
 }
 
@@ -204,6 +206,32 @@ InterfaceSystem sideBySide(const InterfaceSystem& first, const InterfaceSystem& 
   return system;
 }
 
+InterfaceSystem obstacleSystem(unsigned seed, bool floats)
+{
+  const InterfaceSystem matching = randomSystem(seed, floats);
+  const int n = matching.size();
+  InterfaceSystem system = emptySystem(n + 2);
+  std::copy(matching.gap.begin(), matching.gap.end(), system.gap.begin() + 1);
+  const Vector at = randomNumbers(2, seed + 7);
+  system.isObstacle.front() = system.isObstacle.back() = 1;
+  system.obstacle.front() = 0.1 * at[0];
+  system.obstacle.back() = 0.1 * at[1];
+  for (BodyTrace body : matching.bodies) {
+    for (int& unknown : body.unknowns)
+      ++unknown;
+    if (body.onDirichletSide.front()) {
+      std::vector<int> all(std::size_t(n) + 2);
+      std::iota(all.begin(), all.end(), 0);
+      Vector g = body.g;
+      g.insert(g.begin(), at[1]);
+      g.push_back(at[0]);
+      body = makeBody(all, true, floats ? softChain(n + 2) : mildStiffness(n + 2, seed + 8, 0.5), g, floats);
+    }
+    system.bodies.push_back(std::move(body));
+  }
+  return system;
+}
+
 std::vector<InterfaceSystem> randomScenes(unsigned seed)
 {
   // A held and a floating block on a floating bar that is pressed against both.
@@ -216,8 +244,13 @@ std::vector<InterfaceSystem> randomScenes(unsigned seed)
   chain.bodies.push_back(makeBody({3, 2, 1, 0}, true, softChain(4), load, true));
   for (double& g : chain.bodies[1].g)
     g -= 0.5;
-  return {randomSystem(seed, false), randomSystem(seed, true), floatingNeumannSystem(seed),
-          sideBySide(floatingNeumannSystem(seed), randomSystem(seed + 1, true)), chain};
+  return {randomSystem(seed, false),
+          randomSystem(seed, true),
+          floatingNeumannSystem(seed),
+          sideBySide(floatingNeumannSystem(seed), randomSystem(seed + 1, true)),
+          chain,
+          obstacleSystem(seed, false),
+          obstacleSystem(seed, true)};
 }
 
 InterfaceSystem exchanged(InterfaceSystem system)
@@ -243,8 +276,9 @@ InterfaceSystem inOtherUnits(InterfaceSystem system, double stiffness, double le
     for (double& g : body.g)
       g *= stiffness * length;
   }
-  for (double& gap : system.gap)
-    gap *= length;
+  for (Vector* const lengths : {&system.gap, &system.obstacle})
+    for (double& value : *lengths)
+      value *= length;
   return system;
 }
 

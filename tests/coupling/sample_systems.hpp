@@ -45,8 +45,10 @@ InterfaceSystem randomSystem(unsigned seed, bool floats);
 InterfaceSystem floatingNeumannSystem(unsigned seed);
 /// Two scenes on the halves of one interface.
 InterfaceSystem sideBySide(const InterfaceSystem& first, const InterfaceSystem& second);
+/// randomSystem with an obstacle of random height at each end of the interface, which the Dirichlet body alone meets.
+InterfaceSystem obstacleSystem(unsigned seed, bool floats);
 /// Random loads and gaps: scenes in which no body floats, a Dirichlet body, a Neumann body, one of each in scenes side
-/// by side, and one of each that hold each other.
+/// by side, one of each that hold each other, and obstacles with a held and a floating body.
 std::vector<InterfaceSystem> randomScenes(unsigned seed);
 /// The same scene with the roles exchanged: what is counted along n_c changes its sign.
 InterfaceSystem exchanged(InterfaceSystem system);

@@ -123,6 +123,8 @@ TEST(IterationError, DoesNotDependOnWhichBodyIsCalledDirichlet)
 {
   for (unsigned seed = 0; seed < numSeeds; ++seed)
     for (const auto& system : randomScenes(seed)) {
+      if (system.isObstacle.front()) // whom only the Dirichlet body meets
+        continue;
       const Vector a = randomNumbers(system.size(), seed + 7), b = randomNumbers(system.size(), seed + 8);
       const double e = errorOf(system, a, b);
       EXPECT_NEAR(errorOf(exchanged(system), b, a), e, 1e-9 * e);

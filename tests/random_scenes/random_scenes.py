@@ -71,9 +71,11 @@ def far_side(draw, name, columns, size):
     return {"far": split}, f"{name}-end", f"{name}-free"
 
 
-def supports(draw, floats, side):
-    """Symmetry at x = 0; a floating body has nothing else."""
+def supports(draw, floats, side, at_contact):
+    """Symmetry at x = 0; a floating body has nothing else. A clamp at_contact ends where contact does."""
     symmetry = {"symmetry": {"Type": "Roller", "Side": "left"}}
+    if not floats and at_contact is not None and draw.random() < 0.3:
+        return symmetry | {"held": {"Type": "Clamp", "Side": at_contact}}
     return symmetry if floats else symmetry | {"held": {"Type": draw.choice(("Clamp", "Roller")), "Side": side}}
 
 
@@ -94,10 +96,10 @@ def two_bodies(seed, lowest=-6.0, highest=6.0):
     split = {"contact": {"Side": "top", "At": (width,), "Names": ("contact", "free")}} if wider else {}
     top, bottom = far_side(draw, "top", across, size), far_side(draw, "bottom", across + wider, size)
     upper = {"Mesh": box((0.0, 0.0), (width, heights[0]), (across, rows[0]), top[0]),
-             "Material": material(draw, stiffness), "Supports": supports(draw, floating == "upper", top[1]),
+             "Material": material(draw, stiffness), "Supports": supports(draw, floating == "upper", top[1], "right"),
              "Loads": pressed(draw, top[2], width) if floating != "lower" else {}}
     lower = {"Mesh": box((0.0, -heights[1]), (far, 0.0), (across + wider, rows[1]), split | bottom[0]),
-             "Material": material(draw, 1.0), "Supports": supports(draw, floating == "lower", bottom[1]),
+             "Material": material(draw, 1.0), "Supports": supports(draw, floating == "lower", bottom[1], "free" if wider else "right"),
              "Loads": pressed(draw, bottom[2], far) if floating != "upper" else {}}
     roles = [("upper", "bottom"), ("lower", "contact" if wider else "top")]
     draw.shuffle(roles)

@@ -75,6 +75,15 @@ Direction ConstraintSet::freePart(int node, const Direction& direction) const
   return rest;
 }
 
+double ConstraintSet::heldValue(int node, const Direction& direction) const
+{
+  double value = 0.0;
+  const auto found = nodes_.find(node);
+  for (int k = 0; found != nodes_.end() && k < found->second.count; ++k)
+    value += dotProduct(direction, found->second.direction[std::size_t(k)]) * found->second.value[std::size_t(k)];
+  return value;
+}
+
 ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& supports, const Mesh& mesh,
                                  const NodeMap& nodes)
 {

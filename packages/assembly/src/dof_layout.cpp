@@ -82,8 +82,7 @@ void layOutNode(DofLayout& layout, int dim, int node, const ConstraintSet::Node*
     for (double& component : free)
       component /= scale;
     directions.push_back(free);
-    for (int k = 0; k < numFixed; ++k)
-      offset += dotProduct(trace->normal, directions[std::size_t(k)]) * fixed->value[std::size_t(k)];
+    offset = constraints.heldValue(node, trace->normal);
   }
   const auto places = placeDirections(layout.frames, dim, node, directions);
   for (int k = 0; k < numFixed; ++k) {

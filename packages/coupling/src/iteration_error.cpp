@@ -8,7 +8,7 @@ namespace ndframe
 
 IterationError::IterationError(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
                                const NeumannProblem& neumannProblem, Ledger& ledger)
-    : dirichletBalance_(system, dirichlet.freeMotions), neumannBalance_(system, neumann.freeMotions),
+    : system_(system), dirichletBalance_(system, dirichlet.freeMotions), neumannBalance_(system, neumann.freeMotions),
       dirichletInverse_(dirichlet.S->inverseOn(freeWhenHeld(dirichlet.freeMotions), 0.0)), neumann_(neumannProblem)
 {
   ledger.count("interface factorisations");
@@ -26,7 +26,7 @@ double IterationError::measure(const InterfaceState& state) const
   for (std::size_t i = 0; i < mean.size(); ++i)
     mean[i] += onNeumann[i];
   Vector change = state.strainedNeumann; // under Lambda_neu, less that under the mean: S_N^-1 r_N
-  const Vector underMean = neumann_.solve(mean);
+  const Vector underMean = system_.withObstacles(neumann_.solve(mean));
   for (std::size_t i = 0; i < change.size(); ++i)
     change[i] -= underMean[i];
   const double neumannEnergy = std::max(dot(onNeumann, change), 0.0); // below 0 by round-off of a difference

@@ -19,7 +19,7 @@ namespace ndframe
 class IterationError
 {
 public:
-  /// Factors S_D; the factor of S_N is the Neumann problem's, which must outlive this.
+  /// Factors S_D; the factor of S_N is the Neumann problem's. The system and this problem must outlive it.
   IterationError(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
                  const NeumannProblem& neumannProblem, Ledger& ledger);
 
@@ -27,6 +27,7 @@ public:
   double measure(const InterfaceState& state) const;
 
 private:
+  const InterfaceSystem& system_;
   MotionBalance dirichletBalance_, neumannBalance_;
   std::unique_ptr<RestrictedInverse> dirichletInverse_;
   const NeumannProblem& neumann_;

@@ -7,8 +7,9 @@ namespace
 
 /// The paper's "global resolution": all bodies in one active set, no iteration between them.
 ///
-/// Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N; the energy is the sum over the bodies' condensed
-/// operators. The result is the limit of the Neumann-Dirichlet iteration on the same mesh.
+/// Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N (at obstacles w = u1_N <= g + their displacement, and
+/// d = 0); the energy is the sum over the bodies' condensed operators. The result is the limit of the Neumann-Dirichlet
+/// iteration on the same mesh.
 class Monolithic final : public Coupling
 {
 public:
@@ -22,10 +23,11 @@ public:
     std::vector<char> constrained(2 * n, 0);
     std::fill_n(constrained.begin(), n, char(1));
     Vector bound(2 * n, 0.0);
-    std::copy(system.gap.begin(), system.gap.end(), bound.begin());
+    for (std::size_t i = 0; i < n; ++i)
+      bound[i] = system.gap[i] + system.obstacle[i];
     UnilateralProblem problem(*bodies.S, constrained, bodies.freeMotions, bodies.motionNames, ledger);
     std::vector<char> closed = firstStatuses(system, bodies.freeMotions.cols() > 0, start);
-    closed.resize(2 * n, 0);
+    closed.insert(closed.end(), system.isObstacle.begin(), system.isObstacle.end());
     const UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
 
     CouplingResult result;
@@ -34,6 +36,7 @@ public:
     state.uNeumann.assign(status.u.begin() + half, status.u.end());
     for (std::size_t i = 0; i < n; ++i)
       state.uDirichlet.push_back(status.u[i] + status.u[n + i]);
+    state.uNeumann = system.withObstacles(std::move(state.uNeumann));
     state.closed.assign(status.closed.begin(), status.closed.begin() + half);
     state.forceDirichlet.assign(status.force.begin(), status.force.begin() + half);
     state.forceNeumann = state.forceDirichlet;

@@ -23,8 +23,9 @@ constexpr double roundOff = 1e-15;
 ///
 /// Where the iteration's part of the error has a goal, each sweep measures it (iteration_error.hpp).
 ///
-/// Limits: a body is Dirichlet or Neumann body on all its interfaces. The factor of convergence is 1 - theta (1 + mu),
-/// mu the ratio of the Dirichlet to the Neumann body's stiffness (role_spectrum.hpp).
+/// Limits: a body is Dirichlet or Neumann body on all its interfaces, and Dirichlet body if it meets obstacles. The
+/// factor of convergence is 1 - theta (1 + mu), mu the ratio of the Dirichlet to the Neumann body's stiffness
+/// (role_spectrum.hpp).
 class NeumannDirichlet final : public Coupling
 {
 public:
@@ -41,7 +42,7 @@ public:
                        const CouplingStart& start) const override
   {
     const RoleSystem body1 = gatherRole(system, true), body2 = gatherRole(system, false);
-    const NeumannProblem neumann(*body2.S, body2.g, body2.freeMotions, ledger);
+    const NeumannProblem neumann(*body2.S, body2.g, body2.freeMotions, ledger, system.isObstacle);
     DirichletProblem dirichlet(body1, body2, ledger);
     std::optional<IterationError> iteration;
     if (start.iterationError)
@@ -56,8 +57,8 @@ public:
       Vector u2;
       DirichletStep step;
       try {
-        u2 = neumann.solve(force);                      // (25)
-        step = dirichlet.solve(u2, system.gap, closed); // (26)
+        u2 = system.withObstacles(neumann.solve(force)); // (25)
+        step = dirichlet.solve(u2, system.gap, closed);  // (26)
       } catch (const NotConverged& failure) {
         if (result.history.empty())
           throw;

@@ -49,6 +49,7 @@ InterfaceSystem extractPart(const InterfaceSystem& system, const std::vector<std
       if (known < 0) {
         known = result.size();
         result.nodeOfUnknown.push_back(system.nodeOfUnknown[std::size_t(unknown)]);
+        result.isObstacle.push_back(system.isObstacle[std::size_t(unknown)]);
       }
       unknown = known;
     }
@@ -58,13 +59,14 @@ InterfaceSystem extractPart(const InterfaceSystem& system, const std::vector<std
 }
 
 /// The sweep of the linear iteration, e -> S_D u with u = S_N^-1 e + R alpha and R^T S_D u = 0, R the free motions of
-/// the Neumann bodies; on the forces e that strain both sides: R^T e = 0 for the motions of all bodies.
+/// the Neumann bodies; on the forces e that strain both sides: R^T e = 0 for the motions of all bodies. Obstacles hold:
+/// u = 0 there, and e does not count.
 class LinearSweep
 {
 public:
   LinearSweep(const InterfaceSystem& part, Ledger& ledger)
-      : dirichlet_(gatherRole(part, true)), neumann_(gatherRole(part, false)),
-        inverse_(neumann_.S->inverseOn(freeWhenHeld(neumann_.freeMotions), 0.0)),
+      : dirichlet_(gatherRole(part, true)), neumann_(gatherRole(part, false)), isObstacle_(part.isObstacle),
+        inverse_(neumann_.S->inverseOn(freeWhenHeld(neumann_.freeMotions, isObstacle_), 0.0)),
         stiffMotions_(part.size(), neumann_.freeMotions.cols()),
         motions_(part.size(), dirichlet_.freeMotions.cols() + neumann_.freeMotions.cols()), ledger_(ledger)
   {
@@ -77,6 +79,8 @@ public:
     const auto split = dirichlet_.freeMotions.cols() * part.size();
     std::copy_n(dirichlet_.freeMotions.data(), split, motions_.data());
     std::copy_n(neumann_.freeMotions.data(), stiffMotions_.cols() * part.size(), motions_.data() + split);
+    for (int j = 0; j < motions_.cols(); ++j)
+      clear(motions_.col(j));
     balancing_ = pseudoInverse(motions_, rigidTolerance);
   }
 
@@ -97,6 +101,7 @@ public:
   /// The nearest force that does no work on the motions.
   Vector balanced(Vector force) const
   {
+    clear(force.data());
     if (motions_.cols() > 0)
       subtract(force, motions_, multiply(balancing_, force));
     return force;
@@ -105,6 +110,14 @@ public:
   bool neumannFloats() const { return neumann_.freeMotions.cols() > 0; }
 
 private:
+  /// What stands at obstacles.
+  void clear(double* values) const
+  {
+    for (std::size_t i = 0; i < isObstacle_.size(); ++i)
+      if (isObstacle_[i])
+        values[i] = 0.0;
+  }
+
   static void subtract(Vector& force, const DenseMatrix& A, const Vector& x)
   {
     const Vector Ax = multiply(A, x);
@@ -113,6 +126,7 @@ private:
   }
 
   RoleSystem dirichlet_, neumann_;
+  std::vector<char> isObstacle_;
   std::unique_ptr<RestrictedInverse> inverse_;
   DenseMatrix stiffMotions_, placing_; ///< S_D R, (R^T S_D R)^+
   DenseMatrix motions_, balancing_;    ///< of all bodies; its pseudo-inverse

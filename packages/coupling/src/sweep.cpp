@@ -10,8 +10,10 @@ namespace ndframe
 namespace
 {
 
-/// Adds a body's free motions, seen at the system's unknowns through `inputs`, as columns.
-void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs, bool jump)
+/// Adds a body's free motions, seen at the system's unknowns through `inputs`, as columns. isJump: per value of the
+/// body, whether it stands for (w, d).
+void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs,
+                   const std::vector<char>& isJump)
 {
   DenseMatrix all(role.freeMotions.rows(), role.freeMotions.cols() + body.freeMotions.cols());
   std::copy_n(role.freeMotions.data(), std::size_t(all.rows()) * std::size_t(role.freeMotions.cols()), all.data());
@@ -19,7 +21,7 @@ void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<st
     for (std::size_t k = 0; k < inputs.size(); ++k) {
       const double along = body.freeMotions(int(k), j);
       double* column = all.col(role.freeMotions.cols() + j);
-      if (!jump)
+      if (!isJump[k])
         column[inputs[k][0]] = along;
       else if (body.onDirichletSide[k])
         column[inputs[k][1]] += along;
@@ -47,16 +49,17 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
   RoleSystem role{nullptr, Vector(std::size_t(system.size()), 0.0), DenseMatrix(system.size(), 0), {}};
   std::vector<OperatorPart> parts;
   for (const auto& body : system.bodies) {
-    if (body.unknowns.empty() || bool(body.onDirichletSide.front()) != dirichlet)
+    if (body.unknowns.empty() || system.isDirichlet(body) != dirichlet)
       continue;
     NDFRAME_ASSERT(std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
                                [dirichlet](char side) { return bool(side) == dirichlet; }),
-                   "a body is the Dirichlet body of one interface and the Neumann body of another");
+                   "a body is the Dirichlet body of one interface and the Neumann body of another, or a Neumann body "
+                   "that meets an obstacle");
     std::vector<std::array<int, 2>> inputs;
     for (const int unknown : body.unknowns)
       inputs.push_back({unknown, -1});
     appendLoad(role, body, inputs);
-    appendMotions(role, body, inputs, false);
+    appendMotions(role, body, inputs, std::vector<char>(inputs.size(), 0));
     parts.push_back({body.S, std::move(inputs)});
   }
   role.S = composeOperators(std::move(parts), system.size());
@@ -70,10 +73,14 @@ RoleSystem gatherJump(const InterfaceSystem& system)
   std::vector<OperatorPart> parts;
   for (const auto& body : system.bodies) {
     std::vector<std::array<int, 2>> inputs;
-    for (std::size_t k = 0; k < body.unknowns.size(); ++k)
-      inputs.push_back({n + body.unknowns[k], body.onDirichletSide[k] ? body.unknowns[k] : -1});
+    std::vector<char> isJump;
+    for (std::size_t k = 0; k < body.unknowns.size(); ++k) {
+      const int w = body.unknowns[k], d = n + w;
+      isJump.push_back(!system.isObstacle[std::size_t(w)]);
+      inputs.push_back(isJump[k] ? std::array{d, body.onDirichletSide[k] ? w : -1} : std::array{w, -1});
+    }
     appendLoad(role, body, inputs);
-    appendMotions(role, body, inputs, true);
+    appendMotions(role, body, inputs, isJump);
     parts.push_back({body.S, std::move(inputs)});
   }
   role.S = composeOperators(std::move(parts), 2 * n);

@@ -6,7 +6,8 @@
 namespace ndframe
 {
 
-/// The bodies that are Dirichlet (or Neumann) bodies, as one operator on the interface unknowns.
+/// The bodies that are Dirichlet (or Neumann) bodies, as one operator on the interface unknowns; zero at obstacles that
+/// none of them meets.
 struct RoleSystem
 {
   std::shared_ptr<const SymmetricOperator> S;
@@ -16,7 +17,8 @@ struct RoleSystem
 };
 RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet);
 
-/// All bodies on the unknowns (w, d): w = u1_N - u2_N the jump, d = u2_N.
+/// All bodies on the unknowns (w, d): w = u1_N - u2_N the jump, d = u2_N. At obstacles w is the free body's
+/// displacement and d in no body's operator.
 RoleSystem gatherJump(const InterfaceSystem& system);
 
 /// Statuses before the first sweep: those of the start, if it has some; else all closed, or all open where bodies that

@@ -14,7 +14,7 @@ namespace ndframe
 namespace
 {
 
-/// The interface nodes of one body whose normal displacement is free on both sides.
+/// The interface nodes of one body whose normal displacement is free.
 struct BodyTraceNodes
 {
   std::vector<TraceNormal> traces;
@@ -23,7 +23,7 @@ struct BodyTraceNodes
   std::vector<const double*> points;
 };
 
-/// Numbers the unknowns and hands each to its two bodies.
+/// Numbers the unknowns and hands each to its bodies that are free there.
 std::vector<BodyTraceNodes> numberUnknowns(const Model& model, InterfaceSystem& system)
 {
   std::vector<BodyTraceNodes> bodies(model.bodies.size());
@@ -32,17 +32,27 @@ std::vector<BodyTraceNodes> numberUnknowns(const Model& model, InterfaceSystem& 
     for (int i = 0; i < interface.numNodes(); ++i, ++node) {
       if (!model.carriesContact(interface, i))
         continue;
-      const auto add = [&](int body, int bodyNode, bool onDirichletSide) {
-        auto& b = bodies[std::size_t(body)];
-        b.traces.push_back({bodyNode, interface.normals[std::size_t(i)]});
+      const auto sides = model.sidesAt(interface, i);
+      const bool isObstacle = !sides[0].isFree || !sides[1].isFree;
+      double obstacle = 0.0;
+      for (const auto& side : sides) {
+        if (!side.isFree) { // met by the other one, along its normal
+          obstacle = side.isDirichlet ? -side.held : side.held;
+          continue;
+        }
+        auto& b = bodies[std::size_t(side.body)];
+        Direction normal = interface.normals[std::size_t(i)];
+        for (double& component : normal)
+          component = isObstacle && !side.isDirichlet ? -component : component;
+        b.traces.push_back({side.node, normal});
         b.unknowns.push_back(system.size());
-        b.onDirichletSide.push_back(onDirichletSide);
+        b.onDirichletSide.push_back(isObstacle || side.isDirichlet);
         b.points.push_back(interface.point(i));
-      };
-      add(interface.dirichletBody, interface.dirichletNodes[std::size_t(i)], true);
-      add(interface.neumannBody, interface.neumannNodes[std::size_t(i)], false);
+      }
       system.nodeOfUnknown.push_back(node);
       system.gap.push_back(interface.gap[std::size_t(i)]);
+      system.isObstacle.push_back(isObstacle);
+      system.obstacle.push_back(obstacle);
     }
   return bodies;
 }

@@ -79,6 +79,27 @@ void exchange(Model& model, CondensedModel& condensed, const std::vector<int>& b
       exchange(condensed, trace);
 }
 
+/// Where a body is free and supports hold the other one: the interface and its node.
+struct Obstacle
+{
+  const InterfaceMesh* interface;
+  int node, held;
+};
+
+std::optional<Obstacle> obstacleOf(const Model& model, int body)
+{
+  for (const auto& interface : model.interfaces)
+    if (interface.dirichletBody == body || interface.neumannBody == body)
+      for (int i = 0; i < interface.numNodes(); ++i) {
+        const auto sides = model.sidesAt(interface, i);
+        const auto& [own, other] =
+            sides[0].body == body ? std::pair(sides[0], sides[1]) : std::pair(sides[1], sides[0]);
+        if (own.isFree && !other.isFree)
+          return Obstacle{&interface, i, other.body};
+      }
+  return std::nullopt;
+}
+
 /// One role a body: 1 Dirichlet, 0 Neumann, -1 not known yet.
 class RoleMap
 {
@@ -88,13 +109,26 @@ public:
     for (const auto& interface : interfaces_) {
       if (role(interface.dirichletBody) >= 0 || role(interface.neumannBody) >= 0)
         continue;
+      const std::vector<int> before = role_;
       role(interface.dirichletBody) = 1;
       spread();
+      turnForObstacles(model, before);
     }
   }
   bool isDirichlet(int body) const { return role_[std::size_t(body)] == 1; }
 
 private:
+  /// Exchanges the roles that are new since `before` if one of the new Neumann bodies meets an obstacle.
+  void turnForObstacles(const Model& model, const std::vector<int>& before)
+  {
+    bool turns = false;
+    for (std::size_t b = 0; b < role_.size(); ++b)
+      turns = turns || (before[b] < 0 && role_[b] == 0 && obstacleOf(model, int(b)));
+    for (std::size_t b = 0; turns && b < role_.size(); ++b)
+      if (before[b] < 0 && role_[b] >= 0)
+        role_[b] = 1 - role_[b];
+  }
+
   int& role(int body) { return role_[std::size_t(body)]; }
 
   /// Gives the neighbours of bodies with a role the other one.
@@ -148,6 +182,10 @@ std::string roleText(const RoleSummary& roles)
   const auto reason =
       std::isnan(roles.contraction)
           ? "as the deck says: a body's stiffness on the interface is lost in round-off, so nothing can be chosen"
+      : roles.contractionExchanged == 1.0
+          ? fmt::format(
+                "contraction {:.2g} with theta {:.2g}; roles are given by nodes where supports hold the other body",
+                roles.contraction, roles.theta)
           : fmt::format("chosen: contraction {:.2g} with theta {:.2g}, against {:.2g} with the roles exchanged",
                         roles.contraction, roles.theta, roles.contractionExchanged);
   return fmt::format("  Dirichlet {}: {} ({})", roles.dirichletBodies.size() == 1 ? "body" : "bodies",
@@ -177,6 +215,24 @@ void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics)
   }
 }
 
+void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  for (const auto& interface : model.interfaces)
+    if (const auto obstacle = obstacleOf(model, interface.neumannBody)) {
+      const BodyModel &body = model.bodies[std::size_t(interface.neumannBody)],
+                      &held = model.bodies[std::size_t(obstacle->held)];
+      diagnostics.add(
+          deck.sub("Interfaces")
+              .sub(obstacle->interface->name)
+              .mistake("", fmt::format("supports hold \"{}\" at {}, and \"{}\" may touch it there: Neumann-Dirichlet "
+                                       "solves such a body only as Dirichlet body. Exchange the roles, or use "
+                                       "Coupling/Type = Monolithic.",
+                                       held.name, pointText(obstacle->interface->point(obstacle->node), body.mesh.dim),
+                                       body.name)));
+      return;
+    }
+}
+
 RoleSpectrum chooseRoles(Run& run, const std::vector<ConnectedBodies>& parts, std::optional<double> givenTheta)
 {
   std::vector<int>& all = run.condensed.exchanged;
@@ -185,7 +241,9 @@ RoleSpectrum chooseRoles(Run& run, const std::vector<ConnectedBodies>& parts, st
   for (std::size_t k = 0; k < parts.size(); ++k) {
     const RoleSpectrum given = parts[k].spectrum, other = given.exchanged();
     const double factor = factorOf(given, givenTheta), otherFactor = factorOf(other, givenTheta);
-    const bool exchanged = given.isKnown() && isClearlyBetter(factor, otherFactor);
+    const bool mayExchange = std::none_of(parts[k].bodies.begin(), parts[k].bodies.end(),
+                                          [&](int body) { return obstacleOf(run.model, body).has_value(); });
+    const bool exchanged = given.isKnown() && mayExchange && isClearlyBetter(factor, otherFactor);
     if (exchanged) {
       chosen[k].spectrum = other;
       exchange(run.model, run.condensed, parts[k].bodies);
@@ -194,7 +252,7 @@ RoleSpectrum chooseRoles(Run& run, const std::vector<ConnectedBodies>& parts, st
     RoleSummary summary = summarize(run.model, parts[k].bodies);
     summary.exchanged = exchanged != (!before.empty() && before[k].exchanged);
     summary.contraction = exchanged ? otherFactor : factor;
-    summary.contractionExchanged = exchanged ? factor : otherFactor;
+    summary.contractionExchanged = exchanged ? factor : mayExchange ? otherFactor : 1.0;
     summary.bestTheta = chosen[k].spectrum.bestTheta();
     summary.theta = givenTheta.value_or(summary.bestTheta);
     run.summary.coupling->roles.push_back(std::move(summary));

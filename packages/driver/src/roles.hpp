@@ -10,8 +10,12 @@ namespace ndframe
 /// `Dirichlet Body` = `Automatic`: who is Dirichlet body is not the deck's business but found out.
 
 /// Turns interfaces of a model that was just built so that every body has one role, the first interface of each
-/// connected part as the deck says. Bodies that touch in a ring of odd length have no such roles: a mistake.
+/// connected part as the deck says, or the other way round where a body must be Dirichlet body (refuseObstacles).
+/// Bodies that touch in a ring of odd length have no such roles: a mistake.
 void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics);
+
+/// Refuses Neumann bodies at nodes where supports hold the other body: their problem has no contact conditions.
+void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics);
 
 /// Exchanges the roles of the bodies in each connected part of the condensed scene where the iteration then contracts
 /// clearly better with the theta that it uses, and says so in the summary; roles that stand there are those of an

@@ -151,6 +151,8 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   diagnostics.throwIfAny(); // sums of such numbers mean nothing
   if (tools.coupling->roles() == Roles::Automatic)
     giveOneRole(model, deck, diagnostics);
+  if (tools.coupling->roles() != Roles::None)
+    refuseObstacles(model, deck, diagnostics);
   checkHeld(model, deck, diagnostics);
   checkFieldNames(model, deck, diagnostics);
   checkMemory(model, deck, tools.comm, diagnostics);

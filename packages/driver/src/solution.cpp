@@ -36,7 +36,7 @@ Vector amplitudesOf(int body, const InterfaceSystem& system, const InterfaceStat
 {
   auto first = state.motionsNeumann.begin();
   for (const auto& trace : system.bodies) {
-    if (trace.onDirichletSide.front() || state.motionsNeumann.empty())
+    if (system.isDirichlet(trace) || state.motionsNeumann.empty())
       continue;
     const auto last = first + trace.freeMotions.cols();
     if (trace.body == body)

@@ -115,6 +115,22 @@ DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, co
   return traces;
 }
 
+bool InterfaceSystem::isDirichlet(const BodyTrace& body) const
+{
+  for (std::size_t k = 0; k < body.unknowns.size(); ++k)
+    if (!isObstacle[std::size_t(body.unknowns[k])])
+      return body.onDirichletSide[k] != 0;
+  return true;
+}
+
+Vector InterfaceSystem::withObstacles(Vector uNeumann) const
+{
+  for (std::size_t i = 0; i < isObstacle.size(); ++i)
+    if (isObstacle[i])
+      uNeumann[i] = obstacle[i];
+  return uNeumann;
+}
+
 Vector InterfaceSystem::traction(const Vector& unknownForce) const
 {
   Vector nodal(std::size_t(C->size()), 0.0);

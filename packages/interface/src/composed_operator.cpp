@@ -10,7 +10,7 @@ namespace ndframe
 namespace
 {
 
-/// Each value of a part is one unknown, each unknown belongs to one part.
+/// Each value of a part is one unknown, each unknown belongs to at most one part.
 bool areBlocks(const std::vector<OperatorPart>& parts, int size)
 {
   std::vector<int> uses(std::size_t(size), 0);
@@ -20,7 +20,7 @@ bool areBlocks(const std::vector<OperatorPart>& parts, int size)
         return false;
       ++uses[std::size_t(input[0])];
     }
-  return std::all_of(uses.begin(), uses.end(), [](int count) { return count == 1; });
+  return std::all_of(uses.begin(), uses.end(), [](int count) { return count <= 1; });
 }
 
 /// The parts' own inverses.
@@ -65,7 +65,8 @@ struct PairedValue
   int other = -1; ///< determined by another value before
 };
 
-/// The values in an order in which they determine the unknowns one after the other; empty if they do not.
+/// The values in an order in which they determine the unknowns that they know one after the other; empty if they do
+/// not.
 std::vector<PairedValue> pairValues(const std::vector<OperatorPart>& parts, int size)
 {
   std::vector<PairedValue> values;
@@ -91,7 +92,7 @@ std::vector<PairedValue> pairValues(const std::vector<OperatorPart>& parts, int 
   std::size_t count = 0;
   for (const auto& part : parts)
     count += part.inputs.size();
-  return values.size() == std::size_t(size) && count == values.size() ? values : std::vector<PairedValue>();
+  return count == values.size() ? values : std::vector<PairedValue>();
 }
 
 class ComposedOperator final : public AppliedOperator

@@ -7,8 +7,9 @@
 namespace ndframe
 {
 
-NeumannProblem::NeumannProblem(const SymmetricOperator& S, Vector g, const DenseMatrix& rigidTraces, Ledger& ledger)
-    : g_(std::move(g)), inverse_(S.inverseOn(freeWhenHeld(rigidTraces), 0.0)), ledger_(ledger)
+NeumannProblem::NeumannProblem(const SymmetricOperator& S, Vector g, const DenseMatrix& rigidTraces, Ledger& ledger,
+                               const std::vector<char>& held)
+    : g_(std::move(g)), inverse_(S.inverseOn(freeWhenHeld(rigidTraces, held), 0.0)), ledger_(ledger)
 {
   ledger_.count("interface factorisations");
 }
@@ -22,11 +23,14 @@ Vector NeumannProblem::solve(const Vector& contactForce) const
   return inverse_->solve(force);
 }
 
-std::vector<char> freeWhenHeld(const DenseMatrix& rigidTraces)
+std::vector<char> freeWhenHeld(const DenseMatrix& rigidTraces, const std::vector<char>& held)
 {
   std::vector<char> isFree(std::size_t(rigidTraces.rows()), 1);
   for (const int row : pivotRows(rigidTraces)) // motions without trace: nothing on the interface stops them
     isFree[std::size_t(row)] = 0;
+  for (std::size_t i = 0; i < held.size(); ++i)
+    if (held[i])
+      isFree[i] = 0;
   return isFree;
 }
 

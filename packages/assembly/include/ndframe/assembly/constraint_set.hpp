@@ -29,6 +29,9 @@ public:
   /// The part of a direction that stays free at a node (the direction minus its prescribed part).
   Direction freePart(int node, const Direction& direction) const;
 
+  /// What the prescribed displacements at a node contribute along a direction.
+  double heldValue(int node, const Direction& direction) const;
+
   const std::map<int, Node>& nodes() const { return nodes_; }
   int dim() const { return dim_; }
 

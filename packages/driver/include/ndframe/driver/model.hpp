@@ -23,6 +23,15 @@ struct HeldMean
   std::vector<Vector> means;        ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
 };
 
+/// One body at an interface node.
+struct NodeSide
+{
+  int body = 0, node = 0;
+  bool isDirichlet = false;
+  bool isFree = false; ///< false where supports prescribe its displacement along n_c
+  double held = 0.0;   ///< that displacement
+};
+
 /// The scene: what the deck says, read and checked, before anything is assembled.
 struct Model
 {
@@ -38,7 +47,9 @@ struct Model
   std::vector<InterfaceMesh> interfaces;
   SceneRecipe recipe; ///< what it was made from; empty when it is not to be reused
 
-  /// False where a support prescribes the normal displacement of an interface node on either body.
+  /// The Dirichlet and the Neumann side of an interface node.
+  std::array<NodeSide, 2> sidesAt(const InterfaceMesh& interface, int node) const;
+  /// False where supports prescribe the normal displacement of an interface node on both bodies.
   bool carriesContact(const InterfaceMesh& interface, int node) const;
 
   int bodyIndex(const std::string& name) const; ///< -1 if there is none

@@ -17,23 +17,31 @@ struct BodyTrace
 {
   int body = 0;                      ///< index into the list of bodies
   std::vector<int> unknowns;         ///< the interface unknown of each kept dof
-  std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there
+  std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there, or meets an obstacle
   std::shared_ptr<const SymmetricOperator> S;
   Vector g;                ///< reduced load, per kept dof
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames;
 };
 
-/// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies;
-/// nodes where a support prescribes it carry no contact traction.
+/// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies, or
+/// on one: where supports hold the other body, that one is an obstacle. Everything at such an unknown is seen from the
+/// free body, whatever its role: uDirichlet and forceDirichlet are its own, along its outward normal, and uNeumann is
+/// the obstacle's displacement. Nodes that supports hold on both sides carry no contact force.
 struct InterfaceSystem
 {
   std::vector<int> nodeOfUnknown; ///< node number in the numbering of the contact matrix
   Vector gap;                     ///< per unknown
+  std::vector<char> isObstacle;   ///< per unknown: only one body is free
+  Vector obstacle;                ///< per unknown: the held body's displacement along the free one's normal; else 0
   std::vector<BodyTrace> bodies;
   std::shared_ptr<const ContactMatrix> C;
 
   int size() const { return int(nodeOfUnknown.size()); }
+  /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.
+  bool isDirichlet(const BodyTrace& body) const;
+  /// Displacements of the Neumann side with those of the obstacles filled in.
+  Vector withObstacles(Vector uNeumann) const;
   /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns (zero at the other nodes).
   Vector traction(const Vector& force) const;
   /// The forces r = C Lambda at the unknowns.

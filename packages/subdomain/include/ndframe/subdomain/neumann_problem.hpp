@@ -19,7 +19,9 @@ class NeumannProblem
 public:
   /// S must outlive the problem; g: reduced load of the Neumann bodies (force per interface unknown); rigidTraces:
   /// S.size() x modes, normal displacements of the motions that the supports leave free (no columns: S is regular).
-  NeumannProblem(const SymmetricOperator& S, Vector g, const DenseMatrix& rigidTraces, Ledger& ledger);
+  /// held: entries that are given, of no interest to S (obstacles of the Dirichlet bodies); their solution is zero.
+  NeumannProblem(const SymmetricOperator& S, Vector g, const DenseMatrix& rigidTraces, Ledger& ledger,
+                 const std::vector<char>& held = {});
 
   /// u2_N under the nodal contact forces r = C Lambda (negative in compression).
   Vector solve(const Vector& contactForce) const;
@@ -31,7 +33,8 @@ private:
 };
 
 /// Flags of the entries that stay free when as many entries are held as there are motions, so that every motion is
-/// stopped: the held ones are the pivots of an orthogonalisation of the motions' traces (rows: entries).
-std::vector<char> freeWhenHeld(const DenseMatrix& rigidTraces);
+/// stopped: the held ones are the pivots of an orthogonalisation of the motions' traces (rows: entries). Those that are
+/// held anyway must have no trace.
+std::vector<char> freeWhenHeld(const DenseMatrix& rigidTraces, const std::vector<char>& held = {});
 
 } // namespace ndframe
