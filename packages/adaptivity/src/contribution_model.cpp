@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/base/diagnostics.hpp"
+
 namespace ndframe
 {
 namespace
@@ -39,6 +41,8 @@ ContributionModel::ContributionModel(const std::vector<Mesh>& meshes, const std:
                                      const std::vector<Vector>& exponents, int degree)
     : degree_(degree), cells_(meshes.size())
 {
+  for (const Mesh& mesh : meshes)
+    NDFRAME_ASSERT(mesh.dim == 2, "sizes are those of triangles");
   for (std::size_t b = 0; b < meshes.size(); ++b)
     for (int c = 0; c < meshes[b].numCells(); ++c)
       cells_[b].push_back(cellOf(meshes[b], c, contributions[b][std::size_t(c)], exponents[b], degree));

@@ -5,6 +5,7 @@ namespace ndframe
 
 void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations)
 {
+  registerAutomaticCoupling(registry, relaxations);
   registerNeumannDirichlet(registry, relaxations);
   registerMonolithic(registry);
 }

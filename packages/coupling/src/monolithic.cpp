@@ -52,10 +52,15 @@ public:
 
 } // namespace
 
+std::unique_ptr<Coupling> makeMonolithic()
+{
+  return std::make_unique<Monolithic>();
+}
+
 void registerMonolithic(Registry<Coupling>& registry)
 {
-  registry.add("Monolithic", "All bodies in one active set (the paper's global resolution): no iteration error.", {},
-               [](const Params&) { return std::make_unique<Monolithic>(); });
+  registry.add(monolithicName, "All bodies in one active set (the paper's global resolution): no iteration error.", {},
+               [](const Params&) { return makeMonolithic(); });
 }
 
 } // namespace ndframe

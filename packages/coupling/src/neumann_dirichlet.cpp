@@ -143,33 +143,44 @@ const Names<Roles>& roleNames()
   return names;
 }
 
+std::unique_ptr<Coupling> buildSweeps(const Params& p, const Registry<RelaxationController>& relaxations)
+{
+  const Params stopping = p.sub("Stopping");
+  const Roles roles = roleNames().value(p.get<std::string>("Dirichlet Body"));
+  auto controller = relaxations.build(p.sub("Relaxation"));
+  const ConvergenceAdvice advice = adviceFor(*controller, roles);
+  return std::make_unique<NeumannDirichlet>(
+      roles, std::move(controller), initialTractions().value(p.get<std::string>("Initial Traction")),
+      Stopping(stopping.get<double>("Tolerance"), stopping.get<int>("Maximum Sweeps"), advice));
+}
+
 } // namespace
 
-void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations)
+void registerSweeps(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations,
+                    const SweepsEntry& entry)
 {
   ListSpec relaxation;
   relaxation.name = "Relaxation";
   relaxation.doc = "How the traction is relaxed from sweep to sweep, (27).";
   relaxation.choices = relaxations.choices();
   registry.add(
-      "Neumann-Dirichlet",
-      "Alternates a Neumann problem on one body and a unilateral problem on the other, as in the paper.",
+      entry.name, entry.doc,
       {{"Initial Traction", std::string("Zero"), initialTractions().range(),
         "Traction before the first sweep: zero as in the paper, or the one that carries the resultants of the floating "
         "bodies' loads. The loads of a floating Neumann body are carried in any case."},
        {"Dirichlet Body", std::string("Automatic"), roleNames().range(),
         "Which bodies are the Dirichlet bodies: those that the interfaces name (As Given), or those with which the "
         "iteration converges faster, found from the bodies' stiffnesses on the interface; the screen says why."}},
-      [&relaxations](const Params& p) {
-        const Params stopping = p.sub("Stopping");
-        const Roles roles = roleNames().value(p.get<std::string>("Dirichlet Body"));
-        auto controller = relaxations.build(p.sub("Relaxation"));
-        const ConvergenceAdvice advice = adviceFor(*controller, roles);
-        return std::make_unique<NeumannDirichlet>(
-            roles, std::move(controller), initialTractions().value(p.get<std::string>("Initial Traction")),
-            Stopping(stopping.get<double>("Tolerance"), stopping.get<int>("Maximum Sweeps"), advice));
-      },
+      [&relaxations, wrap = entry.wrap](const Params& p) { return wrap(buildSweeps(p, relaxations)); },
       {relaxation, Stopping::spec()});
+}
+
+void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations)
+{
+  registerSweeps(registry, relaxations,
+                 {neumannDirichletName,
+                  "Alternates a Neumann problem on one body and a unilateral problem on the other, as in the paper.",
+                  [](std::unique_ptr<Coupling> sweeps) { return sweeps; }});
 }
 
 } // namespace ndframe

@@ -34,6 +34,13 @@ void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<st
   role.motionNames.insert(role.motionNames.end(), body.motionNames.begin(), body.motionNames.end());
 }
 
+bool hasOneRole(const InterfaceSystem& system, const BodyTrace& body)
+{
+  const bool isDirichlet = system.isDirichlet(body);
+  return std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
+                     [&](char side) { return bool(side) == isDirichlet; });
+}
+
 void appendLoad(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs)
 {
   for (std::size_t k = 0; k < inputs.size(); ++k)
@@ -44,6 +51,12 @@ void appendLoad(RoleSystem& role, const BodyTrace& body, const std::vector<std::
 
 } // namespace
 
+bool haveRoles(const InterfaceSystem& system)
+{
+  return std::all_of(system.bodies.begin(), system.bodies.end(),
+                     [&](const BodyTrace& body) { return hasOneRole(system, body); });
+}
+
 RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
 {
   RoleSystem role{nullptr, Vector(std::size_t(system.size()), 0.0), DenseMatrix(system.size(), 0), {}};
@@ -51,8 +64,7 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
   for (const auto& body : system.bodies) {
     if (body.unknowns.empty() || system.isDirichlet(body) != dirichlet)
       continue;
-    NDFRAME_ASSERT(std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
-                               [dirichlet](char side) { return bool(side) == dirichlet; }),
+    NDFRAME_ASSERT(hasOneRole(system, body),
                    "a body is the Dirichlet body of one interface and the Neumann body of another, or a Neumann body "
                    "that meets an obstacle");
     std::vector<std::array<int, 2>> inputs;

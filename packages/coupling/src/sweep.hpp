@@ -33,6 +33,20 @@ inline constexpr const char* apart = "the bodies do not touch: each is solved by
 SweepRecord recordSweep(int sweep, const InterfaceSystem& system, const InterfaceState& state,
                         const UnilateralState& status);
 
+/// A coupling with the parameters of Neumann-Dirichlet.
+struct SweepsEntry
+{
+  const char *name, *doc;
+  std::function<std::unique_ptr<Coupling>(std::unique_ptr<Coupling> sweeps)> wrap; ///< what is made of these
+};
+void registerSweeps(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations,
+                    const SweepsEntry& entry);
+
+std::unique_ptr<Coupling> makeMonolithic();
+inline constexpr const char* monolithicName = "Monolithic";
+inline constexpr const char* neumannDirichletName = "Neumann-Dirichlet";
+
+void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 void registerMonolithic(Registry<Coupling>& registry);
 

@@ -28,6 +28,7 @@ int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
 
 ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f, int firstNode)
 {
+  NDFRAME_ASSERT(interface.dim == 2, "contact facets are edges");
   ContactFacet facet;
   facet.dirichletBody = interface.dirichletBody;
   facet.neumannBody = interface.neumannBody;
@@ -74,8 +75,13 @@ std::string geometryCaveat(const Model& model)
     for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
       const double *x = first.nodes.point(interface.dirichletNodes[i]),
                    *y = second.nodes.point(interface.neumannNodes[i]);
-      const double apart = std::hypot(x[0] - y[0], x[1] - y[1]);
-      if (apart > sameLine * (shortest + std::hypot(x[0], x[1])))
+      double squared = 0.0, fromOrigin = 0.0;
+      for (int k = 0; k < interface.dim; ++k) {
+        squared += (x[k] - y[k]) * (x[k] - y[k]);
+        fromOrigin += x[k] * x[k];
+      }
+      const double apart = std::sqrt(squared);
+      if (apart > sameLine * (shortest + std::sqrt(fromOrigin)))
         return fmt::format(
             "the two sides of \"{}\" are {:.1e} apart at {}: give the meshes' coordinates with all digits",
             interface.name, apart, pointText(x, interface.dim));

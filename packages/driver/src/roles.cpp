@@ -194,25 +194,27 @@ std::string roleText(const RoleSummary& roles)
 
 } // namespace
 
-void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics)
+void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics)
 {
   const RoleMap roles(model);
-  for (auto& interface : model.interfaces) {
-    const bool keep = roles.isDirichlet(interface.dirichletBody);
-    if (keep == roles.isDirichlet(interface.neumannBody)) {
+  const auto odd = std::find_if(model.interfaces.begin(), model.interfaces.end(), [&](const InterfaceMesh& interface) {
+    return roles.isDirichlet(interface.dirichletBody) == roles.isDirichlet(interface.neumannBody);
+  });
+  if (odd != model.interfaces.end()) {
+    if (needsRoles)
       diagnostics.add(
           deck.sub("Interfaces")
-              .sub(interface.name)
+              .sub(odd->name)
               .mistake("",
                        "closes a ring of an odd number of bodies, in which two neighbours would have the same role, "
                        "which Neumann-Dirichlet cannot solve; use Coupling/Type = Monolithic."));
-      return;
-    }
-    if (keep)
-      continue;
-    exchange(model, interface);
-    model.recipe.interfaces += "; exchanged: " + interface.name;
+    return;
   }
+  for (auto& interface : model.interfaces)
+    if (!roles.isDirichlet(interface.dirichletBody)) {
+      exchange(model, interface);
+      model.recipe.interfaces += "; exchanged: " + interface.name;
+    }
 }
 
 void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics)

@@ -11,8 +11,9 @@ namespace ndframe
 
 /// Turns interfaces of a model that was just built so that every body has one role, the first interface of each
 /// connected part as the deck says, or the other way round where a body must be Dirichlet body (refuseObstacles).
-/// Bodies that touch in a ring of odd length have no such roles: a mistake.
-void giveOneRole(Model& model, const Params& deck, Diagnostics& diagnostics);
+/// Bodies that touch in a ring of odd length have no such roles: a mistake if the coupling needs them, else nothing is
+/// turned.
+void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics);
 
 /// Refuses Neumann bodies at nodes where supports hold the other body: their problem has no contact conditions.
 void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics);

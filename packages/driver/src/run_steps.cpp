@@ -150,8 +150,8 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   checkNumberRange(model, deck, diagnostics);
   diagnostics.throwIfAny(); // sums of such numbers mean nothing
   if (tools.coupling->roles() == Roles::Automatic)
-    giveOneRole(model, deck, diagnostics);
-  if (tools.coupling->roles() != Roles::None)
+    giveOneRole(model, deck, tools.coupling->needsRoles(), diagnostics);
+  if (tools.coupling->needsRoles())
     refuseObstacles(model, deck, diagnostics);
   checkHeld(model, deck, diagnostics);
   checkFieldNames(model, deck, diagnostics);
@@ -173,7 +173,7 @@ void findRoles(Run& run, const RunTools& tools, const Log& log)
 {
   const bool chooses = tools.coupling->roles() == Roles::Automatic;
   run.spectrum.reset();
-  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()))
+  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()) || !haveRoles(run.condensed.interface))
     return;
   std::vector<ConnectedBodies> parts;
   {

@@ -98,6 +98,8 @@ void completeInterfaces(Run& run)
 void completeCoupling(RunSummary& summary, const CouplingResult& result)
 {
   auto& coupling = *summary.coupling;
+  if (!result.type.empty())
+    coupling.type = result.type;
   coupling.sweeps = int(result.history.size());
   coupling.converged = result.converged;
   coupling.reason = result.reason;

@@ -45,6 +45,7 @@ struct CouplingResult
   InterfaceState state;
   std::vector<SweepRecord> history;
   bool converged = false;
+  std::string type;   ///< the coupling that solved it, where another one was asked to choose
   std::string reason; ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
 };
 
@@ -83,13 +84,18 @@ public:
   virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                                const CouplingStart& start = {}) const = 0;
   virtual Roles roles() const = 0;
+  /// Whether solve() needs a role for every body (haveRoles). False where it can do without.
+  virtual bool needsRoles() const { return roles() != Roles::None; }
   /// Whether solve() finds the eigenvalues of the sweeps unless the start has them.
   virtual bool needsSpectrum() const { return false; }
   /// The relaxation factor of all sweeps, where the deck says it: what roles are chosen for.
   virtual std::optional<double> givenTheta() const { return std::nullopt; }
 };
 
-/// "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before; their registry
+/// Whether every body has one role on all its interfaces, and none that is a Neumann body meets an obstacle.
+bool haveRoles(const InterfaceSystem& system);
+
+/// "Automatic", "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before; their registry
 /// must outlive this one.
 void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 

@@ -28,7 +28,7 @@ struct Components
   Registry<LinearSolver> linearSolvers{"linear solver", "Automatic"};
   Registry<InterfaceOperator> interfaceOperators{"interface operator", "Automatic"};
   Registry<RelaxationController> relaxations{"relaxation", "Automatic"};
-  Registry<Coupling> couplings{"coupling", "Neumann-Dirichlet"};
+  Registry<Coupling> couplings{"coupling", "Automatic"};
   Registry<StressRecovery> recoveries{"recovery", "Star"};
   Registry<Marking> markings{"marking", "Predicted"};
   Registry<Refinement> refinements{"refinement", "Bisection"};

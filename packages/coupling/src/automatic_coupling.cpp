@@ -1,0 +1,71 @@
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "sweep.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Sweeps that contract by less than this (a factor of ten in some twenty) are worth their while.
+constexpr double slowest = 0.9;
+
+/// Neumann-Dirichlet where it contracts well, else all bodies in one active set.
+class AutomaticCoupling final : public Coupling
+{
+public:
+  explicit AutomaticCoupling(std::unique_ptr<Coupling> sweeps) : sweeps_(std::move(sweeps)), together_(makeMonolithic())
+  {}
+
+  Roles roles() const override { return sweeps_->roles(); }
+  bool needsRoles() const override { return roles() == Roles::AsGiven; }
+  bool needsSpectrum() const override { return sweeps_->needsSpectrum(); }
+  std::optional<double> givenTheta() const override { return sweeps_->givenTheta(); }
+
+  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
+                       const CouplingStart& start) const override
+  {
+    const std::string reason = againstSweeps(system, start);
+    CouplingResult result = (reason.empty() ? sweeps_ : together_)->solve(system, observe, ledger, start);
+    result.type = reason.empty() ? neumannDirichletName : monolithicName;
+    if (!reason.empty() && !areApart(result.history.back()))
+      result.reason += ", as " + reason;
+    return result;
+  }
+
+private:
+  /// Why sweeps would not do; empty where they would.
+  std::string againstSweeps(const InterfaceSystem& system, const CouplingStart& start) const
+  {
+    if (!haveRoles(system))
+      return "no roles suit all of them";
+    if (!start.spectrum)
+      return {};
+    if (!start.spectrum->isKnown())
+      return "a stiffness on the interface is lost in round-off, which sweeps go by";
+    const double theta = givenTheta().value_or(start.spectrum->bestTheta());
+    const double factor = std::max(start.spectrum->contraction(theta), 1.0 - theta); // closed contact, and what opens
+    return factor < slowest ? std::string() : fmt::format("sweeps would contract by {:.4g}", factor);
+  }
+
+  std::unique_ptr<Coupling> sweeps_, together_;
+};
+
+} // namespace
+
+void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations)
+{
+  registerSweeps(
+      registry, relaxations,
+      {"Automatic",
+       "Neumann-Dirichlet where its sweeps contract the error by 0.9 or better, closed contact and what opens alike, "
+       "which the bodies' "
+       "stiffnesses on the interface say before the first one; else, and where no roles suit all bodies, "
+       "Monolithic. The screen says which and why.",
+       [](std::unique_ptr<Coupling> sweeps) { return std::make_unique<AutomaticCoupling>(std::move(sweeps)); }});
+}
+
+} // namespace ndframe
