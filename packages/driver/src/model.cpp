@@ -156,8 +156,8 @@ void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& d
     if (!carries)
       diagnostics.add(deck.sub("Interfaces")
                           .sub(interface.name)
-                          .mistake("", "supports prescribe the normal displacement of every node of a side: contact "
-                                       "has nothing to decide here."));
+                          .mistake("", "supports prescribe the normal displacement of every node on both sides: "
+                                       "contact has nothing to decide here."));
   }
 }
 
