@@ -51,6 +51,7 @@ std::vector<ContactFacet> pairFacets(const BodyModel& upper, const BodyModel& lo
     facet.reversed = !isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, facet, false)[0]));
     for (std::size_t i = 0; i <= std::size_t(upper.nodes.order); ++i)
       facet.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
+    facet.pairs = facet.nodes;
     facets.push_back(facet);
   }
   return facets;

@@ -80,6 +80,7 @@ void addFacets(ContactScene& scene)
         scene.x.push_back(punch.nodes.point(ours[i])[0]);
       contact.nodes[i] = found->second;
     }
+    contact.pairs = contact.nodes;
     scene.recovery.facets.push_back(contact);
   }
 }

@@ -98,6 +98,25 @@ void layOutNode(DofLayout& layout, int dim, int node, const ConstraintSet::Node*
   }
 }
 
+/// The second normal of a node, whose first one has the place `first` in the trace: what it has along that one's dof,
+/// and the other dof of the node.
+void addSecondNormal(DofLayout& layout, const TraceNormal& trace, int first, const ConstraintSet& constraints)
+{
+  NDFRAME_ASSERT(constraints.nodes().count(trace.node) == 0, "a node with two trace normals has no supports");
+  const int component = layout.trace[std::size_t(first)].dof - 2 * trace.node, other = 1 - component;
+  const auto along = [&](int axis) {
+    if (!layout.frames.isTurned(trace.node))
+      return trace.normal[std::size_t(axis)];
+    const double* axes = layout.frames.axes(trace.node) + std::ptrdiff_t(2 * axis);
+    return axes[0] * trace.normal[0] + axes[1] * trace.normal[1];
+  };
+  const int dof = 2 * trace.node + other;
+  NDFRAME_ASSERT(std::abs(along(other)) > aligned && layout.roles[std::size_t(dof)] == DofRole::Interior,
+                 "two trace normals of a node are parallel, or a node has three");
+  layout.roles[std::size_t(dof)] = DofRole::Kept;
+  layout.trace.push_back({dof, along(other), 0.0, first, along(component)});
+}
+
 } // namespace
 
 void Frames::turn(int node, const double* axes)
@@ -156,16 +175,21 @@ DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, 
   const auto numDofs = std::size_t(nodes.numNodes()) * std::size_t(nodes.dim);
   DofLayout layout{
       Frames(nodes.dim, nodes.numNodes()), std::vector<DofRole>(numDofs, DofRole::Interior), Vector(numDofs, 0.0), {}};
-  std::vector<char> isTrace(std::size_t(nodes.numNodes()), 0);
+  std::vector<int> place(std::size_t(nodes.numNodes()), -1); // of a node's first normal in the trace
   for (const auto& trace : traces) {
-    NDFRAME_ASSERT(!isTrace[std::size_t(trace.node)], "a node has one trace normal");
-    isTrace[std::size_t(trace.node)] = 1;
+    int& first = place[std::size_t(trace.node)];
+    if (first >= 0) {
+      NDFRAME_ASSERT(nodes.dim == 2, "a node in space has one trace normal");
+      addSecondNormal(layout, trace, first, constraints);
+      continue;
+    }
+    first = int(layout.trace.size());
     const auto fixed = constraints.nodes().find(trace.node);
     layOutNode(layout, nodes.dim, trace.node, fixed == constraints.nodes().end() ? nullptr : &fixed->second, &trace,
                constraints);
   }
   for (const auto& [node, fixed] : constraints.nodes())
-    if (!isTrace[std::size_t(node)])
+    if (place[std::size_t(node)] < 0)
       layOutNode(layout, nodes.dim, node, &fixed, nullptr, constraints);
   return layout;
 }

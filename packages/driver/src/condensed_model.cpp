@@ -113,8 +113,9 @@ BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& nodes)
 /// True when a kept dof stands for the same multiple of the normal displacement.
 bool sameScales(const std::vector<TraceDof>& a, const std::vector<TraceDof>& b)
 {
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(),
-                    [](const TraceDof& x, const TraceDof& y) { return x.dof == y.dof && x.scale == y.scale; });
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TraceDof& x, const TraceDof& y) {
+    return x.dof == y.dof && x.scale == y.scale && x.along == y.along;
+  });
 }
 
 /// Condenses a model body by body and keeps of an earlier condensed scene what the model has not changed.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -26,7 +27,18 @@ int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
   return *found;
 }
 
-ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f, int firstNode)
+/// Per interface node the first one with the same body nodes.
+std::vector<int> firstOfPairs(const InterfaceMesh& interface)
+{
+  std::map<int, int> first;
+  std::vector<int> pairs;
+  for (int i = 0; i < interface.numNodes(); ++i)
+    pairs.push_back(first.emplace(interface.dirichletNodes[std::size_t(i)], i).first->second);
+  return pairs;
+}
+
+ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f, const std::vector<int>& pairs,
+                       int firstNode)
 {
   NDFRAME_ASSERT(interface.dim == 2, "contact facets are edges");
   ContactFacet facet;
@@ -41,6 +53,7 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   for (int i = 0; i < body.nodes.nodesPerFacet; ++i) {
     ours[std::size_t(i)] = nodeAt(interface, f, nodes[std::size_t(i)]);
     facet.nodes[std::size_t(i)] = firstNode + ours[std::size_t(i)];
+    facet.pairs[std::size_t(i)] = firstNode + pairs[std::size_t(ours[std::size_t(i)])];
   }
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
@@ -59,8 +72,9 @@ std::vector<ContactFacet> contactFacets(const Model& model)
   std::vector<ContactFacet> facets;
   int firstNode = 0;
   for (const auto& interface : model.interfaces) {
+    const std::vector<int> pairs = firstOfPairs(interface);
     for (int f = 0; f < interface.numFacets(); ++f)
-      facets.push_back(makeFacet(model, interface, f, firstNode));
+      facets.push_back(makeFacet(model, interface, f, pairs, firstNode));
     firstNode += interface.numNodes();
   }
   return facets;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <tuple>
 
 namespace ndframe
@@ -55,6 +56,10 @@ std::vector<std::vector<int>> neighboursAlong(const InterfaceMesh& interface)
       link(nodes[2], nodes[1]);
     }
   }
+  std::map<int, int> first; // the two nodes of a corner
+  for (int i = 0; i < interface.numNodes(); ++i)
+    if (const auto [known, isNew] = first.emplace(interface.dirichletNodes[std::size_t(i)], i); !isNew)
+      link(known->second, i);
   return neighbours;
 }
 

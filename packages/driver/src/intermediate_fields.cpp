@@ -35,9 +35,12 @@ bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
 Vector traceValues(const BodySystem& system, const Vector& solved)
 {
   const Vector own = system.dofs.frames.toLocal(solved);
-  Vector values;
+  Vector kept;
   for (const auto& trace : system.dofs.trace)
-    values.push_back(trace.scale * own[std::size_t(trace.dof)] + trace.offset);
+    kept.push_back(own[std::size_t(trace.dof)]);
+  Vector values = normalParts(system.dofs.trace, kept);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    values[k] += system.dofs.trace[k].offset;
   return values;
 }
 
@@ -84,9 +87,12 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
   }
   if (inside > sameForce * largest)
     return traceLoad(*condensed.condensed[b], system.dofs.trace, *trace.S, load);
-  Vector g = trace.g;
+  Vector kept;
+  for (const TraceDof& dof : system.dofs.trace)
+    kept.push_back(force[std::size_t(dof.dof)]);
+  Vector g = normalForces(system.dofs.trace, std::move(kept));
   for (std::size_t k = 0; k < g.size(); ++k)
-    g[k] += force[std::size_t(system.dofs.trace[k].dof)] / system.dofs.trace[k].scale;
+    g[k] += trace.g[k];
   return g;
 }
 
@@ -112,12 +118,9 @@ Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceSt
   const BodySystem& system = condensed.systems[std::size_t(body)];
   const BodyTrace& trace = *condensed.trace(body);
   Vector force(system.load.size(), 0.0);
-  for (std::size_t k = 0; k < trace.unknowns.size(); ++k) {
-    const auto unknown = std::size_t(trace.unknowns[k]);
-    const TraceDof& dof = system.dofs.trace[k];
-    force[std::size_t(dof.dof)] +=
-        dof.scale * (trace.onDirichletSide[k] ? state.forceDirichlet[unknown] : -state.forceNeumann[unknown]);
-  }
+  const Vector kept = keptForces(system.dofs.trace, trace.forces(state.forceDirichlet, state.forceNeumann));
+  for (std::size_t k = 0; k < kept.size(); ++k)
+    force[std::size_t(system.dofs.trace[k].dof)] += kept[k];
   return system.dofs.frames.toGlobal(force);
 }
 

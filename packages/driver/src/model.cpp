@@ -123,17 +123,22 @@ void addInterface(Model& model, const Params& definition, const std::vector<Inte
   keepNormals(interface, earlier);
   interface.dirichletBody = first;
   interface.neumannBody = second;
+  std::vector<char> isFree;
+  for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
+    isFree.push_back(model.constraints[std::size_t(first)].nodes().count(interface.dirichletNodes[i]) == 0 &&
+                     model.constraints[std::size_t(second)].nodes().count(interface.neumannNodes[i]) == 0);
+  splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), isFree);
   model.interfaces.push_back(std::move(interface));
 }
 
-/// A node's normal displacement can be one dof only: a node may lie on one interface of its body.
+/// A node may lie on one interface of its body.
 void refuseSharedNodes(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
   std::vector<std::set<int>> taken(model.bodies.size());
   for (const auto& interface : model.interfaces)
     for (const auto& [body, nodes] : {std::pair(interface.dirichletBody, &interface.dirichletNodes),
                                       std::pair(interface.neumannBody, &interface.neumannNodes)})
-      for (const int node : *nodes)
+      for (const int node : std::set<int>(nodes->begin(), nodes->end())) // corners have two interface nodes
         if (!taken[std::size_t(body)].insert(node).second) {
           const BodyModel& owner = model.bodies[std::size_t(body)];
           diagnostics.add(

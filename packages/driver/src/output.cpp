@@ -81,10 +81,12 @@ NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<Con
   std::size_t firstNode = 0;
   for (const auto& interface : run.model.interfaces) {
     for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
-      if (interface.dirichletBody == int(body))
-        field.values[std::size_t(interface.dirichletNodes[i])] = contact[firstNode + i].pressure;
-      if (interface.neumannBody == int(body))
-        field.values[std::size_t(interface.neumannNodes[i])] = contact[firstNode + i].pressure;
+      for (const auto& [side, nodes] : {std::pair(interface.dirichletBody, &interface.dirichletNodes),
+                                        std::pair(interface.neumannBody, &interface.neumannNodes)})
+        if (side == int(body)) {
+          double& value = field.values[std::size_t((*nodes)[i])];
+          value = std::max(value, contact[firstNode + i].pressure); // a corner has one on each side of it
+        }
     }
     firstNode += std::size_t(interface.numNodes());
   }

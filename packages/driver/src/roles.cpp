@@ -65,6 +65,7 @@ void exchange(CondensedModel& condensed, BodyTrace& trace)
   for (auto& dof : condensed.systems[std::size_t(trace.body)].dofs.trace) {
     dof.scale = -dof.scale;
     dof.offset = -dof.offset;
+    dof.along = -dof.along;
   }
 }
 

@@ -84,11 +84,10 @@ Balance balance(const BodySystem& system, const BodyTrace* trace, const Interfac
   for (std::size_t i = 0; i < residual.size(); ++i)
     residual[i] -= system.load[i];
   result.force = std::max(result.force, largestEntry(residual));
-  for (std::size_t k = 0; trace != nullptr && k < trace->unknowns.size(); ++k) {
-    const auto unknown = std::size_t(trace->unknowns[k]);
-    const TraceDof& dof = system.dofs.trace[k];
-    residual[std::size_t(dof.dof)] -=
-        dof.scale * (trace->onDirichletSide[k] ? state.forceDirichlet[unknown] : -state.forceNeumann[unknown]);
+  if (trace != nullptr) {
+    const Vector kept = keptForces(system.dofs.trace, trace->forces(state.forceDirichlet, state.forceNeumann));
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      residual[std::size_t(system.dofs.trace[k].dof)] -= kept[k];
   }
   for (std::size_t i = 0; i < residual.size(); ++i)
     if (system.dofs.roles[i] != DofRole::Fixed)

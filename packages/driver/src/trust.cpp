@@ -47,12 +47,7 @@ void checkRange(double number, const Params& list, const char* key, const char* 
 
 double largestContactForce(const BodyTrace& trace, const InterfaceState& state)
 {
-  double m = 0.0;
-  for (std::size_t k = 0; k < trace.unknowns.size(); ++k) {
-    const auto unknown = std::size_t(trace.unknowns[k]);
-    m = std::max(m, std::abs(trace.onDirichletSide[k] ? state.forceDirichlet[unknown] : state.forceNeumann[unknown]));
-  }
-  return m;
+  return largestEntry(trace.forces(state.forceDirichlet, state.forceNeumann));
 }
 
 /// What contact forces must exceed in this scene to be more than round-off.

@@ -9,50 +9,71 @@ namespace ndframe
 namespace
 {
 
-Vector product(Vector v, const Vector& scale)
-{
-  for (std::size_t i = 0; i < v.size(); ++i)
-    v[i] *= scale[i];
-  return v;
-}
-
-/// a S_FF^-1 a.
+/// a S_FF^-1 a^T of a set that has both normals of a node or none.
 class ScaledInverse final : public RestrictedInverse
 {
 public:
-  ScaledInverse(std::unique_ptr<RestrictedInverse> inverse, const Vector& scale)
-      : inverse_(std::move(inverse)), scale_(scale)
+  ScaledInverse(std::unique_ptr<RestrictedInverse> inverse, const std::vector<TraceDof>& trace)
+      : inverse_(std::move(inverse)), trace_(trace)
   {}
-  Vector solve(const Vector& b) const override { return product(inverse_->solve(product(b, scale_)), scale_); }
+  Vector solve(const Vector& b) const override { return normalParts(trace_, inverse_->solve(keptForces(trace_, b))); }
 
 private:
   std::unique_ptr<RestrictedInverse> inverse_;
-  const Vector& scale_;
+  const std::vector<TraceDof>& trace_;
 };
 
-/// a^-1 S a^-1 for an operator that is only applied.
+/// a^-T S a^-1 for an operator that is only applied.
 class ScaledOperator final : public AppliedOperator
 {
 public:
-  ScaledOperator(std::unique_ptr<SymmetricOperator> S, Vector scale, Vector inverseScale)
-      : AppliedOperator(toleranceOf(*S)), owned_(std::move(S)), S_(*asApplied(*owned_)), scale_(std::move(scale)),
-        inverseScale_(std::move(inverseScale))
-  {}
+  ScaledOperator(std::unique_ptr<SymmetricOperator> S, std::vector<TraceDof> trace)
+      : AppliedOperator(toleranceOf(*S)), owned_(std::move(S)), S_(*asApplied(*owned_)), trace_(std::move(trace))
+  {
+    for (TraceDof& dof : trace_)
+      dof.offset = 0.0;
+  }
   int size() const override { return S_.size(); }
-  Vector apply(const Vector& x) const override { return product(S_.apply(product(x, inverseScale_)), inverseScale_); }
+  Vector apply(const Vector& x) const override { return normalForces(trace_, S_.apply(keptValues(trace_, x))); }
   bool hasPreconditioner() const override { return S_.hasPreconditioner(); }
-  Vector precondition(const Vector& b) const override { return product(S_.precondition(product(b, scale_)), scale_); }
+  Vector precondition(const Vector& b) const override
+  {
+    return normalParts(trace_, S_.precondition(keptForces(trace_, b)));
+  }
   std::unique_ptr<RestrictedInverse> directInverse(const std::vector<char>& isFree) const override
   {
+    for (std::size_t k = 0; k < trace_.size(); ++k)
+      if (trace_[k].first >= 0 && isFree[k] != isFree[std::size_t(trace_[k].first)])
+        return nullptr;
     auto inverse = S_.directInverse(isFree);
-    return inverse ? std::make_unique<ScaledInverse>(std::move(inverse), scale_) : nullptr;
+    return inverse ? std::make_unique<ScaledInverse>(std::move(inverse), trace_) : nullptr;
   }
 
 private:
   std::unique_ptr<SymmetricOperator> owned_;
   const AppliedOperator& S_;
-  Vector scale_, inverseScale_;
+  std::vector<TraceDof> trace_; ///< without offsets
 };
+
+/// a^-T S a^-1 of a stored operator.
+DenseMatrix scaledMatrix(DenseMatrix S, const std::vector<TraceDof>& trace)
+{
+  const int n = S.cols();
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < n; ++i)
+      S(i, j) *= (1.0 / trace[std::size_t(i)].scale) * (1.0 / trace[std::size_t(j)].scale);
+  for (int k = 0; k < n; ++k) {
+    const TraceDof& dof = trace[std::size_t(k)];
+    if (dof.first < 0)
+      continue;
+    const double share = dof.along / trace[std::size_t(dof.first)].scale;
+    for (int i = 0; i < n; ++i)
+      S(i, dof.first) -= share * S(i, k);
+    for (int j = 0; j < n; ++j)
+      S(dof.first, j) -= share * S(k, j);
+  }
+  return S;
+}
 
 } // namespace
 
@@ -60,32 +81,20 @@ std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body
                                                        const InterfaceOperator& representation)
 {
   auto S = representation.represent(body, int(trace.size()));
-  if (std::all_of(trace.begin(), trace.end(), [](const TraceDof& t) { return t.scale == 1.0; }))
+  if (std::all_of(trace.begin(), trace.end(), [](const TraceDof& t) { return t.scale == 1.0 && t.first < 0; }))
     return S;
-  Vector scale, inverse;
-  for (const auto& t : trace) {
-    scale.push_back(t.scale);
-    inverse.push_back(1.0 / t.scale);
-  }
-  if (const DenseMatrix* stored = S->dense()) {
-    DenseMatrix scaled = *stored;
-    for (int j = 0; j < scaled.cols(); ++j)
-      for (int i = 0; i < scaled.rows(); ++i)
-        scaled(i, j) *= inverse[std::size_t(i)] * inverse[std::size_t(j)];
-    return makeDenseOperator(std::move(scaled));
-  }
-  return std::make_shared<ScaledOperator>(std::move(S), std::move(scale), std::move(inverse));
+  if (const DenseMatrix* stored = S->dense())
+    return makeDenseOperator(scaledMatrix(*stored, trace));
+  return std::make_shared<ScaledOperator>(std::move(S), trace);
 }
 
 Vector traceLoad(const CondensedBody& body, const std::vector<TraceDof>& trace, const SymmetricOperator& S,
                  const Vector& load)
 {
-  Vector g = body.reduce(DenseMatrix(load)).column(0);
+  Vector g = normalForces(trace, body.reduce(DenseMatrix(load)).column(0));
   Vector offset;
-  for (std::size_t i = 0; i < trace.size(); ++i) {
-    g[i] /= trace[i].scale;
-    offset.push_back(trace[i].offset);
-  }
+  for (const TraceDof& dof : trace)
+    offset.push_back(dof.offset);
   if (std::any_of(offset.begin(), offset.end(), [](double b) { return b != 0.0; })) {
     const Vector moved = S.apply(offset);
     for (std::size_t i = 0; i < g.size(); ++i)
@@ -99,7 +108,41 @@ Vector keptValues(const std::vector<TraceDof>& trace, const Vector& normalDispla
   Vector kept;
   for (std::size_t i = 0; i < trace.size(); ++i)
     kept.push_back((normalDisplacement[i] - trace[i].offset) / trace[i].scale);
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    if (trace[i].first >= 0)
+      kept[i] -= trace[i].along / trace[i].scale * kept[std::size_t(trace[i].first)];
   return kept;
+}
+
+Vector normalParts(const std::vector<TraceDof>& trace, const Vector& kept)
+{
+  Vector normal;
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    normal.push_back(trace[i].scale * kept[i] +
+                     (trace[i].first < 0 ? 0.0 : trace[i].along * kept[std::size_t(trace[i].first)]));
+  return normal;
+}
+
+Vector keptForces(const std::vector<TraceDof>& trace, const Vector& normalForce)
+{
+  Vector force;
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    force.push_back(trace[i].scale * normalForce[i]);
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    if (trace[i].first >= 0)
+      force[std::size_t(trace[i].first)] += trace[i].along * normalForce[i];
+  return force;
+}
+
+Vector normalForces(const std::vector<TraceDof>& trace, Vector keptForce)
+{
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    keptForce[i] /= trace[i].scale;
+  for (std::size_t i = 0; i < trace.size(); ++i)
+    if (trace[i].first >= 0)
+      keptForce[std::size_t(trace[i].first)] -=
+          trace[i].along / trace[std::size_t(trace[i].first)].scale * keptForce[i];
+  return keptForce;
 }
 
 DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, const std::vector<const double*>& points,
@@ -113,6 +156,16 @@ DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, co
         traces(i, j) += along * motions(m, j);
     }
   return traces;
+}
+
+Vector BodyTrace::forces(const Vector& onDirichlet, const Vector& onNeumann) const
+{
+  Vector own;
+  for (std::size_t k = 0; k < unknowns.size(); ++k) {
+    const auto unknown = std::size_t(unknowns[k]);
+    own.push_back(onDirichletSide[k] ? onDirichlet[unknown] : -onNeumann[unknown]);
+  }
+  return own;
 }
 
 bool InterfaceSystem::isDirichlet(const BodyTrace& body) const

@@ -51,6 +51,42 @@ public:
       mesh_.endNormals = std::move(ends);
   }
 
+  /// The corners: vertices where the side turns by more than the angle.
+  std::vector<int> corners(double cornerAngle) const
+  {
+    std::vector<int> found;
+    for (int node = 0; node < mesh_.numNodes(); ++node)
+      if (around_[std::size_t(node)].size() == 2 && kind(node, cornerAngle) == Kind::Open)
+        found.push_back(node);
+    return found;
+  }
+
+  /// n_c of a facet at one of its vertices.
+  Direction valueAt(int facet, int node) const
+  {
+    if (mesh_.endNormals.empty())
+      return own_[std::size_t(facet)];
+    const Direction& end = mesh_.endNormals[std::size_t(facet)][vertex(facet, 0) == node ? 0 : 1];
+    return isZero(end) ? own_[std::size_t(facet)] : end;
+  }
+
+  /// One more node for a corner, which its second facet gets.
+  void split(int corner)
+  {
+    const auto at = std::size_t(corner);
+    const int twin = mesh_.numNodes(), first = around_[at][0], second = around_[at][1];
+    const Direction ofFirst = valueAt(first, corner), ofSecond = valueAt(second, corner);
+    mesh_.dirichletNodes.push_back(mesh_.dirichletNodes[at]);
+    mesh_.neumannNodes.push_back(mesh_.neumannNodes[at]);
+    for (int k = 0; k < mesh_.dim; ++k)
+      mesh_.points.push_back(mesh_.point(corner)[k]);
+    mesh_.gap.push_back(mesh_.gap[at]);
+    mesh_.normals[at] = ofFirst;
+    mesh_.normals.push_back(ofSecond);
+    const auto nodes = mesh_.facets.begin() + std::ptrdiff_t(second) * std::ptrdiff_t(mesh_.nodesPerFacet());
+    std::replace(nodes, nodes + mesh_.nodesPerFacet(), corner, twin);
+  }
+
 private:
   enum class Kind
   {
@@ -147,6 +183,14 @@ void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAn
   TurningSide(mesh, dirichletMesh).turn(cornerAngle);
   if (!mesh.endNormals.empty())
     setNodes(mesh);
+}
+
+void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle, const std::vector<char>& maySplit)
+{
+  TurningSide side(mesh, dirichletMesh);
+  for (const int corner : cornerAngle > 0.0 ? side.corners(cornerAngle) : std::vector<int>())
+    if (maySplit[std::size_t(corner)])
+      side.split(corner);
 }
 
 bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)

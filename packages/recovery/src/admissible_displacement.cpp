@@ -102,7 +102,7 @@ void Admission::separateBetween(std::size_t facet)
   std::array<Compliance, 2> apart{};
   double gain = 0.0;
   for (std::size_t end = 0; end < 2; ++end) {
-    ends[end] = &pairs_.all().at(facets_[facet].nodes[end]);
+    ends[end] = &pairs_.all().at(facets_[facet].pairs[end]);
     apart[end] = pairs_.compliance(*ends[end]);
     gain += apart[end].gain(pairs_.coefficients(facet).weight(1, end));
   }

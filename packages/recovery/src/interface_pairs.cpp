@@ -23,7 +23,7 @@ InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
     const std::array<std::array<int, 3>, 2> nodes{contactNodes(*bodies[body[0]], facets[f], true),
                                                   contactNodes(*bodies[body[1]], facets[f], false)};
     for (std::size_t i = 0; i <= std::size_t(bodies[body[0]]->nodes.order); ++i) {
-      Pair& pair = pairs_[facets[f].nodes[i]];
+      Pair& pair = pairs_[facets[f].pairs[i]];
       pair.body = body;
       pair.node = {nodes[0][i], nodes[1][i]};
       pair.corners.push_back({f, i});

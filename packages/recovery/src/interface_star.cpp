@@ -86,7 +86,7 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
   std::set<int> followers;
   std::vector<int> starts;
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {
-    const auto& nodes = scene.facets[f].nodes;
+    const auto& nodes = scene.facets[f].pairs;
     for (const int vertex : {0, 1})
       ends[nodes[std::size_t(vertex)]].push_back({int(f), vertex});
     const int first = firstEnd(scene, scene.facets[f]);

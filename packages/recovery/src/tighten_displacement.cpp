@@ -68,7 +68,7 @@ Tightening::Opening Tightening::opening(int number) const
     return result;
   for (const Corner& corner : pair.corners) {
     const ContactFacet& facet = facets_[corner.facet];
-    const auto middle = moves_.index.find(facet.nodes[2]);
+    const auto middle = moves_.index.find(facet.pairs[2]);
     if (middle == moves_.index.end())
       continue;
     const Compliance &vertex = moves_.moves[std::size_t(number)], &between = moves_.moves[std::size_t(middle->second)];
@@ -119,7 +119,7 @@ std::vector<Tightening::Condition> Tightening::conditions(const Opening& opening
       double gain = 0.0;
       for (std::size_t node = 0; node <= std::size_t(jump.order); ++node)
         for (const auto& [pair, amount] : opening)
-          if (const auto found = moves_.index.find(facet.nodes[node]);
+          if (const auto found = moves_.index.find(facet.pairs[node]);
               found != moves_.index.end() && found->second == pair)
             gain += amount * moves_.moves[std::size_t(pair)].gain(jump.weight(k, node));
       if (gain != 0.0)

@@ -43,13 +43,16 @@ struct TraceNormal
   Direction normal; ///< n_c
 };
 
-/// How a normal displacement depends on a dof: u_N = scale * s + offset. Scale is 1 unless the normal is oblique to a
-/// support's direction at the same node (or points against the axis).
+/// How a normal displacement depends on dofs: u_N = scale * s + offset. Scale is 1 unless the normal is oblique to a
+/// support's direction at the same node (or points against the axis). The second normal of a node adds along * s', s'
+/// the dof of the first.
 struct TraceDof
 {
   int dof;
   double scale;
   double offset;
+  int first = -1; ///< place in the trace of the node's first normal, for the second one
+  double along = 0.0;
 };
 
 /// What every dof of a body is. dof = node * dim + component in the node's own axes.
@@ -65,8 +68,8 @@ struct DofLayout
   bool splitsLike(const DofLayout& other) const;
 };
 
-/// Chooses axes so that supports fix dofs and interface normals are dofs; one trace normal per node, and its free part
-/// must not vanish (ConstraintSet::freePart).
+/// Chooses axes so that supports fix dofs and interface normals are dofs. A node may have one trace normal, whose free
+/// part must not vanish (ConstraintSet::freePart), or without supports two that are not parallel.
 DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces);
 
 } // namespace ndframe

@@ -22,6 +22,9 @@ struct BodyTrace
   Vector g;                ///< reduced load, per kept dof
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames;
+
+  /// The contact forces on this body along n_c, per kept dof, from those per unknown.
+  Vector forces(const Vector& onDirichlet, const Vector& onNeumann) const;
 };
 
 /// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies, or
@@ -48,17 +51,22 @@ struct InterfaceSystem
   Vector force(const Vector& traction) const;
 };
 
-/// S in the normal displacements of the trace: u_N = a s + b gives S_N = a^-1 S a^-1. The condensed body must outlive
-/// it.
+/// S in the normal displacements of the trace: u_N = a s + b gives S_N = a^-T S a^-1; a is diagonal but where a node
+/// has two normals. The condensed body must outlive it.
 std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body, const std::vector<TraceDof>& trace,
                                                        const InterfaceOperator& representation);
 
-/// g in the normal displacements of the trace: g_N = a^-1 g + S_N b. load: BodySystem::effectiveLoad.
+/// g in the normal displacements of the trace: g_N = a^-T g + S_N b. load: BodySystem::effectiveLoad.
 Vector traceLoad(const CondensedBody& body, const std::vector<TraceDof>& trace, const SymmetricOperator& S,
                  const Vector& load);
 
-/// The kept dofs' values s = (u_N - b) / a.
+/// The kept dofs' values s = a^-1 (u_N - b), and a s.
 Vector keptValues(const std::vector<TraceDof>& trace, const Vector& normalDisplacement);
+Vector normalParts(const std::vector<TraceDof>& trace, const Vector& kept);
+
+/// The forces a^T r on the kept dofs that forces r along the normals are, and a^-T f.
+Vector keptForces(const std::vector<TraceDof>& trace, const Vector& normalForce);
+Vector normalForces(const std::vector<TraceDof>& trace, Vector keptForce);
 
 /// Normal displacements of rigid motions (columns: coefficients in the basis) at interface nodes.
 DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, const std::vector<const double*>& points,

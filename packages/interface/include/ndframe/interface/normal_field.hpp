@@ -20,6 +20,13 @@ namespace ndframe
 /// that do not turn.
 void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle);
 
+/// Gives every corner inside a side, where two facets of the plane meet at more than `cornerAngle`, a second node with
+/// the same body nodes, so that each facet keeps its own normal there: two conditions on one pair of nodes. Not with an
+/// angle of 0, where every vertex would be a corner and a curved side could not slip. maySplit: per interface node,
+/// false where it has to stay one.
+void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle,
+                  const std::vector<char>& maySplit);
+
 /// Gives a mesh the normals of another one of the same polygon, whose facets contain its facets: the condition of
 /// contact stays the same function. `earlier` may look from the other body. False, and nothing is changed, where `mesh`
 /// does not lie on the polygon (up to 1e-6 of its facets), as when a curve was meshed anew.

@@ -18,6 +18,7 @@ struct ContactFacet
   double measure = 0.0;            ///< length
   bool reversed = false;           ///< the ascending vertex order of the Neumann body runs the other way
   std::array<int, 3> nodes{};      ///< interface nodes: Dirichlet body's ascending vertices, then (order 2) the middle
+  std::array<int, 3> pairs{};      ///< their pairs of body nodes: nodes, but for the second node of a corner the first
   bool turns = false;              ///< n_c turns along the facet: linear between `ends`
   std::array<Direction, 2> ends{}; ///< n_c at the vertices (nodes 0, 1) where it turns
 
