@@ -42,7 +42,9 @@ void expectIdentities(const DofLayout& layout, const NodeMap& nodes, const Const
       const TraceDof& t = layout.trace[i];
       EXPECT_EQ(layout.roles[std::size_t(t.dof)], DofRole::Kept);
       EXPECT_NEAR(along(global, traces[i].node, nodes.dim, traces[i].normal),
-                  t.scale * local[std::size_t(t.dof)] + t.offset, 1e-14);
+                  t.scale * local[std::size_t(t.dof)] + t.offset +
+                      (t.first < 0 ? 0.0 : t.along * local[std::size_t(layout.trace[std::size_t(t.first)].dof)]),
+                  1e-14);
     }
     for (const auto& [node, fixed] : constraints.nodes())
       for (std::size_t k = 0; k < std::size_t(fixed.count); ++k)
@@ -170,13 +172,31 @@ TEST(DofLayout, ATraceBetweenTwoSupportsInSpaceKeepsTheLastDirection)
   expectIdentities(layout, body.nodes, constraints, traces);
 }
 
+TEST(DofLayout, ANodeMayHaveTwoNormals)
+{
+  const BodyModel body = test::makeBody(test::box({2, 2}), 1);
+  const ConstraintSet none(2, 1.0);
+  for (const double first : {0.0, 30.0, 90.0, 200.0})
+    for (const double turn : {36.0, 90.0, -120.0}) {
+      const std::vector<TraceNormal> traces = {
+          {1, inPlane(first * degree)}, {4, {0, -1, 0}}, {1, inPlane((first + turn) * degree)}};
+      const DofLayout layout = makeDofLayout(body.nodes, none, traces);
+      EXPECT_EQ(count(layout, DofRole::Kept), 3);
+      EXPECT_EQ(layout.trace[2].first, 0);
+      expectIdentities(layout, body.nodes, none, traces);
+    }
+}
+
 TEST(DofLayout, WrongTracesAreABug)
 {
   const BodyModel body = test::makeBody(test::box({1, 1}), 1);
   ConstraintSet constraints(2, 1.0);
   constraints.add({0, {1, 0, 0}, 0.0});
   EXPECT_THROW(makeDofLayout(body.nodes, constraints, {{0, {-1, 0, 0}}}), InternalError);
-  EXPECT_THROW(makeDofLayout(body.nodes, constraints, {{1, {1, 0, 0}}, {1, {0, 1, 0}}}), InternalError);
+  const TraceNormal other{1, {1, 0, 0}}, held{0, {0, 1, 0}};
+  EXPECT_THROW(makeDofLayout(body.nodes, constraints, {other, {1, {-2, 0, 0}}}), InternalError); // parallel
+  EXPECT_THROW(makeDofLayout(body.nodes, constraints, {other, {1, {0, 1, 0}}, {1, {1, 1, 0}}}), InternalError);
+  EXPECT_THROW(makeDofLayout(body.nodes, constraints, {held, {0, {1, 1, 0}}}), InternalError);
 }
 
 } // namespace ndframe

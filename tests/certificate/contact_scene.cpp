@@ -65,7 +65,8 @@ std::function<double(double)> ContactScene::drawShape(const std::vector<double>&
   if (shape == "hump") // between straight parts
     return [=](double X) { return size * std::pow(std::max(0.0, 4.0 * (X - 0.25) * (0.75 - X)), 2); };
   const double at = x[std::size_t(draw_.integer(1, int(x.size()) - 2))];
-  return [=](double X) { return 4.0 * size * std::max(0.0, X - at); };
+  const double slope = size * (draw_.chance(0.5) ? 10.0 : 4.0); // a corner, or what a curve may be
+  return [=](double X) { return slope * std::max(0.0, X - at); };
 }
 
 void ContactScene::drawMeshes()

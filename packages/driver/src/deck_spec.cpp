@@ -51,7 +51,9 @@ ListSpec interfaceSpec()
                             "u1_N - u2_N <= g. The meshes touch all the same."),
       {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),
        "In degrees. Where the side's facets meet at a smaller angle on the first mesh they stand for a curve, and n_c "
-       "turns along them from vertex to vertex; at a larger one each facet keeps its own normal. 0: all facets do."}};
+       "turns along them from vertex to vertex; at a larger one each facet keeps its own normal, and the corner has "
+       "the "
+       "conditions of both. 0: all facets keep their own, with one condition a vertex, along the mean."}};
   return list;
 }
 
