@@ -67,8 +67,7 @@ public:
   LinearSweep(const InterfaceSystem& part, Ledger& ledger)
       : dirichlet_(gatherRole(part, true)), neumann_(gatherRole(part, false)), isObstacle_(part.isObstacle),
         inverse_(neumann_.S->inverseOn(freeWhenHeld(neumann_.freeMotions, isObstacle_), 0.0)),
-        stiffMotions_(part.size(), neumann_.freeMotions.cols()),
-        motions_(part.size(), dirichlet_.freeMotions.cols() + neumann_.freeMotions.cols()), ledger_(ledger)
+        stiffMotions_(part.size(), neumann_.freeMotions.cols()), ledger_(ledger)
   {
     ledger_.count("interface factorisations");
     for (int m = 0; m < stiffMotions_.cols(); ++m) {
@@ -76,11 +75,11 @@ public:
       std::copy(stiff.begin(), stiff.end(), stiffMotions_.col(m));
     }
     placing_ = pseudoInverse(multiplyTransposed(neumann_.freeMotions, stiffMotions_), rigidTolerance);
-    const auto split = dirichlet_.freeMotions.cols() * part.size();
-    std::copy_n(dirichlet_.freeMotions.data(), split, motions_.data());
+    const DenseMatrix own = motionsAtRest(dirichlet_.freeMotions, isObstacle_);
+    const auto split = own.cols() * part.size();
+    motions_ = DenseMatrix(part.size(), own.cols() + neumann_.freeMotions.cols());
+    std::copy_n(own.data(), split, motions_.data());
     std::copy_n(neumann_.freeMotions.data(), stiffMotions_.cols() * part.size(), motions_.data() + split);
-    for (int j = 0; j < motions_.cols(); ++j)
-      clear(motions_.col(j));
     balancing_ = pseudoInverse(motions_, rigidTolerance);
   }
 

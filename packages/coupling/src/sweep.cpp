@@ -78,6 +78,24 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
   return role;
 }
 
+DenseMatrix motionsAtRest(const DenseMatrix& motions, const std::vector<char>& isHeld)
+{
+  DenseMatrix held(motions.rows(), motions.cols());
+  bool any = false;
+  for (int i = 0; i < held.rows(); ++i)
+    for (int j = 0; isHeld[std::size_t(i)] && j < held.cols(); ++j) {
+      held(i, j) = motions(i, j);
+      any = true;
+    }
+  if (!any)
+    return motions;
+  DenseMatrix rest = multiply(motions, nullSpace(held, rigidTolerance));
+  for (int i = 0; i < rest.rows(); ++i)
+    for (int j = 0; isHeld[std::size_t(i)] && j < rest.cols(); ++j)
+      rest(i, j) = 0.0; // but for round-off
+  return rest;
+}
+
 RoleSystem gatherJump(const InterfaceSystem& system)
 {
   const int n = system.size();

@@ -17,6 +17,9 @@ struct RoleSystem
 };
 RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet);
 
+/// Those of the motions (columns) that leave the held unknowns at rest.
+DenseMatrix motionsAtRest(const DenseMatrix& motions, const std::vector<char>& isHeld);
+
 /// All bodies on the unknowns (w, d): w = u1_N - u2_N the jump, d = u2_N. At obstacles w is the free body's
 /// displacement and d in no body's operator.
 RoleSystem gatherJump(const InterfaceSystem& system);

@@ -67,9 +67,11 @@ const NodeStiffness& InterfacePairs::stiffness(std::size_t body)
 Compliance InterfacePairs::compliance(const Pair& pair)
 {
   Direction normal{};
+  const auto node = [&](const Corner& corner) { return facets_[corner.facet].nodes[corner.number]; };
+  const bool isCorner = node(pair.corners.front()) != node(pair.corners.back());
   for (const Corner& corner : pair.corners)
-    for (std::size_t k = 0; k < 2; ++k)
-      normal[k] += facets_[corner.facet].measure * facets_[corner.facet].normalAt(corner.number)[k];
+    for (std::size_t k = 0; k < 2; ++k) // at a corner the bisector, which opens both flanks whatever their lengths
+      normal[k] += (isCorner ? 1.0 : facets_[corner.facet].measure) * facets_[corner.facet].normalAt(corner.number)[k];
   const double length = std::sqrt(dotProduct(normal, normal));
   for (double& component : normal)
     component /= length;
