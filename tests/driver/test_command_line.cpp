@@ -233,7 +233,8 @@ TEST_F(Program, PlansItsMemoryAndRefusesWhatCannotFit)
 {
   EXPECT_THAT(call({"--plan", shippedDeck("punch")}).out,
               testing::ContainsRegex("\n  memory: about 0.03[0-9]* GB for some 5 400 dofs; .* GB \\(.*\\) left\n"));
-  EXPECT_THAT(call({"--plan", shippedDeck("gmsh-msh2")}).out, HasSubstr("memory: checked when the mesh files are read"));
+  EXPECT_THAT(call({"--plan", shippedDeck("gmsh-msh2")}).out,
+              HasSubstr("memory: checked when the mesh files are read"));
   EXPECT_THAT(call({"--plan", shippedDeck("krylov")}).out, HasSubstr("memory: not estimated for Krylov"));
   EXPECT_THAT(call({"--plan", shippedDeck("punch"), "--set", "Bodies/punch/Mesh/Cells={20000, 20000}"}).out,
               HasSubstr("left: NOT ENOUGH"));

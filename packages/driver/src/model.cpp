@@ -102,6 +102,17 @@ void keepNormals(InterfaceMesh& interface, const std::vector<InterfaceMesh>& ear
   }
 }
 
+/// Per interface node whether supports hold neither of its bodies there.
+std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& interface)
+{
+  const auto isHeld = [&](int body, int node) { return model.constraints[std::size_t(body)].nodes().count(node) > 0; };
+  std::vector<char> without;
+  for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
+    without.push_back(!isHeld(interface.dirichletBody, interface.dirichletNodes[i]) &&
+                      !isHeld(interface.neumannBody, interface.neumannNodes[i]));
+  return without;
+}
+
 void addInterface(Model& model, const Params& definition, const std::vector<InterfaceMesh>& earlier,
                   Diagnostics& diagnostics)
 {
@@ -123,11 +134,8 @@ void addInterface(Model& model, const Params& definition, const std::vector<Inte
   keepNormals(interface, earlier);
   interface.dirichletBody = first;
   interface.neumannBody = second;
-  std::vector<char> isFree;
-  for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
-    isFree.push_back(model.constraints[std::size_t(first)].nodes().count(interface.dirichletNodes[i]) == 0 &&
-                     model.constraints[std::size_t(second)].nodes().count(interface.neumannNodes[i]) == 0);
-  splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), isFree);
+  if (diagnostics.empty()) // else constraints may be missing
+    splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));
   model.interfaces.push_back(std::move(interface));
 }
 
