@@ -113,6 +113,38 @@ TEST(AdaptiveSamples, AreOneExactRuleForPolynomials)
   }
 }
 
+/// int x^n y^m over the unit simplex times dim!.
+double meanOfMonomial(int dim, int n, int m)
+{
+  return std::tgamma(n + 1.0) * std::tgamma(m + 1.0) * std::tgamma(dim + 1.0) / std::tgamma(n + m + dim + 1.0);
+}
+
+TEST(AdaptiveSamples, IntegratePolynomialsOfEachDegreeAgainstThoseOfDegreeFiveLessTheDimension)
+{
+  for (int dim = 1; dim <= 3; ++dim)
+    for (int degree = 1; degree <= (dim == 3 ? 6 : 9); ++degree)
+      for (int ofY = 0; ofY <= (dim == 1 ? 0 : degree); ++ofY) {
+        const Samples samples = Simplex(dim).sample(fmt::format("x^{}*y^{}", degree - ofY, ofY));
+        ASSERT_EQ(samples.pieces.size(), 1u);
+        EXPECT_EQ(samples.uncertainty + samples.spread, 0.0);
+        for (const double weight : samples.rule.weights)
+          EXPECT_GT(weight, 0.0);
+        for (const double lambda : samples.rule.lambda)
+          EXPECT_GT(lambda, 0.0);
+        for (int power = 0; power <= 5 - dim; ++power)
+          EXPECT_NEAR(mean(samples, 1, power), meanOfMonomial(dim, degree - ofY + power, ofY), 2e-16);
+      }
+}
+
+TEST(AdaptiveSamples, TakeNoMorePointsThanTheDegreeOfAPolynomialNeeds)
+{
+  const auto points = [](const char* text) { return Simplex(2).sample(text).rule.size(); };
+  EXPECT_EQ(points("1 + 2*x - y"), 6);
+  EXPECT_EQ(points("x*y"), 7);
+  EXPECT_EQ(points("x*y^2"), 12);
+  EXPECT_EQ(points("x^2*y^2"), 16);
+}
+
 TEST(AdaptiveSamples, IntegrateWhatIsNotPolynomialAgainstPolynomialsOfDegreeFour)
 {
   struct Sample
@@ -239,6 +271,57 @@ TEST(AdaptiveSamples, ResolveSmoothFunctionsOnTrianglesAndTetrahedra)
     const Samples samples = Simplex(dim).sample(fmt::format("exp({}*x)", k));
     EXPECT_TRUE(samples.areCertain());
     EXPECT_NEAR(mean(samples, 1, 0), meanOfExponential(dim, k), 1e-12 * std::exp(k));
+  }
+}
+
+namespace
+{
+
+/// The squares of a grid on [0, 1]^2, two triangles each.
+std::vector<std::array<double, 6>> trianglesOfGrid(int cells)
+{
+  std::vector<std::array<double, 6>> triangles;
+  const double h = 1.0 / cells;
+  for (int i = 0; i < cells; ++i)
+    for (int j = 0; j < cells; ++j) {
+      const double x = i * h, y = j * h;
+      triangles.push_back({x, y, x + h, y, x + h, y + h});
+      triangles.push_back({x, y, x + h, y + h, x, y + h});
+    }
+  return triangles;
+}
+
+} // namespace
+
+/// Values of the polynomials that stand for smooth functions: those of the functions, and right in the mean.
+TEST(AdaptiveSamples, OfSmoothFunctionsOnFineMeshesAreThoseOfTheFunctionsToWithinTheirBound)
+{
+  const std::vector<std::pair<std::string, double>> functions = {
+      {"sin(3*x)*cos(2*y)", (1.0 - std::cos(3.0)) / 3.0 * std::sin(2.0) / 2.0},
+      {"exp(2*x - 3*y - 2)", (1.0 - std::exp(-2.0)) / 2.0 * (1.0 - std::exp(-3.0)) / 3.0},
+      {"1/(1 + x)^2", 0.5},
+      {"x > 0.5 ? exp(y) : 2", 0.5 * (std::exp(1.0) - 1.0) + 1.0},
+      {"tanh(200*(x - 0.4))", std::log(std::cosh(120.0) / std::cosh(80.0)) / 200.0}};
+  for (const auto& [text, exact] : functions) {
+    const auto tree = std::make_shared<const ExpressionTree>(text);
+    DataSampler sampler({{tree, {}}}, 2);
+    const auto triangles = trianglesOfGrid(40);
+    double sum = 0.0;
+    for (const auto& x : triangles) {
+      const Samples samples = sampler.sample(2, {x.data(), x.data() + 2, x.data() + 4, nullptr}, 1.0);
+      ASSERT_TRUE(samples.areCertain()) << text;
+      for (int q = 0; q < samples.rule.size(); ++q) {
+        const double* lambda = samples.rule.point(q);
+        double point[3] = {}, value = 0.0;
+        for (std::size_t v = 0; v < 3; ++v)
+          for (std::size_t k = 0; k < 2; ++k)
+            point[k] += lambda[v] * x[2 * v + k];
+        tree->values(point, 1, &value);
+        EXPECT_NEAR(samples.values[std::size_t(q)], value, 1e-12) << text;
+      }
+      sum += mean(samples, 0, 0);
+    }
+    EXPECT_NEAR(sum / double(triangles.size()), exact, 2e-12) << text;
   }
 }
 

@@ -254,6 +254,23 @@ TEST_P(Spaces, OtherLoadsOscillateInTheCellsTheyActOn)
   EXPECT_EQ(data.caveat.empty(), dim == 2);
 }
 
+TEST_P(Spaces, OscillationThatConstantsAloneBoundIsNoSmallerAndOnlyTakenWhereItIsNegligible)
+{
+  const BodyModel body = loaded({load("Pressure", {{"Side", "top"}, {"Value", "exp(x)"}}),
+                                 load("Body Force", {{"X", "sin(x)"}, {"Y", "x^3*y"}})});
+  const auto exact = makeStaticData(body, degree, {}).oscillation;
+  const auto coarse = makeStaticData(body, degree, {}, 1e300).oscillation;
+  double sum = 0.0;
+  for (std::size_t c = 0; c < exact.size(); ++c) {
+    EXPECT_GE(coarse[c], exact[c] * (1.0 - 1e-12));
+    sum += coarse[c];
+  }
+  if (dim == 3)
+    EXPECT_EQ(coarse, exact);
+  else
+    EXPECT_EQ(makeStaticData(body, degree, {}, 0.99 * std::sqrt(sum)).oscillation, exact);
+}
+
 TEST_P(Spaces, FacetsWithoutSupportsAndLoadsAreNotListed)
 {
   const BodyModel body = test::makeBody(

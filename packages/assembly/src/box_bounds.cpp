@@ -5,25 +5,35 @@
 namespace ndframe
 {
 
-const Enclosure& BoxBounds::around(const Region::Point& centroid, double radius)
+TreeBox::TreeBox(const Region::Point& x, int level, int space) : width(std::ldexp(1.0, level))
 {
-  int level = 0;
-  std::frexp(radius, &level); // radius <= 2^level
-  const double width = std::ldexp(1.0, level + 3), largest = std::ldexp(1.0, level);
   std::array<std::int64_t, 3> cell{};
-  Region::Point middle{};
-  for (std::size_t k = 0; k < std::size_t(space_); ++k) {
-    const double number = std::floor(centroid[k] / width);
+  for (std::size_t k = 0; k < std::size_t(space); ++k) {
+    const double number = std::floor(x[k] / width);
     cell[k] = std::int64_t(std::clamp(number, -9e18, 9e18));
     middle[k] = (number + 0.5) * width;
   }
-  const Place place{level, cell[0], cell[1], cell[2]};
-  if (ofLast_ != nullptr && place == last_)
+  place = {level, cell[0], cell[1], cell[2]};
+}
+
+int TreeBox::levelOf(double radius)
+{
+  int level = 0;
+  std::frexp(radius, &level);
+  return level;
+}
+
+const Enclosure& BoxBounds::around(const Region::Point& centroid, double radius)
+{
+  const int level = TreeBox::levelOf(radius);
+  const TreeBox box(centroid, level + 3, space_);
+  if (ofLast_ != nullptr && box.place == last_)
     return *ofLast_;
-  const auto [found, isNew] = boxes_.try_emplace(place);
+  const auto [found, isNew] = boxes_.try_emplace(box.place);
+  const double largest = std::ldexp(1.0, level);
   if (isNew)
-    found->second = enclose(tree_, Region::box(space_, middle, 0.5 * width + largest, largest));
-  last_ = place;
+    found->second = enclose(tree_, Region::box(space_, box.middle, 0.5 * box.width + largest, largest));
+  last_ = box.place;
   ofLast_ = &found->second;
   return *ofLast_;
 }

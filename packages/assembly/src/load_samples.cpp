@@ -56,14 +56,45 @@ void visitSimplices(const Load& load, const Mesh& mesh, const Visit& visit)
   }
 }
 
-/// The samples of q from those of the functions that it is made of.
-void toDensity(const Load& load, int dim, std::size_t functions, const double* normal, Samples& samples)
+/// Turns the values of functions into those of the density that is made of them.
+class Densities
 {
-  std::vector<double> q(std::size_t(samples.rule.size()) * std::size_t(dim));
-  for (std::size_t g = 0; g < std::size_t(samples.rule.size()); ++g)
-    load.density(dim, samples.values.data() + g * functions, normal, q.data() + g * std::size_t(dim));
-  samples.values = std::move(q);
-}
+public:
+  Densities(const Load& load, int dim, std::size_t functions)
+      : load_(load), dim_(std::size_t(dim)), functions_(functions), ofUnits_(functions * dim_), unit_(functions)
+  {}
+
+  void apply(const double* normal, Samples& samples)
+  {
+    for (std::size_t f = 0; f < functions_; ++f) { // linear in the functions' values
+      std::fill(unit_.begin(), unit_.end(), 0.0);
+      unit_[f] = 1.0;
+      load_.density(int(dim_), unit_.data(), normal, ofUnits_.data() + f * dim_);
+    }
+    const auto points = std::size_t(samples.rule.size());
+    if (isIdentity())
+      return;
+    values_.assign(points * dim_, 0.0);
+    for (std::size_t g = 0; g < points; ++g)
+      for (std::size_t f = 0; f < functions_; ++f)
+        for (std::size_t k = 0; k < dim_; ++k)
+          values_[g * dim_ + k] += samples.values[g * functions_ + f] * ofUnits_[f * dim_ + k];
+    samples.values.swap(values_);
+  }
+
+private:
+  bool isIdentity() const
+  {
+    for (std::size_t i = 0; i < ofUnits_.size(); ++i)
+      if (ofUnits_[i] != (i / dim_ == i % dim_ ? 1.0 : 0.0))
+        return false;
+    return functions_ == dim_;
+  }
+
+  const Load& load_;
+  std::size_t dim_, functions_;
+  std::vector<double> ofUnits_, unit_, values_;
+};
 
 /// Adds int q . v for the Lagrange functions on one simplex.
 template <int simplexDim, int order>
@@ -71,15 +102,18 @@ void scatter(const LoadedSimplex& simplex, const int* nodes, int dim, Vector& lo
 {
   constexpr int count = Lagrange<simplexDim, order>::nodes;
   const QuadratureRule& rule = simplex.samples.rule;
-  double N[count];
+  double N[count], forces[count][3] = {};
   for (int g = 0; g < rule.size(); ++g) {
     Lagrange<simplexDim, order>::values(rule.point(g), N);
     const double weight = simplex.measure * rule.weights[std::size_t(g)];
     const double* q = simplex.samples.values.data() + g * dim;
     for (int a = 0; a < count; ++a)
       for (int k = 0; k < dim; ++k)
-        load[std::size_t(nodes[a]) * std::size_t(dim) + std::size_t(k)] += weight * N[a] * q[k];
+        forces[a][k] += weight * N[a] * q[k];
   }
+  for (int a = 0; a < count; ++a)
+    for (int k = 0; k < dim; ++k)
+      load[std::size_t(nodes[a]) * std::size_t(dim) + std::size_t(k)] += forces[a][k];
 }
 
 } // namespace
@@ -96,7 +130,7 @@ void visitConstant(const Load& load, const std::vector<SampledFunction>& functio
     values.push_back(valueAt(function, mesh.dim, origin));
   visitSimplices(load, mesh, [&](LoadedSimplex& simplex, const Place& place) {
     load.density(mesh.dim, values.data(), place.outward(), q.data());
-    simplex.samples = sampleConstant(place.dim, q);
+    sampleConstant(place.dim, q, simplex.samples);
     visit(simplex);
   });
 }
@@ -109,12 +143,13 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
   if (areConstant(functions))
     return visitConstant(load, functions, mesh, visit);
   DataSampler sampler(functions, mesh.dim);
+  Densities densities(load, mesh.dim, functions.size());
   const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
     visitSimplices(load, mesh, [&](const LoadedSimplex&, const Place& place) { measure(place.dim, place.points); });
   });
   visitSimplices(load, mesh, [&](LoadedSimplex& simplex, const Place& place) {
-    simplex.samples = sampler.sample(place.dim, place.points, scale);
-    toDensity(load, mesh.dim, functions.size(), place.outward(), simplex.samples);
+    sampler.sample(place.dim, place.points, scale, simplex.samples);
+    densities.apply(place.outward(), simplex.samples);
     visit(simplex);
   });
 }

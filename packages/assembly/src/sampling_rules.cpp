@@ -2,31 +2,35 @@
 
 #include <algorithm>
 
+#include "triangle_rules.hpp"
+
 namespace ndframe
 {
 namespace
 {
 
-constexpr int testDegree = 4; ///< phi_a L_k of degree 1 + 3 is the highest that stars integrate
+constexpr int highest = 9; ///< degree of the polynomials that enclosures compare with
 
-template <int dim>
-const std::vector<SamplingRule>& ladderOf()
+std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees)
 {
-  static const std::vector<SamplingRule> ladder = [] {
-    std::vector<SamplingRule> rules;
-    for (const int degree : {6, 8, 12, 18})
-      if (dim < 3 || degree < 18) // a thousand points in a tetrahedron
-        rules.push_back({simplexRule(dim, degree), std::min(degree / 2, degree - testDegree)});
-    return rules;
-  }();
-  return ladder;
+  std::vector<SamplingRule> rules;
+  for (const int degree : degrees) {
+    const bool isSymmetric = dim == 2 && hasSymmetricTriangleRule(degree);
+    rules.push_back({isSymmetric ? symmetricTriangleRule(degree) : simplexRule(dim, degree),
+                     std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
+    if (dim == 1 || degree == degrees.back())
+      rules.back().kept = std::min(rules.back().kept, rules.back().squared);
+  }
+  return rules;
 }
 
 } // namespace
 
 const std::vector<SamplingRule>& samplingLadder(int dim)
 {
-  return dim == 1 ? ladderOf<1>() : dim == 2 ? ladderOf<2>() : ladderOf<3>();
+  static const auto edges = ladderOf(1, {6, 8, 12, 18}), triangles = ladderOf(2, {4, 5, 6, 8, 10, 12, 18}),
+                    tetrahedra = ladderOf(3, {5, 7, 9, 13}); // the collapsed rules of 4, 5, 6 and 8 points an axis
+  return dim == 1 ? edges : dim == 2 ? triangles : tetrahedra;
 }
 
 } // namespace ndframe

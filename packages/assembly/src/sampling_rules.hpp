@@ -7,15 +7,25 @@
 namespace ndframe
 {
 
-/// A Gauss rule and the degree of the polynomials that it integrates exactly with polynomials of degree 4 and with
-/// themselves.
+/// What functions may miss of polynomials, relative to their scale, in mean values. On edges gaps are polynomials point
+/// by point, for which 1e-12 counts as round-off.
+constexpr double agreementOn(int dim)
+{
+  return dim == 1 ? 1e-13 : 1e-12;
+}
+/// The same in norms, where it is charged to the oscillation.
+constexpr double agreementOfNorms = 1e-11;
+
+/// A Gauss rule and the degrees of the polynomials that it integrates exactly: with polynomials of degree 5 - dim (the
+/// highest that stars integrate: a hat function times a mode), and with themselves.
 struct SamplingRule
 {
   QuadratureRule rule;
-  int kept = 0;
+  int kept = 0, squared = 0;
 };
 
-/// The rules that are tried one after the other, of degree 6, 8, 12 and, in one and two dimensions, 18.
+/// The rules that are tried one after the other. The last one, and those of edges, keep no more than they square: on an
+/// edge the points determine the polynomials that are kept.
 const std::vector<SamplingRule>& samplingLadder(int dim);
 
 } // namespace ndframe

@@ -70,6 +70,34 @@ Region::Point SimplexGeometry::place(const double* lambda) const
   return x;
 }
 
+void SimplexGeometry::place(const QuadratureRule& rule, double* points) const
+{
+  const auto space = std::size_t(space_), corners = std::size_t(dim_ + 1), count = std::size_t(rule.size());
+  std::fill_n(points, 3 * count, 0.0);
+  for (std::size_t k = 0; k < space; ++k)
+    for (std::size_t q = 0; q < count; ++q) {
+      double x = 0.0;
+      for (std::size_t v = 0; v < corners; ++v)
+        x += rule.lambda[q * corners + v] * vertices_[v][k];
+      points[3 * q + k] = isShared_[k] ? vertices_[0][k] : x;
+    }
+}
+
+Region::Point SimplexGeometry::centroid() const
+{
+  const double share = 1.0 / (dim_ + 1), lambda[4] = {share, share, share, share};
+  return place(lambda);
+}
+
+void SimplexGeometry::extent(Region::Point& middle, double& radius) const
+{
+  middle = centroid();
+  radius = 0.0;
+  for (std::size_t v = 0; v <= std::size_t(dim_); ++v)
+    for (std::size_t k = 0; k < std::size_t(space_); ++k)
+      radius = std::max(radius, std::abs(vertices_[v][k] - middle[k]));
+}
+
 std::vector<Region::Point> SimplexGeometry::corners(const Samples::Piece& piece) const
 {
   std::vector<Region::Point> all;

@@ -16,13 +16,19 @@ public:
 
   int dim() const { return dim_; }
   int space() const { return space_; }
+  const DataSampler::Vertices& vertices() const { return vertices_; }
   Samples::Piece whole() const;
   /// Barycentric coordinates in the simplex of a point of a piece.
   void locate(const Samples::Piece& piece, const double* local, double* lambda) const;
   /// The point of space; coordinates that space does not have are zero, and those that all vertices share are kept to
   /// the last bit: data may switch there.
   Region::Point place(const double* lambda) const;
+  /// The points of a rule on the whole simplex, three coordinates each.
+  void place(const QuadratureRule& rule, double* points) const;
   std::vector<Region::Point> corners(const Samples::Piece& piece) const;
+  Region::Point centroid() const;
+  /// The centroid and the largest distance of a vertex from it along an axis.
+  void extent(Region::Point& centroid, double& radius) const;
 
   /// The two halves of a piece at the middle of its longest edge.
   std::vector<Samples::Piece> bisect(const Samples::Piece& piece) const;

@@ -77,7 +77,8 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
       if (facet.neumannBody == int(b))
         contact.push_back(facet.neumann);
     }
-    result.data[b] = makeStaticData(*scene.bodies[b], scene.degree, std::move(contact));
+    constexpr double negligible = 1e-7; // of the solution, to be bounded without a stress of its own
+    result.data[b] = makeStaticData(*scene.bodies[b], scene.degree, std::move(contact), negligible * scene.norm);
   });
   return result;
 }

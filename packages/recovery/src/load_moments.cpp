@@ -22,63 +22,38 @@ std::array<int, 4> ascendingPlaces(const LoadedSimplex& simplex)
   return places;
 }
 
-/// int phi_a q m_k per vertex, mode and component.
-std::vector<double> hatMoments(const LoadedSimplex& simplex, const BasisSamples& at, int components)
+/// factor sum_g rows_g q_g, per row and component: rows of `count` numbers.
+template <std::size_t size>
+void addUp(const std::vector<double>& rows, std::size_t count, double factor, const double* q, double* sums)
 {
-  const auto vertices = std::size_t(at.dim + 1), modes = std::size_t(at.modes), size = std::size_t(components);
-  std::vector<double> moments(vertices * modes * size, 0.0);
-  for (std::size_t g = 0; g < std::size_t(simplex.samples.rule.size()); ++g) {
-    const double weight = simplex.measure * simplex.samples.rule.weights[g];
-    for (std::size_t a = 0; a < vertices; ++a)
-      for (std::size_t k = 0; k < modes; ++k) {
-        const double factor = weight * at.lambda[g * vertices + a] * at.values[g * modes + k];
-        for (std::size_t i = 0; i < size; ++i)
-          moments[(a * modes + k) * size + i] += factor * simplex.samples.values[g * size + i];
-      }
+  for (std::size_t row = 0; row < rows.size(); row += count, sums += size) {
+    double sum[size] = {};
+    for (std::size_t g = 0; g < count; ++g)
+      for (std::size_t i = 0; i < size; ++i)
+        sum[i] += rows[row + g] * q[g * size + i];
+    for (std::size_t i = 0; i < size; ++i)
+      sums[i] = factor * sum[i];
   }
-  return moments;
 }
 
-/// int q m_k per mode and component.
-std::vector<double> momentsOf(const LoadedSimplex& simplex, const BasisSamples& at, int components)
+void addUp(const std::vector<double>& rows, double factor, const std::vector<double>& q, std::size_t count,
+           std::vector<double>& sums)
 {
-  const auto modes = std::size_t(at.modes), size = std::size_t(components);
-  std::vector<double> moments(modes * size, 0.0);
-  for (std::size_t g = 0; g < std::size_t(simplex.samples.rule.size()); ++g)
-    for (std::size_t k = 0; k < modes; ++k) {
-      const double factor = simplex.measure * simplex.samples.rule.weights[g] * at.values[g * modes + k];
-      for (std::size_t i = 0; i < size; ++i)
-        moments[k * size + i] += factor * simplex.samples.values[g * size + i];
-    }
-  return moments;
+  const std::size_t size = q.size() / count;
+  sums.resize(rows.size() / count * size);
+  (size == 2 ? addUp<2> : addUp<3>)(rows, count, factor, q.data(), sums.data());
 }
 
-/// Per vertex the force times the share of a unit force there.
-std::vector<double> sharesOfForces(const std::vector<double>& forces, const Shares& unit, int vertices, int modes)
+/// Takes the multiples of a mode off all components.
+template <std::size_t size>
+void subtract(const double* mode, const double* factors, double scale, std::vector<double>& values)
 {
-  const std::size_t size = forces.size() / std::size_t(vertices);
-  std::vector<double> shares;
-  shares.reserve(forces.size() * std::size_t(modes));
-  for (int a = 0; a < vertices; ++a)
-    for (int k = 0; k < modes; ++k)
-      for (std::size_t i = 0; i < size; ++i)
-        shares.push_back(forces[std::size_t(a) * size + i] * vertices * unit.ofOne(a)[k]);
-  return shares;
-}
-
-/// |q - q_h| for q_h with these moments.
-double distance(const LoadedSimplex& simplex, const BasisSamples& at, const std::vector<double>& moments)
-{
-  const std::size_t modes = std::size_t(at.modes), size = moments.size() / modes;
-  double square = 0.0;
-  for (std::size_t g = 0; g < std::size_t(simplex.samples.rule.size()); ++g)
-    for (std::size_t i = 0; i < size; ++i) {
-      double rest = simplex.samples.values[g * size + i];
-      for (std::size_t k = 0; k < modes; ++k)
-        rest -= moments[k * size + i] * at.values[g * modes + k] / simplex.measure;
-      square += simplex.measure * simplex.samples.rule.weights[g] * rest * rest;
-    }
-  return std::sqrt(square);
+  double scaled[size];
+  for (std::size_t i = 0; i < size; ++i)
+    scaled[i] = scale * factors[i];
+  for (std::size_t g = 0; g * size < values.size(); ++g)
+    for (std::size_t i = 0; i < size; ++i)
+      values[g * size + i] -= scaled[i] * mode[g];
 }
 
 /// |q_1 - q_h| for the affine function q_1 with these moments and the piecewise constants q_h that act like the same
@@ -96,89 +71,153 @@ double distanceToPiecewise(const LoadedSimplex& simplex, const std::vector<doubl
 
 } // namespace
 
-LoadMoments::LoadMoments(int dim, int order, const MomentBasis& basis, const MomentBasis& fine, int carried,
-                         bool isPiecewise)
-    : dim_(dim), order_(order), isPiecewise_(isPiecewise), basis_(basis),
-      constant_(MomentBasis::polynomials(basis.dim(), 0)), fine_(fine), carried_(std::size_t(carried)),
-      unit_(basis, order)
+LoadMoments::LoadMoments(int dim, int order, const MomentBasis& basis, const MomentBasis& fine, int carried)
+    : dim_(dim), order_(order), isPiecewise_(false), basis_(basis),
+      tested_(order == 2 ? basis : MomentBasis::polynomials(basis.dim(), 0)), fine_(fine), all_(fine),
+      carried_(std::size_t(carried)), unit_(basis, order)
 {}
 
 LoadMoments LoadMoments::onFacets(int dim, int order, int degree, int fine)
 {
   const MomentBasis basis = facetBasis(dim, degree);
-  const int carried = order == 1 ? dim : basis.size(); // order 1: affine functions
-  return LoadMoments(dim, order, basis, facetBasis(dim, fine), carried, false);
+  LoadMoments result(dim, order, basis, facetBasis(dim, fine), order == 1 ? dim : basis.size()); // order 1: affine
+  result.all_ = MomentBasis::polynomials(dim - 1, std::max(fine, order == 2 ? degree + 1 : 1));
+  result.testByHats();
+  return result;
 }
 
 LoadMoments LoadMoments::inCells(int dim, int order, int degree, int fine)
 {
+  NDFRAME_ASSERT(order == 1 || degree > 1, "loads of order 2 are shared out as polynomials");
   const MomentBasis basis = loadBasis(dim, degree);
-  return LoadMoments(dim, order, basis, MomentBasis::polynomials(dim, std::max(1, fine - 1)), basis.size(),
-                     degree == 1);
+  const int ofFine = std::max(1, fine - 1);
+  LoadMoments result(dim, order, basis, MomentBasis::polynomials(dim, ofFine), basis.size());
+  result.isPiecewise_ = degree == 1;
+  result.all_ = MomentBasis::polynomials(dim, std::max(ofFine, order == 2 ? degree : 1));
+  result.testByHats();
+  return result;
+}
+
+/// phi_a m_j = sum_k <phi_a m_j, M_k> M_k.
+void LoadMoments::testByHats()
+{
+  const std::size_t vertices = std::size_t(all_.dim() + 1), tested = std::size_t(tested_.size());
+  const auto all = std::size_t(all_.size());
+  const QuadratureRule rule = simplexRule(all_.dim(), 10);
+  ofHats_.assign(vertices * tested * all, 0.0);
+  std::vector<double> m(tested), M(all);
+  for (int g = 0; g < rule.size(); ++g) {
+    tested_.values(rule.point(g), m.data());
+    all_.values(rule.point(g), M.data());
+    for (std::size_t row = 0; row < vertices * tested; ++row)
+      for (std::size_t k = 0; k < all; ++k)
+        ofHats_[row * all + k] += rule.weights[std::size_t(g)] * rule.point(g)[row / tested] * m[row % tested] * M[k];
+  }
+}
+
+MomentTables LoadMoments::makeTables(const QuadratureRule& rule, const std::array<int, 4>& places) const
+{
+  const std::size_t vertices = std::size_t(rule.dim + 1), points = std::size_t(rule.size());
+  const auto modes = std::size_t(all_.size());
+  MomentTables tables{std::vector<double>(modes * points), std::vector<double>(modes * points)};
+  std::vector<double> lambda(vertices), at(modes);
+  for (std::size_t g = 0; g < points; ++g) {
+    for (std::size_t v = 0; v < vertices; ++v)
+      lambda[std::size_t(places[v])] = rule.point(int(g))[v];
+    all_.values(lambda.data(), at.data());
+    for (std::size_t k = 0; k < modes; ++k) {
+      tables.values[k * points + g] = at[k];
+      tables.weighted[k * points + g] = rule.weights[g] * at[k];
+    }
+  }
+  return tables;
 }
 
 /// Most simplices are one piece, so that their points are those of a rule in one of a few orders of the vertices.
-const BasisSamples& LoadMoments::samplesOf(const LoadedSimplex& simplex, const MomentBasis& basis, int number) const
+const MomentTables& LoadMoments::tablesOf(const LoadedSimplex& simplex)
 {
   const Samples& samples = simplex.samples;
   const auto places = ascendingPlaces(simplex);
-  const bool isWhole = samples.pieces.size() == 1;
-  if (isWhole)
-    if (const auto known = known_.find({number, samples.pieces.front().rule, places}); known != known_.end())
-      return known->second;
-  BasisSamples at{basis.dim(), basis.size(), {}, {}};
-  const auto vertices = std::size_t(at.dim + 1), modes = std::size_t(at.modes),
-             points = std::size_t(samples.rule.size());
-  at.lambda.resize(points * vertices);
-  at.values.resize(points * modes);
-  for (std::size_t g = 0; g < points; ++g) {
-    for (std::size_t v = 0; v < vertices; ++v)
-      at.lambda[g * vertices + std::size_t(places[v])] = samples.rule.point(int(g))[v];
-    basis.values(at.lambda.data() + g * vertices, at.values.data() + g * modes);
-  }
-  if (isWhole)
-    return known_[{number, samples.pieces.front().rule, places}] = std::move(at);
-  return many_[std::size_t(number)] = std::move(at);
+  if (samples.pieces.size() > 1)
+    return many_ = makeTables(samples.rule, places);
+  auto& known = known_[{samples.pieces.front().rule, places}];
+  if (known.values.empty())
+    known = makeTables(samples.rule, places);
+  return known;
 }
 
-std::vector<double> LoadMoments::sharesOf(const LoadedSimplex& simplex) const
+/// Per vertex the force times the share of a unit force there.
+void LoadMoments::spreadForces()
 {
-  const int vertices = basis_.dim() + 1;
-  if (simplex.samples.pieces.empty()) { // constant
-    std::vector<double> forces;
-    for (int i = 0; i < vertices * dim_; ++i)
-      forces.push_back(simplex.measure / vertices * simplex.samples.values[std::size_t(i % dim_)]);
-    return sharesOfForces(forces, unit_, vertices, basis_.size());
-  }
-  if (order_ == 2)
-    return hatMoments(simplex, samplesOf(simplex, basis_, 0), dim_);
-  return sharesOfForces(hatMoments(simplex, samplesOf(simplex, constant_, 1), dim_), unit_, vertices, basis_.size());
+  const std::size_t vertices = std::size_t(basis_.dim() + 1), size = std::size_t(dim_);
+  result_.shares.clear();
+  for (std::size_t a = 0; a < vertices; ++a)
+    for (std::size_t k = 0; k < std::size_t(basis_.size()); ++k)
+      for (std::size_t i = 0; i < size; ++i)
+        result_.shares.push_back(forces_[a * size + i] * double(vertices) * unit_.ofOne(int(a))[k]);
 }
 
-void LoadMoments::addRemainder(const LoadedSimplex& simplex, SimplexMoments& moments) const
+/// int phi_a q m_j per vertex, mode and component, by the moments.
+void LoadMoments::addShares(std::size_t size)
 {
-  const BasisSamples& at = samplesOf(simplex, fine_, 2);
-  const auto all = momentsOf(simplex, at, dim_);
-  const double small = roundOff * simplex.samples.scale * std::sqrt(simplex.measure);
-  moments.rest = distance(simplex, at, all);
+  addUp(ofHats_, 1.0, moments_, moments_.size() / size, order_ == 2 ? result_.shares : forces_);
+  if (order_ == 1)
+    spreadForces();
+}
+
+/// |q - q_h| for q_h with the moments of the finer basis.
+double LoadMoments::distance(const LoadedSimplex& simplex, const MomentTables& tables)
+{
+  const std::size_t size = std::size_t(dim_), points = std::size_t(simplex.samples.rule.size());
+  rest_ = simplex.samples.values;
+  for (std::size_t k = 0; k < std::size_t(fine_.size()); ++k)
+    (size == 2 ? subtract<2> : subtract<3>)(&tables.values[k * points], &moments_[k * size], 1.0 / simplex.measure,
+                                            rest_);
+  double square = 0.0;
+  for (std::size_t g = 0; g < points; ++g)
+    for (std::size_t i = 0; i < size; ++i)
+      square += simplex.samples.rule.weights[g] * rest_[g * size + i] * rest_[g * size + i];
+  return std::sqrt(simplex.measure * square);
+}
+
+void LoadMoments::addRemainder(const LoadedSimplex& simplex, const MomentTables& tables)
+{
+  const double root = std::sqrt(simplex.measure), small = roundOff * simplex.samples.scale * root;
+  double rest = distance(simplex, tables);
   if (isPiecewise_)
-    moments.rest += distanceToPiecewise(simplex, {all.begin(), all.begin() + (dim_ + 1) * dim_}, dim_, dim_);
-  moments.rest += 2.0 * dim_ * simplex.samples.spread * std::sqrt(simplex.measure); // of the samples and of the data
-  if (moments.rest <= small)
-    moments.rest = 0.0;
-  auto beyond = all;
-  std::fill_n(beyond.begin(), carried_ * std::size_t(dim_), 0.0);
-  if (std::any_of(beyond.begin(), beyond.end(),
-                  [&](double moment) { return std::abs(moment) > small * std::sqrt(simplex.measure); }))
-    moments.beyond = std::move(beyond);
+    rest += distanceToPiecewise(simplex, {moments_.begin(), moments_.begin() + (dim_ + 1) * dim_}, dim_, dim_);
+  rest += 2.0 * dim_ * simplex.samples.spread * root; // of the samples and of the data
+  result_.rest = rest <= small ? 0.0 : rest;
+  const std::size_t size = std::size_t(dim_), end = std::size_t(fine_.size()) * size;
+  double largest = 0.0, square = 0.0;
+  for (std::size_t i = carried_ * size; i < end; ++i) {
+    largest = std::max(largest, std::abs(moments_[i]));
+    square += moments_[i] * moments_[i];
+  }
+  if (largest <= small * root)
+    return;
+  result_.beyond.assign(moments_.begin(), moments_.begin() + std::ptrdiff_t(end));
+  std::fill_n(result_.beyond.begin(), carried_ * size, 0.0);
+  result_.beyondNorm = std::sqrt(square / simplex.measure);
 }
 
-SimplexMoments LoadMoments::of(const LoadedSimplex& simplex) const
+const SimplexMoments& LoadMoments::of(const LoadedSimplex& simplex)
 {
-  SimplexMoments moments{sharesOf(simplex), {}, 0.0};
-  if (!simplex.samples.pieces.empty())
-    addRemainder(simplex, moments);
-  return moments;
+  result_.beyond.clear();
+  result_.rest = result_.beyondNorm = 0.0;
+  if (!simplex.samples.pieces.empty()) {
+    const MomentTables& tables = tablesOf(simplex);
+    addUp(tables.weighted, simplex.measure, simplex.samples.values, std::size_t(simplex.samples.rule.size()), moments_);
+    addShares(std::size_t(dim_));
+    addRemainder(simplex, tables);
+    return result_;
+  }
+  const std::size_t vertices = std::size_t(basis_.dim() + 1), size = std::size_t(dim_); // constant
+  forces_.resize(vertices * size);
+  for (std::size_t i = 0; i < forces_.size(); ++i)
+    forces_[i] = simplex.measure / double(vertices) * simplex.samples.values[i % size];
+  spreadForces();
+  return result_;
 }
 
 } // namespace ndframe

@@ -1,7 +1,7 @@
 #pragma once
 
 #include <map>
-#include <tuple>
+#include <utility>
 
 #include "ndframe/assembly/load_samples.hpp"
 #include "ndframe/recovery/static_data.hpp"
@@ -16,15 +16,15 @@ struct SimplexMoments
   /// Moments of q - q_h, q_h the sum of the shares, in the finer basis that richer stresses carry (mode by mode); empty
   /// when they are round-off.
   std::vector<double> beyond;
+  double beyondNorm = 0.0; ///< what they amount to in L2
   /// Bound of what is left in L2; 0 when it is round-off.
   double rest = 0.0;
 };
 
-/// A basis at the points of samples, in barycentric coordinates for the vertices in ascending order.
-struct BasisSamples
+/// A basis at the points of samples, for the vertices in ascending order: per mode, point.
+struct MomentTables
 {
-  int dim = 0, modes = 0;
-  std::vector<double> lambda, values; ///< per point
+  std::vector<double> weighted, values; ///< weight m_k, m_k
 };
 
 /// Moments of loads on the simplices of one kind, from the samples that the load vector is made of: facets with
@@ -38,23 +38,31 @@ public:
   static LoadMoments onFacets(int dim, int order, int degree, int fine);
   static LoadMoments inCells(int dim, int order, int degree, int fine);
 
-  SimplexMoments of(const LoadedSimplex& simplex) const;
+  /// Valid until the next call.
+  const SimplexMoments& of(const LoadedSimplex& simplex);
 
 private:
-  LoadMoments(int dim, int order, const MomentBasis& basis, const MomentBasis& fine, int carried, bool isPiecewise);
-  std::vector<double> sharesOf(const LoadedSimplex& simplex) const;
-  void addRemainder(const LoadedSimplex& simplex, SimplexMoments& moments) const;
+  LoadMoments(int dim, int order, const MomentBasis& basis, const MomentBasis& fine, int carried);
+  void testByHats();
+  void addShares(std::size_t size);
+  void addRemainder(const LoadedSimplex& simplex, const MomentTables& tables);
+  double distance(const LoadedSimplex& simplex, const MomentTables& tables);
+  void spreadForces();
 
-  const BasisSamples& samplesOf(const LoadedSimplex& simplex, const MomentBasis& basis, int number) const;
+  const MomentTables& tablesOf(const LoadedSimplex& simplex);
+  MomentTables makeTables(const QuadratureRule& rule, const std::array<int, 4>& places) const;
 
   int dim_, order_; ///< of the body
   bool isPiecewise_;
-  MomentBasis basis_, constant_, fine_;
+  /// tested: what hat functions are multiplied with. all: `fine` and these products; it begins with `fine`.
+  MomentBasis basis_, tested_, fine_, all_;
+  std::vector<double> ofHats_; ///< per vertex, mode of `tested`: its product with the hat function in terms of `all`
   std::size_t carried_; ///< functions of `fine` that the shares carry (of their affine twin when piecewise constant)
   Shares unit_;
-  /// By the number of the basis, the rule and the order of the vertices.
-  mutable std::map<std::tuple<int, const QuadratureRule*, std::array<int, 4>>, BasisSamples> known_;
-  mutable std::array<BasisSamples, 3> many_; ///< of the last simplex that is not one piece
+  std::map<std::pair<const QuadratureRule*, std::array<int, 4>>, MomentTables> known_; ///< by the order of the vertices
+  MomentTables many_; ///< of the last simplex that is not one piece
+  SimplexMoments result_;
+  std::vector<double> forces_, moments_, rest_; ///< at the vertices, of `all`, at the points
 };
 
 } // namespace ndframe

@@ -44,12 +44,13 @@ public:
         inCells_(LoadMoments::inCells(data.dim, data.order, data.degree, richestDegree(data.dim)))
   {
     data_.oscillation.assign(std::size_t(body.mesh.numCells()), 0.0);
+    byConstants_ = data_.oscillation;
   }
 
   void listBoundary();
   void addLoad(const Load& load);
   /// Turns the sums over each cell's loads, which are bounds for |eps(v)|, into squared bounds for the energy norm.
-  void finish();
+  void finish(double negligible);
 
 private:
   int number(Facet facet) const { return facet.cell * (body_.mesh.dim + 1) + facet.local; }
@@ -57,13 +58,16 @@ private:
   void addInCell(const LoadedSimplex& simplex);
   static void addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values,
                     double factor = 1.0);
-  StressCorrection& lifted();
+  void addBound(std::size_t cell, double constant, const SimplexMoments& moments);
+  bool boundByConstants(double stiffness, double negligible);
+  Vector liftedEnergies();
 
   const BodyModel& body_;
   StaticData& data_;
   LoadMoments onFacets_, inCells_;
   std::map<int, std::size_t> place_; ///< in data.boundary, by facet
   StressCorrection lifted_;          ///< carries what the shares leave over; empty until there is some
+  Vector byConstants_;               ///< per cell the bound without it
 };
 
 void DataBuilder::listBoundary()
@@ -91,40 +95,35 @@ void DataBuilder::addTo(std::vector<double>& all, std::size_t place, const std::
     all[place * values.size() + i] += factor * values[i];
 }
 
-StressCorrection& DataBuilder::lifted()
-{
-  if (lifted_.tractions.empty())
-    lifted_ = zeroCorrection(body_.mesh, richestDegree(data_.dim));
-  return lifted_;
-}
-
 /// Only what no support takes counts.
 void DataBuilder::addOnFacet(LoadedSimplex simplex)
 {
   const std::size_t place = place_.at(number(simplex.facet)), dim = std::size_t(data_.dim);
   Vector& values = simplex.samples.values;
   data_.boundary[place].removeSupported(data_.dim, values.size() / dim, values.data());
-  const SimplexMoments moments = onFacets_.of(simplex);
+  const SimplexMoments& moments = onFacets_.of(simplex);
   addTo(data_.facetShares, place, moments.shares);
-  if (!moments.beyond.empty())
-    addTo(lifted().tractions,
-          std::size_t(simplex.facet.cell) * (dim + 1) + std::size_t(sortedFacet(body_.mesh, simplex.facet)),
-          moments.beyond);
-  if (moments.rest > 0.0)
-    data_.oscillation[std::size_t(simplex.facet.cell)] +=
-        facetOscillationConstant(body_.mesh, simplex.facet) * moments.rest;
+  if (!moments.beyond.empty()) {
+    const std::size_t facets = dim + 1, cell = std::size_t(simplex.facet.cell);
+    lifted_.tractions.resize(data_.oscillation.size() * facets * moments.beyond.size(), 0.0);
+    addTo(lifted_.tractions, cell * facets + std::size_t(sortedFacet(body_.mesh, simplex.facet)), moments.beyond);
+  }
+  if (moments.rest + moments.beyondNorm > 0.0)
+    addBound(std::size_t(simplex.facet.cell), facetOscillationConstant(body_.mesh, simplex.facet), moments);
 }
 
 void DataBuilder::addInCell(const LoadedSimplex& simplex)
 {
   const auto cell = std::size_t(simplex.facet.cell);
-  const SimplexMoments moments = inCells_.of(simplex);
+  const SimplexMoments& moments = inCells_.of(simplex);
   data_.cellShares.resize(moments.shares.size() * std::size_t(body_.mesh.numCells()), 0.0);
   addTo(data_.cellShares, cell, moments.shares);
-  if (!moments.beyond.empty())
-    addTo(lifted().loads, cell, moments.beyond, -1.0); // moments of the divergence
-  if (moments.rest > 0.0)
-    data_.oscillation[cell] += cellOscillationConstant(body_.mesh, int(cell)) * moments.rest;
+  if (!moments.beyond.empty()) {
+    lifted_.loads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
+    addTo(lifted_.loads, cell, moments.beyond, -1.0); // moments of the divergence
+  }
+  if (moments.rest + moments.beyondNorm > 0.0)
+    addBound(cell, cellOscillationConstant(body_.mesh, int(cell)), moments);
 }
 
 void DataBuilder::addLoad(const Load& load)
@@ -142,13 +141,46 @@ void DataBuilder::addLoad(const Load& load)
                     load.description(), body_.name, doubt.place, doubt.size());
 }
 
+void DataBuilder::addBound(std::size_t cell, double constant, const SimplexMoments& moments)
+{
+  data_.oscillation[cell] += constant * moments.rest;
+  byConstants_[cell] += constant * (moments.rest + moments.beyondNorm);
+}
+
+/// Where the constants alone show that all is negligible there is no need for the stress tau.
+bool DataBuilder::boundByConstants(double stiffness, double negligible)
+{
+  double square = 0.0;
+  for (const double bound : byConstants_)
+    square += bound * bound / stiffness;
+  if (data_.dim != 2 || square > negligible * negligible)
+    return false;
+  for (std::size_t cell = 0; cell < byConstants_.size(); ++cell)
+    data_.oscillation[cell] = byConstants_[cell] * byConstants_[cell] / stiffness;
+  return true;
+}
+
+/// Of the stress that carries what the shares leave over.
+Vector DataBuilder::liftedEnergies()
+{
+  if (lifted_.tractions.empty() && lifted_.loads.empty())
+    return Vector(data_.oscillation.size(), 0.0);
+  StressCorrection whole = zeroCorrection(body_.mesh, richestDegree(data_.dim));
+  if (!lifted_.tractions.empty())
+    whole.tractions = std::move(lifted_.tractions);
+  if (!lifted_.loads.empty())
+    whole.loads = std::move(lifted_.loads);
+  return cellDistances(body_, whole, nullptr);
+}
+
 /// The stress tau with div tau = - (b - b_h) in a cell and tau n = p - p_h on its facets gives
 /// (b - b_h, v) + (p - p_h, v) = (tau, eps(v)) <= |tau| |v|; the constants bound what it does not carry.
-void DataBuilder::finish()
+void DataBuilder::finish(double negligible)
 {
   const double stiffness = smallestStiffness(body_.law);
-  const Vector carried =
-      lifted_.tractions.empty() ? Vector(data_.oscillation.size(), 0.0) : cellDistances(body_, lifted_, nullptr);
+  if (boundByConstants(stiffness, negligible))
+    return;
+  const Vector carried = liftedEnergies();
   bool oscillates = false;
   for (std::size_t cell = 0; cell < carried.size(); ++cell) {
     double& bound = data_.oscillation[cell];
@@ -177,7 +209,7 @@ void BoundaryFacet::removeSupported(int dim, std::size_t count, double* vectors)
     }
 }
 
-StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact)
+StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact, double negligible)
 {
   StaticData data;
   data.dim = body.mesh.dim;
@@ -188,7 +220,7 @@ StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> 
   builder.listBoundary();
   for (const auto& load : body.loads)
     builder.addLoad(*load);
-  builder.finish();
+  builder.finish(negligible);
   return data;
 }
 

@@ -14,9 +14,9 @@ namespace ndframe
 /// Functions on a simplex by their values where Gauss rules on pieces of the simplex integrate them.
 ///
 /// On every piece each function is, to within the piece's `error`, a polynomial that the rule integrates exactly
-/// together with polynomials of degree <= 4 and with itself. So sum_i weights_i values_i P(lambda_i) is the mean value
-/// of f P to within `uncertainty` times scale max |P|. Every integral of a load (load vector, moments, oscillation)
-/// uses the same samples, so that they agree to round-off whatever the load.
+/// together with polynomials of degree <= 5 - dim (of the simplex). So sum_i weights_i values_i P(lambda_i) is the mean
+/// value of f P to within `uncertainty` times scale max |P|. Every integral of a load (load vector, moments,
+/// oscillation) uses the same samples, so that they agree to round-off whatever the load.
 struct Samples
 {
   struct Piece
@@ -25,7 +25,7 @@ struct Samples
     double fraction = 1.0;            ///< of the simplex's measure
     int first = 0;                    ///< its first point; its points follow each other
     const QuadratureRule* rule = nullptr;
-    /// Bound of |f - polynomial|, the largest of the functions; infinite when nothing is known.
+    /// Bound of |f - polynomial| + |f - values|, the largest of the functions; infinite when nothing is known.
     double error = 0.0;
     /// The same for the derivative along a piece of an edge, its length being 1.
     double slopeError = 0.0;
@@ -35,7 +35,7 @@ struct Samples
   std::vector<double> values; ///< functions per point
   double scale = 0.0;         ///< largest value here or elsewhere: what is small is small against it
   double uncertainty = 0.0;   ///< bound of what mean values may be wrong by, relative to the scale
-  double spread = 0.0;        ///< bound of the root mean square of f - polynomials
+  double spread = 0.0;        ///< the same as `error`, root mean square, for polynomials whose squares rules integrate
 
   /// Mean values and norms are right to 1e-10 of the scale, proven by enclosures.
   bool areCertain() const { return uncertainty <= 1e-10; }
@@ -51,11 +51,13 @@ struct SampledFunction
 /// Samples functions of the position on many simplices. Nothing is decided by looking at values: expressions are
 /// enclosed (expression_enclosure.hpp), so nothing between the points stays unseen.
 ///
-/// Polynomials get one exact rule. Otherwise Gauss rules of degree 6, 8, 12 and (not in tetrahedra) 18 are tried; a
-/// simplex on which none is shown to be good enough is cut: where comparisons and kinks of affine functions change
-/// their sign, else across the function that varies most, the worst piece first. What is smaller than 1e-13 of the
-/// scale counts as settled. Limits: 6000 pieces made on a simplex, 200 000 in all; what is left is the samples'
-/// uncertainty. A jump or kink along a curve inside a triangle is not resolved to the end.
+/// Polynomials get one exact rule. In a plane, functions that are shown to be polynomials of degree <= 9 on a box that
+/// holds many cells are replaced by them: they are not evaluated in every cell. Otherwise Gauss rules are tried
+/// (sampling_rules.cpp); a simplex on which none is shown to be good enough is cut: where comparisons and kinks of
+/// affine functions change their sign, else across the function that varies most, the worst piece first. What is
+/// smaller than 1e-12 of the scale (1e-13 on edges) counts as settled. Limits: 6000 pieces made on a simplex, 200 000
+/// in all; what is left is the samples' uncertainty. A jump or kink along a curve inside a triangle is not resolved to
+/// the end.
 class DataSampler
 {
 public:
@@ -73,15 +75,23 @@ public:
   using Visit = std::function<void(int dim, const Vertices& vertices)>;
   double scaleOn(const std::function<void(const Visit&)>& visit);
 
-  /// Samples on a simplex of dimension `dim`. scale: as from scaleOn.
-  Samples sample(int dim, const Vertices& vertices, double scale);
+  /// Samples on a simplex of dimension `dim`. scale: as from scaleOn. Memory of `samples`, from a call before, is
+  /// reused.
+  void sample(int dim, const Vertices& vertices, double scale, Samples& samples);
+  Samples sample(int dim, const Vertices& vertices, double scale)
+  {
+    Samples samples;
+    sample(dim, vertices, scale, samples);
+    return samples;
+  }
 
 private:
   class Implementation;
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The function that is constant on the simplex, by a rule of degree 2: exact for loads on elements of order 2.
-Samples sampleConstant(int dim, const std::vector<double>& value);
+/// The function that is constant on the simplex, by a rule of degree 2: exact for loads on elements of order 2. Memory
+/// of `samples`, from a call before, is reused.
+void sampleConstant(int dim, const std::vector<double>& value, Samples& samples);
 
 } // namespace ndframe

@@ -44,8 +44,9 @@ struct StaticData
   std::string caveat; ///< why the oscillation is not a proven bound in this run; empty when it is
 };
 
-/// contact: the body's facets on interfaces, in the order in which fields give tractions.
-StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact);
+/// contact: the body's facets on interfaces, in the order in which fields give tractions. negligible: an energy norm;
+/// where the constants bound all of a plane body's oscillation by less, there is no stress of the richest degree.
+StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact, double negligible = 0.0);
 
 /// How a star's share of a function follows from the function, on the reference simplex of dimension n (a facet or a
 /// cell), for displacements of order p.

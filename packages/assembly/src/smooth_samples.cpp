@@ -1,0 +1,125 @@
+#include "smooth_samples.hpp"
+
+#include <cmath>
+#include <limits>
+
+#include "sampling_rules.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+int degreeOf(const SampledFunction& function)
+{
+  return function.tree->root().degree;
+}
+
+/// Makes samples of one piece that takes up the simplex, by a rule; most often they are that already.
+void beginWhole(const SimplexGeometry& simplex, const QuadratureRule& rule, Samples& samples)
+{
+  if (samples.pieces.size() != 1 || samples.pieces.front().rule != &rule || samples.pieces.front().fraction != 1.0) {
+    samples.pieces.assign(1, simplex.whole());
+    samples.pieces.front().rule = &rule;
+    samples.rule = rule;
+  }
+}
+
+} // namespace
+
+SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int space)
+    : functions_(functions),
+      arePolynomials_(std::all_of(functions.begin(), functions.end(), [](const auto& f) { return degreeOf(f) >= 0; })),
+      isPlane_(space == 2), here_(functions.size())
+{
+  for (const auto& function : functions)
+    boxes_.emplace_back(*function.tree);
+}
+
+bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allowed)
+{
+  if (arePolynomials_)
+    return true;
+  if (!isPlane_ || simplex.dim() != 2)
+    return false;
+  Region::Point centroid{};
+  simplex.extent(centroid, radius_);
+  for (std::size_t f = 0; f < functions_.size(); ++f)
+    if (degreeOf(functions_[f]) < 0) {
+      here_[f] = boxes_[f].around(centroid, radius_, allowed);
+      if (here_[f] == nullptr)
+        return false;
+    }
+  return true;
+}
+
+/// What the functions miss of polynomials.
+double SmoothSamples::distance(int degree) const
+{
+  double largest = 0.0;
+  for (std::size_t f = 0; f < functions_.size(); ++f)
+    if (here_[f] != nullptr)
+      largest = std::max(largest, here_[f]->distance(degree, radius_));
+    else if (degreeOf(functions_[f]) > degree)
+      largest = std::numeric_limits<double>::infinity();
+  return largest;
+}
+
+bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples& samples)
+{
+  constexpr double share = 0.5; // the box's, of what a function may miss
+  const double allowed = agreementOn(simplex.dim()) * scale;
+  if (!findPolynomials(simplex, share * allowed))
+    return false;
+  for (const SamplingRule& sampling : samplingLadder(simplex.dim())) {
+    const double error = distance(sampling.kept);
+    if (!(error <= allowed))
+      continue;
+    const double ofNorm = distance(sampling.squared);
+    if (!(ofNorm <= agreementOfNorms * scale))
+      continue;
+    beginWhole(simplex, sampling.rule, samples);
+    samples.pieces.front().error = error;
+    samples.scale = scale;
+    samples.spread = ofNorm;
+    samples.uncertainty = error == 0.0 ? 0.0 : 2.0 * error / scale;
+    addValues(simplex, samples);
+    return true;
+  }
+  return false;
+}
+
+void SmoothSamples::addValues(const SimplexGeometry& simplex, Samples& samples)
+{
+  const std::size_t count = std::size_t(samples.rule.size()), size = functions_.size();
+  values_.resize(count);
+  samples.values.resize(count * size);
+  for (std::size_t f = 0; f < size; ++f) {
+    if (here_[f] != nullptr)
+      here_[f]->values(simplex.vertices(), samples.rule, values_.data());
+    else
+      evaluate(functions_[f], simplex, samples);
+    for (std::size_t q = 0; q < count; ++q)
+      samples.values[q * size + f] = values_[q];
+  }
+}
+
+/// The values of a polynomial, which may be too large for a number.
+void SmoothSamples::evaluate(const SampledFunction& function, const SimplexGeometry& simplex, Samples& samples)
+{
+  if (function.tree->isConstant() && std::isfinite(function.tree->root().constant)) {
+    std::fill(values_.begin(), values_.end(), function.tree->root().constant);
+    samples.scale = std::max(samples.scale, std::abs(values_.front()));
+    return;
+  }
+  points_.resize(3 * values_.size());
+  simplex.place(samples.rule, points_.data());
+  function.tree->values(points_.data(), int(values_.size()), values_.data());
+  for (std::size_t q = 0; q < values_.size(); ++q) {
+    if (!std::isfinite(values_[q]))
+      function.refuse(&points_[3 * q], simplex.space(), values_[q]);
+    samples.scale = std::max(samples.scale, std::abs(values_[q]));
+  }
+}
+
+} // namespace ndframe

@@ -1,0 +1,36 @@
+#pragma once
+
+#include <vector>
+
+#include "box_polynomials.hpp"
+#include "ndframe/assembly/adaptive_samples.hpp"
+#include "simplex_piece.hpp"
+
+namespace ndframe
+{
+
+/// Samples on simplices where every function is a polynomial or, in a plane, shown to be one on a box that holds many
+/// simplices: one rule, and the values of the box's polynomials. Costs little more than constants do.
+class SmoothSamples
+{
+public:
+  SmoothSamples(const std::vector<SampledFunction>& functions, int space);
+
+  /// False where a function is not smooth enough; the samples are then undefined.
+  bool sample(const SimplexGeometry& simplex, double scale, Samples& samples);
+
+private:
+  bool findPolynomials(const SimplexGeometry& simplex, double allowed);
+  double distance(int degree) const;
+  void addValues(const SimplexGeometry& simplex, Samples& samples);
+  void evaluate(const SampledFunction& function, const SimplexGeometry& simplex, Samples& samples);
+
+  const std::vector<SampledFunction>& functions_;
+  bool arePolynomials_, isPlane_;
+  std::vector<BoxPolynomials> boxes_;
+  std::vector<const BoxPolynomial*> here_; ///< null for what is a polynomial everywhere
+  double radius_ = 0.0;                    ///< of the simplex
+  std::vector<double> points_, values_;
+};
+
+} // namespace ndframe
