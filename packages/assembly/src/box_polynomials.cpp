@@ -101,7 +101,7 @@ std::optional<BoxPolynomial> BoxPolynomial::fit(const ExpressionTree& tree, cons
 
 void BoxPolynomial::interpolate(const ExpressionTree& tree)
 {
-  const auto end = std::size_t(degree_ + 1);
+  const auto end = std::size_t(degree_) + 1;
   const auto coordinate = [&](std::size_t k) { return halfWidth_ * std::cos(M_PI * (double(k) + 0.5) / double(end)); };
   Matrix values{};
   for (std::size_t k = 0; k < end; ++k) {
@@ -131,7 +131,7 @@ void BoxPolynomial::boundDerivatives()
   std::size_t next = 0;
   for (int j = 0; j <= degree_; ++j)
     for (int i = 0; i + j <= degree_; ++i)
-      ofDegree[std::size_t(i + j)] += std::abs(coefficients_[next++]);
+      ofDegree[std::size_t(i) + std::size_t(j)] += std::abs(coefficients_[next++]);
   for (int m = 0; m <= degree_; ++m) {
     double binomial = 1.0;
     for (int d = m; d <= degree_; ++d) {

@@ -107,7 +107,7 @@ void addSecondNormal(DofLayout& layout, const TraceNormal& trace, int first, con
   const auto along = [&](int axis) {
     if (!layout.frames.isTurned(trace.node))
       return trace.normal[std::size_t(axis)];
-    const double* axes = layout.frames.axes(trace.node) + 2 * axis;
+    const double* axes = layout.frames.axes(trace.node) + std::ptrdiff_t(2) * axis;
     return axes[0] * trace.normal[0] + axes[1] * trace.normal[1];
   };
   const int dof = 2 * trace.node + other;
@@ -122,7 +122,7 @@ void addSecondNormal(DofLayout& layout, const TraceNormal& trace, int first, con
 void Frames::turn(int node, const double* axes)
 {
   index_[std::size_t(node)] = int(axes_.size()) / (dim_ * dim_);
-  axes_.insert(axes_.end(), axes, axes + dim_ * dim_);
+  axes_.insert(axes_.end(), axes, axes + std::ptrdiff_t(dim_) * dim_);
 }
 
 Vector Frames::toLocal(const Vector& global) const

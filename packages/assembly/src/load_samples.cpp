@@ -106,7 +106,7 @@ void scatter(const LoadedSimplex& simplex, const int* nodes, int dim, Vector& lo
   for (int g = 0; g < rule.size(); ++g) {
     Lagrange<simplexDim, order>::values(rule.point(g), N);
     const double weight = simplex.measure * rule.weights[std::size_t(g)];
-    const double* q = simplex.samples.values.data() + g * dim;
+    const double* q = simplex.samples.values.data() + std::ptrdiff_t(g) * dim;
     for (int a = 0; a < count; ++a)
       for (int k = 0; k < dim; ++k)
         forces[a][k] += weight * N[a] * q[k];

@@ -144,7 +144,7 @@ DenseMatrix rigidModes(const RigidBasis& basis, const NodeMap& nodes, const Fram
     Vector mode(std::size_t(modes.rows()));
     for (int node = 0; node < nodes.numNodes(); ++node) {
       const Direction u = basis.displacement(m, nodes.point(node));
-      std::copy_n(u.begin(), nodes.dim, mode.begin() + node * nodes.dim);
+      std::copy_n(u.begin(), nodes.dim, mode.begin() + std::ptrdiff_t(node) * nodes.dim);
     }
     const Vector local = frames.toLocal(mode);
     std::copy(local.begin(), local.end(), modes.col(m));

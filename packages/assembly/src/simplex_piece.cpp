@@ -72,7 +72,7 @@ Region::Point SimplexGeometry::place(const double* lambda) const
 
 void SimplexGeometry::place(const QuadratureRule& rule, double* points) const
 {
-  const auto space = std::size_t(space_), corners = std::size_t(dim_ + 1), count = std::size_t(rule.size());
+  const auto space = std::size_t(space_), corners = std::size_t(dim_) + 1, count = std::size_t(rule.size());
   std::fill_n(points, 3 * count, 0.0);
   for (std::size_t k = 0; k < space; ++k)
     for (std::size_t q = 0; q < count; ++q) {
@@ -102,7 +102,7 @@ std::vector<Region::Point> SimplexGeometry::corners(const Samples::Piece& piece)
 {
   std::vector<Region::Point> all;
   for (int corner = 0; corner <= dim_; ++corner)
-    all.push_back(place(piece.corners.data() + corner * (dim_ + 1)));
+    all.push_back(place(piece.corners.data() + std::ptrdiff_t(corner) * (dim_ + 1)));
   return all;
 }
 

@@ -172,7 +172,7 @@ public:
   const std::vector<Facet>& facets(const Mesh&) const override { return noFacets(); }
   std::vector<NodeConstraint> constraints(const Mesh&, const NodeMap&) const override { return pins_; }
   bool holdsMeanMotion() const override { return true; }
-  void pin(std::vector<NodeConstraint> pins) override { pins_ = std::move(pins); }
+  void pin(const std::vector<NodeConstraint>& pins) override { pins_ = pins; }
 
 private:
   std::vector<NodeConstraint> pins_;

@@ -51,7 +51,8 @@ std::vector<Mesh> matchingMeshes(const Model& model)
     Mesh& moved = meshes[std::size_t(interface.neumannBody)];
     for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i)
       if (const int node = interface.neumannNodes[i]; node < moved.numPoints())
-        std::copy_n(fixed.point(interface.dirichletNodes[i]), moved.dim, moved.points.begin() + node * moved.dim);
+        std::copy_n(fixed.point(interface.dirichletNodes[i]), moved.dim,
+                    moved.points.begin() + std::ptrdiff_t(node) * moved.dim);
   }
   return meshes;
 }

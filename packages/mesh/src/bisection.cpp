@@ -45,7 +45,8 @@ Bisection::Bisection(std::vector<Mesh> meshes, const std::vector<FacetTwin>& twi
     for (const Side& side : meshes_[m].sides) {
       sides_[m].emplace_back();
       for (const Facet facet : side.facets)
-        sides_[m].back().push_back(triangles_[std::size_t(begin_[m] + facet.cell)].edges[std::size_t(facet.local)]);
+        sides_[m].back().push_back(
+            triangles_[std::size_t(begin_[m]) + std::size_t(facet.cell)].edges[std::size_t(facet.local)]);
     }
     writeMesh(int(m));
   }
@@ -63,7 +64,7 @@ void Bisection::addTriangles(const Mesh& mesh)
     end = facets.groupEnd(place);
     NDFRAME_ASSERT(end - place <= 2, "an edge of a sound mesh has one or two triangles");
     for (int p = place; p < end; ++p)
-      triangles_[std::size_t(begin_.back() + facets.at(p) / 3)].edges[std::size_t(facets.at(p) % 3)] =
+      triangles_[std::size_t(begin_.back()) + std::size_t(facets.at(p) / 3)].edges[std::size_t(facets.at(p) % 3)] =
           2 * int(edges_.size()) + (p - place);
     edges_.emplace_back();
   }
@@ -73,7 +74,7 @@ void Bisection::addTriangles(const Mesh& mesh)
 void Bisection::identify(const FacetTwin& twin)
 {
   const auto edgeOf = [this](int mesh, Facet facet) -> DirectedEdge& {
-    return triangles_[std::size_t(begin_[std::size_t(mesh)] + facet.cell)].edges[std::size_t(facet.local)];
+    return triangles_[std::size_t(begin_[std::size_t(mesh)]) + std::size_t(facet.cell)].edges[std::size_t(facet.local)];
   };
   NDFRAME_ASSERT(areOpposite(meshes_[std::size_t(twin.first)], twin.firstFacet, meshes_[std::size_t(twin.second)],
                              twin.secondFacet),
@@ -106,7 +107,7 @@ void Bisection::refine(const std::vector<std::vector<int>>& halvings)
   for (std::size_t m = 0; m < meshes_.size(); ++m) {
     NDFRAME_ASSERT(int(halvings[m].size()) == meshes_[m].numCells(), "one number of halvings a cell");
     for (int c = 0; c < meshes_[m].numCells(); ++c) {
-      Triangle& triangle = triangles_[std::size_t(begin_[m] + c)];
+      Triangle& triangle = triangles_[std::size_t(begin_[m]) + std::size_t(c)];
       triangle.parent = c;
       triangle.halvings = halvings[m][std::size_t(c)];
     }

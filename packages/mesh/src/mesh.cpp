@@ -42,7 +42,7 @@ const Side* Mesh::findSide(const std::string& name) const
 void cellPoints(const Mesh& mesh, int cell, double* points)
 {
   for (int v = 0; v <= mesh.dim; ++v)
-    std::copy_n(mesh.point(mesh.cell(cell)[v]), mesh.dim, points + v * mesh.dim);
+    std::copy_n(mesh.point(mesh.cell(cell)[v]), mesh.dim, points + std::ptrdiff_t(v) * mesh.dim);
 }
 
 void facetVertices(const Mesh& mesh, Facet facet, int* vertices)

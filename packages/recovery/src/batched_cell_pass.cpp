@@ -28,11 +28,12 @@ void takeDisplacement(const NodeMap& nodes, const Vector& displacement, int cell
 {
   const int* cellNodes = nodes.cell(cell);
   for (int a = 0; a < 3; ++a) {
-    const double* vertex = displacement.data() + 2 * cellNodes[local[a]];
-    const double* one = displacement.data() + 2 * cellNodes[local[(a + 1) % 3]];
-    const double* other = displacement.data() + 2 * cellNodes[local[(a + 2) % 3]];
+    const double* vertex = displacement.data() + std::ptrdiff_t(2) * cellNodes[local[a]];
+    const double* one = displacement.data() + std::ptrdiff_t(2) * cellNodes[local[(a + 1) % 3]];
+    const double* other = displacement.data() + std::ptrdiff_t(2) * cellNodes[local[(a + 2) % 3]];
     // The edge opposite to local vertex l is number l + 1 of 01, 12, 20.
-    const double* middle = nodes.order == 2 ? displacement.data() + 2 * cellNodes[3 + (local[a] + 1) % 3] : nullptr;
+    const double* middle =
+        nodes.order == 2 ? displacement.data() + std::ptrdiff_t(2) * cellNodes[3 + (local[a] + 1) % 3] : nullptr;
     for (int i = 0; i < 2; ++i) {
       values[(2 * a + i) * lanes + lane] = vertex[i];
       values[(6 + 2 * a + i) * lanes + lane] = middle != nullptr ? middle[i] : 0.5 * (one[i] + other[i]);
@@ -50,8 +51,8 @@ Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const 
   AlignedDoubles memory(std::size_t(edgeValues + nodeValues + stressValues) * std::size_t(lanes));
   CellBatch batch;
   batch.edges = memory.data();
-  batch.displacement = batch.edges + edgeValues * lanes;
-  batch.stress = batch.displacement + nodeValues * lanes;
+  batch.displacement = batch.edges + std::ptrdiff_t(edgeValues) * lanes;
+  batch.stress = batch.displacement + std::ptrdiff_t(nodeValues) * lanes;
   Vector stress(std::size_t(stressValues) * std::size_t(cells));
   for (int first = 0; first < cells; first += lanes) {
     const int count = std::min(lanes, cells - first);
@@ -79,8 +80,8 @@ Vector batchedCellDistances(const BodyModel& body, const StressCorrection& corre
   AlignedDoubles memory(std::size_t(edgeValues + nodeValues + tractions + loads + 1) * std::size_t(lanes));
   CellBatch batch;
   batch.edges = memory.data();
-  batch.data = batch.edges + edgeValues * lanes;
-  batch.distance = batch.data + (tractions + loads) * lanes;
+  batch.data = batch.edges + std::ptrdiff_t(edgeValues) * lanes;
+  batch.distance = batch.data + std::ptrdiff_t(tractions + loads) * lanes;
   if (difference != nullptr)
     batch.displacement = batch.distance + lanes;
   Vector distances(std::size_t(cells), 0.0);

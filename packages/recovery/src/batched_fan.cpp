@@ -44,10 +44,11 @@ public:
       for (int k = 0; k < fields; ++k) {
         for (int i = 0; offset != nullptr && i < 3; ++i)
           evaluate(direction, i, -(*offset)(i, k), n + k);
-        const double* given = end_.given.data() + 2 * k * modes;
+        const double* given = end_.given.data() + std::ptrdiff_t(2) * k * modes;
         const auto& e = end_.direction[std::size_t(direction)];
         for (int mode = 0; mode < modes; ++mode)
-          rows_(row_ + mode, n + k) += sign * (given[2 * mode] * e[0] + given[2 * mode + 1] * e[1]);
+          rows_(row_ + mode, n + k) +=
+              sign * (given[std::ptrdiff_t(2) * mode] * e[0] + given[std::ptrdiff_t(2) * mode + 1] * e[1]);
       }
     }
   }

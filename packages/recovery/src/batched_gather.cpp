@@ -66,7 +66,7 @@ void BatchedPass::gatherTotals()
   const int loads = 2 * loadModesOf(stars_.data.degree), total = totalsPerCell(stars_.data.degree);
   const auto take = [this](const CornerFacet& facet, const double* tractions, double* target) {
     for (int i = 0; i < facetData_; ++i)
-      target[i * lanes_] = facet.sign(i / 2) * tractions[facet.number * facetData_ + i];
+      target[std::ptrdiff_t(i) * lanes_] = facet.sign(i / 2) * tractions[facet.number * facetData_ + i];
   };
   for (int k = 0; k < fields_; ++k)
     for (int c = 0; c < batch_.cells; ++c)
@@ -77,11 +77,11 @@ void BatchedPass::gatherTotals()
         double* target = batch_.total + place((k * batch_.cells + c) * total, lane);
         const CornerFacets facets = facetsOf(stars_.rings, here);
         take(facets.first, tractions, target);
-        take(facets.second, tractions, target + facetData_ * lanes_);
-        take(facets.rim, tractions, target + (2 * facetData_ + loads) * lanes_);
+        take(facets.second, tractions, target + std::ptrdiff_t(facetData_) * lanes_);
+        take(facets.rim, tractions, target + (std::ptrdiff_t(2) * facetData_ + loads) * lanes_);
         const int rank = stars_.rings.rank(here), next = stars_.rings.rank(Rings::next(here));
         permute(stars_.permutations.of(rank, next), correction.loads.data() + std::ptrdiff_t(here / 3) * loads,
-                loads / 2, lanes_, target + 2 * facetData_ * lanes_);
+                loads / 2, lanes_, target + std::ptrdiff_t(2) * facetData_ * lanes_);
       }
 }
 
@@ -95,8 +95,8 @@ void BatchedPass::scatter()
         double* tractions = corrections_[std::size_t(k)].tractions.data() + std::ptrdiff_t(here / 3) * 3 * facetData_;
         const double* source = batch_.tractions + place((k * batch_.cells + c) * 2 * facetData_, lane);
         for (const CornerFacet& facet : {facets.first, facets.second}) {
-          double* target = tractions + facet.number * facetData_;
-          for (int mode = 0; mode <= stars_.data.degree; ++mode, source += 2 * lanes_, target += 2) {
+          double* target = tractions + std::ptrdiff_t(facet.number) * facetData_;
+          for (int mode = 0; mode <= stars_.data.degree; ++mode, source += std::ptrdiff_t(2) * lanes_, target += 2) {
             const double sign = facet.sign(mode);
             target[0] += sign * source[0];
             target[1] += sign * source[lanes_];
@@ -120,7 +120,7 @@ void BatchedPass::addLoads()
         const double x = divergence[0], y = divergence[lanes_];
         double* loads = corrections_[std::size_t(k)].loads.data() + cell * 2 * modes;
         for (int mode = 0; mode < modes; ++mode) {
-          loads[2 * mode] -= share[mode] * x;
+          loads[std::ptrdiff_t(2) * mode] -= share[mode] * x;
           loads[2 * mode + 1] -= share[mode] * y;
         }
         if (batch_.bodyLoad == nullptr)

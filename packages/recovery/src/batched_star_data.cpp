@@ -58,11 +58,12 @@ FanEnd fanEnd(const BatchedStarData& stars, int vertex, int other, int facet, co
     return end;
   const auto contact = stars.contact.find(facet);
   for (int k = 0; k < fields; ++k) {
-    double* moments = end.given.data() + 2 * modes * k;
+    double* moments = end.given.data() + std::ptrdiff_t(2) * modes * k;
     if (boundary != stars.boundary.end())
-      addShare(stars.data.facetShares.data() + 4 * modes * boundary->second, modes, isUpper, moments);
+      addShare(stars.data.facetShares.data() + std::ptrdiff_t(4) * modes * boundary->second, modes, isUpper, moments);
     if (contact != stars.contact.end() && inputs->contact[std::size_t(k)] != nullptr)
-      addShare(inputs->contact[std::size_t(k)]->data() + 4 * modes * contact->second, modes, isUpper, moments);
+      addShare(inputs->contact[std::size_t(k)]->data() + std::ptrdiff_t(4) * modes * contact->second, modes, isUpper,
+               moments);
   }
   return end;
 }

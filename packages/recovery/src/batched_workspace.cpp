@@ -32,7 +32,7 @@ BatchWorkspace::BatchWorkspace(int degree, int lanes, int maxCells, int fields, 
   double* next = memory_.data();
   for (const auto& [pointer, count] : arrays) {
     *pointer = next;
-    next += count * lanes;
+    next += std::ptrdiff_t(count) * lanes;
   }
 }
 

@@ -43,7 +43,7 @@ CellMap cellMap(const Mesh& mesh, const SortedCell& cell)
       dim == 2 ? barycentricGradients<2>(points, gradients) : barycentricGradients<3>(points, gradients);
   map.det = std::abs(measure) / referenceMeasure(dim);
   // The rows of the inverse are the gradients of lambda_1..lambda_dim.
-  std::copy(gradients + dim, gradients + (dim + 1) * dim, map.inverse.begin());
+  std::copy(gradients + dim, gradients + std::ptrdiff_t(dim + 1) * dim, map.inverse.begin());
   return map;
 }
 

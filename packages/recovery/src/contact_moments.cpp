@@ -15,7 +15,7 @@ namespace
 std::vector<double> facetContactMatrix(int order)
 {
   const QuadratureRule rule = simplexRule(1, 2 * order);
-  const auto nodes = std::size_t(order + 1);
+  const auto nodes = std::size_t(order) + 1;
   std::vector<double> matrix(nodes * nodes, 0.0);
   double N[3];
   for (int g = 0; g < rule.size(); ++g) {
@@ -31,7 +31,7 @@ std::vector<double> facetContactMatrix(int order)
 std::array<std::vector<double>, 2> turningContactMatrices(int order)
 {
   const QuadratureRule rule = simplexRule(1, 2 * order + 1);
-  const auto nodes = std::size_t(order + 1);
+  const auto nodes = std::size_t(order) + 1;
   std::array<std::vector<double>, 2> matrices;
   matrices.fill(std::vector<double>(nodes * nodes, 0.0));
   double N[3];
@@ -116,7 +116,7 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
 
 Vector contactContributions(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& w)
 {
-  const auto modes = std::size_t(traction.degree + 1);
+  const auto modes = std::size_t(traction.degree) + 1;
   Vector contributions;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const Vector t = traction.moments(int(f));
@@ -133,7 +133,7 @@ Vector motionWork(const BodyModel& body, int bodyIndex, const Vector& motion, co
 {
   const auto matrix = facetContactMatrix(body.nodes.order);
   const auto turning = turningContactMatrices(body.nodes.order);
-  const auto n = std::size_t(body.nodes.order + 1);
+  const auto n = std::size_t(body.nodes.order) + 1;
   Vector work(std::size_t(numInterfaceNodes), 0.0);
   for (const ContactFacet& facet : facets) {
     const bool isDirichlet = facet.dirichletBody == bodyIndex;

@@ -30,7 +30,7 @@ public:
   {
     const Facet facet = isDirichlet ? contact.dirichlet : contact.neumann;
     const bool backwards = !isDirichlet && contact.reversed;
-    const std::size_t carried = 2 * (richestDegree + 1);
+    const std::size_t carried = 2 * (std::size_t(richestDegree) + 1);
     double* traction = lifted_.tractions.data() +
                        (std::size_t(facet.cell) * 3 + std::size_t(sortedFacet(body_.mesh, facet))) * carried;
     double square = 0.0;

@@ -32,7 +32,7 @@ void bernsteinValues(int degree, const double* lambda, double* B)
 std::vector<double> nodalShares(int order, int degree)
 {
   const MomentBasis basis = facetBasis(2, degree);
-  const auto modes = std::size_t(basis.size()), nodes = std::size_t(order + 1);
+  const auto modes = std::size_t(basis.size()), nodes = std::size_t(order) + 1;
   std::vector<double> shares(verticesPerFacet * nodes * modes, 0.0), unit(modes);
   const QuadratureRule rule = simplexRule(1, 1 + order + degree);
   std::array<double, 3> N{};
@@ -56,7 +56,7 @@ std::vector<double> nodalShares(int order, int degree)
 void addFacetShares(const ContactFacet& facet, const ContactTraction& traction, std::size_t f, bool isNeumann, int dim,
                     Vector& all)
 {
-  const auto modes = std::size_t(traction.degree + 1);
+  const auto modes = std::size_t(traction.degree) + 1;
   const bool backwards = isNeumann && facet.reversed;
   for (std::size_t a = 0; a < verticesPerFacet; ++a) {
     const std::size_t first = (f * verticesPerFacet + (backwards ? 1 - a : a)) * modes;
@@ -82,7 +82,7 @@ Direction ContactFacet::normalAt(std::size_t node) const
 
 Vector ContactTraction::moments(int facet) const
 {
-  const auto modes = std::size_t(degree + 1), first = std::size_t(facet) * verticesPerFacet * modes;
+  const auto modes = std::size_t(degree) + 1, first = std::size_t(facet) * verticesPerFacet * modes;
   Vector total(modes, 0.0);
   for (std::size_t a = 0; a < verticesPerFacet; ++a)
     for (std::size_t k = 0; k < modes; ++k)
@@ -130,7 +130,7 @@ ContactTraction tractionFromNodes(const std::vector<ContactFacet>& facets, const
 {
   NDFRAME_ASSERT(order <= degree, "a traction of the displacements' order must fit the degree");
   const auto table = nodalShares(order, degree);
-  const auto modes = std::size_t(degree + 1), nodes = std::size_t(order + 1);
+  const auto modes = std::size_t(degree) + 1, nodes = std::size_t(order) + 1;
   ContactTraction traction{degree, Vector(facets.size() * verticesPerFacet * modes, 0.0),
                            turnedShares(facets, nodal, order, degree)};
   for (std::size_t f = 0; f < facets.size(); ++f)

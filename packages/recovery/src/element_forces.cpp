@@ -45,7 +45,9 @@ void addTractions(const CellStress& stress, Force* tractions)
 template <int order>
 void subtractBodyForce(const double* shares, const Shares& ofLambda, int modes, Force* residual)
 {
-  const auto share = [&](int a, int k) { return Force{shares[2 * (a * modes + k)], shares[2 * (a * modes + k) + 1]}; };
+  const auto share = [&](int a, int k) {
+    return Force{shares[std::ptrdiff_t(2) * (a * modes + k)], shares[std::ptrdiff_t(2) * (a * modes + k) + 1]};
+  };
   const auto product = [&](int a, int b) {
     Force sum;
     for (int k = 0; k < modes; ++k)

@@ -101,7 +101,7 @@ LoadMoments LoadMoments::inCells(int dim, int order, int degree, int fine)
 /// phi_a m_j = sum_k <phi_a m_j, M_k> M_k.
 void LoadMoments::testByHats()
 {
-  const std::size_t vertices = std::size_t(all_.dim() + 1), tested = std::size_t(tested_.size());
+  const std::size_t vertices = std::size_t(all_.dim()) + 1, tested = std::size_t(tested_.size());
   const auto all = std::size_t(all_.size());
   const QuadratureRule rule = simplexRule(all_.dim(), 10);
   ofHats_.assign(vertices * tested * all, 0.0);
@@ -117,7 +117,7 @@ void LoadMoments::testByHats()
 
 MomentTables LoadMoments::makeTables(const QuadratureRule& rule, const std::array<int, 4>& places) const
 {
-  const std::size_t vertices = std::size_t(rule.dim + 1), points = std::size_t(rule.size());
+  const std::size_t vertices = std::size_t(rule.dim) + 1, points = std::size_t(rule.size());
   const auto modes = std::size_t(all_.size());
   MomentTables tables{std::vector<double>(modes * points), std::vector<double>(modes * points)};
   std::vector<double> lambda(vertices), at(modes);
@@ -149,7 +149,7 @@ const MomentTables& LoadMoments::tablesOf(const LoadedSimplex& simplex)
 /// Per vertex the force times the share of a unit force there.
 void LoadMoments::spreadForces()
 {
-  const std::size_t vertices = std::size_t(basis_.dim() + 1), size = std::size_t(dim_);
+  const std::size_t vertices = std::size_t(basis_.dim()) + 1, size = std::size_t(dim_);
   result_.shares.clear();
   for (std::size_t a = 0; a < vertices; ++a)
     for (std::size_t k = 0; k < std::size_t(basis_.size()); ++k)
@@ -185,7 +185,8 @@ void LoadMoments::addRemainder(const LoadedSimplex& simplex, const MomentTables&
   const double root = std::sqrt(simplex.measure), small = roundOff * simplex.samples.scale * root;
   double rest = distance(simplex, tables);
   if (isPiecewise_)
-    rest += distanceToPiecewise(simplex, {moments_.begin(), moments_.begin() + (dim_ + 1) * dim_}, dim_, dim_);
+    rest += distanceToPiecewise(simplex, {moments_.begin(), moments_.begin() + std::ptrdiff_t(dim_ + 1) * dim_}, dim_,
+                                dim_);
   rest += 2.0 * dim_ * simplex.samples.spread * root; // of the samples and of the data
   result_.rest = rest <= small ? 0.0 : rest;
   const std::size_t size = std::size_t(dim_), end = std::size_t(fine_.size()) * size;
@@ -212,7 +213,7 @@ const SimplexMoments& LoadMoments::of(const LoadedSimplex& simplex)
     addRemainder(simplex, tables);
     return result_;
   }
-  const std::size_t vertices = std::size_t(basis_.dim() + 1), size = std::size_t(dim_); // constant
+  const std::size_t vertices = std::size_t(basis_.dim()) + 1, size = std::size_t(dim_); // constant
   forces_.resize(vertices * size);
   for (std::size_t i = 0; i < forces_.size(); ++i)
     forces_[i] = simplex.measure / double(vertices) * simplex.samples.values[i % size];

@@ -132,7 +132,7 @@ void MomentBasis::values(const double* lambda, double* m) const
 
 void MomentBasis::gradients(const double* lambda, double* dm) const
 {
-  std::fill(dm, dm + size_ * dim_, 0.0);
+  std::fill(dm, dm + std::ptrdiff_t(size_) * dim_, 0.0);
   if (piecewise_)
     return;
   for (int j = 0; j < size_; ++j)

@@ -83,8 +83,9 @@ double liftedEnergy(const BodyModel& body, Facet facet, const Samples& samples, 
         value[0][i] = values[i][q] - t * slopes[i][std::size_t(q)];
         value[1][i] = values[i][q] + (1.0 - t) * slopes[i][std::size_t(q)];
       }
-      energy += measure * samples.rule.weights[std::size_t(piece.first + q)] *
-                energyDensity(body.law, gradLambda + 2 * local[0], gradLambda + 2 * local[1], value);
+      energy += measure * samples.rule.weights[std::size_t(piece.first) + std::size_t(q)] *
+                energyDensity(body.law, gradLambda + std::ptrdiff_t(2) * local[0],
+                              gradLambda + std::ptrdiff_t(2) * local[1], value);
     }
   }
   return energy;
@@ -101,7 +102,7 @@ bool isContinuous(const Samples& samples, const Vector& delta, int dim, EdgePiec
   for (int i = 0; i < dim; ++i) {
     double reached = 0.0, error = 0.0;
     for (const auto& piece : sorted) {
-      auto values = pieces.endValues(*piece.rule, delta.data() + i * samples.rule.size() + piece.first);
+      auto values = pieces.endValues(*piece.rule, delta.data() + std::ptrdiff_t(i) * samples.rule.size() + piece.first);
       if (const auto ends = EdgePieces::ends(piece); ends[0] > ends[1])
         std::swap(values[0], values[1]);
       const double missed = EdgePieces::interpolationFactor(*piece.rule) * piece.error;
@@ -126,7 +127,7 @@ double missedEnergy(const BodyModel& body, Facet facet, const Samples& samples, 
   const int* local = facetLocalNodes(2, 1, facet.local);
   double gradients = 0.0;
   for (int v = 0; v < 2; ++v)
-    gradients += std::hypot(gradLambda[2 * local[v]], gradLambda[2 * local[v] + 1]);
+    gradients += std::hypot(gradLambda[std::ptrdiff_t(2) * local[v]], gradLambda[std::ptrdiff_t(2) * local[v] + 1]);
   for (int i = 0; i < 3; ++i)
     trace += (i < 2 ? 1.0 : 2.0) * body.law(i, i);
   for (const auto& piece : samples.pieces) {
@@ -152,7 +153,8 @@ void toDisplacements(const PrescribedDisplacement& prescribed, int dim, Samples&
 {
   Vector u(std::size_t(samples.rule.size()) * std::size_t(dim));
   for (int q = 0; q < samples.rule.size(); ++q)
-    prescribed.displacement(samples.values.data() + std::size_t(q) * prescribed.functions().size(), u.data() + q * dim);
+    prescribed.displacement(samples.values.data() + std::size_t(q) * prescribed.functions().size(),
+                            u.data() + std::ptrdiff_t(q) * dim);
   samples.values = std::move(u);
 }
 

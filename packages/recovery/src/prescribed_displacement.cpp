@@ -51,7 +51,7 @@ Vector PrescribedDisplacement::atNodes(Facet facet) const
     ofFunctions.clear();
     for (const auto& function : functions_)
       ofFunctions.push_back(valueAt(function, dim, body_.nodes.point(nodes[a])));
-    displacement(ofFunctions.data(), values.data() + a * dim);
+    displacement(ofFunctions.data(), values.data() + std::ptrdiff_t(a) * dim);
   }
   return values;
 }

@@ -37,8 +37,8 @@ DenseMatrix productTable(const ReferenceSpace& space, int dim, const DenseMatrix
 DenseMatrix beside(const DenseMatrix& A, const DenseMatrix& B)
 {
   DenseMatrix both(A.rows(), A.cols() + B.cols());
-  std::copy(A.data(), A.data() + A.rows() * A.cols(), both.data());
-  std::copy(B.data(), B.data() + B.rows() * B.cols(), both.col(A.cols()));
+  std::copy(A.data(), A.data() + std::ptrdiff_t(A.rows()) * A.cols(), both.data());
+  std::copy(B.data(), B.data() + std::ptrdiff_t(B.rows()) * B.cols(), both.col(A.cols()));
   return both;
 }
 

@@ -90,7 +90,7 @@ Vector BalanceSettler::elasticTraction(int half) const
     for (int b = 0; b < dim; ++b)
       addForce(stress, b < facet ? b : b + 1, facet,
                -dim * stress.measure * facetMeans_[std::size_t(k) * std::size_t(dim) + std::size_t(b)],
-               moments.data() + k * dim);
+               moments.data() + std::ptrdiff_t(k) * dim);
   return moments;
 }
 

@@ -44,7 +44,7 @@ Shares::Shares(const MomentBasis& basis, int order) : dim_(basis.dim()), modes_(
 const double* Shares::ofLinear(int a, int b) const
 {
   NDFRAME_ASSERT(!linear_.empty(), "displacements of order 1 have constant stresses");
-  return linear_.data() + (a * (dim_ + 1) + b) * modes_;
+  return linear_.data() + (std::ptrdiff_t(a) * (dim_ + 1) + b) * modes_;
 }
 
 } // namespace ndframe

@@ -10,7 +10,7 @@ void SplitStress::stress(int sub, const double* lambda, double* sigma) const
   double mu[4], m[maxStressModes], S[6] = {};
   SubCell{dim, sub}.coordinates(lambda, mu);
   basis.values(mu, m);
-  const double* coefficient = coefficients.data() + sub * numStrains(dim) * basis.size();
+  const double* coefficient = coefficients.data() + std::ptrdiff_t(sub) * numStrains(dim) * basis.size();
   for (int s = 0; s < numStrains(dim); ++s)
     for (int k = 0; k < basis.size(); ++k)
       S[s] += *coefficient++ * m[k];
@@ -24,7 +24,7 @@ void SplitStress::divergence(int sub, const double* lambda, double* div) const
   double mu[4], dm[maxStressModes * 3], Div[3] = {};
   subCell.coordinates(lambda, mu);
   basis.gradients(mu, dm);
-  const double* coefficient = coefficients.data() + sub * numStrains(dim) * basis.size();
+  const double* coefficient = coefficients.data() + std::ptrdiff_t(sub) * numStrains(dim) * basis.size();
   for (int k = 0; k < basis.size(); ++k)
     for (int j = 0; j < dim; ++j) {
       double derivative = 0.0;

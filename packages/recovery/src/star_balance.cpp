@@ -249,7 +249,9 @@ void StarBalance::addReactions(StarFields& x, std::vector<DenseMatrix>& needed) 
       double amount = 0.0;
       for (int i = 0; i < w; ++i)
         amount += reduction_.matrix(int(row), columns + i) * total(i, field);
-      reaction.addTo(x.col(field) + spoke.cell[0] * data + spoke.facet[0] * body_->facetData(), body_->dim(), amount);
+      reaction.addTo(x.col(field) + std::ptrdiff_t(spoke.cell[0]) * data +
+                         std::ptrdiff_t(spoke.facet[0]) * body_->facetData(),
+                     body_->dim(), amount);
       for (int i = 0; i < w; ++i)
         needed[std::size_t(spoke.cell[0])](i, field) -= amount * unit[std::size_t(i)];
     }

@@ -29,13 +29,14 @@ void StarLoads::addStress(const Star& star, int field, double* x) const
         for (int k = 0; k < body_->facetModes(); ++k) {
           const double share =
               body_->data().order == 1 ? facetShares_.ofOne(a)[k] / dim : facetShares_.ofLinear(a, b)[k];
-          addForce(stress, b < facet ? b : b + 1, facet, dim * stress.measure * share, x + facet * facetData + k * dim);
+          addForce(stress, b < facet ? b : b + 1, facet, dim * stress.measure * share,
+                   x + std::ptrdiff_t(facet) * facetData + std::ptrdiff_t(k) * dim);
         }
     }
     for (int v = 0; v <= dim && body_->data().order == 2; ++v)
       for (int k = 0; k < body_->loadModes(); ++k)
         addForce(stress, v, v, -stress.measure * cellShares_.ofOne(cell.apex)[k],
-                 x + body_->reference().tractions + k * dim);
+                 x + body_->reference().tractions + std::ptrdiff_t(k) * dim);
     x += data;
   }
 }
@@ -47,7 +48,8 @@ void StarLoads::addShare(const Star& star, const Spoke& spoke, const double* sha
   const int apex = Star::apexOnFacet(star.cells[std::size_t(spoke.cell[0])].apex, spoke.facet[0]);
   const double* share =
       shares + (std::ptrdiff_t(index) * std::ptrdiff_t(body_->dim()) + std::ptrdiff_t(apex)) * facetData;
-  double* target = x + spoke.cell[0] * body_->reference().data() + spoke.facet[0] * facetData;
+  double* target =
+      x + std::ptrdiff_t(spoke.cell[0]) * body_->reference().data() + std::ptrdiff_t(spoke.facet[0]) * facetData;
   for (int i = 0; i < facetData; ++i)
     target[i] += share[i];
 }
@@ -71,7 +73,7 @@ void StarLoads::addLoads(const Star& star, int field, double* x) const
     const double* share =
         data.cellShares.data() +
         (std::ptrdiff_t(cell.cell) * std::ptrdiff_t(data.dim + 1) + std::ptrdiff_t(cell.apex)) * loads;
-    double* target = x + int(c) * body_->reference().data() + body_->reference().tractions;
+    double* target = x + std::ptrdiff_t(c) * body_->reference().data() + body_->reference().tractions;
     for (int i = 0; i < loads; ++i)
       target[i] -= share[i];
   }
@@ -86,9 +88,9 @@ StarFields StarLoads::initial(const Star& star) const
     addStress(star, field, x);
     addLoads(star, field, x);
     for (const Spoke& spoke : star.spokes) {
-      double* first = x + spoke.cell[0] * data + spoke.facet[0] * facetData;
+      double* first = x + std::ptrdiff_t(spoke.cell[0]) * data + std::ptrdiff_t(spoke.facet[0]) * facetData;
       if (!spoke.onBoundary()) {
-        double* second = x + spoke.cell[1] * data + spoke.facet[1] * facetData;
+        double* second = x + std::ptrdiff_t(spoke.cell[1]) * data + std::ptrdiff_t(spoke.facet[1]) * facetData;
         for (int i = 0; i < facetData; ++i) {
           second[i] += first[i];
           first[i] = 0.0;

@@ -56,7 +56,7 @@ StarSystem::CellPart StarSystem::makePart(int cell) const
   for (std::size_t k = 0; k < sides.size(); ++k)
     for (std::size_t j = 0; j < sides[k].first->unknowns.size(); ++j) {
       const auto found = std::lower_bound(part.unknowns.begin(), part.unknowns.end(), sides[k].first->unknowns[j]);
-      double* target = part.columns.col(int(found - part.unknowns.begin())) + int(k) * body.facetData();
+      double* target = part.columns.col(int(found - part.unknowns.begin())) + std::ptrdiff_t(k) * body.facetData();
       for (int i = 0; i < body.facetData(); ++i)
         target[i] = sides[k].second * sides[k].first->columns(i, int(j));
     }

@@ -29,7 +29,7 @@ Direction sum(const Direction& a, const Direction& b)
 Direction armOf(const Vector& arms, int mode, int dim)
 {
   Direction arm{};
-  std::copy_n(arms.data() + mode * dim, dim, arm.begin());
+  std::copy_n(arms.data() + std::ptrdiff_t(mode) * dim, dim, arm.begin());
   return arm;
 }
 
@@ -175,7 +175,7 @@ FacetSplit splitFacet(int dim, const Vector& arms, int modes, double size)
   for (const auto& [first, second] : linear.withoutMoment()) {
     std::copy_n(first.begin(), dim, split.modes.col(column) + dim);
     if (dim == 3)
-      std::copy_n(second.begin(), dim, split.modes.col(column) + 2 * dim);
+      std::copy_n(second.begin(), dim, split.modes.col(column) + std::ptrdiff_t(2) * dim);
     ++column;
   }
   for (int row = dim * dim; row < data; ++row)

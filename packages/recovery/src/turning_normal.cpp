@@ -87,7 +87,7 @@ Vector turnedShares(const std::vector<ContactFacet>& facets, const Vector& nodal
   if (std::none_of(facets.begin(), facets.end(), [](const ContactFacet& facet) { return facet.turns; }))
     return {};
   const std::array<EndTables, 2> tables{shareTables(order, degree, 0), shareTables(order, degree, 1)};
-  const auto modes = std::size_t(degree + 1);
+  const auto modes = std::size_t(degree) + 1;
   Vector shares(facets.size() * 4 * modes, 0.0);
   for (std::size_t f = 0; f < facets.size(); ++f)
     for (std::size_t a = 0; facets[f].turns && a < 2; ++a)

@@ -147,7 +147,7 @@ void ExpressionTree::values(const double* points, int count, double* result) con
   for (int first = 0; first < count; first += blockSize) {
     const int size = std::min(blockSize, count - first);
     for (std::size_t n = 0; n < nodes_.size(); ++n)
-      evaluate(nodes_[n], points + 3 * first, size, values, values[n]);
+      evaluate(nodes_[n], points + std::ptrdiff_t(3) * first, size, values, values[n]);
     std::copy_n(values[nodes_.size() - 1].begin(), size, result + first);
   }
 }

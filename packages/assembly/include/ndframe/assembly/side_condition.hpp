@@ -69,7 +69,7 @@ public:
   /// It holds the mean rigid motions that nothing else resists, and can carry no force.
   virtual bool holdsMeanMotion() const { return false; }
   /// For such a support: the equations that fix these motions in a system.
-  virtual void pin(std::vector<NodeConstraint>) {}
+  virtual void pin(const std::vector<NodeConstraint>&) {}
 };
 
 /// A force per area on the facets of a side, or a force per volume in all cells, linear in functions of the position.

@@ -62,7 +62,7 @@ void elementStiffness(const double* points, const Elasticity& law, const Quadrat
   constexpr int nodes = Lagrange<dim, order>::nodes, dofs = nodes * dim, strains = dim == 2 ? 3 : 6;
   double gradLambda[(dim + 1) * dim], gradients[nodes * dim], stress[strains], force[dim];
   const double measure = barycentricGradients<dim>(points, gradLambda);
-  std::fill(K, K + dofs * dofs, 0.0);
+  std::fill_n(K, dofs * dofs, 0.0);
   for (int q = 0; q < rule.size(); ++q) {
     Lagrange<dim, order>::gradients(rule.point(q), gradLambda, gradients);
     const double weight = measure * rule.weights[std::size_t(q)];
