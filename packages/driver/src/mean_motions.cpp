@@ -15,6 +15,7 @@ void addMean(Vector& weights, const NodeMap& nodes, const int* simplex, double m
              const RigidBasis& rigid, const Vector& motion)
 {
   using Basis = Lagrange<simplexDim, order>;
+  NDFRAME_ASSERT(nodes.dim <= 3, "points have three coordinates at most");
   double N[Basis::nodes];
   for (int q = 0; q < rule.size(); ++q) {
     Basis::values(rule.point(q), N);
