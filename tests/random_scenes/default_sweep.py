@@ -5,7 +5,6 @@ exit code 0 within the default Maximum Sweeps, and, when the tolerance is sharp,
 a scene that misses; exit code 1 if there is one. 1000 scenes take some minutes.
 """
 
-import argparse
 import pathlib
 import statistics
 import sys
@@ -34,11 +33,7 @@ def misses(program, deck):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("ndframe", help="the built program")
-    parser.add_argument("--scenes", type=int, default=1000)
-    parser.add_argument("--seed", type=int, default=1, help="of the first scene")
-    given = parser.parse_args()
+    given = random_scenes.sweep_parser(__doc__, 1000).parse_args()
     program, missed, counts = Program(given.ndframe), 0, []
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(given.seed, given.seed + given.scenes):

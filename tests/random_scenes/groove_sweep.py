@@ -5,7 +5,6 @@ corner's two of different length); the wedge may float, supports of either body 
 coupling to 1e-9 and Monolithic must agree in the energy and be guaranteed, or both say that the load pulls the wedge off. One line a scene that does not; exit code 1 if there is one.
 """
 
-import argparse
 import pathlib
 import random
 import sys
@@ -89,11 +88,7 @@ def complaint(program, deck):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("ndframe", help="the built program")
-    parser.add_argument("--scenes", type=int, default=1000)
-    parser.add_argument("--seed", type=int, default=1, help="of the first scene")
-    given = parser.parse_args()
+    given = random_scenes.sweep_parser(__doc__, 1000).parse_args()
     program, wrong = Program(given.ndframe), 0
     with tempfile.TemporaryDirectory() as folder:
         for seed in range(given.seed, given.seed + given.scenes):

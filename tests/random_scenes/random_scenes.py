@@ -4,6 +4,7 @@ A block above, a block below that may be wider, heights, cells, stiffnesses, loa
 may float, held by contact alone. All are well posed: what floats is pressed on what is held.
 """
 
+import argparse
 import dataclasses
 import random
 import xml.sax.saxutils
@@ -109,3 +110,12 @@ def two_bodies(seed, lowest=-6.0, highest=6.0):
     title = f"upper {stiffness:g} times as stiff, {floating or 'no body'} floats"
     return Scene(name, title, to_xml(name, {"Title": title, "Bodies": {"upper": upper, "lower": lower},
                                      "Interfaces": {"contact": contact}}))
+
+
+def sweep_parser(doc, scenes):
+    """The arguments of every sweep over seeds; doc: the script's."""
+    parser = argparse.ArgumentParser(description=doc.splitlines()[0])
+    parser.add_argument("ndframe", help="the built program")
+    parser.add_argument("--scenes", type=int, default=scenes)
+    parser.add_argument("--seed", type=int, default=1, help="of the first scene")
+    return parser

@@ -6,7 +6,6 @@ answer that it had. One line a scene that does not reach its target; exit code 1
 than the share reach it. 100 scenes take some minutes.
 """
 
-import argparse
 import collections
 import pathlib
 import random
@@ -36,10 +35,7 @@ def broken_rules(run):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("ndframe", help="the built program")
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=1, help="of the first scene")
+    parser = random_scenes.sweep_parser(__doc__, 100)
     parser.add_argument("--share", type=float, default=0.9, help="of the scenes that must reach their target")
     given = parser.parse_args()
     program, counts, works = Program(given.ndframe), collections.Counter(), []

@@ -89,6 +89,21 @@ Chain shuffled(const Chain& chain, std::mt19937& random, std::vector<int>& newNu
   return other;
 }
 
+std::vector<Chain> sampleChains(std::mt19937& random)
+{
+  std::vector<Chain> chains;
+  for (const int order : {1, 2}) {
+    const Chain open = straightChain(randomLengths(9, random), order);
+    const Chain ring = closedChain(randomLengths(6, random), order);
+    std::vector<int> numbers;
+    chains.push_back(open);
+    chains.push_back(ring);
+    chains.push_back(shuffled(disjoint(open, ring), random, numbers));
+    chains.push_back(straightChain({2.0}, order));
+  }
+  return chains;
+}
+
 std::vector<double> randomLengths(int count, std::mt19937& random)
 {
   std::uniform_real_distribution<double> length(0.1, 1.0);

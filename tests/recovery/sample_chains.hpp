@@ -26,6 +26,9 @@ Chain closedChain(const std::vector<double>& lengths, int order);
 Chain disjoint(const Chain& first, const Chain& second);
 /// Nodes and facets in another order, some facets from their other end.
 Chain shuffled(const Chain& chain, std::mt19937& random, std::vector<int>& newNumber);
+
+/// Open and closed chains of order 1 and 2, both together in random order, and a single facet.
+std::vector<Chain> sampleChains(std::mt19937& random);
 /// `count` lengths between 0.1 and 1.
 std::vector<double> randomLengths(int count, std::mt19937& random);
 

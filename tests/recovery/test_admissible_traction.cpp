@@ -52,27 +52,12 @@ std::string infeasibleMotion(const Chain& chain, const BalanceConditions& balanc
   }
 }
 
-std::vector<Chain> sampleChains(std::mt19937& random)
-{
-  std::vector<Chain> chains;
-  for (const int order : {1, 2}) {
-    const Chain open = test::straightChain(test::randomLengths(9, random), order);
-    const Chain ring = test::closedChain(test::randomLengths(6, random), order);
-    std::vector<int> numbers;
-    chains.push_back(open);
-    chains.push_back(ring);
-    chains.push_back(test::shuffled(test::disjoint(open, ring), random, numbers));
-    chains.push_back(test::straightChain({2.0}, order));
-  }
-  return chains;
-}
-
 } // namespace
 
 TEST(AdmissibleTraction, ProjectionIsTheIdentityOnAdmissibleTractions)
 {
   std::mt19937 random(1);
-  for (const Chain& chain : sampleChains(random)) {
+  for (const Chain& chain : test::sampleChains(random)) {
     const Vector t = test::admissibleNodes(chain, random);
     EXPECT_LT(largestDifference(project(chain, t), t), 1e-14);
     const Vector one(t.size(), 1.0);
@@ -86,7 +71,7 @@ TEST(AdmissibleTraction, NothingAdmissibleIsNearer)
 {
   // t is the nearest of a convex set exactly if (mean - t, s - t) <= 0 for every s of the set
   std::mt19937 random(2);
-  for (const Chain& chain : sampleChains(random))
+  for (const Chain& chain : test::sampleChains(random))
     for (const bool floating : {false, true}) {
       const Vector load = test::admissibleNodes(chain, random), one(load.size(), 1.0);
       const auto balance = floating ? test::resultantAndMoment(chain, test::innerProduct(chain, load, one),
@@ -104,7 +89,7 @@ TEST(AdmissibleTraction, NothingAdmissibleIsNearer)
 TEST(AdmissibleTraction, BernsteinCoefficientsAreNotPositive)
 {
   std::mt19937 random(3);
-  for (const Chain& chain : sampleChains(random)) {
+  for (const Chain& chain : test::sampleChains(random)) {
     const Vector t = project(chain, test::randomNodes(chain.numNodes(), random));
     EXPECT_LT(largestCoefficient(chain, t), 1e-15);
     EXPECT_LT(largestBernstein(tractionFromNodes(chain.facets, t, chain.order, chain.order + 1), chain.facets), 1e-14);
@@ -162,7 +147,7 @@ TEST(AdmissibleTraction, AMotionAlongTheInterfaceAsksForNothing)
 TEST(AdmissibleTraction, NumberingAndDirectionOfFacetsDoNotMatter)
 {
   std::mt19937 random(5);
-  for (const Chain& chain : sampleChains(random)) {
+  for (const Chain& chain : test::sampleChains(random)) {
     const Vector mean = test::randomNodes(chain.numNodes(), random), load = test::admissibleNodes(chain, random);
     const auto balanced = [&](const Chain& c, const Vector& forces) {
       return test::resultantAndMoment(c, test::innerProduct(c, forces, Vector(forces.size(), 1.0)),

@@ -54,21 +54,6 @@ Vector touchingNodes(const Chain& chain, std::mt19937& random)
   return t;
 }
 
-std::vector<Chain> sampleChains(std::mt19937& random)
-{
-  std::vector<Chain> chains;
-  for (const int order : {1, 2}) {
-    const Chain open = test::straightChain(test::randomLengths(9, random), order);
-    const Chain ring = test::closedChain(test::randomLengths(6, random), order);
-    std::vector<int> numbers;
-    chains.push_back(open);
-    chains.push_back(ring);
-    chains.push_back(test::shuffled(test::disjoint(open, ring), random, numbers));
-    chains.push_back(test::straightChain({2.0}, order));
-  }
-  return chains;
-}
-
 BalanceConditions balanceOf(const Chain& chain, const Vector& load)
 {
   const Vector one(load.size(), 1.0);
@@ -82,7 +67,7 @@ TEST(PressingTraction, IsTheIdentityOnTractionsThatPress)
 {
   std::mt19937 random(1);
   for (int trial = 0; trial < 20; ++trial)
-    for (const Chain& chain : sampleChains(random)) {
+    for (const Chain& chain : test::sampleChains(random)) {
       const Vector t = touchingNodes(chain, random);
       const Vector change = difference(project(chain, t, {}, TractionSign::Values), t);
       EXPECT_LT(std::sqrt(test::innerProduct(chain, change, change)), 1e-13);
@@ -94,7 +79,7 @@ TEST(PressingTraction, PressesAtTheNodes)
   std::mt19937 random(2);
   int inside = 0;
   for (int trial = 0; trial < 100; ++trial)
-    for (const Chain& chain : sampleChains(random)) {
+    for (const Chain& chain : test::sampleChains(random)) {
       const Vector t = project(chain, test::randomNodes(chain.numNodes(), random), {}, TractionSign::Values);
       EXPECT_LT(largestValue(t), 1e-13);
       inside += largestCoefficient(chain, t) > 1e-3;
@@ -106,7 +91,7 @@ TEST(PressingTraction, NothingThatPressesIsNearer)
 {
   // t is the nearest of a convex set exactly if (mean - t, s - t) <= 0 for every s of the set
   std::mt19937 random(3);
-  for (const Chain& chain : sampleChains(random))
+  for (const Chain& chain : test::sampleChains(random))
     for (const bool floating : {false, true}) {
       const Vector load = touchingNodes(chain, random);
       const BalanceConditions balance = floating ? balanceOf(chain, load) : BalanceConditions{};
@@ -126,7 +111,7 @@ TEST(PressingTraction, IsNotFartherThanTheOneWithCoefficients)
 {
   std::mt19937 random(4);
   int nearer = 0;
-  for (const Chain& chain : sampleChains(random)) {
+  for (const Chain& chain : test::sampleChains(random)) {
     const Vector mean = test::randomNodes(chain.numNodes(), random);
     const Vector all = difference(project(chain, mean, {}, TractionSign::Values), mean);
     const Vector some = difference(project(chain, mean, {}, TractionSign::Coefficients), mean);
