@@ -95,8 +95,8 @@ class RemeshedMeshes final : public RefinedMeshes
 {
 public:
   RemeshedMeshes(std::shared_ptr<const RemeshScene> scene, std::vector<Mesh> meshes,
-                 std::vector<std::vector<int>> ancestors)
-      : scene_(std::move(scene)), meshes_(std::move(meshes)), ancestors_(std::move(ancestors))
+                 std::vector<std::vector<int>> ancestors, std::string note = {})
+      : scene_(std::move(scene)), meshes_(std::move(meshes)), ancestors_(std::move(ancestors)), note_(std::move(note))
   {}
 
   const std::vector<Mesh>& meshes() const override { return meshes_; }
@@ -119,6 +119,8 @@ public:
     return std::make_unique<RemeshedMeshes>(scene_, std::move(next), std::move(ancestors));
   }
 
+  std::string note() const override { return note_; }
+
   /// Loading gmsh takes longer than solving on a few cells more.
   double slack() const override { return 0.2; }
 
@@ -128,12 +130,14 @@ private:
   std::unique_ptr<RefinedMeshes> bisected(const SizeField& sizes) const
   {
     const auto next = bisectedMeshes(meshes_, twinsOf(meshes_, scene_->matching))->refined(sizes);
-    return std::make_unique<RemeshedMeshes>(scene_, next->meshes(), next->ancestors());
+    return std::make_unique<RemeshedMeshes>(scene_, next->meshes(), next->ancestors(),
+                                            "gmsh gave up on these sizes; the triangles before were halved");
   }
 
   std::shared_ptr<const RemeshScene> scene_;
   std::vector<Mesh> meshes_;
   std::vector<std::vector<int>> ancestors_;
+  std::string note_;
 };
 
 class RemeshRefinement final : public Refinement

@@ -186,7 +186,7 @@ private:
     if (summary_.levels.empty())
       log_.line("\n" + levelTitle(summary_, stoppingText(deck_, balances_)));
     summary_.levels.push_back(level);
-    log_.line(levelLine(level));
+    log_.line(levelLine(level, planner_->note()));
     if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
       best_ = {level.level, planner_->meshes(), contactOf(run_, run_.coupling.state.tractionNeumann), rolesOf(run_)};
     if (onLevel_)

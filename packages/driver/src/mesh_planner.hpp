@@ -39,6 +39,8 @@ public:
 
   void accept(MeshPlan plan);
   const std::vector<Mesh>& meshes() const { return present_->meshes(); }
+  /// RefinedMeshes::note of the present meshes.
+  std::string note() const { return present_->note(); }
 
 private:
   /// lambda per body and vertex: what has been learned, and where contact ends now.

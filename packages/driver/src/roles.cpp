@@ -183,12 +183,12 @@ std::string roleText(const RoleSummary& roles)
   const auto reason =
       std::isnan(roles.contraction)
           ? "as the deck says: a body's stiffness on the interface is lost in round-off, so nothing can be chosen"
-      : roles.contractionExchanged == 1.0
+      : !roles.contractionExchanged
           ? fmt::format(
                 "contraction {:.2g} with theta {:.2g}; roles are given by nodes where supports hold the other body",
                 roles.contraction, roles.theta)
           : fmt::format("chosen: contraction {:.2g} with theta {:.2g}, against {:.2g} with the roles exchanged",
-                        roles.contraction, roles.theta, roles.contractionExchanged);
+                        roles.contraction, roles.theta, *roles.contractionExchanged);
   return fmt::format("  Dirichlet {}: {} ({})", roles.dirichletBodies.size() == 1 ? "body" : "bodies",
                      fmt::join(roles.dirichletBodies, ", "), reason);
 }
@@ -255,7 +255,8 @@ RoleSpectrum chooseRoles(Run& run, const std::vector<ConnectedBodies>& parts, st
     RoleSummary summary = summarize(run.model, parts[k].bodies);
     summary.exchanged = exchanged != (!before.empty() && before[k].exchanged);
     summary.contraction = exchanged ? otherFactor : factor;
-    summary.contractionExchanged = exchanged ? factor : mayExchange ? otherFactor : 1.0;
+    if (mayExchange)
+      summary.contractionExchanged = exchanged ? factor : otherFactor;
     summary.bestTheta = chosen[k].spectrum.bestTheta();
     summary.theta = givenTheta.value_or(summary.bestTheta);
     run.summary.coupling->roles.push_back(std::move(summary));

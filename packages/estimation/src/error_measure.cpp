@@ -19,16 +19,14 @@ double sumOf(const Vector& values)
   return std::accumulate(values.begin(), values.end(), 0.0);
 }
 
-/// sqrt(sum (D_E + osc_E)^2).
-double widenedTotal(const std::vector<Vector>& distances, const std::vector<Vector>& oscillation)
+/// (D_E + osc_E)^2.
+std::vector<Vector> widenedSquares(std::vector<Vector> distances, const std::vector<Vector>& oscillation)
 {
-  double total = 0.0;
-  for (std::size_t b = 0; b < distances.size(); ++b)
-    for (std::size_t cell = 0; cell < distances[b].size(); ++cell) {
-      const double sum = root(distances[b][cell]) + root(oscillation[b][cell]);
-      total += sum * sum;
-    }
-  return root(total);
+  for (std::size_t b = 0; b < oscillation.size(); ++b)
+    for (std::size_t cell = 0; cell < distances[b].size(); ++cell)
+      if (oscillation[b][cell] > 0.0)
+        distances[b][cell] = std::pow(root(distances[b][cell]) + root(oscillation[b][cell]), 2);
+  return distances;
 }
 
 } // namespace
@@ -69,9 +67,9 @@ ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<Co
   measure.elements = totalOf(distances);
   measure.aside = 0.5 * measure.elements;
   measure.oscillation = totalOf(oscillation);
-  measure.widened = oscillation.empty() ? measure.elements : widenedTotal(distances, oscillation);
+  measure.cells = widenedSquares(std::move(distances), oscillation);
+  measure.widened = totalOf(measure.cells);
   measure.contact = sumOf(contact);
-  measure.cells = std::move(distances);
   for (std::size_t f = 0; f < contact.size(); ++f) {
     const ContactFacet& facet = facets[f];
     measure.cells[std::size_t(facet.dirichletBody)][std::size_t(facet.dirichlet.cell)] += 0.5 * contact[f];

@@ -100,7 +100,7 @@ Json roleJson(const RoleSummary& roles)
           {"exchanged", roles.exchanged},
           {"contraction", roles.contraction},
           {"best_theta", roles.bestTheta},
-          {"contraction_exchanged", roles.contractionExchanged}};
+          {"contraction_exchanged", roles.contractionExchanged ? Json(*roles.contractionExchanged) : Json(nullptr)}};
 }
 
 Json couplingJson(const std::optional<CouplingSummary>& coupling)

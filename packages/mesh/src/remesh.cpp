@@ -170,6 +170,9 @@ std::vector<Mesh> remesh(const std::vector<MeshScript>& scripts, const std::vect
     if (!std::filesystem::exists(fileOf(b, folder.path())))
       refuse(scripts[b], failure, gaveUp);
     meshes.push_back(meshFromBytes(readText(fileOf(b, folder.path()))));
+    const auto defects = checkMesh(meshes.back());
+    if (!defects.empty())
+      refuse(scripts[b], defects.front(), true);
   }
   return meshes;
 }

@@ -105,10 +105,27 @@ void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const 
     rhs[i] = b[i] - fromGiven[i] + shift * (pass.u.empty() ? 0.0 : pass.u[i]);
   pass.u = factor_->solve(rhs);
   pass.force = applied(pass.u);
+  if (A_.dense() && shift == 0.0)
+    refine(rhs, isFree, pass);
   for (std::size_t i = 0; i < n; ++i) {
     pass.u[i] += given[i];
     pass.force[i] = closed[i] ? fromGiven[i] + pass.force[i] - b[i] : 0.0;
   }
+}
+
+/// One step of iterative refinement where the factor loses more digits than signs may cost: stiff beside soft bodies.
+void UnilateralProblem::refine(const Vector& rhs, const std::vector<char>& isFree, Pass& pass) const
+{
+  Vector rest(rhs.size(), 0.0);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    if (isFree[i])
+      rest[i] = rhs[i] - pass.force[i];
+  if (largestEntry(rest) <= roundOff * largestEntry(rhs))
+    return;
+  const Vector correction = factor_->solve(rest);
+  for (std::size_t i = 0; i < rest.size(); ++i)
+    pass.u[i] += correction[i];
+  pass.force = applied(pass.u);
 }
 
 /// Nodes whose status contradicts the solution: closed ones under tension, open ones that penetrate. Where nothing is

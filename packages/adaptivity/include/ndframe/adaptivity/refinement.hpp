@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <string>
 #include <vector>
 
 #include "ndframe/adaptivity/size_field.hpp"
@@ -26,6 +27,9 @@ public:
 
   /// The next meshes: cells as the field wants them, or smaller where matching sides or shapes need it.
   virtual std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const = 0;
+
+  /// What a user should know of how these meshes came about; mostly nothing.
+  virtual std::string note() const { return {}; }
 
   /// Part by which an error may stay below what is wanted before it pays to aim again.
   virtual double slack() const = 0;

@@ -11,14 +11,15 @@ namespace ndframe
 /// A constitutive relation error (39) and its parts, in the energy norm sqrt(int K eps : eps).
 struct ErrorMeasure
 {
-  std::vector<Vector> cells; ///< (42) squared, per body and cell; a facet's contact term is shared by its two cells
-  double elements = 0.0;     ///< D = |sigma^ - K eps(u^)|
-  double contact = 0.0;      ///< 2 int t^ (w^ - g) dS, an energy; below zero only where w^ penetrates (Paper mode)
-  double projection = 0.0;   ///< |u^ - u_h|
-  double aside = 0.0;        ///< A = |K eps(u_h) - s_m|, s_m the mean of sigma^ and K eps(u^); D/2 where u_h = u^
-  double oscillation = 0.0;  ///< osc: loads that the polynomials do not carry
-  double prescribed = 0.0;   ///< |l|: prescribed displacements that the polynomials do not carry
-  double widened = 0.0;      ///< sqrt(sum (D_E + osc_E)^2): D, widened by the oscillation
+  /// (42) squared, per body and cell: (D_E + osc_E)^2; a facet's contact term is shared by its two cells.
+  std::vector<Vector> cells;
+  double elements = 0.0;    ///< D = |sigma^ - K eps(u^)|
+  double contact = 0.0;     ///< 2 int t^ (w^ - g) dS, an energy; below zero only where w^ penetrates (Paper mode)
+  double projection = 0.0;  ///< |u^ - u_h|
+  double aside = 0.0;       ///< A = |K eps(u_h) - s_m|, s_m the mean of sigma^ and K eps(u^); D/2 where u_h = u^
+  double oscillation = 0.0; ///< osc: loads that the polynomials do not carry
+  double prescribed = 0.0;  ///< |l|: prescribed displacements that the polynomials do not carry
+  double widened = 0.0;     ///< sqrt(sum (D_E + osc_E)^2): D, widened by the oscillation
 
   /// eta = sqrt(D^2 + contact) + projection + osc + |l|: (39) as the paper combines it.
   double sum() const;

@@ -67,7 +67,7 @@ struct RoleSummary
   double contraction = 0.0; ///< of the traction's error in a sweep with `theta`
   double theta = 0.0;       ///< relaxation factor: the deck's, or the best
   double bestTheta = 0.0;
-  double contractionExchanged = 0.0; ///< the one that the other roles would have
+  std::optional<double> contractionExchanged; ///< with the other roles; none where supports leave no choice
 };
 
 struct CouplingSummary

@@ -49,6 +49,7 @@ private:
   bool holds(const std::vector<char>& closed) const;
   Vector applied(const Vector& x) const;
   void solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift, Pass& pass);
+  void refine(const Vector& rhs, const std::vector<char>& isFree, Pass& pass) const;
   std::vector<int> violations(const Vector& b, const Vector& bound, const Pass& pass,
                               const std::vector<char>& closed) const;
   double stiffnessScale() const;
