@@ -174,3 +174,16 @@ TEST(OneRunToTarget, StopsAtTheLimitOfRoundOff)
   EXPECT_FALSE(accuracy.reached);
   EXPECT_NE(accuracy.limit.find("round-off"), std::string::npos) << accuracy.limit;
 }
+
+/// Facets of the first mesh are longer than the strips are wide: what polynomials do not carry of the load is most of
+/// the bound, and marks have to see it.
+TEST(OneRunToTarget, FollowsTheStripsOfALoad)
+{
+  for (const char* load : {"1+60*(x>0.37)*(x<0.41)", "1+30*(x>0.613)*(x<0.633)"}) {
+    const auto outcome = toTarget("punch", "0.02").set(std::string("Bodies/punch/Loads/press/Value=") + load).run();
+    const AccuracySummary& accuracy = *outcome.run.summary.accuracy;
+    EXPECT_TRUE(accuracy.reached) << load << ": " << accuracy.limit;
+    for (std::size_t i = 1; i < accuracy.levels.size(); ++i)
+      EXPECT_LT(accuracy.levels[i].bound, accuracy.levels[i - 1].bound) << load << ", level " << i + 1;
+  }
+}
