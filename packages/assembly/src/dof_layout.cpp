@@ -98,23 +98,68 @@ void layOutNode(DofLayout& layout, int dim, int node, const ConstraintSet::Node*
   }
 }
 
-/// The second normal of a node, whose first one has the place `first` in the trace: what it has along that one's dof,
-/// and the other dof of the node.
-void addSecondNormal(DofLayout& layout, const TraceNormal& trace, int first, const ConstraintSet& constraints)
+/// Another normal of a node in the plane whose first one has the place `first` in the trace, the second one `second`
+/// (-1: none yet).
+class FurtherNormal
 {
-  NDFRAME_ASSERT(constraints.nodes().count(trace.node) == 0, "a node with two trace normals has no supports");
-  const int component = layout.trace[std::size_t(first)].dof - 2 * trace.node, other = 1 - component;
-  const auto along = [&](int axis) {
-    if (!layout.frames.isTurned(trace.node))
+public:
+  FurtherNormal(DofLayout& layout, const TraceNormal& trace, int first, const ConstraintSet& constraints)
+      : layout_(layout), first_(first), component_(layout.trace[std::size_t(first)].dof - 2 * trace.node),
+        alongFirst_(along(trace, component_)), alongOther_(along(trace, 1 - component_)),
+        offset_(constraints.heldValue(trace.node, trace.normal)), dof_(2 * trace.node + 1 - component_),
+        isHeld_(layout.roles[std::size_t(dof_)] == DofRole::Fixed)
+  {}
+
+  bool isDependent(int second) const { return isHeld_ || second >= 0 || std::abs(alongOther_) <= parallel; }
+
+  /// The other dof of the node becomes a kept one.
+  void add()
+  {
+    layout_.roles[std::size_t(dof_)] = DofRole::Kept;
+    layout_.trace.push_back({dof_, alongOther_, 0.0, first_, alongFirst_});
+  }
+
+  /// From the dofs' values in terms of the normals before: s_1 = (u_1 - b_1) / a_1, s_2 = (u_2 - c_2 s_1) / a_2.
+  void addDependent(int given, int second)
+  {
+    const TraceDof& first = layout_.trace[std::size_t(first_)];
+    DependentTrace dependent{given, first_, alongFirst_ / first.scale};
+    if (!isHeld_ && second >= 0 && std::abs(alongOther_) > parallel) {
+      const TraceDof& other = layout_.trace[std::size_t(second)];
+      dependent.other = second;
+      dependent.otherShare = alongOther_ / other.scale;
+      dependent.share -= dependent.otherShare * other.along / first.scale;
+    }
+    dependent.offset = isHeld_ ? offset_ - dependent.share * first.offset : 0.0;
+    layout_.dependents.push_back(dependent);
+  }
+
+private:
+  double along(const TraceNormal& trace, int axis) const
+  {
+    if (!layout_.frames.isTurned(trace.node))
       return trace.normal[std::size_t(axis)];
-    const double* axes = layout.frames.axes(trace.node) + std::ptrdiff_t(2) * axis;
+    const double* axes = layout_.frames.axes(trace.node) + std::ptrdiff_t(2) * axis;
     return axes[0] * trace.normal[0] + axes[1] * trace.normal[1];
-  };
-  const int dof = 2 * trace.node + other;
-  NDFRAME_ASSERT(std::abs(along(other)) > aligned && layout.roles[std::size_t(dof)] == DofRole::Interior,
-                 "two trace normals of a node are parallel, or a node has three");
-  layout.roles[std::size_t(dof)] = DofRole::Kept;
-  layout.trace.push_back({dof, along(other), 0.0, first, along(component)});
+  }
+
+  static constexpr double parallel = 1e-9;
+
+  DofLayout& layout_;
+  int first_, component_;
+  double alongFirst_, alongOther_, offset_;
+  int dof_;
+  bool isHeld_;
+};
+
+void addFurtherNormal(DofLayout& layout, const TraceNormal& trace, int given, int first, int& second,
+                      const ConstraintSet& constraints)
+{
+  FurtherNormal normal(layout, trace, first, constraints);
+  if (normal.isDependent(second))
+    return normal.addDependent(given, second);
+  second = int(layout.trace.size());
+  normal.add();
 }
 
 } // namespace
@@ -173,14 +218,19 @@ std::vector<int> DofLayout::keptDofs() const
 DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces)
 {
   const auto numDofs = std::size_t(nodes.numNodes()) * std::size_t(nodes.dim);
-  DofLayout layout{
-      Frames(nodes.dim, nodes.numNodes()), std::vector<DofRole>(numDofs, DofRole::Interior), Vector(numDofs, 0.0), {}};
-  std::vector<int> place(std::size_t(nodes.numNodes()), -1); // of a node's first normal in the trace
-  for (const auto& trace : traces) {
+  DofLayout layout{Frames(nodes.dim, nodes.numNodes()),
+                   std::vector<DofRole>(numDofs, DofRole::Interior),
+                   Vector(numDofs, 0.0),
+                   {},
+                   {}};
+  const std::vector<int> none(std::size_t(nodes.numNodes()), -1);
+  std::vector<int> place = none, second = none; // of a node's first two normals in the trace
+  for (std::size_t given = 0; given < traces.size(); ++given) {
+    const TraceNormal& trace = traces[given];
     int& first = place[std::size_t(trace.node)];
     if (first >= 0) {
       NDFRAME_ASSERT(nodes.dim == 2, "a node in space has one trace normal");
-      addSecondNormal(layout, trace, first, constraints);
+      addFurtherNormal(layout, trace, int(given), first, second[std::size_t(trace.node)], constraints);
       continue;
     }
     first = int(layout.trace.size());

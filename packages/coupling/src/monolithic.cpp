@@ -1,3 +1,7 @@
+#include <algorithm>
+
+#include "ndframe/base/diagnostics.hpp"
+#include "network_problem.hpp"
 #include "sweep.hpp"
 
 namespace ndframe
@@ -5,11 +9,8 @@ namespace ndframe
 namespace
 {
 
-/// The paper's "global resolution": all bodies in one active set, no iteration between them.
-///
-/// Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N (at obstacles w = u1_N <= g + their displacement, and
-/// d = 0); the energy is the sum over the bodies' condensed operators. The result is the limit of the Neumann-Dirichlet
-/// iteration on the same mesh.
+/// The paper's "global resolution": all bodies in one active set, no iteration between them. The result is the limit of
+/// the Neumann-Dirichlet iteration on the same mesh.
 class Monolithic final : public Coupling
 {
 public:
@@ -17,6 +18,54 @@ public:
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
+  {
+    CouplingResult result;
+    InterfaceState& state = result.state;
+    const UnilateralState status =
+        isNetwork(system) ? solveNetwork(system, start, ledger, state) : solvePair(system, start, ledger, state);
+    state.forceNeumann = state.forceDirichlet;
+    state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
+    result.converged = true;
+    result.history.push_back(recordSweep(1, system, state, status));
+    result.reason = areApart(result.history.back()) ? apart
+                    : system.bodies.size() > 2      ? "all bodies solved together"
+                                                    : "both bodies solved together";
+    observe(result.history.back(), state);
+    ledger.count("sweeps");
+    return result;
+  }
+
+private:
+  static bool isNetwork(const InterfaceSystem& system)
+  {
+    const bool areStored = std::all_of(system.bodies.begin(), system.bodies.end(),
+                                       [](const BodyTrace& body) { return body.S->dense() != nullptr; });
+    if (!areStored && hasDependents(system))
+      throw NotConverged("a node belongs to several interfaces, which needs stored interface operators: choose "
+                         "Interface Operator/Type = Condensed");
+    return areStored && (system.bodies.size() > 2 || hasDependents(system));
+  }
+
+  static UnilateralState solveNetwork(const InterfaceSystem& system, const CouplingStart& start, Ledger& ledger,
+                                      InterfaceState& state)
+  {
+    const Network network = networkOf(system);
+    const bool floats = std::any_of(system.bodies.begin(), system.bodies.end(),
+                                    [](const BodyTrace& body) { return body.freeMotions.cols() > 0; });
+    NetworkProblem problem(network, ledger);
+    UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
+                                          firstStatuses(system, floats, start), ledger);
+    state.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, problem.displacement());
+    state.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, problem.displacement()));
+    state.closed = status.closed;
+    state.forceDirichlet = status.force;
+    return status;
+  }
+
+  /// Two bodies, whatever their operators. Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N (at obstacles
+  /// w = u1_N <= g + their displacement, and d = 0); the energy is the sum over the bodies' condensed operators.
+  static UnilateralState solvePair(const InterfaceSystem& system, const CouplingStart& start, Ledger& ledger,
+                                   InterfaceState& state)
   {
     const auto n = std::size_t(system.size());
     const RoleSystem bodies = gatherJump(system);
@@ -28,10 +77,7 @@ public:
     UnilateralProblem problem(*bodies.S, constrained, bodies.freeMotions, bodies.motionNames, ledger);
     std::vector<char> closed = firstStatuses(system, bodies.freeMotions.cols() > 0, start);
     closed.insert(closed.end(), system.isObstacle.begin(), system.isObstacle.end());
-    const UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
-
-    CouplingResult result;
-    InterfaceState& state = result.state;
+    UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
     const auto half = std::ptrdiff_t(n);
     state.uNeumann.assign(status.u.begin() + half, status.u.end());
     for (std::size_t i = 0; i < n; ++i)
@@ -39,14 +85,7 @@ public:
     state.uNeumann = system.withObstacles(std::move(state.uNeumann));
     state.closed.assign(status.closed.begin(), status.closed.begin() + half);
     state.forceDirichlet.assign(status.force.begin(), status.force.begin() + half);
-    state.forceNeumann = state.forceDirichlet;
-    state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
-    result.converged = true;
-    result.history.push_back(recordSweep(1, system, state, status));
-    result.reason = areApart(result.history.back()) ? apart : "both bodies solved together";
-    observe(result.history.back(), state);
-    ledger.count("sweeps");
-    return result;
+    return status;
   }
 };
 

@@ -37,8 +37,8 @@ void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<st
 bool hasOneRole(const InterfaceSystem& system, const BodyTrace& body)
 {
   const bool isDirichlet = system.isDirichlet(body);
-  return std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
-                     [&](char side) { return bool(side) == isDirichlet; });
+  return body.dependents.empty() && std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
+                                                [&](char side) { return bool(side) == isDirichlet; });
 }
 
 void appendLoad(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs)

@@ -21,6 +21,23 @@ struct BodyTraceNodes
   std::vector<int> unknowns;
   std::vector<char> onDirichletSide;
   std::vector<const double*> points;
+
+  /// Without those that depend on others.
+  BodyTraceNodes without(const std::vector<DependentTrace>& dependents) const
+  {
+    std::vector<char> leaves(traces.size(), 0);
+    for (const DependentTrace& dependent : dependents)
+      leaves[std::size_t(dependent.given)] = 1;
+    BodyTraceNodes rest;
+    for (std::size_t i = 0; i < traces.size(); ++i)
+      if (!leaves[i]) {
+        rest.traces.push_back(traces[i]);
+        rest.unknowns.push_back(unknowns[i]);
+        rest.onDirichletSide.push_back(onDirichletSide[i]);
+        rest.points.push_back(points[i]);
+      }
+    return rest;
+  }
 };
 
 /// Numbers the unknowns and hands each to its bodies that are free there.
@@ -92,10 +109,15 @@ std::unique_ptr<CondensedBody> factorBody(const BodyModel& body, const RigidBasi
   }
 }
 
-BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& nodes)
+BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& all,
+                    const std::vector<DependentTrace>& dependents)
 {
   BodyTrace trace;
   trace.body = body;
+  for (const DependentTrace& dependent : dependents)
+    trace.dependents.push_back({all.unknowns[std::size_t(dependent.given)],
+                                all.onDirichletSide[std::size_t(dependent.given)] != 0, dependent});
+  const BodyTraceNodes nodes = all.without(dependents);
   trace.unknowns = nodes.unknowns;
   trace.onDirichletSide = nodes.onDirichletSide;
   std::vector<Direction> normals;
@@ -229,7 +251,7 @@ private:
     const auto earlier = std::find_if(interface_.bodies.begin(), interface_.bodies.end(),
                                       [&](const BodyTrace& trace) { return trace.body == int(b); });
     BodyTrace& trace = traces_[b];
-    trace = makeTrace(model_, int(b), nodes);
+    trace = makeTrace(model_, int(b), nodes, result_.systems[b].dofs.dependents);
     trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], dofs, representation_);
     trace.g =
         kept_[b].load ? std::move(earlier->g) : traceLoad(*result_.condensed[b], dofs, *trace.S, result_.loads[b]);

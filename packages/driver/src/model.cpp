@@ -139,27 +139,6 @@ void addInterface(Model& model, const Params& definition, const std::vector<Inte
   model.interfaces.push_back(std::move(interface));
 }
 
-/// A node may lie on one interface of its body.
-void refuseSharedNodes(const Model& model, const Params& deck, Diagnostics& diagnostics)
-{
-  std::vector<std::set<int>> taken(model.bodies.size());
-  for (const auto& interface : model.interfaces)
-    for (const auto& [body, nodes] : {std::pair(interface.dirichletBody, &interface.dirichletNodes),
-                                      std::pair(interface.neumannBody, &interface.neumannNodes)})
-      for (const int node : std::set<int>(nodes->begin(), nodes->end())) // corners have two interface nodes
-        if (!taken[std::size_t(body)].insert(node).second) {
-          const BodyModel& owner = model.bodies[std::size_t(body)];
-          diagnostics.add(
-              deck.sub("Interfaces")
-                  .sub(interface.name)
-                  .mistake("", fmt::format("shares the node at {} of \"{}\" with another "
-                                           "interface; leave it out of one of them "
-                                           "(split the side).",
-                                           pointText(owner.nodes.point(node), owner.mesh.dim), owner.name)));
-          return;
-        }
-}
-
 void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
   for (const auto& interface : model.interfaces) {
@@ -271,7 +250,6 @@ Model buildModel(const Params& deck, const Components& components, const MeshOfB
     model.loads.push_back(evaluateLoads(body, diagnostics));
   for (const auto& definition : deck.sub("Interfaces").subs())
     collecting(diagnostics, [&] { addInterface(model, definition, earlier, diagnostics); });
-  refuseSharedNodes(model, deck, diagnostics);
   diagnostics.throwIfAny();
   refuseIdleInterfaces(model, deck, diagnostics);
   diagnostics.throwIfAny();

@@ -59,6 +59,10 @@ void exchange(CondensedModel& condensed, BodyTrace& trace)
 {
   for (char& side : trace.onDirichletSide)
     side = !side;
+  for (DependentUnknown& dependent : trace.dependents) {
+    dependent.onDirichletSide = !dependent.onDirichletSide;
+    dependent.follows.offset = -dependent.follows.offset;
+  }
   negate(trace.g);
   for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
     trace.freeMotions.data()[i] *= -1.0;

@@ -165,6 +165,13 @@ Vector BodyTrace::forces(const Vector& onDirichlet, const Vector& onNeumann) con
     const auto unknown = std::size_t(unknowns[k]);
     own.push_back(onDirichletSide[k] ? onDirichlet[unknown] : -onNeumann[unknown]);
   }
+  for (const DependentUnknown& dependent : dependents) {
+    const auto unknown = std::size_t(dependent.unknown);
+    const double force = dependent.onDirichletSide ? onDirichlet[unknown] : -onNeumann[unknown];
+    own[std::size_t(dependent.follows.first)] += dependent.follows.share * force;
+    if (dependent.follows.other >= 0)
+      own[std::size_t(dependent.follows.other)] += dependent.follows.otherShare * force;
+  }
   return own;
 }
 

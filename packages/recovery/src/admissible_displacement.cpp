@@ -25,6 +25,20 @@ public:
         pairs_(bodies, constraints, facets, gap, result.displacement), tolerance_(roundOff * pairs_.size())
   {}
 
+  /// Opens all pairs; where interfaces share nodes again and again, as long as what opens one closes another.
+  void openAll()
+  {
+    constexpr int mostRounds = 100;
+    const int rounds = pairs_.areShared() ? mostRounds : 1;
+    for (int round = 0, moved = -1; round < rounds && moved < result_.moved; ++round) {
+      moved = result_.moved;
+      open(false);
+      open(true);
+      openBetween();
+    }
+  }
+
+private:
   /// Opens every vertex or every middle where the bodies overlap. Middles after vertices: their Bernstein coefficient
   /// depends on them.
   void open(bool middles)
@@ -43,7 +57,6 @@ public:
         separateBetween(f);
   }
 
-private:
   void separate(const Pair& pair);
   void separateBetween(std::size_t facet);
   void move(const Pair& pair, const Compliance& apart, double force);
@@ -135,9 +148,7 @@ AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bo
 {
   AdmissibleDisplacement result{displacement, 0.0, 0, {}};
   Admission admission(bodies, constraints, facets, gap, result);
-  admission.open(false);
-  admission.open(true);
-  admission.openBetween();
+  admission.openAll();
   if (result.moved > 0)
     result.charge = changeInEnergy(bodies, displacement, result.displacement);
   return result;

@@ -14,7 +14,7 @@ InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
                                const std::vector<ContactFacet>& facets, const GapBound& gap,
                                const std::vector<Vector>& displacement)
     : bodies_(bodies), constraints_(constraints), facets_(facets), gap_(gap), displacement_(displacement),
-      stiffness_(bodies.size())
+      uses_(bodies.size()), stiffness_(bodies.size())
 {
   for (const double g : gap.bernstein)
     size_ = std::max(size_, std::abs(g));
@@ -32,6 +32,14 @@ InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
           size_ = std::max(size_, std::abs(displacement[body[side]][std::size_t(pair.node[side]) * 2 + k]));
     }
   }
+  for (const auto& entry : pairs_)
+    for (std::size_t side = 0; side < 2; ++side)
+      areShared_ = ++uses_[entry.second.body[side]][entry.second.node[side]] > 1 || areShared_;
+}
+
+bool InterfacePairs::isShared(const Pair& pair) const
+{
+  return areShared_ && (uses_[pair.body[0]].at(pair.node[0]) > 1 || uses_[pair.body[1]].at(pair.node[1]) > 1);
 }
 
 JumpCoefficients InterfacePairs::coefficients(std::size_t facet) const

@@ -44,6 +44,11 @@ public:
                  const std::vector<ContactFacet>& facets, const GapBound& gap, const std::vector<Vector>& displacement);
 
   const std::map<int, Pair>& all() const { return pairs_; } ///< by interface node
+  /// Whether a node of the pair belongs to another pair, too: interfaces meet there, and what opens one may close
+  /// another.
+  bool isShared(const Pair& pair) const;
+  /// Whether any is.
+  bool areShared() const { return areShared_; }
   std::size_t numBodies() const { return bodies_.size(); }
   /// Largest displacement or gap on the interfaces.
   double size() const { return size_; }
@@ -64,6 +69,8 @@ private:
   const GapBound& gap_;
   const std::vector<Vector>& displacement_;
   std::map<int, Pair> pairs_;
+  std::vector<std::map<int, int>> uses_; ///< per body and node: pairs
+  bool areShared_ = false;
   double size_ = 0.0;
   std::vector<NodeStiffness> stiffness_; ///< per body, found when first needed
 };

@@ -61,7 +61,7 @@ PairMoves pairMoves(const std::vector<ContactFacet>& facets, InterfacePairs& pai
   for (const auto& [node, pair] : pairs.all()) {
     Compliance apart = pairs.compliance(pair);
     const double gain = leastGain(pair, apart, facets);
-    if (gain <= 0.0)
+    if (gain <= 0.0 || pairs.isShared(pair))
       continue;
     const int number = int(result.pairs.size());
     for (std::size_t side = 0; side < 2; ++side) {

@@ -1,46 +1,16 @@
 #include "ndframe/subdomain/unilateral_problem.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <set>
 #include <utility>
-
-#include <fmt/format.h>
-
-#include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-constexpr double roundOff = 1e-11;      ///< signs and gaps below this, relative to the largest, are zero
-constexpr double proximalDecay = 1e-1;  ///< weight of the proximal term, relative to the stiffness: 0.1, 0.01, ...
-constexpr int largestProximalRun = 12;  ///< passes without enough contact after which the body counts as pulled off
 constexpr double holdTolerance = 1e-12; ///< of the squared singular values of the closed nodes' rigid traces
 
-std::string joined(const std::vector<std::string>& names)
-{
-  std::string text;
-  for (const auto& name : names)
-    text += (text.empty() ? "" : ", ") + name;
-  return text;
-}
-
-int countDifferences(const std::vector<char>& a, const std::vector<char>& b)
-{
-  int n = 0;
-  for (std::size_t i = 0; i < a.size(); ++i)
-    n += a[i] != b[i];
-  return n;
-}
-
 } // namespace
-
-struct UnilateralProblem::Pass
-{
-  Vector u, force;
-};
 
 UnilateralProblem::UnilateralProblem(const SymmetricOperator& A, std::vector<char> constrained, DenseMatrix rigidTraces,
                                      std::vector<std::string> motions, Ledger& ledger)
@@ -82,7 +52,7 @@ Vector UnilateralProblem::applied(const Vector& x) const
 }
 
 void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
-                                    Pass& pass)
+                                    StatusPass& pass)
 {
   const auto n = std::size_t(A_.size());
   Vector given(n, 0.0);
@@ -114,13 +84,13 @@ void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const 
 }
 
 /// One step of iterative refinement where the factor loses more digits than signs may cost: stiff beside soft bodies.
-void UnilateralProblem::refine(const Vector& rhs, const std::vector<char>& isFree, Pass& pass) const
+void UnilateralProblem::refine(const Vector& rhs, const std::vector<char>& isFree, StatusPass& pass) const
 {
   Vector rest(rhs.size(), 0.0);
   for (std::size_t i = 0; i < rest.size(); ++i)
     if (isFree[i])
       rest[i] = rhs[i] - pass.force[i];
-  if (largestEntry(rest) <= roundOff * largestEntry(rhs))
+  if (largestEntry(rest) <= statusRoundOff * largestEntry(rhs))
     return;
   const Vector correction = factor_->solve(rest);
   for (std::size_t i = 0; i < rest.size(); ++i)
@@ -128,60 +98,33 @@ void UnilateralProblem::refine(const Vector& rhs, const std::vector<char>& isFre
   pass.force = applied(pass.u);
 }
 
-/// Nodes whose status contradicts the solution: closed ones under tension, open ones that penetrate. Where nothing is
-/// closed, penetration has no tolerance: however weakly bodies touch, that they do is tried first.
-std::vector<int> UnilateralProblem::violations(const Vector& b, const Vector& bound, const Pass& pass,
-                                               const std::vector<char>& closed) const
+/// The problem with one load and one bound.
+class UnilateralProblem::Conditions final : public StatusSystem
 {
-  const double noForce = roundOff * std::max(largestEntry(pass.force), largestEntry(b));
-  const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
-  const double noGap = isApart ? 0.0 : roundOff * std::max(largestEntry(pass.u), largestEntry(bound));
-  std::vector<int> wrong;
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (constrained_[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))
-      wrong.push_back(int(i));
-  return wrong;
-}
+public:
+  Conditions(UnilateralProblem& problem, const Vector& b, const Vector& bound)
+      : problem_(problem), b_(b), bound_(bound), load_(largestEntry(b))
+  {}
+
+  bool holds(const std::vector<char>& closed) override { return problem_.holds(closed); }
+  void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override
+  {
+    problem_.solveClosed(b_, bound_, closed, proximal == 0.0 ? 0.0 : proximal * problem_.stiffnessScale(), pass);
+    pass.displacement = largestEntry(pass.u);
+    pass.load = load_;
+  }
+  const std::vector<std::string>& motions() const override { return problem_.motions_; }
+
+private:
+  UnilateralProblem& problem_;
+  const Vector &b_, &bound_;
+  double load_;
+};
 
 UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, std::vector<char> closed)
 {
-  const std::vector<char> start = closed;
-  const int mostPasses = 100 + 10 * A_.size();
-  UnilateralState state;
-  Pass pass;
-  std::set<std::vector<char>> seen;
-  for (int proximal = 0; state.passes < mostPasses;) {
-    const bool held = holds(closed);
-    proximal = held ? 0 : proximal + 1;
-    if (proximal > largestProximalRun)
-      throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
-                                     joined(motions_)));
-    try {
-      solveClosed(b, bound, closed, held ? 0.0 : std::pow(proximalDecay, proximal) * stiffnessScale(), pass);
-    } catch (const NotPositiveDefinite&) {
-      throw NotConverged(fmt::format("the closed nodes do not hold the bodies{}.",
-                                     motions_.empty() ? "" : " against " + joined(motions_)));
-    }
-    ++state.passes;
-    ledger_.count("status passes");
-    const auto wrong = violations(b, bound, pass, closed);
-    if (wrong.empty() && held) {
-      state.changes = countDifferences(start, closed);
-      ledger_.count("status changes", state.changes);
-      state.u = std::move(pass.u);
-      state.force = std::move(pass.force);
-      state.closed = std::move(closed);
-      return state;
-    }
-    state.cycled = state.cycled || (held && !seen.insert(closed).second);
-    for (const int i : wrong) {
-      closed[std::size_t(i)] = !closed[std::size_t(i)];
-      if (state.cycled)
-        break;
-    }
-  }
-  throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}.",
-                                 mostPasses, state.cycled ? " (it cycled)" : ""));
+  Conditions conditions(*this, b, bound);
+  return findStatuses(conditions, constrained_, bound, std::move(closed), ledger_);
 }
 
 } // namespace ndframe

@@ -55,21 +55,35 @@ struct TraceDof
   double along = 0.0;
 };
 
+/// A trace normal whose displacement follows from those of other normals of its node, because these have all that
+/// supports leave free there: u_N = share u_first + otherShare u_other + offset.
+struct DependentTrace
+{
+  int given; ///< its place in the list of trace normals
+  int first; ///< places in DofLayout::trace
+  double share;
+  int other = -1; ///< -1: none
+  double otherShare = 0.0;
+  double offset = 0.0;
+};
+
 /// What every dof of a body is. dof = node * dim + component in the node's own axes.
 struct DofLayout
 {
   Frames frames;
   std::vector<DofRole> roles;
   Vector prescribed;           ///< values of the fixed dofs, zero elsewhere
-  std::vector<TraceDof> trace; ///< one per trace normal
+  std::vector<TraceDof> trace; ///< one per trace normal that does not depend on others, in their order
+  std::vector<DependentTrace> dependents;
 
   std::vector<int> keptDofs() const;
   /// The same axes, the same dofs fixed and kept: K and its factor are the same, whatever the prescribed values.
   bool splitsLike(const DofLayout& other) const;
 };
 
-/// Chooses axes so that supports fix dofs and interface normals are dofs. A node may have one trace normal, whose free
-/// part must not vanish (ConstraintSet::freePart), or without supports two that are not parallel.
+/// Chooses axes so that supports fix dofs and interface normals are dofs. A node in the plane may have any number of
+/// trace normals, as many as interfaces and corners meet there; their free parts must not vanish
+/// (ConstraintSet::freePart). A node in space has one. Normals count as parallel below an angle of 1e-9.
 DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces);
 
 } // namespace ndframe

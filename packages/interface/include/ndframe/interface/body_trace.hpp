@@ -12,6 +12,15 @@
 namespace ndframe
 {
 
+/// Another unknown that a body takes part in, at a node whose displacement other unknowns of the body say already:
+/// u_N = share u_first + otherShare u_other + offset.
+struct DependentUnknown
+{
+  int unknown;
+  bool onDirichletSide;
+  DependentTrace follows; ///< `first` and `other` are kept dofs of the trace
+};
+
 /// A body as the interface sees it:  S u_N = g + r,  r the nodal forces along n_c that act on this body.
 struct BodyTrace
 {
@@ -19,11 +28,13 @@ struct BodyTrace
   std::vector<int> unknowns;         ///< the interface unknown of each kept dof
   std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there, or meets an obstacle
   std::shared_ptr<const SymmetricOperator> S;
-  Vector g;                ///< reduced load, per kept dof
+  Vector g;                                 ///< reduced load, per kept dof
+  std::vector<DependentUnknown> dependents; ///< where more unknowns meet than its nodes can follow one by one
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames;
 
-  /// The contact forces on this body along n_c, per kept dof, from those per unknown.
+  /// The contact forces on this body along n_c, per kept dof, from those per unknown; those of dependents are shared
+  /// out.
   Vector forces(const Vector& onDirichlet, const Vector& onNeumann) const;
 };
 

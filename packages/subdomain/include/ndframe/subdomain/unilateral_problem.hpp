@@ -5,33 +5,17 @@
 #include <vector>
 
 #include "ndframe/algebra/symmetric_operator.hpp"
-#include "ndframe/base/ledger.hpp"
+#include "ndframe/subdomain/status_method.hpp"
 
 namespace ndframe
 {
 
-/// What the status method found.
-struct UnilateralState
-{
-  Vector u;                 ///< normal displacements (all unknowns)
-  Vector force;             ///< nodal contact forces r = A u - b: <= 0 where closed, 0 where open or unconstrained
-  std::vector<char> closed; ///< per unknown; 0 for unconstrained ones
-  int passes = 0;           ///< linear solves
-  int changes = 0;          ///< statuses that differ from those at the start
-  bool cycled = false;      ///< the simultaneous method came back to an earlier set; finished one node at a time
-};
-
-/// The status method for the unilateral problem (26) and for both bodies in one active set:
+/// The unilateral problem (26), also with both bodies in one active set:
 ///
 ///   A u = b + r,   u_i <= bound_i,   r_i <= 0,   (u_i - bound_i) r_i = 0   for the constrained i,   r_i = 0 for the
 ///   others.
 ///
-/// A primal-dual active set: closed nodes under tension open, open nodes that penetrate close, all at once, until
-/// nothing changes (Hintermueller, Ito, Kunisch 2002). A set that comes back is a cycle: from then on only the first
-/// violating node changes, which ends for positive definite A (Murty 1974). A may be singular (a floating body); a
-/// closed set that does not hold the body is solved with a vanishing proximal term delta |u - u_prev|^2 / 2 until
-/// contact holds it again. Signs and gaps are compared with round-off of the largest force and displacement, so units
-/// do not matter; while nothing is closed, every penetration closes.
+/// Solved by the status method (findStatuses). A may be singular (a floating body).
 class UnilateralProblem
 {
 public:
@@ -45,13 +29,12 @@ public:
   UnilateralState solve(const Vector& b, const Vector& bound, std::vector<char> closed);
 
 private:
-  struct Pass;
+  class Conditions;
   bool holds(const std::vector<char>& closed) const;
   Vector applied(const Vector& x) const;
-  void solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift, Pass& pass);
-  void refine(const Vector& rhs, const std::vector<char>& isFree, Pass& pass) const;
-  std::vector<int> violations(const Vector& b, const Vector& bound, const Pass& pass,
-                              const std::vector<char>& closed) const;
+  void solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
+                   StatusPass& pass);
+  void refine(const Vector& rhs, const std::vector<char>& isFree, StatusPass& pass) const;
   double stiffnessScale() const;
 
   const SymmetricOperator& A_;

@@ -1,0 +1,71 @@
+#include "network.hpp"
+
+#include <algorithm>
+
+namespace ndframe
+{
+namespace
+{
+
+/// The entries of one body in the rows of its unknowns.
+void addBody(Network& network, const BodyTrace& body)
+{
+  const int first = network.offsets.back();
+  const auto row = [&](int unknown, bool onDirichletSide) -> SparseRow& {
+    return (onDirichletSide ? network.dirichlet : network.neumann)[std::size_t(unknown)];
+  };
+  for (std::size_t k = 0; k < body.unknowns.size(); ++k)
+    row(body.unknowns[k], body.onDirichletSide[k] != 0).emplace_back(first + int(k), 1.0);
+  for (const DependentUnknown& dependent : body.dependents) {
+    const DependentTrace& follows = dependent.follows;
+    SparseRow& entries = row(dependent.unknown, dependent.onDirichletSide);
+    entries.emplace_back(first + follows.first, follows.share);
+    if (follows.other >= 0)
+      entries.emplace_back(first + follows.other, follows.otherShare);
+    (dependent.onDirichletSide ? network.dirichletOffset : network.neumannOffset)[std::size_t(dependent.unknown)] +=
+        follows.offset;
+  }
+  network.bodies.push_back(&body);
+  network.g.insert(network.g.end(), body.g.begin(), body.g.end());
+  network.offsets.push_back(first + int(body.unknowns.size()));
+}
+
+} // namespace
+
+Network networkOf(const InterfaceSystem& system)
+{
+  const auto size = std::size_t(system.size());
+  Network network;
+  network.offsets = {0};
+  network.dirichlet.resize(size);
+  network.neumann.resize(size);
+  network.dirichletOffset.assign(size, 0.0);
+  network.neumannOffset.assign(size, 0.0);
+  for (const BodyTrace& body : system.bodies)
+    addBody(network, body);
+  for (std::size_t i = 0; i < size; ++i) {
+    SparseRow row = network.dirichlet[i];
+    for (const auto& [entry, value] : network.neumann[i])
+      row.emplace_back(entry, -value);
+    network.jump.push_back(std::move(row));
+    network.bound.push_back(system.gap[i] + system.obstacle[i] - network.dirichletOffset[i] + network.neumannOffset[i]);
+  }
+  return network;
+}
+
+Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const Vector& v)
+{
+  Vector values = offset;
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [entry, value] : rows[i])
+      values[i] += value * v[std::size_t(entry)];
+  return values;
+}
+
+bool hasDependents(const InterfaceSystem& system)
+{
+  return std::any_of(system.bodies.begin(), system.bodies.end(),
+                     [](const BodyTrace& body) { return !body.dependents.empty(); });
+}
+
+} // namespace ndframe

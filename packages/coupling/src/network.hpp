@@ -1,0 +1,38 @@
+#pragma once
+
+#include "ndframe/interface/body_trace.hpp"
+#include "ndframe/subdomain/closed_rows.hpp"
+
+namespace ndframe
+{
+
+/// All bodies side by side: v, the normal displacements at their kept dofs, body after body, and the unknowns of the
+/// interfaces as rows over v:
+///
+///   uDirichlet_i = D_i v + d_i,   uNeumann_i = N_i v + n_i,   min 1/2 v^T S v - g^T v  with  (D - N) v <= bound,
+///
+/// S with one block a body, bound = gap + obstacle - d + n. An unknown may stand in rows of a body that other unknowns
+/// follow already, so that any number of interfaces may meet at a node.
+struct Network
+{
+  std::vector<const BodyTrace*> bodies;
+  std::vector<int> offsets; ///< of the bodies' first entries in v; one more at the end
+  Vector g;
+  std::vector<SparseRow> dirichlet, neumann; ///< D, N
+  Vector dirichletOffset, neumannOffset;     ///< d, n
+  std::vector<SparseRow> jump;               ///< D - N
+  Vector bound;
+
+  int size() const { return offsets.back(); }
+};
+
+/// The system must outlive it.
+Network networkOf(const InterfaceSystem& system);
+
+/// rows v + offset.
+Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const Vector& v);
+
+/// Whether some body takes part in more unknowns at a node than the node can follow one by one.
+bool hasDependents(const InterfaceSystem& system);
+
+} // namespace ndframe

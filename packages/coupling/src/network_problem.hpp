@@ -1,0 +1,48 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ndframe/algebra/sparse_cholesky.hpp"
+#include "ndframe/subdomain/status_method.hpp"
+#include "network.hpp"
+
+namespace ndframe
+{
+
+/// The contact of a network of bodies with stored operators for one set of closed unknowns: these give away one entry
+/// of v each (ClosedRows), v = Z y + v_0, and  Z^T S Z y = Z^T (g - S v_0)  is sparse, factored by CHOLMOD. Memory and
+/// time of a pass grow linearly with the bodies but for the fill of a plane graph.
+class NetworkProblem final : public StatusSystem
+{
+public:
+  /// The network must outlive the problem.
+  NetworkProblem(const Network& network, Ledger& ledger);
+
+  /// By the factor: its pivots vanish where a motion is left.
+  bool holds(const std::vector<char>& closed) override;
+  void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
+  const std::vector<std::string>& motions() const override { return motions_; }
+
+  /// Of the last pass.
+  const Vector& displacement() const { return v_; }
+
+private:
+  SymmetricEntries reducedStiffness() const;
+  void addBody(std::size_t body, std::vector<int>& local, SymmetricEntries& entries) const;
+  Vector stiffTimes(const Vector& v) const;
+  Vector residual(const Vector& v) const;
+  Vector proximalSolution(Vector right, double proximal) const;
+
+  const Network& network_;
+  Ledger& ledger_;
+  std::vector<std::string> motions_;
+  std::vector<int> byBound_; ///< the unknowns, tightest bounds first
+  Vector v_;
+  std::vector<char> closed_; ///< that the following belongs to
+  std::optional<ClosedRows> rows_;
+  SymmetricEntries stiffness_;
+  std::unique_ptr<SparseCholesky> factor_; ///< null where nothing holds the bodies
+};
+
+} // namespace ndframe

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/algebra/dense.hpp"
+#include "ndframe/base/ledger.hpp"
+
+namespace ndframe
+{
+
+/// What the status method found.
+struct UnilateralState
+{
+  Vector u;                 ///< normal displacements (all unknowns)
+  Vector force;             ///< nodal contact forces r = A u - b: <= 0 where closed, 0 where open or unconstrained
+  std::vector<char> closed; ///< per unknown; 0 for unconstrained ones
+  int passes = 0;           ///< linear solves
+  int changes = 0;          ///< statuses that differ from those at the start
+  bool cycled = false;      ///< the simultaneous method came back to an earlier set; finished one node at a time
+};
+
+/// One linear solve of the status method.
+struct StatusPass
+{
+  Vector u, force;                       ///< per condition
+  double displacement = 0.0, load = 0.0; ///< the largest: what round-off is compared with
+};
+
+/// What statuses are found for: conditions u_i <= bound_i that hold as equations where closed.
+class StatusSystem
+{
+public:
+  virtual ~StatusSystem() = default;
+  /// Whether the closed conditions and supports stop all rigid motions.
+  virtual bool holds(const std::vector<char>& closed) = 0;
+  /// Solves with the closed conditions as equations. proximal > 0: with the term  proximal |u - u_prev|^2 / 2, relative
+  /// to the stiffness; `pass` is the one before (empty at first). Throws NotPositiveDefinite.
+  virtual void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) = 0;
+  /// The rigid motions that supports leave free, for messages.
+  virtual const std::vector<std::string>& motions() const = 0;
+};
+
+/// The status method: a primal-dual active set. Closed conditions under tension open, open ones that penetrate close,
+/// all at once, until nothing changes (Hintermueller, Ito, Kunisch 2002). A set that comes back is a cycle: from then
+/// on only the first violating condition changes, which ends for positive definite systems (Murty 1974). A closed set
+/// that does not hold the bodies is solved with a vanishing proximal term until contact holds them again. Signs and
+/// gaps are compared with round-off of the largest force and displacement, so units do not matter; while nothing is
+/// closed, every penetration closes.
+///
+/// constrained: 0 for entries of u without condition. Throws NotConverged when the load does not press the bodies on
+/// what holds them (naming the free motions) or after too many passes.
+UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
+                             std::vector<char> closed, Ledger& ledger);
+
+/// Signs and gaps below this, relative to the largest, are zero.
+inline constexpr double statusRoundOff = 1e-11;
+
+} // namespace ndframe

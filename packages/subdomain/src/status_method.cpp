@@ -1,0 +1,102 @@
+#include "ndframe/subdomain/status_method.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr double proximalDecay = 1e-1; ///< weight of the proximal term, relative to the stiffness: 0.1, 0.01, ...
+constexpr int largestProximalRun = 12; ///< passes without enough contact after which the body counts as pulled off
+
+std::string joined(const std::vector<std::string>& names)
+{
+  constexpr std::size_t most = 12;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(most, names.size()); ++i)
+    text += (text.empty() ? "" : ", ") + names[i];
+  return names.size() <= most ? text : fmt::format("{} or {} other motions", text, names.size() - most);
+}
+
+int countDifferences(const std::vector<char>& a, const std::vector<char>& b)
+{
+  int n = 0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    n += a[i] != b[i];
+  return n;
+}
+
+/// Conditions whose status contradicts the solution: closed ones under tension, open ones that penetrate. Where nothing
+/// is closed, penetration has no tolerance: however weakly bodies touch, that they do is tried first.
+std::vector<int> violations(const StatusPass& pass, const std::vector<char>& constrained, const Vector& bound,
+                            const std::vector<char>& closed)
+{
+  const double noForce = statusRoundOff * std::max(largestEntry(pass.force), pass.load);
+  const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
+  const double noGap = isApart ? 0.0 : statusRoundOff * std::max(pass.displacement, largestEntry(bound));
+  std::vector<int> wrong;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (constrained[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))
+      wrong.push_back(int(i));
+  return wrong;
+}
+
+void solvePass(StatusSystem& system, const std::vector<char>& closed, double proximal, StatusPass& pass)
+{
+  try {
+    system.solve(closed, proximal, pass);
+  } catch (const NotPositiveDefinite&) {
+    const auto& motions = system.motions();
+    throw NotConverged(fmt::format("the closed nodes do not hold the bodies{}.",
+                                   motions.empty() ? "" : " against " + joined(motions)));
+  }
+}
+
+} // namespace
+
+UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
+                             std::vector<char> closed, Ledger& ledger)
+{
+  const std::vector<char> start = closed;
+  const int mostPasses = 100 + 10 * int(closed.size());
+  UnilateralState state;
+  StatusPass pass;
+  std::set<std::vector<char>> seen;
+  for (int proximal = 0; state.passes < mostPasses;) {
+    const bool held = system.holds(closed);
+    proximal = held ? 0 : proximal + 1;
+    if (proximal > largestProximalRun)
+      throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
+                                     joined(system.motions())));
+    solvePass(system, closed, held ? 0.0 : std::pow(proximalDecay, proximal), pass);
+    ++state.passes;
+    ledger.count("status passes");
+    const auto wrong = violations(pass, constrained, bound, closed);
+    if (wrong.empty() && held) {
+      state.changes = countDifferences(start, closed);
+      ledger.count("status changes", state.changes);
+      state.u = std::move(pass.u);
+      state.force = std::move(pass.force);
+      state.closed = std::move(closed);
+      return state;
+    }
+    state.cycled = state.cycled || (held && !seen.insert(closed).second);
+    for (const int i : wrong) {
+      closed[std::size_t(i)] = !closed[std::size_t(i)];
+      if (state.cycled)
+        break;
+    }
+  }
+  throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}.",
+                                 mostPasses, state.cycled ? " (it cycled)" : ""));
+}
+
+} // namespace ndframe
