@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "holds.hpp"
+#include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/driver/model.hpp"
 #include "ndframe/interface/body_trace.hpp"
 
@@ -28,13 +29,55 @@ DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, in
   return motionTraces(basis, all, points, normals);
 }
 
-/// Rows of A below each other in the columns of one body (offset = first column).
-void appendRows(DenseMatrix& A, const DenseMatrix& rows, int offset, double sign, int firstRow)
+/// The equations for the joint rigid motions: rows over the motions of one body, or of the two that touch.
+class JointRows
 {
-  for (int i = 0; i < rows.rows(); ++i)
-    for (int j = 0; j < rows.cols(); ++j)
-      A(firstRow + i, offset + j) += sign * rows(i, j);
-}
+public:
+  explicit JointRows(int numMotions) : numMotions_(numMotions) {}
+
+  /// Rows of a body whose motions begin at `offset`, from the row `first` on.
+  void add(const DenseMatrix& rows, int offset, double sign, int first)
+  {
+    rows_.resize(std::max(rows_.size(), std::size_t(first) + std::size_t(rows.rows())));
+    for (int i = 0; i < rows.rows(); ++i)
+      for (int j = 0; j < rows.cols(); ++j)
+        rows_[std::size_t(first) + std::size_t(i)].emplace_back(offset + j, sign * rows(i, j));
+  }
+  int size() const { return int(rows_.size()); }
+
+  /// Whether no motion is left, shown without much work: A^T A has a sparse Cholesky factor. False: perhaps not.
+  bool areIndependent() const
+  {
+    SymmetricEntries gram;
+    gram.size = numMotions_;
+    for (int j = 0; j < numMotions_; ++j)
+      gram.add(j, j, 0.0);
+    for (const auto& row : rows_)
+      for (const auto& [i, first] : row)
+        for (const auto& [j, second] : row)
+          if (i <= j)
+            gram.add(i, j, first * second);
+    try {
+      const SparseCholesky factor(gram);
+      return true;
+    } catch (const NotPositiveDefinite&) {
+      return false;
+    }
+  }
+
+  DenseMatrix matrix() const
+  {
+    DenseMatrix A(size(), numMotions_);
+    for (int i = 0; i < size(); ++i)
+      for (const auto& [j, value] : rows_[std::size_t(i)])
+        A(i, j) += value;
+    return A;
+  }
+
+private:
+  int numMotions_;
+  std::vector<std::vector<std::pair<int, double>>> rows_;
+};
 
 void report(const Model& model, const Params& deck, std::size_t body, const DenseMatrix& motions,
             Diagnostics& diagnostics)
@@ -53,29 +96,21 @@ void report(const Model& model, const Params& deck, std::size_t body, const Dens
 
 DenseMatrix freeTogether(const Model& model)
 {
-  int total = 0, rows = 0;
+  int total = 0;
   std::vector<int> offset;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+  for (const RigidBasis& basis : model.rigid) {
     offset.push_back(total);
-    total += model.rigid[b].size();
-    for (const auto& entry : model.constraints[b].nodes())
-      rows += entry.second.count;
+    total += basis.size();
   }
-  for (const auto& interface : model.interfaces)
-    rows += interface.numNodes();
-  DenseMatrix A(rows, total);
-  int row = 0;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const auto held = supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]);
-    appendRows(A, held, offset[b], 1.0, row);
-    row += held.rows();
-  }
+  JointRows rows(total);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    rows.add(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), offset[b], 1.0, rows.size());
   for (const auto& interface : model.interfaces) {
+    const int first = rows.size();
     for (const auto& [body, sign] : {std::pair(interface.dirichletBody, 1.0), std::pair(interface.neumannBody, -1.0)})
-      appendRows(A, interfaceRows(model, interface, body), offset[std::size_t(body)], sign, row);
-    row += interface.numNodes();
+      rows.add(interfaceRows(model, interface, body), offset[std::size_t(body)], sign, first);
   }
-  return nullSpace(A, rigidTolerance);
+  return rows.areIndependent() ? DenseMatrix(total, 0) : nullSpace(rows.matrix(), rigidTolerance);
 }
 
 DenseMatrix partOf(const DenseMatrix& motions, int offset, int size)

@@ -1,4 +1,5 @@
 #include <cmath>
+#include <map>
 
 #include <fmt/format.h>
 
@@ -17,19 +18,20 @@ constexpr double drawnStrain = 0.01;
 /// Overlaps below this part of the largest displacement are of second order: a motion times a rotation.
 constexpr double secondOrder = 0.05;
 
-/// The facets that interfaces join to the other body.
-std::set<std::pair<int, int>> pairedFacets(const Model& model, int body, int other)
+/// Facets of a body by (cell, local).
+using FacetSet = std::set<std::pair<int, int>>;
+
+/// Per ordered pair of bodies the facets of the first that interfaces join to the second.
+std::map<std::pair<int, int>, FacetSet> pairedFacets(const Model& model)
 {
-  std::set<std::pair<int, int>> paired;
-  const auto add = [&](const std::vector<Facet>& facets) {
+  std::map<std::pair<int, int>, FacetSet> paired;
+  const auto add = [&](int body, int other, const std::vector<Facet>& facets) {
     for (const Facet facet : facets)
-      paired.insert({facet.cell, facet.local});
+      paired[{body, other}].insert({facet.cell, facet.local});
   };
   for (const auto& interface : model.interfaces) {
-    if (interface.dirichletBody == body && interface.neumannBody == other)
-      add(interface.dirichletFacets);
-    if (interface.neumannBody == body && interface.dirichletBody == other)
-      add(interface.neumannFacets);
+    add(interface.dirichletBody, interface.neumannBody, interface.dirichletFacets);
+    add(interface.neumannBody, interface.dirichletBody, interface.neumannFacets);
   }
   return paired;
 }
@@ -43,16 +45,18 @@ std::vector<std::vector<Facet>> boundariesOf(const Model& model)
   return boundaries;
 }
 
-/// Every pair of bodies on these meshes.
+/// Every pair of bodies that come near each other on these meshes.
 template <class Report>
 void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes,
                   const std::vector<std::vector<Facet>>& boundaries, const Report& report)
 {
-  for (int a = 0; a < int(boundaries.size()); ++a)
-    for (int b = a + 1; b < int(boundaries.size()); ++b)
-      report(a, b,
-             encounterOf({meshes[std::size_t(a)], boundaries[std::size_t(a)], pairedFacets(model, a, b)},
-                         {meshes[std::size_t(b)], boundaries[std::size_t(b)], pairedFacets(model, b, a)}));
+  if (boundaries.empty())
+    return;
+  auto paired = pairedFacets(model);
+  for (const auto& [a, b] : nearPairs(meshes))
+    report(a, b,
+           encounterOf({meshes[std::size_t(a)], boundaries[std::size_t(a)], paired[{a, b}]},
+                       {meshes[std::size_t(b)], boundaries[std::size_t(b)], paired[{b, a}]}));
 }
 
 std::string bodyNames(const Model& model, int a, int b)

@@ -28,7 +28,39 @@ int idOf(std::size_t index)
   return int(index) + 1;
 }
 
-// A NetCDF-3 file is moved on disk when its header grows: everything is defined before any array is written.
+// A NetCDF-3 file is moved on disk when its header grows: everything is defined before any array is written, and all
+// blocks or sets at once, for each call rewrites the header.
+
+void defineBlocks(ExodusFile& file, const ExodusLayout& layout)
+{
+  std::vector<int> ids, cells, nodesPerCell;
+  std::vector<std::string> types;
+  for (std::size_t b = 0; b < layout.bodies->size(); ++b) {
+    const NodeMap& nodes = *(*layout.bodies)[b].nodes;
+    ids.push_back(idOf(b));
+    types.emplace_back(elementNames[std::size_t(nodes.dim - 2)][std::size_t(nodes.order - 1)]);
+    cells.push_back(nodes.numCells());
+    nodesPerCell.push_back(nodes.nodesPerCell);
+  }
+  CStrings texts(types);
+  std::vector<int> attributes(ids.size(), 0);
+  file.call("the element blocks", ex_put_concat_elem_block, ids.data(), texts.data(), cells.data(), nodesPerCell.data(),
+            attributes.data(), 0);
+}
+
+/// Without entries: they are only defined.
+std::vector<ex_set> sideSets(const ExodusLayout& layout)
+{
+  std::vector<ex_set> sets;
+  for (std::size_t s = 0; s < layout.sets.size(); ++s) {
+    ex_set set{};
+    set.id = idOf(s);
+    set.type = EX_SIDE_SET;
+    set.num_entry = std::int64_t(layout.sets[s].facets->size());
+    sets.push_back(set);
+  }
+  return sets;
+}
 
 void defineMesh(ExodusFile& file, const ExodusLayout& layout, const std::string& title)
 {
@@ -40,14 +72,10 @@ void defineMesh(ExodusFile& file, const ExodusLayout& layout, const std::string&
   sizes.num_elem_blk = std::int64_t(layout.bodies->size());
   sizes.num_side_sets = std::int64_t(layout.sets.size());
   file.call("the sizes", ex_put_init_ext, &sizes);
-  for (std::size_t b = 0; b < layout.bodies->size(); ++b) {
-    const auto& nodes = *(*layout.bodies)[b].nodes;
-    const char* type = elementNames[std::size_t(nodes.dim - 2)][std::size_t(nodes.order - 1)];
-    file.call("an element block", ex_put_block, EX_ELEM_BLOCK, idOf(b), type, nodes.numCells(), nodes.nodesPerCell, 0,
-              0, 0);
-  }
-  for (std::size_t s = 0; s < layout.sets.size(); ++s)
-    file.call("a side set", ex_put_set_param, EX_SIDE_SET, idOf(s), std::int64_t(layout.sets[s].facets->size()), 0);
+  defineBlocks(file, layout);
+  std::vector<ex_set> sets = sideSets(layout);
+  if (!sets.empty())
+    file.call("the side sets", ex_put_sets, sets.size(), sets.data());
 }
 
 void defineVariables(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables& variables)

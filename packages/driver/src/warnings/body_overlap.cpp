@@ -239,6 +239,30 @@ Encounter encounter(const BoundaryView& first, const BoundaryView& second)
   return result;
 }
 
+std::vector<std::pair<int, int>> nearPairs(const std::vector<const Mesh*>& meshes)
+{
+  std::vector<Box> boxes;
+  double reach = 0.0;
+  for (const Mesh* mesh : meshes) {
+    boxes.push_back(boxOfMesh(*mesh));
+    reach = std::max(reach, onBoundary * diameter(*mesh));
+  }
+  std::vector<int> byLeft(meshes.size());
+  std::iota(byLeft.begin(), byLeft.end(), 0);
+  const auto box = [&](int mesh) -> const Box& { return boxes[std::size_t(mesh)]; };
+  std::sort(byLeft.begin(), byLeft.end(), [&](int a, int b) { return box(a).lower[0] < box(b).lower[0]; });
+  std::vector<std::pair<int, int>> pairs;
+  for (auto first = byLeft.begin(); first != byLeft.end(); ++first)
+    for (auto second = first + 1; second != byLeft.end(); ++second) {
+      if (box(*second).lower[0] > box(*first).upper[0] + reach)
+        break;
+      if (box(*first).meets(box(*second), meshes.front()->dim, reach))
+        pairs.emplace_back(std::min(*first, *second), std::max(*first, *second));
+    }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
 Encounter encounterOf(const BoundaryView& a, const BoundaryView& b)
 {
   Encounter one = encounter(a, b), other = encounter(b, a);

@@ -30,6 +30,9 @@ struct Encounter
 /// the point, or of the cell's size in cells away from the boundary.
 Encounter encounter(const BoundaryView& first, const BoundaryView& second);
 
+/// Pairs (a < b) of meshes whose boxes meet, in ascending order: the others have no encounter.
+std::vector<std::pair<int, int>> nearPairs(const std::vector<const Mesh*>& meshes);
+
 /// Both ways: the deeper of two, a point of contact from either.
 Encounter encounterOf(const BoundaryView& a, const BoundaryView& b);
 
