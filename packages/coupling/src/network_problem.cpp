@@ -126,6 +126,7 @@ void NetworkProblem::solve(const std::vector<char>& closed, double proximal, Sta
       v_[k] += correction[k];
     rest = residual(v_);
   }
+  pass.unbalanced = largestEntry(rows_->reduced(rest));
   for (double& value : rest)
     value = -value;
   pass.force = rows_->forces(rest);

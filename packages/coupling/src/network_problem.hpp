@@ -22,6 +22,8 @@ public:
   /// By the factor: its pivots vanish where a motion is left.
   bool holds(const std::vector<char>& closed) override;
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
+  /// In a network some body or other is often without contact for a while.
+  ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
   const std::vector<std::string>& motions() const override { return motions_; }
 
   /// Of the last pass.

@@ -15,7 +15,6 @@ namespace
 {
 
 constexpr double proximalDecay = 1e-1; ///< weight of the proximal term, relative to the stiffness: 0.1, 0.01, ...
-constexpr int largestProximalRun = 12; ///< passes without enough contact after which the body counts as pulled off
 
 std::string joined(const std::vector<std::string>& names)
 {
@@ -73,14 +72,15 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
   for (int proximal = 0; state.passes < mostPasses;) {
     const bool held = system.holds(closed);
     proximal = held ? 0 : proximal + 1;
-    if (proximal > largestProximalRun)
+    const ProximalLimits limits = system.proximalLimits();
+    if (proximal > limits.passes)
       throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
                                      joined(system.motions())));
-    solvePass(system, closed, held ? 0.0 : std::pow(proximalDecay, proximal), pass);
+    solvePass(system, closed, held ? 0.0 : std::max(limits.weight, std::pow(proximalDecay, proximal)), pass);
     ++state.passes;
     ledger.count("status passes");
     const auto wrong = violations(pass, constrained, bound, closed);
-    if (wrong.empty() && held) {
+    if (wrong.empty() && (held || pass.unbalanced <= statusRoundOff * pass.load)) {
       state.changes = countDifferences(start, closed);
       ledger.count("status changes", state.changes);
       state.u = std::move(pass.u);

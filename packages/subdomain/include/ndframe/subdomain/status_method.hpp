@@ -1,5 +1,6 @@
 #pragma once
 
+#include <limits>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,15 @@ struct StatusPass
 {
   Vector u, force;                       ///< per condition
   double displacement = 0.0, load = 0.0; ///< the largest: what round-off is compared with
+  /// What the proximal term carries of the load: the largest force.
+  double unbalanced = std::numeric_limits<double>::infinity();
+};
+
+/// How far passes without enough contact go.
+struct ProximalLimits
+{
+  int passes = 12;       ///< in a row, after which the load counts as pulling bodies off
+  double weight = 1e-12; ///< the least of the proximal term, relative to the stiffness
 };
 
 /// What statuses are found for: conditions u_i <= bound_i that hold as equations where closed.
@@ -37,6 +47,7 @@ public:
   /// Solves with the closed conditions as equations. proximal > 0: with the term  proximal |u - u_prev|^2 / 2, relative
   /// to the stiffness; `pass` is the one before (empty at first). Throws NotPositiveDefinite.
   virtual void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) = 0;
+  virtual ProximalLimits proximalLimits() const { return {}; }
   /// The rigid motions that supports leave free, for messages.
   virtual const std::vector<std::string>& motions() const = 0;
 };
@@ -44,9 +55,10 @@ public:
 /// The status method: a primal-dual active set. Closed conditions under tension open, open ones that penetrate close,
 /// all at once, until nothing changes (Hintermueller, Ito, Kunisch 2002). A set that comes back is a cycle: from then
 /// on only the first violating condition changes, which ends for positive definite systems (Murty 1974). A closed set
-/// that does not hold the bodies is solved with a vanishing proximal term until contact holds them again. Signs and
-/// gaps are compared with round-off of the largest force and displacement, so units do not matter; while nothing is
-/// closed, every penetration closes.
+/// that does not hold the bodies is solved with a vanishing proximal term until contact holds them again, or until the
+/// term carries nothing: then the loads do no work on the motions left, and any place will do. Signs and gaps are
+/// compared with round-off of the largest force and displacement, so units do not matter; while nothing is closed,
+/// every penetration closes.
 ///
 /// constrained: 0 for entries of u without condition. Throws NotConverged when the load does not press the bodies on
 /// what holds them (naming the free motions) or after too many passes.
