@@ -80,11 +80,21 @@ TEST(AutomaticCoupling, NeedsNoRoles)
     EXPECT_FALSE(haveRoles(system));
     const auto result = solve("Automatic", system);
     EXPECT_EQ(result.type, "Monolithic");
-    EXPECT_THAT(result.reason, HasSubstr("no roles suit all of them"));
+    EXPECT_THAT(result.reason, HasSubstr("no roles suit both of them"));
     expectComplementarity(system, result.state);
   }
   const auto coupling = makeCoupling(text("Type", "Automatic"));
   EXPECT_FALSE(coupling->needsRoles());
   EXPECT_TRUE(makeCoupling(text("Type", "Automatic") + text("Dirichlet Body", "As Given"))->needsRoles());
   EXPECT_TRUE(makeCoupling(text("Type", "Neumann-Dirichlet"))->needsRoles());
+}
+
+TEST(AutomaticCoupling, SolvesMoreThanTwoBodiesTogether)
+{
+  const auto system = sideBySide(randomSystem(1, false), randomSystem(2, false));
+  const auto result = solve("Automatic", system);
+  EXPECT_EQ(result.type, "Monolithic");
+  EXPECT_THAT(result.reason, HasSubstr("there are more than two bodies"));
+  EXPECT_FALSE(makeCoupling(text("Type", "Automatic"))->sweeps(system));
+  EXPECT_TRUE(makeCoupling(text("Type", "Neumann-Dirichlet"))->sweeps(system));
 }

@@ -145,12 +145,12 @@ double innerProduct(const Chain& chain, const Vector& s, const Vector& t)
 BalanceConditions resultantAndMoment(const Chain& chain, double force, double moment)
 {
   const auto n = chain.x.size();
-  BalanceConditions balance{DenseMatrix(2, int(n)), {force, moment}, {}, {"translation", "rotation"}};
+  BalanceConditions balance{SparseColumns(int(n), 2), {force, moment}, {}, {"translation", "rotation"}};
   for (std::size_t node = 0; node < n; ++node) {
     Vector unit(n, 0.0);
     unit[node] = 1.0;
-    balance.work(0, int(node)) = innerProduct(chain, unit, Vector(n, 1.0));
-    balance.work(1, int(node)) = innerProduct(chain, unit, chain.x);
+    balance.work(int(node), 0) = innerProduct(chain, unit, Vector(n, 1.0));
+    balance.work(int(node), 1) = innerProduct(chain, unit, chain.x);
   }
   return balance;
 }

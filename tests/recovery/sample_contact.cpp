@@ -98,14 +98,14 @@ BalanceConditions balanceOf(const ContactScene& scene, const BodySystem& system)
   const DenseMatrix motions = freeMotions(punch),
                     modes = multiply(rigidModes(rigidBasis(punch.mesh), punch.nodes, system.dofs.frames), motions);
   const auto numNodes = scene.x.size();
-  BalanceConditions balance{DenseMatrix(motions.cols(), int(numNodes)), {}, {}, {}};
+  BalanceConditions balance{SparseColumns(int(numNodes), motions.cols()), {}, {}, {}};
   for (std::size_t node = 0; node < numNodes; ++node) {
     Vector unit(numNodes, 0.0);
     unit[node] = 1.0;
     const auto traction = tractionFromNodes(scene.recovery.facets, unit, punch.nodes.order, punch.nodes.order);
     const Vector force = contactForces(punch, 0, scene.recovery.facets, traction, traction);
     for (int m = 0; m < motions.cols(); ++m)
-      balance.work(m, int(node)) = dot(system.dofs.frames.toLocal(force), modes.column(m));
+      balance.work(int(node), m) = dot(system.dofs.frames.toLocal(force), modes.column(m));
   }
   for (int m = 0; m < motions.cols(); ++m) {
     balance.value.push_back(-dot(system.load, modes.column(m)));
@@ -147,7 +147,7 @@ ContactScene contactScene(const ContactKind& kind)
   const Vector nodal = projectTraction(facets, int(scene.x.size()), kind.order, mean, scene.balance);
   scene.field.onDirichlet = scene.field.onNeumann = tractionFromNodes(facets, nodal, kind.order, kind.degree);
   scene.field.optimise = true;
-  pin(systems[0], scene.bodies[0], scene.balance.work.rows());
+  pin(systems[0], scene.bodies[0], scene.balance.work.cols());
   for (std::size_t b = 0; b < 2; ++b) {
     const Vector force = systems[b].dofs.frames.toLocal(
         contactForces(scene.bodies[b], int(b), facets, scene.field.onDirichlet, scene.field.onNeumann));

@@ -137,8 +137,8 @@ TEST(AdmissibleTraction, AMotionAlongTheInterfaceAsksForNothing)
 {
   const Chain chain = test::straightChain({1.0, 1.0, 2.0}, 2);
   const Vector mean(7, -1.0);
-  BalanceConditions balance{DenseMatrix(1, 7), {1e-15}, {1.0}, {"translation along x"}};
-  balance.work(0, 3) = 1e-16; // what the dot product of a tangent and a normal leaves
+  BalanceConditions balance{SparseColumns(7, 1), {1e-15}, {1.0}, {"translation along x"}};
+  balance.work(3, 0) = 1e-16; // what the dot product of a tangent and a normal leaves
   EXPECT_LT(largestDifference(project(chain, mean, balance), mean), 1e-14);
   balance.value = {1e-3};
   EXPECT_EQ(infeasibleMotion(chain, balance), "translation along x");

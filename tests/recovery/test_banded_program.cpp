@@ -20,7 +20,7 @@ double value(std::mt19937& random)
 /// M = R^T R of a banded R with a positive diagonal, f of any sign; conditions that a random x <= 0 meets.
 BandedProgram randomProgram(int n, int bandwidth, int conditions, std::mt19937& random)
 {
-  BandedProgram program{BandMatrix(n, bandwidth), Vector(std::size_t(n)), DenseMatrix(n, conditions),
+  BandedProgram program{BandMatrix(n, bandwidth), Vector(std::size_t(n)), SparseColumns(n, conditions),
                         Vector(std::size_t(conditions))};
   DenseMatrix R(n, n);
   for (int j = 0; j < n; ++j)
@@ -78,7 +78,7 @@ TEST(BandedProgram, AgreesWithTheDenseActiveSetMethod)
   for (int trial = 0; trial < 200; ++trial) {
     const int n = 3 + int(random() % 14), bandwidth = int(random() % 4), conditions = int(random() % 4);
     const BandedProgram program = randomProgram(n, bandwidth, conditions, random);
-    const Vector x = minimise(program);
+    const Vector x = *minimise(program);
     expectSame(x, denseMinimum(program), 1e-11);
     EXPECT_LE(*std::max_element(x.begin(), x.end()), 0.0);
   }
@@ -88,28 +88,28 @@ TEST(BandedProgram, DependentAndVanishingConditionsAreHarmless)
 {
   std::mt19937 random(2);
   BandedProgram program = randomProgram(12, 2, 2, random);
-  const Vector x = minimise(program);
-  DenseMatrix W(12, 4);
+  const Vector x = *minimise(program);
+  SparseColumns W(12, 4);
   for (int i = 0; i < 12; ++i) {
     W(i, 0) = program.W(i, 0), W(i, 1) = program.W(i, 1);
     W(i, 2) = program.W(i, 0) - 2.0 * program.W(i, 1);
   }
   program.W = W;
   program.r = {program.r[0], program.r[1], program.r[0] - 2.0 * program.r[1], 0.0};
-  expectSame(minimise(program), x, 1e-11);
+  expectSame(*minimise(program), x, 1e-11);
 }
 
 TEST(BandedProgram, ConditionsThatOnePointMeetsFindIt)
 {
   // the resultant and the moment of a force at the last entry
-  BandedProgram program{BandMatrix(6, 1), Vector(6, 3.0), DenseMatrix(6, 2), {-2.0, -10.0}};
+  BandedProgram program{BandMatrix(6, 1), Vector(6, 3.0), SparseColumns(6, 2), {-2.0, -10.0}};
   for (int i = 0; i < 6; ++i) {
     program.M(i, i) = 2.0;
     if (i > 0)
       program.M(i, i - 1) = 0.5;
     program.W(i, 0) = 1.0, program.W(i, 1) = i;
   }
-  expectSame(minimise(program), {0.0, 0.0, 0.0, 0.0, 0.0, -2.0}, 1e-12);
+  expectSame(*minimise(program), {0.0, 0.0, 0.0, 0.0, 0.0, -2.0}, 1e-12);
 }
 
 TEST(BandedProgram, DegenerateDataEnd)
@@ -122,13 +122,13 @@ TEST(BandedProgram, DegenerateDataEnd)
     for (std::size_t i = 0; i < 20; i += 1 + random() % 3)
       x[i] = -std::abs(value(random));
     program.f = multiply(program.M, x);
-    expectSame(minimise(program), x, 1e-13);
+    expectSame(*minimise(program), x, 1e-13);
   }
 }
 
 TEST(BandedProgram, OfNothingIsSolved)
 {
-  EXPECT_TRUE(minimise(BandedProgram{BandMatrix(0, 0), {}, {}, {}}).empty());
+  EXPECT_TRUE(minimise(BandedProgram{BandMatrix(0, 0), {}, {}, {}})->empty());
 }
 
 } // namespace ndframe

@@ -22,6 +22,7 @@ public:
 
   Roles roles() const override { return sweeps_->roles(); }
   bool needsRoles() const override { return roles() == Roles::AsGiven; }
+  bool sweeps(const InterfaceSystem& system) const override { return system.bodies.size() <= 2 && haveRoles(system); }
   bool needsSpectrum() const override { return sweeps_->needsSpectrum(); }
   std::optional<double> givenTheta() const override { return sweeps_->givenTheta(); }
 
@@ -40,8 +41,10 @@ private:
   /// Why sweeps would not do; empty where they would.
   std::string againstSweeps(const InterfaceSystem& system, const CouplingStart& start) const
   {
+    if (system.bodies.size() > 2)
+      return "there are more than two bodies";
     if (!haveRoles(system))
-      return "no roles suit all of them";
+      return "no roles suit both of them";
     if (!start.spectrum)
       return {};
     if (!start.spectrum->isKnown())
@@ -63,7 +66,7 @@ void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<Rela
       {"Automatic",
        "Neumann-Dirichlet where its sweeps contract the error by 0.9 or better, closed contact and what opens alike, "
        "which the bodies' "
-       "stiffnesses on the interface say before the first one; else, and where no roles suit all bodies, "
+       "stiffnesses on the interface say before the first one; else, and with more than two bodies, "
        "Monolithic. The screen says which and why.",
        [](std::unique_ptr<Coupling> sweeps) { return std::make_unique<AutomaticCoupling>(std::move(sweeps)); }});
 }

@@ -98,8 +98,11 @@ std::unique_ptr<Coupling> makeMonolithic()
 
 void registerMonolithic(Registry<Coupling>& registry)
 {
-  registry.add(monolithicName, "All bodies in one active set (the paper's global resolution): no iteration error.", {},
-               [](const Params&) { return makeMonolithic(); });
+  registry.add(
+      monolithicName,
+      "All bodies in one active set (the paper's global resolution): no iteration error. Any number of bodies, any "
+      "number of interfaces at a node; with more than two bodies the system is sparse.",
+      {}, [](const Params&) { return makeMonolithic(); });
 }
 
 } // namespace ndframe

@@ -29,6 +29,12 @@ NetworkProblem::NetworkProblem(const Network& network, Ledger& ledger)
 {
   for (const BodyTrace* body : network.bodies)
     motions_.insert(motions_.end(), body->motionNames.begin(), body->motionNames.end());
+  for (const BodyTrace* body : network.bodies)
+    for (int k = 0; k < body->S->size(); ++k)
+      diagonal_.push_back(stored(*body)(k, k));
+  const double largest = largestEntry(diagonal_);
+  for (double& value : diagonal_)
+    value = largest > 0.0 ? std::max(value, softest * largest) : 1.0;
   std::iota(byBound_.begin(), byBound_.end(), 0);
   std::stable_sort(byBound_.begin(), byBound_.end(),
                    [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
@@ -105,7 +111,7 @@ bool NetworkProblem::holds(const std::vector<char>& closed)
   stiffness_ = reducedStiffness();
   factor_.reset();
   try {
-    factor_ = std::make_unique<SparseCholesky>(stiffness_);
+    factor_ = std::make_shared<SparseCholesky>(stiffness_);
     ledger_.count("interface factorisations");
   } catch (const NotPositiveDefinite&) {
     return false;
@@ -117,16 +123,20 @@ void NetworkProblem::solve(const std::vector<char>& closed, double proximal, Sta
 {
   if (!holds(closed) && proximal == 0.0)
     throw NotPositiveDefinite(-1);
-  const Vector right = rows_->reduced(residual(rows_->expanded(Vector(std::size_t(rows_->numFree()), 0.0))));
-  v_ = rows_->expanded(proximal == 0.0 ? factor_->solve(right) : proximalSolution(right, proximal));
-  Vector rest = residual(v_);
-  if (proximal == 0.0 && largestEntry(rows_->reduced(rest)) > statusRoundOff * largestEntry(network_.g)) {
-    const Vector correction = rows_->direction(factor_->solve(rows_->reduced(rest)));
+  const Vector centre = v_.empty() ? Vector(diagonal_.size(), 0.0) : v_;
+  const auto factor = proximal == 0.0 ? factor_ : std::make_shared<SparseCholesky>(shiftedStiffness(proximal));
+  v_ = rows_->expanded(Vector(std::size_t(rows_->numFree()), 0.0));
+  Vector rest = residual(v_, proximal, centre);
+  for (int step = 0; step < 2; ++step) { // the second one is iterative refinement, mostly without need
+    const Vector right = rows_->reduced(rest);
+    if (step > 0 && largestEntry(right) <= statusRoundOff * largestEntry(network_.g))
+      break;
+    const Vector change = rows_->direction(factor->solve(right));
     for (std::size_t k = 0; k < v_.size(); ++k)
-      v_[k] += correction[k];
-    rest = residual(v_);
+      v_[k] += change[k];
+    rest = residual(v_, proximal, centre);
   }
-  pass.unbalanced = largestEntry(rows_->reduced(rest));
+  pass.unbalanced = largestEntry(rows_->reduced(residual(v_, 0.0, centre)));
   for (double& value : rest)
     value = -value;
   pass.force = rows_->forces(rest);
@@ -135,32 +145,27 @@ void NetworkProblem::solve(const std::vector<char>& closed, double proximal, Sta
   pass.load = largestEntry(network_.g);
 }
 
-/// g - S v.
-Vector NetworkProblem::residual(const Vector& v) const
+/// g - S v - proximal D (v - v_c), D the diagonal of S, v_c the solution before.
+Vector NetworkProblem::residual(const Vector& v, double proximal, const Vector& centre) const
 {
   Vector rest = stiffTimes(v);
   for (std::size_t k = 0; k < rest.size(); ++k)
-    rest[k] = network_.g[k] - rest[k];
+    rest[k] = network_.g[k] - rest[k] - proximal * diagonal_[k] * (v[k] - centre[k]);
   return rest;
 }
 
-/// (A + proximal diag A) y = right + proximal diag(A) y_prev.
-Vector NetworkProblem::proximalSolution(Vector right, double proximal) const
+/// Z^T (S + proximal D) Z.
+SymmetricEntries NetworkProblem::shiftedStiffness(double proximal) const
 {
-  Vector weight(right.size(), 0.0);
-  for (std::size_t e = 0; e < stiffness_.values.size(); ++e)
-    if (stiffness_.rows[e] == stiffness_.columns[e])
-      weight[std::size_t(stiffness_.rows[e])] += stiffness_.values[e];
-  const double largest = largestEntry(weight);
   SymmetricEntries shifted = stiffness_;
-  for (std::size_t k = 0; k < weight.size(); ++k) {
-    weight[k] = proximal * (largest > 0.0 ? std::max(weight[k], softest * largest) : 1.0);
-    shifted.add(int(k), int(k), weight[k]);
+  for (std::size_t v = 0; v < diagonal_.size(); ++v) {
+    const SparseRow inFree = rows_->inFree(int(v));
+    for (const auto& [i, first] : inFree)
+      for (const auto& [j, second] : inFree)
+        if (i <= j)
+          shifted.add(i, j, proximal * diagonal_[v] * first * second);
   }
-  for (std::size_t k = 0; !v_.empty() && k < v_.size(); ++k)
-    if (const int number = rows_->freeNumber()[k]; number >= 0)
-      right[std::size_t(number)] += weight[std::size_t(number)] * v_[k];
-  return SparseCholesky(shifted).solve(right);
+  return shifted;
 }
 
 } // namespace ndframe

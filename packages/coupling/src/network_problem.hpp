@@ -33,18 +33,19 @@ private:
   SymmetricEntries reducedStiffness() const;
   void addBody(std::size_t body, std::vector<int>& local, SymmetricEntries& entries) const;
   Vector stiffTimes(const Vector& v) const;
-  Vector residual(const Vector& v) const;
-  Vector proximalSolution(Vector right, double proximal) const;
+  Vector residual(const Vector& v, double proximal, const Vector& centre) const;
+  SymmetricEntries shiftedStiffness(double proximal) const;
 
   const Network& network_;
   Ledger& ledger_;
   std::vector<std::string> motions_;
   std::vector<int> byBound_; ///< the unknowns, tightest bounds first
+  Vector diagonal_;          ///< of S, what the proximal term weighs with
   Vector v_;
   std::vector<char> closed_; ///< that the following belongs to
   std::optional<ClosedRows> rows_;
   SymmetricEntries stiffness_;
-  std::unique_ptr<SparseCholesky> factor_; ///< null where nothing holds the bodies
+  std::shared_ptr<SparseCholesky> factor_; ///< null where nothing holds the bodies
 };
 
 } // namespace ndframe

@@ -125,10 +125,9 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
       conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }
   }
-  conditions.work = DenseMatrix(int(rows.size()), numNodes);
-  for (int r = 0; r < conditions.work.rows(); ++r)
-    for (int i = 0; i < numNodes; ++i)
-      conditions.work(r, i) = rows[std::size_t(r)][std::size_t(i)];
+  conditions.work = SparseColumns(numNodes, int(rows.size()));
+  for (int k = 0; k < conditions.work.cols(); ++k)
+    conditions.work.setColumn(k, rows[std::size_t(k)]);
   return conditions;
 }
 

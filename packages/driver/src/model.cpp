@@ -1,5 +1,6 @@
 #include "ndframe/driver/model.hpp"
 
+#include <map>
 #include <numeric>
 #include <set>
 
@@ -139,6 +140,29 @@ void addInterface(Model& model, const Params& definition, const std::vector<Inte
   model.interfaces.push_back(std::move(interface));
 }
 
+/// A facet touches one other body.
+void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  std::map<std::array<int, 3>, const InterfaceMesh*> taken; // by body, cell and local number
+  for (const auto& interface : model.interfaces)
+    for (const auto& [body, facets] : {std::pair(interface.dirichletBody, &interface.dirichletFacets),
+                                       std::pair(interface.neumannBody, &interface.neumannFacets)})
+      for (const Facet facet : *facets) {
+        const auto [before, isNew] = taken.insert({{body, facet.cell, facet.local}, &interface});
+        if (isNew)
+          continue;
+        const BodyModel& owner = model.bodies[std::size_t(body)];
+        diagnostics.add(
+            deck.sub("Interfaces")
+                .sub(interface.name)
+                .mistake("", fmt::format("contains the facet at {} of \"{}\", which \"{}\" contains, too; "
+                                         "leave it out of one of them (split the side).",
+                                         pointText(cellCentre(owner.mesh, facet.cell).data(), owner.mesh.dim),
+                                         owner.name, before->second->name)));
+        return;
+      }
+}
+
 void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
   for (const auto& interface : model.interfaces) {
@@ -251,6 +275,7 @@ Model buildModel(const Params& deck, const Components& components, const MeshOfB
   for (const auto& definition : deck.sub("Interfaces").subs())
     collecting(diagnostics, [&] { addInterface(model, definition, earlier, diagnostics); });
   diagnostics.throwIfAny();
+  refuseSharedFacets(model, deck, diagnostics);
   refuseIdleInterfaces(model, deck, diagnostics);
   diagnostics.throwIfAny();
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {

@@ -59,10 +59,7 @@ void exchange(CondensedModel& condensed, BodyTrace& trace)
 {
   for (char& side : trace.onDirichletSide)
     side = !side;
-  for (DependentUnknown& dependent : trace.dependents) {
-    dependent.onDirichletSide = !dependent.onDirichletSide;
-    dependent.follows.offset = -dependent.follows.offset;
-  }
+  NDFRAME_ASSERT(trace.dependents.empty(), "roles are for bodies without them");
   negate(trace.g);
   for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
     trace.freeMotions.data()[i] *= -1.0;

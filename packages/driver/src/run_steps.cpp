@@ -173,7 +173,8 @@ void findRoles(Run& run, const RunTools& tools, const Log& log)
 {
   const bool chooses = tools.coupling->roles() == Roles::Automatic;
   run.spectrum.reset();
-  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()) || !haveRoles(run.condensed.interface))
+  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()) ||
+      !tools.coupling->sweeps(run.condensed.interface))
     return;
   std::vector<ConnectedBodies> parts;
   {

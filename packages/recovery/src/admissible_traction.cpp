@@ -99,23 +99,26 @@ Vector permuted(const Vector& nodal, const ChainOrder& order)
 }
 
 /// The work of unit unknowns, n x conditions; motions that slide along the interface do none.
-DenseMatrix workMatrix(const FacetUnknowns& unknowns, const ChainOrder& order, const BalanceConditions& balance,
-                       double area, int numNodes)
+SparseColumns workMatrix(const FacetUnknowns& unknowns, const ChainOrder& order, const BalanceConditions& balance,
+                         double area, int numNodes)
 {
-  DenseMatrix W(numNodes, balance.work.rows());
+  SparseColumns W(numNodes, balance.work.cols());
+  Vector row(std::size_t(numNodes), 0.0);
   for (int k = 0; k < W.cols(); ++k) {
-    Vector row;
-    for (int node = 0; node < numNodes; ++node)
-      row.push_back(balance.work(k, node));
+    std::fill(row.begin(), row.end(), 0.0);
+    for (const auto& [node, work] : balance.work.column(k))
+      row[std::size_t(node)] = work;
     unknowns.workFromNodal(row);
-    row = permuted(row, order);
     const double total =
         std::accumulate(row.begin(), row.end(), 0.0, [](double sum, double value) { return sum + std::abs(value); });
     if (total > noWork * area)
-      std::copy(row.begin(), row.end(), W.col(k));
+      W.setColumn(k, permuted(row, order));
   }
   return W;
 }
+
+/// With more conditions what is out of reach is seen by the projection itself.
+constexpr int mostOfOneProgram = 20;
 
 /// The motions that take part in a combination: "translation along y and rotation about (0, 1)".
 std::string namesOf(const Vector& combination, const std::vector<std::string>& names)
@@ -130,7 +133,7 @@ std::string namesOf(const Vector& combination, const std::vector<std::string>& n
 
 /// The value nearest to that of the conditions that some t_N <= 0 reaches. The rest is the nearest point of the polar
 /// cone {rho : W rho >= 0}; if it is not round-off, it is Farkas's proof that the loads cannot be balanced.
-Vector reachableValue(const DenseMatrix& W, const BalanceConditions& balance)
+Vector reachableValue(const SparseColumns& W, const BalanceConditions& balance)
 {
   const int conditions = W.cols();
   QuadraticProgram polar{DenseMatrix(conditions, conditions), balance.value, DenseMatrix(W.rows(), conditions),
@@ -138,8 +141,8 @@ Vector reachableValue(const DenseMatrix& W, const BalanceConditions& balance)
   for (int k = 0; k < conditions; ++k) {
     polar.H(k, k) = 1.0;
     polar.h[std::size_t(k)] = -balance.value[std::size_t(k)];
-    for (int i = 0; i < W.rows(); ++i)
-      polar.B(i, k) = -W(i, k);
+    for (const auto& [i, work] : W.column(k))
+      polar.B(i, k) = -work;
   }
   const auto rest = minimise(polar);
   NDFRAME_ASSERT(rest, "zero lies in every cone");
@@ -164,14 +167,21 @@ public:
     double area = 0.0;
     for (const ContactFacet& facet : facets_)
       area += facet.measure;
-    DenseMatrix W = workMatrix(unknowns, chain_, balance_, area, numNodes);
-    Vector reachable = reachableValue(W, balance_);
-    BandedProgram program{
-        massMatrix(facets_, unknowns, chain_, numNodes, order_), {}, std::move(W), std::move(reachable)};
+    SparseColumns W = workMatrix(unknowns, chain_, balance_, area, numNodes);
+    const bool few = W.cols() <= mostOfOneProgram;
+    Vector value = few ? reachableValue(W, balance_) : balance_.value;
+    BandedProgram program{massMatrix(facets_, unknowns, chain_, numNodes, order_),
+                          {},
+                          std::move(W),
+                          std::move(value),
+                          few ? 0.0 : std::max(largestEntry(balance_.magnitude), largestEntry(balance_.value))};
     Vector wanted = mean_;
     unknowns.fromNodal(wanted);
     program.f = multiply(program.M, permuted(wanted, chain_));
-    const Vector found = minimise(program);
+    const auto solution = minimise(program);
+    if (!solution)
+      throw InfeasibleTraction("rigid motions of the bodies");
+    const Vector& found = *solution;
     Vector nodal(mean_.size());
     for (int node = 0; node < numNodes; ++node)
       nodal[std::size_t(node)] = found[std::size_t(chain_.position(node))];

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -19,23 +20,71 @@ constexpr int maxProximalSteps = 100;
 /// Steps of full exchange that may fail to reduce the number of wrong signs.
 constexpr int patience = 3;
 
+/// A part of M that nothing couples with the rest, and the conditions on it.
+struct Block
+{
+  int first, last; ///< entries
+  std::vector<int> conditions;
+  std::vector<char> factoredSet; ///< fixed entries that the following belongs to
+  Vector x;                      ///< M^-1 f
+  std::vector<Vector> moved;     ///< M^-1 W, per condition
+};
+
+std::vector<Block> blocksOf(const BandedProgram& program)
+{
+  const int n = program.M.size();
+  std::vector<Block> blocks;
+  for (int i = 0, reach = -1; i < n; ++i) {
+    if (i > reach)
+      blocks.push_back({i, i, {}, {}, {}, {}});
+    for (int j = i; j < std::min(n, i + program.M.bandwidth() + 1); ++j)
+      if (program.M(i, j) != 0.0)
+        reach = std::max(reach, j);
+    blocks.back().last = i + 1;
+  }
+  std::vector<int> blockOf;
+  for (std::size_t b = 0; b < blocks.size(); ++b)
+    blockOf.insert(blockOf.end(), std::size_t(blocks[b].last - blocks[b].first), int(b));
+  for (int k = 0; k < program.W.cols(); ++k)
+    for (const auto& entry : program.W.column(k)) {
+      auto& conditions = blocks[std::size_t(blockOf[std::size_t(entry.first)])].conditions;
+      if (conditions.empty() || conditions.back() != k)
+        conditions.push_back(k);
+    }
+  return blocks;
+}
+
+/// What one block adds to  W^T M^-1 W.
+void addResponse(const Block& block, const SparseColumns& W, SymmetricEntries& response)
+{
+  for (std::size_t a = 0; a < block.conditions.size(); ++a)
+    for (std::size_t b = a; b < block.conditions.size(); ++b) {
+      double sum = 0.0;
+      for (const auto& [i, value] : W.column(block.conditions[a]))
+        if (i >= block.first && i < block.last)
+          sum += value * block.moved[b][std::size_t(i - block.first)];
+      response.add(block.conditions[a], block.conditions[b], sum);
+    }
+}
+
 class BlockPivoting
 {
 public:
   explicit BlockPivoting(const BandedProgram& program)
-      : program_(program), fixed_(program.f.size(), 0), multipliers_(program.r.size(), 0.0)
+      : program_(program), blocks_(blocksOf(program)), fixed_(program.f.size(), 0), x_(program.f.size(), 0.0),
+        multipliers_(program.r.size(), 0.0)
   {
     double response = 0.0;
     for (int k = 0; k < program.W.cols(); ++k) {
       double sum = 0.0;
-      for (int i = 0; i < program.M.size(); ++i)
-        sum += program.W(i, k) * program.W(i, k) / program.M(i, i);
+      for (const auto& [i, value] : program.W.column(k))
+        sum += value * value / program.M(i, i);
       response = std::max(response, sum);
     }
     shift_ = proximal * response;
   }
 
-  Vector run()
+  std::optional<Vector> run()
   {
     for (int step = 0; step < maxProximalSteps; ++step) {
       const Vector old = multipliers_;
@@ -46,7 +95,7 @@ public:
         return x_;
       }
     }
-    NDFRAME_ASSERT(false, "the proximal steps end for a program that has admissible points");
+    return std::nullopt;
   }
 
 private:
@@ -70,56 +119,72 @@ private:
   /// x and the multipliers for the entries that are fixed now: [M W; W^T -e] (x, lambda) = (f, r - e lambda_old).
   void solve(const Vector& oldMultipliers)
   {
-    const BandCholesky factor(freePart());
-    x_ = factor.solve(freePart(program_.f));
+    for (Block& block : blocks_) {
+      factor(block);
+      std::copy(block.x.begin(), block.x.end(), x_.begin() + block.first);
+    }
     const int conditions = program_.W.cols();
     if (conditions == 0 || shift_ == 0.0)
       return;
-    DenseMatrix response(conditions, conditions), moved(program_.M.size(), conditions);
-    Vector gap(std::size_t(conditions), 0.0);
-    for (int k = 0; k < conditions; ++k) {
-      const Vector column = factor.solve(freePart(program_.W.column(k)));
-      std::copy(column.begin(), column.end(), moved.col(k));
-    }
-    response = multiplyTransposed(program_.W, moved);
-    const Vector work = multiplyTransposed(program_.W, DenseMatrix(x_)).column(0);
+    SymmetricEntries response;
+    response.size = conditions;
+    Vector gap = program_.W.transposedTimes(x_);
     for (int k = 0; k < conditions; ++k) {
       const auto at = std::size_t(k);
-      response(k, k) += shift_;
-      gap[at] = work[at] - program_.r[at] + shift_ * oldMultipliers[at];
+      response.add(k, k, shift_);
+      gap[at] += shift_ * oldMultipliers[at] - program_.r[at];
     }
-    multipliers_ = DenseCholesky(std::move(response)).solve(std::move(gap));
-    const Vector change = multiply(moved, multipliers_);
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      x_[i] -= change[i];
+    for (const Block& block : blocks_)
+      addResponse(block, program_.W, response);
+    multipliers_ = SparseCholesky(response).solve(gap);
+    for (const Block& block : blocks_)
+      for (std::size_t c = 0; c < block.conditions.size(); ++c)
+        for (std::size_t i = 0; i < block.moved[c].size(); ++i)
+          x_[std::size_t(block.first) + i] -= block.moved[c][i] * multipliers_[std::size_t(block.conditions[c])];
+  }
+
+  /// Solutions of a block, if the ones that it has are of other fixed entries.
+  void factor(Block& block) const
+  {
+    std::vector<char> fixed(fixed_.begin() + block.first, fixed_.begin() + block.last);
+    if (fixed == block.factoredSet)
+      return;
+    const BandCholesky M(freePart(block, fixed));
+    const auto solution = [&](Vector right) {
+      for (std::size_t i = 0; i < right.size(); ++i)
+        if (fixed[i])
+          right[i] = 0.0;
+      return M.solve(std::move(right));
+    };
+    block.x = solution({program_.f.begin() + block.first, program_.f.begin() + block.last});
+    block.moved.clear();
+    for (const int k : block.conditions) {
+      Vector column(fixed.size(), 0.0);
+      for (const auto& [i, value] : program_.W.column(k))
+        if (i >= block.first && i < block.last)
+          column[std::size_t(i - block.first)] = value;
+      block.moved.push_back(solution(std::move(column)));
+    }
+    block.factoredSet = std::move(fixed);
   }
 
   /// M with the rows and columns of fixed entries those of a diagonal matrix.
-  BandMatrix freePart() const
+  BandMatrix freePart(const Block& block, const std::vector<char>& fixed) const
   {
-    BandMatrix M = program_.M;
-    const int n = M.size(), bandwidth = M.bandwidth();
+    const int n = block.last - block.first;
+    BandMatrix M(n, std::min(program_.M.bandwidth(), n - 1));
     for (int i = 0; i < n; ++i)
-      if (fixed_[std::size_t(i)])
-        for (int j = std::max(0, i - bandwidth); j < std::min(n, i + bandwidth + 1); ++j)
-          if (j != i)
-            M(i, j) = 0.0;
+      for (int j = std::max(0, i - M.bandwidth()); j <= i; ++j)
+        if (i == j || !(fixed[std::size_t(i)] || fixed[std::size_t(j)]))
+          M(i, j) = program_.M(block.first + i, block.first + j);
     return M;
-  }
-
-  Vector freePart(Vector v) const
-  {
-    for (std::size_t i = 0; i < v.size(); ++i)
-      if (fixed_[i])
-        v[i] = 0.0;
-    return v;
   }
 
   /// Free entries above their bound, fixed entries that are held back (f - M x - W lambda < 0).
   std::vector<std::size_t> wrongSigns() const
   {
     Vector pull = program_.f;
-    const Vector stress = multiply(program_.M, x_), held = multiply(program_.W, multipliers_);
+    const Vector stress = multiply(program_.M, x_), held = program_.W.times(multipliers_);
     double scale = 0.0;
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const double diagonal = program_.M(int(i), int(i));
@@ -138,24 +203,23 @@ private:
   {
     for (int k = 0; k < program_.W.cols(); ++k) {
       const auto at = std::size_t(k);
-      double terms = std::abs(program_.r[at]);
-      for (std::size_t i = 0; i < x_.size(); ++i)
-        terms += std::abs(program_.W(int(i), k) * x_[i]);
-      if (shift_ * std::abs(multipliers_[at] - oldMultipliers[at]) > roundOff * terms)
+      const double terms = std::abs(program_.r[at]) + program_.W.magnitude(k, x_);
+      if (shift_ * std::abs(multipliers_[at] - oldMultipliers[at]) > roundOff * std::max(terms, program_.force))
         return false;
     }
     return true;
   }
 
   const BandedProgram& program_;
+  std::vector<Block> blocks_;
   std::vector<char> fixed_; ///< per entry: 1 = at its bound
-  Vector multipliers_, x_;
+  Vector x_, multipliers_;
   double shift_ = 0.0;
 };
 
 } // namespace
 
-Vector minimise(const BandedProgram& program)
+std::optional<Vector> minimise(const BandedProgram& program)
 {
   const std::size_t n = program.f.size();
   NDFRAME_ASSERT(std::size_t(program.M.size()) == n && std::size_t(program.W.cols()) == program.r.size() &&

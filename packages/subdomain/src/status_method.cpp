@@ -59,6 +59,37 @@ void solvePass(StatusSystem& system, const std::vector<char>& closed, double pro
   }
 }
 
+/// Which statuses change after a pass.
+class Exchange
+{
+public:
+  void look(const std::vector<char>& closed, std::size_t wrong)
+  {
+    if (single_ && wrong < fewest_) {
+      seen_.clear();
+      single_ = false;
+    }
+    if (single_ || seen_.insert(closed).second)
+      return;
+    single_ = cycled_ = true;
+    fewest_ = wrong;
+  }
+  void apply(const std::vector<int>& wrong, std::vector<char>& closed) const
+  {
+    for (const int i : wrong) {
+      closed[std::size_t(i)] = !closed[std::size_t(i)];
+      if (single_)
+        break;
+    }
+  }
+  bool cycled() const { return cycled_; }
+
+private:
+  std::set<std::vector<char>> seen_;
+  std::size_t fewest_ = 0; ///< wrong statuses of a set that came back
+  bool single_ = false, cycled_ = false;
+};
+
 } // namespace
 
 UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
@@ -66,13 +97,13 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
 {
   const std::vector<char> start = closed;
   const int mostPasses = 100 + 10 * int(closed.size());
+  const ProximalLimits limits = system.proximalLimits();
   UnilateralState state;
   StatusPass pass;
-  std::set<std::vector<char>> seen;
+  Exchange exchange;
   for (int proximal = 0; state.passes < mostPasses;) {
     const bool held = system.holds(closed);
     proximal = held ? 0 : proximal + 1;
-    const ProximalLimits limits = system.proximalLimits();
     if (proximal > limits.passes)
       throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
                                      joined(system.motions())));
@@ -86,17 +117,15 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
       state.u = std::move(pass.u);
       state.force = std::move(pass.force);
       state.closed = std::move(closed);
+      state.cycled = exchange.cycled();
       return state;
     }
-    state.cycled = state.cycled || (held && !seen.insert(closed).second);
-    for (const int i : wrong) {
-      closed[std::size_t(i)] = !closed[std::size_t(i)];
-      if (state.cycled)
-        break;
-    }
+    if (held)
+      exchange.look(closed, wrong.size());
+    exchange.apply(wrong, closed);
   }
   throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}.",
-                                 mostPasses, state.cycled ? " (it cycled)" : ""));
+                                 mostPasses, exchange.cycled() ? " (it cycled)" : ""));
 }
 
 } // namespace ndframe

@@ -75,6 +75,9 @@ enum class Roles
   Automatic ///< chosen by the driver before solve(): the better contraction (role_spectrum.hpp)
 };
 
+/// Whether every body has one role on all its interfaces, and none that is a Neumann body meets an obstacle.
+bool haveRoles(const InterfaceSystem& system);
+
 /// How the bodies are brought together on the interface.
 class Coupling
 {
@@ -86,14 +89,13 @@ public:
   virtual Roles roles() const = 0;
   /// Whether solve() needs a role for every body (haveRoles). False where it can do without.
   virtual bool needsRoles() const { return roles() != Roles::None; }
+  /// Whether roles and the eigenvalues of sweeps mean anything to solve() of this system.
+  virtual bool sweeps(const InterfaceSystem& system) const { return haveRoles(system); }
   /// Whether solve() finds the eigenvalues of the sweeps unless the start has them.
   virtual bool needsSpectrum() const { return false; }
   /// The relaxation factor of all sweeps, where the deck says it: what roles are chosen for.
   virtual std::optional<double> givenTheta() const { return std::nullopt; }
 };
-
-/// Whether every body has one role on all its interfaces, and none that is a Neumann body meets an obstacle.
-bool haveRoles(const InterfaceSystem& system);
 
 /// "Automatic", "Neumann-Dirichlet", "Monolithic". The relaxation controllers must be registered before; their registry
 /// must outlive this one.

@@ -3,7 +3,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "ndframe/algebra/dense.hpp"
+#include "ndframe/algebra/sparse_columns.hpp"
 #include "ndframe/recovery/contact_traction.hpp"
 
 namespace ndframe
@@ -14,8 +14,8 @@ namespace ndframe
 /// The motions move the bodies by about 1 (RigidBasis), so that work is a force.
 struct BalanceConditions
 {
-  DenseMatrix work; ///< conditions x interface nodes: int psi_i motion . n_c with the body's sign
-  Vector value;     ///< per condition
+  SparseColumns work; ///< interface nodes x conditions: int psi_i motion . n_c with the body's sign
+  Vector value;       ///< per condition
   /// Per condition the sum of the loads' absolute contributions: what the round-off of `value` is compared with. Empty:
   /// the values themselves.
   Vector magnitude;

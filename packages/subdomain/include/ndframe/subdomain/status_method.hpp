@@ -53,8 +53,8 @@ public:
 };
 
 /// The status method: a primal-dual active set. Closed conditions under tension open, open ones that penetrate close,
-/// all at once, until nothing changes (Hintermueller, Ito, Kunisch 2002). A set that comes back is a cycle: from then
-/// on only the first violating condition changes, which ends for positive definite systems (Murty 1974). A closed set
+/// all at once, until nothing changes (Hintermueller, Ito, Kunisch 2002). A set that comes back is a cycle: then only
+/// the first violating condition changes (Murty 1974) until fewer are violated than in that set. A closed set
 /// that does not hold the bodies is solved with a vanishing proximal term until contact holds them again, or until the
 /// term carries nothing: then the loads do no work on the motions left, and any place will do. Signs and gaps are
 /// compared with round-off of the largest force and displacement, so units do not matter; while nothing is closed,

@@ -1,0 +1,90 @@
+// Any number of bodies in one active set: the sparse way agrees with the dense one, and unknowns that nodes share count
+// once.
+
+#include <algorithm>
+
+#include <gtest/gtest.h>
+
+#include "coupling/sample_systems.hpp"
+#include "network_problem.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+
+namespace
+{
+
+struct Solution
+{
+  UnilateralState status;
+  Vector uDirichlet, uNeumann;
+};
+
+Solution solvedAsNetwork(const InterfaceSystem& system)
+{
+  const Network network = networkOf(system);
+  Ledger ledger;
+  NetworkProblem problem(network, ledger);
+  Solution solution;
+  solution.status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
+                                 std::vector<char>(network.bound.size(), 1), ledger);
+  solution.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, problem.displacement());
+  solution.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, problem.displacement()));
+  return solution;
+}
+
+double difference(const Vector& a, const Vector& b)
+{
+  double largest = 0.0;
+  for (std::size_t i = 0; i < a.size(); ++i)
+    largest = std::max(largest, std::abs(a[i] - b[i]));
+  return largest;
+}
+
+class Networks : public testing::TestWithParam<int>
+{};
+
+} // namespace
+
+TEST_P(Networks, AreSolvedAsTheDenseSystemIs)
+{
+  for (const InterfaceSystem& system : randomScenes(unsigned(GetParam()))) {
+    const InterfaceState dense =
+        run(*makeCoupling("<Parameter name='Type' type='string' value='Monolithic'/>"), system).state;
+    const Solution sparse = solvedAsNetwork(system);
+    EXPECT_EQ(sparse.status.closed, dense.closed);
+    const double force = largestEntry(dense.forceDirichlet), u = largestEntry(dense.uDirichlet);
+    EXPECT_LT(difference(sparse.status.force, dense.forceDirichlet), 1e-9 * force);
+    EXPECT_LT(difference(sparse.uDirichlet, dense.uDirichlet), 1e-9 * u);
+    EXPECT_LT(difference(sparse.uNeumann, dense.uNeumann), 1e-9 * u);
+  }
+}
+
+/// An unknown that stands twice, as where two interfaces of the same bodies meet in a node: the tighter gap decides,
+/// the bodies stay where they were, and the forces of both add up to the one before.
+TEST_P(Networks, CountAnUnknownOnceThatStandsTwice)
+{
+  const InterfaceSystem system = randomSystem(unsigned(GetParam()), GetParam() % 2 == 0);
+  const Solution once = solvedAsNetwork(system);
+  for (int unknown = 0; unknown < system.size(); ++unknown) {
+    InterfaceSystem twice = system;
+    for (BodyTrace& body : twice.bodies) {
+      const auto place = std::find(body.unknowns.begin(), body.unknowns.end(), unknown) - body.unknowns.begin();
+      body.dependents.push_back(
+          {twice.size(), body.onDirichletSide[std::size_t(place)] != 0, {0, int(place), 1.0, -1, 0.0, 0.0}});
+    }
+    twice.nodeOfUnknown.push_back(twice.nodeOfUnknown[std::size_t(unknown)]);
+    twice.gap.push_back(twice.gap[std::size_t(unknown)] + (unknown % 2 == 0 ? 0.0 : 1.0));
+    twice.isObstacle.push_back(0);
+    twice.obstacle.push_back(0.0);
+    const Solution both = solvedAsNetwork(twice);
+    Vector force = both.status.force;
+    force[std::size_t(unknown)] += force.back();
+    force.pop_back();
+    EXPECT_LT(difference(once.status.force, force), 1e-9 * largestEntry(once.status.force));
+    EXPECT_LT(difference(once.uDirichlet, both.uDirichlet), 1e-9 * largestEntry(once.uDirichlet));
+    EXPECT_EQ(both.uDirichlet.back(), both.uDirichlet[std::size_t(unknown)]);
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, Networks, testing::Range(0, 12));
