@@ -136,7 +136,7 @@ void NetworkProblem::solve(const std::vector<char>& closed, double proximal, Sta
       v_[k] += change[k];
     rest = residual(v_, proximal, centre);
   }
-  pass.unbalanced = largestEntry(rows_->reduced(residual(v_, 0.0, centre)));
+  pass.unbalanced = largestEntry(rows_->reduced(proximal == 0.0 ? rest : residual(v_, 0.0, centre)));
   for (double& value : rest)
     value = -value;
   pass.force = rows_->forces(rest);
