@@ -60,6 +60,22 @@ TEST_P(Networks, AreSolvedAsTheDenseSystemIs)
   }
 }
 
+TEST_P(Networks, AreSolvedByFetiAsTheyAreTogether)
+{
+  for (const InterfaceSystem& system : randomScenes(unsigned(GetParam()))) {
+    const auto together = run(*makeCoupling("<Parameter name='Type' type='string' value='Monolithic'/>"), system);
+    const auto torn = run(*makeCoupling("<Parameter name='Type' type='string' value='FETI'/>"), system);
+    EXPECT_EQ(torn.state.closed, together.state.closed);
+    const double force = largestEntry(together.state.forceDirichlet), u = largestEntry(together.state.uDirichlet);
+    EXPECT_LT(difference(torn.state.forceDirichlet, together.state.forceDirichlet), 1e-9 * force);
+    EXPECT_LT(difference(torn.state.uDirichlet, together.state.uDirichlet), 1e-8 * u);
+    EXPECT_LT(difference(torn.state.tractionNeumann, together.state.tractionNeumann),
+              1e-8 * largestEntry(together.state.tractionNeumann));
+    expectEquilibrium(system, torn.state, 1e-8);
+    expectComplementarity(system, torn.state, 1e-8);
+  }
+}
+
 /// An unknown that stands twice, as where two interfaces of the same bodies meet in a node: the tighter gap decides,
 /// the bodies stay where they were, and the forces of both add up to the one before.
 TEST_P(Networks, CountAnUnknownOnceThatStandsTwice)

@@ -8,6 +8,7 @@ void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationCo
   registerAutomaticCoupling(registry, relaxations);
   registerNeumannDirichlet(registry, relaxations);
   registerMonolithic(registry);
+  registerFeti(registry);
 }
 
 } // namespace ndframe

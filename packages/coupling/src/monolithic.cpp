@@ -23,8 +23,6 @@ public:
     InterfaceState& state = result.state;
     const UnilateralState status =
         isNetwork(system) ? solveNetwork(system, start, ledger, state) : solvePair(system, start, ledger, state);
-    state.forceNeumann = state.forceDirichlet;
-    state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
     result.converged = true;
     result.history.push_back(recordSweep(1, system, state, status));
     result.reason = areApart(result.history.back()) ? apart
@@ -50,15 +48,10 @@ private:
                                       InterfaceState& state)
   {
     const Network network = networkOf(system);
-    const bool floats = std::any_of(system.bodies.begin(), system.bodies.end(),
-                                    [](const BodyTrace& body) { return body.freeMotions.cols() > 0; });
     NetworkProblem problem(network, ledger);
     UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
-                                          firstStatuses(system, floats, start), ledger);
-    state.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, problem.displacement());
-    state.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, problem.displacement()));
-    state.closed = status.closed;
-    state.forceDirichlet = status.force;
+                                          firstStatuses(system, floats(system), start), ledger);
+    setState(network, system, problem.displacement(), status, state);
     return status;
   }
 
@@ -85,6 +78,8 @@ private:
     state.uNeumann = system.withObstacles(std::move(state.uNeumann));
     state.closed.assign(status.closed.begin(), status.closed.begin() + half);
     state.forceDirichlet.assign(status.force.begin(), status.force.begin() + half);
+    state.forceNeumann = state.forceDirichlet;
+    state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
     return status;
   }
 };

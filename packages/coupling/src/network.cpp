@@ -62,6 +62,22 @@ Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const
   return values;
 }
 
+void setState(const Network& network, const InterfaceSystem& system, const Vector& v, const UnilateralState& status,
+              InterfaceState& state)
+{
+  state.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, v);
+  state.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, v));
+  state.closed = status.closed;
+  state.forceDirichlet = state.forceNeumann = status.force;
+  state.tractionDirichlet = state.tractionNeumann = system.traction(status.force);
+}
+
+bool floats(const InterfaceSystem& system)
+{
+  return std::any_of(system.bodies.begin(), system.bodies.end(),
+                     [](const BodyTrace& body) { return body.freeMotions.cols() > 0; });
+}
+
 bool hasDependents(const InterfaceSystem& system)
 {
   return std::any_of(system.bodies.begin(), system.bodies.end(),

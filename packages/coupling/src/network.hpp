@@ -1,7 +1,9 @@
 #pragma once
 
+#include "ndframe/coupling/coupling.hpp"
 #include "ndframe/interface/body_trace.hpp"
 #include "ndframe/subdomain/closed_rows.hpp"
+#include "ndframe/subdomain/status_method.hpp"
 
 namespace ndframe
 {
@@ -31,6 +33,13 @@ Network networkOf(const InterfaceSystem& system);
 
 /// rows v + offset.
 Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const Vector& v);
+
+/// The state of the system at v with these statuses and forces.
+void setState(const Network& network, const InterfaceSystem& system, const Vector& v, const UnilateralState& status,
+              InterfaceState& state);
+
+/// Whether contact alone holds some body.
+bool floats(const InterfaceSystem& system);
 
 /// Whether some body takes part in more unknowns at a node than the node can follow one by one.
 bool hasDependents(const InterfaceSystem& system);

@@ -52,5 +52,6 @@ inline constexpr const char* neumannDirichletName = "Neumann-Dirichlet";
 void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 void registerMonolithic(Registry<Coupling>& registry);
+void registerFeti(Registry<Coupling>& registry);
 
 } // namespace ndframe

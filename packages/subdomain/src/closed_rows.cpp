@@ -106,6 +106,7 @@ void ClosedRows::add(int row, const SparseRow& entries, double value)
   for (const auto& entry : next.others)
     readers_[std::size_t(entry.first)].push_back(number);
   rowOf_[std::size_t(next.pivot)] = number;
+  independent_.push_back(row);
   rows_.push_back(std::move(next));
 }
 

@@ -38,9 +38,9 @@ int countDifferences(const std::vector<char>& a, const std::vector<char>& b)
 std::vector<int> violations(const StatusPass& pass, const std::vector<char>& constrained, const Vector& bound,
                             const std::vector<char>& closed)
 {
-  const double noForce = statusRoundOff * std::max(largestEntry(pass.force), pass.load);
+  const double noForce = pass.roundOff * std::max(largestEntry(pass.force), pass.load);
   const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
-  const double noGap = isApart ? 0.0 : statusRoundOff * std::max(pass.displacement, largestEntry(bound));
+  const double noGap = isApart ? 0.0 : pass.roundOff * std::max(pass.displacement, largestEntry(bound));
   std::vector<int> wrong;
   for (std::size_t i = 0; i < closed.size(); ++i)
     if (constrained[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))
@@ -111,7 +111,7 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
     ++state.passes;
     ledger.count("status passes");
     const auto wrong = violations(pass, constrained, bound, closed);
-    if (wrong.empty() && (held || pass.unbalanced <= statusRoundOff * pass.load)) {
+    if (wrong.empty() && (held || pass.unbalanced <= pass.roundOff * pass.load)) {
       state.changes = countDifferences(start, closed);
       ledger.count("status changes", state.changes);
       state.u = std::move(pass.u);

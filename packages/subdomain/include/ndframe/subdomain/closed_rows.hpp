@@ -28,6 +28,9 @@ public:
   const std::vector<int>& freeNumber() const { return freeNumber_; }
   int numFree() const { return numFree_; }
 
+  /// The rows chosen but those that follow from others.
+  const std::vector<int>& independentRows() const { return independent_; }
+
   /// v from the free variables' values.
   Vector expanded(const Vector& free) const;
   /// The same without the values c: Z y.
@@ -51,6 +54,7 @@ private:
   void use(const Reduced& known, double factor, Reduced& row) const;
 
   std::vector<Reduced> rows_;
+  std::vector<int> independent_;
   std::vector<int> rowOf_;                ///< per variable: the row whose pivot it is, or -1
   std::vector<std::vector<int>> readers_; ///< per variable: rows in whose `others` it may stand
   std::vector<int> freeNumber_;

@@ -21,11 +21,15 @@ struct UnilateralState
   bool cycled = false;      ///< the simultaneous method came back to an earlier set; finished one node at a time
 };
 
+/// Signs and gaps below this, relative to the largest, are zero.
+inline constexpr double statusRoundOff = 1e-11;
+
 /// One linear solve of the status method.
 struct StatusPass
 {
   Vector u, force;                       ///< per condition
   double displacement = 0.0, load = 0.0; ///< the largest: what round-off is compared with
+  double roundOff = statusRoundOff;      ///< larger where the solve is not exact
   /// What the proximal term carries of the load: the largest force.
   double unbalanced = std::numeric_limits<double>::infinity();
 };
@@ -64,8 +68,5 @@ public:
 /// what holds them (naming the free motions) or after too many passes.
 UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
                              std::vector<char> closed, Ledger& ledger);
-
-/// Signs and gaps below this, relative to the largest, are zero.
-inline constexpr double statusRoundOff = 1e-11;
 
 } // namespace ndframe

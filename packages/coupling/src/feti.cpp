@@ -1,0 +1,65 @@
+#include <algorithm>
+
+#include <fmt/format.h>
+
+#include "feti_problem.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "sweep.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Finite element tearing and interconnecting (Farhat, Roux 1991) inside the status method: the contact forces of the
+/// closed nodes by projected conjugate gradients, the motions of floating bodies by the coarse problem.
+class Feti final : public Coupling
+{
+public:
+  explicit Feti(double tolerance) : tolerance_(tolerance) {}
+
+  Roles roles() const override { return Roles::None; }
+
+  CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
+                       const CouplingStart& start) const override
+  {
+    for (const BodyTrace& body : system.bodies)
+      if (body.S->dense() == nullptr)
+        throw NotConverged("FETI needs stored interface operators: choose Interface Operator/Type = Condensed");
+    const Network network = networkOf(system);
+    FetiProblem problem(network, tolerance_, ledger);
+    const std::int64_t before = ledger.counted("FETI iterations");
+    CouplingResult result;
+    const UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
+                                                firstStatuses(system, floats(system), start), ledger);
+    setState(network, system, problem.displacement(), status, result.state);
+    result.converged = true;
+    result.history.push_back(recordSweep(1, system, result.state, status));
+    result.reason = areApart(result.history.back())
+                        ? std::string(apart)
+                        : fmt::format("statuses settled in {} steps with {} iterations of FETI", status.passes,
+                                      ledger.counted("FETI iterations") - before);
+    observe(result.history.back(), result.state);
+    ledger.count("sweeps");
+    return result;
+  }
+
+private:
+  double tolerance_;
+};
+
+} // namespace
+
+void registerFeti(Registry<Coupling>& registry)
+{
+  registry.add(
+      "FETI",
+      "The contact forces as unknowns: projected conjugate gradients with a Dirichlet preconditioner, a coarse "
+      "problem of the rigid motions of floating bodies, statuses outside. Iterations grow neither with the "
+      "number of bodies nor with jumps of their stiffness.",
+      {{"Tolerance", 1e-12, inOpenRange(0.0, 1.0),
+        "Where the iterations of a step end: residual relative to the forces, in the energy norm."}},
+      [](const Params& params) { return std::make_unique<Feti>(params.get<double>("Tolerance")); });
+}
+
+} // namespace ndframe

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <algorithm>
+#include <memory>
+
+#include "ndframe/algebra/symmetric_operator.hpp"
+#include "network.hpp"
+
+namespace ndframe
+{
+
+/// The bodies' own operators in a network: S, S^+ (or the inverse of S + proximal D), rigid motions R.
+class FetiBodies
+{
+public:
+  /// The network must outlive it; its operators are stored.
+  explicit FetiBodies(const Network& network);
+
+  int numMotions() const { return firstMotion_.back(); }
+  /// D, the diagonal of S, per entry of v.
+  const Vector& weight() const { return weight_; }
+
+  /// Makes S^+; with proximal > 0 the inverse of S + proximal D.
+  void factor(double proximal);
+  /// S^+ f.
+  Vector flexible(const Vector& f) const;
+  /// R a and R^T f.
+  Vector moved(const Vector& amplitudes) const;
+  Vector work(const Vector& f) const;
+
+  /// apply(body, part) for every body whose part of v is not zero.
+  template <class Apply>
+  Vector bodyByBody(const Vector& v, const Apply& apply) const
+  {
+    Vector result(v.size(), 0.0);
+    for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
+      const auto first = v.begin() + network_.offsets[b], last = v.begin() + network_.offsets[b + 1];
+      if (std::all_of(first, last, [](double x) { return x == 0.0; }))
+        continue;
+      const Vector own = apply(b, Vector(first, last));
+      std::copy(own.begin(), own.end(), result.begin() + network_.offsets[b]);
+    }
+    return result;
+  }
+
+private:
+  const Network& network_;
+  Vector weight_;
+  std::vector<int> firstMotion_{0};
+  double proximal_ = -1.0;
+  std::vector<std::unique_ptr<SymmetricOperator>> shifted_;
+  std::vector<std::unique_ptr<RestrictedInverse>> inverse_;
+};
+
+} // namespace ndframe

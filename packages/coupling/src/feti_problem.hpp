@@ -1,0 +1,54 @@
+#pragma once
+
+#include <optional>
+
+#include "feti_set.hpp"
+
+namespace ndframe
+{
+
+/// The contact of a network for one set of closed unknowns, by its forces r:  with B the closed rows of D - N,
+///
+///   v = S^+ (g + B^T r) + R a,   B v = bound,   R^T (g + B^T r) = 0
+///
+/// gives  F r + B R a = d,  G r = e,  F = B S^+ B^T,  G = R^T B^T,  solved by projected conjugate gradients (Farhat,
+/// Roux 1991; Farhat, Mandel, Roux 1994), started from the forces of the pass before. Preconditioner
+/// M = B_D S_A B_D^T (Dirichlet), B_D = (B D^-1 B^T)^-1 B D^-1, D = diag S, S_A the bodies' stiffness on the closed
+/// entries; projection P = 1 - Q G^T (G Q G^T)^-1 G with Q = M + 0.1 / diag(B D^-1 B^T), so that jumps of the
+/// stiffness cost no iterations (as scaled projections of Klawonn and Widlund do). Every iteration costs two dense
+/// solves and products a body; nothing of the size of the network is factored but the coarse problem G Q G^T.
+class FetiProblem final : public StatusSystem
+{
+public:
+  /// The network must outlive the problem. tolerance: of the residual in the norm of M, relative to the forces' in
+  /// that of F.
+  FetiProblem(const Network& network, double tolerance, Ledger& ledger);
+
+  bool holds(const std::vector<char>& closed) override;
+  void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
+  ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
+  const std::vector<std::string>& motions() const override { return motions_; }
+
+  /// Of the last pass.
+  const Vector& displacement() const { return v_; }
+
+private:
+  struct Iterate;
+  Vector placed(const Vector& strained) const;
+  Vector rest(const Vector& v) const;
+  Iterate begun(double proximal) const;
+  void advance(Iterate& now) const;
+  double violation(const Iterate& now, const std::vector<char>& closed) const;
+  double roundOff() const;
+
+  const Network& network_;
+  double tolerance_;
+  Ledger& ledger_;
+  std::vector<std::string> motions_;
+  FetiBodies bodies_;
+  std::optional<FetiSet> set_;
+  Vector flexibility_; ///< per unknown: of B D^-1 B^T, what its own force opens
+  Vector v_, force_;   ///< force: per unknown
+};
+
+} // namespace ndframe
