@@ -149,4 +149,16 @@ TEST(DescribeMotions, DoNotDependOnTheUnitOfLength)
   }
 }
 
+/// centre (1, 0.5), length sqrt(5): a rotation coefficient of sqrt(5) turns by 1.
+TEST(RigidMotion, IsToldWithItsSense)
+{
+  const RigidBasis flat = rigidBasis(plane()), box = rigidBasis(space());
+  EXPECT_EQ(describeMotion(flat, {-2.0, 1e-9, 0.0}), "along -x");
+  EXPECT_EQ(describeMotion(flat, {0.6, -0.8, 0.0}), "along (0.6, -0.8)");
+  EXPECT_EQ(describeMotion(flat, {0.0, 0.0, 1.0}), "turning counterclockwise about (1, 0.5)");
+  EXPECT_EQ(describeMotion(flat, {0.5, 1.0, -flat.length}), "turning clockwise about (2, 0)");
+  EXPECT_EQ(describeMotion(box, {0.0, 0.0, 1e-3, 0.0, 0.0, 0.0}), "along +z");
+  EXPECT_EQ(describeMotion(box, {1.0, 0.0, 0.0, 0.0, -3.0, 0.0}), "turning about the axis (0, -1, 0)");
+}
+
 } // namespace ndframe

@@ -106,8 +106,7 @@ TEST_F(Program, PullingABodyOffEndsWithThreeAndNamesTheMotion)
     const auto result = punch({coupling, "Bodies/punch/Loads/press/Value=-1"});
     EXPECT_EQ(result.exitCode, 3) << coupling;
     EXPECT_THAT(result.err,
-                HasSubstr("not converged: the load does not press the bodies together: contact opens and nothing stops "
-                          "translation along y of punch"));
+                HasSubstr("not converged: the load does not press the bodies together: it pulls off punch along +y;"));
     EXPECT_EQ(summary("punch")["coupling"]["converged"], false);
   }
 }
@@ -341,10 +340,7 @@ TEST_F(Program, PullingABodyOffLeavesNothingToCertify)
 {
   const auto result = punch({"Error Estimation/Require Guarantee=true", "Bodies/punch/Loads/press/Value=-1"});
   EXPECT_EQ(result.exitCode, 3);
-  EXPECT_THAT(
-      result.err,
-      HasSubstr("the load does not press the bodies together: contact opens and nothing stops translation along "
-                "y of punch"));
+  EXPECT_THAT(result.err, HasSubstr("the load does not press the bodies together: it pulls off punch along +y;"));
   EXPECT_THAT(result.out, testing::Not(HasSubstr("error in energy")));
   EXPECT_TRUE(summary("punch")["errors"].is_null());
 }

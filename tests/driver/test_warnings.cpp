@@ -105,12 +105,28 @@ TEST(Warnings, OfUnitsThatDoNotFit)
   EXPECT_THAT(warningsOf(steelPunch().set("Bodies/punch/Loads/press/Value=1e6")), Contains(warning("strain", "units")));
 }
 
-TEST(Warnings, OfRigidMotionsAndEmptyScenesAreNone)
+TEST(Warnings, OfStrainsInRigidMotionsAndEmptyScenesAreNone)
 {
   EXPECT_THAT(
       warningsOf(
           Scene("patch").set("Strain Limit=2").set("Bodies/upper/Loads/press/Value=0").set("Coupling/Type=Monolithic")),
-      IsEmpty());
+      ElementsAre(warning("not unique", "the displacement is not unique: upper along +y. ")));
+}
+
+/// The punch pressed against its roller, which leaves open how far it is from the foundation.
+TEST(Warnings, OfBodiesThatNoLoadPressesOnWhatHoldsThem)
+{
+  const auto scene = [] { return steelPunch().set("Bodies/punch/Loads/press/Side=right"); };
+  EXPECT_THAT(warningsOf(scene()), ElementsAre(warning("not unique", "not unique: punch along +y. Nothing but")));
+  EXPECT_THAT(warningsOf(scene().reverseBodies()), ElementsAre(warning("not unique", "punch along +y")));
+  EXPECT_THAT(warningsOf(scene().changeUnits(1e3, 1e-6)), Contains(warning("not unique", "punch along +y")));
+  EXPECT_THAT(warningsOf(scene().rotate(30.0)), ElementsAre(warning("not unique", "punch along (-0.5, 0.866)")));
+  EXPECT_THAT(complaintOf(scene().set("Strict Input=true")), HasSubstr("the displacement is not unique: punch along"));
+}
+
+TEST(Warnings, OfBodiesThatMoveUntilTheyTouchAreNone)
+{
+  EXPECT_THAT(warningsOf(steelPunch().set("Interfaces/contact/Gap=1e-5")), IsEmpty());
 }
 
 TEST(Warnings, OfDifferentHypotheses)

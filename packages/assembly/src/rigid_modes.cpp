@@ -89,19 +89,26 @@ std::string describeTranslation(const RigidBasis& basis, const Vector& c)
   return fmt::format("translation along {}", tuple(direction, 1.0));
 }
 
+Vector unit(Vector direction)
+{
+  const double size = norm(direction);
+  for (double& value : direction)
+    value /= size;
+  return direction;
+}
+
+/// Where a plane motion leaves the body: t + w/L e_z x (x - x_c) = 0.
+std::string centreOfRotation(const RigidBasis& basis, const Vector& c)
+{
+  const double rate = c[2] / basis.length;
+  return tuple({basis.centre[0] - c[1] / rate, basis.centre[1] + c[0] / rate}, basis.length);
+}
+
 std::string describeRotation(const RigidBasis& basis, const Vector& c)
 {
-  if (basis.dim == 3) {
-    Vector direction(c.begin() + 3, c.end());
-    const double size = norm(direction);
-    for (double& value : direction)
-      value /= size;
-    return fmt::format("rotation about the axis {}", tuple(positive(direction), 1.0));
-  }
-  // t + w/L e_z x (x - x_c) = 0 at the centre of rotation.
-  const double rate = c[2] / basis.length;
-  return fmt::format("rotation about {}",
-                     tuple({basis.centre[0] - c[1] / rate, basis.centre[1] + c[0] / rate}, basis.length));
+  if (basis.dim == 3)
+    return fmt::format("rotation about the axis {}", tuple(positive(unit(Vector(c.begin() + 3, c.end()))), 1.0));
+  return fmt::format("rotation about {}", centreOfRotation(basis, c));
 }
 
 } // namespace
@@ -164,6 +171,21 @@ DenseMatrix supportRows(const RigidBasis& basis, const NodeMap& nodes, const Con
       for (int m = 0; m < basis.size(); ++m)
         matrix(row, m) = dotProduct(fixed.direction[std::size_t(k)], basis.displacement(m, nodes.point(node)));
   return matrix;
+}
+
+std::string describeMotion(const RigidBasis& basis, const Vector& motion)
+{
+  constexpr std::array<char, 3> axis{'x', 'y', 'z'};
+  const Vector turning(motion.begin() + basis.dim, motion.end());
+  if (largestEntry(turning) > pure * norm(motion))
+    return basis.dim == 3 ? fmt::format("turning about the axis {}", tuple(unit(turning), 1.0))
+                          : fmt::format("turning {} about {}", turning[0] > 0.0 ? "counterclockwise" : "clockwise",
+                                        centreOfRotation(basis, motion));
+  const Vector direction = unit(Vector(motion.begin(), motion.begin() + basis.dim));
+  for (std::size_t k = 0; k < direction.size(); ++k)
+    if (std::abs(direction[k]) > 1.0 - pure)
+      return fmt::format("along {}{}", direction[k] > 0.0 ? '+' : '-', axis.at(k));
+  return "along " + tuple(direction, 1.0);
 }
 
 std::vector<std::string> describeMotions(const RigidBasis& basis, const DenseMatrix& motions)

@@ -7,6 +7,7 @@
 #include "error_checks.hpp"
 #include "memory_plan.hpp"
 #include "outputs.hpp"
+#include "rigid_check.hpp"
 #include "roles.hpp"
 #include "screen.hpp"
 #include "summarize.hpp"
@@ -164,6 +165,10 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
 
 void condenseRun(Run& run, const RunTools& tools, const Log& log)
 {
+  {
+    const auto timer = tools.ledger.time("check");
+    refusePulledOff(run.model);
+  }
   const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
   run.condensed =
       condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, log, std::move(run.condensed));

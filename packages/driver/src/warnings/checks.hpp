@@ -13,6 +13,7 @@ void findLocking(const Model& model, const Params& deck, Diagnostics& found);
 void findUnconnectedParts(const Model& model, const Params& deck, Diagnostics& found);
 void findLoadsOnSupports(const Model& model, const Params& deck, Diagnostics& found);
 void findTouchingBodies(const Model& model, const Params& deck, Diagnostics& found);
+void findLooseBodies(const Model& model, const Params& deck, Diagnostics& found);
 
 // Of the answer.
 void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found);

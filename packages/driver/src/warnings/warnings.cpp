@@ -23,11 +23,10 @@ struct AnswerCheck
   void (*find)(const Run& run, const Params& deck, Diagnostics& found);
 };
 
-constexpr SceneCheck sceneChecks[] = {{"different hypotheses", findDifferentHypotheses},
-                                      {"locking", findLocking},
-                                      {"unconnected parts", findUnconnectedParts},
-                                      {"load on a support", findLoadsOnSupports},
-                                      {"touching bodies", findTouchingBodies}};
+constexpr SceneCheck sceneChecks[] = {
+    {"different hypotheses", findDifferentHypotheses}, {"locking", findLocking},
+    {"unconnected parts", findUnconnectedParts},       {"load on a support", findLoadsOnSupports},
+    {"touching bodies", findTouchingBodies},           {"not unique", findLooseBodies}};
 
 constexpr AnswerCheck answerChecks[] = {{"strain", findStrangeStrain},
                                         {"few contact nodes", findFewContactNodes},

@@ -35,6 +35,10 @@ DenseMatrix supportRows(const RigidBasis& basis, const NodeMap& nodes, const Con
 /// "translation along (0.8, 0.6)", "rotation about (0.5, 1)", "rotation about the axis (0, 0, 1)".
 std::vector<std::string> describeMotions(const RigidBasis& basis, const DenseMatrix& motions);
 
+/// One motion with its sense: "along +x", "along (0.8, -0.6)", "turning clockwise about (0.5, 1)", "turning about the
+/// axis (0, 0, 1)" (right-handed; in space the translation of a screw is not told).
+std::string describeMotion(const RigidBasis& basis, const Vector& motion);
+
 /// Singular values below this, relative to the largest, are free motions.
 inline constexpr double rigidTolerance = 1e-9;
 

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "ndframe/algebra/comm.hpp"
+
+namespace ndframe
+{
+
+/// (column, value) of the entries that are not zero, each column at most once.
+using SparseRow = std::vector<std::pair<int, double>>;
+
+inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+
+/// maximise c . x  subject to  lower <= x <= upper  and  rowLower <= A x <= rowUpper.
+struct LinearProgram
+{
+  Vector cost, lower, upper; ///< c and the bounds of x; +-unbounded for none
+  std::vector<SparseRow> rows;
+  Vector rowLower, rowUpper;
+};
+
+/// Solves it by COIN-OR Clp's primal simplex after its crash ("sprint"): a vertex to round-off. Bounds, rows and signs
+/// of reduced costs are judged to 1e-9: entries and costs should be of the order of 1. Nothing when there is no
+/// solution: no x meets the rows, or c . x has no bound.
+std::optional<Vector> solve(const LinearProgram& program);
+
+} // namespace ndframe
