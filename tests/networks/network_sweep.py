@@ -1,0 +1,73 @@
+"""Networks under loads at random: network_sweep.py NDFRAME [--scenes N] [--seed FIRST].
+
+Every side that is free is pressed, left alone or pulled. What is named neither pulled off nor not unique before the
+solve has a solution, and all bodies together must find it; what is pulled off ends with exit code 3; what is not unique
+is solved, or ends saying that nothing presses the bodies together. One line a scene that does otherwise; exit code 1 if
+there is one.
+"""
+
+import argparse
+import collections
+import pathlib
+import random
+import sys
+import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
+import network_decks
+from runs import Program
+
+NOT_PRESSED = ("contact is undecided: nothing presses", "the load does not press the bodies together")
+
+
+def network(seed):
+    """(arguments of network_decks, deck) of a scene."""
+    draw = random.Random(f"network {seed}")
+    scene = draw.choice((["wall", str(draw.randint(2, 5)), str(draw.randint(1, 4))], ["stack"], ["ring"],
+                         ["chain", str(draw.randint(2, 7))], ["tjunction"]))
+    arguments = [*scene, "--young", draw.choice(("uniform", "random:1", "random:2")), "--seed", str(seed),
+                 "--shuffle", str(seed)]
+
+    def load(boxes):
+        for box in boxes:
+            box.loads = []
+        for box, side in network_decks.free_sides(boxes):
+            if draw.random() < 0.8:
+                box.press(side, draw.choice((1.0, 1.0, 0.5, 0.2, -0.1, -0.5)))
+
+    return arguments, network_decks.deck(network_decks.options_of(arguments), load)
+
+
+def outcome(program, deck):
+    """(what was said before the solve, whether the answer keeps to it)"""
+    with tempfile.TemporaryDirectory() as folder:
+        path = pathlib.Path(folder) / "network.xml"
+        path.write_text(network_decks.to_xml("network", deck))
+        run = program.run(path, "Coupling/Type=Monolithic")
+    if "it pulls off" in run.screen:
+        return "pulled off", run.code == 3
+    if run.summary and any(warning["kind"] == "not unique" for warning in run.summary["warnings"]):
+        return "not unique", run.code == 0 or (run.code == 3 and any(text in run.screen for text in NOT_PRESSED))
+    return "held", run.code == 0
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("ndframe")
+    parser.add_argument("--scenes", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=0)
+    options = parser.parse_args()
+    program, counts, wrong = Program(options.ndframe), collections.Counter(), 0
+    for seed in range(options.seed, options.seed + options.scenes):
+        arguments, deck = network(seed)
+        said, kept = outcome(program, deck)
+        counts[said] += 1
+        if not kept:
+            wrong += 1
+            print(f"{seed}: {' '.join(arguments)}: {said}, but the run ended otherwise")
+    print(", ".join(f"{count} {said}" for said, count in sorted(counts.items())), f"; {wrong} wrong", sep="")
+    sys.exit(1 if wrong or len(counts) < 3 else 0)
+
+
+if __name__ == "__main__":
+    main()
