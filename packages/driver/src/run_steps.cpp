@@ -116,6 +116,20 @@ void giveUp(Run& run, const std::string& reason, const Log& log)
   log.line("  NOT CONVERGED: " + reason);
 }
 
+/// A node of a body that several interfaces share has one displacement for more tractions than roles can tell apart.
+void refuseSharedNodes(const Run& run, const RunTools& tools)
+{
+  for (const BodyTrace& body : run.condensed.interface.bodies)
+    if (tools.coupling->needsRoles() && !body.dependents.empty())
+      throw InputError(
+          tools.deck.sub("Coupling")
+              .mistake(
+                  "Type",
+                  fmt::format("several interfaces of \"{}\" meet at a node, which Neumann-Dirichlet cannot solve; use "
+                              "Monolithic or FETI.",
+                              run.model.bodies[std::size_t(body.body)].name)));
+}
+
 } // namespace
 
 RunTools::RunTools(const Params& givenDeck, const Components& givenComponents, const Comm& givenComm,
@@ -176,6 +190,7 @@ void condenseRun(Run& run, const RunTools& tools, const Log& log)
 
 void findRoles(Run& run, const RunTools& tools, const Log& log)
 {
+  refuseSharedNodes(run, tools);
   const bool chooses = tools.coupling->roles() == Roles::Automatic;
   run.spectrum.reset();
   if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()) ||
