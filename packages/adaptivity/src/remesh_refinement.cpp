@@ -34,6 +34,9 @@ double logAreaAt(const CellSize& size, double ancestorArea, const std::array<dou
   return std::min(size.logAreaAt(centre), std::log2(ancestorArea) + logMostGrowth);
 }
 
+/// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another mesh.
+constexpr double logAreaStep = 1.0 / 64;
+
 /// Edges of equilateral triangles with the wanted areas, the geometric mean of the cells around a vertex.
 std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancestors, const Mesh& mesh,
                               const std::vector<CellSize>& sizes)
@@ -50,7 +53,8 @@ std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancesto
     double sum = 0.0;
     for (const int* c = cells.begin(v); c != cells.end(v); ++c)
       sum += logAreas[std::size_t(*c)];
-    lengths.push_back(edgePerRootOfArea * std::exp2(0.5 * sum / double(cells.end(v) - cells.begin(v))));
+    const double logArea = logAreaStep * std::round(sum / double(cells.end(v) - cells.begin(v)) / logAreaStep);
+    lengths.push_back(edgePerRootOfArea * std::exp2(0.5 * logArea));
   }
   return lengths;
 }
