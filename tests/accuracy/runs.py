@@ -9,11 +9,12 @@ import tempfile
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """One call: `summary` as in NAME.summary.json, None when there is none."""
+    """One call: `summary` as in NAME.summary.json, `contact` the text of NAME.contact.csv, None when there is none."""
 
     code: int
     screen: str
     summary: dict | None
+    contact: str | None = None
 
     @property
     def answered(self):
@@ -52,4 +53,6 @@ class Program:
             done = subprocess.run(command, cwd=folder, capture_output=True, text=True, timeout=self.seconds)
             summaries = list(pathlib.Path(folder).glob("*.summary.json"))
             summary = json.loads(summaries[0].read_text()) if summaries else None
-        return Run(done.returncode, done.stdout + done.stderr, summary)
+            tables = list(pathlib.Path(folder).glob("*.contact.csv"))
+            contact = tables[0].read_text() if tables else None
+        return Run(done.returncode, done.stdout + done.stderr, summary, contact)

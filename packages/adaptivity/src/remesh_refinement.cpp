@@ -34,7 +34,8 @@ double logAreaAt(const CellSize& size, double ancestorArea, const std::array<dou
   return std::min(size.logAreaAt(centre), std::log2(ancestorArea) + logMostGrowth);
 }
 
-/// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another mesh.
+/// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another
+/// mesh.
 constexpr double logAreaStep = 1.0 / 64;
 
 /// Edges of equilateral triangles with the wanted areas, the geometric mean of the cells around a vertex.

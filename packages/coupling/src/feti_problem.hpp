@@ -29,6 +29,8 @@ public:
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
   const std::vector<std::string>& motions() const override { return motions_; }
 
+  /// The next pass begins with these forces, one per unknown.
+  void startFrom(const Vector& force) { force_ = force; }
   /// Of the last pass.
   const Vector& displacement() const { return v_; }
 
