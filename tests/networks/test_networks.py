@@ -88,6 +88,17 @@ class Networks(unittest.TestCase):
         (message,) = warned(run(["ring"], *ends))
         self.assertIn("lower along +x", message)
 
+    def test_bodies_of_an_odd_ring_are_named(self):
+        done = run(["wall", "2", "2"], "Coupling/Type=Neumann-Dirichlet")
+        self.assertEqual(done.code, 2)
+        self.assertRegex(done.screen, r'Interfaces: ("brick \d.\d", ){2}"brick \d.\d" touch each other in a ring of 3')
+
+    def test_many_narrow_contacts_are_said_in_three_lines(self):
+        warnings = run(["wall", "6", "6", "--young", "random:2", "--seed", "1"]).summary["warnings"]
+        few = [warning["message"] for warning in warnings if warning["kind"] == "few contact nodes"]
+        self.assertEqual(len(few), 3)
+        self.assertRegex(few[-1], r"\(so on \d+ more interfaces\)")
+
 
 if __name__ == "__main__":
     PROGRAM, DECKS = sys.argv[1], pathlib.Path(sys.argv[2])

@@ -7,6 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "odd_ring.hpp"
+
 namespace ndframe
 {
 namespace
@@ -199,17 +201,9 @@ std::string roleText(const RoleSummary& roles)
 void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics)
 {
   const RoleMap roles(model);
-  const auto odd = std::find_if(model.interfaces.begin(), model.interfaces.end(), [&](const InterfaceMesh& interface) {
-    return roles.isDirichlet(interface.dirichletBody) == roles.isDirichlet(interface.neumannBody);
-  });
-  if (odd != model.interfaces.end()) {
+  if (const std::string ring = oddRing(model); !ring.empty()) {
     if (needsRoles)
-      diagnostics.add(
-          deck.sub("Interfaces")
-              .sub(odd->name)
-              .mistake("",
-                       "closes a ring of an odd number of bodies, in which two neighbours would have the same role, "
-                       "which Neumann-Dirichlet cannot solve; use Coupling/Type = Monolithic."));
+      diagnostics.add(deck.sub("Interfaces").mistake("", ring));
     return;
   }
   for (auto& interface : model.interfaces)
