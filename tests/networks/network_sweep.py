@@ -1,6 +1,6 @@
 """Networks under loads at random: network_sweep.py NDFRAME [--scenes N] [--seed FIRST].
 
-Every side that is free is pressed, left alone or pulled. What is named neither pulled off nor not unique before the
+Every side that is free, or a part of it, is pressed, left alone or pulled. What is named neither pulled off nor not unique before the
 solve has a solution, and all bodies together must find it; what is pulled off ends with exit code 3; what is not unique
 is solved, or ends saying that nothing presses the bodies together. One line a scene that does otherwise; exit code 1 if
 there is one.
@@ -20,8 +20,8 @@ from runs import Program
 NOT_PRESSED = ("contact is undecided: nothing presses", "the load does not press the bodies together")
 
 
-def network(seed):
-    """(arguments of network_decks, deck) of a scene."""
+def network(seed, pulls=True):
+    """(arguments of network_decks, deck) of a scene. pulls: some loads may pull."""
     draw = random.Random(f"network {seed}")
     scene = draw.choice((["wall", str(draw.randint(2, 5)), str(draw.randint(1, 4))], ["stack"], ["ring"],
                          ["chain", str(draw.randint(2, 7))], ["tjunction"]))
@@ -33,7 +33,10 @@ def network(seed):
             box.loads = []
         for box, side in network_decks.free_sides(boxes):
             if draw.random() < 0.8:
-                box.press(side, draw.choice((1.0, 1.0, 0.5, 0.2, -0.1, -0.5)))
+                first, last = box.along(side)
+                middle = first + 0.25 * draw.randint(1, max(1, round(4 * (last - first)) - 1))
+                start, end = draw.choice(((first, last), (first, middle), (middle, last)))
+                box.press(side, draw.choice((1.0, 1.0, 0.5, 0.2, -0.1, -0.5) if pulls else (1.0, 0.5, 0.2)), start, end)
 
     return arguments, network_decks.deck(network_decks.options_of(arguments), load)
 

@@ -34,7 +34,7 @@ FetiProblem::FetiProblem(const Network& network, double tolerance, Ledger& ledge
 bool FetiProblem::holds(const std::vector<char>& closed)
 {
   if (!set_ || !set_->isOf(closed))
-    set_.emplace(network_, bodies_, closed);
+    set_ = std::make_unique<FetiSet>(network_, bodies_, closed, set_.get());
   return set_->holdsMotions();
 }
 

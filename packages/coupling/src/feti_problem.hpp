@@ -1,7 +1,5 @@
 #pragma once
 
-#include <optional>
-
 #include "feti_set.hpp"
 
 namespace ndframe
@@ -48,7 +46,7 @@ private:
   Ledger& ledger_;
   std::vector<std::string> motions_;
   FetiBodies bodies_;
-  std::optional<FetiSet> set_;
+  std::unique_ptr<FetiSet> set_;
   Vector flexibility_; ///< per unknown: of B D^-1 B^T, what its own force opens
   Vector v_, force_;   ///< force: per unknown
 };

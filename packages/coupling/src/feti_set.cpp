@@ -1,5 +1,7 @@
 #include "feti_set.hpp"
 
+#include <algorithm>
+
 namespace ndframe
 {
 namespace
@@ -16,7 +18,8 @@ void subtract(Vector& a, const Vector& b)
 
 } // namespace
 
-FetiSet::FetiSet(const Network& network, const FetiBodies& bodies, const std::vector<char>& closed)
+FetiSet::FetiSet(const Network& network, const FetiBodies& bodies, const std::vector<char>& closed,
+                 const FetiSet* before)
     : network_(network), bodies_(bodies), closed_(closed)
 {
   std::vector<int> chosen;
@@ -26,74 +29,103 @@ FetiSet::FetiSet(const Network& network, const FetiBodies& bodies, const std::ve
   std::stable_sort(chosen.begin(), chosen.end(),
                    [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
   rows_ = ClosedRows(network.jump, chosen, network.bound, network.size()).independentRows();
-  weighRows();
-  condenseBodies();
+  weighted_ = weightedJump(network, rows_, bodies.weight());
+  spreadUsers_ = transposed(weighted_.rows, network.size());
+  users_.resize(std::size_t(network.size()));
+  for (std::size_t i = 0; i < rows_.size(); ++i)
+    for (const auto& [entry, value] : network.jump[std::size_t(rows_[i])])
+      users_[std::size_t(entry)].emplace_back(int(i), value);
+  condenseBodies(before);
   factorCoarse();
 }
 
-/// B D^-1 B^T: blocks of the rows that share a node.
-void FetiSet::weighRows()
-{
-  std::vector<SparseRow> users(std::size_t(network_.size()));
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (const auto& [entry, value] : network_.jump[std::size_t(rows_[i])])
-      users[std::size_t(entry)].emplace_back(int(i), value);
-  SymmetricEntries gram;
-  gram.size = int(rows_.size());
-  gramDiagonal_.assign(rows_.size(), 0.0);
-  touched_.assign(users.size(), 0);
-  for (std::size_t entry = 0; entry < users.size(); ++entry)
-    for (const auto& [i, first] : users[entry])
-      for (const auto& [j, second] : users[entry]) {
-        const double value = first * second / bodies_.weight()[entry];
-        touched_[entry] = 1;
-        if (i == j)
-          gramDiagonal_[std::size_t(i)] += value;
-        if (i <= j)
-          gram.add(i, j, value);
-      }
-  gram_ = std::make_unique<SparseCholesky>(gram);
-}
-
 /// Where a body has open entries: the factor of its stiffness on them.
-void FetiSet::condenseBodies()
+void FetiSet::condenseBodies(const FetiSet* before)
 {
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    std::vector<int> open;
+    OpenPart part;
     for (int k = network_.offsets[b]; k < network_.offsets[b + 1]; ++k)
-      if (!touched_[std::size_t(k)])
-        open.push_back(k - network_.offsets[b]);
-    const DenseMatrix& S = *network_.bodies[b]->S->dense();
-    DenseMatrix own(int(open.size()), int(open.size()));
-    for (int j = 0; j < own.cols(); ++j) {
-      for (int i = 0; i < own.rows(); ++i)
-        own(i, j) = S(open[std::size_t(i)], open[std::size_t(j)]);
-      own(j, j) += elimination * bodies_.weight()[std::size_t(network_.offsets[b] + open[std::size_t(j)])];
-    }
-    openFactor_.push_back(open.empty() ? nullptr : std::make_unique<DenseCholesky>(std::move(own)));
-    open_.push_back(std::move(open));
+      if (users_[std::size_t(k)].empty())
+        part.entries.push_back(k - network_.offsets[b]);
+    if (before != nullptr && before->open_[b].entries == part.entries)
+      part.factor = before->open_[b].factor;
+    else if (!part.entries.empty())
+      part.factor = std::make_shared<DenseCholesky>(stiffnessOn(b, part.entries));
+    open_.push_back(std::move(part));
   }
 }
 
-/// G Q G^T; no factor where some motion is left free.
+DenseMatrix FetiSet::stiffnessOn(std::size_t body, const std::vector<int>& entries) const
+{
+  const DenseMatrix& S = *network_.bodies[body]->S->dense();
+  DenseMatrix own(int(entries.size()), int(entries.size()));
+  for (int j = 0; j < own.cols(); ++j) {
+    for (int i = 0; i < own.rows(); ++i)
+      own(i, j) = S(entries[std::size_t(i)], entries[std::size_t(j)]);
+    own(j, j) += elimination * bodies_.weight()[std::size_t(network_.offsets[body] + entries[std::size_t(j)])];
+  }
+  return own;
+}
+
+/// Q times a vector of few rows, in the time that these take. Both sums are zero before and after.
+SparseRow FetiSet::scaled(const SparseRow& openings, SparseSum& entries, SparseSum& rows) const
+{
+  for (const auto& [i, opening] : openings) {
+    entries.add(weighted_.rows[std::size_t(i)], opening);
+    rows.add(i, diagonalShare / weighted_.gramDiagonal[std::size_t(i)] * opening);
+  }
+  const SparseRow v = entries.take();
+  for (auto entry = v.begin(); entry != v.end();) {
+    const auto& offsets = network_.offsets;
+    const auto b = std::size_t(std::upper_bound(offsets.begin(), offsets.end(), entry->first) - offsets.begin()) - 1;
+    Vector own(std::size_t(offsets[b + 1] - offsets[b]), 0.0);
+    for (; entry != v.end() && entry->first < offsets[b + 1]; ++entry)
+      own[std::size_t(entry->first - offsets[b])] = entry->second;
+    const Vector f = stiffOnClosed(b, own);
+    for (std::size_t k = 0; k < f.size(); ++k)
+      rows.add(spreadUsers_[std::size_t(offsets[b]) + k], f[k]);
+  }
+  return rows.take();
+}
+
+/// G^T: what the motions open.
+void FetiSet::findOpenings()
+{
+  G_ = SparseColumns(int(rows_.size()), bodies_.numMotions());
+  SparseSum rows(G_.rows());
+  for (std::size_t b = 0, motion = 0; b < network_.bodies.size(); ++b) {
+    const DenseMatrix& R = network_.bodies[b]->freeMotions;
+    for (int m = 0; m < R.cols(); ++m, ++motion) {
+      for (int k = 0; k < R.rows(); ++k)
+        rows.add(users_[std::size_t(network_.offsets[b] + k)], R(k, m));
+      G_.setColumn(int(motion), rows.take());
+    }
+  }
+}
+
+/// G Q G^T, whose entries are those of bodies near each other; no factor where some motion is left free.
 void FetiSet::factorCoarse()
 {
   const int n = bodies_.numMotions();
   if (n == 0)
     return;
+  findOpenings();
+  QG_ = SparseColumns(int(rows_.size()), n);
+  std::vector<SparseRow> opening(rows_.size()); // G^T by rows
+  for (int j = 0; j < n; ++j)
+    for (const auto& [row, value] : G_.column(j))
+      opening[std::size_t(row)].emplace_back(j, value);
   SymmetricEntries coarse;
   coarse.size = n;
-  G_ = QG_ = SparseColumns(int(rows_.size()), n);
+  SparseSum entries(network_.size()), rows(int(rows_.size())), products(n);
   for (int j = 0; j < n; ++j) {
-    Vector unit(std::size_t(n), 0.0);
-    unit[std::size_t(j)] = 1.0;
-    const Vector column = jump(bodies_.moved(unit)), answer = scaled(column);
-    G_.setColumn(j, column);
-    QG_.setColumn(j, answer);
-    const Vector products = G_.transposedTimes(answer);
-    for (int i = 0; i <= j; ++i)
-      if (i == j || products[std::size_t(i)] != 0.0)
-        coarse.add(i, j, products[std::size_t(i)]);
+    QG_.setColumn(j, scaled(G_.column(j), entries, rows));
+    products.add(j, 0.0);
+    for (const auto& [row, value] : QG_.column(j))
+      products.add(opening[std::size_t(row)], value);
+    for (const auto& [i, product] : products.take())
+      if (i <= j)
+        coarse.add(i, j, product);
   }
   try {
     coarse_ = std::make_unique<SparseCholesky>(coarse);
@@ -125,22 +157,16 @@ Vector FetiSet::pushed(const Vector& r) const
 
 Vector FetiSet::preconditioned(const Vector& w) const
 {
-  const Vector& D = bodies_.weight();
-  Vector v = pushed(gram_->solve(w));
-  for (std::size_t k = 0; k < v.size(); ++k)
-    v[k] /= D[k];
-  Vector f = bodies_.bodyByBody(v, [&](std::size_t b, const Vector& own) { return stiffOnClosed(b, own); });
-  for (std::size_t k = 0; k < f.size(); ++k)
-    f[k] /= D[k];
-  return gram_->solve(jump(f));
-}
-
-/// Q w.
-Vector FetiSet::scaled(const Vector& w) const
-{
-  Vector r = preconditioned(w);
-  for (std::size_t i = 0; i < r.size(); ++i)
-    r[i] += diagonalShare / gramDiagonal_[i] * w[i];
+  Vector v(std::size_t(network_.size()), 0.0), r;
+  for (std::size_t i = 0; i < w.size(); ++i)
+    for (const auto& [entry, share] : weighted_.rows[i])
+      v[std::size_t(entry)] += share * w[i];
+  const Vector f = bodies_.bodyByBody(v, [&](std::size_t b, const Vector& own) { return stiffOnClosed(b, own); });
+  for (const SparseRow& row : weighted_.rows) {
+    r.push_back(0.0);
+    for (const auto& [entry, share] : row)
+      r.back() += share * f[std::size_t(entry)];
+  }
   return r;
 }
 
@@ -163,14 +189,15 @@ Vector FetiSet::stiffOnClosed(std::size_t body, const Vector& v) const
 {
   const SymmetricOperator& S = *network_.bodies[body]->S;
   Vector f = S.apply(v);
-  if (open_[body].empty())
+  const std::vector<int>& open = open_[body].entries;
+  if (open.empty())
     return f;
   Vector onOpen, answer(v.size(), 0.0);
-  for (const int k : open_[body])
+  for (const int k : open)
     onOpen.push_back(f[std::size_t(k)]);
-  onOpen = openFactor_[body]->solve(std::move(onOpen));
+  onOpen = open_[body].factor->solve(std::move(onOpen));
   for (std::size_t i = 0; i < onOpen.size(); ++i)
-    answer[std::size_t(open_[body][i])] = onOpen[i];
+    answer[std::size_t(open[i])] = onOpen[i];
   subtract(f, S.apply(answer));
   return f;
 }

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "feti_bodies.hpp"
+#include "feti_weights.hpp"
 #include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/algebra/sparse_columns.hpp"
 
@@ -12,8 +13,8 @@ namespace ndframe
 class FetiSet
 {
 public:
-  /// Network and bodies must outlive it.
-  FetiSet(const Network& network, const FetiBodies& bodies, const std::vector<char>& closed);
+  /// Network and bodies must outlive it. before: whose bodies' factors are taken where the same entries are open.
+  FetiSet(const Network& network, const FetiBodies& bodies, const std::vector<char>& closed, const FetiSet* before);
 
   const std::vector<int>& rows() const { return rows_; } ///< unknowns
   bool isOf(const std::vector<char>& closed) const { return closed == closed_; }
@@ -37,21 +38,28 @@ public:
   Vector amplitudes(const Vector& w) const { return coarse_->solve(QG_.transposedTimes(w)); }
 
 private:
-  void weighRows();
-  void condenseBodies();
+  /// A body's stiffness on its open entries, which S_A eliminates.
+  struct OpenPart
+  {
+    std::vector<int> entries;
+    std::shared_ptr<const DenseCholesky> factor; ///< null without entries
+  };
+  void condenseBodies(const FetiSet* before);
+  DenseMatrix stiffnessOn(std::size_t body, const std::vector<int>& entries) const;
+  void findOpenings();
   void factorCoarse();
-  Vector scaled(const Vector& w) const;
+  SparseRow scaled(const SparseRow& openings, SparseSum& entries, SparseSum& rows) const;
   Vector stiffOnClosed(std::size_t body, const Vector& v) const;
 
   const Network& network_;
   const FetiBodies& bodies_;
   std::vector<int> rows_;
-  std::vector<char> closed_, touched_; ///< touched: entries of v that stand in rows
-  std::unique_ptr<SparseCholesky> gram_, coarse_;
-  Vector gramDiagonal_;
-  SparseColumns G_, QG_; ///< G^T, Q G^T: rows x motions
-  std::vector<std::vector<int>> open_;
-  std::vector<std::unique_ptr<DenseCholesky>> openFactor_;
+  std::vector<char> closed_;
+  WeightedJump weighted_;                      ///< B_D
+  std::vector<SparseRow> users_, spreadUsers_; ///< B^T and B_D^T
+  std::vector<OpenPart> open_;                 ///< per body
+  SparseColumns G_, QG_;                       ///< G^T, Q G^T: rows x motions
+  std::unique_ptr<SparseCholesky> coarse_;
 };
 
 } // namespace ndframe

@@ -2,16 +2,13 @@
 
 #include <limits>
 #include <optional>
-#include <utility>
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/sparse_row.hpp"
 
 namespace ndframe
 {
-
-/// (column, value) of the entries that are not zero, each column at most once.
-using SparseRow = std::vector<std::pair<int, double>>;
 
 inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 
@@ -19,7 +16,7 @@ inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 struct LinearProgram
 {
   Vector cost, lower, upper; ///< c and the bounds of x; +-unbounded for none
-  std::vector<SparseRow> rows;
+  std::vector<SparseRow> rows; ///< of A, each column at most once
   Vector rowLower, rowUpper;
 };
 

@@ -1,9 +1,8 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "ndframe/algebra/dense.hpp"
+#include "ndframe/algebra/sparse_row.hpp"
 
 namespace ndframe
 {
@@ -12,7 +11,7 @@ namespace ndframe
 class SparseColumns
 {
 public:
-  using Column = std::vector<std::pair<int, double>>;
+  using Column = SparseRow;
 
   SparseColumns() = default;
   SparseColumns(int rows, int cols) : rows_(rows), columns_(std::size_t(cols)) {}
@@ -22,6 +21,7 @@ public:
   int cols() const { return int(columns_.size()); }
   const Column& column(int j) const { return columns_[std::size_t(j)]; }
   void setColumn(int j, const Vector& values);
+  void setColumn(int j, Column column) { columns_[std::size_t(j)] = std::move(column); }
   /// An entry, which is there from then on.
   double& operator()(int i, int j);
   double operator()(int i, int j) const;

@@ -1,15 +1,11 @@
 #pragma once
 
-#include <utility>
 #include <vector>
 
-#include "ndframe/algebra/dense.hpp"
+#include "ndframe/algebra/sparse_row.hpp"
 
 namespace ndframe
 {
-
-/// A sparse row: columns and coefficients.
-using SparseRow = std::vector<std::pair<int, double>>;
 
 /// Rows B v = c solved for one variable each, the pivots:  v_p = value - sum of others.  Gauss-Jordan elimination with
 /// the largest coefficient of a row as pivot; rows that follow from others are left out.
