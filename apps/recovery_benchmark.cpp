@@ -16,11 +16,11 @@
 #include <fmt/format.h>
 
 #include "batched_cell_pass.hpp"
-#include "batched_stars.hpp"
 #include "batched_workspace.hpp"
 #include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/assembly/body_system.hpp"
-#include "ndframe/recovery/reference_stress.hpp"
+#include "ndframe/equilibrium/reference_stress.hpp"
+#include "ndframe/simd/batched_stars.hpp"
 
 using namespace ndframe;
 

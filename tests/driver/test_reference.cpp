@@ -12,9 +12,9 @@
 #include "driver/scene.hpp"
 #include "fem/sample_meshes.hpp"
 #include "fine_traction.hpp"
+#include "ndframe/admissibility/contact_moments.hpp"
 #include "ndframe/fem/prolongation.hpp"
 #include "ndframe/mesh/refine.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include "estimation/smooth_scene.hpp"
+#include "ndframe/admissibility/make_static_data.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/mechanics/kernels.hpp"
 

@@ -7,11 +7,12 @@
 
 #include <fmt/format.h>
 
+#include "admissibility/turn_facets.hpp"
 #include "common/test_main.hpp"
 #include "mechanics/sample_laws.hpp"
+#include "ndframe/admissibility/contact_moments.hpp"
+#include "ndframe/admissibility/make_static_data.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
-#include "recovery/turn_facets.hpp"
 
 namespace ndframe::test
 {

@@ -1,8 +1,8 @@
 #pragma once
 
-#include "ndframe/recovery/admissible_traction.hpp"
+#include "admissibility/sample_problems.hpp"
+#include "ndframe/admissibility/admissible_traction.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
-#include "recovery/sample_problems.hpp"
 
 namespace ndframe::test
 {

@@ -4,7 +4,7 @@
 #include <map>
 #include <string>
 
-#include "recovery/sample_problems.hpp"
+#include "admissibility/sample_problems.hpp"
 
 namespace ndframe::test
 {

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "common/test_main.hpp"
+#include "ndframe/equilibrium/equilibrated_stress.hpp"
 
 namespace ndframe::test
 {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "recovery/sample_problems.hpp"
-#include "recovery/sample_stress.hpp"
+#include "admissibility/sample_problems.hpp"
+#include "equilibrium/sample_stress.hpp"
 
 namespace ndframe::test
 {

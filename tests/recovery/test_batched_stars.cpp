@@ -2,12 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include "batched_stars.hpp"
+#include "admissibility/sample_problems.hpp"
 #include "batched_workspace.hpp"
 #include "body_stars.hpp"
-#include "cell_form.hpp"
 #include "common/test_main.hpp"
-#include "recovery/sample_problems.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
+#include "ndframe/simd/batched_stars.hpp"
 
 namespace ndframe
 {

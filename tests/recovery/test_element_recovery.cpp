@@ -4,12 +4,15 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "admissibility/sample_problems.hpp"
 #include "common/test_main.hpp"
 #include "element_tractions.hpp"
+#include "equilibrium/sample_stress.hpp"
+#include "ndframe/admissibility/make_static_data.hpp"
+#include "ndframe/equilibrium/equilibrated_stress.hpp"
 #include "ndframe/mechanics/kernels.hpp"
-#include "recovery/sample_problems.hpp"
+#include "ndframe/simd/cell_distances.hpp"
 #include "recovery/sample_recovery.hpp"
-#include "recovery/sample_stress.hpp"
 
 namespace ndframe
 {

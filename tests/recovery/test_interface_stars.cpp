@@ -6,7 +6,8 @@
 #include "body_stars.hpp"
 #include "common/test_main.hpp"
 #include "interface_stars.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
+#include "ndframe/admissibility/contact_moments.hpp"
+#include "ndframe/simd/cell_distances.hpp"
 #include "recovery/sample_contact.hpp"
 #include "recovery/sample_recovery.hpp"
 

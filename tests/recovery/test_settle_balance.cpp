@@ -2,11 +2,11 @@
 
 #include <random>
 
+#include "admissibility/sample_problems.hpp"
 #include "body_stars.hpp"
 #include "common/test_main.hpp"
-#include "ndframe/recovery/settle_balance.hpp"
-#include "recovery/sample_problems.hpp"
-#include "recovery/sample_stress.hpp"
+#include "equilibrium/sample_stress.hpp"
+#include "ndframe/equilibrium/settle_balance.hpp"
 
 namespace ndframe
 {

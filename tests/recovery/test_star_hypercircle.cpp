@@ -2,8 +2,9 @@
 
 #include "body_stars.hpp"
 #include "common/test_main.hpp"
+#include "equilibrium/sample_stress.hpp"
+#include "ndframe/equilibrium/equilibrated_stress.hpp"
 #include "recovery/sample_polynomials.hpp"
-#include "recovery/sample_stress.hpp"
 
 namespace ndframe
 {

@@ -2,10 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "admissibility/sample_problems.hpp"
 #include "body_stars.hpp"
 #include "common/test_main.hpp"
-#include "recovery/sample_problems.hpp"
-#include "recovery/sample_stress.hpp"
+#include "equilibrium/sample_stress.hpp"
 
 namespace ndframe
 {

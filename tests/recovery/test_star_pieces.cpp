@@ -5,10 +5,10 @@
 #include <gtest/gtest.h>
 
 #include "fem/sample_meshes.hpp"
+#include "ndframe/equilibrium/row_reduction.hpp"
+#include "ndframe/equilibrium/star_wrench.hpp"
 #include "ndframe/fem/quadrature.hpp"
-#include "row_reduction.hpp"
 #include "star_flow.hpp"
-#include "star_wrench.hpp"
 
 namespace ndframe
 {

@@ -1,11 +1,12 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "admissibility/sample_problems.hpp"
 #include "body_stars.hpp"
 #include "common/test_main.hpp"
-#include "recovery/sample_problems.hpp"
+#include "equilibrium/sample_stress.hpp"
+#include "ndframe/admissibility/make_static_data.hpp"
 #include "recovery/sample_recovery.hpp"
-#include "recovery/sample_stress.hpp"
 
 namespace ndframe
 {

@@ -2,9 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include "admissibility/sample_problems.hpp"
 #include "common/test_main.hpp"
-#include "recovery/sample_problems.hpp"
-#include "recovery/sample_stress.hpp"
+#include "equilibrium/sample_stress.hpp"
 #include "star_system.hpp"
 
 namespace ndframe

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "admissibility/sample_chains.hpp"
 #include "fem/sample_meshes.hpp"
-#include "recovery/sample_chains.hpp"
 #include "traction_step.hpp"
 
 namespace ndframe

@@ -6,15 +6,15 @@
 #include <fmt/format.h>
 
 #include "intermediate_fields.hpp"
+#include "ndframe/admissibility/contact_moments.hpp"
+#include "ndframe/admissibility/contact_oscillation.hpp"
+#include "ndframe/admissibility/prescribed_charge.hpp"
+#include "ndframe/admissibility/tighten_displacement.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
-#include "ndframe/recovery/cell_energy.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
-#include "ndframe/recovery/contact_oscillation.hpp"
-#include "ndframe/recovery/equilibrium_check.hpp"
-#include "ndframe/recovery/prescribed_charge.hpp"
-#include "ndframe/recovery/settle_balance.hpp"
-#include "ndframe/recovery/tighten_displacement.hpp"
+#include "ndframe/equilibrium/equilibrium_check.hpp"
+#include "ndframe/equilibrium/settle_balance.hpp"
+#include "ndframe/simd/cell_distances.hpp"
 
 namespace ndframe
 {

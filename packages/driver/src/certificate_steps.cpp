@@ -6,10 +6,11 @@
 #include <fmt/format.h>
 
 #include "intermediate_fields.hpp"
+#include "ndframe/admissibility/contact_nodes.hpp"
+#include "ndframe/admissibility/jump_coefficients.hpp"
+#include "ndframe/admissibility/make_static_data.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
-#include "ndframe/recovery/contact_nodes.hpp"
-#include "ndframe/recovery/jump_coefficients.hpp"
 
 namespace ndframe
 {

@@ -4,10 +4,10 @@
 #include <vector>
 
 #include "contact_scene.hpp"
+#include "ndframe/admissibility/admissible_displacement.hpp"
+#include "ndframe/admissibility/admissible_traction.hpp"
 #include "ndframe/driver/error_options.hpp"
 #include "ndframe/driver/solution.hpp"
-#include "ndframe/recovery/admissible_displacement.hpp"
-#include "ndframe/recovery/admissible_traction.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
 namespace ndframe

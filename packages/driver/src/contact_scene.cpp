@@ -6,9 +6,9 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/admissibility/contact_moments.hpp"
+#include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/coupling/relaxation_controller.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
-#include "ndframe/recovery/contact_nodes.hpp"
 
 namespace ndframe
 {

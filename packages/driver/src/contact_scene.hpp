@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ndframe/admissibility/admissible_traction.hpp"
 #include "ndframe/coupling/coupling.hpp"
 #include "ndframe/driver/condensed_model.hpp"
-#include "ndframe/recovery/admissible_traction.hpp"
 
 namespace ndframe
 {

@@ -3,8 +3,8 @@
 #include <limits>
 
 #include "ndframe/assembly/fields.hpp"
+#include "ndframe/equilibrium/equilibrated_stress.hpp"
 #include "ndframe/fem/quadrature.hpp"
-#include "ndframe/recovery/cell_energy.hpp"
 #include "stress_fields.hpp"
 
 namespace ndframe

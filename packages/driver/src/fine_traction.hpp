@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/recovery/contact_traction.hpp"
+#include "ndframe/admissibility/contact_traction.hpp"
 
 namespace ndframe
 {

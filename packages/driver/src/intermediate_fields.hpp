@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ndframe/admissibility/contact_moments.hpp"
 #include "ndframe/driver/condensed_model.hpp"
 #include "ndframe/driver/solution.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
 
 namespace ndframe
 {

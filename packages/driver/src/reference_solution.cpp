@@ -8,11 +8,11 @@
 
 #include "contact_scene.hpp"
 #include "fine_traction.hpp"
+#include "ndframe/admissibility/contact_moments.hpp"
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/solution.hpp"
 #include "ndframe/fem/prolongation.hpp"
 #include "ndframe/mesh/refine.hpp"
-#include "ndframe/recovery/contact_moments.hpp"
 #include "roles.hpp"
 
 namespace ndframe

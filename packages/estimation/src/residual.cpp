@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/admissibility/smallest_stiffness.hpp"
 #include "ndframe/assembly/cell_field.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/recovery/facet_twins.hpp"
-#include "ndframe/recovery/smallest_stiffness.hpp"
+#include "ndframe/equilibrium/facet_twins.hpp"
 
 namespace ndframe
 {

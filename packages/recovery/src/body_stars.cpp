@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
-#include "cell_form.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
 #include "self_touching.hpp"
 
 namespace ndframe

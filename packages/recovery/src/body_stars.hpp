@@ -3,8 +3,8 @@
 #include <functional>
 #include <optional>
 
-#include "batched_stars.hpp"
 #include "ndframe/base/ledger.hpp"
+#include "ndframe/simd/batched_stars.hpp"
 #include "star_system.hpp"
 
 namespace ndframe

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ndframe/recovery/facet_twins.hpp"
+#include "ndframe/equilibrium/facet_twins.hpp"
 #include "self_touching.hpp"
 
 namespace ndframe

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ndframe/assembly/body_system.hpp"
-#include "ndframe/recovery/moment_basis.hpp"
+#include "ndframe/equilibrium/moment_basis.hpp"
 
 namespace ndframe
 {

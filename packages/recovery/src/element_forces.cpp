@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "cell_stress.hpp"
+#include "ndframe/equilibrium/cell_stress.hpp"
 
 namespace ndframe
 {

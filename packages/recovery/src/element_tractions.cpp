@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "edge_functions.hpp"
 #include "element_forces.hpp"
+#include "ndframe/admissibility/edge_functions.hpp"
 
 namespace ndframe
 {

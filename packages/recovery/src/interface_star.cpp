@@ -4,8 +4,8 @@
 #include <map>
 #include <set>
 
+#include "ndframe/admissibility/turning_normal.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "turning_normal.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "turning_normal.hpp"
+#include "ndframe/admissibility/turning_normal.hpp"
 
 namespace ndframe
 {

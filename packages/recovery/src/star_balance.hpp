@@ -2,10 +2,10 @@
 
 #include <vector>
 
-#include "row_reduction.hpp"
+#include "ndframe/equilibrium/row_reduction.hpp"
+#include "ndframe/equilibrium/star_wrench.hpp"
 #include "star_data.hpp"
 #include "star_flow.hpp"
-#include "star_wrench.hpp"
 
 namespace ndframe
 {

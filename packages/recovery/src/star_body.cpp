@@ -2,8 +2,8 @@
 
 #include <algorithm>
 
+#include "ndframe/equilibrium/star_wrench.hpp"
 #include "self_touching.hpp"
-#include "star_wrench.hpp"
 
 namespace ndframe
 {

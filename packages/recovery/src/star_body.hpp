@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ndframe/recovery/cell_energy.hpp"
+#include "ndframe/equilibrium/cell_energy.hpp"
 #include "star_topology.hpp"
 
 namespace ndframe

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cell_stress.hpp"
+#include "ndframe/equilibrium/cell_stress.hpp"
 
 namespace ndframe
 {

@@ -3,8 +3,8 @@
 #include <array>
 #include <vector>
 
+#include "ndframe/equilibrium/moment_basis.hpp"
 #include "ndframe/mesh/vertex_cells.hpp"
-#include "ndframe/recovery/moment_basis.hpp"
 
 namespace ndframe
 {

@@ -4,9 +4,9 @@
 #include <cmath>
 #include <utility>
 
+#include "ndframe/admissibility/quadratic_program.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "quadratic_program.hpp"
 
 namespace ndframe
 {

@@ -2,8 +2,8 @@
 
 #include <vector>
 
+#include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/algebra/comm.hpp"
-#include "ndframe/recovery/contact_traction.hpp"
 
 namespace ndframe
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/recovery/stress_correction.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

@@ -1,10 +1,10 @@
 #pragma once
 
+#include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/ledger.hpp"
 #include "ndframe/base/registry.hpp"
-#include "ndframe/recovery/contact_traction.hpp"
-#include "ndframe/recovery/stress_correction.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <string>
+
+#include "ndframe/admissibility/gap_bound.hpp"
+
+namespace ndframe
+{
+
+/// u^ of (35): displacements moved at interface nodes until the Bernstein coefficients of the jump are <= the gap on
+/// every facet; nothing else changes.
+struct AdmissibleDisplacement
+{
+  std::vector<Vector> displacement; ///< per body, global axes
+  double charge = 0.0;              ///< |u^ - u_h| in the energy norm, all bodies
+  int moved = 0;                    ///< nodes moved
+  std::string caveat;               ///< a node that supports do not allow to move enough; empty when admissible
+};
+
+/// displacement: u_h per body, global axes. A penetration is divided between the two bodies by the stiffness of their
+/// nodes, so that the charge is small.
+AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
+                                         const std::vector<const ConstraintSet*>& constraints,
+                                         const std::vector<ContactFacet>& facets, const GapBound& gap,
+                                         const std::vector<Vector>& displacement);
+
+/// |to - from| in the energy norm, all bodies.
+double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<Vector>& from,
+                      const std::vector<Vector>& to);
+
+} // namespace ndframe

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "ndframe/admissibility/contact_traction.hpp"
+#include "ndframe/assembly/body_system.hpp"
+
+namespace ndframe
+{
+
+/// A body's node numbers on a contact facet in the order of ContactFacet::nodes.
+std::array<int, 3> contactNodes(const BodyModel& body, const ContactFacet& facet, bool isDirichlet);
+
+/// u1 - u2 at the nodes of a contact facet, in the order of ContactFacet::nodes. displacement: per body, numNodes *
+/// dim, global axes.
+std::array<Direction, 3> facetOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+                                      const std::vector<Vector>& displacement);
+
+} // namespace ndframe

@@ -1,0 +1,16 @@
+#pragma once
+
+#include "ndframe/admissibility/contact_traction.hpp"
+#include "ndframe/assembly/body_system.hpp"
+
+namespace ndframe
+{
+
+/// What the stresses leave over of t n where n turns along a facet: t n has one degree more than t. Per body and cell
+/// osc_E^2 with |int (t n - carried) . v dS| <= osc_E |v|_E over the cell's contact facets, in the energy norm: the
+/// energy of a stress of the richest degree that carries the rest, and the facet's constant (docs/theory.md) for what
+/// has a higher degree than that. Empty where nothing turns.
+std::vector<Vector> contactOscillation(const std::vector<const BodyModel*>& bodies,
+                                       const std::vector<ContactFacet>& facets, const ContactTraction& traction);
+
+} // namespace ndframe

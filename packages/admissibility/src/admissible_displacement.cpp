@@ -1,0 +1,157 @@
+#include "ndframe/admissibility/admissible_displacement.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "interface_pairs.hpp"
+#include "ndframe/assembly/fields.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Openings that are negative by less, relative to displacements and gaps on the interface, are round-off.
+constexpr double roundOff = 1e-14;
+
+class Admission
+{
+public:
+  Admission(const std::vector<const BodyModel*>& bodies, const std::vector<const ConstraintSet*>& constraints,
+            const std::vector<ContactFacet>& facets, const GapBound& gap, AdmissibleDisplacement& result)
+      : bodies_(bodies), facets_(facets), result_(result),
+        pairs_(bodies, constraints, facets, gap, result.displacement), tolerance_(roundOff * pairs_.size())
+  {}
+
+  /// Opens all pairs; where interfaces share nodes again and again, as long as what opens one closes another.
+  void openAll()
+  {
+    constexpr int mostRounds = 100;
+    const int rounds = pairs_.areShared() ? mostRounds : 1;
+    for (int round = 0, moved = -1; round < rounds && moved < result_.moved; ++round) {
+      moved = result_.moved;
+      open(false);
+      open(true);
+      openBetween();
+    }
+  }
+
+private:
+  /// Opens every vertex or every middle where the bodies overlap. Middles after vertices: their Bernstein coefficient
+  /// depends on them.
+  void open(bool middles)
+  {
+    for (const auto& entry : pairs_.all())
+      if (entry.second.isMiddle() == middles)
+        separate(entry.second);
+  }
+
+  /// Where the normal turns along facets of order 1, the inner coefficient belongs to both vertices: they open
+  /// together.
+  void openBetween()
+  {
+    for (std::size_t f = 0; f < facets_.size(); ++f)
+      if (facets_[f].turns && bodies_.front()->nodes.order == 1)
+        separateBetween(f);
+  }
+
+  void separate(const Pair& pair);
+  void separateBetween(std::size_t facet);
+  void move(const Pair& pair, const Compliance& apart, double force);
+  void refuse(const Pair& pair, double excess);
+
+  const std::vector<const BodyModel*>& bodies_;
+  const std::vector<ContactFacet>& facets_;
+  AdmissibleDisplacement& result_;
+  InterfacePairs pairs_;
+  double tolerance_;
+};
+
+void Admission::refuse(const Pair& pair, double excess)
+{
+  const BodyModel& body = *bodies_[pair.body[0]];
+  result_.caveat +=
+      fmt::format("{} and {} overlap by {:.2g} at {}, where supports hold both. ", body.name,
+                  bodies_[pair.body[1]]->name, excess, pointText(body.nodes.point(pair.node[0]), body.mesh.dim));
+}
+
+void Admission::move(const Pair& pair, const Compliance& apart, double force)
+{
+  for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t k = 0; k < 2; ++k)
+      result_.displacement[pair.body[side]][std::size_t(pair.node[side]) * 2 + k] += force * apart.move[side][k];
+  ++result_.moved;
+}
+
+void Admission::separate(const Pair& pair)
+{
+  double largest = 0.0, force = 0.0;
+  for (const Corner& corner : pair.corners)
+    for (const std::size_t k : pairs_.decided(corner))
+      largest = std::max(largest, pairs_.excess(corner.facet, k));
+  if (largest <= tolerance_)
+    return;
+  const Compliance apart = pairs_.compliance(pair);
+  for (const Corner& corner : pair.corners)
+    for (const std::size_t k : pairs_.decided(corner)) {
+      const double needed = pairs_.excess(corner.facet, k);
+      const double gain = apart.gain(pairs_.coefficients(corner.facet).weight(k, corner.number));
+      if (needed > 0.0 && gain <= 0.0)
+        return refuse(pair, needed);
+      if (needed > 0.0)
+        force = std::max(force, needed / gain);
+    }
+  move(pair, apart, force);
+}
+
+void Admission::separateBetween(std::size_t facet)
+{
+  const double needed = pairs_.excess(facet, 1);
+  if (needed <= tolerance_)
+    return;
+  std::array<const Pair*, 2> ends{};
+  std::array<Compliance, 2> apart{};
+  double gain = 0.0;
+  for (std::size_t end = 0; end < 2; ++end) {
+    ends[end] = &pairs_.all().at(facets_[facet].pairs[end]);
+    apart[end] = pairs_.compliance(*ends[end]);
+    gain += apart[end].gain(pairs_.coefficients(facet).weight(1, end));
+  }
+  if (gain <= 0.0)
+    return refuse(*ends[0], needed);
+  for (std::size_t end = 0; end < 2; ++end)
+    move(*ends[end], apart[end], needed / gain);
+}
+
+} // namespace
+
+double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<Vector>& from,
+                      const std::vector<Vector>& to)
+{
+  double square = 0.0;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    Vector change = to[b];
+    for (std::size_t i = 0; i < change.size(); ++i)
+      change[i] -= from[b][i];
+    for (const double energy : cellEnergies(*bodies[b], change))
+      square += energy;
+  }
+  return std::sqrt(square);
+}
+
+AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
+                                         const std::vector<const ConstraintSet*>& constraints,
+                                         const std::vector<ContactFacet>& facets, const GapBound& gap,
+                                         const std::vector<Vector>& displacement)
+{
+  AdmissibleDisplacement result{displacement, 0.0, 0, {}};
+  Admission admission(bodies, constraints, facets, gap, result);
+  admission.openAll();
+  if (result.moved > 0)
+    result.charge = changeInEnergy(bodies, displacement, result.displacement);
+  return result;
+}
+
+} // namespace ndframe

@@ -1,0 +1,210 @@
+#include "ndframe/admissibility/admissible_traction.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+#include <utility>
+
+#include "banded_program.hpp"
+#include "facet_unknowns.hpp"
+#include "ndframe/admissibility/quadratic_program.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Work below this, relative to that of a unit pressure, is round-off: the motion slides along the interface.
+constexpr double noWork = 1e-12;
+/// Loads that are out of reach by less than this, relative to their magnitude, are round-off.
+constexpr double unreachable = 1e-9;
+
+/// Positions of the interface nodes along the chains of facets, so that neighbours stay close: breadth first, every
+/// chain from one of its ends, closed chains from any node.
+class ChainOrder
+{
+public:
+  ChainOrder(const std::vector<ContactFacet>& facets, int numNodes, int nodesPerFacet)
+      : facets_(facets), nodesPerFacet_(nodesPerFacet), around_(std::size_t(numNodes)),
+        position_(std::size_t(numNodes), -1)
+  {
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      for (int i = 0; i < nodesPerFacet; ++i)
+        around_[std::size_t(facets[f].nodes[std::size_t(i)])].push_back(f);
+    for (const bool ends : {true, false})
+      for (const ContactFacet& facet : facets)
+        for (int i = 0; i < 2; ++i)
+          if (!ends || around_[std::size_t(facet.nodes[std::size_t(i)])].size() == 1)
+            number(facet.nodes[std::size_t(i)]);
+    NDFRAME_ASSERT(next_ == numNodes, "every interface node belongs to a facet");
+  }
+
+  int position(int node) const { return position_[std::size_t(node)]; }
+
+  int bandwidth() const
+  {
+    int width = 0;
+    for (const ContactFacet& facet : facets_)
+      for (int i = 0; i < nodesPerFacet_; ++i)
+        for (int j = 0; j < i; ++j)
+          width =
+              std::max(width, std::abs(position(facet.nodes[std::size_t(i)]) - position(facet.nodes[std::size_t(j)])));
+    return width;
+  }
+
+private:
+  /// Everything that hangs together with `start`, unless it has numbers already.
+  void number(int start)
+  {
+    std::vector<int> reached;
+    const auto reach = [&](int node) {
+      if (position_[std::size_t(node)] < 0) {
+        position_[std::size_t(node)] = next_++;
+        reached.push_back(node);
+      }
+    };
+    reach(start);
+    for (std::size_t at = 0; at < reached.size(); ++at)
+      for (const std::size_t f : around_[std::size_t(reached[at])])
+        for (int i = nodesPerFacet_ - 1; i >= 0; --i) // the middle comes before the other end
+          reach(facets_[f].nodes[std::size_t(i)]);
+  }
+
+  const std::vector<ContactFacet>& facets_;
+  int nodesPerFacet_;
+  std::vector<std::vector<std::size_t>> around_;
+  std::vector<int> position_;
+  int next_ = 0;
+};
+
+BandMatrix massMatrix(const std::vector<ContactFacet>& facets, const FacetUnknowns& unknowns, const ChainOrder& order,
+                      int numNodes, int p)
+{
+  BandMatrix M(numNodes, order.bandwidth());
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (int i = 0; i <= p; ++i)
+      for (int j = 0; j <= i; ++j)
+        M(order.position(facets[f].nodes[std::size_t(i)]), order.position(facets[f].nodes[std::size_t(j)])) +=
+            facets[f].measure * unknowns.mass(i, j);
+  return M;
+}
+
+Vector permuted(const Vector& nodal, const ChainOrder& order)
+{
+  Vector values(nodal.size());
+  for (std::size_t node = 0; node < nodal.size(); ++node)
+    values[std::size_t(order.position(int(node)))] = nodal[node];
+  return values;
+}
+
+/// The work of unit unknowns, n x conditions; motions that slide along the interface do none.
+SparseColumns workMatrix(const FacetUnknowns& unknowns, const ChainOrder& order, const BalanceConditions& balance,
+                         double area, int numNodes)
+{
+  SparseColumns W(numNodes, balance.work.cols());
+  Vector row(std::size_t(numNodes), 0.0);
+  for (int k = 0; k < W.cols(); ++k) {
+    std::fill(row.begin(), row.end(), 0.0);
+    for (const auto& [node, work] : balance.work.column(k))
+      row[std::size_t(node)] = work;
+    unknowns.workFromNodal(row);
+    const double total =
+        std::accumulate(row.begin(), row.end(), 0.0, [](double sum, double value) { return sum + std::abs(value); });
+    if (total > noWork * area)
+      W.setColumn(k, permuted(row, order));
+  }
+  return W;
+}
+
+/// With more conditions what is out of reach is seen by the projection itself.
+constexpr int mostOfOneProgram = 20;
+
+/// The motions that take part in a combination: "translation along y and rotation about (0, 1)".
+std::string namesOf(const Vector& combination, const std::vector<std::string>& names)
+{
+  constexpr double share = 0.1;
+  std::string text;
+  for (std::size_t k = 0; k < names.size(); ++k)
+    if (std::abs(combination[k]) > share * norm(combination))
+      text += (text.empty() ? "" : " and ") + names[k];
+  return text;
+}
+
+/// The value nearest to that of the conditions that some t_N <= 0 reaches. The rest is the nearest point of the polar
+/// cone {rho : W rho >= 0}; if it is not round-off, it is Farkas's proof that the loads cannot be balanced.
+Vector reachableValue(const SparseColumns& W, const BalanceConditions& balance)
+{
+  const int conditions = W.cols();
+  QuadraticProgram polar{DenseMatrix(conditions, conditions), balance.value, DenseMatrix(W.rows(), conditions),
+                         Vector(std::size_t(W.rows()), 0.0)};
+  for (int k = 0; k < conditions; ++k) {
+    polar.H(k, k) = 1.0;
+    polar.h[std::size_t(k)] = -balance.value[std::size_t(k)];
+    for (const auto& [i, work] : W.column(k))
+      polar.B(i, k) = -work;
+  }
+  const auto rest = minimise(polar);
+  NDFRAME_ASSERT(rest, "zero lies in every cone");
+  const double magnitude = std::max(norm(balance.magnitude), norm(balance.value));
+  if (norm(rest->x) > unreachable * magnitude)
+    throw InfeasibleTraction{namesOf(rest->x, balance.names)};
+  return multiplyTransposed(polar.B, DenseMatrix(rest->multipliers)).column(0);
+}
+
+/// The projection for one choice of unknowns, all of them <= 0.
+class Projection
+{
+public:
+  Projection(const std::vector<ContactFacet>& facets, int order, const Vector& mean, const BalanceConditions& balance)
+      : facets_(facets), order_(order), mean_(mean), balance_(balance), chain_(facets, int(mean.size()), order + 1)
+  {}
+
+  /// Nodal values of the nearest.
+  Vector nearest(const FacetUnknowns& unknowns) const
+  {
+    const int numNodes = int(mean_.size());
+    double area = 0.0;
+    for (const ContactFacet& facet : facets_)
+      area += facet.measure;
+    SparseColumns W = workMatrix(unknowns, chain_, balance_, area, numNodes);
+    const bool few = W.cols() <= mostOfOneProgram;
+    Vector value = few ? reachableValue(W, balance_) : balance_.value;
+    BandedProgram program{massMatrix(facets_, unknowns, chain_, numNodes, order_),
+                          {},
+                          std::move(W),
+                          std::move(value),
+                          few ? 0.0 : std::max(largestEntry(balance_.magnitude), largestEntry(balance_.value))};
+    Vector wanted = mean_;
+    unknowns.fromNodal(wanted);
+    program.f = multiply(program.M, permuted(wanted, chain_));
+    const auto solution = minimise(program);
+    if (!solution)
+      throw InfeasibleTraction("rigid motions of the bodies");
+    const Vector& found = *solution;
+    Vector nodal(mean_.size());
+    for (int node = 0; node < numNodes; ++node)
+      nodal[std::size_t(node)] = found[std::size_t(chain_.position(node))];
+    unknowns.toNodal(nodal);
+    return nodal;
+  }
+
+private:
+  const std::vector<ContactFacet>& facets_;
+  int order_;
+  const Vector& mean_;
+  const BalanceConditions& balance_;
+  ChainOrder chain_;
+};
+
+} // namespace
+
+Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
+                       const BalanceConditions& balance, TractionSign sign)
+{
+  NDFRAME_ASSERT(int(mean.size()) == numNodes, "one value per interface node is needed");
+  const Projection projection(facets, order, mean, balance);
+  return projection.nearest(FacetUnknowns(facets, order, sign));
+}
+
+} // namespace ndframe

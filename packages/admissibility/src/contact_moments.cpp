@@ -1,0 +1,158 @@
+#include "ndframe/admissibility/contact_moments.hpp"
+
+#include "ndframe/admissibility/contact_nodes.hpp"
+#include "ndframe/admissibility/edge_functions.hpp"
+#include "ndframe/admissibility/turning_normal.hpp"
+#include "ndframe/fem/quadrature.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Per facet and interface node of the facet (ContactFacet::nodes): int psi_i psi_j dS over the facet's measure,
+/// (order + 1) x (order + 1), row-major.
+std::vector<double> facetContactMatrix(int order)
+{
+  const QuadratureRule rule = simplexRule(1, 2 * order);
+  const auto nodes = std::size_t(order) + 1;
+  std::vector<double> matrix(nodes * nodes, 0.0);
+  double N[3];
+  for (int g = 0; g < rule.size(); ++g) {
+    edgeFunctions(order, rule.point(g), N);
+    for (std::size_t i = 0; i < nodes; ++i)
+      for (std::size_t j = 0; j < nodes; ++j)
+        matrix[i * nodes + j] += rule.weights[std::size_t(g)] * N[i] * N[j];
+  }
+  return matrix;
+}
+
+/// The same times lambda_e, by end e.
+std::array<std::vector<double>, 2> turningContactMatrices(int order)
+{
+  const QuadratureRule rule = simplexRule(1, 2 * order + 1);
+  const auto nodes = std::size_t(order) + 1;
+  std::array<std::vector<double>, 2> matrices;
+  matrices.fill(std::vector<double>(nodes * nodes, 0.0));
+  double N[3];
+  for (int g = 0; g < rule.size(); ++g) {
+    edgeFunctions(order, rule.point(g), N);
+    for (std::size_t e = 0; e < 2; ++e)
+      for (std::size_t i = 0; i < nodes; ++i)
+        for (std::size_t j = 0; j < nodes; ++j)
+          matrices[e][i * nodes + j] += rule.weights[std::size_t(g)] * rule.point(g)[e] * N[i] * N[j];
+  }
+  return matrices;
+}
+
+double along(const Direction& direction, const double* vector)
+{
+  return direction[0] * vector[0] + direction[1] * vector[1];
+}
+
+} // namespace
+
+Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+                   const std::vector<Vector>& displacement, int degree)
+{
+  const int order = bodies.front()->nodes.order;
+  const DenseMatrix moments = edgeMoments(order, degree);
+  const EndTables turning = turningEdgeMoments(order, degree);
+  Vector all;
+  for (const ContactFacet& facet : facets) {
+    const auto opening = facetOpening(bodies, facet, displacement);
+    for (int k = 0; k <= degree; ++k) {
+      all.push_back(0.0);
+      for (int i = 0; i <= order; ++i)
+        if (facet.turns)
+          for (std::size_t e = 0; e < 2; ++e)
+            all.back() += facet.measure * dotProduct(facet.ends[e], opening[std::size_t(i)]) * turning[e](i, k);
+        else
+          all.back() += facet.measure * dotProduct(facet.normal, opening[std::size_t(i)]) * moments(i, k);
+    }
+  }
+  return all;
+}
+
+Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree)
+{
+  const DenseMatrix moments = edgeMoments(order, degree);
+  Vector all;
+  for (const ContactFacet& facet : facets)
+    for (int k = 0; k <= degree; ++k) {
+      all.push_back(0.0);
+      for (int i = 0; i <= order; ++i)
+        all.back() += facet.measure * nodal[std::size_t(facet.nodes[std::size_t(i)])] * moments(i, k);
+    }
+  return all;
+}
+
+Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<ContactFacet>& facets,
+                     const ContactTraction& onDirichlet, const ContactTraction& onNeumann)
+{
+  Vector force(std::size_t(body.numDofs()), 0.0);
+  const DenseMatrix moments = edgeMoments(body.nodes.order, onDirichlet.degree);
+  const EndTables turning = turningEdgeMoments(body.nodes.order, onDirichlet.degree);
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const ContactFacet& facet = facets[f];
+    const bool isDirichlet = facet.dirichletBody == bodyIndex;
+    if (!isDirichlet && facet.neumannBody != bodyIndex)
+      continue;
+    const auto nodes = contactNodes(body, facet, isDirichlet);
+    const Vector traction = (isDirichlet ? onDirichlet : onNeumann).moments(int(f));
+    const auto add = [&](const DenseMatrix& table, const Direction& normal) {
+      const Vector size = multiply(table, traction);
+      for (std::size_t i = 0; i < size.size(); ++i)
+        for (std::size_t k = 0; k < 2; ++k)
+          force[std::size_t(nodes[i]) * 2 + k] += (isDirichlet ? size[i] : -size[i]) * normal[k];
+    };
+    if (!facet.turns)
+      add(moments, facet.normal);
+    for (std::size_t e = 0; facet.turns && e < 2; ++e)
+      add(turning[e], facet.ends[e]);
+  }
+  return force;
+}
+
+Vector contactContributions(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& w)
+{
+  const auto modes = std::size_t(traction.degree) + 1;
+  Vector contributions;
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    const Vector t = traction.moments(int(f));
+    double work = 0.0;
+    for (std::size_t k = 0; k < modes; ++k)
+      work += t[k] * w[f * modes + k];
+    contributions.push_back(2.0 * work / facets[f].measure);
+  }
+  return contributions;
+}
+
+Vector motionWork(const BodyModel& body, int bodyIndex, const Vector& motion, const std::vector<ContactFacet>& facets,
+                  int numInterfaceNodes)
+{
+  const auto matrix = facetContactMatrix(body.nodes.order);
+  const auto turning = turningContactMatrices(body.nodes.order);
+  const auto n = std::size_t(body.nodes.order) + 1;
+  Vector work(std::size_t(numInterfaceNodes), 0.0);
+  for (const ContactFacet& facet : facets) {
+    const bool isDirichlet = facet.dirichletBody == bodyIndex;
+    if (!isDirichlet && facet.neumannBody != bodyIndex)
+      continue;
+    const auto nodes = contactNodes(body, facet, isDirichlet);
+    const auto add = [&](const std::vector<double>& table, const Direction& normal) {
+      for (std::size_t j = 0; j < n; ++j) {
+        const double moved = along(normal, motion.data() + std::size_t(nodes[j]) * 2);
+        for (std::size_t i = 0; i < n; ++i)
+          work[std::size_t(facet.nodes[i])] += (isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
+      }
+    };
+    if (!facet.turns)
+      add(matrix, facet.normal);
+    for (std::size_t e = 0; facet.turns && e < 2; ++e)
+      add(turning[e], facet.ends[e]);
+  }
+  return work;
+}
+
+} // namespace ndframe

@@ -1,0 +1,215 @@
+#include "ndframe/admissibility/make_static_data.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "doubt.hpp"
+#include "load_moments.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
+#include "ndframe/simd/cell_distances.hpp"
+#include "oscillation.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Degree of the richest stresses there are: they carry most of what the stresses of lower degree leave over.
+int richestDegree(int dim)
+{
+  return dim == 2 ? 3 : 2;
+}
+
+/// The independent directions that all supports prescribe on each facet they share, by facet: reduced like those at
+/// nodes.
+ConstraintSet supportedDirections(const BodyModel& body)
+{
+  ConstraintSet supported(body.mesh.dim, 1.0);
+  for (const auto& support : body.supports)
+    for (const Facet facet : support->facets(body.mesh))
+      for (const Direction& direction : support->directions(body.mesh))
+        supported.add({facet.cell * (body.mesh.dim + 1) + facet.local, direction, 0.0});
+  return supported;
+}
+
+/// Fills StaticData load by load.
+class DataBuilder
+{
+public:
+  DataBuilder(const BodyModel& body, StaticData& data)
+      : body_(body), data_(data),
+        onFacets_(LoadMoments::onFacets(data.dim, data.order, data.degree, richestDegree(data.dim))),
+        inCells_(LoadMoments::inCells(data.dim, data.order, data.degree, richestDegree(data.dim)))
+  {
+    data_.oscillation.assign(std::size_t(body.mesh.numCells()), 0.0);
+    byConstants_ = data_.oscillation;
+  }
+
+  void listBoundary();
+  void addLoad(const Load& load);
+  /// Turns the sums over each cell's loads, which are bounds for |eps(v)|, into squared bounds for the energy norm.
+  void finish(double negligible);
+
+private:
+  int number(Facet facet) const { return facet.cell * (body_.mesh.dim + 1) + facet.local; }
+  void addOnFacet(LoadedSimplex simplex);
+  void addInCell(const LoadedSimplex& simplex);
+  static void addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values,
+                    double factor = 1.0);
+  void addBound(std::size_t cell, double constant, const SimplexMoments& moments);
+  bool boundByConstants(double stiffness, double negligible);
+  Vector liftedEnergies();
+
+  const BodyModel& body_;
+  StaticData& data_;
+  LoadMoments onFacets_, inCells_;
+  std::map<int, std::size_t> place_; ///< in data.boundary, by facet
+  StressCorrection lifted_;          ///< carries what the shares leave over; empty until there is some
+  Vector byConstants_;               ///< per cell the bound without it
+};
+
+void DataBuilder::listBoundary()
+{
+  const auto supported = supportedDirections(body_);
+  std::map<int, BoundaryFacet> found;
+  const auto facetOf = [&](int number) { return Facet{number / (body_.mesh.dim + 1), number % (body_.mesh.dim + 1)}; };
+  for (const auto& [number, node] : supported.nodes())
+    found[number] = {facetOf(number), node.count, node.direction};
+  for (const auto& load : body_.loads)
+    if (const auto* facets = load->facets(body_.mesh))
+      for (const Facet facet : *facets)
+        found.insert({number(facet), {facet, 0, {}}});
+  for (const auto& [number, facet] : found) {
+    place_[number] = data_.boundary.size();
+    data_.boundary.push_back(facet);
+  }
+  const auto modes = std::size_t(facetBasis(data_.dim, data_.degree).size());
+  data_.facetShares.assign(found.size() * std::size_t(data_.dim) * std::size_t(data_.dim) * modes, 0.0);
+}
+
+void DataBuilder::addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values, double factor)
+{
+  for (std::size_t i = 0; i < values.size(); ++i)
+    all[place * values.size() + i] += factor * values[i];
+}
+
+/// Only what no support takes counts.
+void DataBuilder::addOnFacet(LoadedSimplex simplex)
+{
+  const std::size_t place = place_.at(number(simplex.facet)), dim = std::size_t(data_.dim);
+  Vector& values = simplex.samples.values;
+  data_.boundary[place].removeSupported(data_.dim, values.size() / dim, values.data());
+  const SimplexMoments& moments = onFacets_.of(simplex);
+  addTo(data_.facetShares, place, moments.shares);
+  if (!moments.beyond.empty()) {
+    const std::size_t facets = dim + 1, cell = std::size_t(simplex.facet.cell);
+    lifted_.tractions.resize(data_.oscillation.size() * facets * moments.beyond.size(), 0.0);
+    addTo(lifted_.tractions, cell * facets + std::size_t(sortedFacet(body_.mesh, simplex.facet)), moments.beyond);
+  }
+  if (moments.rest + moments.beyondNorm > 0.0)
+    addBound(std::size_t(simplex.facet.cell), facetOscillationConstant(body_.mesh, simplex.facet), moments);
+}
+
+void DataBuilder::addInCell(const LoadedSimplex& simplex)
+{
+  const auto cell = std::size_t(simplex.facet.cell);
+  const SimplexMoments& moments = inCells_.of(simplex);
+  data_.cellShares.resize(moments.shares.size() * std::size_t(body_.mesh.numCells()), 0.0);
+  addTo(data_.cellShares, cell, moments.shares);
+  if (!moments.beyond.empty()) {
+    lifted_.loads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
+    addTo(lifted_.loads, cell, moments.beyond, -1.0); // moments of the divergence
+  }
+  if (moments.rest + moments.beyondNorm > 0.0)
+    addBound(cell, cellOscillationConstant(body_.mesh, int(cell)), moments);
+}
+
+void DataBuilder::addLoad(const Load& load)
+{
+  Doubt doubt;
+  visitLoad(load, body_.mesh, [&](const LoadedSimplex& simplex) {
+    doubt.add(simplex.samples, body_.mesh, simplex.isCell ? body_.mesh.dim : body_.mesh.dim - 1,
+              simplex.vertices.data());
+    simplex.isCell ? addInCell(simplex) : addOnFacet(simplex);
+  });
+  if (doubt)
+    data_.caveat +=
+        fmt::format("the integrals of the {} of {} are not certain near {} ({}); let its jumps and kinks fall "
+                    "on the mesh's edges, or on straight lines. ",
+                    load.description(), body_.name, doubt.place, doubt.size());
+}
+
+void DataBuilder::addBound(std::size_t cell, double constant, const SimplexMoments& moments)
+{
+  data_.oscillation[cell] += constant * moments.rest;
+  byConstants_[cell] += constant * (moments.rest + moments.beyondNorm);
+}
+
+/// Where the constants alone show that all is negligible there is no need for the stress tau.
+bool DataBuilder::boundByConstants(double stiffness, double negligible)
+{
+  double square = 0.0;
+  for (const double bound : byConstants_)
+    square += bound * bound / stiffness;
+  if (data_.dim != 2 || square > negligible * negligible)
+    return false;
+  for (std::size_t cell = 0; cell < byConstants_.size(); ++cell)
+    data_.oscillation[cell] = byConstants_[cell] * byConstants_[cell] / stiffness;
+  return true;
+}
+
+/// Of the stress that carries what the shares leave over.
+Vector DataBuilder::liftedEnergies()
+{
+  if (lifted_.tractions.empty() && lifted_.loads.empty())
+    return Vector(data_.oscillation.size(), 0.0);
+  StressCorrection whole = zeroCorrection(body_.mesh, richestDegree(data_.dim));
+  if (!lifted_.tractions.empty())
+    whole.tractions = std::move(lifted_.tractions);
+  if (!lifted_.loads.empty())
+    whole.loads = std::move(lifted_.loads);
+  return cellDistances(body_, whole, nullptr);
+}
+
+/// The stress tau with div tau = - (b - b_h) in a cell and tau n = p - p_h on its facets gives
+/// (b - b_h, v) + (p - p_h, v) = (tau, eps(v)) <= |tau| |v|; the constants bound what it does not carry.
+void DataBuilder::finish(double negligible)
+{
+  const double stiffness = smallestStiffness(body_.law);
+  if (boundByConstants(stiffness, negligible))
+    return;
+  const Vector carried = liftedEnergies();
+  bool oscillates = false;
+  for (std::size_t cell = 0; cell < carried.size(); ++cell) {
+    double& bound = data_.oscillation[cell];
+    oscillates = oscillates || bound > 0.0;
+    bound = std::pow(std::sqrt(carried[cell]) + bound / std::sqrt(stiffness), 2);
+  }
+  if (oscillates && data_.dim == 3)
+    data_.caveat +=
+        fmt::format("the loads of {} are not polynomials that its stresses carry, and the constant of their "
+                    "oscillation is not proven for tetrahedra. ",
+                    body_.name);
+}
+
+} // namespace
+
+StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact, double negligible)
+{
+  StaticData data;
+  data.dim = body.mesh.dim;
+  data.order = body.nodes.order;
+  data.degree = degree;
+  data.contact = std::move(contact);
+  DataBuilder builder(body, data);
+  builder.listBoundary();
+  for (const auto& load : body.loads)
+    builder.addLoad(*load);
+  builder.finish(negligible);
+  return data;
+}
+
+} // namespace ndframe

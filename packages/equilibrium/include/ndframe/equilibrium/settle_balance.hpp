@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ndframe/equilibrium/stress_correction.hpp"
+
+namespace ndframe
+{
+
+/// True when the round-off of u~, spread over the smallest facets, could be seen in the equilibrium of sigma^: meshes
+/// that are strongly graded, bodies that move much more than they deform.
+bool needsSettling(const Mesh& mesh, const StressCorrection& correction);
+
+/// Takes the last digits out of the balance of sigma^. K eps(u~) is in finite element equilibrium up to the round-off
+/// of u~ only, eps |K| |u~| per node, whatever the solver; on a small facet this is a stress that one can see.
+///
+/// The loads of all cells and the tractions on all facets are set to what they have to be; then every cell's wrench
+/// that is left over (round-off) is handed on from cell to cell, along a tree, to the supports. All changes are of the
+/// size of the defects. What no support takes (loads and contact traction of a free body that do not balance) stays in
+/// one cell.
+void settleBalance(const BodyModel& body, const StaticData& data, const FieldInput& field,
+                   StressCorrection& correction);
+
+} // namespace ndframe

@@ -1,0 +1,41 @@
+#include "settle_tree.hpp"
+
+#include <algorithm>
+
+#include "ndframe/equilibrium/facet_twins.hpp"
+
+namespace ndframe
+{
+
+CellTree::CellTree(const Mesh& mesh) : cells_(sortedCells(mesh)), twin_(facetTwins(cells_, mesh.dim))
+{
+  std::vector<char> seen(cells_.size(), 0);
+  for (int cell = 0; cell < mesh.numCells(); ++cell) {
+    if (seen[std::size_t(cell)])
+      continue;
+    const Part part = treeFrom(cell, mesh.dim + 1);
+    for (const int member : part.cells)
+      seen[std::size_t(member)] = 1;
+    const int root = *std::max_element(part.cells.begin(), part.cells.end(),
+                                       [&](int a, int b) { return cellMeasure(mesh, a) < cellMeasure(mesh, b); });
+    parts_.push_back(treeFrom(root, mesh.dim + 1));
+  }
+}
+
+CellTree::Part CellTree::treeFrom(int root, int facets) const
+{
+  Part part{{root}, {-1}};
+  std::vector<char> seen(cells_.size(), 0);
+  seen[std::size_t(root)] = 1;
+  for (std::size_t at = 0; at < part.cells.size(); ++at)
+    for (int half = part.cells[at] * facets; half < (part.cells[at] + 1) * facets; ++half) {
+      if (twin(half) < 0 || seen[std::size_t(twin(half) / facets)])
+        continue;
+      seen[std::size_t(twin(half) / facets)] = 1;
+      part.cells.push_back(twin(half) / facets);
+      part.towardsRoot.push_back(twin(half));
+    }
+  return part;
+}
+
+} // namespace ndframe

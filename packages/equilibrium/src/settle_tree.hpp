@@ -1,0 +1,35 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/equilibrium/moment_basis.hpp"
+
+namespace ndframe
+{
+
+/// The cells of a mesh joined across their facets (half facets: facet_twins.hpp) into a tree per connected part.
+class CellTree
+{
+public:
+  /// Cells of a part, breadth first from its largest cell, and for each the half facet that leads to the cell before it
+  /// on the way to the root (-1 for the root).
+  struct Part
+  {
+    std::vector<int> cells, towardsRoot;
+  };
+
+  explicit CellTree(const Mesh& mesh);
+
+  const SortedCell& cell(int cell) const { return cells_[std::size_t(cell)]; }
+  int twin(int half) const { return twin_[std::size_t(half)]; } ///< -1 on the boundary
+  const std::vector<Part>& parts() const { return parts_; }
+
+private:
+  Part treeFrom(int root, int facets) const;
+
+  std::vector<SortedCell> cells_;
+  std::vector<int> twin_;
+  std::vector<Part> parts_;
+};
+
+} // namespace ndframe

@@ -1,0 +1,23 @@
+#include "ndframe/simd/cell_distances.hpp"
+
+#include "batched_cell_pass.hpp"
+#include "batched_workspace.hpp"
+#include "ndframe/equilibrium/equilibrated_stress.hpp"
+
+namespace ndframe
+{
+
+Vector cellDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference)
+{
+  if (body.mesh.dim == 2)
+    return batchedCellDistances(body, correction, difference, *availableKernels().back());
+  Vector distances;
+  for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
+    const SplitStress stress = difference == nullptr ? correctionStress(body, correction, cell)
+                                                     : equilibratedStress(body, *difference, correction, cell);
+    distances.push_back(stress.energy(body.law));
+  }
+  return distances;
+}
+
+} // namespace ndframe

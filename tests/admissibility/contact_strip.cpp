@@ -1,0 +1,129 @@
+#include "contact_strip.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <gtest/gtest.h>
+
+#include "admissibility/turn_facets.hpp"
+#include "ndframe/admissibility/contact_nodes.hpp"
+#include "ndframe/fem/lagrange.hpp"
+
+namespace ndframe::test
+{
+
+namespace
+{
+
+std::array<double, 2> middle(const Mesh& mesh, Facet facet)
+{
+  int v[2];
+  facetVertices(mesh, facet, v);
+  return {0.5 * (mesh.point(v[0])[0] + mesh.point(v[1])[0]), 0.5 * (mesh.point(v[0])[1] + mesh.point(v[1])[1])};
+}
+
+bool isSame(const double* a, const double* b)
+{
+  return std::hypot(a[0] - b[0], a[1] - b[1]) < 1e-9;
+}
+
+Facet opposite(const Mesh& mesh, const Side& side, const std::array<double, 2>& point)
+{
+  for (const Facet facet : side.facets)
+    if (isSame(middle(mesh, facet).data(), point.data()))
+      return facet;
+  ADD_FAILURE() << "no facet on the other side";
+  return side.facets.front();
+}
+
+std::vector<ContactFacet> pairFacets(const BodyModel& upper, const BodyModel& lower)
+{
+  std::vector<ContactFacet> facets;
+  std::map<int, int> number; // of interface nodes, by the upper body's
+  for (const Facet mine : upper.side("bottom")->facets) {
+    ContactFacet facet;
+    facet.neumannBody = 1;
+    facet.dirichlet = mine;
+    facet.neumann = opposite(lower.mesh, *lower.side("top"), middle(upper.mesh, mine));
+    facet.measure = facetNormal(upper.mesh, mine, facet.normal.data());
+    const auto ours = contactNodes(upper, facet, true);
+    facet.reversed = !isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, facet, false)[0]));
+    for (std::size_t i = 0; i <= std::size_t(upper.nodes.order); ++i)
+      facet.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
+    facet.pairs = facet.nodes;
+    facets.push_back(facet);
+  }
+  return facets;
+}
+
+} // namespace
+
+std::vector<const BodyModel*> ContactStrip::bodyPointers() const
+{
+  return {&bodies[0], &bodies[1]};
+}
+
+std::vector<const ConstraintSet*> ContactStrip::constraintPointers() const
+{
+  return {&constraints[0], &constraints[1]};
+}
+
+const double* ContactStrip::at(const std::vector<Vector>& displacement, std::size_t facet, std::size_t number,
+                               bool isUpper) const
+{
+  const std::size_t body = isUpper ? 0 : 1;
+  const int node = contactNodes(bodies[body], facets[facet], isUpper)[number];
+  return displacement[body].data() + std::size_t(node) * 2;
+}
+
+double ContactStrip::jump(const std::vector<Vector>& displacement, std::size_t facet, double t) const
+{
+  const double lambda[2] = {1.0 - t, t};
+  double N[3], value = 0.0;
+  const int order = bodies[0].nodes.order;
+  const ContactFacet& here = facets[facet];
+  Direction normal = here.normal;
+  for (std::size_t k = 0; here.turns && k < 2; ++k)
+    normal[k] = lambda[0] * here.ends[0][k] + lambda[1] * here.ends[1][k];
+  order == 1 ? Lagrange<1, 1>::values(lambda, N) : Lagrange<1, 2>::values(lambda, N);
+  for (std::size_t i = 0; i <= std::size_t(order); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      value += N[i] * normal[k] * (at(displacement, facet, i, true)[k] - at(displacement, facet, i, false)[k]);
+  return value;
+}
+
+std::array<double, 2> ContactStrip::point(std::size_t facet, double t) const
+{
+  const auto nodes = contactNodes(bodies[0], facets[facet], true);
+  const double *a = bodies[0].nodes.point(nodes[0]), *b = bodies[0].nodes.point(nodes[1]);
+  return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
+}
+
+ContactStrip contactStrip(int numFacets, int order, double bend, const Conditions& upper, const Conditions& lower)
+{
+  ContactStrip strip;
+  const Mesh box = test::box({numFacets, 2});
+  const auto rise = [bend](double x) { return bend * std::max(0.0, x - 0.5); };
+  const Mesh above = moved(renumbered(box, 3), [&](double* x) { x[1] += 1.0 + rise(x[0]); });
+  const Mesh below = moved(renumbered(box, 4), [&](double* x) { x[1] *= 1.0 + rise(x[0]); });
+  strip.bodies.push_back(makeBody(above, order, upper));
+  strip.bodies.push_back(makeBody(below, order, lower));
+  strip.bodies[0].name = "upper";
+  strip.bodies[1].name = "lower";
+  for (double& entry : strip.bodies[1].law.D) // softer than the upper one
+    entry *= 0.2;
+  for (const auto& body : strip.bodies)
+    strip.constraints.push_back(constraintsOf(body));
+  strip.facets = pairFacets(strip.bodies[0], strip.bodies[1]);
+  return strip;
+}
+
+ContactStrip turningStrip(int numFacets, int order, double bend)
+{
+  ContactStrip strip = contactStrip(numFacets, order, bend);
+  turnFacets(strip.facets);
+  return strip;
+}
+
+} // namespace ndframe::test

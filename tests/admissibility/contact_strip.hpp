@@ -1,0 +1,34 @@
+#pragma once
+
+#include "assembly/sample_body.hpp"
+#include "ndframe/admissibility/contact_traction.hpp"
+
+namespace ndframe::test
+{
+
+/// Two boxes of 1 x 1 on top of each other, the upper one the Dirichlet body, touching along y = 1; both meshes are
+/// numbered at random, so that some facets run against each other.
+struct ContactStrip
+{
+  std::vector<BodyModel> bodies; ///< upper, lower
+  std::vector<ConstraintSet> constraints;
+  std::vector<ContactFacet> facets;
+
+  std::vector<const BodyModel*> bodyPointers() const;
+  std::vector<const ConstraintSet*> constraintPointers() const;
+  /// Displacement of a body at the interface node `number` of a facet (0, 1 vertices, 2 middle).
+  const double* at(const std::vector<Vector>& displacement, std::size_t facet, std::size_t number, bool isUpper) const;
+  /// The jump (u1 - u2) . n at t on a facet, from its first vertex to its second.
+  double jump(const std::vector<Vector>& displacement, std::size_t facet, double t) const;
+  /// The point at t.
+  std::array<double, 2> point(std::size_t facet, double t) const;
+};
+
+/// bend: the slope of the interface for x > 0.5 (flat before).
+ContactStrip contactStrip(int numFacets, int order, double bend = 0.0, const Conditions& upper = {},
+                          const Conditions& lower = {});
+
+/// The same with a normal that turns along the facets (turnFacets).
+ContactStrip turningStrip(int numFacets, int order, double bend);
+
+} // namespace ndframe::test

@@ -1,0 +1,149 @@
+// The projection that asks for t <= 0 at the nodes and nothing else, TractionSign::Values: the paper's.
+
+#include <algorithm>
+#include <cmath>
+
+#include <gtest/gtest.h>
+
+#include "admissibility/sample_chains.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+using test::Chain;
+
+Vector project(const Chain& chain, const Vector& mean, const BalanceConditions& balance, TractionSign sign)
+{
+  return projectTraction(chain.facets, chain.numNodes(), chain.order, mean, balance, sign);
+}
+
+Vector difference(Vector a, const Vector& b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+  return a;
+}
+
+double largestValue(const Vector& t)
+{
+  return *std::max_element(t.begin(), t.end());
+}
+
+double largestCoefficient(const Chain& chain, const Vector& t)
+{
+  return largestBernstein(tractionFromNodes(chain.facets, t, chain.order, 2), chain.facets);
+}
+
+/// -(a + b s)^2 on every facet, continuous along the chain: touches zero inside some of them.
+Vector touchingNodes(const Chain& chain, std::mt19937& random)
+{
+  std::uniform_real_distribution<double> any(-1.0, 1.0);
+  Vector root(std::size_t(chain.numNodes())), t(root.size());
+  for (double& value : root)
+    value = any(random);
+  for (std::size_t i = 0; i < t.size(); ++i)
+    t[i] = -root[i] * root[i];
+  for (const ContactFacet& facet : chain.facets)
+    if (chain.order == 2) {
+      const double middle = 0.5 * (root[std::size_t(facet.nodes[0])] + root[std::size_t(facet.nodes[1])]);
+      t[std::size_t(facet.nodes[2])] = -middle * middle;
+    }
+  return t;
+}
+
+BalanceConditions balanceOf(const Chain& chain, const Vector& load)
+{
+  const Vector one(load.size(), 1.0);
+  return test::resultantAndMoment(chain, test::innerProduct(chain, load, one),
+                                  test::innerProduct(chain, load, chain.x));
+}
+
+} // namespace
+
+TEST(PressingTraction, IsTheIdentityOnTractionsThatPress)
+{
+  std::mt19937 random(1);
+  for (int trial = 0; trial < 20; ++trial)
+    for (const Chain& chain : test::sampleChains(random)) {
+      const Vector t = touchingNodes(chain, random);
+      const Vector change = difference(project(chain, t, {}, TractionSign::Values), t);
+      EXPECT_LT(std::sqrt(test::innerProduct(chain, change, change)), 1e-13);
+    }
+}
+
+TEST(PressingTraction, PressesAtTheNodes)
+{
+  std::mt19937 random(2);
+  int inside = 0;
+  for (int trial = 0; trial < 100; ++trial)
+    for (const Chain& chain : test::sampleChains(random)) {
+      const Vector t = project(chain, test::randomNodes(chain.numNodes(), random), {}, TractionSign::Values);
+      EXPECT_LT(largestValue(t), 1e-13);
+      inside += largestCoefficient(chain, t) > 1e-3;
+    }
+  EXPECT_GT(inside, 100) << "coefficients above zero are allowed, and often nearest";
+}
+
+TEST(PressingTraction, NothingThatPressesIsNearer)
+{
+  // t is the nearest of a convex set exactly if (mean - t, s - t) <= 0 for every s of the set
+  std::mt19937 random(3);
+  for (const Chain& chain : test::sampleChains(random))
+    for (const bool floating : {false, true}) {
+      const Vector load = touchingNodes(chain, random);
+      const BalanceConditions balance = floating ? balanceOf(chain, load) : BalanceConditions{};
+      const Vector mean = test::randomNodes(chain.numNodes(), random);
+      const Vector t = project(chain, mean, balance, TractionSign::Values);
+      EXPECT_LT(largestValue(t), 1e-13);
+      EXPECT_LT(test::innerProduct(chain, difference(mean, t), difference(load, t)), 1e-11);
+      for (int other = 0; other < 20; ++other) {
+        const auto sign = TractionSign::Values;
+        const Vector s = project(chain, test::randomNodes(chain.numNodes(), random), balanceOf(chain, load), sign);
+        EXPECT_LT(test::innerProduct(chain, difference(mean, t), difference(s, t)), 1e-11);
+      }
+    }
+}
+
+TEST(PressingTraction, IsNotFartherThanTheOneWithCoefficients)
+{
+  std::mt19937 random(4);
+  int nearer = 0;
+  for (const Chain& chain : test::sampleChains(random)) {
+    const Vector mean = test::randomNodes(chain.numNodes(), random);
+    const Vector all = difference(project(chain, mean, {}, TractionSign::Values), mean);
+    const Vector some = difference(project(chain, mean, {}, TractionSign::Coefficients), mean);
+    const double distance = test::innerProduct(chain, all, all), farther = test::innerProduct(chain, some, some);
+    EXPECT_LT(distance, farther * (1.0 + 1e-12));
+    nearer += distance < 0.999 * farther;
+  }
+  EXPECT_GT(nearer, 0);
+}
+
+TEST(PressingTraction, ResultantAndMomentAreKept)
+{
+  std::mt19937 random(5);
+  for (const int order : {1, 2}) {
+    const Chain chain = test::straightChain(test::randomLengths(30, random), order);
+    const Vector load = touchingNodes(chain, random), one(load.size(), 1.0);
+    const Vector t =
+        project(chain, test::randomNodes(chain.numNodes(), random), balanceOf(chain, load), TractionSign::Values);
+    EXPECT_NEAR(test::innerProduct(chain, t, one) / test::innerProduct(chain, load, one), 1.0, 1e-12);
+    EXPECT_NEAR(test::innerProduct(chain, t, chain.x) / test::innerProduct(chain, load, chain.x), 1.0, 1e-12);
+    EXPECT_LT(largestValue(t), 1e-13);
+  }
+}
+
+TEST(PressingTraction, LargeInterfacesAreSolved)
+{
+  std::mt19937 random(6);
+  const Chain chain = test::straightChain(test::randomLengths(20000, random), 2);
+  const Vector mean = test::randomNodes(chain.numNodes(), random);
+  const Vector t = project(chain, mean, {}, TractionSign::Values);
+  EXPECT_LT(largestValue(t), 1e-13);
+  EXPECT_LT(std::abs(test::innerProduct(chain, difference(mean, t), t)), 1e-11 * test::innerProduct(chain, t, t));
+}
+
+} // namespace ndframe
