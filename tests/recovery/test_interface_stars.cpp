@@ -139,7 +139,7 @@ TEST_P(InterfaceTraction, StaysAdmissibleBalancedAndInEquilibriumWithBothStresse
 {
   const ContactScene scene = test::contactScene(GetParam());
   Recovery recovery(scene);
-  ContactTraction traction = recovery.interface.optimise(scene.field, recovery.ledger);
+  ContactTraction traction = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   auto corrections = recovery.solve(traction);
   for (int sweep = 0; sweep < 2; ++sweep) {
     const double scale = largestTraction(traction, scene.recovery.facets);
@@ -162,18 +162,26 @@ TEST_P(InterfaceTraction, MakesTheBoundSmallerThanTheProjectedOne)
   const ContactScene scene = test::contactScene(GetParam());
   Recovery recovery(scene);
   const auto projected = recovery.solve(scene.field.onDirichlet);
-  const ContactTraction optimal = recovery.interface.optimise(scene.field, recovery.ledger);
+  const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   const double before = test::objective(scene, scene.field.onDirichlet, projected),
                after = test::objective(scene, optimal, recovery.solve(optimal));
   // passes measure every star's own energy; where n turns, stars of degree 1 have one change in balance or none
   EXPECT_LT(after, (GetParam().turns && GetParam().order == 1 ? 1.005 : 1.0) * before);
 }
 
+TEST_P(InterfaceTraction, DoesNotDependOnTheNumberOfThreads)
+{
+  const ContactScene scene = test::contactScene(GetParam());
+  Recovery recovery(scene);
+  EXPECT_EQ(recovery.interface.optimise(scene.field, 1, recovery.ledger).shares,
+            recovery.interface.optimise(scene.field, 3, recovery.ledger).shares);
+}
+
 TEST_P(InterfaceTraction, SweepsNeverRaiseTheBound)
 {
   const ContactScene scene = test::contactScene(GetParam());
   Recovery recovery(scene);
-  ContactTraction traction = recovery.interface.optimise(scene.field, recovery.ledger);
+  ContactTraction traction = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   auto corrections = recovery.solve(traction);
   double last = test::objective(scene, traction, corrections);
   const double scale =
@@ -193,7 +201,7 @@ TEST_P(InterfaceTraction, ChangesTheSquaredBoundAsItsObjective)
   // eta^2 for any u^: D^2 + 2 int t (w^ - g); here u^ is random but for the supports
   const ContactScene scene = test::contactScene(GetParam());
   Recovery recovery(scene);
-  const ContactTraction optimal = recovery.interface.optimise(scene.field, recovery.ledger);
+  const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   test::Random random(8);
   std::vector<Vector> difference, displacement;
   for (std::size_t b = 0; b < 2; ++b) {
@@ -275,7 +283,7 @@ TEST(InterfaceStars, WhereTheBodiesAreFarApartNothingChanges)
         scene.field.opening[f * 3 + k] = k == 0 ? -1e6 * facets[f].measure : 0.0;
     }
   ASSERT_FALSE(open.empty());
-  const ContactTraction optimal = recovery.interface.optimise(scene.field, recovery.ledger);
+  const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   for (const std::size_t f : open)
     EXPECT_LT(norm(optimal.moments(int(f))), 1e-9 * largestTraction(optimal, facets));
   EXPECT_LT(largestBernstein(optimal, facets), 1e-12 * largestTraction(optimal, facets));
@@ -301,7 +309,7 @@ TEST(InterfaceStars, StepsAreCounted)
 {
   const ContactScene scene = test::contactScene({});
   Recovery recovery(scene);
-  recovery.interface.optimise(scene.field, recovery.ledger);
+  recovery.interface.optimise(scene.field, 2, recovery.ledger);
   EXPECT_EQ(recovery.ledger.counted("interface stars"), std::int64_t(3 * (scene.recovery.facets.size() + 1)));
 }
 
@@ -311,7 +319,7 @@ TEST(InterfaceStars, StarRecoveryGivesTheOptimisedTractionToBothBodies)
   Ledger ledger;
   const auto stress = test::makeRecovery("Star")->recover(scene.recovery, {scene.field}, test::comm(), ledger)[0];
   Recovery recovery(scene);
-  const ContactTraction optimal = recovery.interface.optimise(scene.field, recovery.ledger);
+  const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   EXPECT_EQ(stress.onDirichlet.shares, optimal.shares);
   EXPECT_EQ(stress.onNeumann.shares, optimal.shares);
   const auto corrections = recovery.solve(optimal);

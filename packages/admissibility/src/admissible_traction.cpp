@@ -103,16 +103,17 @@ SparseColumns workMatrix(const FacetUnknowns& unknowns, const ChainOrder& order,
                          double area, int numNodes)
 {
   SparseColumns W(numNodes, balance.work.cols());
-  Vector row(std::size_t(numNodes), 0.0);
+  SparseSum sum(numNodes);
   for (int k = 0; k < W.cols(); ++k) {
-    std::fill(row.begin(), row.end(), 0.0);
-    for (const auto& [node, work] : balance.work.column(k))
-      row[std::size_t(node)] = work;
-    unknowns.workFromNodal(row);
-    const double total =
-        std::accumulate(row.begin(), row.end(), 0.0, [](double sum, double value) { return sum + std::abs(value); });
+    SparseRow row = unknowns.workFromNodal(balance.work.column(k), sum);
+    double total = 0.0;
+    for (auto& [node, work] : row) {
+      node = order.position(node);
+      total += std::abs(work);
+    }
+    std::sort(row.begin(), row.end());
     if (total > noWork * area)
-      W.setColumn(k, permuted(row, order));
+      W.setColumn(k, std::move(row));
   }
   return W;
 }

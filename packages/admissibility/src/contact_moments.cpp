@@ -1,5 +1,7 @@
 #include "ndframe/admissibility/contact_moments.hpp"
 
+#include <map>
+
 #include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/admissibility/edge_functions.hpp"
 #include "ndframe/admissibility/turning_normal.hpp"
@@ -128,23 +130,32 @@ Vector contactContributions(const std::vector<ContactFacet>& facets, const Conta
   return contributions;
 }
 
-Vector motionWork(const BodyModel& body, int bodyIndex, const Vector& motion, const std::vector<ContactFacet>& facets,
-                  int numInterfaceNodes)
+std::vector<std::vector<int>> facetsOfBodies(const std::vector<ContactFacet>& facets, int numBodies)
+{
+  std::vector<std::vector<int>> ofBodies;
+  ofBodies.resize(std::size_t(numBodies));
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const int body : {facets[f].dirichletBody, facets[f].neumannBody})
+      ofBodies[std::size_t(body)].push_back(int(f));
+  return ofBodies;
+}
+
+SparseRow motionWork(const BodyModel& body, int bodyIndex, const Vector& motion,
+                     const std::vector<ContactFacet>& facets, const std::vector<int>& ofBody)
 {
   const auto matrix = facetContactMatrix(body.nodes.order);
   const auto turning = turningContactMatrices(body.nodes.order);
   const auto n = std::size_t(body.nodes.order) + 1;
-  Vector work(std::size_t(numInterfaceNodes), 0.0);
-  for (const ContactFacet& facet : facets) {
+  std::map<int, double> work;
+  for (const int f : ofBody) {
+    const ContactFacet& facet = facets[std::size_t(f)];
     const bool isDirichlet = facet.dirichletBody == bodyIndex;
-    if (!isDirichlet && facet.neumannBody != bodyIndex)
-      continue;
     const auto nodes = contactNodes(body, facet, isDirichlet);
     const auto add = [&](const std::vector<double>& table, const Direction& normal) {
       for (std::size_t j = 0; j < n; ++j) {
         const double moved = along(normal, motion.data() + std::size_t(nodes[j]) * 2);
         for (std::size_t i = 0; i < n; ++i)
-          work[std::size_t(facet.nodes[i])] += (isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
+          work[facet.nodes[i]] += (isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
       }
     };
     if (!facet.turns)
@@ -152,7 +163,7 @@ Vector motionWork(const BodyModel& body, int bodyIndex, const Vector& motion, co
     for (std::size_t e = 0; facet.turns && e < 2; ++e)
       add(turning[e], facet.ends[e]);
   }
-  return work;
+  return {work.begin(), work.end()};
 }
 
 } // namespace ndframe

@@ -1,5 +1,7 @@
 #include "facet_unknowns.hpp"
 
+#include <algorithm>
+
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -9,6 +11,11 @@ FacetUnknowns::FacetUnknowns(const std::vector<ContactFacet>& facets, int order,
     : facets_(facets), order_(order), bernstein_(order == 2 && sign == TractionSign::Coefficients)
 {
   NDFRAME_ASSERT(order == 1 || order == 2, "tractions of order 1 or 2");
+  for (std::size_t f = 0; bernstein_ && f < facets.size(); ++f) {
+    const auto middle = std::size_t(facets[f].nodes[2]);
+    facetOfMiddle_.resize(std::max(facetOfMiddle_.size(), middle + 1), -1);
+    facetOfMiddle_[middle] = int(f);
+  }
 }
 
 void FacetUnknowns::fromNodal(Vector& values) const
@@ -31,16 +38,15 @@ void FacetUnknowns::toNodal(Vector& unknowns) const
   }
 }
 
-void FacetUnknowns::workFromNodal(Vector& work) const
+SparseRow FacetUnknowns::workFromNodal(const SparseRow& work, SparseSum& sum) const
 {
-  if (!bernstein_)
-    return;
-  for (const ContactFacet& facet : facets_) {
-    double& middle = work[std::size_t(facet.nodes[2])];
-    for (const std::size_t end : {0, 1})
-      work[std::size_t(facet.nodes[end])] += 0.25 * middle;
-    middle *= 0.5;
+  for (const auto& [node, value] : work) {
+    const int facet = std::size_t(node) < facetOfMiddle_.size() ? facetOfMiddle_[std::size_t(node)] : -1;
+    sum.add(node, facet < 0 ? value : 0.5 * value);
+    for (std::size_t end = 0; facet >= 0 && end < 2; ++end)
+      sum.add(facets_[std::size_t(facet)].nodes[end], 0.25 * value);
   }
+  return sum.take();
 }
 
 double FacetUnknowns::mass(int i, int j) const

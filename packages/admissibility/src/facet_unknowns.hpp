@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ndframe/admissibility/admissible_traction.hpp"
+#include "ndframe/algebra/sparse_row.hpp"
 
 namespace ndframe
 {
@@ -19,8 +20,8 @@ public:
   /// From values at the nodes to unknowns and back, in place.
   void fromNodal(Vector& values) const;
   void toNodal(Vector& unknowns) const;
-  /// The work of unit unknowns from that of unit nodal values: the transpose of toNodal, in place.
-  void workFromNodal(Vector& work) const;
+  /// The work of unit unknowns from that of unit nodal values: the transpose of toNodal. sum: zero before and after.
+  SparseRow workFromNodal(const SparseRow& work, SparseSum& sum) const;
 
   /// int N_i N_j over a facet of length 1, i and j in the order of ContactFacet::nodes, of the functions that belong to
   /// the unknowns.
@@ -29,7 +30,8 @@ public:
 private:
   const std::vector<ContactFacet>& facets_;
   int order_;
-  bool bernstein_; ///< false: unknowns are nodal values
+  bool bernstein_;                 ///< false: unknowns are nodal values
+  std::vector<int> facetOfMiddle_; ///< per node, -1 at vertices
 };
 
 } // namespace ndframe

@@ -20,6 +20,8 @@ namespace
 /// (length over height)^-3 only; those of singular ones were measured up to 5e-13 with 250 000 dofs.
 constexpr double smallestPivot = 1e-12;
 
+constexpr double small = 4e6; ///< bytes
+
 /// In bytes: the factor, and T and S of the interface's Schur complement.
 double neededMemory(const cholmod_factor& factor, int numKept)
 {
@@ -90,9 +92,10 @@ CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKep
     cholmod_sparse view = viewOf(A);
     analyse(view, std::move(order));
     numNonzeros_ = std::int64_t(common_.lnz);
-    // Else it would take what there is until the system ends some process.
-    if (const MemoryLeft left = memoryLeft(); neededMemory(*factor_, numKept_) > double(left.bytes))
-      failForMemory(common_, numKept_, ", and " + left.text() + " is left");
+    // Else it would take what there is until the system ends some process. To ask takes longer than a small factor.
+    if (const double needed = neededMemory(*factor_, numKept_); needed > small)
+      if (const MemoryLeft left = memoryLeft(); needed > double(left.bytes))
+        failForMemory(common_, numKept_, ", and " + left.text() + " is left");
     const SerialOpenMp serial;
     cholmod_factorize(&view, factor_, &common_);
     if (common_.status < CHOLMOD_OK)

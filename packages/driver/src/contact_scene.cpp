@@ -108,7 +108,8 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
                                     const std::vector<ContactFacet>& facets)
 {
   const int numNodes = condensed.interface.C->size();
-  std::vector<Vector> rows;
+  const auto ofBodies = facetsOfBodies(facets, int(model.bodies.size()));
+  std::vector<SparseRow> rows;
   BalanceConditions conditions;
   for (const auto& trace : condensed.interface.bodies) {
     const auto b = std::size_t(trace.body);
@@ -120,14 +121,14 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
     const auto names = describeMotions(model.rigid[b], free);
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
-      rows.push_back(motionWork(model.bodies[b], trace.body, system.dofs.frames.toGlobal(motion), facets, numNodes));
+      rows.push_back(motionWork(model.bodies[b], trace.body, system.dofs.frames.toGlobal(motion), facets, ofBodies[b]));
       conditions.value.push_back(-dot(system.load, motion));
       conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }
   }
   conditions.work = SparseColumns(numNodes, int(rows.size()));
   for (int k = 0; k < conditions.work.cols(); ++k)
-    conditions.work.setColumn(k, rows[std::size_t(k)]);
+    conditions.work.setColumn(k, std::move(rows[std::size_t(k)]));
   return conditions;
 }
 

@@ -1,8 +1,11 @@
 #include "interface_stars.hpp"
 
+#include <algorithm>
+#include <optional>
 #include <utility>
 
 #include "ndframe/admissibility/turning_normal.hpp"
+#include "ndframe/algebra/threads.hpp"
 
 namespace ndframe
 {
@@ -11,6 +14,9 @@ namespace
 
 /// Passes over the vertices in the initial pass; more change the bound in its third digit.
 constexpr int passes = 3;
+
+/// Vertices that a thread takes at once.
+constexpr int block = 4;
 
 /// A vertex's change of t_N in what the stresses carry of it.
 void addTurned(const EndTables& modes, const std::vector<ContactFacet>& facets, const InterfaceVertex& vertex,
@@ -30,7 +36,30 @@ InterfaceStars::InterfaceStars(const RecoveryScene& scene, std::vector<const Sta
     : scene_(scene), bodies_(std::move(bodies)), vertices_(interfaceVertices(scene))
 {}
 
-ContactTraction InterfaceStars::optimise(const SceneField& field, Ledger& ledger) const
+std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field, const std::vector<StarLoads>& loads,
+                                                     int threads) const
+{
+  std::vector<std::optional<TractionStep>> found(vertices_.size());
+  const auto last = int(vertices_.size());
+  runConcurrently((last + block - 1) / block, threads, [&](int task) {
+    for (int v = task * block; v < std::min(last, (task + 1) * block); ++v) {
+      const InterfaceStar star(scene_, bodies_, vertices_[std::size_t(v)]);
+      std::array<StarFields, 2> x;
+      for (std::size_t s = 0; s < 2; ++s) {
+        const InterfaceStar::Side& side = star.sides()[s];
+        x[s] = loads[std::size_t(side.body)].initial(side.system.star());
+        side.system.balance(x[s]);
+      }
+      found[std::size_t(v)] = star.step(x, field.opening);
+    }
+  });
+  std::vector<TractionStep> steps;
+  for (std::optional<TractionStep>& step : found)
+    steps.push_back(std::move(*step));
+  return steps;
+}
+
+ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, Ledger& ledger) const
 {
   ContactTraction traction = field.onDirichlet;
   std::vector<Vector> contact;
@@ -40,17 +69,7 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, Ledger& ledger
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     loads.emplace_back(*bodies_[body], std::vector<FieldInput>{{field.displacement[body], &contact[body]}});
 
-  std::vector<TractionStep> steps;
-  for (const InterfaceVertex& vertex : vertices_) {
-    const InterfaceStar star(scene_, bodies_, vertex);
-    std::array<StarFields, 2> x;
-    for (std::size_t s = 0; s < 2; ++s) {
-      const InterfaceStar::Side& side = star.sides()[s];
-      x[s] = loads[std::size_t(side.body)].initial(side.system.star());
-      side.system.balance(x[s]);
-    }
-    steps.push_back(star.step(x, field.opening));
-  }
+  std::vector<TractionStep> steps = firstSteps(field, loads, threads);
   const EndTables turning = turningModes(traction.degree, traction.degree);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t v = 0; v < vertices_.size(); ++v)

@@ -24,7 +24,7 @@ public:
 
   /// The traction of an initial pass: the energy of every star is its own. field: with `optimise`; its traction is the
   /// start. Three passes over the vertices; their steps are "interface stars" in the ledger.
-  ContactTraction optimise(const SceneField& field, Ledger& ledger) const;
+  ContactTraction optimise(const SceneField& field, int threads, Ledger& ledger) const;
 
   /// One pass in which the energy is that of the whole correction, which changes with the traction: a part of a block
   /// Gauss-Seidel sweep. corrections: per body, of the field that opening and traction belong to.
@@ -32,6 +32,8 @@ public:
              Ledger& ledger) const;
 
 private:
+  std::vector<TractionStep> firstSteps(const SceneField& field, const std::vector<StarLoads>& loads, int threads) const;
+
   const RecoveryScene& scene_;
   std::vector<const StarBody*> bodies_;
   std::vector<InterfaceVertex> vertices_;

@@ -38,7 +38,8 @@ public:
   {
     for (std::size_t field = 0; field < fields_.size(); ++field)
       if (fields_[field].optimise)
-        stresses_[field].onDirichlet = stresses_[field].onNeumann = interfaces_->optimise(fields_[field], ledger_);
+        stresses_[field].onDirichlet = stresses_[field].onNeumann =
+            interfaces_->optimise(fields_[field], threads(), ledger_);
   }
 
   void solveStars()
@@ -86,12 +87,13 @@ private:
   template <class Work>
   void forEachBody(const Work& work)
   {
-    const int threads = comm_.size() > 1 ? 1 : numThreads(comm_);
     std::vector<int> sizes;
     for (const BodyModel* body : scene_.bodies)
       sizes.push_back(body->numDofs());
-    runLargestFirst(sizes, threads, [&](int body) { work(std::size_t(body)); });
+    runLargestFirst(sizes, threads(), [&](int body) { work(std::size_t(body)); });
   }
+
+  int threads() const { return comm_.size() > 1 ? 1 : numThreads(comm_); }
 
   const RecoveryScene& scene_;
   const std::vector<SceneField>& fields_;

@@ -15,7 +15,7 @@ inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// maximise c . x  subject to  lower <= x <= upper  and  rowLower <= A x <= rowUpper.
 struct LinearProgram
 {
-  Vector cost, lower, upper; ///< c and the bounds of x; +-unbounded for none
+  Vector cost, lower, upper;   ///< c and the bounds of x; +-unbounded for none
   std::vector<SparseRow> rows; ///< of A, each column at most once
   Vector rowLower, rowUpper;
 };
