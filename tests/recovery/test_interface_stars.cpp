@@ -248,8 +248,8 @@ TEST(InterfaceStars, NumberingOfTheBodiesDoesNotMatter)
   kind.renumbered = true;
   const ContactScene other = test::contactScene(kind);
   Recovery one(scene), two(other);
-  const Vector t = profile(scene, one.interface.optimise(scene.field, one.ledger), 1.0),
-               s = profile(other, two.interface.optimise(other.field, two.ledger), 1.0);
+  const Vector t = profile(scene, one.interface.optimise(scene.field, 2, one.ledger), 1.0),
+               s = profile(other, two.interface.optimise(other.field, 2, two.ledger), 1.0);
   for (std::size_t i = 0; i < t.size(); ++i)
     EXPECT_NEAR(s[i], t[i], 1e-10);
 }
@@ -262,8 +262,8 @@ TEST(InterfaceStars, UnitsDoNotMatter)
   kind.length = 1e-3, kind.stress = 2e11;
   const ContactScene other = test::contactScene(kind);
   Recovery one(scene), two(other);
-  const Vector t = profile(scene, one.interface.optimise(scene.field, one.ledger), 1.0),
-               s = profile(other, two.interface.optimise(other.field, two.ledger), kind.length);
+  const Vector t = profile(scene, one.interface.optimise(scene.field, 2, one.ledger), 1.0),
+               s = profile(other, two.interface.optimise(other.field, 2, two.ledger), kind.length);
   for (std::size_t i = 0; i < t.size(); ++i)
     EXPECT_NEAR(s[i] / kind.stress, t[i], 1e-9);
 }
