@@ -29,7 +29,7 @@ def couplings(draw):
     if kind == "Monolithic":
         return ["Coupling/Type=Monolithic"], True
     if kind == "FETI":
-        tolerance = draw.choice((1e-12, 1e-4, 1e-2, 0.1, 0.5, 0.9))
+        tolerance = draw.choice((1e-12, 1e-6, 1e-4, 1e-3, 1e-2, 0.09))
         return ["Coupling/Type=FETI", f"Coupling/Tolerance={tolerance}"], tolerance < 1e-9
     sweeps = draw.choice((1, 2, 3, 5, 10, 200))
     return ["Coupling/Type=Neumann-Dirichlet", f"Coupling/Stopping/Maximum Sweeps={sweeps}"], False

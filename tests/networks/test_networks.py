@@ -19,7 +19,7 @@ def run(arguments, *settings):
     with tempfile.TemporaryDirectory() as folder:
         deck = pathlib.Path(folder) / "network.xml"
         deck.write_text(network_decks.text(arguments))
-        return Program(PROGRAM).run(deck, "Coupling/Type=Monolithic", *settings)
+        return Program(PROGRAM).run(deck, "Coupling/Type=Monolithic", *settings)  # the last setting of a name counts
 
 
 def warned(done):
@@ -87,6 +87,17 @@ class Networks(unittest.TestCase):
         ends += [f"Bodies/{name}/Loads/press 2/Value=0" for name in ("right", "upper")]
         (message,) = warned(run(["ring"], *ends))
         self.assertIn("lower along +x", message)
+
+    def test_feti_ends_where_the_mesh_rules_and_reaches_targets(self):
+        scene = ["wall", "3", "3", "--cell", "0.5", "--load", "0.5", "--young", "random:1"]
+        done = run(scene, "Coupling/Type=FETI", "Accuracy/Target=0.02")
+        self.assertEqual(done.code, 0, done.screen)
+        self.assertLessEqual(done.levels[-1]["relative"], 0.02)
+        for level in done.levels:
+            self.assertLess(level["iteration"], level["mesh"])
+        exact = run(scene, "Coupling/Type=FETI")  # on the first mesh alone, to round-off
+        self.assertLess(done.summary["ledger"]["counts"]["FETI iterations"],
+                        2 * len(done.levels) * exact.summary["ledger"]["counts"]["FETI iterations"])
 
     def test_bodies_of_an_odd_ring_are_named(self):
         done = run(["wall", "2", "2"], "Coupling/Type=Neumann-Dirichlet")

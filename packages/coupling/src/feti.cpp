@@ -27,7 +27,9 @@ public:
       if (body.S->dense() == nullptr)
         throw NotConverged("FETI needs stored interface operators: choose Interface Operator/Type = Condensed");
     const Network network = networkOf(system);
-    FetiProblem problem(network, tolerance_, ledger);
+    FetiProblem problem(network, {tolerance_, start.iterationError.value_or(0.0)}, ledger);
+    if (!start.traction.empty())
+      problem.startFrom(system.force(start.traction));
     const std::int64_t before = ledger.counted("FETI iterations");
     CouplingResult result;
     const UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
@@ -35,6 +37,8 @@ public:
     setState(network, system, problem.displacement(), status, result.state);
     result.converged = true;
     result.history.push_back(recordSweep(1, system, result.state, status));
+    result.history.back().iterationError = problem.error();
+    result.contactTolerance = problem.roundOff();
     result.reason = areApart(result.history.back())
                         ? std::string(apart)
                         : fmt::format("statuses settled in {} steps with {} iterations of FETI", status.passes,
@@ -57,8 +61,10 @@ void registerFeti(Registry<Coupling>& registry)
       "The contact forces as unknowns: projected conjugate gradients with a Dirichlet preconditioner, a coarse "
       "problem of the rigid motions of floating bodies, statuses outside. Iterations grow neither with the "
       "number of bodies nor with jumps of their stiffness.",
-      {{"Tolerance", 1e-12, inOpenRange(0.0, 1.0),
-        "Where the iterations of a step end: residual relative to the forces, in the energy norm."}},
+      {{"Tolerance", 1e-12, inOpenRange(0.0, 0.1),
+        "Where the iterations of a step end: residual relative to the forces, in the energy norm. With Accuracy they "
+        "end "
+        "where the mesh's part of the bound makes more of them useless."}},
       [](const Params& params) { return std::make_unique<Feti>(params.get<double>("Tolerance")); });
 }
 

@@ -54,6 +54,11 @@ void FetiBodies::factor(double proximal)
   proximal_ = proximal;
 }
 
+Vector FetiBodies::stiff(const Vector& v) const
+{
+  return bodyByBody(v, [&](std::size_t b, const Vector& own) { return network_.bodies[b]->S->apply(own); });
+}
+
 Vector FetiBodies::flexible(const Vector& f) const
 {
   return bodyByBody(f, [&](std::size_t b, const Vector& own) { return inverse_[b]->solve(own); });

@@ -22,6 +22,8 @@ public:
 
   /// Makes S^+; with proximal > 0 the inverse of S + proximal D.
   void factor(double proximal);
+  /// S v.
+  Vector stiff(const Vector& v) const;
   /// S^+ f.
   Vector flexible(const Vector& f) const;
   /// R a and R^T f.

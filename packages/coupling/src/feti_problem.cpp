@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
 namespace ndframe
@@ -11,19 +12,26 @@ namespace
 
 constexpr int mostIterations = 2000; ///< a pass
 /// A pass ends early, looked at every so many iterations, where the rest is this part of what statuses are wrong by,
-/// and of the forces.
+/// or where its goal is met.
 constexpr int looks = 2;
-constexpr double ofViolation = 0.3, coarseTolerance = 0.1;
-constexpr double amplification = 1e2; ///< of the tolerance: what single forces may be wrong by, relative to the largest
+constexpr double ofViolation = 0.3;
+constexpr double largestError = 0.1; ///< relative to the forces, whatever the goal: beyond it statuses are guesses
+/// What single forces may be wrong by, relative to the largest: so many times the norm's relative error, where that is
+/// small, and at least a digit more.
+constexpr double amplification = 1e2, leastAmplification = 10.0, amplifiedUpTo = 1e-3;
 
 } // namespace
 
-FetiProblem::FetiProblem(const Network& network, double tolerance, Ledger& ledger)
-    : network_(network), tolerance_(tolerance), ledger_(ledger), bodies_(network), v_(std::size_t(network.size()), 0.0),
+FetiProblem::FetiProblem(const Network& network, const FetiStop& stop, Ledger& ledger)
+    : network_(network), stop_(stop), ledger_(ledger), bodies_(network), v_(std::size_t(network.size()), 0.0),
       force_(network.bound.size(), 0.0)
 {
   for (const BodyTrace* body : network.bodies)
     motions_.insert(motions_.end(), body->motionNames.begin(), body->motionNames.end());
+  std::vector<int> all(network.jump.size());
+  std::iota(all.begin(), all.end(), 0);
+  independent_ = ClosedRows(network.jump, all, network.bound, network.size()).independentRows();
+  weighted_ = weightedJump(network, independent_, bodies_.weight());
   for (const SparseRow& row : network.jump) {
     flexibility_.push_back(0.0);
     for (const auto& [entry, value] : row)
@@ -133,19 +141,46 @@ double FetiProblem::violation(const Iterate& now, const std::vector<char>& close
   return square;
 }
 
+/// |B_D^T (B v - bound)_+| in the energy norm.
+double FetiProblem::penetration(const Vector& v) const
+{
+  const Vector jump = rowValues(network_.jump, Vector(network_.jump.size(), 0.0), v);
+  Vector moved(v.size(), 0.0);
+  for (std::size_t i = 0; i < independent_.size(); ++i) {
+    const auto row = std::size_t(independent_[i]);
+    for (const auto& [entry, share] : weighted_.rows[i])
+      moved[std::size_t(entry)] += share * std::max(0.0, jump[row] - network_.bound[row]);
+  }
+  return std::sqrt(std::max(0.0, dot(moved, bodies_.stiff(moved))));
+}
+
+/// Whether the iterations of a pass end here.
+bool FetiProblem::isEnough(const Iterate& now, int iteration, const std::vector<char>& closed)
+{
+  const double error = std::sqrt(std::max(0.0, now.square));
+  relativeError_ = stop_.tolerance;
+  if (error <= stop_.tolerance * now.size)
+    return true;
+  if (iteration % looks != looks - 1 || error > largestError * now.size)
+    return false;
+  if (error < ofViolation * std::sqrt(violation(now, closed)))
+    return true; // the set is wrong: no need to know by how much
+  if (error > stop_.goal || penetration(placed(now.v)) > stop_.goal)
+    return false;
+  relativeError_ = std::max(stop_.tolerance, error / now.size);
+  return true;
+}
+
 void FetiProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
 {
   if (!holds(closed) && proximal == 0.0)
     throw NotPositiveDefinite(-1);
   bodies_.factor(proximal);
   Iterate now = begun(proximal);
-  for (int iteration = 0; now.square > std::pow(tolerance_ * now.size, 2) && iteration < mostIterations; ++iteration) {
-    if (iteration % looks == looks - 1 && now.square < std::pow(coarseTolerance * now.size, 2) &&
-        now.square < std::pow(ofViolation, 2) * violation(now, closed))
-      break; // the set is wrong: no need to know by how much
+  for (int iteration = 0; iteration < mostIterations && !isEnough(now, iteration, closed); ++iteration)
     advance(now);
-  }
   const Vector before = std::exchange(v_, placed(now.v));
+  error_ = std::max(std::sqrt(std::max(0.0, now.square)), penetration(v_));
   std::fill(force_.begin(), force_.end(), 0.0);
   for (std::size_t i = 0; i < now.r.size(); ++i)
     force_[std::size_t(set_->rows()[i])] = now.r[i];
@@ -161,7 +196,8 @@ void FetiProblem::solve(const std::vector<char>& closed, double proximal, Status
 
 double FetiProblem::roundOff() const
 {
-  return std::max(statusRoundOff, amplification * tolerance_);
+  return std::max(
+      {statusRoundOff, leastAmplification * relativeError_, std::min(amplification * relativeError_, amplifiedUpTo)});
 }
 
 } // namespace ndframe

@@ -5,6 +5,13 @@
 namespace ndframe
 {
 
+/// Where the iterations of a pass end.
+struct FetiStop
+{
+  double tolerance;  ///< residual in the norm of M, relative to the forces in the norm of F
+  double goal = 0.0; ///< for FetiProblem::error(), if that ends them earlier
+};
+
 /// The contact of a network for one set of closed unknowns, by its forces r:  with B the closed rows of D - N,
 ///
 ///   v = S^+ (g + B^T r) + R a,   B v = bound,   R^T (g + B^T r) = 0
@@ -18,9 +25,8 @@ namespace ndframe
 class FetiProblem final : public StatusSystem
 {
 public:
-  /// The network must outlive the problem. tolerance: of the residual in the norm of M, relative to the forces' in
-  /// that of F.
-  FetiProblem(const Network& network, double tolerance, Ledger& ledger);
+  /// The network must outlive the problem.
+  FetiProblem(const Network& network, const FetiStop& stop, Ledger& ledger);
 
   bool holds(const std::vector<char>& closed) override;
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
@@ -31,6 +37,12 @@ public:
   void startFrom(const Vector& force) { force_ = force; }
   /// Of the last pass.
   const Vector& displacement() const { return v_; }
+  /// Of the last pass, in the energy norm, the larger one of two: the residual in the norm of M, no less than what the
+  /// displacements are wrong by for their set (P^T F has no eigenvalue below 1 in that norm); and what moves them to
+  /// where nothing penetrates, |B_D^T (B v - bound)_+|.
+  double error() const { return error_; }
+  /// Of the forces and openings of the last pass, relative to the largest: what is not known of them.
+  double roundOff() const;
 
 private:
   struct Iterate;
@@ -39,16 +51,20 @@ private:
   Iterate begun(double proximal) const;
   void advance(Iterate& now) const;
   double violation(const Iterate& now, const std::vector<char>& closed) const;
-  double roundOff() const;
+  double penetration(const Vector& v) const;
+  bool isEnough(const Iterate& now, int iteration, const std::vector<char>& closed);
 
   const Network& network_;
-  double tolerance_;
+  FetiStop stop_;
   Ledger& ledger_;
   std::vector<std::string> motions_;
   FetiBodies bodies_;
   std::unique_ptr<FetiSet> set_;
-  Vector flexibility_; ///< per unknown: of B D^-1 B^T, what its own force opens
-  Vector v_, force_;   ///< force: per unknown
+  Vector flexibility_;           ///< per unknown: of B D^-1 B^T, what its own force opens
+  Vector v_, force_;             ///< force: per unknown
+  std::vector<int> independent_; ///< unknowns that do not follow from others
+  WeightedJump weighted_;        ///< of these
+  double error_ = 0.0, relativeError_ = 0.0;
 };
 
 } // namespace ndframe

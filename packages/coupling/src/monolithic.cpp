@@ -64,7 +64,7 @@ private:
   {
     if (problem.forceRoundOff() <= wantedRoundOff * largestEntry(status.force))
       return problem.displacement();
-    FetiProblem forces(network, refinedTolerance, ledger);
+    FetiProblem forces(network, {refinedTolerance}, ledger);
     if (!forces.holds(status.closed))
       return problem.displacement();
     StatusPass pass;

@@ -113,7 +113,7 @@ void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
     applySetting(deck, "Error Estimation/Recovery/Sweeps=1", diagnostics);
   const DeckList* coupling = deck.findList("Coupling");
   const DeckEntry* type = coupling == nullptr ? nullptr : coupling->findEntry("Type");
-  const bool sweeps = type == nullptr || type->value != "Monolithic";
+  const bool sweeps = type == nullptr || type->value == "Automatic" || type->value == "Neumann-Dirichlet";
   if (sweeps && (coupling == nullptr || coupling->findEntry("Initial Traction") == nullptr))
     applySetting(deck, "Coupling/Initial Traction=Balanced", diagnostics);
 }

@@ -51,6 +51,13 @@ double largestImbalance(const RecoveredField& recovered)
   return imbalance > 0.0 ? imbalance / force : 0.0;
 }
 
+/// Whether the coupling solved both bodies of an interface with the same traction. What it is wrong by is then not in
+/// the tractions but in the displacements, which meet the gap only so far.
+bool areOne(const InterfaceState& state)
+{
+  return state.tractionDirichlet == state.tractionNeumann;
+}
+
 /// The root of the contact term, with its sign: where u^ penetrates (Paper mode) it takes away from the measure.
 double contactRoot(double contact, double norm)
 {
@@ -134,8 +141,11 @@ ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateFie
   });
   const Vector gap = nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree);
   const Vector opening = difference(jumpMoments(scene.bodies, scene.facets, scene.solved, scene.degree), gap);
-  return assembleMeasure(std::move(energies), scene.facets,
-                         contactContributions(scene.facets, field.onDirichlet, opening));
+  ErrorMeasure measure = assembleMeasure(std::move(energies), scene.facets,
+                                         contactContributions(scene.facets, field.onDirichlet, opening));
+  if (areOne(scene.coupling.state))
+    measure.projection = scene.coupling.history.back().iterationError.value_or(0.0);
+  return measure;
 }
 
 double correctionNorm(const CertifiedScene& scene, const RecoveredField& recovered)

@@ -106,7 +106,7 @@ std::string closingText(const RunSummary& summary)
                         interface.largestPenetration, ends.empty() ? "no contact" : ends);
   }
   text += endsText(summary);
-  const ResidualLimits limits;
+  const ResidualLimits limits = ResidualLimits::of(summary.residuals);
   text +=
       fmt::format("\n\n  residuals: equilibrium {:.1e} (allowed {:.0e}), complementarity {:.1e}, penetration {:.1e}, "
                   "tension {:.1e} (allowed {:.0e})",

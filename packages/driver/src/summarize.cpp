@@ -170,6 +170,7 @@ void completeSummary(Run& run, const Params& deck, const Comm& comm)
   completeInterfaces(run);
   addWarnings(run.summary, answerWarnings(run, deck));
   run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
+  run.summary.residuals.allowedInContact = run.coupling.contactTolerance;
   if (run.certificate) {
     run.summary.errors = run.certificate->summary;
     run.summary.errors->energyBracket = summarizeEnergy(run, deck);

@@ -71,7 +71,7 @@ struct Limit
 
 std::string passedLimit(const ResidualSummary& residuals)
 {
-  const ResidualLimits limits;
+  const ResidualLimits limits = ResidualLimits::of(residuals);
   for (const auto& [residual, allowed, meaning] :
        {Limit{residuals.equilibrium, limits.equilibrium,
               "the forces are out of balance by {:.1e}: the matrix is too ill-conditioned"},

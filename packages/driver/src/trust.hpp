@@ -22,6 +22,14 @@ struct ResidualLimits
 {
   double equilibrium = 1e-7; ///< of the largest force: beyond it less than six digits are right
   double contact = 1e-8;     ///< complementarity, penetration, tension
+
+  /// What the coupling was asked for, if that is less.
+  static ResidualLimits of(const ResidualSummary& residuals)
+  {
+    ResidualLimits limits;
+    limits.contact = std::max(limits.contact, residuals.allowedInContact);
+    return limits;
+  }
 };
 
 /// Names a body that contact alone can hold and that no contact force presses on anything: where it is, only round-off

@@ -29,7 +29,9 @@ struct SweepRecord
 {
   int sweep = 0;
   double epsTau = 0.0; ///< |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|)
-  /// With a goal for it: half the distance between Lambda_dir and Lambda_neu in the energy norm of the bodies.
+  /// With a goal for it: half the distance between Lambda_dir and Lambda_neu in the energy norm of the bodies. FETI,
+  /// whose forces are those of both: what its displacements are wrong by for their statuses, at most, and what makes
+  /// them admissible.
   std::optional<double> iterationError;
   double theta = 0.0; ///< factor used for the next traction; 0 where there is none
   int statusChanges = 0, statusPasses = 0;
@@ -45,8 +47,9 @@ struct CouplingResult
   InterfaceState state;
   std::vector<SweepRecord> history;
   bool converged = false;
-  std::string type;   ///< the coupling that solved it, where another one was asked to choose
-  std::string reason; ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
+  double contactTolerance = 0.0; ///< what the state may penetrate and pull by, relative, as the deck asked for no more
+  std::string type;              ///< the coupling that solved it, where another one was asked to choose
+  std::string reason;            ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
 };
 
 /// Where an iteration begins, and when it may end, if not as the deck says. All may be empty.

@@ -88,6 +88,7 @@ struct ResidualSummary
       0.0;                  ///< largest |(u1_N - u2_N - g)_i (C Lambda)_i| / (largest |gap or u| * largest nodal force)
   double penetration = 0.0; ///< largest positive u1_N - u2_N - g / largest |u|
   double tension = 0.0;     ///< largest positive nodal contact force / largest nodal force
+  double allowedInContact = 0.0; ///< the last three, by a coupling that was told to stop early
 };
 
 struct StageSummary
