@@ -6,7 +6,7 @@
 
 #include <fmt/format.h>
 
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe::test
 {

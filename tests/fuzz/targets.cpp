@@ -9,8 +9,8 @@
 
 #include <exodusII.h>
 
-#include "mesh/mesh_deck.hpp"
-#include "mesh/mesh_files.hpp"
+#include "meshing/mesh_deck.hpp"
+#include "meshing/mesh_files.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/driver/components.hpp"
 #include "ndframe/driver/deck_spec.hpp"

@@ -9,7 +9,7 @@
 #include "common/test_main.hpp"
 #include "ndframe/interface/applied_operator.hpp"
 #include "ndframe/mechanics/material_law.hpp"
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe::test
 {

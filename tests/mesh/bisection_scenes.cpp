@@ -7,7 +7,7 @@
 #include <ostream>
 #include <random>
 
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 
 namespace ndframe::test
 {

@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "bisection_scenes.hpp"
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace

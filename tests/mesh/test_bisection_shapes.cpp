@@ -8,7 +8,7 @@
 
 #include "bisection_peaks.hpp"
 #include "bisection_scenes.hpp"
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 #include "ndframe/mesh/shape.hpp"
 
 namespace

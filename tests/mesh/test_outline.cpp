@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh/mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 #include "ndframe/mesh/outline.hpp"
 #include "ndframe/mesh/refine.hpp"
 

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 #include "ndframe/mesh/partition.hpp"
 
 namespace

@@ -4,7 +4,7 @@
 
 #include <gtest/gtest.h>
 
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 #include "ndframe/mesh/refine.hpp"
 
 namespace

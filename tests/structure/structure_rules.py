@@ -12,6 +12,7 @@ ARROWS = {
     "base": [],
     "algebra": ["base"],
     "mesh": ["base"],
+    "meshing": ["mesh"],
     "fem": ["mesh"],
     "mechanics": ["fem"],
     "assembly": ["mechanics", "algebra"],
@@ -23,7 +24,7 @@ ARROWS = {
     "admissibility": ["simd"],
     "recovery": ["admissibility"],
     "estimation": ["recovery"],
-    "adaptivity": ["algebra", "mesh"],
+    "adaptivity": ["algebra", "meshing"],
     "io": ["mesh", "fem", "algebra"],
     "driver": ["coupling", "estimation", "adaptivity", "io"],
 }

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "ndframe/mesh/remesh.hpp"
+#include "ndframe/meshing/remesh.hpp"
 
 namespace ndframe
 {

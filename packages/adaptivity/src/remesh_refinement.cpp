@@ -4,8 +4,8 @@
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/mesh/cell_locator.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
-#include "ndframe/mesh/remesh.hpp"
 #include "ndframe/mesh/vertex_cells.hpp"
+#include "ndframe/meshing/remesh.hpp"
 #include "persistent_remesh.hpp"
 #include "refinements.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ndframe/algebra/comm.hpp"
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe
 {

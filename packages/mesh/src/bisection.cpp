@@ -5,7 +5,7 @@
 
 #include "bisection_peaks.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {

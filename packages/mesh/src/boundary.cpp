@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {

@@ -6,7 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "ndframe/mesh/mesh.hpp"
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {

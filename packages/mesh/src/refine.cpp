@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ndframe/base/diagnostics.hpp"
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {

@@ -1,4 +1,4 @@
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 #include <algorithm>
 

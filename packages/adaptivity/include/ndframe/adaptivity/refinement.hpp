@@ -8,7 +8,7 @@
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/mesh/bisection.hpp"
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe
 {

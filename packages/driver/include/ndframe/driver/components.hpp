@@ -12,7 +12,7 @@
 #include "ndframe/interface/contact_transfer.hpp"
 #include "ndframe/interface/interface_operators.hpp"
 #include "ndframe/mechanics/material_law.hpp"
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
 namespace ndframe

@@ -4,9 +4,9 @@
 
 #include <gtest/gtest.h>
 
-#include "bisection_scenes.hpp"
 #include "length_field.hpp"
-#include "mesh_deck.hpp"
+#include "mesh/bisection_scenes.hpp"
+#include "meshing/mesh_deck.hpp"
 
 namespace
 {

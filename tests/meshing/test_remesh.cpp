@@ -5,8 +5,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh_deck.hpp"
-#include "remesh_scenes.hpp"
+#include "meshing/mesh_deck.hpp"
+#include "meshing/remesh_scenes.hpp"
 
 namespace
 {

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/mesh/remesh.hpp"
+#include "ndframe/meshing/remesh.hpp"
 
 namespace ndframe::test
 {

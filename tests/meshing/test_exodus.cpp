@@ -2,8 +2,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh_deck.hpp"
-#include "mesh_files.hpp"
+#include "meshing/mesh_deck.hpp"
+#include "meshing/mesh_files.hpp"
 
 namespace
 {

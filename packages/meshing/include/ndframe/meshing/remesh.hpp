@@ -5,7 +5,7 @@
 
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/mesh/bisection.hpp"
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe
 {

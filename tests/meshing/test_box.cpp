@@ -3,7 +3,7 @@
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 
 namespace
 {

@@ -1,4 +1,4 @@
-#include "ndframe/mesh/remesh.hpp"
+#include "ndframe/meshing/remesh.hpp"
 
 #include <algorithm>
 #include <cmath>

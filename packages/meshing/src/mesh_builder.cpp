@@ -7,7 +7,7 @@
 #include <fmt/ranges.h>
 
 #include "file_error.hpp"
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {

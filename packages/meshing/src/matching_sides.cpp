@@ -4,7 +4,7 @@
 #include <tuple>
 #include <utility>
 
-#include "ndframe/mesh/remesh.hpp"
+#include "ndframe/meshing/remesh.hpp"
 
 namespace ndframe
 {

@@ -4,9 +4,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "bisection_scenes.hpp"
-#include "mesh_deck.hpp"
-#include "remesh_scenes.hpp"
+#include "mesh/bisection_scenes.hpp"
+#include "meshing/mesh_deck.hpp"
+#include "meshing/remesh_scenes.hpp"
 
 namespace
 {

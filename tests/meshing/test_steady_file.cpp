@@ -7,7 +7,7 @@
 #include <sys/stat.h>
 
 #include "file_error.hpp"
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;

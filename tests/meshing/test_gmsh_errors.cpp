@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gmsh_library.hpp"
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 
 namespace
 {

@@ -1,7 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 
 namespace
 {

@@ -7,7 +7,7 @@
 
 #include "gmsh_session.hpp"
 #include "length_field.hpp"
-#include "ndframe/mesh/remesh.hpp"
+#include "ndframe/meshing/remesh.hpp"
 
 namespace ndframe
 {

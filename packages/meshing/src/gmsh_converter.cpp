@@ -8,7 +8,7 @@
 
 #include "file_error.hpp"
 #include "mesh_builder.hpp"
-#include "vertex_tuples.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include <set>
 
-#include "mesh_deck.hpp"
+#include "meshing/mesh_deck.hpp"
 
 namespace ndframe::test
 {

@@ -3,7 +3,7 @@
 #include <memory>
 #include <string>
 
-#include "ndframe/mesh/mesh_source.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe::test
 {
@@ -30,7 +30,7 @@ std::string scratchPath(const std::string& name);
 /// Writes a scratch file and returns its path.
 std::string scratchFile(const std::string& name, const std::string& contents);
 std::string contentsOf(const std::string& path);
-/// A file of tests/mesh/data.
+/// A file of tests/meshing/data.
 std::string dataPath(const std::string& name);
 
 /// Sum of the cells' measures.
