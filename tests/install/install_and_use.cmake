@@ -14,6 +14,7 @@ run(${CMAKE_COMMAND} -S ${client} -B ${WORK}/build -G Ninja -D CMAKE_BUILD_TYPE=
     -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
 run(${WORK}/build/client -i ${client}/own-relaxation.xml)
+run(${WORK}/build/client -i ${client}/own-coupling.xml)
 
 # The module of the Krylov solver is the installed one: without it the client refuses the deck.
 run(${WORK}/build/client ${krylov})
