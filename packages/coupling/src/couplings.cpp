@@ -9,6 +9,7 @@ void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationCo
   registerNeumannDirichlet(registry, relaxations);
   registerMonolithic(registry);
   registerFeti(registry);
+  registerNeumannNeumann(registry);
 }
 
 } // namespace ndframe

@@ -23,9 +23,7 @@ public:
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
   {
-    for (const BodyTrace& body : system.bodies)
-      if (body.S->dense() == nullptr)
-        throw NotConverged("FETI needs stored interface operators: choose Interface Operator/Type = Condensed");
+    needStoredOperators(system, "FETI");
     const Network network = networkOf(system);
     FetiProblem problem(network, {tolerance_, start.iterationError.value_or(0.0)}, ledger);
     if (!start.traction.empty())

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -20,6 +21,20 @@ constexpr double largestError = 0.1; ///< relative to the forces, whatever the g
 /// small, and at least a digit more.
 constexpr double amplification = 1e2, leastAmplification = 10.0, amplifiedUpTo = 1e-3;
 
+constexpr double wantedRoundOff = 1e-13, refinedTolerance = 1e-12; ///< of refinedForces()
+
+/// What S v may have lost: eps max |D v|, D the diagonal of S.
+double forceRoundOff(const Network& network, const Vector& v)
+{
+  double largest = 0.0;
+  for (std::size_t b = 0; b < network.bodies.size(); ++b) {
+    const DenseMatrix& S = *network.bodies[b]->S->dense();
+    for (int k = 0; k < S.cols(); ++k)
+      largest = std::max(largest, S(k, k) * std::abs(v[std::size_t(network.offsets[b] + k)]));
+  }
+  return std::numeric_limits<double>::epsilon() * largest;
+}
+
 } // namespace
 
 FetiProblem::FetiProblem(const Network& network, const FetiStop& stop, Ledger& ledger)
@@ -31,7 +46,10 @@ FetiProblem::FetiProblem(const Network& network, const FetiStop& stop, Ledger& l
   std::vector<int> all(network.jump.size());
   std::iota(all.begin(), all.end(), 0);
   independent_ = ClosedRows(network.jump, all, network.bound, network.size()).independentRows();
-  weighted_ = weightedJump(network, independent_, bodies_.weight());
+  std::vector<SparseRow> B;
+  for (const int row : independent_)
+    B.push_back(network.jump[std::size_t(row)]);
+  weighted_ = averagesOf(B, bodies_.softness());
   for (const SparseRow& row : network.jump) {
     flexibility_.push_back(0.0);
     for (const auto& [entry, value] : row)
@@ -198,6 +216,21 @@ double FetiProblem::roundOff() const
 {
   return std::max(
       {statusRoundOff, leastAmplification * relativeError_, std::min(amplification * relativeError_, amplifiedUpTo)});
+}
+
+Vector refinedForces(const Network& network, const Vector& v, UnilateralState& status, Ledger& ledger)
+{
+  if (forceRoundOff(network, v) <= wantedRoundOff * largestEntry(status.force))
+    return v;
+  FetiProblem forces(network, {refinedTolerance}, ledger);
+  if (!forces.holds(status.closed))
+    return v;
+  StatusPass pass;
+  forces.startFrom(status.force);
+  forces.solve(status.closed, 0.0, pass);
+  status.u = std::move(pass.u);
+  status.force = std::move(pass.force);
+  return forces.displacement();
 }
 
 } // namespace ndframe

@@ -58,13 +58,18 @@ private:
   FetiStop stop_;
   Ledger& ledger_;
   std::vector<std::string> motions_;
-  FetiBodies bodies_;
+  NetworkBodies bodies_;
   std::unique_ptr<FetiSet> set_;
   Vector flexibility_;           ///< per unknown: of B D^-1 B^T, what its own force opens
   Vector v_, force_;             ///< force: per unknown
   std::vector<int> independent_; ///< unknowns that do not follow from others
-  WeightedJump weighted_;        ///< of these
+  Averages weighted_;            ///< of these
   double error_ = 0.0, relativeError_ = 0.0;
 };
+
+/// Soft bodies let stiff ones move far, and a product with a stiff operator loses the strain in that motion. Forces as
+/// unknowns do not: where digits are lost those of the settled set are found again, in a few iterations. v: the
+/// network's displacements; returned with the changes, as is the state.
+Vector refinedForces(const Network& network, const Vector& v, UnilateralState& status, Ledger& ledger);
 
 } // namespace ndframe

@@ -18,7 +18,7 @@ void subtract(Vector& a, const Vector& b)
 
 } // namespace
 
-FetiSet::FetiSet(const Network& network, const FetiBodies& bodies, const std::vector<char>& closed,
+FetiSet::FetiSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed,
                  const FetiSet* before)
     : network_(network), bodies_(bodies), closed_(closed)
 {
@@ -29,12 +29,12 @@ FetiSet::FetiSet(const Network& network, const FetiBodies& bodies, const std::ve
   std::stable_sort(chosen.begin(), chosen.end(),
                    [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
   rows_ = ClosedRows(network.jump, chosen, network.bound, network.size()).independentRows();
-  weighted_ = weightedJump(network, rows_, bodies.weight());
+  std::vector<SparseRow> B;
+  for (const int row : rows_)
+    B.push_back(network.jump[std::size_t(row)]);
+  weighted_ = averagesOf(B, bodies.softness());
   spreadUsers_ = transposed(weighted_.rows, network.size());
-  users_.resize(std::size_t(network.size()));
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (const auto& [entry, value] : network.jump[std::size_t(rows_[i])])
-      users_[std::size_t(entry)].emplace_back(int(i), value);
+  users_ = transposed(B, network.size());
   condenseBodies(before);
   factorCoarse();
 }
@@ -74,17 +74,9 @@ SparseRow FetiSet::scaled(const SparseRow& openings, SparseSum& entries, SparseS
     entries.add(weighted_.rows[std::size_t(i)], opening);
     rows.add(i, diagonalShare / weighted_.gramDiagonal[std::size_t(i)] * opening);
   }
-  const SparseRow v = entries.take();
-  for (auto entry = v.begin(); entry != v.end();) {
-    const auto& offsets = network_.offsets;
-    const auto b = std::size_t(std::upper_bound(offsets.begin(), offsets.end(), entry->first) - offsets.begin()) - 1;
-    Vector own(std::size_t(offsets[b + 1] - offsets[b]), 0.0);
-    for (; entry != v.end() && entry->first < offsets[b + 1]; ++entry)
-      own[std::size_t(entry->first - offsets[b])] = entry->second;
-    const Vector f = stiffOnClosed(b, own);
-    for (std::size_t k = 0; k < f.size(); ++k)
-      rows.add(spreadUsers_[std::size_t(offsets[b]) + k], f[k]);
-  }
+  bodies_.bodyByBody(
+      entries.take(), [&](std::size_t body, const Vector& own) { return stiffOnClosed(body, own); },
+      [&](std::size_t entry, double force) { rows.add(spreadUsers_[entry], force); });
   return rows.take();
 }
 

@@ -1,9 +1,9 @@
 #pragma once
 
-#include "feti_bodies.hpp"
-#include "feti_weights.hpp"
+#include "averages.hpp"
 #include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/algebra/sparse_columns.hpp"
+#include "network_bodies.hpp"
 
 namespace ndframe
 {
@@ -14,7 +14,7 @@ class FetiSet
 {
 public:
   /// Network and bodies must outlive it. before: whose bodies' factors are taken where the same entries are open.
-  FetiSet(const Network& network, const FetiBodies& bodies, const std::vector<char>& closed, const FetiSet* before);
+  FetiSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed, const FetiSet* before);
 
   const std::vector<int>& rows() const { return rows_; } ///< unknowns
   bool isOf(const std::vector<char>& closed) const { return closed == closed_; }
@@ -52,10 +52,10 @@ private:
   Vector stiffOnClosed(std::size_t body, const Vector& v) const;
 
   const Network& network_;
-  const FetiBodies& bodies_;
+  const NetworkBodies& bodies_;
   std::vector<int> rows_;
   std::vector<char> closed_;
-  WeightedJump weighted_;                      ///< B_D
+  Averages weighted_;                          ///< B_D
   std::vector<SparseRow> users_, spreadUsers_; ///< B^T and B_D^T
   std::vector<OpenPart> open_;                 ///< per body
   SparseColumns G_, QG_;                       ///< G^T, Q G^T: rows x motions

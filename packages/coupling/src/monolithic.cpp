@@ -10,8 +10,6 @@ namespace ndframe
 namespace
 {
 
-constexpr double wantedRoundOff = 1e-13, refinedTolerance = 1e-12; ///< of the forces of a network
-
 /// The paper's "global resolution": all bodies in one active set, no iteration between them. The result is the limit of
 /// the Neumann-Dirichlet iteration on the same mesh.
 class Monolithic final : public Coupling
@@ -54,25 +52,8 @@ private:
     NetworkProblem problem(network, ledger);
     UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
                                           firstStatuses(system, floats(system), start), ledger);
-    setState(network, system, refined(network, problem, status, ledger), status, state);
+    setState(network, system, refinedForces(network, problem.displacement(), status, ledger), status, state);
     return status;
-  }
-
-  /// Soft bodies let stiff ones move far, and a product with a stiff operator loses the strain in that motion. Forces
-  /// as unknowns do not: where digits are lost those of the settled set are found again, in a few iterations.
-  static Vector refined(const Network& network, const NetworkProblem& problem, UnilateralState& status, Ledger& ledger)
-  {
-    if (problem.forceRoundOff() <= wantedRoundOff * largestEntry(status.force))
-      return problem.displacement();
-    FetiProblem forces(network, {refinedTolerance}, ledger);
-    if (!forces.holds(status.closed))
-      return problem.displacement();
-    StatusPass pass;
-    forces.startFrom(status.force);
-    forces.solve(status.closed, 0.0, pass);
-    status.u = std::move(pass.u);
-    status.force = std::move(pass.force);
-    return forces.displacement();
   }
 
   /// Two bodies, whatever their operators. Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N (at obstacles

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ndframe/base/diagnostics.hpp"
+
 namespace ndframe
 {
 namespace
@@ -70,6 +72,13 @@ void setState(const Network& network, const InterfaceSystem& system, const Vecto
   state.closed = status.closed;
   state.forceDirichlet = state.forceNeumann = status.force;
   state.tractionDirichlet = state.tractionNeumann = system.traction(status.force);
+}
+
+void needStoredOperators(const InterfaceSystem& system, const std::string& coupling)
+{
+  for (const BodyTrace& body : system.bodies)
+    if (body.S->dense() == nullptr)
+      throw NotConverged(coupling + " needs stored interface operators: choose Interface Operator/Type = Condensed");
 }
 
 bool floats(const InterfaceSystem& system)

@@ -38,6 +38,9 @@ Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const
 void setState(const Network& network, const InterfaceSystem& system, const Vector& v, const UnilateralState& status,
               InterfaceState& state);
 
+/// Throws NotConverged, in the coupling's name, where a body's operator is only applied.
+void needStoredOperators(const InterfaceSystem& system, const std::string& coupling);
+
 /// Whether contact alone holds some body.
 bool floats(const InterfaceSystem& system);
 

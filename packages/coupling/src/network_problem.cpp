@@ -1,8 +1,6 @@
 #include "network_problem.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <numeric>
 #include <utility>
 
@@ -154,14 +152,6 @@ Vector NetworkProblem::residual(const Vector& v, double proximal, const Vector& 
   for (std::size_t k = 0; k < rest.size(); ++k)
     rest[k] = network_.g[k] - rest[k] - proximal * diagonal_[k] * (v[k] - centre[k]);
   return rest;
-}
-
-double NetworkProblem::forceRoundOff() const
-{
-  double largest = 0.0;
-  for (std::size_t k = 0; k < v_.size(); ++k)
-    largest = std::max(largest, diagonal_[k] * std::abs(v_[k]));
-  return std::numeric_limits<double>::epsilon() * largest;
 }
 
 /// Z^T (S + proximal D) Z.

@@ -28,8 +28,6 @@ public:
 
   /// Of the last pass.
   const Vector& displacement() const { return v_; }
-  /// What the forces may have lost to round-off: eps max |D v|, D the diagonal of S.
-  double forceRoundOff() const;
 
 private:
   SymmetricEntries reducedStiffness() const;

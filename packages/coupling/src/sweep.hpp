@@ -53,5 +53,6 @@ void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<Rela
 void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 void registerMonolithic(Registry<Coupling>& registry);
 void registerFeti(Registry<Coupling>& registry);
+void registerNeumannNeumann(Registry<Coupling>& registry);
 
 } // namespace ndframe

@@ -100,8 +100,8 @@ public:
   virtual std::optional<double> givenTheta() const { return std::nullopt; }
 };
 
-/// "Automatic", "Neumann-Dirichlet", "Monolithic", "FETI". The relaxation controllers must be registered before; their
-/// registry must outlive this one.
+/// "Automatic", "Neumann-Dirichlet", "Monolithic", "FETI", "Neumann-Neumann". The relaxation controllers must be
+/// registered before; their registry must outlive this one.
 void registerCouplings(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations);
 
 } // namespace ndframe

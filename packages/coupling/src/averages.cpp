@@ -1,4 +1,4 @@
-#include "feti_weights.hpp"
+#include "averages.hpp"
 
 #include <algorithm>
 
@@ -30,7 +30,7 @@ std::vector<Block> connected(const std::vector<SparseRow>& B, const std::vector<
   return blocks;
 }
 
-/// B D^-1 B^T of a block.
+/// B W B^T of a block.
 DenseMatrix gramOf(const Block& block, const std::vector<SparseRow>& B, const std::vector<SparseRow>& users,
                    const Vector& weights)
 {
@@ -39,21 +39,19 @@ DenseMatrix gramOf(const Block& block, const std::vector<SparseRow>& B, const st
     for (const auto& [entry, value] : B[block[i]])
       for (const auto& [other, share] : users[std::size_t(entry)]) {
         const auto j = std::lower_bound(block.begin(), block.end(), std::size_t(other)) - block.begin();
-        gram(int(i), int(j)) += value * share / weights[std::size_t(entry)];
+        gram(int(i), int(j)) += value * share * weights[std::size_t(entry)];
       }
   return gram;
 }
 
 } // namespace
 
-WeightedJump weightedJump(const Network& network, const std::vector<int>& rows, const Vector& weights)
+Averages averagesOf(const std::vector<SparseRow>& B, const Vector& weights)
 {
-  std::vector<SparseRow> B;
-  for (const int row : rows)
-    B.push_back(network.jump[std::size_t(row)]);
-  const std::vector<SparseRow> users = transposed(B, network.size());
-  WeightedJump result{std::vector<SparseRow>(rows.size()), Vector(rows.size(), 0.0)};
-  SparseSum sum(network.size());
+  const auto size = int(weights.size());
+  const std::vector<SparseRow> users = transposed(B, size);
+  Averages result{std::vector<SparseRow>(B.size()), Vector(B.size(), 0.0)};
+  SparseSum sum(size);
   for (const Block& block : connected(B, users)) {
     DenseMatrix gram = gramOf(block, B, users, weights);
     for (std::size_t i = 0; i < block.size(); ++i)
@@ -65,7 +63,7 @@ WeightedJump weightedJump(const Network& network, const std::vector<int>& rows, 
       const Vector inverse = factor.solve(std::move(unit));
       for (std::size_t j = 0; j < block.size(); ++j)
         for (const auto& [entry, value] : B[block[j]])
-          sum.add(entry, inverse[j] * value / weights[std::size_t(entry)]);
+          sum.add(entry, inverse[j] * value * weights[std::size_t(entry)]);
       result.rows[block[i]] = sum.take();
     }
   }

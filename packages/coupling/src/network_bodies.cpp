@@ -1,4 +1,4 @@
-#include "feti_bodies.hpp"
+#include "network_bodies.hpp"
 
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
@@ -18,7 +18,7 @@ Vector part(const Vector& v, int first, int last)
 
 } // namespace
 
-FetiBodies::FetiBodies(const Network& network) : network_(network)
+NetworkBodies::NetworkBodies(const Network& network) : network_(network)
 {
   for (const BodyTrace* body : network.bodies) {
     const DenseMatrix* S = body->S->dense();
@@ -30,9 +30,11 @@ FetiBodies::FetiBodies(const Network& network) : network_(network)
   const double largest = largestEntry(weight_);
   for (double& value : weight_)
     value = largest > 0.0 ? std::max(value, softest * largest) : 1.0;
+  for (const double value : weight_)
+    softness_.push_back(1.0 / value);
 }
 
-void FetiBodies::factor(double proximal)
+void NetworkBodies::factor(double proximal)
 {
   if (proximal == proximal_)
     return;
@@ -54,17 +56,17 @@ void FetiBodies::factor(double proximal)
   proximal_ = proximal;
 }
 
-Vector FetiBodies::stiff(const Vector& v) const
+Vector NetworkBodies::stiff(const Vector& v) const
 {
   return bodyByBody(v, [&](std::size_t b, const Vector& own) { return network_.bodies[b]->S->apply(own); });
 }
 
-Vector FetiBodies::flexible(const Vector& f) const
+Vector NetworkBodies::flexible(const Vector& f) const
 {
   return bodyByBody(f, [&](std::size_t b, const Vector& own) { return inverse_[b]->solve(own); });
 }
 
-Vector FetiBodies::moved(const Vector& amplitudes) const
+Vector NetworkBodies::moved(const Vector& amplitudes) const
 {
   Vector v;
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
@@ -75,7 +77,7 @@ Vector FetiBodies::moved(const Vector& amplitudes) const
   return v;
 }
 
-Vector FetiBodies::work(const Vector& f) const
+Vector NetworkBodies::work(const Vector& f) const
 {
   Vector result;
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {

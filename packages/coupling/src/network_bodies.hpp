@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <memory>
 
+#include "ndframe/algebra/sparse_row.hpp"
 #include "ndframe/algebra/symmetric_operator.hpp"
 #include "network.hpp"
 
@@ -10,15 +11,17 @@ namespace ndframe
 {
 
 /// The bodies' own operators in a network: S, S^+ (or the inverse of S + proximal D), rigid motions R.
-class FetiBodies
+class NetworkBodies
 {
 public:
   /// The network must outlive it; its operators are stored.
-  explicit FetiBodies(const Network& network);
+  explicit NetworkBodies(const Network& network);
 
   int numMotions() const { return firstMotion_.back(); }
   /// D, the diagonal of S, per entry of v.
   const Vector& weight() const { return weight_; }
+  /// D^-1.
+  const Vector& softness() const { return softness_; }
 
   /// Makes S^+; with proximal > 0 the inverse of S + proximal D.
   void factor(double proximal);
@@ -45,9 +48,25 @@ public:
     return result;
   }
 
+  /// The same for a v of few entries, in the time that its bodies take: take(entry, value) for what they give.
+  template <class Apply, class Take>
+  void bodyByBody(const SparseRow& v, const Apply& apply, const Take& take) const
+  {
+    const std::vector<int>& offsets = network_.offsets;
+    for (auto entry = v.begin(); entry != v.end();) {
+      const auto b = std::size_t(std::upper_bound(offsets.begin(), offsets.end(), entry->first) - offsets.begin()) - 1;
+      Vector own(std::size_t(offsets[b + 1] - offsets[b]), 0.0);
+      for (; entry != v.end() && entry->first < offsets[b + 1]; ++entry)
+        own[std::size_t(entry->first - offsets[b])] = entry->second;
+      const Vector result = apply(b, own);
+      for (std::size_t k = 0; k < result.size(); ++k)
+        take(std::size_t(offsets[b]) + k, result[k]);
+    }
+  }
+
 private:
   const Network& network_;
-  Vector weight_;
+  Vector weight_, softness_;
   std::vector<int> firstMotion_{0};
   double proximal_ = -1.0;
   std::vector<std::unique_ptr<SymmetricOperator>> shifted_;

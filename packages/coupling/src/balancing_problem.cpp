@@ -1,0 +1,90 @@
+#include "balancing_problem.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr int mostIterations = 2000;  ///< a pass
+constexpr double amplification = 1e2; ///< of the tolerance: what single forces may be wrong by, relative to the largest
+
+void add(Vector& a, double factor, const Vector& b)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] += factor * b[i];
+}
+
+} // namespace
+
+BalancingProblem::BalancingProblem(const Network& network, double tolerance, Ledger& ledger)
+    : network_(network), tolerance_(tolerance), ledger_(ledger), bodies_(network), v_(std::size_t(network.size()), 0.0)
+{
+  for (const BodyTrace* body : network.bodies)
+    motions_.insert(motions_.end(), body->motionNames.begin(), body->motionNames.end());
+}
+
+bool BalancingProblem::holds(const std::vector<char>& closed)
+{
+  if (!set_ || !set_->isOf(closed, 0.0))
+    set_ = std::make_unique<BalancingSet>(network_, bodies_, closed, 0.0);
+  return set_->holds();
+}
+
+/// g - S v - proximal D (v - v_c), v_c the solution before.
+Vector BalancingProblem::unbalanced(const Vector& v, double proximal, const Vector& centre) const
+{
+  Vector rest = bodies_.stiff(v);
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    rest[k] = network_.g[k] - rest[k] - proximal * bodies_.weight()[k] * (v[k] - centre[k]);
+  return rest;
+}
+
+/// y with A y = residual.
+Vector BalancingProblem::solveSet(Vector residual)
+{
+  const Vector load = residual;
+  Vector y = set_->balanced(residual);
+  add(residual, -1.0, set_->product(y));
+  Vector z = set_->preconditioned(residual), p = z;
+  double square = dot(residual, z);
+  for (int iteration = 0; iteration < mostIterations; ++iteration) {
+    if (square <= std::pow(tolerance_, 2) * (std::abs(dot(load, y)) + square))
+      break;
+    ledger_.count("Neumann-Neumann iterations");
+    const Vector Ap = set_->product(p);
+    const double step = square / dot(p, Ap);
+    add(y, step, p);
+    add(residual, -step, Ap);
+    z = set_->preconditioned(residual);
+    const double last = std::exchange(square, dot(residual, z));
+    for (std::size_t i = 0; i < p.size(); ++i)
+      p[i] = z[i] + square / last * p[i];
+  }
+  return y;
+}
+
+void BalancingProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
+{
+  if (!holds(closed) && proximal == 0.0)
+    throw NotPositiveDefinite(-1);
+  if (proximal > 0.0)
+    set_ = std::make_unique<BalancingSet>(network_, bodies_, closed, proximal);
+  bodies_.factor(proximal);
+  const ClosedRows& rows = set_->rows();
+  const Vector centre = v_, start = rows.expanded(Vector(std::size_t(rows.numFree()), 0.0));
+  v_ = rows.expanded(solveSet(rows.reduced(unbalanced(start, proximal, centre))));
+  Vector rest = unbalanced(v_, proximal, centre);
+  pass.unbalanced = largestEntry(rows.reduced(unbalanced(v_, 0.0, centre)));
+  for (double& value : rest)
+    value = -value;
+  pass.force = rows.forces(rest);
+  pass.u = rowValues(network_.jump, Vector(network_.jump.size(), 0.0), v_);
+  pass.displacement = largestEntry(v_);
+  pass.load = largestEntry(network_.g);
+  pass.roundOff = std::max(statusRoundOff, amplification * tolerance_);
+}
+
+} // namespace ndframe

@@ -1,0 +1,132 @@
+#include "balancing_set.hpp"
+
+#include <numeric>
+
+namespace ndframe
+{
+namespace
+{
+
+std::vector<int> tightestFirst(const Network& network, const std::vector<char>& closed)
+{
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i])
+      chosen.push_back(int(i));
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
+  return chosen;
+}
+
+} // namespace
+
+BalancingSet::BalancingSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed,
+                           double proximal)
+    : network_(network), bodies_(bodies), closed_(closed), proximal_(proximal),
+      rows_(network.jump, tightestFirst(network, closed), network.bound, network.size())
+{
+  for (int entry = 0; entry < network.size(); ++entry)
+    inFree_.push_back(rows_.inFree(entry));
+  entries_ = transposed(inFree_, rows_.numFree());
+  average_ = averagesOf(entries_, bodies.weight());
+  if (bodies.numMotions() == 0)
+    return;
+  averageMotions();
+  factorCoarse();
+}
+
+Vector BalancingSet::product(const Vector& y) const
+{
+  const Vector v = rows_.direction(y);
+  Vector f = bodies_.stiff(v);
+  for (std::size_t k = 0; proximal_ > 0.0 && k < f.size(); ++k)
+    f[k] += proximal_ * bodies_.weight()[k] * v[k];
+  return rows_.reduced(f);
+}
+
+/// A times a vector of few entries, in the time that these take. Both sums are zero before and after.
+SparseRow BalancingSet::product(const SparseRow& column, SparseSum& entries, SparseSum& free) const
+{
+  for (const auto& [y, value] : column)
+    entries.add(entries_[std::size_t(y)], value);
+  const auto apply = [&](std::size_t body, const Vector& own) {
+    Vector f = network_.bodies[body]->S->apply(own);
+    for (std::size_t k = 0; proximal_ > 0.0 && k < f.size(); ++k)
+      f[k] += proximal_ * bodies_.weight()[std::size_t(network_.offsets[body]) + k] * own[k];
+    return f;
+  };
+  bodies_.bodyByBody(entries.take(), apply, [&](std::size_t entry, double force) { free.add(inFree_[entry], force); });
+  return free.take();
+}
+
+/// C = E R.
+void BalancingSet::averageMotions()
+{
+  const std::vector<SparseRow> users = transposed(average_.rows, network_.size());
+  C_ = SparseColumns(rows_.numFree(), bodies_.numMotions());
+  SparseSum free(rows_.numFree());
+  for (std::size_t b = 0, motion = 0; b < network_.bodies.size(); ++b) {
+    const DenseMatrix& R = network_.bodies[b]->freeMotions;
+    for (int m = 0; m < R.cols(); ++m, ++motion) {
+      for (int k = 0; k < R.rows(); ++k)
+        free.add(users[std::size_t(network_.offsets[b] + k)], R(k, m));
+      C_.setColumn(int(motion), free.take());
+    }
+  }
+}
+
+/// C^T A C, whose entries are those of bodies near each other; no factor where some motion is left free.
+void BalancingSet::factorCoarse()
+{
+  const int n = C_.cols();
+  AC_ = SparseColumns(C_.rows(), n);
+  std::vector<SparseRow> motions; // C by rows
+  motions.resize(std::size_t(C_.rows()));
+  for (int j = 0; j < n; ++j)
+    for (const auto& [y, value] : C_.column(j))
+      motions[std::size_t(y)].emplace_back(j, value);
+  SymmetricEntries coarse;
+  coarse.size = n;
+  SparseSum entries(network_.size()), free(C_.rows()), products(n);
+  for (int j = 0; j < n; ++j) {
+    AC_.setColumn(j, product(C_.column(j), entries, free));
+    products.add(j, 0.0);
+    for (const auto& [y, value] : AC_.column(j))
+      products.add(motions[std::size_t(y)], value);
+    for (const auto& [i, value] : products.take())
+      if (i <= j)
+        coarse.add(i, j, value);
+  }
+  try {
+    coarse_ = std::make_unique<SparseCholesky>(coarse);
+  } catch (const NotPositiveDefinite&) {
+    coarse_ = nullptr;
+  }
+}
+
+Vector BalancingSet::balanced(const Vector& r) const
+{
+  return coarse_ == nullptr ? Vector(r.size(), 0.0) : C_.times(coarse_->solve(C_.transposedTimes(r)));
+}
+
+Vector BalancingSet::preconditioned(const Vector& r) const
+{
+  Vector f(std::size_t(network_.size()), 0.0), z;
+  for (std::size_t y = 0; y < r.size(); ++y)
+    for (const auto& [entry, share] : average_.rows[y])
+      f[std::size_t(entry)] += share * r[y];
+  const Vector v = bodies_.flexible(f);
+  for (const SparseRow& row : average_.rows) {
+    z.push_back(0.0);
+    for (const auto& [entry, share] : row)
+      z.back() += share * v[std::size_t(entry)];
+  }
+  if (coarse_ == nullptr)
+    return z;
+  const Vector motion = C_.times(coarse_->solve(AC_.transposedTimes(z)));
+  for (std::size_t y = 0; y < z.size(); ++y)
+    z[y] -= motion[y];
+  return z;
+}
+
+} // namespace ndframe
