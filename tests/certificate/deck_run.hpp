@@ -3,7 +3,7 @@
 #include <string>
 
 #include "certificate/drawn_scene.hpp"
-#include "ndframe/driver/run.hpp"
+#include "ndframe/driver/run_deck.hpp"
 
 namespace ndframe::test
 {

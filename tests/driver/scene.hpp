@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ndframe/base/deck.hpp"
-#include "ndframe/driver/run.hpp"
+#include "ndframe/driver/run_deck.hpp"
 
 namespace ndframe::test
 {

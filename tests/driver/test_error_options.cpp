@@ -3,8 +3,8 @@
 #include <gmock/gmock.h>
 
 #include "driver/scene.hpp"
-#include "ndframe/driver/error_options.hpp"
-#include "ndframe/driver/plan.hpp"
+#include "ndframe/certification/error_options.hpp"
+#include "ndframe/run/plan.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;

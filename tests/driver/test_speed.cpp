@@ -105,7 +105,7 @@ TEST(Speed, ALoadIsIntegratedOnceForCheckAndAssembly)
   const auto solver = all->linearSolvers.build(deck.sub("Linear Solver"));
   const auto representation = all->interfaceOperators.build(deck.sub("Interface Operator"));
   Ledger ledger;
-  const auto condensed = condense(model, *solver, *representation, Comm::single(), ledger, silentLog());
+  const auto condensed = condense(model, *solver, *representation, Comm::single(), ledger);
   EXPECT_EQ(CountingLoad::asked, afterReading);
   EXPECT_EQ(condensed.systems[0].load, integrateLoads(model.bodies[0]));
 }

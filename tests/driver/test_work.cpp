@@ -10,7 +10,7 @@
 #include "driver/program.hpp"
 #include "driver/scene.hpp"
 #include "ndframe/base/log.hpp"
-#include "ndframe/driver/plan.hpp"
+#include "ndframe/run/plan.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -41,7 +41,7 @@ struct Condensed
   {
     solver = components().linearSolvers.build(deck.sub("Linear Solver"));
     representation = components().interfaceOperators.build(deck.sub("Interface Operator"));
-    condensed = condense(model, *solver, *representation, Comm::single(), ledger, silentLog());
+    condensed = condense(model, *solver, *representation, Comm::single(), ledger);
   }
   CouplingResult couple(const std::string& setting)
   {

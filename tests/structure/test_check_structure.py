@@ -123,6 +123,14 @@ class StructureCheck(unittest.TestCase):
         problems = self.found(packages__base__include__ndframe__base__a_dot_hpp="#pragma once\n" + "int a;\n" * 150)
         self.assert_one(problems, "packages/base/include/ndframe/base/a.hpp:151", "151 lines")
 
+    def test_large_packages(self):
+        def files(count):  # of 250 lines each; comments and blank lines count
+            return {f"packages/mesh/src/f{i}.cpp": "// a line\n\n" * 125 for i in range(count)}
+
+        self.assertEqual(self.found_in({**GOOD_TREE, **files(23)}), [])
+        problems = self.found_in({**GOOD_TREE, **files(24)})
+        self.assert_one(problems, "packages/mesh:1", "6002 lines of sources and headers; a package has at most 6000")
+
     def test_long_functions(self):
         self.assertEqual(self.found(packages__mesh__src__m_dot_cpp=function_of(40)), [])
         problems = self.found(packages__mesh__src__m_dot_cpp="int n;\n\n" + function_of(41, "grow"))

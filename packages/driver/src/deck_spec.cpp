@@ -1,11 +1,11 @@
 #include "ndframe/driver/deck_spec.hpp"
 
-#include "accuracy_options.hpp"
-#include "list_specs.hpp"
-#include "ndframe/driver/error_options.hpp"
-#include "outputs.hpp"
+#include "ndframe/accuracy/accuracy_list.hpp"
+#include "ndframe/base/list_specs.hpp"
+#include "ndframe/certification/error_options.hpp"
+#include "ndframe/run/output_options.hpp"
+#include "ndframe/run/warnings.hpp"
 #include "study_cases.hpp"
-#include "warnings/warnings.hpp"
 
 namespace ndframe
 {
@@ -107,12 +107,6 @@ ListSpec expectationSpec()
 }
 
 } // namespace
-
-const Names<StepsWritten>& stepsNames()
-{
-  static const Names<StepsWritten> names{{"Final", StepsWritten::Final}, {"All Sweeps", StepsWritten::AllSweeps}};
-  return names;
-}
 
 ListSpec makeDeckSpec(const Components& components)
 {

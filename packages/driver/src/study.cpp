@@ -7,14 +7,14 @@
 
 #include <fmt/format.h>
 
-#include "accuracy_screen.hpp"
-#include "energy_comparison.hpp"
 #include "failures.hpp"
 #include "ndframe/base/progress.hpp"
 #include "ndframe/io/atomic_file.hpp"
-#include "outputs.hpp"
-#include "summarize.hpp"
-#include "warnings/warnings.hpp"
+#include "ndframe/report/accuracy_screen.hpp"
+#include "ndframe/report/outputs.hpp"
+#include "ndframe/run/energy_comparison.hpp"
+#include "ndframe/run/summarize.hpp"
+#include "ndframe/run/warnings.hpp"
 
 namespace ndframe
 {

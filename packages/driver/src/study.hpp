@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ndframe/base/log.hpp"
-#include "ndframe/driver/run.hpp"
+#include "ndframe/driver/run_deck.hpp"
 #include "study_table.hpp"
 
 namespace ndframe

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ndframe/driver/recipe.hpp"
 #include "ndframe/io/csv.hpp"
+#include "ndframe/scene/recipe.hpp"
 
 namespace ndframe
 {

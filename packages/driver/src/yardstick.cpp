@@ -4,9 +4,9 @@
 #include <nlohmann/json.hpp>
 
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/driver/condensed_model.hpp"
+#include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/io/atomic_file.hpp"
-#include "outputs.hpp"
+#include "ndframe/report/outputs.hpp"
 
 namespace ndframe
 {

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ndframe/accuracy/accuracy_components.hpp"
+#include "ndframe/accuracy/level_errors.hpp"
+#include "ndframe/adaptivity/corner_exponents.hpp"
+#include "ndframe/adaptivity/marking.hpp"
+#include "ndframe/adaptivity/refinement.hpp"
+
+namespace ndframe
+{
+
+/// The next meshes of a run with a target, and what they shall come to.
+struct MeshPlan
+{
+  std::unique_ptr<RefinedMeshes> meshes;
+  std::int64_t dofs = 0;
+  double bound = 0.0; ///< that is expected
+};
+
+/// Decides about the next meshes of a run with a target.
+class MeshPlanner
+{
+public:
+  /// deck: has the list Accuracy. model: of the first meshes.
+  MeshPlanner(const Params& deck, const AccuracyComponents& components, const Model& model, const Comm& comm);
+
+  /// Takes in the certificate of the present meshes.
+  void learn(const Run& run, const LevelErrors& errors);
+
+  /// Dofs of a mesh with the target's bound, without what conformity adds; none where the marking does not predict.
+  std::optional<std::int64_t> dofsToTarget() const;
+
+  /// One step on the way to the target, with not more dofs than allowed; more only where every mesh that is worth its
+  /// work has more.
+  MeshPlan nextStep(std::int64_t maximumDofs) const;
+
+  void accept(MeshPlan plan);
+  const std::vector<Mesh>& meshes() const { return present_->meshes(); }
+  /// RefinedMeshes::note of the present meshes.
+  std::string note() const { return present_->note(); }
+
+private:
+  /// lambda per body and vertex: what has been learned, and where contact ends now.
+  std::vector<Vector> exponentsFor(const Run& run) const;
+  MeshPlan planFor(double wanted) const;
+  double boundPerTotal() const { return correction_ * bound_ / total_; }
+  std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
+
+  int degree_;
+  std::unique_ptr<Marking> marking_;
+  std::unique_ptr<RefinedMeshes> present_;
+  std::vector<std::int64_t> eulers_; ///< per body: vertices - edges + cells, which refinement does not change
+  CornerExponents exponents_;
+  std::optional<ContributionModel> contributions_;
+  double bound_ = 0.0, target_ = 0.0, total_ = 0.0; ///< of the present meshes; total: sqrt(sum eta_K^2)
+  double expected_ = 0.0;                           ///< bound of the present meshes, as it was planned; 0 for the first
+  double correction_ = 1.0;                         ///< of what is expected
+};
+
+} // namespace ndframe

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "ndframe/coupling/coupling.hpp"
+#include "ndframe/io/accuracy_summary.hpp"
+#include "ndframe/run/accuracy_options.hpp"
+
+namespace ndframe
+{
+
+/// Why a finer mesh would not help or is not wanted; empty when it is. levels: up to the present one.
+std::string endOfProgress(const AccuracyOptions& options, const std::vector<LevelSummary>& levels,
+                          const CouplingResult& coupling);
+
+/// Which limit meshes with so many dofs would exceed; empty when none. firstMemory: bytes, before there was a mesh.
+std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSummary>& levels, std::int64_t nextDofs,
+                     double firstMemory);
+
+} // namespace ndframe

@@ -1,0 +1,167 @@
+#include "coarsest_meshes.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "matching_stations.hpp"
+#include "ndframe/scene/shared_mesh.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// An even grid with no more cells along the largest box is coarse enough.
+constexpr int fewPieces = 4;
+
+bool isBox(const Params& mesh)
+{
+  return mesh.get<std::string>("Type") == "Box";
+}
+
+/// The cells of a box in each direction if none is longer than `size`; never more than the deck asks for.
+std::vector<int> cellsOfSize(const Params& mesh, double size)
+{
+  const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
+  std::vector<int> cells = mesh.get<std::vector<int>>("Cells");
+  for (std::size_t d = 0; d < cells.size(); ++d)
+    cells[d] = std::min(cells[d], std::max(1, int(std::ceil((upper[d] - lower[d]) / size * (1.0 - 1e-9)))));
+  return cells;
+}
+
+constexpr const char* unaskedPart = "between grid lines";
+
+/// Cuts a side where grid lines must be; readCoarse() takes the parts out again.
+void addStations(DeckList& box, const Stations& stations, Diagnostics& diagnostics)
+{
+  for (std::size_t d = 0; d < stations.size(); ++d) {
+    if (stations[d].empty())
+      continue;
+    const std::string direction = d == 0 ? "X" : "Y", list = "Splits/grid lines of neighbours, " + direction;
+    std::vector<std::string> names;
+    for (std::size_t k = 0; k <= stations[d].size(); ++k)
+      names.push_back(fmt::format("{} {} {}", unaskedPart, direction, k));
+    applySetting(box, fmt::format("{}/Side={}", list, d == 0 ? "bottom" : "left"), diagnostics);
+    applySetting(box, fmt::format("{}/At={{{:.17g}}}", list, fmt::join(stations[d], ", ")), diagnostics);
+    applySetting(box, fmt::format("{}/Names={{{}}}", list, fmt::join(names, ", ")), diagnostics);
+  }
+}
+
+Params boxWith(const std::vector<int>& cells, const Stations& stations, const Params& mesh,
+               const SceneComponents& components)
+{
+  ListSpec spec;
+  spec.name = mesh.name();
+  spec.choices = components.meshSources.choices();
+  Diagnostics diagnostics;
+  DeckList list = parseDeck(toXml(mesh), mesh.path());
+  applySetting(list, fmt::format("Cells={{{}}}", fmt::join(cells, ", ")), diagnostics);
+  addStations(list, stations, diagnostics);
+  Params coarser = validate(list, spec, diagnostics);
+  diagnostics.throwIfAny();
+  return coarser;
+}
+
+bool hasRoomForSplits(const Params& box, const SceneComponents& components)
+{
+  try {
+    components.meshSources.build(box);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+/// A box whose cells are not longer than `size`, with more of them in a direction whose splits need more.
+Params coarseBox(const Params& mesh, const Stations& stations, const SceneComponents& components, double size)
+{
+  const auto asked = mesh.get<std::vector<int>>("Cells");
+  std::vector<int> cells = cellsOfSize(mesh, size);
+  while (cells != asked) {
+    if (Params box = boxWith(cells, stations, mesh, components); hasRoomForSplits(box, components))
+      return box;
+    for (std::size_t d = 0; d < cells.size(); ++d) {
+      std::vector<int> more = cells;
+      more[d] = std::min(cells[d] + 1, asked[d]);
+      if (Params box = boxWith(more, stations, mesh, components); hasRoomForSplits(box, components))
+        return box;
+    }
+    for (std::size_t d = 0; d < cells.size(); ++d)
+      cells[d] = std::min(cells[d] + 1, asked[d]);
+  }
+  return mesh;
+}
+
+Mesh readCoarse(const Params& mesh, const Stations& stations, const SceneComponents& components, const Comm& comm,
+                double size)
+{
+  const Params chosen = isBox(mesh) ? coarseBox(mesh, stations, components, size) : mesh;
+  Mesh read = readShared(*components.meshSources.build(chosen), comm);
+  const auto isUnasked = [](const Side& side) { return side.name.rfind(unaskedPart, 0) == 0; };
+  read.sides.erase(std::remove_if(read.sides.begin(), read.sides.end(), isUnasked), read.sides.end());
+  return read;
+}
+
+double largestBox(const Params& deck)
+{
+  double largest = 0.0;
+  for (const auto& body : deck.sub("Bodies").subs())
+    if (const Params mesh = body.sub("Mesh"); isBox(mesh)) {
+      const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
+      for (std::size_t d = 0; d < std::min(lower.size(), upper.size()); ++d)
+        largest = std::max(largest, upper[d] - lower[d]);
+    }
+  return largest;
+}
+
+int mostCells(const Params& deck)
+{
+  int most = 0;
+  for (const auto& body : deck.sub("Bodies").subs())
+    if (const Params mesh = body.sub("Mesh"); isBox(mesh))
+      for (const int cells : mesh.get<std::vector<int>>("Cells"))
+        most = std::max(most, cells);
+  return most;
+}
+
+bool fits(const Params& deck, const SceneComponents& components, const MeshOfBody& meshes)
+{
+  try {
+    buildModel(deck, components, meshes);
+    return true;
+  } catch (const InputError&) {
+    return false;
+  }
+}
+
+} // namespace
+
+MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components, const Comm& comm)
+{
+  const double largest = largestBox(deck);
+  const int most = mostCells(deck);
+  const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations) -> MeshOfBody {
+    for (int pieces = first; pieces < end; ++pieces) {
+      const double size = largest / pieces;
+      MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
+        const auto found = stations.find(body.name());
+        const Stations lines = found == stations.end() ? Stations() : found->second;
+        return readCoarse(body.sub("Mesh"), lines, components, comm, size);
+      };
+      if (fits(deck, components, meshes))
+        return meshes;
+    }
+    return {};
+  };
+  // Even grids are better shaped; where sides are cut so that only fine ones match, grid lines go on across bodies.
+  if (MeshOfBody even = tryPieces(1, std::min(most, fewPieces + 1), {}))
+    return even;
+  if (MeshOfBody uneven = tryPieces(1, most, matchingStations(deck)))
+    return uneven;
+  return tryPieces(fewPieces + 1, most, {});
+}
+
+} // namespace ndframe

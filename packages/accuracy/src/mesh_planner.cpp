@@ -1,0 +1,183 @@
+#include "ndframe/accuracy/mesh_planner.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/algebra/dense.hpp"
+#include "ndframe/run/contact_ends.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+// Chosen where `punch` and `contact-loss` need the fewest dofs in all for 2 % to 0.1 % (docs/accuracy.md).
+
+/// The bound of a mesh is to be at least this part of the one before. With more there are more levels, with less
+/// predictions do not reach that far.
+constexpr double largestFall = 0.22;
+/// The last step aims below the target: predictions are off by some per cent, and a miss costs one more mesh.
+constexpr double aimAtTarget = 0.94;
+/// A level is worth its work if the bound falls to this part at least.
+constexpr double smallestFall = 0.94;
+/// Where Maximum Dofs decides about the meshes, they are made again for at least such a fall.
+constexpr double worthwhile = 0.9;
+/// What became of the last plan corrects the next one, but only where it came out better: a bound that is worse may be
+/// a spike where contact ends on this mesh.
+constexpr double leastCorrection = 0.95;
+
+/// With a larger relative bound nothing can be learned about corners: cells are larger than what they shall show.
+constexpr double tooCoarse = 0.3;
+
+/// Where a frictionless contact ends inside a smooth side, u ~ r^1.5. It ends up to half a facet away from the vertex
+/// that meshes are graded to, and the traction's part of the bound is largest there: a smaller exponent, with smaller
+/// cells, needs fewer dofs and levels in all and brackets the end more closely.
+constexpr double whereContactEnds = 1.0;
+
+/// Plans are made again until they expect what is wanted and not more than this above it; conformity adds cells that a
+/// marking does not know of.
+constexpr double closeEnough = 0.01;
+constexpr int mostTrials = 4;
+
+std::vector<Mesh> meshesOf(const Model& model)
+{
+  std::vector<Mesh> meshes;
+  for (const auto& body : model.bodies)
+    meshes.push_back(body.mesh);
+  return meshes;
+}
+
+std::vector<FacetTwin> twinsOf(const Model& model)
+{
+  std::vector<FacetTwin> twins;
+  for (const auto& interface : model.interfaces)
+    for (int f = 0; f < interface.numFacets(); ++f)
+      twins.push_back({interface.dirichletBody, interface.dirichletFacets[std::size_t(f)], interface.neumannBody,
+                       interface.neumannFacets[std::size_t(f)]});
+  return twins;
+}
+
+} // namespace
+
+MeshPlanner::MeshPlanner(const Params& deck, const AccuracyComponents& components, const Model& model, const Comm& comm)
+    : degree_(model.bodies.front().nodes.order),
+      marking_(components.markings.build(deck.sub("Accuracy").sub("Marking"))), exponents_(degree_)
+{
+  const auto refinement = components.refinements.build(deck.sub("Accuracy").sub("Refinement"));
+  FirstMeshes first{meshesOf(model), twinsOf(model), {}};
+  for (const Params& body : deck.sub("Bodies").subs())
+    first.sources.push_back(components.meshSources.build(body.sub("Mesh")));
+  present_ = refinement->begin(std::move(first), comm);
+  for (const BodyModel& body : model.bodies)
+    eulers_.push_back(2 * std::int64_t(body.mesh.numPoints()) + body.mesh.numCells() - body.nodes.numNodes());
+}
+
+std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
+{
+  std::int64_t nodes = 0;
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    nodes += degree_ == 1 ? meshes[b].numPoints()
+                          : 2 * std::int64_t(meshes[b].numPoints()) + meshes[b].numCells() - eulers_[b];
+  return 2 * nodes;
+}
+
+void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
+{
+  const auto& eta = run.certificate->etaGlobal;
+  double squared = 0.0;
+  std::vector<const Mesh*> meshes;
+  for (std::size_t b = 0; b < eta.size(); ++b) {
+    meshes.push_back(&run.model.bodies[b].mesh);
+    squared += dot(eta[b], eta[b]);
+  }
+  if (expected_ > 0.0)
+    correction_ = std::clamp(errors.bound / expected_, leastCorrection, 1.0);
+  if (errors.relative > tooCoarse)
+    exponents_ = CornerExponents(degree_);
+  exponents_.observe(meshes, eta);
+  contributions_.emplace(present_->meshes(), eta, exponentsFor(run), degree_);
+  bound_ = errors.bound;
+  target_ = errors.target;
+  total_ = std::sqrt(squared);
+}
+
+std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
+{
+  std::vector<Vector> exponents = exponents_.exponents();
+  const auto lower = [&](int body, int node) {
+    double& exponent = exponents[std::size_t(body)][std::size_t(node)];
+    exponent = std::min(exponent, whereContactEnds);
+  };
+  std::vector<char> closed;
+  for (const ContactNode& node : run.contact)
+    closed.push_back(node.closed);
+  const char* ofInterface = closed.data();
+  for (const InterfaceMesh& interface : run.model.interfaces) {
+    for (const int node : endVertices(interface, ofInterface)) {
+      lower(interface.dirichletBody, interface.dirichletNodes[std::size_t(node)]);
+      lower(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
+    }
+    ofInterface += interface.numNodes();
+  }
+  return exponents;
+}
+
+std::optional<std::int64_t> MeshPlanner::dofsToTarget() const
+{
+  const auto cells = marking_->cellsFor(*contributions_, target_ / boundPerTotal());
+  if (!cells)
+    return std::nullopt;
+  double present = 0.0;
+  for (const auto& body : contributions_->cells())
+    present += double(body.size());
+  return std::int64_t(double(dofsOf(meshes())) / present * double(*cells));
+}
+
+/// The conformity of meshes is paid for, so it counts: aims again until the meshes with all their cells fit, and keeps
+/// the smallest that do.
+MeshPlan MeshPlanner::planFor(double wanted) const
+{
+  const double most = (1.0 + closeEnough) * wanted, least = (1.0 - present_->slack()) * wanted;
+  const std::int64_t presentDofs = dofsOf(present_->meshes());
+  MeshPlan plan;
+  std::int64_t lastDofs = 0;
+  double aim = std::min(wanted / boundPerTotal(), (smallestFall - present_->slack()) * total_);
+  for (int trial = 0; trial < mostTrials; ++trial) {
+    auto meshes = present_->refined(marking_->sizes(*contributions_, aim));
+    const std::int64_t dofs = dofsOf(meshes->meshes());
+    const double expected = contributions_->errorOn(meshes->meshes(), meshes->ancestors()) * boundPerTotal();
+    if (trial > 0 && (dofs == lastDofs || dofs == presentDofs))
+      break; // the marking does not aim, or not so finely
+    const bool better = expected <= most ? plan.bound > most || dofs < plan.dofs : expected < plan.bound;
+    if (trial == 0 || better)
+      plan = {std::move(meshes), dofs, expected};
+    if (expected <= most && expected >= least)
+      break;
+    lastDofs = dofs;
+    aim *= wanted / expected;
+  }
+  return plan;
+}
+
+MeshPlan MeshPlanner::nextStep(std::int64_t maximumDofs) const
+{
+  const double way = aimAtTarget * target_ / bound_;
+  const double steps = std::max(1.0, std::ceil(std::log(way) / std::log(largestFall)));
+  double wanted = bound_ * std::min(smallestFall, std::pow(way, 1.0 / steps));
+  MeshPlan plan = planFor(wanted);
+  const double most = worthwhile * bound_;
+  while (plan.dofs > maximumDofs && wanted < most) { // dofs ~ bound^(-2 / p) on the best meshes
+    wanted *= std::max(1.02, std::pow(double(plan.dofs) / double(maximumDofs), 0.5 * degree_));
+    wanted = std::min(wanted, most);
+    plan = planFor(wanted);
+  }
+  return plan;
+}
+
+void MeshPlanner::accept(MeshPlan plan)
+{
+  present_ = std::move(plan.meshes);
+  expected_ = plan.bound;
+}
+
+} // namespace ndframe

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ndframe/certification/certificate_components.hpp"
+#include "ndframe/certification/error_options.hpp"
+#include "ndframe/condensation/condensed_model.hpp"
+#include "ndframe/condensation/solution.hpp"
+#include "ndframe/estimation/energy_bracket.hpp"
+#include "ndframe/io/summary.hpp"
+#include "ndframe/recovery/stress_recovery.hpp"
+
+namespace ndframe
+{
+
+class ReferenceSolution;
+
+/// What Error Estimation computed: numbers for the summary, fields for the Exodus file.
+struct Certificate
+{
+  ErrorSummary summary;
+  std::optional<EnergyBracket> energy; ///< with a guaranteed bound, but see docs/theory.md, section 8
+  /// Contributions of the elements (42), not squared, per body and cell; empty when not asked for.
+  std::vector<Vector> etaGlobal, etaDiscretization, etaAlgorithm;
+  std::vector<ContactFacet> facets; ///< of all interfaces, in the order of their InterfaceMesh facets
+  ContactTraction traction;         ///< the admissible traction t^ of the global measure; empty shares without contact
+  std::vector<Vector> intermediate; ///< u~ per body, global axes; empty when not recovered
+  std::vector<Vector> admissible;   ///< u^ per body, global axes; empty when not recovered
+  std::vector<StressCorrection> corrections; ///< of the global stress, per body
+};
+
+/// Section 5: everything that the options (the deck's Error Estimation, or less) ask for, for the final state of a run.
+/// Collective.
+/// `fields`: the final state is their last. `reference`: of an earlier run or null; kept where it suits, else replaced.
+/// Throws NotConverged when no admissible traction exists.
+Certificate certify(const Params& deck, const ErrorOptions& options, const CertificateComponents& components,
+                    const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
+                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
+                    std::shared_ptr<const ReferenceSolution>& reference);
+
+} // namespace ndframe

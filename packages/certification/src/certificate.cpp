@@ -1,0 +1,246 @@
+#include "ndframe/certification/certificate.hpp"
+
+#include "certificate_measures.hpp"
+#include "ndframe/certification/advice.hpp"
+#include "ndframe/estimation/residual.hpp"
+#include "ndframe/estimation/zienkiewicz_zhu.hpp"
+#include "point_caveat.hpp"
+#include "reference_solution.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Section 5 as the deck asks for it: each step is one function, run() is their order.
+class Certifier
+{
+public:
+  Certifier(const Params& deck, const ErrorOptions& options, const CertifiedScene& scene,
+            const StressRecovery& recovery, const Comm& comm, Ledger& ledger)
+      : deck_(deck), options_(options), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger)
+  {}
+
+  Certificate run(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)
+  {
+    if (options_.needsTraction()) {
+      admitTractions();
+      solveIntermediateFields();
+    }
+    if (options_.recoversStress())
+      recoverStresses();
+    if (options_.checkEquilibrium)
+      checkStresses();
+    measure();
+    if (wants(Estimator::Reference))
+      compare(components, reference);
+    return std::move(result_);
+  }
+
+private:
+  bool wants(Estimator estimator) const { return options_.wants(estimator); }
+
+  void admitTractions();
+  void solveIntermediateFields();
+  void recoverStresses();
+  void checkStresses();
+  void measure();
+  void measureGlobal();
+  void compareWithIndicators();
+  void compare(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference);
+  SceneField globalField() const;
+
+  const Params& deck_;
+  const ErrorOptions& options_;
+  const CertifiedScene& scene_;
+  const StressRecovery& recovery_;
+  const Comm& comm_;
+  Ledger& ledger_;
+  RecoveredField global_, separate_; ///< of (40); of the two separate problems of (55)
+  RecoveryScene recoveryScene_;
+  AdmissibleScene admissible_;
+  ErrorMeasure globalMeasure_;
+  Certificate result_;
+};
+
+void Certifier::admitTractions()
+{
+  const auto timer = ledger_.time(certificateStage::traction);
+  const InterfaceState& state = scene_.coupling.state;
+  const bool asPublished = options_.mode == ErrorMode::Paper;
+  const TractionSign sign = asPublished ? TractionSign::Values : TractionSign::Coefficients;
+  if (options_.needsGlobalField()) {
+    const bool updated = options_.tractionMean == TractionMean::Updated;
+    auto& both = global_.field;
+    both.onDirichlet = both.onNeumann = admitTraction(scene_, meanTraction(scene_.coupling, updated),
+                                                      options_.optimises() ? TractionSign::Coefficients : sign);
+  }
+  if (!wants(Estimator::Discretization))
+    return;
+  auto& sides = separate_.field;
+  sides.onDirichlet = admitTraction(scene_, state.tractionDirichlet, sign);
+  sides.onNeumann = state.tractionDirichlet == state.tractionNeumann
+                        ? sides.onDirichlet
+                        : tractionFromNodes(scene_.facets, state.tractionNeumann, scene_.order, scene_.degree);
+}
+
+void Certifier::solveIntermediateFields()
+{
+  const auto timer = ledger_.time(certificateStage::fields);
+  std::vector<IntermediateField*> fields;
+  if (options_.needsGlobalField())
+    fields.push_back(&global_.field);
+  if (wants(Estimator::Discretization))
+    fields.push_back(&separate_.field);
+  solveFields(scene_, fields);
+}
+
+SceneField Certifier::globalField() const
+{
+  SceneField field = makeSceneField(global_.field);
+  field.optimise = options_.optimises();
+  if (field.optimise)
+    field.opening = openings(scene_, global_.field.displacement, admissible_.gap);
+  return field;
+}
+
+void Certifier::recoverStresses()
+{
+  const auto timer = ledger_.time(certificateStage::recovery);
+  if (scene_.facets.empty())
+    global_.field.displacement = scene_.solved;
+  recoveryScene_ = makeRecoveryScene(scene_);
+  admissible_ = admitScene(deck_, scene_, recoveryScene_, options_.mode);
+  std::vector<RecoveredField*> wanted;
+  std::vector<SceneField> fields;
+  if (options_.recoversGlobalStress()) {
+    wanted.push_back(&global_);
+    fields.push_back(globalField());
+  }
+  if (wants(Estimator::Discretization)) {
+    wanted.push_back(&separate_);
+    fields.push_back(makeSceneField(separate_.field));
+  }
+  auto stresses = recovery_.recover(recoveryScene_, fields, comm_, ledger_);
+  for (std::size_t f = 0; f < wanted.size(); ++f)
+    wanted[f]->stress = std::move(stresses[f]);
+  settle(scene_, recoveryScene_, wanted, ledger_);
+}
+
+void Certifier::checkStresses()
+{
+  const auto timer = ledger_.time(certificateStage::equilibrium);
+  const auto defectOf = [&](const RecoveredField& recovered) -> std::optional<double> {
+    if (recovered.stress.corrections.empty())
+      return std::nullopt;
+    return equilibriumDefect(scene_, recoveryScene_, recovered);
+  };
+  result_.summary.equilibrium = defectOf(global_);
+  result_.summary.equilibriumDiscretization = defectOf(separate_);
+}
+
+void Certifier::measureGlobal()
+{
+  ErrorSummary& summary = result_.summary;
+  addContactOscillation(scene_, global_, options_.mode, admissible_);
+  globalMeasure_ = options_.mode == ErrorMode::Strict && !scene_.facets.empty()
+                       ? tighten(scene_, global_, admissible_)
+                       : measureStress(scene_, global_, admissible_);
+  summary.global = summarizeMeasure(globalMeasure_, boundOf(globalMeasure_, options_.mode), scene_.norm);
+  summary.meanStress = globalMeasure_.meanStress();
+  summary.meanStressRelative = scene_.norm > 0.0 ? *summary.meanStress / scene_.norm : 0.0;
+  const Guarantee guarantee =
+      judge(scene_, global_, admissible_, options_.mode, summary.equilibrium.value_or(0.0), pointCaveat(scene_, comm_));
+  summary.guaranteed = guarantee.holds();
+  summary.reason = guarantee.reason();
+  if (guarantee.holds())
+    result_.energy = energyOf(scene_, global_, admissible_, globalMeasure_);
+  result_.etaGlobal = cellContributions(globalMeasure_);
+  result_.traction = global_.stress.onDirichlet;
+  result_.facets = scene_.facets;
+  result_.intermediate = global_.field.displacement;
+  result_.admissible = admissible_.displacement.displacement;
+}
+
+void Certifier::compareWithIndicators()
+{
+  std::vector<Vector> smoothing, residual;
+  const Vector& dirichlet = scene_.coupling.state.tractionDirichlet;
+  const Vector& neumann = scene_.coupling.state.tractionNeumann;
+  SceneStress solved;
+  if (wants(Estimator::Residual) && !scene_.facets.empty()) {
+    solved.onDirichlet = tractionFromNodes(scene_.facets, dirichlet, scene_.order, scene_.degree);
+    solved.onNeumann = tractionFromNodes(scene_.facets, neumann, scene_.order, scene_.degree);
+  }
+  if (wants(Estimator::Residual) && recoveryScene_.data.empty())
+    recoveryScene_ = makeRecoveryScene(scene_);
+  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+    if (wants(Estimator::ZienkiewiczZhu))
+      smoothing.push_back(zienkiewiczZhu(*scene_.bodies[b], scene_.solved[b]));
+    if (!wants(Estimator::Residual))
+      continue;
+    const Vector contact = sharesOf(scene_, solved, int(b));
+    residual.push_back(residualIndicator(*scene_.bodies[b], recoveryScene_.data[b],
+                                         {&scene_.solved[b], contact.empty() ? nullptr : &contact}));
+  }
+  if (!smoothing.empty())
+    result_.summary.zienkiewiczZhu = totalOf(smoothing);
+  if (!residual.empty())
+    result_.summary.residual = totalOf(residual);
+}
+
+void Certifier::measure()
+{
+  const auto timer = ledger_.time(certificateStage::estimators);
+  ErrorSummary& summary = result_.summary;
+  summary.mode = errorModeNames().name(options_.mode);
+  if (options_.recoversStress()) {
+    summary.recovery = deck_.sub("Error Estimation").sub("Recovery").get<std::string>("Type");
+    summary.degree = scene_.degree;
+  }
+  if (options_.needsTraction())
+    summary.interfaceTraction = tractionTypeNames().name(options_.tractionType);
+  if (wants(Estimator::Global))
+    measureGlobal();
+  if (wants(Estimator::Algorithm) || wants(Estimator::Split)) {
+    const ErrorMeasure measure = measureAlgorithm(scene_, global_.field);
+    summary.algorithm = summarizeMeasure(measure, measure.sum(), scene_.norm);
+    result_.etaAlgorithm = cellContributions(measure);
+  }
+  if (wants(Estimator::Discretization)) {
+    const ErrorMeasure measure = measureStress(scene_, separate_, admissible_);
+    summary.discretization = summarizeMeasure(measure, boundOf(measure, options_.mode), scene_.norm);
+    result_.etaDiscretization = cellContributions(measure);
+  }
+  if (wants(Estimator::Split))
+    summary.splitStress = correctionNorm(scene_, global_);
+  compareWithIndicators();
+  summary.advice = advice(summary, scene_.coupling.history);
+  result_.corrections = std::move(global_.stress.corrections);
+}
+
+void Certifier::compare(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)
+{
+  const auto timer = ledger_.time(certificateStage::reference);
+  const CertifiedStress certified{result_.admissible, scene_.facets, result_.traction, globalMeasure_,
+                                  boundOf(globalMeasure_, options_.mode)};
+  const ReferenceDepth depth{options_.refinements, options_.maximumDofs};
+  updateReference(reference, deck_, components, scene_.model, depth, comm_, ledger_);
+  result_.summary.reference = compareWithReference(reference.get(), scene_.model, scene_.solved,
+                                                   wants(Estimator::Global) ? &certified : nullptr, depth);
+}
+
+} // namespace
+
+Certificate certify(const Params& deck, const ErrorOptions& options, const CertificateComponents& components,
+                    const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
+                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
+                    std::shared_ptr<const ReferenceSolution>& reference)
+{
+  const auto recovery = components.recoveries.build(deck.sub("Error Estimation").sub("Recovery"));
+  const int order = model.bodies.front().nodes.order;
+  const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order));
+  return Certifier(deck, options, scene, *recovery, comm, ledger).run(components, reference);
+}
+
+} // namespace ndframe

@@ -1,0 +1,56 @@
+#include "point_caveat.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "ndframe/condensation/reactions.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Of the largest force on a node: as what the stars of the equilibrated stress may be out of balance.
+constexpr double roundOff = 1e-9;
+
+bool holdsPoint(const Support& support, const Mesh& mesh)
+{
+  return support.facets(mesh).empty() && !support.holdsMeanMotion();
+}
+
+} // namespace
+
+std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
+{
+  const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyModel* body) {
+    return std::any_of(body->supports.begin(), body->supports.end(),
+                       [&](const auto& support) { return holdsPoint(*support, body->mesh); });
+  });
+  if (!any)
+    return {};
+  double largest = 0.0;
+  std::vector<Vector> reactions;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const Vector u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
+    reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
+    largest = std::max({largest, largestEntry(reactions[b]), largestEntry(scene.condensed.systems[b].load)});
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const auto& support : scene.bodies[b]->supports)
+      for (const auto& held : support->constraints(scene.bodies[b]->mesh, scene.bodies[b]->nodes)) {
+        double force = 0.0;
+        for (int k = 0; k < scene.bodies[b]->mesh.dim; ++k)
+          force += held.direction[std::size_t(k)] *
+                   reactions[b][std::size_t(held.node) * std::size_t(scene.bodies[b]->mesh.dim) + std::size_t(k)];
+        if (holdsPoint(*support, scene.bodies[b]->mesh) && std::abs(force) > roundOff * largest)
+          return fmt::format(
+              "{} holds a point with a force of {:.3g}, and no stress of finite energy is in equilibrium "
+              "with a force on a point: hold a side, or balance the loads. ",
+              support->params().path(), force);
+      }
+  return {};
+}
+
+} // namespace ndframe

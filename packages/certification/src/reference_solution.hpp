@@ -1,0 +1,92 @@
+#pragma once
+
+#include <memory>
+
+#include "ndframe/certification/certificate_components.hpp"
+#include "ndframe/condensation/condensed_model.hpp"
+#include "ndframe/estimation/error_measure.hpp"
+#include "ndframe/io/summary.hpp"
+
+namespace ndframe
+{
+
+/// The same scene on meshes with every edge halved several times, solved without iteration between the bodies
+/// (Monolithic) whatever the deck's coupling is; Automatic linear solver unless the deck asks for Krylov.
+///
+/// The coarse fields are fields of the fine meshes too, so differences are exact up to round-off. All is global axes;
+/// norms are energy norms over all bodies. Throws what a run throws: NotConverged, InputError (memory).
+class ReferenceSolution
+{
+public:
+  /// model: the coarse scene of this deck. Collective, as all functions are.
+  ReferenceSolution(const Params& deck, const CertificateComponents& components, const Model& model, int refinements,
+                    const Comm& comm);
+
+  /// Whether a reference made of this coarse scene would be the same.
+  bool suits(const Model& coarse, int refinements) const;
+
+  int refinements() const { return refinements_; }
+  std::int64_t dofs() const;                                                ///< dim * nodes of all bodies
+  const Model& model() const { return model_; }                             ///< the fine scene
+  const std::vector<Vector>& displacement() const { return displacement_; } ///< u_ref per body, on the fine meshes
+
+  /// |u| of a displacement on the coarse meshes, per body.
+  double norm(const std::vector<Vector>& displacement) const;
+
+  /// |u_ref - u|.
+  double distance(const std::vector<Vector>& displacement) const;
+
+  /// |sigma_ref - sigma^| for a stress in equilibrium with the loads and with the traction t^ on the coarse facets,
+  /// whose distance from the stress of an admissible displacement u^ is D: with v = u_ref - u^,
+  ///
+  ///   |sigma_ref - sigma^|^2 = D^2 - 2 (f_ref . v + int t^ [v_N] dS - (P u^)^T K_ref v) + v^T K_ref v.
+  ///
+  /// Limits: exact where the loads are those that sigma^ balances (no oscillation) and v vanishes on the supports
+  /// (prescribed displacements that polynomials of the coarse mesh carry).
+  double stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
+                        const std::vector<ContactFacet>& facets, const ContactTraction& traction, double D) const;
+
+private:
+  std::vector<Vector> onFineMesh(const std::vector<Vector>& displacement) const;
+  Vector applyStiffness(std::size_t body, const Vector& displacement) const;
+  double fineNorm(const std::vector<Vector>& displacement) const;
+
+  Comm comm_;
+  int refinements_;
+  SceneRecipe recipe_;                        ///< of the coarse scene
+  std::vector<std::vector<NodeMap>> coarser_; ///< per body, from the coarse mesh to the last but one
+  Model model_;                               ///< the fine scene
+  std::vector<BodySystem> systems_;
+  std::vector<Vector> displacement_; ///< u_ref per body
+};
+
+/// How deep the reference goes.
+struct ReferenceDepth
+{
+  int refinements = 3;          ///< halvings of every edge
+  std::int64_t maximumDofs = 0; ///< it goes less deep where it would have more
+};
+
+/// What a certificate says, to be judged: u^ per body, the admissible traction of sigma^, the measure (39).
+struct CertifiedStress
+{
+  const std::vector<Vector>& admissible;
+  const std::vector<ContactFacet>& facets;
+  const ContactTraction& traction;
+  const ErrorMeasure& measure;
+  double bound;
+};
+
+/// Makes `reference` (of another run, or null) the one of this deck and model; keeps it where it suits ("references
+/// reused" in the ledger). Null without a single refinement below the limit.
+void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const Params& deck,
+                     const CertificateComponents& components, const Model& model, const ReferenceDepth& depth,
+                     const Comm& comm, Ledger& ledger);
+
+/// The true errors of u_h (`displacement`, per body) and, with a certificate, of its stresses and the ratio of bound
+/// and error. Without a reference the numbers are NaN, and the note says why.
+ReferenceSummary compareWithReference(const ReferenceSolution* reference, const Model& model,
+                                      const std::vector<Vector>& displacement, const CertifiedStress* certified,
+                                      const ReferenceDepth& depth);
+
+} // namespace ndframe

@@ -1,0 +1,40 @@
+#pragma once
+
+#include "ndframe/condensation/condensed_model.hpp"
+#include "ndframe/coupling/coupling.hpp"
+#include "ndframe/io/summary.hpp"
+
+namespace ndframe
+{
+
+/// `Dirichlet Body` = `Automatic`: who is Dirichlet body is not the deck's business but found out.
+
+/// Turns interfaces of a model that was just built so that every body has one role, the first interface of each
+/// connected part as the deck says, or the other way round where a body must be Dirichlet body (refuseObstacles).
+/// Bodies that touch in a ring of odd length have no such roles: a mistake if the coupling needs them, else nothing is
+/// turned.
+void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics);
+
+/// Refuses Neumann bodies at nodes where supports hold the other body: their problem has no contact conditions.
+void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics);
+
+/// The roles that were chosen.
+struct ChosenRoles
+{
+  RoleSpectrum spectrum;          ///< the eigenvalues for them
+  std::vector<RoleSummary> parts; ///< per connected part
+};
+
+/// Exchanges the roles of the bodies in each connected part of the condensed scene where the iteration then contracts
+/// clearly better with the theta that it uses. before: roles of an earlier mesh, like which the scene is oriented; may
+/// be empty. No factorisation: the stiffness on the interface stays, what is counted along n_c changes its sign.
+ChosenRoles chooseRoles(Model& model, CondensedModel& condensed, const std::vector<ConnectedBodies>& parts,
+                        std::optional<double> givenTheta, const std::vector<RoleSummary>& before);
+
+/// Undoes what chooseRoles exchanged: the scene is again as it was condensed.
+void giveBackRoles(Model& model, CondensedModel& condensed);
+
+/// Turns the interfaces of a model that was just built as those of another model of the same deck.
+void orientLike(Model& model, const std::vector<InterfaceMesh>& others);
+
+} // namespace ndframe

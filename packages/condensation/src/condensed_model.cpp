@@ -1,0 +1,254 @@
+#include "ndframe/condensation/condensed_model.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "ndframe/algebra/threads.hpp"
+#include "ndframe/mesh/partition.hpp"
+#include "trace_nodes.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+std::vector<int> ownedNodes(const BodyModel& body, const Comm& comm)
+{
+  const auto owner = partitionNodes(body.nodes.cellNodes, body.nodes.nodesPerCell, body.nodes.numNodes(), comm.size());
+  std::vector<int> owned;
+  for (int node = 0; node < body.nodes.numNodes(); ++node)
+    if (owner[std::size_t(node)] == comm.rank())
+      owned.push_back(node);
+  return owned;
+}
+
+DofLayout layOut(const Model& model, std::size_t b, const BodyTraceNodes& nodes)
+{
+  return makeDofLayout(model.bodies[b].nodes, model.constraints[b], nodes.traces);
+}
+
+BodySystem assemble(const Model& model, std::size_t b, DofLayout layout, const Comm& comm)
+{
+  return assembleBody(model.bodies[b], std::move(layout), ownedNodes(model.bodies[b], comm), model.loads[b]);
+}
+
+std::unique_ptr<CondensedBody> factorBody(const BodyModel& body, const RigidBasis& rigid, const BodySystem& system,
+                                          const LinearSolver& solver, const Comm& comm, Ledger& ledger)
+{
+  try {
+    return solver.factor(solverProblem(body, rigid, system), comm, ledger);
+  } catch (const SingularBody& failure) {
+    const int node = failure.dof < 0 ? -1 : failure.dof / body.mesh.dim;
+    throw InputError(
+        fmt::format("Bodies/{}: its matrix is singular{}: is a part of the mesh not connected to the rest, or an "
+                    "element nearly flat? ({})",
+                    body.name, node < 0 ? std::string() : " at " + pointText(body.nodes.point(node), body.mesh.dim),
+                    failure.what()));
+  }
+}
+
+BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& all,
+                    const std::vector<DependentTrace>& dependents)
+{
+  BodyTrace trace;
+  trace.body = body;
+  for (const DependentTrace& dependent : dependents)
+    trace.dependents.push_back({all.unknowns[std::size_t(dependent.given)],
+                                all.onDirichletSide[std::size_t(dependent.given)] != 0, dependent});
+  const BodyTraceNodes nodes = all.without(dependents);
+  trace.unknowns = nodes.unknowns;
+  trace.onDirichletSide = nodes.onDirichletSide;
+  std::vector<Direction> normals;
+  for (const auto& t : nodes.traces)
+    normals.push_back(t.normal);
+  const auto& rigid = model.rigid[std::size_t(body)];
+  const auto& free = model.freeMotions[std::size_t(body)];
+  trace.freeMotions = motionTraces(rigid, free, nodes.points, normals);
+  if (free.cols() > 0)
+    for (const auto& motion : describeMotions(rigid, free))
+      trace.motionNames.push_back(fmt::format("{} of {}", motion, model.bodies[std::size_t(body)].name));
+  return trace;
+}
+
+/// True when a kept dof stands for the same multiple of the normal displacement.
+bool sameScales(const std::vector<TraceDof>& a, const std::vector<TraceDof>& b)
+{
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TraceDof& x, const TraceDof& y) {
+    return x.dof == y.dof && x.scale == y.scale && x.along == y.along;
+  });
+}
+
+/// Condenses a model body by body and keeps of an earlier condensed scene what the model has not changed.
+class Condenser
+{
+public:
+  Condenser(const Model& model, const LinearSolver& solver, const InterfaceOperator& representation, const Comm& comm,
+            Ledger& ledger, CondensedModel previous, const FactorObserver& onFactor)
+      : model_(model), solver_(solver), representation_(representation), comm_(comm), ledger_(ledger),
+        onFactor_(onFactor), result_(std::move(previous))
+  {
+    if (result_.recipe.bodies.size() != model.recipe.bodies.size())
+      result_ = {};
+    recipe_ = std::exchange(result_.recipe, model.recipe);
+    interface_ = std::exchange(result_.interface, {});
+    result_.systems.reserve(model.bodies.size()); // the factors point to the matrices
+    result_.condensed.resize(model.bodies.size());
+    result_.loads.resize(model.bodies.size());
+    result_.threads = solver.allowsThreads(comm.size()) ? numThreads(comm) : 1;
+    traces_.resize(model.bodies.size());
+  }
+
+  CondensedModel run() &&
+  {
+    const auto traceNodes = numberUnknowns(model_, result_.interface);
+    if (!model_.interfaces.empty())
+      result_.interface.C = std::make_shared<ContactMatrix>(model_.interfaces);
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b)
+      layOutBody(b, traceNodes[b]);
+    const std::vector<int> sizes = model_.numDofs();
+    const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
+    assembleWhatIsNew(largest); // before the others begin: it has to be ordered first, for only one can be at a time
+    runLargestFirst(sizes, result_.threads, [&](int body) {
+      const auto b = std::size_t(body);
+      if (b != largest)
+        assembleWhatIsNew(b);
+      condenseBody(b, traceNodes[b]);
+    });
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
+      if (kept_[b].factor)
+        ledger_.count("factors reused");
+      else if (onFactor_)
+        onFactor_(model_.bodies[b].name, result_.condensed[b]->description());
+      if (!traceNodes[b].traces.empty())
+        result_.interface.bodies.push_back(std::move(traces_[b]));
+    }
+    return std::move(result_);
+  }
+
+private:
+  /// What of a body's earlier condensation is still right; each needs the one before it.
+  struct Kept
+  {
+    bool factor = false, schur = false, load = false;
+  };
+
+  Kept whatIsKept(std::size_t b) const
+  {
+    Kept kept;
+    if (recipe_.bodies.empty())
+      return kept;
+    const BodyRecipe &before = recipe_.bodies[b], &now = model_.recipe.bodies[b];
+    const DofLayout& earlier = result_.systems[b].dofs;
+    kept.factor = before.mesh == now.mesh && before.matrix == now.matrix && recipe_.solver == model_.recipe.solver &&
+                  layouts_[b].splitsLike(earlier);
+    kept.schur = kept.factor && recipe_.representation == model_.recipe.representation &&
+                 sameScales(layouts_[b].trace, earlier.trace);
+    kept.load = kept.schur && before.load == now.load;
+    return kept;
+  }
+
+  /// Numbers the body's dofs and lets go of a factor that is of no use any more: the new ones need its memory.
+  void layOutBody(std::size_t b, const BodyTraceNodes& nodes)
+  {
+    layouts_.push_back(layOut(model_, b, nodes));
+    kept_.push_back(whatIsKept(b));
+    if (b == result_.systems.size())
+      result_.systems.push_back({layouts_[b], {}, {}}); // a place for condenseBody()
+    if (!kept_[b].factor)
+      result_.condensed[b].reset();
+  }
+
+  /// Like condenseBody(), it touches nothing of other bodies.
+  void assembleWhatIsNew(std::size_t b)
+  {
+    if (kept_[b].load)
+      return;
+    const auto timer = ledger_.time("assemble");
+    BodySystem& system = result_.systems[b];
+    if (!kept_[b].factor) {
+      system = assemble(model_, b, std::move(layouts_[b]), comm_);
+    } else { // other loads or prescribed values, the same matrix
+      system.dofs = std::move(layouts_[b]);
+      system.load = system.dofs.frames.toLocal(model_.loads[b]);
+    }
+    result_.loads[b] = system.effectiveLoad(comm_);
+  }
+
+  void condenseBody(std::size_t b, const BodyTraceNodes& nodes)
+  {
+    if (!kept_[b].factor)
+      result_.condensed[b] = factorBody(model_.bodies[b], model_.rigid[b], result_.systems[b], solver_, comm_, ledger_);
+    if (!nodes.traces.empty())
+      condenseTrace(b, nodes);
+  }
+
+  void condenseTrace(std::size_t b, const BodyTraceNodes& nodes)
+  {
+    const auto timer = ledger_.time("interface");
+    const auto& dofs = result_.systems[b].dofs.trace;
+    const auto earlier = std::find_if(interface_.bodies.begin(), interface_.bodies.end(),
+                                      [&](const BodyTrace& trace) { return trace.body == int(b); });
+    BodyTrace& trace = traces_[b];
+    trace = makeTrace(model_, int(b), nodes, result_.systems[b].dofs.dependents);
+    trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], dofs, representation_);
+    trace.g =
+        kept_[b].load ? std::move(earlier->g) : traceLoad(*result_.condensed[b], dofs, *trace.S, result_.loads[b]);
+  }
+
+  const Model& model_;
+  const LinearSolver& solver_;
+  const InterfaceOperator& representation_;
+  const Comm& comm_;
+  Ledger& ledger_;
+  const FactorObserver& onFactor_;
+  CondensedModel result_;
+  SceneRecipe recipe_;             ///< of the earlier scene
+  InterfaceSystem interface_;      ///< the same
+  std::vector<DofLayout> layouts_; ///< per body
+  std::vector<Kept> kept_;         ///< per body
+  std::vector<BodyTrace> traces_;  ///< per body, empty for those that touch nothing
+};
+
+} // namespace
+
+const BodyTrace* CondensedModel::trace(int body) const
+{
+  const auto found = std::find_if(interface.bodies.begin(), interface.bodies.end(),
+                                  [body](const BodyTrace& trace) { return trace.body == body; });
+  return found == interface.bodies.end() ? nullptr : &*found;
+}
+
+std::vector<BodySystem> assembleSystems(const Model& model, const Comm& comm)
+{
+  InterfaceSystem numbering;
+  const auto traceNodes = numberUnknowns(model, numbering);
+  std::vector<BodySystem> systems;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    systems.push_back(assemble(model, b, layOut(model, b, traceNodes[b]), comm));
+  return systems;
+}
+
+SolverProblem solverProblem(const BodyModel& body, const RigidBasis& rigid, const BodySystem& system)
+{
+  SolverProblem problem;
+  problem.matrix = &system.K;
+  problem.roles = system.dofs.roles;
+  problem.kept = system.dofs.keptDofs();
+  problem.nearNullSpace = rigidModes(rigid, body.nodes, system.dofs.frames);
+  problem.nodePoints = body.nodes.points;
+  return problem;
+}
+
+CondensedModel condense(const Model& model, const LinearSolver& solver, const InterfaceOperator& representation,
+                        const Comm& comm, Ledger& ledger, CondensedModel previous, const FactorObserver& onFactor)
+{
+  if (model.recipe.sameSystems(previous.recipe)) {
+    ledger.count("factors reused", std::int64_t(model.bodies.size()));
+    return previous;
+  }
+  return Condenser(model, solver, representation, comm, ledger, std::move(previous), onFactor).run();
+}
+
+} // namespace ndframe

@@ -1,0 +1,137 @@
+#include "ndframe/condensation/reactions.hpp"
+
+#include <algorithm>
+#include <map>
+
+#include "ndframe/algebra/dense.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A direction that a support prescribes at a node.
+struct Hold
+{
+  std::size_t support;
+  Direction direction;
+};
+
+std::map<int, std::vector<Hold>> holdsOf(const BodyModel& body)
+{
+  std::map<int, std::vector<Hold>> holds;
+  for (std::size_t s = 0; s < body.supports.size(); ++s)
+    for (const auto& constraint : body.supports[s]->constraints(body.mesh, body.nodes))
+      holds[constraint.node].push_back({s, constraint.direction});
+  return holds;
+}
+
+/// The smallest multiples of the directions that add up to the force, which lies in their span.
+Vector sharesOf(const Vector& force, const std::vector<Hold>& holds)
+{
+  constexpr double parallel = 1e-9;
+  DenseMatrix directions(int(force.size()), int(holds.size()));
+  for (int h = 0; h < directions.cols(); ++h)
+    std::copy_n(holds[std::size_t(h)].direction.begin(), force.size(), directions.col(h));
+  return multiply(pseudoInverse(directions, parallel), force);
+}
+
+/// Mean of the nodes that a support without a side holds.
+Direction centreOfNodes(const Support& support, const BodyModel& body)
+{
+  Direction centre{};
+  const auto constraints = support.constraints(body.mesh, body.nodes);
+  for (const auto& constraint : constraints)
+    for (int k = 0; k < body.mesh.dim; ++k)
+      centre[std::size_t(k)] += body.nodes.point(constraint.node)[k] / double(constraints.size());
+  return centre;
+}
+
+/// Centre of a support's side.
+Direction centreOf(const Support& support, const BodyModel& body)
+{
+  if (!support.params().has("Side"))
+    return centreOfNodes(support, body);
+  Direction centre{}, normal{};
+  double total = 0.0;
+  int vertices[3];
+  for (const Facet facet : support.facets(body.mesh)) {
+    const double measure = facetNormal(body.mesh, facet, normal.data());
+    facetVertices(body.mesh, facet, vertices);
+    total += measure;
+    for (int v = 0; v < body.mesh.dim; ++v)
+      for (int k = 0; k < body.mesh.dim; ++k)
+        centre[std::size_t(k)] += measure / body.mesh.dim * body.mesh.point(vertices[v])[k];
+  }
+  for (double& coordinate : centre)
+    coordinate /= total;
+  return centre;
+}
+
+} // namespace
+
+Vector contactForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body)
+{
+  const BodyModel& on = model.bodies[std::size_t(body)];
+  Vector forces(std::size_t(on.numDofs()), 0.0);
+  Vector dirichlet(state.tractionDirichlet.size(), 0.0), neumann = dirichlet;
+  for (std::size_t k = 0; k < condensed.interface.nodeOfUnknown.size(); ++k) {
+    dirichlet[std::size_t(condensed.interface.nodeOfUnknown[k])] = state.forceDirichlet[k];
+    neumann[std::size_t(condensed.interface.nodeOfUnknown[k])] = -state.forceNeumann[k];
+  }
+  std::size_t first = 0;
+  const auto add = [&](const InterfaceMesh& interface, const std::vector<int>& nodes, const Vector& along) {
+    for (std::size_t i = 0; i < nodes.size(); ++i)
+      for (std::size_t k = 0; k < std::size_t(interface.dim); ++k)
+        forces[std::size_t(nodes[i]) * std::size_t(interface.dim) + k] += along[first + i] * interface.normals[i][k];
+  };
+  for (const auto& interface : model.interfaces) {
+    if (interface.dirichletBody == body)
+      add(interface, interface.dirichletNodes, dirichlet);
+    if (interface.neumannBody == body)
+      add(interface, interface.neumannNodes, neumann);
+    first += std::size_t(interface.numNodes());
+  }
+  return forces;
+}
+
+Vector supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
+                     const Vector& u, const Comm& comm)
+{
+  const BodySystem& system = condensed.systems[std::size_t(body)];
+  Vector forces = multiply(system.K, u, comm);
+  const Vector contact = system.dofs.frames.toLocal(contactForces(model, condensed, state, body));
+  for (std::size_t i = 0; i < forces.size(); ++i)
+    forces[i] = system.dofs.roles[i] == DofRole::Fixed ? forces[i] - system.load[i] - contact[i] : 0.0;
+  return system.dofs.frames.toGlobal(forces);
+}
+
+std::vector<SupportSummary> supportReactions(const BodyModel& body, const Vector& forces)
+{
+  const int dim = body.mesh.dim;
+  std::vector<SupportSummary> reactions;
+  std::vector<Direction> centres;
+  for (const auto& support : body.supports) {
+    centres.push_back(centreOf(*support, body));
+    reactions.push_back({support->params().name(), support->description(), Vector(std::size_t(dim), 0.0),
+                         Vector(dim == 2 ? 1 : 3, 0.0), Vector(centres.back().begin(), centres.back().begin() + dim)});
+  }
+  for (const auto& [node, holds] : holdsOf(body)) {
+    const double* force = forces.data() + std::ptrdiff_t(node) * dim;
+    const Vector shares = sharesOf({force, force + dim}, holds);
+    for (std::size_t h = 0; h < holds.size(); ++h) {
+      Direction part{}, arm{};
+      for (std::size_t k = 0; k < std::size_t(dim); ++k) {
+        part[k] = shares[h] * holds[h].direction[k];
+        arm[k] = body.nodes.point(node)[k] - centres[holds[h].support][k];
+        reactions[holds[h].support].force[k] += part[k];
+      }
+      const auto moment = momentOf(arm, part, dim);
+      for (std::size_t k = 0; k < moment.size(); ++k)
+        reactions[holds[h].support].moment[k] += moment[k];
+    }
+  }
+  return reactions;
+}
+
+} // namespace ndframe

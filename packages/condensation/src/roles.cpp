@@ -1,0 +1,260 @@
+#include "ndframe/condensation/roles.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include <fmt/format.h>
+
+#include "odd_ring.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Other roles must need less than this part of the sweeps: estimates that agree leave the deck's roles.
+constexpr double clearly = 0.9;
+
+void negate(Vector& values)
+{
+  for (double& value : values)
+    value = -value;
+}
+
+/// Makes the Neumann body of an interface the Dirichlet body; the interface's nodes keep their numbers.
+void exchange(Model& model, InterfaceMesh& interface)
+{
+  std::swap(interface.dirichletBody, interface.neumannBody);
+  std::swap(interface.dirichletNodes, interface.neumannNodes);
+  std::swap(interface.dirichletFacets, interface.neumannFacets);
+  for (auto& normal : interface.normals)
+    for (double& component : normal)
+      component = -component;
+  for (auto& ends : interface.endNormals)
+    for (auto& normal : ends)
+      for (double& component : normal)
+        component = -component;
+  const NodeMap& nodes = model.bodies[std::size_t(interface.dirichletBody)].nodes;
+  const auto numNodes = std::size_t(interface.nodesPerFacet());
+  std::vector<int> bodyNodes(numNodes);
+  // A facet's nodes stand in the order of the Dirichlet body's facet.
+  for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
+    facetNodes(nodes, interface.dirichletFacets[f], bodyNodes.data());
+    const auto first = interface.facets.begin() + std::ptrdiff_t(f) * std::ptrdiff_t(numNodes),
+               last = first + std::ptrdiff_t(numNodes);
+    const int firstVertex = *first;
+    std::sort(first, last, [&](int a, int b) {
+      const auto place = [&](int node) {
+        return std::find(bodyNodes.begin(), bodyNodes.end(), interface.dirichletNodes[std::size_t(node)]);
+      };
+      return place(a) < place(b);
+    });
+    if (!interface.endNormals.empty() && *first != firstVertex)
+      std::swap(interface.endNormals[f][0], interface.endNormals[f][1]);
+  }
+}
+
+/// The same for a body that is already condensed: S stays.
+void exchange(CondensedModel& condensed, BodyTrace& trace)
+{
+  for (char& side : trace.onDirichletSide)
+    side = !side;
+  NDFRAME_ASSERT(trace.dependents.empty(), "roles are for bodies without them");
+  negate(trace.g);
+  for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
+    trace.freeMotions.data()[i] *= -1.0;
+  for (auto& dof : condensed.systems[std::size_t(trace.body)].dofs.trace) {
+    dof.scale = -dof.scale;
+    dof.offset = -dof.offset;
+    dof.along = -dof.along;
+  }
+}
+
+void exchange(Model& model, CondensedModel& condensed, const std::vector<int>& bodies)
+{
+  const auto isOne = [&](int body) { return std::binary_search(bodies.begin(), bodies.end(), body); };
+  for (auto& interface : model.interfaces)
+    if (isOne(interface.dirichletBody))
+      exchange(model, interface);
+  for (auto& trace : condensed.interface.bodies)
+    if (isOne(trace.body))
+      exchange(condensed, trace);
+}
+
+/// Where a body is free and supports hold the other one: the interface and its node.
+struct Obstacle
+{
+  const InterfaceMesh* interface;
+  int node, held;
+};
+
+std::optional<Obstacle> obstacleOf(const Model& model, int body)
+{
+  for (const auto& interface : model.interfaces)
+    if (interface.dirichletBody == body || interface.neumannBody == body)
+      for (int i = 0; i < interface.numNodes(); ++i) {
+        const auto sides = model.sidesAt(interface, i);
+        const auto& [own, other] =
+            sides[0].body == body ? std::pair(sides[0], sides[1]) : std::pair(sides[1], sides[0]);
+        if (own.isFree && !other.isFree)
+          return Obstacle{&interface, i, other.body};
+      }
+  return std::nullopt;
+}
+
+/// One role a body: 1 Dirichlet, 0 Neumann, -1 not known yet.
+class RoleMap
+{
+public:
+  explicit RoleMap(const Model& model) : interfaces_(model.interfaces), role_(model.bodies.size(), -1)
+  {
+    for (const auto& interface : interfaces_) {
+      if (role(interface.dirichletBody) >= 0 || role(interface.neumannBody) >= 0)
+        continue;
+      const std::vector<int> before = role_;
+      role(interface.dirichletBody) = 1;
+      spread();
+      turnForObstacles(model, before);
+    }
+  }
+  bool isDirichlet(int body) const { return role_[std::size_t(body)] == 1; }
+
+private:
+  /// Exchanges the roles that are new since `before` if one of the new Neumann bodies meets an obstacle.
+  void turnForObstacles(const Model& model, const std::vector<int>& before)
+  {
+    bool turns = false;
+    for (std::size_t b = 0; b < role_.size(); ++b)
+      turns = turns || (before[b] < 0 && role_[b] == 0 && obstacleOf(model, int(b)));
+    for (std::size_t b = 0; turns && b < role_.size(); ++b)
+      if (before[b] < 0 && role_[b] >= 0)
+        role_[b] = 1 - role_[b];
+  }
+
+  int& role(int body) { return role_[std::size_t(body)]; }
+
+  /// Gives the neighbours of bodies with a role the other one.
+  void spread()
+  {
+    for (bool changes = true; changes;) {
+      changes = false;
+      for (const auto& interface : interfaces_)
+        for (const auto& [known, other] : {std::pair(interface.dirichletBody, interface.neumannBody),
+                                           std::pair(interface.neumannBody, interface.dirichletBody)})
+          if (role(known) >= 0 && role(other) < 0) {
+            role(other) = 1 - role(known);
+            changes = true;
+          }
+    }
+  }
+
+  const std::vector<InterfaceMesh>& interfaces_;
+  std::vector<int> role_;
+};
+
+/// What decides between two roles: the factor of the error in a sweep.
+double factorOf(const RoleSpectrum& spectrum, std::optional<double> givenTheta)
+{
+  return givenTheta ? spectrum.contraction(*givenTheta) : spectrum.contraction();
+}
+
+/// Factors of 1 and more never end; below it sweeps go by their logarithms.
+bool isClearlyBetter(double factor, double other)
+{
+  return other < 1.0 && factor < 1.0 ? std::log(factor) > clearly * std::log(other) : other < clearly * factor;
+}
+
+RoleSummary summarize(const Model& model, const std::vector<int>& bodies)
+{
+  RoleSummary summary;
+  for (const auto& interface : model.interfaces)
+    if (std::binary_search(bodies.begin(), bodies.end(), interface.dirichletBody)) {
+      summary.dirichletBodies.push_back(model.bodies[std::size_t(interface.dirichletBody)].name);
+      summary.neumannBodies.push_back(model.bodies[std::size_t(interface.neumannBody)].name);
+    }
+  for (auto* names : {&summary.dirichletBodies, &summary.neumannBodies}) {
+    std::sort(names->begin(), names->end());
+    names->erase(std::unique(names->begin(), names->end()), names->end());
+  }
+  return summary;
+}
+
+} // namespace
+
+void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics)
+{
+  const RoleMap roles(model);
+  if (const std::string ring = oddRing(model); !ring.empty()) {
+    if (needsRoles)
+      diagnostics.add(deck.sub("Interfaces").mistake("", ring));
+    return;
+  }
+  for (auto& interface : model.interfaces)
+    if (!roles.isDirichlet(interface.dirichletBody)) {
+      exchange(model, interface);
+      model.recipe.interfaces += "; exchanged: " + interface.name;
+    }
+}
+
+void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  for (const auto& interface : model.interfaces)
+    if (const auto obstacle = obstacleOf(model, interface.neumannBody)) {
+      const BodyModel &body = model.bodies[std::size_t(interface.neumannBody)],
+                      &held = model.bodies[std::size_t(obstacle->held)];
+      diagnostics.add(
+          deck.sub("Interfaces")
+              .sub(obstacle->interface->name)
+              .mistake("", fmt::format("supports hold \"{}\" at {}, and \"{}\" may touch it there: Neumann-Dirichlet "
+                                       "solves such a body only as Dirichlet body. Exchange the roles, or use "
+                                       "Coupling/Type = Monolithic.",
+                                       held.name, pointText(obstacle->interface->point(obstacle->node), body.mesh.dim),
+                                       body.name)));
+      return;
+    }
+}
+
+ChosenRoles chooseRoles(Model& model, CondensedModel& condensed, const std::vector<ConnectedBodies>& parts,
+                        std::optional<double> givenTheta, const std::vector<RoleSummary>& before)
+{
+  std::vector<int>& all = condensed.exchanged;
+  std::vector<ConnectedBodies> chosen = parts;
+  std::vector<RoleSummary> summaries;
+  for (std::size_t k = 0; k < parts.size(); ++k) {
+    const RoleSpectrum given = parts[k].spectrum, other = given.exchanged();
+    const double factor = factorOf(given, givenTheta), otherFactor = factorOf(other, givenTheta);
+    const bool mayExchange = std::none_of(parts[k].bodies.begin(), parts[k].bodies.end(),
+                                          [&](int body) { return obstacleOf(model, body).has_value(); });
+    const bool exchanged = given.isKnown() && mayExchange && isClearlyBetter(factor, otherFactor);
+    if (exchanged) {
+      chosen[k].spectrum = other;
+      exchange(model, condensed, parts[k].bodies);
+      all.insert(all.end(), parts[k].bodies.begin(), parts[k].bodies.end());
+    }
+    RoleSummary summary = summarize(model, parts[k].bodies);
+    summary.exchanged = exchanged != (!before.empty() && before[k].exchanged);
+    summary.contraction = exchanged ? otherFactor : factor;
+    if (mayExchange)
+      summary.contractionExchanged = exchanged ? factor : otherFactor;
+    summary.bestTheta = chosen[k].spectrum.bestTheta();
+    summary.theta = givenTheta.value_or(summary.bestTheta);
+    summaries.push_back(std::move(summary));
+  }
+  std::sort(all.begin(), all.end());
+  return {joinedSpectrum(chosen), std::move(summaries)};
+}
+
+void giveBackRoles(Model& model, CondensedModel& condensed)
+{
+  exchange(model, condensed, std::exchange(condensed.exchanged, {}));
+}
+
+void orientLike(Model& model, const std::vector<InterfaceMesh>& others)
+{
+  for (std::size_t i = 0; i < model.interfaces.size(); ++i)
+    if (model.interfaces[i].dirichletBody != others[i].dirichletBody)
+      exchange(model, model.interfaces[i]);
+}
+
+} // namespace ndframe

@@ -1,0 +1,219 @@
+#include "ndframe/condensation/solution.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/algebra/threads.hpp"
+#include "ndframe/scene/holds.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr double lastDigits = 1e-14; ///< round-off of a sum of products over a row of K
+constexpr double smallForce = 1e-8; ///< below this part of the scene's largest force a body's own ones may be round-off
+
+/// Kept values of a body in each state, n_c x states.
+DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<TraceDof>& dofs,
+                       const std::vector<InterfaceState>& states)
+{
+  DenseMatrix kept(int(dofs.size()), int(states.size()));
+  for (int s = 0; s < kept.cols(); ++s) {
+    const InterfaceState& state = states[std::size_t(s)];
+    const Vector& uNeumann = state.motionsNeumann.empty() ? state.uNeumann : state.strainedNeumann;
+    Vector normal;
+    for (std::size_t k = 0; k < trace.unknowns.size(); ++k)
+      normal.push_back((trace.onDirichletSide[k] ? state.uDirichlet : uNeumann)[std::size_t(trace.unknowns[k])]);
+    const Vector values = keptValues(dofs, normal);
+    std::copy(values.begin(), values.end(), kept.col(s));
+  }
+  return kept;
+}
+
+/// A body's amplitudes among those of all Neumann bodies; none when the coupling did not find them.
+Vector amplitudesOf(int body, const InterfaceSystem& system, const InterfaceState& state)
+{
+  auto first = state.motionsNeumann.begin();
+  for (const auto& trace : system.bodies) {
+    if (system.isDirichlet(trace) || state.motionsNeumann.empty())
+      continue;
+    const auto last = first + trace.freeMotions.cols();
+    if (trace.body == body)
+      return {first, last};
+    first = last;
+  }
+  return {};
+}
+
+/// Adds the motions with these amplitudes to a field in the nodes' own axes; supports hold what they hold exactly.
+void addMotions(Vector& u, const Vector& amplitudes, const Model& model, std::size_t b, const DofLayout& dofs)
+{
+  const Vector motion = multiply(rigidModes(model.rigid[b], model.bodies[b].nodes, dofs.frames),
+                                 multiply(model.freeMotions[b], amplitudes));
+  for (std::size_t i = 0; i < u.size(); ++i)
+    if (dofs.roles[i] != DofRole::Fixed)
+      u[i] += motion[i];
+}
+
+double normalDisplacement(const Vector& displacement, int node, const Direction& normal, int dim)
+{
+  double u = 0.0;
+  for (int k = 0; k < dim; ++k)
+    u += displacement[std::size_t(node) * std::size_t(dim) + std::size_t(k)] * normal[std::size_t(k)];
+  return u;
+}
+
+/// Forces on the nodes of one body.
+struct Balance
+{
+  double imbalance = 0.0; ///< largest entry of |K u - f - contact force| over the dofs that are not prescribed
+  double force = 0.0;     ///< largest load, reaction or contact force
+  double roundOff = 0.0;  ///< what a displacement that is wrong in its last digits makes of K u
+  bool loaded = false;
+};
+
+Balance balance(const BodySystem& system, const BodyTrace* trace, const InterfaceState& state, const Vector& u,
+                const Comm& comm)
+{
+  Vector residual = multiply(system.K, u, comm);
+  Balance result;
+  result.roundOff = lastDigits * largestEntry(diagonal(system.K, comm)) * largestEntry(u);
+  result.force = largestEntry(system.load);
+  result.loaded = result.force > 0.0;
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    residual[i] -= system.load[i];
+  result.force = std::max(result.force, largestEntry(residual));
+  if (trace != nullptr) {
+    const Vector kept = keptForces(system.dofs.trace, trace->forces(state.forceDirichlet, state.forceNeumann));
+    for (std::size_t k = 0; k < kept.size(); ++k)
+      residual[std::size_t(system.dofs.trace[k].dof)] -= kept[k];
+  }
+  for (std::size_t i = 0; i < residual.size(); ++i)
+    if (system.dofs.roles[i] != DofRole::Fixed)
+      result.imbalance = std::max(result.imbalance, std::abs(residual[i]));
+  return result;
+}
+
+/// The pressure of a node is its force over its share of the side, int psi_i dS: never tension, zero where contact is
+/// open, and with the resultant of the forces, which the nodal values C^-1 r are not.
+void addPressures(std::vector<ContactNode>& nodes, const ContactMatrix& C)
+{
+  const Vector share = C.apply(Vector(nodes.size(), 1.0));
+  for (std::size_t i = 0; i < nodes.size(); ++i)
+    if (nodes[i].closed) {
+      NDFRAME_ASSERT(share[i] > 0.0, "every node of a plane interface has a share of it");
+      nodes[i].pressure = std::max(0.0, -nodes[i].nodalForce / share[i]);
+    }
+}
+
+double ratio(double value, double scale)
+{
+  return scale > 0.0 ? value / scale : 0.0;
+}
+
+/// The imbalance over the body's largest force. A body without loads that only follows another or its supports has no
+/// force but round-off, which is no imbalance. largestForce, roundOff: of the scene.
+double relativeImbalance(const Balance& body, double largestForce, double roundOff)
+{
+  const bool carriesNothing = !body.loaded && body.force <= roundOff;
+  return carriesNothing ? 0.0 : ratio(body.imbalance, std::max(body.force, smallForce * largestForce));
+}
+
+} // namespace
+
+std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& condensed,
+                                      const std::vector<InterfaceState>& states, Ledger& ledger)
+{
+  const auto timer = ledger.time("recover");
+  std::vector<BodyFields> all(model.bodies.size());
+  const int steps = int(states.size());
+  runLargestFirst(model.numDofs(), condensed.threads, [&](int body) {
+    const auto b = std::size_t(body);
+    const BodySystem& system = condensed.systems[b];
+    const BodyTrace* trace = condensed.trace(int(b));
+    DenseMatrix load(int(condensed.loads[b].size()), steps);
+    for (int s = 0; s < steps; ++s)
+      std::copy(condensed.loads[b].begin(), condensed.loads[b].end(), load.col(s));
+    const DenseMatrix u = condensed.condensed[b]->expand(
+        load, trace == nullptr ? DenseMatrix(0, steps) : keptMatrix(*trace, system.dofs.trace, states));
+    for (int s = 0; s < steps; ++s) {
+      Vector full = u.column(s);
+      for (std::size_t i = 0; i < full.size(); ++i)
+        full[i] += system.dofs.prescribed[i];
+      Vector moved = full;
+      if (const Vector amplitudes = amplitudesOf(int(b), condensed.interface, states[std::size_t(s)]);
+          !amplitudes.empty())
+        addMotions(moved, amplitudes, model, b, system.dofs);
+      all[b].displacement.push_back(system.dofs.frames.toGlobal(moved));
+      all[b].u.push_back(std::move(full));
+    }
+  });
+  for (std::size_t s = 0; s < states.size(); ++s) {
+    std::vector<Vector*> ofState;
+    for (BodyFields& body : all)
+      ofState.push_back(&body.displacement[s]);
+    removeMeanMotions(model, std::move(ofState));
+  }
+  return all;
+}
+
+std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
+                                      const std::vector<BodyFields>& fields, std::size_t step)
+{
+  std::vector<ContactNode> all;
+  for (const auto& interface : model.interfaces)
+    for (int i = 0; i < interface.numNodes(); ++i) {
+      const auto node = all.size();
+      const Direction& normal = interface.normals[std::size_t(i)];
+      ContactNode entry;
+      entry.interface = interface.name;
+      entry.point.assign(interface.point(i), interface.point(i) + interface.dim);
+      entry.uDirichlet = normalDisplacement(fields[std::size_t(interface.dirichletBody)].displacement[step],
+                                            interface.dirichletNodes[std::size_t(i)], normal, interface.dim);
+      entry.uNeumann = normalDisplacement(fields[std::size_t(interface.neumannBody)].displacement[step],
+                                          interface.neumannNodes[std::size_t(i)], normal, interface.dim);
+      entry.gap = interface.gap[std::size_t(i)] - (entry.uDirichlet - entry.uNeumann);
+      entry.tractionDirichlet = state.tractionDirichlet[node];
+      entry.tractionNeumann = state.tractionNeumann[node];
+      all.push_back(std::move(entry));
+    }
+  for (std::size_t k = 0; k < condensed.interface.nodeOfUnknown.size(); ++k) {
+    ContactNode& entry = all[std::size_t(condensed.interface.nodeOfUnknown[k])];
+    entry.nodalForce = state.forceDirichlet[k];
+    entry.closed = state.closed[k] != 0;
+  }
+  if (!all.empty())
+    addPressures(all, *condensed.interface.C);
+  return all;
+}
+
+ResidualSummary residuals(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
+                          const std::vector<BodyFields>& fields, const std::vector<ContactNode>& contact,
+                          const Comm& comm)
+{
+  ResidualSummary result;
+  std::vector<Balance> bodies;
+  double opening = 0.0, force = 0.0, roundOff = 0.0;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    bodies.push_back(balance(condensed.systems[b], condensed.trace(int(b)), state, fields[b].u.back(), comm));
+    opening = std::max(opening, largestEntry(fields[b].displacement.back()));
+    force = std::max(force, bodies.back().force);
+    roundOff = std::max(roundOff, bodies.back().roundOff);
+  }
+  for (const auto& body : bodies)
+    result.equilibrium = std::max(result.equilibrium, relativeImbalance(body, force, roundOff));
+  double complementarity = 0.0, penetration = 0.0, tension = 0.0;
+  for (const auto& node : contact) {
+    opening = std::max(opening, std::abs(node.gap));
+    complementarity = std::max(complementarity, std::abs(node.gap * node.nodalForce));
+    penetration = std::max(penetration, -node.gap);
+    tension = std::max(tension, node.nodalForce - roundOff);
+  }
+  result.complementarity = ratio(complementarity, force * opening);
+  result.penetration = ratio(penetration, opening);
+  result.tension = ratio(tension, force);
+  return result;
+}
+
+} // namespace ndframe

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ndframe/base/log.hpp"
+#include "ndframe/driver/components.hpp"
+#include "ndframe/run/run.hpp"
+
+namespace ndframe
+{
+
+/// Runs a validated deck up to the summary; writes no files. A deck with the list Accuracy is run on as many meshes as
+/// its target needs and reuses nothing. Of `previous` it keeps what the deck has not changed, with
+/// the same answer as without; the ledger must be the one of the run that it comes from.
+/// Without a solution (a solver gives up, the load pulls a body off) the summary says so. Throws InputError for
+/// mistakes that show only with the meshes; `previous` then holds what can still be reused.
+Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
+            Reusable&& previous = {}, const LevelObserver& onLevel = {});
+
+/// Makes an earlier (or empty) model the deck's and checks everything that --check checks: meshes, pairing, supports,
+/// expectations. With a target the model is that of the first meshes.
+void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
+
+} // namespace ndframe

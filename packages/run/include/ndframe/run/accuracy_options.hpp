@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "ndframe/base/params.hpp"
+
+namespace ndframe
+{
+
+/// Whose error is bounded.
+enum class AccuracyOf
+{
+  Displacement, ///< |u - u_h|, the global bound
+  MeanStress    ///< |sigma - (sigma^ + K eps(u^)) / 2|, about half of it
+};
+
+/// The mesh to begin with.
+enum class AccuracyStart
+{
+  Coarsest, ///< boxes with as few cells as their sides allow; meshes from files as they are
+  Deck
+};
+
+const Names<AccuracyOf>& accuracyOfNames();
+const Names<AccuracyStart>& accuracyStartNames();
+
+/// The list Accuracy, read.
+struct AccuracyOptions
+{
+  double target = 0.0;
+  bool relative = true; ///< to sqrt(a(u_h, u_h))
+  AccuracyOf of = AccuracyOf::Displacement;
+  AccuracyStart start = AccuracyStart::Coarsest;
+  std::int64_t maximumDofs = 0;
+  int maximumLevels = 0;
+  double maximumMemory = std::numeric_limits<double>::infinity();  ///< bytes
+  double maximumSeconds = std::numeric_limits<double>::infinity(); ///< on the wall
+  double iterationShare = 0.0;
+};
+
+/// True when the deck names an accuracy instead of relying on its mesh.
+bool wantsAccuracy(const Params& deck);
+
+/// For decks that do.
+AccuracyOptions accuracyOptions(const Params& deck);
+
+} // namespace ndframe

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+
+#include "ndframe/scene/model.hpp"
+
+namespace ndframe
+{
+
+/// About how many bytes a body with so many dofs takes, factor and all: measured, within a factor of 1.5 for compact
+/// bodies and direct solvers.
+///
+///   n (45 + 75 log2 n) in two dimensions, 200 n^(4/3) in three
+double memoryOfBody(double dofs, int dim);
+
+/// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes.
+std::string memoryPlan(const Params& deck);
+
+/// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
+/// Collective.
+void checkMemory(const Model& model, const Params& deck, const Comm& comm, Diagnostics& diagnostics);
+
+} // namespace ndframe

@@ -1,0 +1,58 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ndframe/certification/certificate.hpp"
+#include "ndframe/certification/energy_records.hpp"
+#include "ndframe/condensation/solution.hpp"
+#include "ndframe/run/plan.hpp"
+
+namespace ndframe
+{
+
+/// Everything a run computed; the values that writers and tests look at.
+struct Run
+{
+  Plan plan;
+  Model model;
+  CondensedModel condensed;
+  std::optional<RoleSpectrum> spectrum; ///< of the sweeps, where the coupling needs it
+  CouplingResult coupling;              ///< empty history without interfaces
+  std::vector<InterfaceState>
+      states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
+  std::vector<BodyFields> fields;                     ///< per body, per kept state
+  std::vector<ContactNode> contact;                   ///< final state
+  std::optional<Certificate> certificate;             ///< of the final state, when the deck asks for it
+  std::shared_ptr<const ReferenceSolution> reference; ///< of this run or an earlier one; null if there was none
+  EnergyRecords energies;                     ///< of all certificates of this run and of those that handed theirs on
+  EnergyRecord energy;                        ///< of the scene of the last certificate
+  int level = 0;                              ///< of a run with a target, from 1
+  std::optional<Contradiction> contradiction; ///< of two certificates: neither is guaranteed (exit code 3)
+  RunSummary summary;
+  bool strictInput = false;  ///< of the deck: warnings are errors
+  std::string failure;       ///< why there is no result or it may not be trusted (exit code 3); empty when it may
+  std::string bug;           ///< what ended a run with a target on a later level (exit code 1); empty for none
+  double startSeconds = 0.0; ///< wall clock when the run began
+};
+
+/// What a run may take over from the one before it.
+struct Reusable
+{
+  Model model;
+  CondensedModel condensed;
+  std::shared_ptr<const ReferenceSolution> reference = nullptr;
+  EnergyRecords energies = {};
+};
+
+/// Takes out of a run what the next one may take over; the answer stays.
+Reusable handOn(Run& run);
+
+/// Called after every level of a run with a target (level: from 1) with the solution and certificate on its mesh; the
+/// summary only has names and sizes then.
+using LevelObserver = std::function<void(const Run& run, int level)>;
+
+} // namespace ndframe

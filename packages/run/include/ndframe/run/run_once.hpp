@@ -1,0 +1,12 @@
+#pragma once
+
+#include "ndframe/run/run_steps.hpp"
+
+namespace ndframe
+{
+
+/// Runs a deck on the meshes that it names up to the summary, starting with what it may take over of an earlier run:
+/// `previous`, which holds what can still be reused when this throws.
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous);
+
+} // namespace ndframe

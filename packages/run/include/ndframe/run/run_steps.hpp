@@ -1,0 +1,49 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <optional>
+
+#include "ndframe/run/run.hpp"
+#include "ndframe/run/run_observer.hpp"
+
+namespace ndframe
+{
+
+/// What the steps of a run work with.
+struct RunTools
+{
+  RunTools(const Params& deck, const CertificateComponents& components, const Comm& comm, Ledger& ledger);
+
+  const Params& deck;
+  const CertificateComponents& components;
+  const Comm& comm;
+  Ledger& ledger;
+  std::unique_ptr<Coupling> coupling;
+  std::unique_ptr<LinearSolver> solver;
+  std::optional<ErrorOptions> errors; ///< what is estimated; none without the list Error Estimation
+};
+
+/// Makes an earlier (or empty) model the deck's and checks it. meshes: empty, or those to be used instead of the
+/// deck's.
+void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes = {});
+
+/// Matrices, factors, Schur complements.
+void condenseRun(Run& run, const RunTools& tools, RunObserver& observer);
+
+/// Run::spectrum, if the coupling needs it, and the roles of the bodies, if they are to be found.
+void findRoles(Run& run, const RunTools& tools, RunObserver& observer);
+
+/// Sweeps, displacements, contact. Needs condenseRun; may be repeated from another start.
+void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingStart start = {});
+
+/// The certificate of the last state; without one Run::failure says why.
+void certifyRun(Run& run, const RunTools& tools);
+
+/// Takes steps that may fail where that lies in the problem; then the run is left without a solution, and says why.
+void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps);
+
+/// The summary, and in Run::failure why the result may not be trusted.
+void finishRun(Run& run, const RunTools& tools);
+
+} // namespace ndframe

@@ -1,0 +1,36 @@
+#pragma once
+
+#include "ndframe/base/ledger.hpp"
+#include "ndframe/run/run.hpp"
+
+namespace ndframe
+{
+
+/// Version of this build.
+std::string versionText();
+
+/// The summary of a scene before anything is solved: names, sizes, all numbers zero.
+RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks);
+
+/// Names the Dirichlet and Neumann bodies of the interfaces as the model has them.
+void nameSides(RunSummary& summary, const Model& model);
+
+/// The roles that were chosen; empty where they were not.
+std::vector<RoleSummary> rolesOf(const Run& run);
+
+/// Fills in what the run computed; without a solution only why there is none.
+void completeSummary(Run& run, const Params& deck, const Comm& comm);
+
+/// Copies counts, stages and memory; called again after the files are written.
+void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);
+
+/// Compares the Expect list with the summary.
+void checkExpectations(RunSummary& summary, const Params& deck);
+
+/// True when `path` names a number of the summary that this deck will give. `outline`: outlineSummary.
+bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck);
+
+/// Refuses expectations that name a quantity that this deck does not have.
+void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics);
+
+} // namespace ndframe

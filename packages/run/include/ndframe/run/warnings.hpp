@@ -1,0 +1,33 @@
+#pragma once
+
+#include "ndframe/run/run.hpp"
+
+namespace ndframe
+{
+
+/// What is not forbidden but hardly meant. With the deck's Strict Input it is an error.
+struct Warning
+{
+  std::string kind; ///< of the check, e.g. "large strain"
+  Diagnostic what;  ///< the place in the deck and the sentence
+};
+
+/// What the scene shows before anything is solved.
+std::vector<Warning> sceneWarnings(const Model& model, const Params& deck);
+
+/// What only the answer shows; of a run with a solution.
+std::vector<Warning> answerWarnings(const Run& run, const Params& deck);
+
+/// Strict Input: the warnings of the scene are mistakes.
+void refuseWarnings(const Model& model, const Params& deck, Diagnostics& diagnostics);
+
+/// "large strain: Bodies/punch: strains reach ..." for the summary and the screen.
+WarningSummary warningSummary(const Warning& warning);
+
+/// "warning: ..." lines of the screen, one a warning.
+std::string warningText(const WarningSummary& warning);
+
+/// Top-level parameters of the deck that warnings need.
+std::vector<ParamSpec> warningParams();
+
+} // namespace ndframe

@@ -1,0 +1,157 @@
+#include "ndframe/run/body_results.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/assembly/fields.hpp"
+#include "ndframe/assembly/nodal_stress.hpp"
+#include "ndframe/condensation/reactions.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+std::vector<double> coordinates(const double* point, int dim)
+{
+  return {point, point + dim};
+}
+
+/// Values this close to the largest, relative to it, are equally large: of them the first counts, so that round-off
+/// does not choose the place.
+constexpr double equallyLarge = 1e-9;
+
+/// The first of the largest values.
+std::size_t peakOf(const Vector& values)
+{
+  const double largest = *std::max_element(values.begin(), values.end());
+  const auto first =
+      std::find_if(values.begin(), values.end(), [&](double value) { return value >= (1.0 - equallyLarge) * largest; });
+  return first == values.end() ? 0 : std::size_t(first - values.begin());
+}
+
+PeakSummary largestDisplacement(const NodeMap& nodes, const Vector& displacement)
+{
+  Vector sizes;
+  for (int i = 0; i < nodes.numNodes(); ++i) {
+    const double* u = displacement.data() + std::ptrdiff_t(i) * nodes.dim;
+    sizes.push_back(std::hypot(u[0], u[1], nodes.dim == 3 ? u[2] : 0.0));
+  }
+  const std::size_t peak = peakOf(sizes);
+  return {sizes[peak], coordinates(nodes.point(int(peak)), nodes.dim)};
+}
+
+PeakSummary largestStrain(const BodyModel& body, const Vector& u)
+{
+  const auto strains = largestStrains(body, u);
+  Vector sizes;
+  for (const auto& strain : strains)
+    sizes.push_back(strain.value);
+  const std::size_t peak = peakOf(sizes);
+  return {sizes[peak], coordinates(body.mesh.point(strains[peak].vertex), body.mesh.dim)};
+}
+
+std::vector<double> resultant(const Vector& nodal, int dim)
+{
+  std::vector<double> sum(std::size_t(dim), 0.0);
+  for (std::size_t i = 0; i < nodal.size(); ++i)
+    sum[i % sum.size()] += nodal[i];
+  return sum;
+}
+
+/// Forces below this part of the scene's largest are round-off and shown as 0.
+constexpr double roundOff = 1e-12;
+
+double largestForce(const RunSummary& summary)
+{
+  double largest = 0.0;
+  const auto look = [&](const std::vector<double>& force) {
+    for (const double component : force)
+      largest = std::max(largest, std::abs(component));
+  };
+  for (const auto& body : summary.bodies) {
+    look(body.loadForce);
+    for (const auto& support : body.supports)
+      look(support.force);
+  }
+  for (const auto& interface : summary.interfaces)
+    look(interface.forceOnDirichlet);
+  return largest;
+}
+
+std::string vectorText(std::vector<double> values, double nothing)
+{
+  for (double& value : values)
+    value = std::abs(value) <= nothing ? 0.0 : value;
+  return fmt::format("({:.5g})", fmt::join(values, ", "));
+}
+
+} // namespace
+
+void completeBodies(Run& run, const Comm& comm)
+{
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    const BodyModel& body = run.model.bodies[b];
+    const Vector& local = run.fields[b].u.back();
+    const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(local);
+    BodySummary& summary = run.summary.bodies[b];
+    summary.energy = energy(body, u);
+    run.summary.energy += summary.energy;
+    summary.loadForce = resultant(run.model.loads[b], body.mesh.dim);
+    summary.supports =
+        supportReactions(body, supportForces(run.model, run.condensed, run.coupling.state, int(b), local, comm));
+    summary.displacement = largestDisplacement(body.nodes, run.fields[b].displacement.back());
+    summary.strain = largestStrain(body, u);
+  }
+}
+
+std::string bodyTable(const RunSummary& summary, std::size_t nameWidth)
+{
+  const auto at = [](const PeakSummary& peak) { return vectorText(peak.point, 0.0); };
+  std::size_t placeWidth = 2;
+  for (const auto& body : summary.bodies)
+    placeWidth = std::max({placeWidth, at(body.displacement).size(), at(body.strain).size()});
+  std::string text = fmt::format("  {:<{}} {:>18}   {:>20} {:<{}}   {:>14} at", "body", nameWidth, "energy a(u,u)",
+                                 "largest displacement", "at", placeWidth, "largest strain");
+  for (const auto& body : summary.bodies)
+    text += fmt::format("\n  {:<{}} {:>18.8g}   {:>20.6g} {:<{}}   {:>14.4g} {}", body.name, nameWidth, body.energy,
+                        body.displacement.value, at(body.displacement), placeWidth, body.strain.value, at(body.strain));
+  if (summary.bodies.size() > 1)
+    text += fmt::format("\n  {:<{}} {:>18.8g}", "all", nameWidth, summary.energy);
+  return text;
+}
+
+std::string forceTable(const RunSummary& summary, std::size_t nameWidth)
+{
+  const double nothing = roundOff * largestForce(summary);
+  std::vector<std::array<std::string, 3>> rows; // body, what, force and moment
+  for (const auto& body : summary.bodies) {
+    const auto add = [&](const std::string& what, const std::string& force) {
+      rows.push_back({body.name, what, force});
+    };
+    add("loads", vectorText(body.loadForce, nothing));
+    for (const auto& support : body.supports)
+      add(support.description, fmt::format("{}   moment {} about {}", vectorText(support.force, nothing),
+                                           vectorText(support.moment, nothing), vectorText(support.centre, 0.0)));
+    for (const auto& interface : summary.interfaces) {
+      if (interface.dirichletBody == body.name)
+        add("interface " + interface.name, vectorText(interface.forceOnDirichlet, nothing));
+      if (interface.neumannBody == body.name)
+        add("interface " + interface.name, vectorText(interface.forceOnNeumann, nothing));
+    }
+  }
+  std::size_t width = 5;
+  for (const auto& row : rows)
+    width = std::max(width, row[1].size());
+  std::string text = fmt::format("  {:<{}} {:<{}}   force{}", "body", nameWidth, "by", width,
+                                 summary.perUnitThickness ? " (plane scene: per unit thickness)" : "");
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    text += fmt::format("\n  {:<{}} {:<{}}   {}", i > 0 && rows[i][0] == rows[i - 1][0] ? "" : rows[i][0], nameWidth,
+                        rows[i][1], width, rows[i][2]);
+  return text;
+}
+
+} // namespace ndframe

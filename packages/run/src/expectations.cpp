@@ -1,0 +1,126 @@
+#include <cmath>
+#include <limits>
+#include <regex>
+
+#include <fmt/format.h>
+
+#include "ndframe/certification/error_options.hpp"
+#include "ndframe/run/accuracy_options.hpp"
+#include "ndframe/run/summarize.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Counts and seconds appear in the ledger only when something happened: absent means zero.
+bool isLedgerPath(const std::string& path)
+{
+  return path.rfind("ledger/", 0) == 0;
+}
+
+/// Every number that the certificate will hold.
+ErrorSummary everyError(const ErrorOptions& options)
+{
+  ErrorSummary errors;
+  const auto fill = [&](Estimator estimator, auto&... numbers) {
+    if (options.wants(estimator))
+      (numbers.emplace(), ...);
+  };
+  fill(Estimator::Global, errors.global, errors.meanStress, errors.meanStressRelative);
+  fill(Estimator::Algorithm, errors.algorithm);
+  fill(Estimator::Discretization, errors.discretization);
+  fill(Estimator::Split, errors.splitStress, errors.algorithm);
+  fill(Estimator::ZienkiewiczZhu, errors.zienkiewiczZhu);
+  fill(Estimator::Residual, errors.residual);
+  fill(Estimator::Reference, errors.reference);
+  fill(Estimator::Global, errors.energyBracket);
+  if (errors.energyBracket) {
+    errors.energyBracket->work.emplace();
+    errors.energyBracket->drive.emplace();
+  }
+  if (options.checkEquilibrium && options.recoversGlobalStress())
+    errors.equilibrium.emplace();
+  if (options.checkEquilibrium)
+    fill(Estimator::Discretization, errors.equilibriumDiscretization);
+  if (errors.reference && errors.global) {
+    auto& reference = *errors.reference;
+    fill(Estimator::Reference, reference.stress, reference.meanStress, reference.effectivity,
+         reference.meanStressEffectivity);
+  }
+  return errors;
+}
+
+/// The outline with one entry for what only the run can count: levels, sweeps, ends of the contact, components, errors.
+RunSummary withEveryQuantity(RunSummary outline, const Params& deck)
+{
+  if (estimatesErrors(deck))
+    outline.errors = everyError(errorOptions(deck));
+  if (wantsAccuracy(deck)) {
+    outline.accuracy.emplace();
+    outline.accuracy->levels.resize(1);
+    outline.accuracy->levels.front().worstPoint = {0.0, 0.0};
+    outline.accuracy->levels.front().dofsToTarget = 1;
+    outline.accuracy->levels.front().energy.emplace();
+  }
+  if (outline.coupling)
+    outline.coupling->history.resize(1);
+  const std::vector<double> anyVector(outline.perUnitThickness ? 2 : 3, 0.0);
+  for (auto& interface : outline.interfaces) {
+    interface.endPoints.assign(2, {0.0, 0.0});
+    interface.endBrackets.assign(2, {{0.0, 0.0}, {0.0, 0.0}});
+    interface.forceOnDirichlet = interface.forceOnNeumann = anyVector;
+  }
+  for (auto& body : outline.bodies) {
+    body.loadForce = body.displacement.point = body.strain.point = anyVector;
+    for (auto& support : body.supports) {
+      support.force = support.centre = anyVector;
+      support.moment.assign(outline.perUnitThickness ? 1 : 3, 0.0);
+    }
+  }
+  return outline;
+}
+
+/// "coupling/history/4/eps_tau" -> "coupling/history/0/eps_tau": any sweep and any level may be asked for.
+std::string ofFirst(const std::string& path)
+{
+  static const std::regex numbered("^(coupling/history|accuracy/levels)/[0-9]+/");
+  return std::regex_replace(path, numbered, "$1/0/");
+}
+
+} // namespace
+
+bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck)
+{
+  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, deck), ofFirst(path));
+}
+
+void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics)
+{
+  for (const auto& expectation : deck.sub("Expect").subs()) {
+    const auto quantity = expectation.get<std::string>("Quantity");
+    if (!isQuantity(quantity, outline, deck))
+      diagnostics.add(expectation.mistake(
+          "Quantity",
+          fmt::format("\"{}\" is no number of this run's summary; examples are \"energy\", \"bodies/{}/energy\", "
+                      "\"residuals/equilibrium\".",
+                      quantity, outline.bodies.front().name)));
+  }
+}
+
+void checkExpectations(RunSummary& summary, const Params& deck)
+{
+  for (const auto& expectation : deck.sub("Expect").subs()) {
+    ExpectationSummary result;
+    result.name = expectation.name();
+    const auto quantity = expectation.get<std::string>("Quantity");
+    const double absent = isLedgerPath(quantity) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
+    result.value = summaryValue(summary, quantity).value_or(absent); // an absent number never meets its expectation
+    result.expected = expectation.get<double>("Value");
+    result.tolerance = expectation.get<double>("Tolerance");
+    result.met = std::abs(result.value - result.expected) <= result.tolerance;
+    summary.expectations.push_back(std::move(result));
+  }
+}
+
+} // namespace ndframe

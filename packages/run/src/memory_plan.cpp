@@ -1,0 +1,99 @@
+#include "ndframe/run/memory_plan.hpp"
+
+#include <cmath>
+#include <numeric>
+#include <optional>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/grouped.hpp"
+#include "ndframe/base/memory.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Of the process before it has read anything.
+constexpr double atStart = 30e6;
+
+bool isDirect(const Params& deck)
+{
+  return deck.sub("Linear Solver").get<std::string>("Type") != "Krylov";
+}
+
+/// Dofs of a box, from its bricks: vertices and edges of large grids. Nothing for other meshes.
+std::optional<double> dofsOfBox(const Params& mesh, int order)
+{
+  if (mesh.get<std::string>("Type") != "Box")
+    return std::nullopt;
+  const auto cells = mesh.get<std::vector<int>>("Cells");
+  const double bricks = std::accumulate(cells.begin(), cells.end(), 1.0, std::multiplies<double>());
+  if (cells.size() == 3)
+    return 3.0 * bricks * (order == 1 ? 1.0 : 8.0);
+  const double vertices = mesh.get<std::string>("Pattern") == "Crossed" ? 2.0 : 1.0;
+  return 2.0 * bricks * vertices * (order == 1 ? 1.0 : 4.0);
+}
+
+/// Of the stored Schur complements and their factors: three matrices a body.
+double memoryOfInterfaces(const Model& model, const Params& representation)
+{
+  constexpr auto limit = "Largest Condensed"; // where the deck leaves the choice
+  const bool isStored = representation.get<std::string>("Type") == "Condensed";
+  std::vector<double> sizes(model.bodies.size(), 0.0);
+  for (const InterfaceMesh& interface : model.interfaces)
+    for (const int body : {interface.dirichletBody, interface.neumannBody})
+      sizes[std::size_t(body)] += interface.numNodes();
+  double bytes = 0.0;
+  for (const double size : sizes)
+    if (isStored || (representation.has(limit) && size <= representation.get<int>(limit)))
+      bytes += 3.0 * 8.0 * size * size;
+  return bytes;
+}
+
+} // namespace
+
+double memoryOfBody(double dofs, int dim)
+{
+  if (dofs < 2.0)
+    return 0.0;
+  return dim == 2 ? dofs * (45.0 + 75.0 * std::log2(dofs)) : 200.0 * std::pow(dofs, 4.0 / 3.0);
+}
+
+std::string memoryPlan(const Params& deck)
+{
+  const std::string left = fmt::format("{} left", memoryLeft().text());
+  if (!isDirect(deck))
+    return fmt::format("not estimated for Krylov; {}", left);
+  double bytes = atStart, dofs = 0.0;
+  const int order = deck.sub("Discretization").get<int>("Order");
+  for (const Params& body : deck.sub("Bodies").subs()) {
+    const auto ofBox = dofsOfBox(body.sub("Mesh"), order);
+    if (!ofBox)
+      return fmt::format("checked when the mesh files are read; {}", left);
+    dofs += *ofBox;
+    bytes += memoryOfBody(*ofBox, int(body.sub("Mesh").get<std::vector<int>>("Cells").size()));
+  }
+  return fmt::format("about {:.2g} GB for some {} dofs; {}{}", 1e-9 * bytes, grouped(std::int64_t(dofs)), left,
+                     bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
+}
+
+void checkMemory(const Model& model, const Params& deck, const Comm& comm, Diagnostics& diagnostics)
+{
+  const double ofInterfaces = memoryOfInterfaces(model, deck.sub("Interface Operator"));
+  double bytes = ofInterfaces;
+  for (const auto& body : model.bodies)
+    bytes += memoryOfBody(double(body.numDofs()), body.mesh.dim);
+  const MemoryLeft left = memoryLeft();
+  const bool isTooLarge = isDirect(deck) && 0.5 * bytes > double(left.bytes);
+  if (comm.sum(std::int64_t(isTooLarge)) == 0)
+    return;
+  const bool isInterface = ofInterfaces > 0.5 * bytes;
+  diagnostics.add(deck.sub("Bodies").mistake(
+      "", fmt::format("{} dofs need about {:.2g} GB of memory{}, and {} are left: use {}.", grouped(model.totalDofs()),
+                      1e-9 * bytes, isInterface ? ", most of it for stored interface operators" : "", left.text(),
+                      isInterface ? "Interface Operator/Type = Matrix Free or a coarser interface"
+                                  : "coarser meshes, order 1, or Krylov as linear solver")));
+}
+
+} // namespace ndframe

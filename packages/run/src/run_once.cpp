@@ -1,0 +1,55 @@
+#include "ndframe/run/run_once.hpp"
+
+#include "ndframe/algebra/threads.hpp"
+#include "ndframe/condensation/roles.hpp"
+#include "ndframe/run/summarize.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// The whole run, starting with what stands in it of an earlier one.
+void compute(Run& run, const RunTools& tools, RunObserver& observer)
+{
+  const SerialBlas serial;
+  run.plan = Plan(tools.deck, *tools.solver, tools.comm.size());
+  giveBackRoles(run.model, run.condensed);
+  readModel(run.model, tools);
+  run.summary = outlineSummary(run.model, tools.deck, *tools.solver, tools.comm.size());
+  observer.header(run.summary, run.model, tools.coupling->roles() != Roles::Automatic);
+  attempt(run, observer, [&] {
+    condenseRun(run, tools, observer);
+    findRoles(run, tools, observer);
+    solveRun(run, tools, observer);
+    if (run.plan.runs("certificate"))
+      certifyRun(run, tools);
+  });
+  finishRun(run, tools);
+}
+
+} // namespace
+
+Reusable handOn(Run& run)
+{
+  return {std::move(run.model), std::move(run.condensed), std::move(run.reference), std::move(run.energies)};
+}
+
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous)
+{
+  Run run;
+  run.startSeconds = wallSeconds();
+  run.model = std::move(previous.model);
+  run.condensed = std::move(previous.condensed);
+  run.reference = std::move(previous.reference);
+  run.energies = std::move(previous.energies);
+  try {
+    compute(run, tools, observer);
+  } catch (...) {
+    previous = handOn(run);
+    throw;
+  }
+  return run;
+}
+
+} // namespace ndframe

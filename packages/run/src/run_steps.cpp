@@ -1,0 +1,254 @@
+#include "ndframe/run/run_steps.hpp"
+
+#include <fmt/format.h>
+
+#include "field_names.hpp"
+#include "ndframe/certification/error_checks.hpp"
+#include "ndframe/condensation/roles.hpp"
+#include "ndframe/condensation/trust.hpp"
+#include "ndframe/run/energy_comparison.hpp"
+#include "ndframe/run/memory_plan.hpp"
+#include "ndframe/run/output_options.hpp"
+#include "ndframe/run/summarize.hpp"
+#include "ndframe/run/warnings.hpp"
+#include "ndframe/scene/rigid_check.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Why a step could not be done, where that lies in the problem; empty when it is done.
+template <class Step>
+std::string failureOf(const Step& step)
+{
+  try {
+    step();
+    return {};
+  } catch (const NotConverged& failure) {
+    return failure.what();
+  } catch (const SingularBody& failure) { // met by an iterative solver on its way
+    return failure.what();
+  } catch (const NotPositiveDefinite&) {
+    return "a body's stiffness on the interface is lost in round-off: its matrix is too ill-conditioned";
+  }
+}
+
+/// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
+void couple(Run& run, const RunTools& tools, RunObserver& observer, const CouplingStart& start)
+{
+  const Params output = tools.deck.sub("Output");
+  const bool keepAll = stepsNames().value(output.get<std::string>("Steps")) == StepsWritten::AllSweeps;
+  observer.sweeps(run.model);
+  {
+    const auto timer = tools.ledger.time("couple");
+    const auto observe = [&](const SweepRecord& record, const InterfaceState& state) {
+      observer.sweep(record);
+      if (keepAll)
+        run.states.push_back(state);
+    };
+    run.coupling = tools.coupling->solve(run.condensed.interface, observe, tools.ledger, start);
+    if (!keepAll)
+      run.states = {run.coupling.state};
+  }
+  observer.stopped(run.coupling);
+}
+
+/// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
+std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Params& deck)
+{
+  if (!errors || errors->guaranteed || !errorOptions(deck).requireGuarantee)
+    return {};
+  return "the bound is not guaranteed: " + errors->reason;
+}
+
+/// A residual this many times the linear solver's tolerance is what the solver was asked for: its own is relative to
+/// right-hand sides that cancel in part.
+constexpr double amplification = 1e3;
+
+/// Says that the linear solver was told to stop too early for forces in balance; empty when it was not.
+std::string looseSolver(const RunSummary& summary, const Params& solver)
+{
+  const double imbalance = summary.residuals.equilibrium;
+  const bool explains = solver.has("Tolerance") && imbalance > ResidualLimits().equilibrium &&
+                        imbalance <= amplification * solver.get<double>("Tolerance");
+  if (!explains)
+    return {};
+  return fmt::format("the forces are out of balance by {:.1e}, which results are trusted with up to {:g}: the linear "
+                     "solver's Tolerance {:g} is too loose; lower it",
+                     imbalance, ResidualLimits().equilibrium, solver.get<double>("Tolerance"));
+}
+
+/// Why the numbers of a solution may not be trusted; empty when they may.
+std::string doubtAbout(const RunSummary& summary, const Params& deck)
+{
+  const auto reason = distrust(summary);
+  const bool stoppedEarly = summary.coupling && !summary.coupling->converged;
+  const auto loose = looseSolver(summary, deck.sub("Linear Solver"));
+  return reason.empty() || stoppedEarly || loose.empty() ? reason : loose;
+}
+
+/// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
+/// converged.
+std::string verdictOn(Run& run, const Params& deck)
+{
+  RunSummary& summary = run.summary;
+  const auto reason = summary.solved ? doubtAbout(summary, deck) : run.coupling.reason;
+  if (reason.empty())
+    return missingGuarantee(summary.errors, deck);
+  if (summary.coupling) {
+    summary.coupling->converged = false;
+    summary.coupling->reason = reason;
+  }
+  return "not converged: " + reason;
+}
+
+/// Leaves a run without a solution; the reason stands in the coupling's result.
+void giveUp(Run& run, const std::string& reason, RunObserver& observer)
+{
+  run.states.clear();
+  run.fields.clear();
+  run.contact.clear();
+  run.certificate.reset();
+  run.coupling.converged = false;
+  run.coupling.reason = reason;
+  observer.gaveUp(reason);
+}
+
+/// A node of a body that several interfaces share has one displacement for more tractions than roles can tell apart.
+void refuseSharedNodes(const Run& run, const RunTools& tools)
+{
+  for (const BodyTrace& body : run.condensed.interface.bodies)
+    if (tools.coupling->needsRoles() && !body.dependents.empty())
+      throw InputError(
+          tools.deck.sub("Coupling")
+              .mistake(
+                  "Type",
+                  fmt::format("several interfaces of \"{}\" meet at a node, which Neumann-Dirichlet cannot solve; use "
+                              "Monolithic or FETI.",
+                              run.model.bodies[std::size_t(body.body)].name)));
+}
+
+} // namespace
+
+RunTools::RunTools(const Params& givenDeck, const CertificateComponents& givenComponents, const Comm& givenComm,
+                   Ledger& givenLedger)
+    : deck(givenDeck), components(givenComponents), comm(givenComm), ledger(givenLedger),
+      coupling(components.couplings.build(deck.sub("Coupling"))),
+      solver(components.linearSolvers.build(deck.sub("Linear Solver")))
+{
+  if (estimatesErrors(deck))
+    errors = errorOptions(deck);
+}
+
+void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
+{
+  const Params& deck = tools.deck;
+  Diagnostics diagnostics;
+  if (meshes)
+    remeshModel(model, deck, tools.components, meshes, tools.ledger);
+  else
+    updateModel(model, deck, tools.components, tools.comm, tools.ledger);
+  const auto timer = tools.ledger.time("check");
+  checkNumberRange(model, deck, diagnostics);
+  diagnostics.throwIfAny(); // sums of such numbers mean nothing
+  if (tools.coupling->roles() == Roles::Automatic)
+    giveOneRole(model, deck, tools.coupling->needsRoles(), diagnostics);
+  if (tools.coupling->needsRoles())
+    refuseObstacles(model, deck, diagnostics);
+  checkHeld(model, deck, diagnostics);
+  checkFieldNames(model, deck, diagnostics);
+  checkMemory(model, deck, tools.comm, diagnostics);
+  checkRecovery(deck, tools.components, model.bodies.front().mesh.dim, diagnostics);
+  checkExpectationNames(outlineSummary(model, deck, *tools.solver, 1), deck, diagnostics);
+  refuseWarnings(model, deck, diagnostics);
+  diagnostics.throwIfAny();
+}
+
+void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
+{
+  {
+    const auto timer = tools.ledger.time("check");
+    refusePulledOff(run.model);
+  }
+  const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
+  run.condensed =
+      condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(run.condensed),
+               [&](const std::string& body, const std::string& description) { observer.factor(body, description); });
+}
+
+void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
+{
+  refuseSharedNodes(run, tools);
+  const bool chooses = tools.coupling->roles() == Roles::Automatic;
+  run.spectrum.reset();
+  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()) ||
+      !tools.coupling->sweeps(run.condensed.interface))
+    return;
+  std::vector<ConnectedBodies> parts;
+  {
+    const auto timer = tools.ledger.time("interface");
+    parts = roleSpectra(run.condensed.interface, tools.ledger);
+  }
+  if (!chooses) {
+    run.spectrum = joinedSpectrum(parts);
+    return;
+  }
+  ChosenRoles chosen =
+      chooseRoles(run.model, run.condensed, parts, tools.coupling->givenTheta(), run.summary.coupling->roles);
+  run.spectrum = std::move(chosen.spectrum);
+  run.summary.coupling->roles = std::move(chosen.parts);
+  nameSides(run.summary, run.model);
+  observer.roles(run.summary.coupling->roles);
+}
+
+void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingStart start)
+{
+  start.spectrum = run.spectrum;
+  run.states.clear();
+  run.certificate.reset(); // of another state
+  if (run.plan.runs("couple"))
+    couple(run, tools, observer, start);
+  else
+    run.states.emplace_back();
+  run.fields = recoverFields(run.model, run.condensed, run.states, tools.ledger);
+  run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
+  if (const auto reason = undecidedContact(run.model, run.condensed, run.coupling.state, run.fields, tools.comm);
+      !reason.empty())
+  {
+    run.coupling.converged = false;
+    run.coupling.reason = reason;
+    run.failure = "not converged: " + reason;
+  }
+}
+
+void certifyRun(Run& run, const RunTools& tools)
+{
+  const auto failure = failureOf([&] {
+    run.certificate = certify(tools.deck, *tools.errors, tools.components, run.model, run.condensed, run.coupling,
+                              run.fields, tools.comm, tools.ledger, run.reference);
+  });
+  if (!failure.empty())
+    run.failure = "no certificate: " + failure;
+  if (run.certificate)
+    compareEnergies(run, tools.deck);
+}
+
+void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps)
+{
+  const auto failure = failureOf(steps);
+  if (!failure.empty())
+    giveUp(run, failure, observer);
+}
+
+void finishRun(Run& run, const RunTools& tools)
+{
+  completeSummary(run, tools.deck, tools.comm);
+  if (const std::string verdict = verdictOn(run, tools.deck); !verdict.empty())
+    run.failure = verdict;
+  if (run.contradiction)
+    run.failure = contradictionText(*run.contradiction);
+  copyLedger(run.summary, tools.ledger, run.startSeconds);
+}
+
+} // namespace ndframe

@@ -1,0 +1,205 @@
+#include "ndframe/run/summarize.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/run/body_results.hpp"
+#include "ndframe/run/contact_ends.hpp"
+#include "ndframe/run/energy_comparison.hpp"
+#include "ndframe/run/warnings.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+void addResultant(std::vector<double>& sum, double force, const Direction& normal)
+{
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] += force * normal[k];
+}
+
+/// Forces of one interface: nodal forces C Lambda along the node normals.
+void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+{
+  summary.forceOnDirichlet.assign(std::size_t(interface.dim), 0.0);
+  summary.forceOnNeumann.assign(std::size_t(interface.dim), 0.0);
+  const auto& system = run.condensed.interface;
+  for (std::size_t k = 0; k < system.nodeOfUnknown.size(); ++k) {
+    const auto node = std::size_t(system.nodeOfUnknown[k]);
+    if (node < firstNode || node >= firstNode + std::size_t(interface.numNodes()))
+      continue;
+    const Direction& normal = interface.normals[node - firstNode];
+    addResultant(summary.forceOnDirichlet, run.coupling.state.forceDirichlet[k], normal);
+    addResultant(summary.forceOnNeumann, -run.coupling.state.forceNeumann[k], normal);
+    summary.contactForce -= run.coupling.state.forceDirichlet[k];
+  }
+}
+
+/// Length of the contact: every closed node counts with int psi_i dS, so that an end inside a facet is seen.
+double closedLength(const Run& run, std::size_t firstNode, std::size_t numNodes)
+{
+  const ContactMatrix& C = *run.condensed.interface.C;
+  const Vector share = C.apply(Vector(std::size_t(C.size()), 1.0));
+  double length = 0.0;
+  for (std::size_t i = firstNode; i < firstNode + numNodes; ++i)
+    length += run.contact[i].closed ? share[i] : 0.0;
+  return length;
+}
+
+/// The two closed nodes that are farthest apart (one if there is only one).
+std::vector<std::vector<double>> endPoints(const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+{
+  const auto distance = [&](int a, int b) {
+    double squared = 0.0;
+    for (int k = 0; k < interface.dim; ++k)
+      squared += std::pow(interface.point(a)[k] - interface.point(b)[k], 2);
+    return squared;
+  };
+  // The node farthest from any closed node is an end; the one farthest from it is the other.
+  const auto farthest = [&](int from) {
+    int best = -1;
+    for (int i = 0; i < interface.numNodes(); ++i)
+      if (run.contact[firstNode + std::size_t(i)].closed && (best < 0 || distance(from, i) > distance(from, best)))
+        best = i;
+    return best;
+  };
+  const int any = farthest(0);
+  if (any < 0)
+    return {};
+  const int first = farthest(any), second = farthest(first);
+  std::vector<std::vector<double>> ends;
+  for (const int end : {std::min(first, second), std::max(first, second)})
+    ends.emplace_back(interface.point(end), interface.point(end) + interface.dim);
+  std::sort(ends.begin(), ends.end());
+  return ends;
+}
+
+void completeInterfaces(Run& run)
+{
+  std::size_t firstNode = 0;
+  for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
+    const auto& interface = run.model.interfaces[i];
+    auto& summary = run.summary.interfaces[i];
+    addForces(summary, interface, run, firstNode);
+    summary.contactLength = closedLength(run, firstNode, std::size_t(interface.numNodes()));
+    summary.endPoints = endPoints(interface, run, firstNode);
+    summary.endBrackets = endBrackets(interface, run.contact.data() + firstNode);
+    for (int k = 0; k < interface.numNodes(); ++k) {
+      const ContactNode& node = run.contact[firstNode + std::size_t(k)];
+      summary.closedNodes += node.closed;
+      summary.largestPressure = std::max(summary.largestPressure, node.pressure);
+      summary.largestPenetration = std::max(summary.largestPenetration, -node.gap);
+    }
+    firstNode += std::size_t(interface.numNodes());
+  }
+}
+
+void completeCoupling(RunSummary& summary, const CouplingResult& result)
+{
+  auto& coupling = *summary.coupling;
+  if (!result.type.empty())
+    coupling.type = result.type;
+  coupling.sweeps = int(result.history.size());
+  coupling.converged = result.converged;
+  coupling.reason = result.reason;
+  for (const auto& record : result.history)
+    coupling.history.push_back({record.sweep, record.epsTau, record.theta, record.statusChanges, record.statusPasses,
+                                record.closed, record.open, record.forceDirichlet, record.forceNeumann,
+                                record.penetration, record.note});
+}
+
+void addWarnings(RunSummary& summary, const std::vector<Warning>& warnings)
+{
+  for (const auto& warning : warnings)
+    summary.warnings.push_back(warningSummary(warning));
+}
+
+} // namespace
+
+std::string versionText()
+{
+  return NDFRAME_VERSION;
+}
+
+RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks)
+{
+  RunSummary summary;
+  summary.version = versionText();
+  summary.title = deck.get<std::string>("Title");
+  summary.deckJson = toJson(deck);
+  summary.ranks = ranks;
+  summary.perUnitThickness = model.bodies.front().mesh.dim == 2;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    BodySummary body;
+    body.name = model.bodies[b].name;
+    body.dofs = model.bodies[b].numDofs();
+    body.elements = model.bodies[b].mesh.numCells();
+    body.order = model.bodies[b].nodes.order;
+    body.solver = solver.name(ranks);
+    body.heldBy = heldBy(model, int(b));
+    for (const auto& support : model.bodies[b].supports)
+      body.supports.push_back({support->params().name(), support->description(), {}, {}, {}});
+    summary.bodies.push_back(std::move(body));
+  }
+  for (const auto& interface : model.interfaces) {
+    InterfaceSummary outline;
+    outline.name = interface.name;
+    outline.dirichletBody = model.bodies[std::size_t(interface.dirichletBody)].name;
+    outline.neumannBody = model.bodies[std::size_t(interface.neumannBody)].name;
+    outline.nodes = interface.numNodes();
+    summary.interfaces.push_back(std::move(outline));
+  }
+  if (!model.interfaces.empty()) {
+    summary.coupling.emplace();
+    summary.coupling->type = deck.sub("Coupling").get<std::string>("Type");
+  }
+  return summary;
+}
+
+std::vector<RoleSummary> rolesOf(const Run& run)
+{
+  return run.summary.coupling ? run.summary.coupling->roles : std::vector<RoleSummary>();
+}
+
+void nameSides(RunSummary& summary, const Model& model)
+{
+  for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
+    const auto& interface = model.interfaces[i];
+    summary.interfaces[i].dirichletBody = model.bodies[std::size_t(interface.dirichletBody)].name;
+    summary.interfaces[i].neumannBody = model.bodies[std::size_t(interface.neumannBody)].name;
+  }
+}
+
+void completeSummary(Run& run, const Params& deck, const Comm& comm)
+{
+  if (run.summary.coupling)
+    completeCoupling(run.summary, run.coupling);
+  run.strictInput = deck.get<bool>("Strict Input");
+  run.summary.solved = !run.states.empty();
+  addWarnings(run.summary, sceneWarnings(run.model, deck));
+  if (!run.summary.solved)
+    return;
+  completeBodies(run, comm);
+  completeInterfaces(run);
+  addWarnings(run.summary, answerWarnings(run, deck));
+  run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
+  run.summary.residuals.allowedInContact = run.coupling.contactTolerance;
+  if (run.certificate) {
+    run.summary.errors = run.certificate->summary;
+    run.summary.errors->energyBracket = summarizeEnergy(run, deck);
+  }
+  checkExpectations(run.summary, deck);
+}
+
+void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)
+{
+  summary.counts = ledger.counts();
+  summary.stages.clear();
+  for (const auto& stage : ledger.stages())
+    summary.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
+  summary.totalSeconds = wallSeconds() - startSeconds;
+  summary.peakBytes = peakMemory();
+}
+
+} // namespace ndframe

@@ -1,0 +1,91 @@
+#include "ndframe/run/warnings.hpp"
+
+#include <cmath>
+
+#include <fmt/format.h>
+
+#include "checks.hpp"
+#include "ndframe/scene/rigid_check.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+struct SceneCheck
+{
+  const char* kind;
+  void (*find)(const Model& model, const Params& deck, Diagnostics& found);
+};
+
+struct AnswerCheck
+{
+  const char* kind;
+  void (*find)(const Run& run, const Params& deck, Diagnostics& found);
+};
+
+constexpr SceneCheck sceneChecks[] = {
+    {"different hypotheses", findDifferentHypotheses}, {"locking", findLocking},
+    {"unconnected parts", findUnconnectedParts},       {"load on a support", findLoadsOnSupports},
+    {"touching bodies", findTouchingBodies},           {"not unique", findLooseBodies}};
+
+constexpr AnswerCheck answerChecks[] = {{"strain", findStrangeStrain},
+                                        {"few contact nodes", findFewContactNodes},
+                                        {"contact at the end of a side", findContactAtEnds},
+                                        {"overlapping bodies", findOverlaps}};
+
+template <class Checks, class Subject>
+std::vector<Warning> collect(const Checks& checks, const Subject& subject, const Params& deck)
+{
+  std::vector<Warning> warnings;
+  for (const auto& check : checks) {
+    Diagnostics found;
+    check.find(subject, deck, found);
+    for (const auto& diagnostic : found.list())
+      warnings.push_back({check.kind, diagnostic});
+  }
+  return warnings;
+}
+
+} // namespace
+
+std::vector<Warning> sceneWarnings(const Model& model, const Params& deck)
+{
+  return collect(sceneChecks, model, deck);
+}
+
+std::vector<Warning> answerWarnings(const Run& run, const Params& deck)
+{
+  if (!std::isfinite(run.summary.energy)) // the run says so itself
+    return {};
+  return collect(answerChecks, run, deck);
+}
+
+void refuseWarnings(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  if (deck.get<bool>("Strict Input"))
+    for (const auto& warning : sceneWarnings(model, deck))
+      diagnostics.add(warning.what);
+}
+
+WarningSummary warningSummary(const Warning& warning)
+{
+  return {warning.kind, warning.what.path.empty() ? warning.what.message
+                                                  : fmt::format("{}: {}", warning.what.path, warning.what.message)};
+}
+
+std::string warningText(const WarningSummary& warning)
+{
+  return "warning: " + warning.message;
+}
+
+std::vector<ParamSpec> warningParams()
+{
+  return {{"Strict Input", false,
+           "Warnings are errors: exit code 2 when the scene shows it before the solve, 6 when only the answer does."},
+          {"Strain Limit", 0.05, above(0.0),
+           "Strains above it are warned of: the theory is one of small strains. Raise it where only proportions count, "
+           "such as loads and moduli of 1."}};
+}
+
+} // namespace ndframe

@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+
+#include "ndframe/scene/model.hpp"
+
+namespace ndframe
+{
+
+/// All rigid motions of the bodies that their supports and the jumps on the interfaces between them leave free:
+/// coefficients in the bodies' rigid bases, one body below the other.
+DenseMatrix freeTogether(const Model& model);
+
+/// The part of joint motions that moves one body (its rows begin at `offset`), reduced to an orthonormal basis.
+DenseMatrix partOf(const DenseMatrix& motions, int offset, int size);
+
+/// Gives every support Hold the motions that nothing before it resists, and pins that fix them in the system, one a
+/// motion, at nodes without support and contact. The scene is in equilibrium along these motions, so that the pins
+/// carry nothing and any choice of them gives the same stress; loads that are not, and a Hold without a motion, are
+/// mistakes.
+void resolveHolds(Model& model, const Params& deck, Diagnostics& diagnostics);
+
+/// Moves the bodies by the motions that Holds fix, so that the mean motions held vanish: displacement of every body in
+/// global axes.
+void removeMeanMotions(const Model& model, std::vector<Vector*> displacement);
+
+/// "translation along x"; empty for other supports than Hold.
+std::string heldMotions(const Model& model, int body, std::size_t support);
+
+} // namespace ndframe

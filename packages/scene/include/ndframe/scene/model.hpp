@@ -1,0 +1,100 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <vector>
+
+#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/assembly/rigid_modes.hpp"
+#include "ndframe/interface/interface_mesh.hpp"
+#include "ndframe/scene/recipe.hpp"
+#include "ndframe/scene/scene_components.hpp"
+
+namespace ndframe
+{
+
+/// A support Hold and what it holds (scene/holds.hpp).
+struct HeldMean
+{
+  int body = 0;
+  std::size_t support = 0;
+  DenseMatrix motions;              ///< orthonormal columns in the body's rigid basis
+  std::vector<NodeConstraint> pins; ///< as many, where the system is fixed
+  std::vector<Vector> means;        ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
+};
+
+/// One body at an interface node.
+struct NodeSide
+{
+  int body = 0, node = 0;
+  bool isDirichlet = false;
+  bool isFree = false; ///< false where supports prescribe its displacement along n_c
+  double held = 0.0;   ///< that displacement
+};
+
+/// The scene: what the deck says, read and checked, before anything is assembled.
+struct Model
+{
+  std::vector<BodyModel> bodies;
+  std::vector<ConstraintSet> constraints;   ///< per body
+  std::vector<Vector> loads;                ///< per body: int q . v in global axes, as integrateLoads gives it
+  std::vector<RigidBasis> rigid;            ///< per body
+  std::vector<DenseMatrix> freeMotions;     ///< per body: columns span the rigid motions that its supports leave free
+  std::vector<DenseMatrix> balancedMotions; ///< per body: those of its rigid motions without support along which
+                                            ///< contact pushes; its traction must balance the loads along them
+  DenseMatrix jointMotions;                 ///< of all bodies together that Holds fix (freeTogether)
+  std::vector<HeldMean> holds;
+  std::vector<InterfaceMesh> interfaces;
+  SceneRecipe recipe; ///< what it was made from; empty when it is not to be reused
+
+  /// The Dirichlet and the Neumann side of an interface node.
+  std::array<NodeSide, 2> sidesAt(const InterfaceMesh& interface, int node) const;
+  /// False where supports prescribe the normal displacement of an interface node on both bodies.
+  bool carriesContact(const InterfaceMesh& interface, int node) const;
+
+  int bodyIndex(const std::string& name) const; ///< -1 if there is none
+  std::vector<int> numDofs() const;             ///< per body
+  std::int64_t totalDofs() const;
+};
+
+/// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is
+/// reported at once (InputError): sides that do not exist, hypotheses that do not suit the mesh, sides that do not
+/// match, bodies that overlap, bodies that nothing holds.
+Model buildModel(const Params& deck, const SceneComponents& components);
+
+/// Makes an earlier (or empty) model the deck's. What it was made from in the same way stays: everything, or the meshes
+/// and node maps of bodies. Counts "meshes reused". Rank 0 reads the meshes for all. A deck that is refused leaves the
+/// model as it was.
+void updateModel(Model& model, const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger);
+
+/// A mesh and its node map, which is made when it is empty.
+struct GivenMesh
+{
+  GivenMesh(Mesh givenMesh, NodeMap givenNodes = {}) : mesh(std::move(givenMesh)), nodes(std::move(givenNodes)) {}
+  Mesh mesh;
+  NodeMap nodes;
+};
+
+/// The mesh of a body, given its list in the deck.
+using MeshOfBody = std::function<GivenMesh(const Params& body)>;
+
+/// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes
+/// before; a side that still is the same polygon keeps their normals (inheritNormals).
+Model buildModel(const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
+                 const std::vector<InterfaceMesh>& earlier = {});
+
+/// The same as a stage of a run; model.interfaces are the earlier ones. Not to be reused: the model has no recipe.
+void remeshModel(Model& model, const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
+                 Ledger& ledger);
+
+/// Refuses bodies that are the Dirichlet body of one interface and the Neumann body of another: a coupling that solves
+/// the bodies one after the other needs one role per body. Looks at the deck only.
+void checkRoles(const Params& deck, Diagnostics& diagnostics);
+
+/// Refuses bodies with rigid motions that neither supports nor contact can stop, naming the motions.
+void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics);
+
+/// "roller at left; by contact: translation along y"
+std::string heldBy(const Model& model, int body);
+
+} // namespace ndframe

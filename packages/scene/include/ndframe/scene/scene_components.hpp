@@ -1,0 +1,23 @@
+#pragma once
+
+#include "ndframe/assembly/side_condition.hpp"
+#include "ndframe/mechanics/material_law.hpp"
+#include "ndframe/meshing/mesh_source.hpp"
+
+namespace ndframe
+{
+
+/// What scenes are made of. Builders keep references between registries: the object stays where it was made.
+struct SceneComponents
+{
+  Registry<MeshSource> meshSources{"mesh"};
+  Registry<MaterialLaw> materials{"material", "Isotropic"};
+  Registry<Support> supports{"support"};
+  Registry<Load> loads{"load"};
+
+  SceneComponents() = default;
+  SceneComponents(const SceneComponents&) = delete;
+  SceneComponents& operator=(const SceneComponents&) = delete;
+};
+
+} // namespace ndframe

@@ -1,0 +1,49 @@
+#include "ndframe/scene/recipe.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+
+namespace ndframe
+{
+namespace
+{
+
+/// Which state of which file it is; a file that cannot be looked at is refused when it is read.
+std::string fileStamp(const std::string& path)
+{
+  std::error_code ignored;
+  const auto size = std::filesystem::file_size(path, ignored);
+  const auto time = std::filesystem::last_write_time(path, ignored).time_since_epoch().count();
+  return fmt::format("{} {} {}", std::filesystem::absolute(path, ignored).string(), size, time);
+}
+
+} // namespace
+
+bool SceneRecipe::sameModel(const SceneRecipe& other) const
+{
+  return !bodies.empty() && bodies == other.bodies && interfaces == other.interfaces;
+}
+
+bool SceneRecipe::sameSystems(const SceneRecipe& other) const
+{
+  return sameModel(other) && solver == other.solver && representation == other.representation;
+}
+
+SceneRecipe recipeOf(const Params& deck)
+{
+  SceneRecipe recipe;
+  for (const auto& body : deck.sub("Bodies").subs()) {
+    const Params mesh = body.sub("Mesh");
+    recipe.bodies.push_back({body.name(),
+                             toXml(mesh) + toXml(deck.sub("Discretization")) +
+                                 (mesh.has("File") ? fileStamp(mesh.file("File")) : std::string()),
+                             toXml(body.sub("Material")), toXml(body.sub("Supports")) + toXml(body.sub("Loads"))});
+  }
+  recipe.interfaces = toXml(deck.sub("Interfaces"));
+  recipe.solver = toXml(deck.sub("Linear Solver"));
+  recipe.representation = toXml(deck.sub("Interface Operator"));
+  return recipe;
+}
+
+} // namespace ndframe

@@ -1,0 +1,16 @@
+#include "ndframe/scene/shared_mesh.hpp"
+
+#include "ndframe/algebra/from_rank_zero.hpp"
+#include "ndframe/mesh/mesh_bytes.hpp"
+
+namespace ndframe
+{
+
+Mesh readShared(const MeshSource& source, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return source.read();
+  return meshFromBytes(fromRankZero(comm, [&] { return toBytes(source.read()); }));
+}
+
+} // namespace ndframe
