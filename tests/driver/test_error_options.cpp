@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 
 #include "driver/scene.hpp"
-#include "ndframe/certification/error_options.hpp"
+#include "ndframe/driver/settings.hpp"
 #include "ndframe/run/plan.hpp"
 
 using namespace ndframe;
@@ -16,13 +16,13 @@ namespace
 
 ErrorOptions optionsOf(Scene scene)
 {
-  return errorOptions(scene.params());
+  return *readSettings(scene.params()).errors;
 }
 
 Plan planOf(const Scene& scene)
 {
   const Params deck = scene.params();
-  return Plan(deck, *components().linearSolvers.build(deck.sub("Linear Solver")), 1);
+  return Plan(readSettings(deck), *components().linearSolvers.build(deck.sub("Linear Solver")), 1);
 }
 
 /// The parts of the certificate that a scene's plan runs.
@@ -40,8 +40,8 @@ std::vector<std::string> certificateParts(const Scene& scene)
 
 TEST(ErrorEstimation, IsAbsentUnlessTheDeckNamesIt)
 {
-  EXPECT_FALSE(estimatesErrors(Scene("punch").params()));
-  EXPECT_TRUE(estimatesErrors(Scene("punch").set("Error Estimation/Mode=Strict").params()));
+  EXPECT_FALSE(readSettings(Scene("punch").params()).errors);
+  EXPECT_TRUE(readSettings(Scene("punch").set("Error Estimation/Mode=Strict").params()).errors);
 }
 
 TEST(ErrorEstimation, EstimatesTheBoundAndItsPartsByDefault)

@@ -10,6 +10,7 @@
 #include "driver/program.hpp"
 #include "driver/scene.hpp"
 #include "ndframe/base/log.hpp"
+#include "ndframe/driver/settings.hpp"
 #include "ndframe/run/plan.hpp"
 
 using namespace ndframe;
@@ -303,7 +304,7 @@ TEST(Plan, SkipsWhatTheDeckSwitchesOff)
 {
   const auto planOf = [](const Scene& scene, int ranks) {
     const Params deck = scene.params();
-    return Plan(deck, *components().linearSolvers.build(deck.sub("Linear Solver")), ranks);
+    return Plan(readSettings(deck), *components().linearSolvers.build(deck.sub("Linear Solver")), ranks);
   };
   EXPECT_FALSE(planOf(Scene("punch").set("Output/Exodus=false"), 1).runs("stress"));
   EXPECT_TRUE(planOf(Scene("punch").set("Output/Exodus=false"), 1).runs("write"));

@@ -7,7 +7,6 @@
 
 #include "accuracy_limits.hpp"
 #include "level_contact.hpp"
-#include "ndframe/accuracy/accuracy_list.hpp"
 #include "ndframe/accuracy/first_meshes.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/condensation/roles.hpp"
@@ -40,16 +39,16 @@ class AdaptiveRun
 public:
   AdaptiveRun(RunTools tools, const AccuracyComponents& components, RunObserver& observer, const LevelObserver& onLevel,
               EnergyRecords energies)
-      : deck_(tools.deck), components_(components), observer_(observer), onLevel_(onLevel), tools_(std::move(tools)),
-        options_(accuracyOptions(deck_)), wanted_(tools_.errors->estimators),
-        transfer_(components.contactTransfers.build(deck_.sub("Accuracy").sub("Transfer"))),
-        stopping_(components.levelStoppings.build(deck_.sub("Accuracy").sub("Stopping"))),
-        balances_(balancesSweeps(deck_.sub("Accuracy"), components))
+      : components_(components), observer_(observer), onLevel_(onLevel), tools_(std::move(tools)),
+        options_(*tools_.settings.accuracy), wanted_(tools_.errors->estimators),
+        transfer_(components.contactTransfers.build(tools_.deck.sub("Accuracy").sub("Transfer"))),
+        stopping_(components.levelStoppings.build(tools_.deck.sub("Accuracy").sub("Stopping"))),
+        balances_(stopping_->allowed(1.0, 1.0) > 0.0)
   {
     tools_.errors->estimators = {Estimator::Global}; // all that a level needs
     run_.startSeconds = wallSeconds();
     run_.energies = std::move(energies);
-    run_.plan = Plan(deck_, *tools_.solver, tools_.comm.size());
+    run_.plan = Plan(tools_.settings, *tools_.solver, tools_.comm.size());
     summary_.of = accuracyOfNames().name(options_.of);
     summary_.target = options_.target;
     summary_.relative = options_.relative;
@@ -132,7 +131,7 @@ private:
     if (!roles.empty())
       orientLike(model, before);
     run_.model = std::move(model);
-    run_.summary = outlineSummary(run_.model, deck_, *tools_.solver, tools_.comm.size());
+    run_.summary = outlineSummary(run_.model, tools_.settings, *tools_.solver, tools_.comm.size());
     if (!roles.empty())
       run_.summary.coupling->roles = std::move(roles);
     run_.certificate.reset();
@@ -175,13 +174,6 @@ private:
     return start;
   }
 
-  /// True where the deck has an entry that would stop the sweeps.
-  bool namesTolerance() const
-  {
-    const Params coupling = deck_.sub("Coupling");
-    return coupling.hasSub("Stopping") && coupling.sub("Stopping").isGiven("Tolerance");
-  }
-
   double allowedIteration(double mesh) const { return stopping_->allowed(mesh, options_.iterationShare); }
 
   void record(const LevelErrors& errors)
@@ -192,7 +184,7 @@ private:
     level.dofsToTarget = errors.reached() || !errors.tells() ? 0 : planner_->dofsToTarget().value_or(0);
     level.seconds = wallSeconds() - run_.startSeconds;
     if (summary_.levels.empty())
-      observer_.levels(summary_, balances_ && namesTolerance());
+      observer_.levels(summary_, balances_ && tools_.settings.namesTolerance);
     summary_.levels.push_back(level);
     observer_.level(level, planner_->note());
     if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
@@ -264,7 +256,6 @@ private:
     return std::move(run_);
   }
 
-  const Params& deck_;
   const AccuracyComponents& components_;
   RunObserver& observer_;
   RunObserver silent_; ///< of the levels after the first
@@ -275,7 +266,7 @@ private:
   Run run_;
   const std::unique_ptr<ContactTransfer> transfer_;
   const std::unique_ptr<LevelStopping> stopping_;
-  const bool balances_;
+  const bool balances_; ///< the sweeps on a mesh end by their part of the error, not by Coupling/Stopping
   std::optional<MeshPlanner> planner_;
   double expectedMesh_ = std::numeric_limits<double>::max(); ///< the mesh's part on the next level; unknown at first
   CarriedContact carried_;

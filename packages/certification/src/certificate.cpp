@@ -195,7 +195,7 @@ void Certifier::measure()
   ErrorSummary& summary = result_.summary;
   summary.mode = errorModeNames().name(options_.mode);
   if (options_.recoversStress()) {
-    summary.recovery = deck_.sub("Error Estimation").sub("Recovery").get<std::string>("Type");
+    summary.recovery = options_.recovery;
     summary.degree = scene_.degree;
   }
   if (options_.needsTraction())

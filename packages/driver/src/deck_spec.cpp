@@ -1,10 +1,10 @@
 #include "ndframe/driver/deck_spec.hpp"
 
-#include "ndframe/accuracy/accuracy_list.hpp"
+#include "accuracy_list.hpp"
+#include "error_list.hpp"
 #include "ndframe/base/list_specs.hpp"
-#include "ndframe/certification/error_options.hpp"
-#include "ndframe/run/output_options.hpp"
 #include "ndframe/run/warnings.hpp"
+#include "output_list.hpp"
 #include "study_cases.hpp"
 
 namespace ndframe
@@ -54,55 +54,6 @@ ListSpec interfaceSpec()
        "turns along them from vertex to vertex; at a larger one each facet keeps its own normal, and the corner has "
        "the "
        "conditions of both. 0: all facets keep their own, with one condition a vertex, along the mean."}};
-  return list;
-}
-
-Range plainFileName()
-{
-  return {"a file name without a folder",
-          [](const Value& value) { return std::get<std::string>(value).find('/') == std::string::npos; }};
-}
-
-Range someFolder()
-{
-  return {"a folder; \".\" is the working directory",
-          [](const Value& value) { return !std::get<std::string>(value).empty(); }};
-}
-
-ListSpec outputSpec()
-{
-  ListSpec list =
-      makeList("Output", "What is written, and where. Files appear under their final name only when complete.");
-  list.params = {
-      {"Directory", std::string("."), someFolder(),
-       "Folder of the results, relative to the working directory; made if missing."},
-      {"Name", std::string(""), plainFileName(),
-       "Beginning of the file names; empty: the deck's file name without its ending."},
-      {"Exodus", true, "Write NAME.e for ParaView."},
-      {"Summary", true, "Write NAME.summary.json."},
-      {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
-      {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line a level."},
-      {"All Levels", false,
-       "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
-      {"Steps", std::string("Final"), stepsNames().range(),
-       "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."},
-      {"Equilibrated Stress", false,
-       "Add the stress in equilibrium with the loads to NAME.e, its mean in every element (sigma_hat_xx, ...; needs "
-       "the estimator Global)."},
-      {"Mean Stress", false,
-       "Add the mean of the computed and the equilibrated stress to NAME.e (mean_stress_xx, ...): its error is bounded "
-       "by about half of the bound (needs the estimator Global)."}};
-  return list;
-}
-
-ListSpec expectationSpec()
-{
-  ListSpec list = makeList("EXPECTATION", "One number that the run must reproduce (exit code 4 when it does not).");
-  list.params = {ParamSpec::required("Quantity", Kind::String,
-                                     "Path of the number in the summary, e.g. \"energy\", \"bodies/punch/energy\", "
-                                     "\"interfaces/contact/contact_force\", \"coupling/sweeps\"."),
-                 ParamSpec::required("Value", Kind::Double, "Expected value."),
-                 ParamSpec::required("Tolerance", Kind::Double, atLeast(0.0), "Largest absolute difference.")};
   return list;
 }
 

@@ -12,9 +12,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "accuracy_list.hpp"
 #include "command_line.hpp"
 #include "failures.hpp"
-#include "ndframe/accuracy/accuracy_list.hpp"
 #include "ndframe/algebra/launcher.hpp"
 #include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
@@ -109,19 +109,19 @@ void reportShortcomings(const Run& run, const Comm& comm)
     complain(comm, "Strict Input allows no warnings; the results are written.");
 }
 
-ExitCode solveDeck(const Params& deck, const CommandLine& options, const Components& components, const Comm& comm,
-                   const Log& log, bool& computed)
+ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, const Components& components,
+                   const Comm& comm, const Log& log, bool& computed)
 {
   Ledger ledger(&log);
-  const LevelObserver writer = levelWriter(deck, options.deck, comm, ledger);
+  const LevelObserver writer = levelWriter(settings.output, options.deck, comm, ledger);
   const LevelObserver onLevel = [&](const Run& level, int number) {
     computed = true;
     if (writer)
       writer(level, number);
   };
-  Run run = runDeck(deck, components, comm, ledger, log, {}, onLevel);
+  Run run = runDeck(settings, components, comm, ledger, log, {}, onLevel);
   computed = true;
-  const auto written = writeResults(run, deck, options.deck, comm, ledger);
+  const auto written = writeResults(run, settings.output, options.deck, comm, ledger);
   copyLedger(run.summary, ledger, run.startSeconds);
   if (run.summary.solved)
     log.line("\n" + closingText(run.summary));
@@ -141,16 +141,17 @@ ExitCode solveDeck(const Params& deck, const CommandLine& options, const Compone
   return codeOf(run);
 }
 
-std::string planText(const Params& deck, const Components& components, const Comm& comm)
+std::string planText(const RunSettings& settings, const Components& components, const Comm& comm)
 {
-  return fmt::format("{}\n\n  memory: {}",
-                     Plan(deck, *components.linearSolvers.build(deck.sub("Linear Solver")), comm.size()).text(),
-                     memoryPlan(deck));
+  return fmt::format(
+      "{}\n\n  memory: {}",
+      Plan(settings, *components.linearSolvers.build(settings.deck.sub("Linear Solver")), comm.size()).text(),
+      memoryPlan(settings.deck));
 }
 
-void greet(const Params& deck, const CommandLine& options, const Log& log)
+void greet(const RunSettings& settings, const CommandLine& options, const Log& log)
 {
-  log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), deck.get<std::string>("Title"), options.deck));
+  log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), settings.title, options.deck));
 }
 
 ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Components& components, const Comm& comm,
@@ -158,7 +159,7 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
 {
   const Study study = expandStudy(deck, options.deck, makeDeckSpec(components), diagnostics);
   diagnostics.throwIfAny();
-  const Params& first = study.cases.front().deck;
+  const RunSettings first = readSettings(study.cases.front().deck);
   greet(first, options, log);
   if (options.yardstick)
     throw InputError("--yardstick measures one scene; run it without a study.");
@@ -181,27 +182,28 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
   completeAccuracyDeck(input, diagnostics);
   const Params deck = validate(input, makeDeckSpec(components), diagnostics);
   diagnostics.throwIfAny();
-  greet(deck, options, log);
+  const RunSettings settings = readSettings(deck);
+  greet(settings, options, log);
   if (options.plan) {
-    log.line(planText(deck, components, comm));
+    log.line(planText(settings, components, comm));
     return ExitCode::Right;
   }
-  checkOutput(deck, options.deck);
+  checkOutput(settings, options.deck);
   claimLibraryMemory();
   if (options.check) {
     Ledger ledger(&log);
     Model model;
-    checkDeck(model, deck, components, comm, ledger);
+    checkDeck(model, settings, components, comm, ledger);
     for (const auto& warning : sceneWarnings(model, deck))
       complain(comm, warningText(warningSummary(warning)));
     log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
     return ExitCode::Right;
   }
   if (options.yardstick) {
-    log.line(yardstickText(deck, components, options.deck, comm));
+    log.line(yardstickText(settings, components, options.deck, comm));
     return ExitCode::Right;
   }
-  return solveDeck(deck, options, components, comm, log, computed);
+  return solveDeck(settings, options, components, comm, log, computed);
 }
 
 /// Large arrays come and go in every stage. Handing their pages back to the kernel and taking them again, zeroed, costs

@@ -1,9 +1,9 @@
 #include "ndframe/driver/run_deck.hpp"
 
-#include "ndframe/accuracy/accuracy_list.hpp"
+#include "accuracy_list.hpp"
+#include "error_list.hpp"
 #include "ndframe/accuracy/adaptive_run.hpp"
 #include "ndframe/accuracy/first_meshes.hpp"
-#include "ndframe/certification/error_checks.hpp"
 #include "ndframe/report/screen_observer.hpp"
 #include "ndframe/run/run_once.hpp"
 
@@ -18,32 +18,39 @@ void checkLists(const RunTools& tools, const Components& components)
   Diagnostics diagnostics;
   if (tools.coupling->roles() == Roles::AsGiven)
     checkRoles(tools.deck, diagnostics);
-  checkErrorEstimation(tools.deck, diagnostics);
-  checkAccuracy(tools.deck, components, diagnostics);
+  checkErrorEstimation(tools.settings.errors, tools.settings.output, diagnostics);
+  checkAccuracy(tools.settings, components, diagnostics);
   diagnostics.throwIfAny();
 }
 
 } // namespace
 
-void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger)
+void checkDeck(Model& model, const RunSettings& settings, const Components& components, const Comm& comm,
+               Ledger& ledger)
 {
-  const RunTools tools(deck, components, comm, ledger);
+  const RunTools tools(settings, components, comm, ledger);
   checkLists(tools, components);
-  if (wantsAccuracy(deck))
+  if (settings.accuracy)
     readFirstMeshes(model, tools, components);
   else
     readModel(model, tools);
 }
 
+Run runDeck(const RunSettings& settings, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
+            Reusable&& previous, const LevelObserver& onLevel)
+{
+  RunTools tools(settings, components, comm, ledger);
+  checkLists(tools, components);
+  ScreenObserver screen(log);
+  if (settings.accuracy)
+    return runToTarget(std::move(tools), components, screen, onLevel, previous.energies);
+  return runOnce(tools, screen, std::move(previous));
+}
+
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
             Reusable&& previous, const LevelObserver& onLevel)
 {
-  RunTools tools(deck, components, comm, ledger);
-  checkLists(tools, components);
-  ScreenObserver screen(log);
-  if (wantsAccuracy(deck))
-    return runToTarget(std::move(tools), components, screen, onLevel, previous.energies);
-  return runOnce(tools, screen, std::move(previous));
+  return runDeck(readSettings(deck), components, comm, ledger, log, std::move(previous), onLevel);
 }
 
 } // namespace ndframe

@@ -71,17 +71,18 @@ StudyRunner::StudyRunner(const Study& study, const std::string& deckName, const 
 /// Refuses columns that no case has. Reads the meshes of the first case, which it then need not read.
 void StudyRunner::checkColumns()
 {
-  const auto& first = study_.cases.front().deck;
+  const RunSettings first = readSettings(study_.cases.front().deck);
   try {
     checkDeck(reusable_.model, first, components_, comm_, ledger_);
   } catch (const InputError&) {
     return; // the row of this case will say so
   }
-  const auto solver = components_.linearSolvers.build(first.sub("Linear Solver"));
+  const auto solver = components_.linearSolvers.build(first.deck.sub("Linear Solver"));
   Diagnostics diagnostics;
   for (const auto& column : study_.columns) {
     const bool known = std::any_of(study_.cases.begin(), study_.cases.end(), [&](const StudyCase& c) {
-      return isQuantity(column, outlineSummary(reusable_.model, c.deck, *solver, 1), c.deck);
+      const RunSettings settings = readSettings(c.deck);
+      return isQuantity(column, outlineSummary(reusable_.model, settings, *solver, 1), settings);
     });
     if (!known)
       diagnostics.add({deckName_, 0, "Study",
@@ -95,10 +96,11 @@ void StudyRunner::checkColumns()
 ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
 {
   reusable_.energies.begin(caseName(row.number));
-  Run run = runDeck(given.deck, components_, comm_, ledger_, silentLog(), std::move(reusable_),
-                    levelWriter(given.deck, deckName_, comm_, ledger_));
+  const RunSettings settings = readSettings(given.deck);
+  Run run = runDeck(settings, components_, comm_, ledger_, silentLog(), std::move(reusable_),
+                    levelWriter(settings.output, deckName_, comm_, ledger_));
   const ExitCode code = codeOf(run);
-  writeResults(run, given.deck, deckName_, comm_, ledger_);
+  writeResults(run, settings.output, deckName_, comm_, ledger_);
   copyLedger(run.summary, ledger_, run.startSeconds);
   for (const auto& warning : run.summary.warnings)
     complain(comm_, fmt::format("case {}: {}", row.number, warningText(warning)));
@@ -125,8 +127,8 @@ void StudyRunner::withdraw(const Contradiction& contradiction)
     row.summary->errors->guaranteed = false;
     row.summary->errors->reason = row.reason;
     row.summary->errors->energyBracket.reset();
-    const Params output = study_.cases[row.number - 1].deck.sub("Output");
-    if (study_.writesFiles && output.get<bool>("Summary"))
+    const OutputOptions output = readSettings(study_.cases[row.number - 1].deck).output;
+    if (study_.writesFiles && output.summary)
       writeOnFirstRank(comm_, [&] {
         writeTextAtomically(outputStem(output, deckName_).string() + ".summary.json", toJson(*row.summary));
       });
@@ -167,7 +169,7 @@ ExitCode StudyRunner::check(const Log& log)
   Diagnostics mistakes;
   for (const auto& given : study_.cases) {
     try {
-      checkDeck(reusable_.model, given.deck, components_, comm_, ledger_);
+      checkDeck(reusable_.model, readSettings(given.deck), components_, comm_, ledger_);
     } catch (const InputError& error) {
       for (const auto& mistake : error.list())
         mistakes.add(mistake);
@@ -182,11 +184,11 @@ ExitCode StudyRunner::check(const Log& log)
 ExitCode StudyRunner::run(const Log& log, bool& computed)
 {
   const double start = wallSeconds();
-  checkNameLength(study_.cases.front().deck.sub("Output"), study_.fileName);
+  const OutputOptions output = readSettings(study_.cases.front().deck).output;
+  checkNameLength(output, study_.fileName);
   if (!study_.columns.empty())
     checkColumns();
-  const std::string stem =
-      outputStem(study_.cases.front().deck.sub("Output"), deckName_).replace_filename(study_.fileName).string();
+  const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
   const std::string partial = stem + ".study.partial.csv";
   writeRows(partial); // a folder that cannot be written in shows before anything is computed
   computed = true;

@@ -8,7 +8,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "ndframe/accuracy/accuracy_list.hpp"
+#include "accuracy_list.hpp"
 
 namespace ndframe
 {

@@ -62,13 +62,13 @@ std::string table(const std::vector<NamedYardstick>& bodies)
 
 } // namespace
 
-std::string yardstickText(const Params& deck, const Components& components, const std::string& deckName,
+std::string yardstickText(const RunSettings& settings, const Components& components, const std::string& deckName,
                           const Comm& comm)
 {
   if (comm.size() > 1)
     throw InputError("--yardstick measures one process; run it without mpirun.");
-  const auto bodies = measureBodies(buildModel(deck, components));
-  const std::string file = outputStem(deck.sub("Output"), deckName).string() + ".yardstick.json";
+  const auto bodies = measureBodies(buildModel(settings.deck, components));
+  const std::string file = outputStem(settings.output, deckName).string() + ".yardstick.json";
   writeTextAtomically(file, jsonText(bodies));
   return table(bodies) + fmt::format("\n  wrote {}", file);
 }

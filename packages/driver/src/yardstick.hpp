@@ -4,6 +4,7 @@
 
 #include "ndframe/algebra/yardstick.hpp"
 #include "ndframe/driver/components.hpp"
+#include "ndframe/run/run_settings.hpp"
 
 namespace ndframe
 {
@@ -12,7 +13,7 @@ namespace ndframe
 /// a table with their sum. Writes NAME.yardstick.json to the deck's output folder, by body and "all":
 /// {"dofs", "nonzeros", "flops", "order", "factor", "solve", "total"}, the times as {"wall", "processor"} in seconds.
 /// Refuses to run on several ranks (InputError).
-std::string yardstickText(const Params& deck, const Components& components, const std::string& deckName,
+std::string yardstickText(const RunSettings& settings, const Components& components, const std::string& deckName,
                           const Comm& comm);
 
 } // namespace ndframe

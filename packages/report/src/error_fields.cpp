@@ -70,7 +70,7 @@ std::vector<std::array<double, 6>> centreMeans(const Run& run, std::size_t body,
 
 } // namespace
 
-std::vector<NamedField> elementErrorFields(const Run& run, const Params& output, std::size_t body, bool isFinal)
+std::vector<NamedField> elementErrorFields(const Run& run, const OutputOptions& output, std::size_t body, bool isFinal)
 {
   if (!run.certificate)
     return {};
@@ -84,7 +84,7 @@ std::vector<NamedField> elementErrorFields(const Run& run, const Params& output,
   add("eta_glob", certificate.etaGlobal);
   add("eta_dis", certificate.etaDiscretization);
   add("eta_nda", certificate.etaAlgorithm);
-  const bool writesEquilibrated = output.get<bool>("Equilibrated Stress"), writesMean = output.get<bool>("Mean Stress");
+  const bool writesEquilibrated = output.equilibratedStress, writesMean = output.meanStress;
   if (writesEquilibrated || writesMean) {
     auto means = equilibratedMeans(run, body);
     if (writesEquilibrated)

@@ -93,7 +93,7 @@ NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<Con
   return field;
 }
 
-ExodusStep exodusStep(const Run& run, const Params& output, std::size_t step)
+ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t step)
 {
   ExodusStep out;
   const bool touches = !run.model.interfaces.empty();
@@ -149,7 +149,7 @@ std::string levelPath(const std::string& stem, int level)
 }
 
 /// The last state on the mesh of a level; the level stands for its time, so that ParaView plays the series.
-void writeLevel(const Run& run, int level, const Params& output, const std::string& deckName, Ledger& ledger)
+void writeLevel(const Run& run, int level, const OutputOptions& output, const std::string& deckName, Ledger& ledger)
 {
   const auto timer = ledger.time("write levels");
   ExodusStep step = exodusStep(run, output, run.states.size() - 1);
@@ -170,10 +170,10 @@ void addLevelFiles(const AccuracySummary& accuracy, const std::string& stem, std
 }
 
 /// What a run with a target leaves of its levels, whether the last one has a solution or not.
-void writeLevels(const Run& run, const Params& output, const std::string& stem, Ledger& ledger,
+void writeLevels(const Run& run, const OutputOptions& output, const std::string& stem, Ledger& ledger,
                  std::vector<std::string>& written)
 {
-  if (output.get<bool>("All Levels"))
+  if (output.allLevels)
     addLevelFiles(*run.summary.accuracy, stem, written);
   if (!run.plan.runs("level table"))
     return;
@@ -183,7 +183,7 @@ void writeLevels(const Run& run, const Params& output, const std::string& stem, 
 }
 
 /// Writes the fields and the contact table that Output asks for; returns the files' names.
-std::vector<std::string> writeSolution(const Run& run, const Params& output, const std::string& stem,
+std::vector<std::string> writeSolution(const Run& run, const OutputOptions& output, const std::string& stem,
                                        const std::string& deckName, Ledger& ledger)
 {
   std::vector<std::string> written;
@@ -221,9 +221,8 @@ void removeSolution(const Plan& plan, const std::string& stem)
 }
 
 /// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.
-std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::string& deckName, Ledger& ledger)
+std::vector<std::string> writeFiles(Run& run, const OutputOptions& output, const std::string& deckName, Ledger& ledger)
 {
-  const Params output = deck.sub("Output");
   const std::string stem = outputStem(output, deckName).string();
   std::vector<std::string> written;
   if (run.summary.solved)
@@ -233,7 +232,7 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
   if (run.summary.accuracy)
     writeLevels(run, output, stem, ledger, written);
   copyLedger(run.summary, ledger, run.startSeconds);
-  if (output.get<bool>("Summary")) {
+  if (output.summary) {
     written.push_back(stem + ".summary.json");
     writeTextAtomically(written.back(), toJson(run.summary));
   }
@@ -242,20 +241,19 @@ std::vector<std::string> writeFiles(Run& run, const Params& deck, const std::str
 
 } // namespace
 
-LevelObserver levelWriter(const Params& deck, const std::string& name, const Comm& comm, Ledger& ledger)
+LevelObserver levelWriter(const OutputOptions& output, const std::string& name, const Comm& comm, Ledger& ledger)
 {
-  if (!deck.sub("Output").get<bool>("All Levels"))
+  if (!output.allLevels)
     return {};
-  return [&](const Run& run, int level) {
-    writeOnFirstRank(comm, [&] { writeLevel(run, level, deck.sub("Output"), name, ledger); });
-  };
+  return
+      [&](const Run& run, int level) { writeOnFirstRank(comm, [&] { writeLevel(run, level, output, name, ledger); }); };
 }
 
-std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
+std::vector<std::string> writeResults(Run& run, const OutputOptions& output, const std::string& name, const Comm& comm,
                                       Ledger& ledger)
 {
   std::vector<std::string> written;
-  writeOnFirstRank(comm, [&] { written = writeFiles(run, deck, name, ledger); });
+  writeOnFirstRank(comm, [&] { written = writeFiles(run, output, name, ledger); });
   return written;
 }
 

@@ -8,7 +8,6 @@
 
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/report/outputs.hpp"
-#include "ndframe/run/accuracy_options.hpp"
 
 namespace ndframe
 {
@@ -19,66 +18,67 @@ namespace
 /// The longest of what follows a name: NAME.study.partial.csv, and the number of a study's case before that.
 constexpr std::size_t longestEnding = 24;
 
-std::filesystem::path absoluteFolder(const Params& output)
+std::filesystem::path absoluteFolder(const OutputOptions& output)
 {
   std::error_code failure;
-  const auto folder = std::filesystem::absolute(output.get<std::string>("Directory"), failure);
+  const auto folder = std::filesystem::absolute(output.directory, failure);
   if (failure) // only where the working directory is gone
-    throw InputError(output.mistake("Directory",
-                                    "the working directory does not exist any more; change to another one, "
-                                    "or give Directory as an absolute path."));
+    throw InputError(output.place.mistake("Directory",
+                                          "the working directory does not exist any more; change to another one, "
+                                          "or give Directory as an absolute path."));
   return folder;
 }
 
-std::string baseName(const Params& output, const std::string& deckName)
+std::string baseName(const OutputOptions& output, const std::string& deckName)
 {
-  const auto name = output.get<std::string>("Name");
+  const auto name = output.name;
   return name.empty() ? std::filesystem::path(deckName).stem().string() : name;
 }
 
 } // namespace
 
-void checkNameLength(const Params& output, const std::string& name)
+void checkNameLength(const OutputOptions& output, const std::string& name)
 {
   const std::size_t longest = longestFileName() - longestEnding;
   if (name.size() > longest)
-    throw InputError(output.mistake(
+    throw InputError(output.place.mistake(
         "Name", fmt::format("the files' names would begin with {} characters, and at most {} fit there, with what is "
                             "added to them; give a shorter Name.",
                             name.size(), longest)));
 }
 
-void checkOutput(const Params& deck, const std::string& deckName)
+void checkOutput(const RunSettings& settings, const std::string& deckName)
 {
-  const Params output = deck.sub("Output");
-  const bool writes = output.get<bool>("Exodus") || output.get<bool>("Summary") || output.get<bool>("Contact Table") ||
-                      (wantsAccuracy(deck) && output.get<bool>("Level Table"));
+  const OutputOptions& output = settings.output;
+  const bool writes =
+      output.exodus || output.summary || output.contactTable || (settings.accuracy && output.levelTable);
   if (!writes)
     return;
   std::filesystem::path folder = absoluteFolder(output);
   const bool longPart =
       std::any_of(folder.begin(), folder.end(), [](const auto& part) { return part.native().size() > NAME_MAX; });
   if (longPart || folder.native().size() + NAME_MAX >= PATH_MAX)
-    throw InputError(output.mistake("Directory", "Directory is longer than the system lets a folder's path be; name "
-                                                 "another one."));
+    throw InputError(output.place.mistake("Directory",
+                                          "Directory is longer than the system lets a folder's path be; name "
+                                          "another one."));
   checkNameLength(output, baseName(output, deckName));
   std::error_code none;
   while (!std::filesystem::exists(folder, none) && folder.has_relative_path())
     folder = folder.parent_path(); // missing folders are made
   const bool isFolder = std::filesystem::is_directory(folder, none);
   if (!isFolder || access(folder.c_str(), W_OK) != 0)
-    throw InputError(output.mistake(
+    throw InputError(output.place.mistake(
         "Directory", fmt::format("\"{}\" is not a folder that can be written in; name another Directory.",
-                                 isFolder ? folder.string() : output.get<std::string>("Directory"))));
+                                 isFolder ? folder.string() : output.directory)));
 }
 
-std::filesystem::path outputStem(const Params& output, const std::string& deckName)
+std::filesystem::path outputStem(const OutputOptions& output, const std::string& deckName)
 {
-  const std::filesystem::path folder = output.get<std::string>("Directory");
+  const std::filesystem::path folder = output.directory;
   std::error_code failure;
   std::filesystem::create_directories(folder, failure);
   if (failure)
-    throw InputError(output.mistake(
+    throw InputError(output.place.mistake(
         "Directory", fmt::format("cannot make the folder \"{}\": {}.", folder.string(), failure.message())));
   return (folder / baseName(output, deckName)).lexically_normal();
 }

@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include "ndframe/certification/error_options.hpp"
-#include "ndframe/run/accuracy_options.hpp"
 #include "ndframe/run/summarize.hpp"
 
 namespace ndframe
@@ -52,11 +50,11 @@ ErrorSummary everyError(const ErrorOptions& options)
 }
 
 /// The outline with one entry for what only the run can count: levels, sweeps, ends of the contact, components, errors.
-RunSummary withEveryQuantity(RunSummary outline, const Params& deck)
+RunSummary withEveryQuantity(RunSummary outline, const RunSettings& settings)
 {
-  if (estimatesErrors(deck))
-    outline.errors = everyError(errorOptions(deck));
-  if (wantsAccuracy(deck)) {
+  if (settings.errors)
+    outline.errors = everyError(*settings.errors);
+  if (settings.accuracy) {
     outline.accuracy.emplace();
     outline.accuracy->levels.resize(1);
     outline.accuracy->levels.front().worstPoint = {0.0, 0.0};
@@ -90,17 +88,17 @@ std::string ofFirst(const std::string& path)
 
 } // namespace
 
-bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck)
+bool isQuantity(const std::string& path, const RunSummary& outline, const RunSettings& settings)
 {
-  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, deck), ofFirst(path));
+  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, settings), ofFirst(path));
 }
 
-void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics)
+void checkExpectationNames(const RunSummary& outline, const RunSettings& settings, Diagnostics& diagnostics)
 {
-  for (const auto& expectation : deck.sub("Expect").subs()) {
-    const auto quantity = expectation.get<std::string>("Quantity");
-    if (!isQuantity(quantity, outline, deck))
-      diagnostics.add(expectation.mistake(
+  for (const Expectation& expectation : settings.expectations) {
+    const std::string& quantity = expectation.quantity;
+    if (!isQuantity(quantity, outline, settings))
+      diagnostics.add(expectation.place.mistake(
           "Quantity",
           fmt::format("\"{}\" is no number of this run's summary; examples are \"energy\", \"bodies/{}/energy\", "
                       "\"residuals/equilibrium\".",
@@ -108,16 +106,16 @@ void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagno
   }
 }
 
-void checkExpectations(RunSummary& summary, const Params& deck)
+void checkExpectations(RunSummary& summary, const std::vector<Expectation>& expectations)
 {
-  for (const auto& expectation : deck.sub("Expect").subs()) {
+  for (const Expectation& expectation : expectations) {
     ExpectationSummary result;
-    result.name = expectation.name();
-    const auto quantity = expectation.get<std::string>("Quantity");
+    result.name = expectation.name;
+    const std::string& quantity = expectation.quantity;
     const double absent = isLedgerPath(quantity) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
     result.value = summaryValue(summary, quantity).value_or(absent); // an absent number never meets its expectation
-    result.expected = expectation.get<double>("Value");
-    result.tolerance = expectation.get<double>("Tolerance");
+    result.expected = expectation.value;
+    result.tolerance = expectation.tolerance;
     result.met = std::abs(result.value - result.expected) <= result.tolerance;
     summary.expectations.push_back(std::move(result));
   }

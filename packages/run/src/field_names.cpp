@@ -8,8 +8,6 @@ namespace ndframe
 void checkFieldNames(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
   constexpr std::size_t longest = 256; // of netCDF
-  if (!deck.sub("Output").get<bool>("Exodus"))
-    return;
   const auto check = [&](const Params& list, const std::string& name) {
     if (name.size() > longest)
       diagnostics.add(list.mistake("", fmt::format("its name makes names of {} characters in the Exodus file, which "

@@ -5,7 +5,7 @@
 namespace ndframe
 {
 
-/// Refuses names of bodies, sides and interfaces that are too long for NAME.e, if the deck wants it.
+/// Refuses names of bodies, sides and interfaces that are too long for NAME.e.
 void checkFieldNames(const Model& model, const Params& deck, Diagnostics& diagnostics);
 
 } // namespace ndframe

@@ -1,13 +1,9 @@
 #include "ndframe/run/plan.hpp"
 
 #include <algorithm>
-#include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-
-#include "ndframe/certification/error_options.hpp"
-#include "ndframe/run/accuracy_options.hpp"
 
 namespace ndframe
 {
@@ -20,17 +16,6 @@ std::string counted(std::size_t number, const std::string& one, const std::strin
   return fmt::format("{} {}", number, number == 1 ? one : several);
 }
 
-/// True if a body's mesh is a script that the gmsh library has to mesh; mesh files are read without it.
-bool meshesByGmsh(const Params& deck)
-{
-  const auto bodies = deck.sub("Bodies").subs();
-  return std::any_of(bodies.begin(), bodies.end(), [](const Params& body) {
-    const Params mesh = body.sub("Mesh");
-    return mesh.get<std::string>("Type") == "Gmsh" &&
-           std::filesystem::path(mesh.get<std::string>("File")).extension() == ".geo";
-  });
-}
-
 std::vector<std::string> measureNames(const ErrorOptions& options)
 {
   std::vector<std::string> names;
@@ -40,59 +25,58 @@ std::vector<std::string> measureNames(const ErrorOptions& options)
   return names;
 }
 
-std::string refinementOf(const Params& accuracy)
+std::string refinementOf(const AccuracyOptions& accuracy)
 {
-  return fmt::format("{} sizes, by {}", accuracy.sub("Marking").get<std::string>("Type"),
-                     accuracy.sub("Refinement").get<std::string>("Type"));
+  return fmt::format("{} sizes, by {}", accuracy.marking, accuracy.refinement);
 }
 
 } // namespace
 
-Plan::Plan(const Params& deck, const LinearSolver& solver, int ranks)
+Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
 {
-  const auto bodies = deck.sub("Bodies").subs().size(), interfaces = deck.sub("Interfaces").subs().size();
-  const Params output = deck.sub("Output");
-  const bool touches = interfaces > 0, exodus = output.get<bool>("Exodus");
+  const std::size_t bodies = settings.scene.bodies, interfaces = settings.scene.interfaces;
+  const OutputOptions& output = settings.output;
+  const bool touches = interfaces > 0, exodus = output.exodus;
   const std::string noInterface = "the deck has no interface";
-  add("gmsh", meshesByGmsh(deck), "a body's mesh is a .geo script", "no .geo script: the library is not loaded");
+  add("gmsh", settings.scene.needsGmsh, "a body's mesh is a .geo script", "no .geo script: the library is not loaded");
   add("mpi", ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");
-  add("krylov", deck.sub("Linear Solver").get<std::string>("Type") == "Krylov",
-      "linear solver Krylov: Tpetra, Belos and their like are loaded", "no linear solver Krylov: Tpetra is not loaded");
-  const bool toTarget = wantsAccuracy(deck);
+  add("krylov", settings.linearSolver == "Krylov", "linear solver Krylov: Tpetra, Belos and their like are loaded",
+      "no linear solver Krylov: Tpetra is not loaded");
+  const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
   add("read", true, counted(bodies, "body", "bodies") + again, {});
   add("check", true, "sides, pairing and supports are checked before anything is assembled" + again, {});
   add("assemble", true, counted(bodies, "matrix", "matrices") + again, {});
   add("factor", true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
   add("interface", touches, counted(interfaces, "interface", "interfaces") + " condensed" + again, noInterface);
-  add("couple", touches, deck.sub("Coupling").get<std::string>("Type") + again, noInterface);
+  add("couple", touches, settings.coupling + again, noInterface);
   add("recover", true, "interior displacements, one back-solve a body and state" + again, {});
-  addCertificate(deck);
-  add("refine", toTarget, toTarget ? refinementOf(deck.sub("Accuracy")) : "", "the deck has no list Accuracy");
+  addCertificate(settings);
+  add("refine", toTarget, toTarget ? refinementOf(*settings.accuracy) : "", "the deck has no list Accuracy");
   add("stress", exodus, "for the Exodus file", "no Exodus file is written");
-  const bool contact = touches && output.get<bool>("Contact Table");
-  const bool levels = toTarget && output.get<bool>("Level Table");
-  add("write", exodus || contact || levels || output.get<bool>("Summary"),
-      fmt::format("to {}", output.get<std::string>("Directory")), "no file of this solution is asked for");
+  const bool contact = touches && output.contactTable;
+  const bool levels = toTarget && output.levelTable;
+  add("write", exodus || contact || levels || output.summary, fmt::format("to {}", output.directory),
+      "no file of this solution is asked for");
   add("level table", levels, "NAME.levels.csv", toTarget ? "switched off in Output" : "the deck has no list Accuracy");
-  add("write levels", toTarget && output.get<bool>("All Levels"), "NAME.level-01.e, ... after every level",
+  add("write levels", toTarget && output.allLevels, "NAME.level-01.e, ... after every level",
       toTarget ? "Output does not ask for All Levels" : "the deck has no list Accuracy");
   add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
-  const auto expected = deck.sub("Expect").subs().size();
+  const auto expected = settings.expectations.size();
   add("expect", expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");
 }
 
-void Plan::addCertificate(const Params& deck)
+void Plan::addCertificate(const RunSettings& settings)
 {
-  const bool estimates = estimatesErrors(deck);
+  const bool estimates = settings.errors.has_value();
   add("certificate", estimates,
-      wantsAccuracy(deck) ? "the bound on every level, all else on the last one" : "the error of the final state",
+      settings.accuracy ? "the bound on every level, all else on the last one" : "the error of the final state",
       "the deck has no list Error Estimation");
   if (!estimates)
     return;
-  const ErrorOptions options = errorOptions(deck);
+  const ErrorOptions& options = *settings.errors;
   const std::string noTraction =
       options.touches ? "no estimator needs an admissible traction" : "the deck has no interface";
   const std::string noStress = "no estimator needs an equilibrated stress";
@@ -100,8 +84,7 @@ void Plan::addCertificate(const Params& deck)
   add(certificateStage::traction, options.needsTraction(), tractionTypeNames().name(options.tractionType), noTraction);
   add(certificateStage::fields, options.needsTraction(), "in equilibrium with it, with the existing factors",
       noTraction);
-  add(certificateStage::recovery, options.recoversStress(),
-      deck.sub("Error Estimation").sub("Recovery").get<std::string>("Type"), noStress);
+  add(certificateStage::recovery, options.recoversStress(), options.recovery, noStress);
   add(certificateStage::equilibrium, options.checkEquilibrium, "Check Equilibrium", "Check Equilibrium is off");
   add(certificateStage::estimators, !measures.empty(), fmt::format("{}", fmt::join(measures, ", ")), "only Reference");
   add(certificateStage::reference, options.wants(Estimator::Reference),

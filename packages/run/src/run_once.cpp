@@ -13,10 +13,10 @@ namespace
 void compute(Run& run, const RunTools& tools, RunObserver& observer)
 {
   const SerialBlas serial;
-  run.plan = Plan(tools.deck, *tools.solver, tools.comm.size());
+  run.plan = Plan(tools.settings, *tools.solver, tools.comm.size());
   giveBackRoles(run.model, run.condensed);
   readModel(run.model, tools);
-  run.summary = outlineSummary(run.model, tools.deck, *tools.solver, tools.comm.size());
+  run.summary = outlineSummary(run.model, tools.settings, *tools.solver, tools.comm.size());
   observer.header(run.summary, run.model, tools.coupling->roles() != Roles::Automatic);
   attempt(run, observer, [&] {
     condenseRun(run, tools, observer);

@@ -3,12 +3,10 @@
 #include <fmt/format.h>
 
 #include "field_names.hpp"
-#include "ndframe/certification/error_checks.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/condensation/trust.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/memory_plan.hpp"
-#include "ndframe/run/output_options.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/run/warnings.hpp"
 #include "ndframe/scene/rigid_check.hpp"
@@ -37,8 +35,7 @@ std::string failureOf(const Step& step)
 /// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
 void couple(Run& run, const RunTools& tools, RunObserver& observer, const CouplingStart& start)
 {
-  const Params output = tools.deck.sub("Output");
-  const bool keepAll = stepsNames().value(output.get<std::string>("Steps")) == StepsWritten::AllSweeps;
+  const bool keepAll = tools.settings.output.steps == StepsWritten::AllSweeps;
   observer.sweeps(run.model);
   {
     const auto timer = tools.ledger.time("couple");
@@ -55,9 +52,9 @@ void couple(Run& run, const RunTools& tools, RunObserver& observer, const Coupli
 }
 
 /// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
-std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Params& deck)
+std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const RunSettings& settings)
 {
-  if (!errors || errors->guaranteed || !errorOptions(deck).requireGuarantee)
+  if (!errors || errors->guaranteed || !settings.errors->requireGuarantee)
     return {};
   return "the bound is not guaranteed: " + errors->reason;
 }
@@ -67,35 +64,35 @@ std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const Pa
 constexpr double amplification = 1e3;
 
 /// Says that the linear solver was told to stop too early for forces in balance; empty when it was not.
-std::string looseSolver(const RunSummary& summary, const Params& solver)
+std::string looseSolver(const RunSummary& summary, std::optional<double> tolerance)
 {
   const double imbalance = summary.residuals.equilibrium;
-  const bool explains = solver.has("Tolerance") && imbalance > ResidualLimits().equilibrium &&
-                        imbalance <= amplification * solver.get<double>("Tolerance");
+  const bool explains =
+      tolerance && imbalance > ResidualLimits().equilibrium && imbalance <= amplification * *tolerance;
   if (!explains)
     return {};
   return fmt::format("the forces are out of balance by {:.1e}, which results are trusted with up to {:g}: the linear "
                      "solver's Tolerance {:g} is too loose; lower it",
-                     imbalance, ResidualLimits().equilibrium, solver.get<double>("Tolerance"));
+                     imbalance, ResidualLimits().equilibrium, *tolerance);
 }
 
 /// Why the numbers of a solution may not be trusted; empty when they may.
-std::string doubtAbout(const RunSummary& summary, const Params& deck)
+std::string doubtAbout(const RunSummary& summary, std::optional<double> solverTolerance)
 {
   const auto reason = distrust(summary);
   const bool stoppedEarly = summary.coupling && !summary.coupling->converged;
-  const auto loose = looseSolver(summary, deck.sub("Linear Solver"));
+  const auto loose = looseSolver(summary, solverTolerance);
   return reason.empty() || stoppedEarly || loose.empty() ? reason : loose;
 }
 
 /// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
 /// converged.
-std::string verdictOn(Run& run, const Params& deck)
+std::string verdictOn(Run& run, const RunSettings& settings)
 {
   RunSummary& summary = run.summary;
-  const auto reason = summary.solved ? doubtAbout(summary, deck) : run.coupling.reason;
+  const auto reason = summary.solved ? doubtAbout(summary, settings.solverTolerance) : run.coupling.reason;
   if (reason.empty())
-    return missingGuarantee(summary.errors, deck);
+    return missingGuarantee(summary.errors, settings);
   if (summary.coupling) {
     summary.coupling->converged = false;
     summary.coupling->reason = reason;
@@ -129,17 +126,28 @@ void refuseSharedNodes(const Run& run, const RunTools& tools)
                               run.model.bodies[std::size_t(body.body)].name)));
 }
 
+/// Refuses recoveries that are not defined for bodies of this dimension and order, or that cannot change tractions.
+void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagnostics)
+{
+  const auto& errors = tools.settings.errors;
+  if (!errors || !errors->recoversStress())
+    return;
+  const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
+  const BodyModel& body = model.bodies.front();
+  const auto reason =
+      tools.components.recoveries.build(list)->refusal(body.mesh.dim, body.nodes.order, errors->optimises());
+  if (!reason.empty())
+    diagnostics.add(list.mistake("", reason + "."));
+}
+
 } // namespace
 
-RunTools::RunTools(const Params& givenDeck, const CertificateComponents& givenComponents, const Comm& givenComm,
-                   Ledger& givenLedger)
-    : deck(givenDeck), components(givenComponents), comm(givenComm), ledger(givenLedger),
+RunTools::RunTools(const RunSettings& givenSettings, const CertificateComponents& givenComponents,
+                   const Comm& givenComm, Ledger& givenLedger)
+    : settings(givenSettings), deck(settings.deck), components(givenComponents), comm(givenComm), ledger(givenLedger),
       coupling(components.couplings.build(deck.sub("Coupling"))),
-      solver(components.linearSolvers.build(deck.sub("Linear Solver")))
-{
-  if (estimatesErrors(deck))
-    errors = errorOptions(deck);
-}
+      solver(components.linearSolvers.build(deck.sub("Linear Solver"))), errors(settings.errors)
+{}
 
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
 {
@@ -157,11 +165,13 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   if (tools.coupling->needsRoles())
     refuseObstacles(model, deck, diagnostics);
   checkHeld(model, deck, diagnostics);
-  checkFieldNames(model, deck, diagnostics);
+  if (tools.settings.output.exodus)
+    checkFieldNames(model, deck, diagnostics);
   checkMemory(model, deck, tools.comm, diagnostics);
-  checkRecovery(deck, tools.components, model.bodies.front().mesh.dim, diagnostics);
-  checkExpectationNames(outlineSummary(model, deck, *tools.solver, 1), deck, diagnostics);
-  refuseWarnings(model, deck, diagnostics);
+  checkRecovery(model, tools, diagnostics);
+  checkExpectationNames(outlineSummary(model, tools.settings, *tools.solver, 1), tools.settings, diagnostics);
+  if (tools.settings.strictInput)
+    refuseWarnings(model, deck, diagnostics);
   diagnostics.throwIfAny();
 }
 
@@ -243,8 +253,8 @@ void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps
 
 void finishRun(Run& run, const RunTools& tools)
 {
-  completeSummary(run, tools.deck, tools.comm);
-  if (const std::string verdict = verdictOn(run, tools.deck); !verdict.empty())
+  completeSummary(run, tools.settings, tools.comm);
+  if (const std::string verdict = verdictOn(run, tools.settings); !verdict.empty())
     run.failure = verdict;
   if (run.contradiction)
     run.failure = contradictionText(*run.contradiction);

@@ -122,12 +122,12 @@ std::string versionText()
   return NDFRAME_VERSION;
 }
 
-RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks)
+RunSummary outlineSummary(const Model& model, const RunSettings& settings, const LinearSolver& solver, int ranks)
 {
   RunSummary summary;
   summary.version = versionText();
-  summary.title = deck.get<std::string>("Title");
-  summary.deckJson = toJson(deck);
+  summary.title = settings.title;
+  summary.deckJson = toJson(settings.deck);
   summary.ranks = ranks;
   summary.perUnitThickness = model.bodies.front().mesh.dim == 2;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -152,7 +152,7 @@ RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSo
   }
   if (!model.interfaces.empty()) {
     summary.coupling.emplace();
-    summary.coupling->type = deck.sub("Coupling").get<std::string>("Type");
+    summary.coupling->type = settings.coupling;
   }
   return summary;
 }
@@ -171,25 +171,25 @@ void nameSides(RunSummary& summary, const Model& model)
   }
 }
 
-void completeSummary(Run& run, const Params& deck, const Comm& comm)
+void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
 {
   if (run.summary.coupling)
     completeCoupling(run.summary, run.coupling);
-  run.strictInput = deck.get<bool>("Strict Input");
+  run.strictInput = settings.strictInput;
   run.summary.solved = !run.states.empty();
-  addWarnings(run.summary, sceneWarnings(run.model, deck));
+  addWarnings(run.summary, sceneWarnings(run.model, settings.deck));
   if (!run.summary.solved)
     return;
   completeBodies(run, comm);
   completeInterfaces(run);
-  addWarnings(run.summary, answerWarnings(run, deck));
+  addWarnings(run.summary, answerWarnings(run, settings.deck));
   run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
   run.summary.residuals.allowedInContact = run.coupling.contactTolerance;
   if (run.certificate) {
     run.summary.errors = run.certificate->summary;
-    run.summary.errors->energyBracket = summarizeEnergy(run, deck);
+    run.summary.errors->energyBracket = summarizeEnergy(run, settings.deck);
   }
-  checkExpectations(run.summary, deck);
+  checkExpectations(run.summary, settings.expectations);
 }
 
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)

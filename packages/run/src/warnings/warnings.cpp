@@ -63,9 +63,8 @@ std::vector<Warning> answerWarnings(const Run& run, const Params& deck)
 
 void refuseWarnings(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
-  if (deck.get<bool>("Strict Input"))
-    for (const auto& warning : sceneWarnings(model, deck))
-      diagnostics.add(warning.what);
+  for (const auto& warning : sceneWarnings(model, deck))
+    diagnostics.add(warning.what);
 }
 
 WarningSummary warningSummary(const Warning& warning)

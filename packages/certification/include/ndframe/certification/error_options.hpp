@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/base/params.hpp"
+#include "ndframe/base/list_place.hpp"
 
 namespace ndframe
 {
@@ -51,10 +51,12 @@ const Names<TractionMean>& tractionMeanNames();
 /// The list Error Estimation, read.
 struct ErrorOptions
 {
+  ListPlace place;
   std::vector<Estimator> estimators; ///< those of the deck; without the key Global and, with interfaces, its two parts
   ErrorMode mode = ErrorMode::Strict;
   TractionType tractionType = TractionType::Optimal;
   TractionMean tractionMean = TractionMean::Previous;
+  std::string recovery; ///< name of the component
   bool checkEquilibrium = false;
   bool requireGuarantee = false; ///< a bound that is not guaranteed is a failed run
   int refinements = 0;           ///< of the reference: halvings of every edge
@@ -68,15 +70,6 @@ struct ErrorOptions
   bool recoversStress() const;       ///< that or the one of the separate problems
   bool optimises() const;            ///< the recovery changes the traction
 };
-
-/// True when the deck asks for anything of it.
-bool estimatesErrors(const Params& deck);
-
-/// For decks that ask for it.
-ErrorOptions errorOptions(const Params& deck);
-
-/// The list's specification; `recoveries`: the ways to find equilibrated stresses.
-ListSpec errorEstimationSpec(const Choices& recoveries);
 
 /// Names of the stages in the plan and in the ledger.
 namespace certificateStage

@@ -2,6 +2,7 @@
 
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/components.hpp"
+#include "ndframe/driver/settings.hpp"
 #include "ndframe/run/run.hpp"
 
 namespace ndframe
@@ -12,11 +13,16 @@ namespace ndframe
 /// the same answer as without; the ledger must be the one of the run that it comes from.
 /// Without a solution (a solver gives up, the load pulls a body off) the summary says so. Throws InputError for
 /// mistakes that show only with the meshes; `previous` then holds what can still be reused.
+Run runDeck(const RunSettings& settings, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
+            Reusable&& previous = {}, const LevelObserver& onLevel = {});
+
+/// The same with the settings of a deck.
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
             Reusable&& previous = {}, const LevelObserver& onLevel = {});
 
 /// Makes an earlier (or empty) model the deck's and checks everything that --check checks: meshes, pairing, supports,
 /// expectations. With a target the model is that of the first meshes.
-void checkDeck(Model& model, const Params& deck, const Components& components, const Comm& comm, Ledger& ledger);
+void checkDeck(Model& model, const RunSettings& settings, const Components& components, const Comm& comm,
+               Ledger& ledger);
 
 } // namespace ndframe

@@ -4,30 +4,29 @@
 #include <functional>
 
 #include "ndframe/algebra/comm.hpp"
-#include "ndframe/base/params.hpp"
 #include "ndframe/run/run.hpp"
 
 namespace ndframe
 {
 
-/// Folder (made if missing) and beginning of the names of a deck's files. `output`: the list Output.
-std::filesystem::path outputStem(const Params& output, const std::string& deckName);
+/// Folder (made if missing) and beginning of the names of a deck's files.
+std::filesystem::path outputStem(const OutputOptions& output, const std::string& deckName);
 
 /// Refuses an output folder that cannot be made or written in, and names too long for a file, before anything is
 /// computed. `deckName`: the deck's file.
-void checkOutput(const Params& deck, const std::string& deckName);
+void checkOutput(const RunSettings& settings, const std::string& deckName);
 
-/// Refuses a beginning of file names that is too long. `output`: the list Output.
-void checkNameLength(const Params& output, const std::string& name);
+/// Refuses a beginning of file names that is too long.
+void checkNameLength(const OutputOptions& output, const std::string& name);
 
 /// Rank 0 writes; its InputError is everybody's. Collective.
 void writeOnFirstRank(const Comm& comm, const std::function<void()>& write);
 
 /// Writes NAME.level-01.e, ... if Output asks for all levels; else empty. Everything must live as long as the observer.
-LevelObserver levelWriter(const Params& deck, const std::string& name, const Comm& comm, Ledger& ledger);
+LevelObserver levelWriter(const OutputOptions& output, const std::string& name, const Comm& comm, Ledger& ledger);
 
 /// Writes what Output asks for; returns the files' names. Only rank 0 writes; a failure is everybody's InputError.
-std::vector<std::string> writeResults(Run& run, const Params& deck, const std::string& name, const Comm& comm,
+std::vector<std::string> writeResults(Run& run, const OutputOptions& output, const std::string& name, const Comm& comm,
                                       Ledger& ledger);
 
 } // namespace ndframe

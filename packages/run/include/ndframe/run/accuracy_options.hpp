@@ -2,9 +2,9 @@
 
 #include <cstdint>
 #include <limits>
-#include <optional>
+#include <string>
 
-#include "ndframe/base/params.hpp"
+#include "ndframe/base/list_place.hpp"
 
 namespace ndframe
 {
@@ -29,6 +29,7 @@ const Names<AccuracyStart>& accuracyStartNames();
 /// The list Accuracy, read.
 struct AccuracyOptions
 {
+  ListPlace place;
   double target = 0.0;
   bool relative = true; ///< to sqrt(a(u_h, u_h))
   AccuracyOf of = AccuracyOf::Displacement;
@@ -38,12 +39,7 @@ struct AccuracyOptions
   double maximumMemory = std::numeric_limits<double>::infinity();  ///< bytes
   double maximumSeconds = std::numeric_limits<double>::infinity(); ///< on the wall
   double iterationShare = 0.0;
+  std::string marking, refinement; ///< names of the components
 };
-
-/// True when the deck names an accuracy instead of relying on its mesh.
-bool wantsAccuracy(const Params& deck);
-
-/// For decks that do.
-AccuracyOptions accuracyOptions(const Params& deck);
 
 } // namespace ndframe

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "ndframe/base/params.hpp"
+#include <string>
+
+#include "ndframe/base/list_place.hpp"
 
 namespace ndframe
 {
@@ -13,5 +15,16 @@ enum class StepsWritten
 };
 
 const Names<StepsWritten>& stepsNames();
+
+/// The list Output, read.
+struct OutputOptions
+{
+  ListPlace place;
+  std::string directory, name; ///< folder and beginning of the files' names; empty name: the deck's
+  bool exodus = true, summary = true, contactTable = true, levelTable = true;
+  bool allLevels = false; ///< every level of a run with a target
+  StepsWritten steps = StepsWritten::Final;
+  bool equilibratedStress = false, meanStress = false; ///< in NAME.e
+};
 
 } // namespace ndframe

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ndframe/algebra/linear_solver.hpp"
-#include "ndframe/base/params.hpp"
+#include "ndframe/run/run_settings.hpp"
 
 namespace ndframe
 {
@@ -23,7 +23,7 @@ class Plan
 {
 public:
   Plan() = default;
-  Plan(const Params& deck, const LinearSolver& solver, int ranks);
+  Plan(const RunSettings& settings, const LinearSolver& solver, int ranks);
 
   bool runs(const std::string& stage) const;
   const std::vector<PlannedStage>& stages() const { return stages_; }
@@ -31,7 +31,7 @@ public:
 
 private:
   void add(std::string name, bool runs, std::string whyRuns, std::string whySkipped);
-  void addCertificate(const Params& deck);
+  void addCertificate(const RunSettings& settings);
   std::vector<PlannedStage> stages_;
 };
 

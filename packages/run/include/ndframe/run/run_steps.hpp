@@ -13,9 +13,10 @@ namespace ndframe
 /// What the steps of a run work with.
 struct RunTools
 {
-  RunTools(const Params& deck, const CertificateComponents& components, const Comm& comm, Ledger& ledger);
+  RunTools(const RunSettings& settings, const CertificateComponents& components, const Comm& comm, Ledger& ledger);
 
-  const Params& deck;
+  const RunSettings& settings;
+  const Params& deck; ///< of the settings: what components are built from
   const CertificateComponents& components;
   const Comm& comm;
   Ledger& ledger;

@@ -10,7 +10,7 @@ namespace ndframe
 std::string versionText();
 
 /// The summary of a scene before anything is solved: names, sizes, all numbers zero.
-RunSummary outlineSummary(const Model& model, const Params& deck, const LinearSolver& solver, int ranks);
+RunSummary outlineSummary(const Model& model, const RunSettings& settings, const LinearSolver& solver, int ranks);
 
 /// Names the Dirichlet and Neumann bodies of the interfaces as the model has them.
 void nameSides(RunSummary& summary, const Model& model);
@@ -19,18 +19,18 @@ void nameSides(RunSummary& summary, const Model& model);
 std::vector<RoleSummary> rolesOf(const Run& run);
 
 /// Fills in what the run computed; without a solution only why there is none.
-void completeSummary(Run& run, const Params& deck, const Comm& comm);
+void completeSummary(Run& run, const RunSettings& settings, const Comm& comm);
 
 /// Copies counts, stages and memory; called again after the files are written.
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);
 
-/// Compares the Expect list with the summary.
-void checkExpectations(RunSummary& summary, const Params& deck);
+/// Compares what is expected with the summary.
+void checkExpectations(RunSummary& summary, const std::vector<Expectation>& expectations);
 
 /// True when `path` names a number of the summary that this deck will give. `outline`: outlineSummary.
-bool isQuantity(const std::string& path, const RunSummary& outline, const Params& deck);
+bool isQuantity(const std::string& path, const RunSummary& outline, const RunSettings& settings);
 
 /// Refuses expectations that name a quantity that this deck does not have.
-void checkExpectationNames(const RunSummary& outline, const Params& deck, Diagnostics& diagnostics);
+void checkExpectationNames(const RunSummary& outline, const RunSettings& settings, Diagnostics& diagnostics);
 
 } // namespace ndframe

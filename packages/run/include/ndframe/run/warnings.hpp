@@ -18,7 +18,7 @@ std::vector<Warning> sceneWarnings(const Model& model, const Params& deck);
 /// What only the answer shows; of a run with a solution.
 std::vector<Warning> answerWarnings(const Run& run, const Params& deck);
 
-/// Strict Input: the warnings of the scene are mistakes.
+/// The warnings of the scene are mistakes.
 void refuseWarnings(const Model& model, const Params& deck, Diagnostics& diagnostics);
 
 /// "large strain: Bodies/punch: strains reach ..." for the summary and the screen.

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ndframe/accuracy/accuracy_components.hpp"
-#include "ndframe/run/accuracy_options.hpp"
+#include "ndframe/run/run_settings.hpp"
 
 namespace ndframe
 {
@@ -14,10 +14,10 @@ ListSpec accuracySpec(const AccuracyComponents& components);
 /// carries the loads.
 void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics);
 
-/// True when the sweeps on a mesh end by their part of the error; false when Coupling/Stopping ends them.
-bool balancesSweeps(const Params& accuracy, const AccuracyComponents& components);
+/// Reads it; for decks that have it.
+AccuracyOptions accuracyOptions(const Params& deck);
 
 /// Refuses a list Accuracy that names no target or two, or that this deck cannot serve.
-void checkAccuracy(const Params& deck, const AccuracyComponents& components, Diagnostics& diagnostics);
+void checkAccuracy(const RunSettings& settings, const AccuracyComponents& components, Diagnostics& diagnostics);
 
 } // namespace ndframe

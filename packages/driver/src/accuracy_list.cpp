@@ -1,9 +1,8 @@
-#include "ndframe/accuracy/accuracy_list.hpp"
+#include "accuracy_list.hpp"
 
 #include <fmt/format.h>
 
 #include "ndframe/base/list_specs.hpp"
-#include "ndframe/certification/error_options.hpp"
 
 namespace ndframe
 {
@@ -17,10 +16,22 @@ bool namesRecovery(const DeckList& errors)
   return recovery != nullptr && (recovery->findEntry("Type") != nullptr || recovery->findEntry("Sweeps") != nullptr);
 }
 
+/// An optional limit; without it there is none.
+double limit(const Params& list, const char* key, double unit)
+{
+  return list.has(key) ? unit * list.get<double>(key) : std::numeric_limits<double>::infinity();
+}
+
 /// Who writes 10 means 10 %.
 Range share()
 {
   return {"(0, 1); 0.1 is 10 %", inOpenRange(0.0, 1.0).contains};
+}
+
+/// True when the sweeps on a mesh end by their part of the error; false when Coupling/Stopping ends them.
+bool balancesSweeps(const Params& accuracy, const AccuracyComponents& components)
+{
+  return components.levelStoppings.build(accuracy.sub("Stopping"))->allowed(1.0, 1.0) > 0.0;
 }
 
 } // namespace
@@ -58,11 +69,6 @@ ListSpec accuracySpec(const AccuracyComponents& components)
   return list;
 }
 
-bool balancesSweeps(const Params& accuracy, const AccuracyComponents& components)
-{
-  return components.levelStoppings.build(accuracy.sub("Stopping"))->allowed(1.0, 1.0) > 0.0;
-}
-
 void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
 {
   if (deck.findList("Accuracy") == nullptr)
@@ -78,30 +84,51 @@ void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics)
     applySetting(deck, "Coupling/Initial Traction=Balanced", diagnostics);
 }
 
-void checkAccuracy(const Params& deck, const AccuracyComponents& components, Diagnostics& diagnostics)
+AccuracyOptions accuracyOptions(const Params& deck)
 {
-  const Params output = deck.sub("Output");
-  const bool allLevels = output.get<bool>("All Levels");
-  if (!wantsAccuracy(deck)) {
-    if (allLevels)
-      diagnostics.add(output.mistake("All Levels", "All Levels writes the meshes on the way to a target, and the deck "
-                                                   "has no list Accuracy."));
+  const Params list = deck.sub("Accuracy");
+  AccuracyOptions options;
+  options.place = ListPlace(list);
+  options.relative = list.has("Target");
+  for (const char* key : {"Absolute Target", "Target"}) // checkAccuracy refuses both and none
+    if (list.has(key))
+      options.target = list.get<double>(key);
+  options.of = accuracyOfNames().value(list.get<std::string>("Of"));
+  options.start = accuracyStartNames().value(list.get<std::string>("Start"));
+  options.maximumDofs = list.get<int>("Maximum Dofs");
+  options.maximumLevels = list.get<int>("Maximum Levels");
+  options.maximumMemory = limit(list, "Maximum Memory", 1e9);
+  options.maximumSeconds = limit(list, "Maximum Time", 1.0);
+  options.iterationShare = list.get<double>("Iteration Share");
+  options.marking = list.sub("Marking").get<std::string>("Type");
+  options.refinement = list.sub("Refinement").get<std::string>("Type");
+  return options;
+}
+
+void checkAccuracy(const RunSettings& settings, const AccuracyComponents& components, Diagnostics& diagnostics)
+{
+  const OutputOptions& output = settings.output;
+  if (!settings.accuracy) {
+    if (output.allLevels)
+      diagnostics.add(output.place.mistake("All Levels", "All Levels writes the meshes on the way to a target, and the "
+                                                         "deck has no list Accuracy."));
     return;
   }
-  if (allLevels && !output.get<bool>("Exodus"))
-    diagnostics.add(output.mistake("All Levels", "All Levels writes Exodus files, and Exodus is false; remove one."));
-  const Params list = deck.sub("Accuracy");
+  if (output.allLevels && !output.exodus)
+    diagnostics.add(
+        output.place.mistake("All Levels", "All Levels writes Exodus files, and Exodus is false; remove one."));
+  const Params list = settings.deck.sub("Accuracy");
   if (list.has("Target") == list.has("Absolute Target"))
     diagnostics.add(list.mistake("", list.has("Target") ? "names both Target and Absolute Target; remove one of them."
                                                         : "names no target; give Target = 0.01, say, for 1 %."));
   if (list.isGiven("Iteration Share") && !balancesSweeps(list, components))
     diagnostics.add(
         list.mistake("Iteration Share", "Iteration Share is for Stopping/Type = Balanced; remove one of them."));
-  if (!estimatesErrors(deck)) // completeAccuracyDeck() was not called
+  if (!settings.errors) // completeAccuracyDeck() was not called
     diagnostics.add(list.mistake("", "compares a bound with its target; add the list Error Estimation."));
-  else if (!errorOptions(deck).wants(Estimator::Global))
-    diagnostics.add(deck.sub("Error Estimation")
-                        .mistake("Estimators", "a list Accuracy compares the bound with its target; add \"Global\"."));
+  else if (!settings.errors->wants(Estimator::Global))
+    diagnostics.add(settings.errors->place.mistake(
+        "Estimators", "a list Accuracy compares the bound with its target; add \"Global\"."));
 }
 
 } // namespace ndframe

@@ -1,0 +1,88 @@
+#include "output_list.hpp"
+
+#include "ndframe/base/list_specs.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+Range plainFileName()
+{
+  return {"a file name without a folder",
+          [](const Value& value) { return std::get<std::string>(value).find('/') == std::string::npos; }};
+}
+
+Range someFolder()
+{
+  return {"a folder; \".\" is the working directory",
+          [](const Value& value) { return !std::get<std::string>(value).empty(); }};
+}
+
+} // namespace
+
+ListSpec outputSpec()
+{
+  ListSpec list =
+      makeList("Output", "What is written, and where. Files appear under their final name only when complete.");
+  list.params = {
+      {"Directory", std::string("."), someFolder(),
+       "Folder of the results, relative to the working directory; made if missing."},
+      {"Name", std::string(""), plainFileName(),
+       "Beginning of the file names; empty: the deck's file name without its ending."},
+      {"Exodus", true, "Write NAME.e for ParaView."},
+      {"Summary", true, "Write NAME.summary.json."},
+      {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
+      {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line a level."},
+      {"All Levels", false,
+       "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
+      {"Steps", std::string("Final"), stepsNames().range(),
+       "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."},
+      {"Equilibrated Stress", false,
+       "Add the stress in equilibrium with the loads to NAME.e, its mean in every element (sigma_hat_xx, ...; needs "
+       "the estimator Global)."},
+      {"Mean Stress", false,
+       "Add the mean of the computed and the equilibrated stress to NAME.e (mean_stress_xx, ...): its error is bounded "
+       "by about half of the bound (needs the estimator Global)."}};
+  return list;
+}
+
+ListSpec expectationSpec()
+{
+  ListSpec list = makeList("EXPECTATION", "One number that the run must reproduce (exit code 4 when it does not).");
+  list.params = {ParamSpec::required("Quantity", Kind::String,
+                                     "Path of the number in the summary, e.g. \"energy\", \"bodies/punch/energy\", "
+                                     "\"interfaces/contact/contact_force\", \"coupling/sweeps\"."),
+                 ParamSpec::required("Value", Kind::Double, "Expected value."),
+                 ParamSpec::required("Tolerance", Kind::Double, atLeast(0.0), "Largest absolute difference.")};
+  return list;
+}
+
+OutputOptions outputOptions(const Params& deck)
+{
+  const Params list = deck.sub("Output");
+  OutputOptions options;
+  options.place = ListPlace(list);
+  options.directory = list.get<std::string>("Directory");
+  options.name = list.get<std::string>("Name");
+  options.exodus = list.get<bool>("Exodus");
+  options.summary = list.get<bool>("Summary");
+  options.contactTable = list.get<bool>("Contact Table");
+  options.levelTable = list.get<bool>("Level Table");
+  options.allLevels = list.get<bool>("All Levels");
+  options.steps = stepsNames().value(list.get<std::string>("Steps"));
+  options.equilibratedStress = list.get<bool>("Equilibrated Stress");
+  options.meanStress = list.get<bool>("Mean Stress");
+  return options;
+}
+
+std::vector<Expectation> expectationsOf(const Params& deck)
+{
+  std::vector<Expectation> expectations;
+  for (const Params& list : deck.sub("Expect").subs())
+    expectations.push_back({ListPlace(list), list.name(), list.get<std::string>("Quantity"), list.get<double>("Value"),
+                            list.get<double>("Tolerance")});
+  return expectations;
+}
+
+} // namespace ndframe

@@ -1,0 +1,56 @@
+#include "ndframe/driver/settings.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "accuracy_list.hpp"
+#include "error_list.hpp"
+#include "output_list.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// True if a body's mesh is a script that the gmsh library has to mesh; mesh files are read without it.
+bool needsGmsh(const Params& deck)
+{
+  const auto bodies = deck.sub("Bodies").subs();
+  return std::any_of(bodies.begin(), bodies.end(), [](const Params& body) {
+    const Params mesh = body.sub("Mesh");
+    return mesh.get<std::string>("Type") == "Gmsh" &&
+           std::filesystem::path(mesh.get<std::string>("File")).extension() == ".geo";
+  });
+}
+
+/// True where the deck has an entry that would stop the sweeps.
+bool namesTolerance(const Params& coupling)
+{
+  return coupling.hasSub("Stopping") && coupling.sub("Stopping").isGiven("Tolerance");
+}
+
+} // namespace
+
+RunSettings readSettings(const Params& deck)
+{
+  const Params solver = deck.sub("Linear Solver"), coupling = deck.sub("Coupling");
+  RunSettings settings;
+  settings.deck = deck;
+  settings.title = deck.get<std::string>("Title");
+  settings.strictInput = deck.get<bool>("Strict Input");
+  settings.scene = {deck.sub("Bodies").subs().size(), deck.sub("Interfaces").subs().size(), needsGmsh(deck)};
+  settings.coupling = coupling.get<std::string>("Type");
+  settings.linearSolver = solver.get<std::string>("Type");
+  if (solver.has("Tolerance"))
+    settings.solverTolerance = solver.get<double>("Tolerance");
+  settings.namesTolerance = namesTolerance(coupling);
+  if (deck.hasSub("Error Estimation"))
+    settings.errors = errorOptions(deck);
+  if (deck.hasSub("Accuracy"))
+    settings.accuracy = accuracyOptions(deck);
+  settings.output = outputOptions(deck);
+  settings.expectations = expectationsOf(deck);
+  return settings;
+}
+
+} // namespace ndframe

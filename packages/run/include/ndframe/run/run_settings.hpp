@@ -1,0 +1,47 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ndframe/certification/error_options.hpp"
+#include "ndframe/run/accuracy_options.hpp"
+#include "ndframe/run/output_options.hpp"
+
+namespace ndframe
+{
+
+/// A number that the run must reproduce.
+struct Expectation
+{
+  ListPlace place;
+  std::string name;
+  std::string quantity; ///< path in the summary
+  double value = 0.0, tolerance = 0.0;
+};
+
+/// What the deck says of the scene that decides which stages run.
+struct SceneOutline
+{
+  std::size_t bodies = 0, interfaces = 0;
+  bool needsGmsh = false; ///< a mesh is a script that the library has to mesh
+};
+
+/// What a deck says about a run, read once.
+struct RunSettings
+{
+  Params deck = Params(nullptr); ///< for those who build the scene and components
+  std::string title;
+  bool strictInput = false; ///< warnings are mistakes
+  SceneOutline scene;
+  std::string coupling, linearSolver;      ///< names of the components
+  std::optional<double> solverTolerance;   ///< of a linear solver that has one
+  bool namesTolerance = false;             ///< the deck has an entry that would stop the sweeps
+  std::optional<ErrorOptions> errors;      ///< none without the list Error Estimation
+  std::optional<AccuracyOptions> accuracy; ///< none without the list Accuracy
+  OutputOptions output;
+  std::vector<Expectation> expectations;
+};
+
+} // namespace ndframe
