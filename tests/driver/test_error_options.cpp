@@ -31,8 +31,8 @@ std::vector<std::string> certificateParts(const Scene& scene)
   const Plan plan = planOf(scene);
   std::vector<std::string> parts;
   for (const auto& stage : plan.stages())
-    if (stage.runs && stage.name.rfind("certify ", 0) == 0)
-      parts.push_back(stage.name.substr(8));
+    if (const auto& name = stageNames().name(stage.stage); stage.runs && name.rfind("certify ", 0) == 0)
+      parts.push_back(name.substr(8));
   return parts;
 }
 
@@ -73,9 +73,9 @@ TEST(ErrorEstimation, OptimisesOnlyTheTractionOfTheBound)
 
 TEST(Plan, HasOneLineForACertificateThatTheDeckDoesNotAskFor)
 {
-  EXPECT_FALSE(planOf(Scene("punch")).runs("certificate"));
+  EXPECT_FALSE(planOf(Scene("punch")).runs(Stage::Certificate));
   EXPECT_THAT(certificateParts(Scene("punch")), testing::IsEmpty());
-  EXPECT_THROW(planOf(Scene("punch")).runs(certificateStage::recovery), InternalError);
+  EXPECT_THROW(planOf(Scene("punch")).runs(Stage::CertifyRecovery), InternalError);
 }
 
 TEST(Plan, RunsThePartsThatTheEstimatorsNeed)

@@ -14,6 +14,7 @@
 #include "ndframe/run/failure.hpp"
 #include "ndframe/run/run_steps.hpp"
 #include "ndframe/run/summarize.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -196,7 +197,7 @@ private:
   /// Plans the next meshes; false when they do not fit into the limits.
   bool refine(const LevelErrors& errors)
   {
-    const auto timer = tools_.ledger.time("refine");
+    const auto timer = timeStage(tools_.ledger, Stage::Refine);
     MeshPlan plan = planner_->nextStep(options_.maximumDofs);
     summary_.limit = limitMet(options_, summary_.levels, plan.dofs, firstMemory_);
     if (!summary_.limit.empty())

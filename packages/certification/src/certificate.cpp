@@ -4,6 +4,7 @@
 #include "ndframe/certification/advice.hpp"
 #include "ndframe/estimation/residual.hpp"
 #include "ndframe/estimation/zienkiewicz_zhu.hpp"
+#include "ndframe/scene/stage.hpp"
 #include "point_caveat.hpp"
 #include "reference_solution.hpp"
 
@@ -65,7 +66,7 @@ private:
 
 void Certifier::admitTractions()
 {
-  const auto timer = ledger_.time(certificateStage::traction);
+  const auto timer = timeStage(ledger_, Stage::CertifyTraction);
   const InterfaceState& state = scene_.coupling.state;
   const bool asPublished = options_.mode == ErrorMode::Paper;
   const TractionSign sign = asPublished ? TractionSign::Values : TractionSign::Coefficients;
@@ -86,7 +87,7 @@ void Certifier::admitTractions()
 
 void Certifier::solveIntermediateFields()
 {
-  const auto timer = ledger_.time(certificateStage::fields);
+  const auto timer = timeStage(ledger_, Stage::CertifyFields);
   std::vector<IntermediateField*> fields;
   if (options_.needsGlobalField())
     fields.push_back(&global_.field);
@@ -106,7 +107,7 @@ SceneField Certifier::globalField() const
 
 void Certifier::recoverStresses()
 {
-  const auto timer = ledger_.time(certificateStage::recovery);
+  const auto timer = timeStage(ledger_, Stage::CertifyRecovery);
   if (scene_.facets.empty())
     global_.field.displacement = scene_.solved;
   recoveryScene_ = makeRecoveryScene(scene_);
@@ -129,7 +130,7 @@ void Certifier::recoverStresses()
 
 void Certifier::checkStresses()
 {
-  const auto timer = ledger_.time(certificateStage::equilibrium);
+  const auto timer = timeStage(ledger_, Stage::CertifyEquilibrium);
   const auto defectOf = [&](const RecoveredField& recovered) -> std::optional<double> {
     if (recovered.stress.corrections.empty())
       return std::nullopt;
@@ -191,7 +192,7 @@ void Certifier::compareWithIndicators()
 
 void Certifier::measure()
 {
-  const auto timer = ledger_.time(certificateStage::estimators);
+  const auto timer = timeStage(ledger_, Stage::CertifyEstimators);
   ErrorSummary& summary = result_.summary;
   summary.mode = errorModeNames().name(options_.mode);
   if (options_.recoversStress()) {
@@ -221,7 +222,7 @@ void Certifier::measure()
 
 void Certifier::compare(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)
 {
-  const auto timer = ledger_.time(certificateStage::reference);
+  const auto timer = timeStage(ledger_, Stage::CertifyReference);
   const CertifiedStress certified{result_.admissible, scene_.facets, result_.traction, globalMeasure_,
                                   boundOf(globalMeasure_, options_.mode)};
   const ReferenceDepth depth{options_.refinements, options_.maximumDofs};

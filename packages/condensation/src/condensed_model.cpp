@@ -7,6 +7,7 @@
 
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/mesh/partition.hpp"
+#include "ndframe/scene/stage.hpp"
 #include "trace_nodes.hpp"
 
 namespace ndframe
@@ -165,7 +166,7 @@ private:
   {
     if (kept_[b].load)
       return;
-    const auto timer = ledger_.time("assemble");
+    const auto timer = timeStage(ledger_, Stage::Assemble);
     BodySystem& system = result_.systems[b];
     if (!kept_[b].factor) {
       system = assemble(model_, b, std::move(layouts_[b]), comm_);
@@ -186,7 +187,7 @@ private:
 
   void condenseTrace(std::size_t b, const BodyTraceNodes& nodes)
   {
-    const auto timer = ledger_.time("interface");
+    const auto timer = timeStage(ledger_, Stage::Interface);
     const auto& dofs = result_.systems[b].dofs.trace;
     const auto earlier = std::find_if(interface_.bodies.begin(), interface_.bodies.end(),
                                       [&](const BodyTrace& trace) { return trace.body == int(b); });

@@ -5,6 +5,7 @@
 
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/scene/holds.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -125,7 +126,7 @@ double relativeImbalance(const Balance& body, double largestForce, double roundO
 std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& condensed,
                                       const std::vector<InterfaceState>& states, Ledger& ledger)
 {
-  const auto timer = ledger.time("recover");
+  const auto timer = timeStage(ledger, Stage::Recover);
   std::vector<BodyFields> all(model.bodies.size());
   const int steps = int(states.size());
   runLargestFirst(model.numDofs(), condensed.threads, [&](int body) {

@@ -13,6 +13,7 @@
 #include "ndframe/run/run.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/scene/gap_offset.hpp"
+#include "ndframe/scene/stage.hpp"
 #include "stress_fields.hpp"
 
 namespace ndframe
@@ -151,7 +152,7 @@ std::string levelPath(const std::string& stem, int level)
 /// The last state on the mesh of a level; the level stands for its time, so that ParaView plays the series.
 void writeLevel(const Run& run, int level, const OutputOptions& output, const std::string& deckName, Ledger& ledger)
 {
-  const auto timer = ledger.time("write levels");
+  const auto timer = timeStage(ledger, Stage::WriteLevels);
   ExodusStep step = exodusStep(run, output, run.states.size() - 1);
   step.time = level;
   ledger.count("bytes written", writeAtomically(levelPath(outputStem(output, deckName).string(), level),
@@ -175,9 +176,9 @@ void writeLevels(const Run& run, const OutputOptions& output, const std::string&
 {
   if (output.allLevels)
     addLevelFiles(*run.summary.accuracy, stem, written);
-  if (!run.plan.runs("level table"))
+  if (!run.plan.runs(Stage::LevelTable))
     return;
-  const auto timer = ledger.time("write");
+  const auto timer = timeStage(ledger, Stage::Write);
   written.push_back(stem + levelsEnding);
   ledger.count("bytes written", writeTextAtomically(written.back(), levelsCsv(run.summary.accuracy->levels)));
 }
@@ -188,20 +189,20 @@ std::vector<std::string> writeSolution(const Run& run, const OutputOptions& outp
 {
   std::vector<std::string> written;
   std::vector<ExodusStep> steps;
-  if (run.plan.runs("stress")) {
-    const auto timer = ledger.time("stress");
+  if (run.plan.runs(Stage::Stress)) {
+    const auto timer = timeStage(ledger, Stage::Stress);
     for (std::size_t s = 0; s < run.states.size(); ++s)
       steps.push_back(exodusStep(run, output, s));
   }
-  if (run.plan.runs("write")) {
-    const auto timer = ledger.time("write");
-    if (run.plan.runs("stress")) {
+  if (run.plan.runs(Stage::Write)) {
+    const auto timer = timeStage(ledger, Stage::Write);
+    if (run.plan.runs(Stage::Stress)) {
       written.push_back(stem + fieldsEnding);
       ledger.count("bytes written", writeAtomically(written.back(), [&](const std::string& temporary) {
                      writeExodusFile(run, steps, temporary, deckName);
                    }));
     }
-    if (run.plan.runs("contact table")) {
+    if (run.plan.runs(Stage::ContactTable)) {
       written.push_back(stem + contactEnding);
       ledger.count("bytes written",
                    writeTextAtomically(written.back(), contactCsv(sortedAlong(run.model.interfaces, run.contact),
@@ -214,9 +215,9 @@ std::vector<std::string> writeSolution(const Run& run, const OutputOptions& outp
 /// An earlier run's solution must not stand beside the summary of a run that has none.
 void removeSolution(const Plan& plan, const std::string& stem)
 {
-  if (plan.runs("stress"))
+  if (plan.runs(Stage::Stress))
     removeEarlier(stem + fieldsEnding);
-  if (plan.runs("contact table"))
+  if (plan.runs(Stage::ContactTable))
     removeEarlier(stem + contactEnding);
 }
 

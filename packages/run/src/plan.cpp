@@ -38,40 +38,42 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   const OutputOptions& output = settings.output;
   const bool touches = interfaces > 0, exodus = output.exodus;
   const std::string noInterface = "the deck has no interface";
-  add("gmsh", settings.scene.needsGmsh, "a body's mesh is a .geo script", "no .geo script: the library is not loaded");
-  add("mpi", ranks > 1 || solver.needsMpi(ranks),
+  add(Stage::Gmsh, settings.scene.needsGmsh, "a body's mesh is a .geo script",
+      "no .geo script: the library is not loaded");
+  add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");
-  add("krylov", settings.linearSolver == "Krylov", "linear solver Krylov: Tpetra, Belos and their like are loaded",
+  add(Stage::Krylov, settings.linearSolver == "Krylov", "linear solver Krylov: Tpetra, Belos and their like are loaded",
       "no linear solver Krylov: Tpetra is not loaded");
   const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
-  add("read", true, counted(bodies, "body", "bodies") + again, {});
-  add("check", true, "sides, pairing and supports are checked before anything is assembled" + again, {});
-  add("assemble", true, counted(bodies, "matrix", "matrices") + again, {});
-  add("factor", true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
-  add("interface", touches, counted(interfaces, "interface", "interfaces") + " condensed" + again, noInterface);
-  add("couple", touches, settings.coupling + again, noInterface);
-  add("recover", true, "interior displacements, one back-solve a body and state" + again, {});
+  add(Stage::Read, true, counted(bodies, "body", "bodies") + again, {});
+  add(Stage::Check, true, "sides, pairing and supports are checked before anything is assembled" + again, {});
+  add(Stage::Assemble, true, counted(bodies, "matrix", "matrices") + again, {});
+  add(Stage::Factor, true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
+  add(Stage::Interface, touches, counted(interfaces, "interface", "interfaces") + " condensed" + again, noInterface);
+  add(Stage::Couple, touches, settings.coupling + again, noInterface);
+  add(Stage::Recover, true, "interior displacements, one back-solve a body and state" + again, {});
   addCertificate(settings);
-  add("refine", toTarget, toTarget ? refinementOf(*settings.accuracy) : "", "the deck has no list Accuracy");
-  add("stress", exodus, "for the Exodus file", "no Exodus file is written");
+  add(Stage::Refine, toTarget, toTarget ? refinementOf(*settings.accuracy) : "", "the deck has no list Accuracy");
+  add(Stage::Stress, exodus, "for the Exodus file", "no Exodus file is written");
   const bool contact = touches && output.contactTable;
   const bool levels = toTarget && output.levelTable;
-  add("write", exodus || contact || levels || output.summary, fmt::format("to {}", output.directory),
+  add(Stage::Write, exodus || contact || levels || output.summary, fmt::format("to {}", output.directory),
       "no file of this solution is asked for");
-  add("level table", levels, "NAME.levels.csv", toTarget ? "switched off in Output" : "the deck has no list Accuracy");
-  add("write levels", toTarget && output.allLevels, "NAME.level-01.e, ... after every level",
+  add(Stage::LevelTable, levels, "NAME.levels.csv",
+      toTarget ? "switched off in Output" : "the deck has no list Accuracy");
+  add(Stage::WriteLevels, toTarget && output.allLevels, "NAME.level-01.e, ... after every level",
       toTarget ? "Output does not ask for All Levels" : "the deck has no list Accuracy");
-  add("contact table", contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
+  add(Stage::ContactTable, contact, "NAME.contact.csv", touches ? "switched off in Output" : noInterface);
   const auto expected = settings.expectations.size();
-  add("expect", expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");
+  add(Stage::Expect, expected > 0, counted(expected, "number", "numbers"), "the deck expects nothing");
 }
 
 void Plan::addCertificate(const RunSettings& settings)
 {
   const bool estimates = settings.errors.has_value();
-  add("certificate", estimates,
+  add(Stage::Certificate, estimates,
       settings.accuracy ? "the bound on every level, all else on the last one" : "the error of the final state",
       "the deck has no list Error Estimation");
   if (!estimates)
@@ -81,35 +83,34 @@ void Plan::addCertificate(const RunSettings& settings)
       options.touches ? "no estimator needs an admissible traction" : "the deck has no interface";
   const std::string noStress = "no estimator needs an equilibrated stress";
   const auto measures = measureNames(options);
-  add(certificateStage::traction, options.needsTraction(), tractionTypeNames().name(options.tractionType), noTraction);
-  add(certificateStage::fields, options.needsTraction(), "in equilibrium with it, with the existing factors",
-      noTraction);
-  add(certificateStage::recovery, options.recoversStress(), options.recovery, noStress);
-  add(certificateStage::equilibrium, options.checkEquilibrium, "Check Equilibrium", "Check Equilibrium is off");
-  add(certificateStage::estimators, !measures.empty(), fmt::format("{}", fmt::join(measures, ", ")), "only Reference");
-  add(certificateStage::reference, options.wants(Estimator::Reference),
+  add(Stage::CertifyTraction, options.needsTraction(), tractionTypeNames().name(options.tractionType), noTraction);
+  add(Stage::CertifyFields, options.needsTraction(), "in equilibrium with it, with the existing factors", noTraction);
+  add(Stage::CertifyRecovery, options.recoversStress(), options.recovery, noStress);
+  add(Stage::CertifyEquilibrium, options.checkEquilibrium, "Check Equilibrium", "Check Equilibrium is off");
+  add(Stage::CertifyEstimators, !measures.empty(), fmt::format("{}", fmt::join(measures, ", ")), "only Reference");
+  add(Stage::CertifyReference, options.wants(Estimator::Reference),
       fmt::format("every edge halved {} times, at most {} dofs", options.refinements, options.maximumDofs),
       "Estimators does not name Reference");
 }
 
-void Plan::add(std::string name, bool runs, std::string whyRuns, std::string whySkipped)
+void Plan::add(Stage stage, bool runs, std::string whyRuns, std::string whySkipped)
 {
-  stages_.push_back({std::move(name), runs, runs ? std::move(whyRuns) : std::move(whySkipped)});
+  stages_.push_back({stage, runs, runs ? std::move(whyRuns) : std::move(whySkipped)});
 }
 
-bool Plan::runs(const std::string& stage) const
+bool Plan::runs(Stage stage) const
 {
   for (const auto& planned : stages_)
-    if (planned.name == stage)
+    if (planned.stage == stage)
       return planned.runs;
-  throw InternalError("no stage \"" + stage + "\" in the plan");
+  throw InternalError("no stage \"" + stageNames().name(stage) + "\" in the plan");
 }
 
 std::string Plan::text() const
 {
   std::string text = fmt::format("  {:<19} {:<6} {}\n", "stage", "", "why");
   for (const auto& stage : stages_)
-    text += fmt::format("  {:<19} {:<6} {}\n", stage.name, stage.runs ? "run" : "skip", stage.why);
+    text += fmt::format("  {:<19} {:<6} {}\n", stageNames().name(stage.stage), stage.runs ? "run" : "skip", stage.why);
   text.pop_back();
   return text;
 }

@@ -3,6 +3,7 @@
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/run/summarize.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -22,7 +23,7 @@ void compute(Run& run, const RunTools& tools, RunObserver& observer)
     condenseRun(run, tools, observer);
     findRoles(run, tools, observer);
     solveRun(run, tools, observer);
-    if (run.plan.runs("certificate"))
+    if (run.plan.runs(Stage::Certificate))
       certifyRun(run, tools);
   });
   finishRun(run, tools);

@@ -10,6 +10,7 @@
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/run/warnings.hpp"
 #include "ndframe/scene/rigid_check.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -38,7 +39,7 @@ void couple(Run& run, const RunTools& tools, RunObserver& observer, const Coupli
   const bool keepAll = tools.settings.output.steps == StepsWritten::AllSweeps;
   observer.sweeps(run.model);
   {
-    const auto timer = tools.ledger.time("couple");
+    const auto timer = timeStage(tools.ledger, Stage::Couple);
     const auto observe = [&](const SweepRecord& record, const InterfaceState& state) {
       observer.sweep(record);
       if (keepAll)
@@ -157,7 +158,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
     remeshModel(model, deck, tools.components, meshes, tools.ledger);
   else
     updateModel(model, deck, tools.components, tools.comm, tools.ledger);
-  const auto timer = tools.ledger.time("check");
+  const auto timer = timeStage(tools.ledger, Stage::Check);
   checkNumberRange(model, deck, diagnostics);
   diagnostics.throwIfAny(); // sums of such numbers mean nothing
   if (tools.coupling->roles() == Roles::Automatic)
@@ -178,7 +179,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
 void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
 {
   {
-    const auto timer = tools.ledger.time("check");
+    const auto timer = timeStage(tools.ledger, Stage::Check);
     refusePulledOff(run.model);
   }
   const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
@@ -192,12 +193,12 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
   refuseSharedNodes(run, tools);
   const bool chooses = tools.coupling->roles() == Roles::Automatic;
   run.spectrum.reset();
-  if (!run.plan.runs("couple") || !(chooses || tools.coupling->needsSpectrum()) ||
+  if (!run.plan.runs(Stage::Couple) || !(chooses || tools.coupling->needsSpectrum()) ||
       !tools.coupling->sweeps(run.condensed.interface))
     return;
   std::vector<ConnectedBodies> parts;
   {
-    const auto timer = tools.ledger.time("interface");
+    const auto timer = timeStage(tools.ledger, Stage::Interface);
     parts = roleSpectra(run.condensed.interface, tools.ledger);
   }
   if (!chooses) {
@@ -217,7 +218,7 @@ void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingSt
   start.spectrum = run.spectrum;
   run.states.clear();
   run.certificate.reset(); // of another state
-  if (run.plan.runs("couple"))
+  if (run.plan.runs(Stage::Couple))
     couple(run, tools, observer, start);
   else
     run.states.emplace_back();

@@ -10,6 +10,7 @@
 #include "ndframe/interface/normal_field.hpp"
 #include "ndframe/scene/holds.hpp"
 #include "ndframe/scene/shared_mesh.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -241,7 +242,7 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
     model.recipe = std::move(recipe);
     return;
   }
-  const auto timer = ledger.time("read");
+  const auto timer = timeStage(ledger, Stage::Read);
   const bool comparable = recipe.bodies.size() == model.recipe.bodies.size();
   std::size_t next = 0;
   Model updated = buildModel(deck, components, [&](const Params& body) -> GivenMesh {
@@ -259,7 +260,7 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
 void remeshModel(Model& model, const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
                  Ledger& ledger)
 {
-  const auto timer = ledger.time("read");
+  const auto timer = timeStage(ledger, Stage::Read);
   model = buildModel(deck, components, meshOf, model.interfaces);
   countBodyForces(model, ledger);
 }

@@ -71,15 +71,4 @@ struct ErrorOptions
   bool optimises() const;            ///< the recovery changes the traction
 };
 
-/// Names of the stages in the plan and in the ledger.
-namespace certificateStage
-{
-inline constexpr const char* traction = "certify traction";
-inline constexpr const char* fields = "certify fields";
-inline constexpr const char* recovery = "certify recovery";
-inline constexpr const char* equilibrium = "certify equilibrium";
-inline constexpr const char* estimators = "certify estimators";
-inline constexpr const char* reference = "certify reference";
-} // namespace certificateStage
-
 } // namespace ndframe

@@ -5,6 +5,7 @@
 
 #include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/run/run_settings.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -12,7 +13,7 @@ namespace ndframe
 /// A stage of a run, whether this deck needs it, and why (not).
 struct PlannedStage
 {
-  std::string name;
+  Stage stage;
   bool runs;
   std::string why;
 };
@@ -25,12 +26,13 @@ public:
   Plan() = default;
   Plan(const RunSettings& settings, const LinearSolver& solver, int ranks);
 
-  bool runs(const std::string& stage) const;
+  /// Throws InternalError for a stage that is not planned at all: a part of the certificate without its list.
+  bool runs(Stage stage) const;
   const std::vector<PlannedStage>& stages() const { return stages_; }
   std::string text() const;
 
 private:
-  void add(std::string name, bool runs, std::string whyRuns, std::string whySkipped);
+  void add(Stage stage, bool runs, std::string whyRuns, std::string whySkipped);
   void addCertificate(const RunSettings& settings);
   std::vector<PlannedStage> stages_;
 };
