@@ -5,7 +5,7 @@
 #include "algebra/sample_bodies.hpp"
 #include "interface/box_bodies.hpp"
 #include "ndframe/interface/applied_operator.hpp"
-#include "ndframe/interface/composed_operator.hpp"
+#include "ndframe/interface/congruence.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -47,45 +47,6 @@ DenseMatrix columnsOf(const SymmetricOperator& S)
     std::copy(column.begin(), column.end(), all.col(j));
   }
   return all;
-}
-
-DenseMatrix randomSymmetric(int n, unsigned seed)
-{
-  DenseMatrix A(n, n);
-  const Vector values = randomVector(std::size_t(n * n), seed);
-  for (int i = 0; i < n; ++i)
-    for (int j = 0; j < n; ++j)
-      A(i, j) = values[std::size_t(i * n + j)] + values[std::size_t(j * n + i)];
-  return A;
-}
-
-/// Two parts with sums of two unknowns, unused entries and another order.
-std::vector<OperatorPart> sampleParts(bool firstStored, bool secondStored)
-{
-  const auto make = [](DenseMatrix A, bool stored) -> std::shared_ptr<const SymmetricOperator> {
-    if (stored)
-      return makeDenseOperator(std::move(A));
-    return appliedOnly(std::move(A), 1e-9);
-  };
-  return {{make(randomSymmetric(3, 1), firstStored), {{2, -1}, {0, 4}, {1, 3}}},
-          {make(randomSymmetric(2, 2), secondStored), {{-1, 4}, {3, -1}}}};
-}
-
-/// sum_b P_b^T S_b P_b from its definition.
-DenseMatrix sampleSum()
-{
-  DenseMatrix sum(5, 5);
-  for (const auto& part : sampleParts(true, true)) {
-    DenseMatrix P(int(part.inputs.size()), 5);
-    for (int k = 0; k < P.rows(); ++k)
-      for (const int i : part.inputs[std::size_t(k)])
-        if (i >= 0)
-          P(k, i) += 1.0;
-    for (int i = 0; i < 5; ++i)
-      for (int j = 0; j < 5; ++j)
-        sum(i, j) += dot(P.column(i), part.S->apply(P.column(j)));
-  }
-  return sum;
 }
 
 } // namespace
@@ -161,13 +122,13 @@ namespace
 {
 
 /// Inverses on a set are the same, whether the parts are stored or applied.
-void expectSameInverse(const HeldBox& box, const std::vector<std::vector<std::array<int, 2>>>& inputs, int size)
+void expectSameInverse(const HeldBox& box, const std::vector<std::vector<SparseRow>>& inputs, int size)
 {
   const auto compose = [&](const char* type) {
-    std::vector<OperatorPart> parts;
+    std::vector<CongruencePart> parts;
     for (const auto& input : inputs)
       parts.push_back({makeInterfaceOperator(type)->represent(*box.body.condensed, box.size()), input});
-    return composeOperators(std::move(parts), size);
+    return congruence(std::move(parts), size);
   };
   const auto stored = compose("Condensed"), applied = compose("Matrix Free");
   std::vector<char> isFree(std::size_t(size), 1);
@@ -179,53 +140,28 @@ void expectSameInverse(const HeldBox& box, const std::vector<std::vector<std::ar
 
 } // namespace
 
-TEST(ComposedOperator, InverseOfSeparateBodiesIsTheirs)
+TEST(Congruence, InverseOfSeparateBodiesIsTheirs)
 {
   const HeldBox box(1);
-  std::vector<std::array<int, 2>> first, second;
+  std::vector<SparseRow> first, second;
   for (int k = 0; k < box.size(); ++k) {
-    first.push_back({2 * k, -1});
-    second.push_back({2 * k + 1, -1});
+    first.push_back({{2 * k, 1.0}});
+    second.push_back({{2 * k + 1, 1.0}});
   }
   expectSameInverse(box, {first, second}, 2 * box.size());
 }
 
 /// Unknowns w = u1 - u2 and d = u2, as all bodies in one system have them.
-TEST(ComposedOperator, InverseOfBodiesThatShareUnknownsIsPreconditionedByTheirs)
+TEST(Congruence, InverseOfBodiesThatShareUnknownsIsPreconditionedByTheirs)
 {
   const HeldBox box(2, "32, 16");
   const int n = box.size();
-  std::vector<std::array<int, 2>> first, second;
+  std::vector<SparseRow> first, second;
   for (int k = 0; k < n; ++k) {
-    first.push_back({n + k, k});
-    second.push_back({n + k, -1});
+    first.push_back({{n + k, 1.0}, {k, 1.0}});
+    second.push_back({{n + k, 1.0}});
   }
   const auto before = box.body.ledger.counted("kept solves");
   expectSameInverse(box, {first, second}, 2 * n);
   EXPECT_LT(box.body.ledger.counted("kept solves") - before, 100);
-}
-
-TEST(ComposedOperator, IsTheSumOverItsParts)
-{
-  for (const bool firstStored : {true, false})
-    for (const bool secondStored : {true, false}) {
-      const auto sum = composeOperators(sampleParts(firstStored, secondStored), 5);
-      EXPECT_EQ(sum->size(), 5);
-      EXPECT_EQ(sum->dense() != nullptr, firstStored && secondStored);
-      EXPECT_LT(relativeDifference(columnsOf(*sum), sampleSum()), 1e-15);
-    }
-}
-
-TEST(ComposedOperator, TakesTheCoarsestToleranceOfItsParts)
-{
-  EXPECT_EQ(toleranceOf(*composeOperators(sampleParts(true, false), 5)), 1e-9);
-  EXPECT_EQ(toleranceOf(*composeOperators(sampleParts(true, true), 5)), 0.0);
-}
-
-TEST(ComposedOperator, OnePartInItsOwnOrderIsHandedBack)
-{
-  const std::shared_ptr<const SymmetricOperator> S = makeDenseOperator(randomSymmetric(2, 7));
-  EXPECT_EQ(composeOperators({{S, {{0, -1}, {1, -1}}}}, 2), S);
-  EXPECT_NE(composeOperators({{S, {{1, -1}, {0, -1}}}}, 2), S);
-  EXPECT_NE(composeOperators({{S, {{0, -1}, {1, -1}}}}, 3), S);
 }

@@ -7,6 +7,7 @@
 #include <mpi.h>
 
 #include "krylov_module.hpp"
+#include "mpi_comm.hpp"
 #include "ndframe/algebra/launcher.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
@@ -43,28 +44,44 @@ Comm Comm::world(int& argc, char**& argv)
   if (!launcher.mayHaveStartedMore())
     return single();
   initMpi(&argc, &argv);
-  int rank = 0, size = 1;
-  MPI_Comm_rank(MPI_COMM_WORLD, &rank);
-  MPI_Comm_size(MPI_COMM_WORLD, &size);
-  if (size == 1 && launcher.size > 1)
+  const Comm comm = of(MPI_Comm_c2f(MPI_COMM_WORLD));
+  if (comm.size() == 1 && launcher.size > 1)
     throw InputError(fmt::format(
         "{} processes were started ({}), but this program's MPI joins only 1 of them: each would compute and write the "
         "same. Start them with the mpirun of the MPI that ndframe was built with, or with srun --mpi=pmix; for runs "
         "that have nothing to do with each other unset {}.",
         launcher.size, launcher.sizeVariable, launcher.sizeVariable));
-  return Comm(rank, size);
+  return comm;
+}
+
+Comm Comm::of(int communicator)
+{
+  const MPI_Comm handle = MPI_Comm_f2c(communicator);
+  int rank = 0, size = 1;
+  MPI_Comm_rank(handle, &rank);
+  MPI_Comm_size(handle, &size);
+  return Comm(rank, size, communicator);
+}
+
+Comm Comm::split(int colour) const
+{
+  if (size_ == 1)
+    return *this;
+  MPI_Comm part = MPI_COMM_NULL;
+  MPI_Comm_split(mpiComm(*this), colour, rank_, &part);
+  return of(MPI_Comm_c2f(part));
 }
 
 void Comm::sum(Vector& values) const
 {
   if (size_ > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), mpiCount(values.size()), MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), mpiCount(values.size()), MPI_DOUBLE, MPI_SUM, mpiComm(*this));
 }
 
 std::int64_t Comm::sum(std::int64_t value) const
 {
   if (size_ > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, MPI_COMM_WORLD);
+    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, mpiComm(*this));
   return value;
 }
 
@@ -73,9 +90,9 @@ void Comm::broadcast(Vector& values) const
   if (size_ == 1)
     return;
   std::int64_t length = std::int64_t(values.size());
-  MPI_Bcast(&length, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  MPI_Bcast(&length, 1, MPI_INT64_T, 0, mpiComm(*this));
   values.resize(std::size_t(length));
-  MPI_Bcast(values.data(), mpiCount(values.size()), MPI_DOUBLE, 0, MPI_COMM_WORLD);
+  MPI_Bcast(values.data(), mpiCount(values.size()), MPI_DOUBLE, 0, mpiComm(*this));
 }
 
 void Comm::broadcast(std::string& text) const
@@ -83,15 +100,15 @@ void Comm::broadcast(std::string& text) const
   if (size_ == 1)
     return;
   std::int64_t length = std::int64_t(text.size());
-  MPI_Bcast(&length, 1, MPI_INT64_T, 0, MPI_COMM_WORLD);
+  MPI_Bcast(&length, 1, MPI_INT64_T, 0, mpiComm(*this));
   text.resize(std::size_t(length));
-  MPI_Bcast(text.data(), mpiCount(text.size()), MPI_CHAR, 0, MPI_COMM_WORLD);
+  MPI_Bcast(text.data(), mpiCount(text.size()), MPI_CHAR, 0, mpiComm(*this));
 }
 
 void Comm::abort(int exitCode) const
 {
   if (size_ > 1)
-    MPI_Abort(MPI_COMM_WORLD, exitCode);
+    MPI_Abort(mpiComm(*this), exitCode);
 }
 
 void startMpi()

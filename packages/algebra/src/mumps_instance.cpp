@@ -4,7 +4,8 @@
 #include <array>
 
 #include <fmt/format.h>
-#include <mpi.h>
+
+#include "mpi_comm.hpp"
 
 namespace ndframe
 {
@@ -56,7 +57,7 @@ MumpsFailure::MumpsFailure(int code, int detail)
 MumpsInstance::MumpsInstance(const Comm& comm)
 {
   startMpi();
-  data_.comm_fortran = MUMPS_INT(MPI_Comm_c2f(comm.size() == 1 ? MPI_COMM_SELF : MPI_COMM_WORLD));
+  data_.comm_fortran = MUMPS_INT(MPI_Comm_c2f(mpiComm(comm)));
   data_.par = 1;
   data_.sym = positiveDefinite;
   run(firstJob);

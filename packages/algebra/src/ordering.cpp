@@ -6,9 +6,9 @@
 #include <new>
 
 #include <metis.h>
-#include <mpi.h>
 
 #include "dominated_vertices.hpp"
+#include "mpi_comm.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -78,7 +78,7 @@ Indices gathered(const Indices& piece, const Comm& comm)
 {
   const int length = int(piece.size());
   std::vector<int> lengths(std::size_t(comm.size())), starts(std::size_t(comm.size()) + 1, 0);
-  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, MPI_COMM_WORLD);
+  MPI_Gather(&length, 1, MPI_INT, lengths.data(), 1, MPI_INT, 0, mpiComm(comm));
   std::int64_t total = 0;
   for (std::size_t rank = 0; rank < lengths.size(); ++rank) {
     total += lengths[rank];
@@ -87,7 +87,7 @@ Indices gathered(const Indices& piece, const Comm& comm)
   NDFRAME_ASSERT(total <= std::numeric_limits<int>::max(), "the graph is too large for MPI_Gatherv");
   Indices all(std::size_t(comm.rank() == 0 ? total : 0));
   static_assert(sizeof(idx_t) == sizeof(int), "METIS must use 32-bit integers");
-  MPI_Gatherv(piece.data(), length, MPI_INT, all.data(), lengths.data(), starts.data(), MPI_INT, 0, MPI_COMM_WORLD);
+  MPI_Gatherv(piece.data(), length, MPI_INT, all.data(), lengths.data(), starts.data(), MPI_INT, 0, mpiComm(comm));
   return all;
 }
 

@@ -53,7 +53,7 @@ std::string advice(const ErrorSummary& errors, const std::vector<SweepRecord>& h
     return {};
   if (parts->iteration <= negligible * parts->mesh)
     return "a finer mesh would help, more sweeps would not";
-  if (history.back().epsTau == 0.0) // one traction for both bodies: FETI
+  if (errors.algorithm->projection > negligible * errors.algorithm->absolute) // one traction for both bodies: FETI
     return meshDominates(errors) ? "a finer mesh and a smaller Coupling/Tolerance would help"
                                  : "a smaller Coupling/Tolerance would leave the mesh alone";
   if (parts->iteration > explained * history.back().epsTau)

@@ -111,7 +111,7 @@ void Certifier::recoverStresses()
   if (scene_.facets.empty())
     global_.field.displacement = scene_.solved;
   recoveryScene_ = makeRecoveryScene(scene_);
-  admissible_ = admitScene(deck_, scene_, recoveryScene_, options_.mode);
+  admissible_ = admitScene(scene_, recoveryScene_, options_.mode);
   std::vector<RecoveredField*> wanted;
   std::vector<SceneField> fields;
   if (options_.recoversGlobalStress()) {

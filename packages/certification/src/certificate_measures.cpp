@@ -81,11 +81,10 @@ double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recov
 
 } // namespace
 
-AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, const RecoveryScene& recovery,
-                           ErrorMode mode)
+AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& recovery, ErrorMode mode)
 {
   AdmissibleScene result;
-  result.gap = contactGap(deck, scene, mode);
+  result.gap = contactGap(scene, mode);
   result.displacement = admitDisplacements(scene, result.gap, mode);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const auto prescribed = chargePrescribed(*scene.bodies[b]);

@@ -25,8 +25,7 @@ struct AdmissibleScene
 };
 
 /// u^, the gap and the data's oscillation.
-AdmissibleScene admitScene(const Params& deck, const CertifiedScene& scene, const RecoveryScene& recovery,
-                           ErrorMode mode);
+AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& recovery, ErrorMode mode);
 
 /// Adds to the oscillation what the stress leaves over of t^ n where n turns along a facet; not in Paper mode.
 void addContactOscillation(const CertifiedScene& scene, const RecoveredField& recovered, ErrorMode mode,

@@ -152,7 +152,7 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
   });
 }
 
-GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode mode)
+GapBound contactGap(const CertifiedScene& scene, ErrorMode mode)
 {
   if (scene.facets.empty())
     return {};
@@ -160,7 +160,7 @@ GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode m
     return {{}, nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree), {}};
   std::vector<FacetGap> gaps;
   for (const auto& interface : scene.model.interfaces)
-    gaps.push_back({interface.numFacets(), sampledFunction(deck.sub("Interfaces").sub(interface.name), "Gap")});
+    gaps.push_back({interface.numFacets(), interface.gapFunction});
   return boundGap(scene.bodies, scene.facets, scene.degree, gaps);
 }
 

@@ -68,7 +68,7 @@ ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, 
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields);
 
 /// The gap on all facets, for admissible displacements and contact terms; in Paper mode the interpolated one.
-GapBound contactGap(const Params& deck, const CertifiedScene& scene, ErrorMode mode);
+GapBound contactGap(const CertifiedScene& scene, ErrorMode mode);
 
 std::vector<const ConstraintSet*> constraintsOf(const Model& model);
 

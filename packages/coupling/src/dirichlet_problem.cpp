@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ndframe/interface/extended_operator.hpp"
+#include "ndframe/interface/congruence.hpp"
 
 namespace ndframe
 {
@@ -43,18 +43,31 @@ std::vector<char> boundedEntries(const DenseMatrix& R)
 /// (g1, R^T (g1 + g2)).
 Vector extendedLoad(const RoleSystem& dirichlet, const RoleSystem& neumann)
 {
-  Vector both = dirichlet.g;
+  Vector both = dirichlet.g, load = dirichlet.g;
   for (std::size_t i = 0; i < both.size(); ++i)
     both[i] += neumann.g[i];
-  Vector load = extendedForces(std::move(both), neumann.freeMotions);
-  std::copy(dirichlet.g.begin(), dirichlet.g.end(), load.begin());
+  const Vector work = multiplyTransposed(neumann.freeMotions, both);
+  load.insert(load.end(), work.begin(), work.end());
   return load;
+}
+
+/// S in u = x + R alpha.
+std::shared_ptr<const SymmetricOperator> extended(std::shared_ptr<const SymmetricOperator> S, const DenseMatrix& R)
+{
+  std::vector<SparseRow> P;
+  for (int i = 0; i < R.rows(); ++i) {
+    P.push_back({{i, 1.0}});
+    for (int m = 0; m < R.cols(); ++m)
+      if (R(i, m) != 0.0)
+        P.back().emplace_back(R.rows() + m, R(i, m));
+  }
+  return congruence({{std::move(S), std::move(P)}}, R.rows() + R.cols(), R.cols());
 }
 
 } // namespace
 
 DirichletProblem::DirichletProblem(const RoleSystem& dirichlet, const RoleSystem& neumann, Ledger& ledger)
-    : R_(neumann.freeMotions), S_(extendOperator(dirichlet.S, R_)), b_(extendedLoad(dirichlet, neumann)),
+    : R_(neumann.freeMotions), S_(extended(dirichlet.S, R_)), b_(extendedLoad(dirichlet, neumann)),
       problem_(*S_, boundedEntries(R_), motionsOf(dirichlet, neumann), namesOf(dirichlet, neumann), ledger)
 {}
 

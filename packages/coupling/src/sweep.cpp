@@ -3,31 +3,28 @@
 #include <algorithm>
 #include <numeric>
 
-#include "ndframe/interface/composed_operator.hpp"
+#include "ndframe/interface/congruence.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// Adds a body's free motions, seen at the system's unknowns through `inputs`, as columns. isJump: per value of the
-/// body, whether it stands for (w, d).
-void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs,
-                   const std::vector<char>& isJump)
+/// Adds a body's free motions at the system's unknowns as columns. isJump: per value of the body, whether it stands for
+/// (w, d).
+void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<char>& isJump)
 {
   DenseMatrix all(role.freeMotions.rows(), role.freeMotions.cols() + body.freeMotions.cols());
   std::copy_n(role.freeMotions.data(), std::size_t(all.rows()) * std::size_t(role.freeMotions.cols()), all.data());
   for (int j = 0; j < body.freeMotions.cols(); ++j)
-    for (std::size_t k = 0; k < inputs.size(); ++k) {
+    for (std::size_t k = 0; k < body.unknowns.size(); ++k) {
       const double along = body.freeMotions(int(k), j);
-      double* column = all.col(role.freeMotions.cols() + j);
-      if (!isJump[k])
-        column[inputs[k][0]] = along;
-      else if (body.onDirichletSide[k])
-        column[inputs[k][1]] += along;
+      double* w = all.col(role.freeMotions.cols() + j) + body.unknowns[k];
+      if (!isJump[k] || body.onDirichletSide[k])
+        *w += along;
       else {
-        column[inputs[k][0]] += along;
-        column[inputs[k][0] - all.rows() / 2] -= along;
+        *w -= along;
+        w[all.rows() / 2] += along; // d
       }
     }
   role.freeMotions = std::move(all);
@@ -41,12 +38,15 @@ bool hasOneRole(const InterfaceSystem& system, const BodyTrace& body)
                                                 [&](char side) { return bool(side) == isDirichlet; });
 }
 
-void appendLoad(RoleSystem& role, const BodyTrace& body, const std::vector<std::array<int, 2>>& inputs)
+/// Adds a body whose values are P x.
+void append(RoleSystem& role, const BodyTrace& body, std::vector<SparseRow> P, const std::vector<char>& isJump,
+            std::vector<CongruencePart>& parts)
 {
-  for (std::size_t k = 0; k < inputs.size(); ++k)
-    for (const int i : inputs[k])
-      if (i >= 0)
-        role.g[std::size_t(i)] += body.g[k];
+  for (std::size_t k = 0; k < P.size(); ++k)
+    for (const auto& [i, coefficient] : P[k])
+      role.g[std::size_t(i)] += coefficient * body.g[k];
+  appendMotions(role, body, isJump);
+  parts.push_back({body.S, std::move(P)});
 }
 
 } // namespace
@@ -60,21 +60,19 @@ bool haveRoles(const InterfaceSystem& system)
 RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
 {
   RoleSystem role{nullptr, Vector(std::size_t(system.size()), 0.0), DenseMatrix(system.size(), 0), {}};
-  std::vector<OperatorPart> parts;
+  std::vector<CongruencePart> parts;
   for (const auto& body : system.bodies) {
     if (body.unknowns.empty() || system.isDirichlet(body) != dirichlet)
       continue;
     NDFRAME_ASSERT(hasOneRole(system, body),
                    "a body is the Dirichlet body of one interface and the Neumann body of another, or a Neumann body "
                    "that meets an obstacle");
-    std::vector<std::array<int, 2>> inputs;
+    std::vector<SparseRow> P;
     for (const int unknown : body.unknowns)
-      inputs.push_back({unknown, -1});
-    appendLoad(role, body, inputs);
-    appendMotions(role, body, inputs, std::vector<char>(inputs.size(), 0));
-    parts.push_back({body.S, std::move(inputs)});
+      P.push_back({{unknown, 1.0}});
+    append(role, body, std::move(P), std::vector<char>(body.unknowns.size(), 0), parts);
   }
-  role.S = composeOperators(std::move(parts), system.size());
+  role.S = congruence(std::move(parts), system.size());
   return role;
 }
 
@@ -100,20 +98,22 @@ RoleSystem gatherJump(const InterfaceSystem& system)
 {
   const int n = system.size();
   RoleSystem role{nullptr, Vector(2 * std::size_t(n), 0.0), DenseMatrix(2 * n, 0), {}};
-  std::vector<OperatorPart> parts;
+  std::vector<CongruencePart> parts;
   for (const auto& body : system.bodies) {
-    std::vector<std::array<int, 2>> inputs;
+    std::vector<SparseRow> P;
     std::vector<char> isJump;
     for (std::size_t k = 0; k < body.unknowns.size(); ++k) {
       const int w = body.unknowns[k], d = n + w;
       isJump.push_back(!system.isObstacle[std::size_t(w)]);
-      inputs.push_back(isJump[k] ? std::array{d, body.onDirichletSide[k] ? w : -1} : std::array{w, -1});
+      P.emplace_back();
+      if (isJump[k])
+        P.back().emplace_back(d, 1.0);
+      if (!isJump[k] || body.onDirichletSide[k])
+        P.back().emplace_back(w, 1.0);
     }
-    appendLoad(role, body, inputs);
-    appendMotions(role, body, inputs, isJump);
-    parts.push_back({body.S, std::move(inputs)});
+    append(role, body, std::move(P), isJump, parts);
   }
-  role.S = composeOperators(std::move(parts), 2 * n);
+  role.S = congruence(std::move(parts), 2 * n);
   return role;
 }
 

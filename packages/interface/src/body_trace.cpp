@@ -2,77 +2,24 @@
 
 #include <algorithm>
 
-#include "ndframe/interface/applied_operator.hpp"
+#include "ndframe/interface/congruence.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// a S_FF^-1 a^T of a set that has both normals of a node or none.
-class ScaledInverse final : public RestrictedInverse
+/// a^-1 by rows.
+std::vector<SparseRow> keptRows(const std::vector<TraceDof>& trace)
 {
-public:
-  ScaledInverse(std::unique_ptr<RestrictedInverse> inverse, const std::vector<TraceDof>& trace)
-      : inverse_(std::move(inverse)), trace_(trace)
-  {}
-  Vector solve(const Vector& b) const override { return normalParts(trace_, inverse_->solve(keptForces(trace_, b))); }
-
-private:
-  std::unique_ptr<RestrictedInverse> inverse_;
-  const std::vector<TraceDof>& trace_;
-};
-
-/// a^-T S a^-1 for an operator that is only applied.
-class ScaledOperator final : public AppliedOperator
-{
-public:
-  ScaledOperator(std::unique_ptr<SymmetricOperator> S, std::vector<TraceDof> trace)
-      : AppliedOperator(toleranceOf(*S)), owned_(std::move(S)), S_(*asApplied(*owned_)), trace_(std::move(trace))
-  {
-    for (TraceDof& dof : trace_)
-      dof.offset = 0.0;
+  std::vector<SparseRow> rows;
+  for (std::size_t k = 0; k < trace.size(); ++k) {
+    const TraceDof& dof = trace[k];
+    rows.push_back({{int(k), 1.0 / dof.scale}});
+    if (dof.first >= 0)
+      rows.back().emplace_back(dof.first, -dof.along / (dof.scale * trace[std::size_t(dof.first)].scale));
   }
-  int size() const override { return S_.size(); }
-  Vector apply(const Vector& x) const override { return normalForces(trace_, S_.apply(keptValues(trace_, x))); }
-  bool hasPreconditioner() const override { return S_.hasPreconditioner(); }
-  Vector precondition(const Vector& b) const override
-  {
-    return normalParts(trace_, S_.precondition(keptForces(trace_, b)));
-  }
-  std::unique_ptr<RestrictedInverse> directInverse(const std::vector<char>& isFree) const override
-  {
-    for (std::size_t k = 0; k < trace_.size(); ++k)
-      if (trace_[k].first >= 0 && isFree[k] != isFree[std::size_t(trace_[k].first)])
-        return nullptr;
-    auto inverse = S_.directInverse(isFree);
-    return inverse ? std::make_unique<ScaledInverse>(std::move(inverse), trace_) : nullptr;
-  }
-
-private:
-  std::unique_ptr<SymmetricOperator> owned_;
-  const AppliedOperator& S_;
-  std::vector<TraceDof> trace_; ///< without offsets
-};
-
-/// a^-T S a^-1 of a stored operator.
-DenseMatrix scaledMatrix(DenseMatrix S, const std::vector<TraceDof>& trace)
-{
-  const int n = S.cols();
-  for (int j = 0; j < n; ++j)
-    for (int i = 0; i < n; ++i)
-      S(i, j) *= (1.0 / trace[std::size_t(i)].scale) * (1.0 / trace[std::size_t(j)].scale);
-  for (int k = 0; k < n; ++k) {
-    const TraceDof& dof = trace[std::size_t(k)];
-    if (dof.first < 0)
-      continue;
-    const double share = dof.along / trace[std::size_t(dof.first)].scale;
-    for (int i = 0; i < n; ++i)
-      S(i, dof.first) -= share * S(i, k);
-    for (int j = 0; j < n; ++j)
-      S(dof.first, j) -= share * S(k, j);
-  }
-  return S;
+  return rows;
 }
 
 } // namespace
@@ -80,12 +27,8 @@ DenseMatrix scaledMatrix(DenseMatrix S, const std::vector<TraceDof>& trace)
 std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body, const std::vector<TraceDof>& trace,
                                                        const InterfaceOperator& representation)
 {
-  auto S = representation.represent(body, int(trace.size()));
-  if (std::all_of(trace.begin(), trace.end(), [](const TraceDof& t) { return t.scale == 1.0 && t.first < 0; }))
-    return S;
-  if (const DenseMatrix* stored = S->dense())
-    return makeDenseOperator(scaledMatrix(*stored, trace));
-  return std::make_shared<ScaledOperator>(std::move(S), trace);
+  const int size = int(trace.size());
+  return congruence({{representation.represent(body, size), keptRows(trace)}}, size);
 }
 
 Vector traceLoad(const CondensedBody& body, const std::vector<TraceDof>& trace, const SymmetricOperator& S,

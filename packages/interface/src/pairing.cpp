@@ -192,6 +192,7 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
 void evaluateGap(const Params& definition, InterfaceMesh& interface)
 {
   const Expression gap = definition.expression("Gap");
+  interface.gapFunction = sampledFunction(definition, "Gap");
   double deepest = 0.0;
   int where = -1;
   for (int i = 0; i < interface.numNodes(); ++i) {

@@ -68,6 +68,17 @@ double facetNormal(const Mesh& mesh, Facet facet, double* normal)
   return mesh.dim == 2 ? length : length / 2;
 }
 
+std::array<double, 3> facetCentre(const Mesh& mesh, Facet facet)
+{
+  int vertices[3];
+  facetVertices(mesh, facet, vertices);
+  std::array<double, 3> centre{};
+  for (int v = 0; v < mesh.dim; ++v)
+    for (int k = 0; k < mesh.dim; ++k)
+      centre[std::size_t(k)] += mesh.point(vertices[v])[k] / mesh.dim;
+  return centre;
+}
+
 std::array<double, 3> cellCentre(const Mesh& mesh, int cell)
 {
   std::array<double, 3> centre{};

@@ -20,11 +20,11 @@ NumberBracket times(double factor, NumberBracket bracket)
   return {std::min(a, b), std::max(a, b)};
 }
 
-bool isGapless(const Model& model, const Params& deck)
+bool isGapless(const Model& model)
 {
   return std::all_of(model.interfaces.begin(), model.interfaces.end(), [&](const InterfaceMesh& interface) {
-    const Expression gap = deck.sub("Interfaces").sub(interface.name).expression("Gap");
-    return gap.isConstant() && gap(0.0, 0.0, 0.0) == 0.0;
+    return interface.gapFunction.tree->isConstant() &&
+           valueAt(interface.gapFunction, interface.dim, interface.point(0)) == 0.0;
   });
 }
 
@@ -139,7 +139,7 @@ std::optional<NumberBracket> bracketOf(const EnergyRecord& record)
   return NumberBracket{std::min(record.lower(), record.upper()), std::max(record.lower(), record.upper())};
 }
 
-std::optional<EnergySummary> summarizeEnergy(const Run& run, const Params& deck)
+std::optional<EnergySummary> summarizeEnergy(const Run& run)
 {
   const auto bracket = bracketOf(run.energy);
   if (!bracket)
@@ -150,7 +150,7 @@ std::optional<EnergySummary> summarizeEnergy(const Run& run, const Params& deck)
   const double strainEnergy = 0.5 * run.summary.energy;
   summary.relativeWidth = strainEnergy > 0.0 ? (bracket->upper - bracket->lower) / strainEnergy : 0.0;
   const Causes causes = causesOf(run.model);
-  if (!causes.supportsAreConstant || !isGapless(run.model, deck))
+  if (!causes.supportsAreConstant || !isGapless(run.model))
     return summary;
   if (causes.movingSupports == 0 && causes.loads > 0)
     addWorkOfLoads(summary, run.model, causes);

@@ -187,7 +187,7 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
   run.summary.residuals.allowedInContact = run.coupling.contactTolerance;
   if (run.certificate) {
     run.summary.errors = run.certificate->summary;
-    run.summary.errors->energyBracket = summarizeEnergy(run, settings.deck);
+    run.summary.errors->energyBracket = summarizeEnergy(run);
   }
   checkExpectations(run.summary, settings.expectations);
 }

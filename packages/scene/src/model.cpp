@@ -141,17 +141,6 @@ void addInterface(Model& model, const Params& definition, const std::vector<Inte
   model.interfaces.push_back(std::move(interface));
 }
 
-std::string centreText(const Mesh& mesh, Facet facet)
-{
-  int vertices[3];
-  facetVertices(mesh, facet, vertices);
-  std::array<double, 3> centre{};
-  for (int v = 0; v < mesh.dim; ++v)
-    for (int k = 0; k < mesh.dim; ++k)
-      centre[std::size_t(k)] += mesh.point(vertices[v])[k] / mesh.dim;
-  return pointText(centre.data(), mesh.dim);
-}
-
 /// A facet touches one other body.
 void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
@@ -168,7 +157,8 @@ void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& dia
                             .sub(interface.name)
                             .mistake("", fmt::format("contains the facet at {} of \"{}\", which \"{}\" contains, too; "
                                                      "leave it out of one of them (split the side).",
-                                                     centreText(owner.mesh, facet), owner.name, before->second->name)));
+                                                     pointText(facetCentre(owner.mesh, facet).data(), owner.mesh.dim),
+                                                     owner.name, before->second->name)));
         return;
       }
 }

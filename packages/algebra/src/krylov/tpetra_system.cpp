@@ -16,7 +16,7 @@ using Local = TpetraMap::local_ordinal_type;
 Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm)
 {
   // On one process too: Ifpack2 and MueLu take Teuchos's serial communicator for one of MPI.
-  return Teuchos::rcp(new Teuchos::MpiComm<int>(comm.size() > 1 ? MPI_COMM_WORLD : MPI_COMM_SELF));
+  return Teuchos::rcp(new Teuchos::MpiComm<int>(comm.size() > 1 ? MPI_Comm_f2c(comm.communicator()) : MPI_COMM_SELF));
 }
 
 /// `perNode` consecutive numbers for each node.

@@ -10,6 +10,7 @@ namespace ndframe
 using Vector = std::vector<double>;
 
 /// The processes of a run. A run without mpirun has one and starts no MPI; MPI itself is started on first need only.
+/// A program that has its own processes hands in their communicator.
 ///
 /// Meshes, interface vectors and solutions are replicated on all ranks; only the matrix rows and the factors are
 /// distributed. All functions are collective.
@@ -18,11 +19,18 @@ class Comm
 public:
   /// Joins the processes that mpirun started (recognised by the launcher's environment); else a single process.
   static Comm world(int& argc, char**& argv);
+  /// The processes of a communicator, as MPI_Comm_c2f gives it; it must live as long as the run. Several at a time, one
+  /// for each part of a program's processes, do not disturb each other.
+  static Comm of(int communicator);
+  /// Those of the processes that name the same colour, in the same order. Collective; lasts until MPI ends.
+  Comm split(int colour) const;
   /// One process, no MPI.
-  static Comm single() { return Comm(0, 1); }
+  static Comm single() { return Comm(0, 1, 0); }
 
   int rank() const { return rank_; }
   int size() const { return size_; }
+  /// As MPI_Comm_c2f gives it; means nothing on a single process.
+  int communicator() const { return communicator_; }
 
   /// Element-wise sum over ranks, the result on every rank.
   void sum(Vector& values) const;
@@ -35,9 +43,10 @@ public:
   void abort(int exitCode) const;
 
 private:
-  Comm(int rank, int size) : rank_(rank), size_(size) {}
+  Comm(int rank, int size, int communicator) : rank_(rank), size_(size), communicator_(communicator) {}
   int rank_;
   int size_;
+  int communicator_;
 };
 
 /// Starts MPI if it is not running (MUMPS needs it even on one rank). Finalised at exit by finishMpi().

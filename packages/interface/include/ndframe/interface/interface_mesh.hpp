@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/base/params.hpp"
 
@@ -24,6 +25,7 @@ struct InterfaceMesh
   std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure,
                                                  ///< or the value of the turning field (normal_field.hpp)
   Vector gap;                                    ///< g >= 0 at the nodes, a length
+  SampledFunction gapFunction;                   ///< g between them
   std::vector<int> facets;                       ///< interface nodes per facet, in the order of facetLocalNodes
   std::vector<double> measures;                  ///< of the facets
   std::vector<Facet> dirichletFacets, neumannFacets; ///< the same facet on the two sides

@@ -50,8 +50,9 @@ void facetVertices(const Mesh& mesh, Facet facet, int* vertices);
 /// Outward unit normal of a facet (dim components); returns its measure (length or area).
 double facetNormal(const Mesh& mesh, Facet facet, double* normal);
 
-/// Mean of a cell's vertices; zeros beyond dim.
+/// Mean of a cell's, or a facet's, vertices; zeros beyond dim.
 std::array<double, 3> cellCentre(const Mesh& mesh, int cell);
+std::array<double, 3> facetCentre(const Mesh& mesh, Facet facet);
 
 /// Signed measure of a cell (area or volume).
 double cellMeasure(const Mesh& mesh, int cell);

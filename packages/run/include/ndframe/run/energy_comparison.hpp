@@ -16,7 +16,7 @@ std::optional<NumberBracket> bracketOf(const EnergyRecord& record);
 
 /// The bracket with what follows from it: where gaps and prescribed displacements vanish, the work of the loads
 /// L(u) = -2 E(u); without loads and gaps, that of the prescribed displacements, 2 E(u). Needs fields.
-std::optional<EnergySummary> summarizeEnergy(const Run& run, const Params& deck);
+std::optional<EnergySummary> summarizeEnergy(const Run& run);
 
 /// What a user is told, in short and with the numbers.
 std::string contradictingText(const Contradiction& contradiction);
