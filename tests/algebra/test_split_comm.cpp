@@ -42,7 +42,8 @@ TEST_P(SplitSolvers, PartsSolveDifferentBodiesAtATime)
     Ledger ledger;
     return test::makeSolver(solver)->factor(problem, comm, ledger)->schurComplement();
   };
-  const DenseMatrix parallel = schurOn(test::comm().split(part()), GetParam()), alone = schurOn(Comm::single(), "Cholmod");
+  const DenseMatrix parallel = schurOn(test::comm().split(part()), GetParam()),
+                    alone = schurOn(Comm::single(), "Cholmod");
   ASSERT_EQ(parallel.cols(), alone.cols());
   const double largest = largestEntry(alone.column(0));
   for (int j = 0; j < alone.cols(); ++j)
