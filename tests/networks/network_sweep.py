@@ -1,9 +1,9 @@
 """Networks under loads at random: network_sweep.py NDFRAME [--scenes N] [--seed FIRST].
 
 Every side that is free, or a part of it, is pressed, left alone or pulled. What is named neither pulled off nor not unique before the
-solve has a solution, and all bodies together must find it; what is pulled off ends with exit code 3; what is not unique
-is solved, or ends saying that nothing presses the bodies together. One line a scene that does otherwise; exit code 1 if
-there is one.
+solve has a solution, and all bodies together must find it, FETI too, with the same energy; what is pulled off ends with
+exit code 3; what is not unique is solved, or ends saying that nothing presses the bodies together. One line a scene that
+does otherwise; exit code 1 if there is one.
 """
 
 import argparse
@@ -17,6 +17,7 @@ sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 import network_decks
 from runs import Program
 
+SAME = 1e-9
 NOT_PRESSED = ("contact is undecided: nothing presses", "the load does not press the bodies together")
 
 
@@ -42,16 +43,22 @@ def network(seed, pulls=True):
 
 
 def outcome(program, deck):
-    """(what was said before the solve, whether the answer keeps to it)"""
+    """(what was said before the solve, whether the answers of both couplings keep to it)"""
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "network.xml"
         path.write_text(network_decks.to_xml("network", deck))
-        run = program.run(path, "Coupling/Type=Monolithic")
-    if "it pulls off" in run.screen:
-        return "pulled off", run.code == 3
-    if run.summary and any(warning["kind"] == "not unique" for warning in run.summary["warnings"]):
-        return "not unique", run.code == 0 or (run.code == 3 and any(text in run.screen for text in NOT_PRESSED))
-    return "held", run.code == 0
+        runs = [program.run(path, f"Coupling/Type={coupling}", "Output/Exodus=false")
+                for coupling in ("Monolithic", "FETI")]
+    if any("it pulls off" in run.screen for run in runs):
+        return "pulled off", all(run.code == 3 for run in runs)
+    solved = all(run.code == 0 for run in runs)
+    energies = [run.summary["energy"] if run.summary else None for run in runs]
+    if solved and abs(energies[0] - energies[1]) > SAME * abs(energies[0]):
+        return f"energies {energies}", False
+    if any(warning["kind"] == "not unique" for run in runs if run.summary for warning in run.summary["warnings"]):
+        return "not unique", all(run.code == 0 or (run.code == 3 and any(text in run.screen for text in NOT_PRESSED))
+                                 for run in runs)
+    return "held", solved
 
 
 def main():

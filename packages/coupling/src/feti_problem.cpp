@@ -43,6 +43,7 @@ FetiProblem::FetiProblem(const Network& network, const FetiStop& stop, Ledger& l
 {
   for (const BodyTrace* body : network.bodies)
     motions_.insert(motions_.end(), body->motionNames.begin(), body->motionNames.end());
+  amplitude_.assign(std::size_t(bodies_.numMotions()), 0.0);
   std::vector<int> all(network.jump.size());
   std::iota(all.begin(), all.end(), 0);
   independent_ = ClosedRows(network.jump, all, network.bound, network.size()).independentRows();
@@ -70,7 +71,7 @@ Vector FetiProblem::placed(const Vector& strained) const
   Vector v = strained;
   if (!set_->projects())
     return v;
-  const Vector motion = bodies_.moved(set_->amplitudes(rest(strained)));
+  const Vector motion = bodies_.moved(set_->amplitudes(rest(strained), amplitude_));
   for (std::size_t k = 0; k < v.size(); ++k)
     v[k] += motion[k];
   return v;
@@ -193,11 +194,15 @@ void FetiProblem::solve(const std::vector<char>& closed, double proximal, Status
 {
   if (!holds(closed) && proximal == 0.0)
     throw NotPositiveDefinite(-1);
+  // Loads that do no work on what the set leaves free need no proximal term: bodies stay where they were.
+  set_->project(set_->canBalance(bodies_.work(network_.g)));
+  proximal = set_->projects() ? 0.0 : proximal;
   bodies_.factor(proximal);
   Iterate now = begun(proximal);
   for (int iteration = 0; iteration < mostIterations && !isEnough(now, iteration, closed); ++iteration)
     advance(now);
   const Vector before = std::exchange(v_, placed(now.v));
+  amplitude_ = set_->projects() ? set_->amplitudes(rest(now.v), amplitude_) : bodies_.amplitudes(v_);
   error_ = std::max(std::sqrt(std::max(0.0, now.square)), penetration(v_));
   std::fill(force_.begin(), force_.end(), 0.0);
   for (std::size_t i = 0; i < now.r.size(); ++i)

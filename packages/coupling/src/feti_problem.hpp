@@ -62,6 +62,7 @@ private:
   std::unique_ptr<FetiSet> set_;
   Vector flexibility_;           ///< per unknown: of B D^-1 B^T, what its own force opens
   Vector v_, force_;             ///< force: per unknown
+  Vector amplitude_;             ///< of the motions in v
   std::vector<int> independent_; ///< unknowns that do not follow from others
   Averages weighted_;            ///< of these
   double error_ = 0.0, relativeError_ = 0.0;

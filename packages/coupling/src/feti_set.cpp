@@ -1,6 +1,7 @@
 #include "feti_set.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace ndframe
 {
@@ -8,6 +9,9 @@ namespace
 {
 
 constexpr double diagonalShare = 0.1; ///< of the diagonal in Q: without it G Q G^T may lose rank
+constexpr double spring = 1e-8;       ///< on motions that rows leave free, relative to the coarse problem's diagonal
+constexpr int refinements = 2;        ///< after which springs of 1e-8 have an effect of 1e-24
+constexpr double unbalanced = 1e-9;   ///< work that no forces can do, relative: round-off
 constexpr double elimination = 1e-10; ///< added to what open entries hold, relative: they may not hold the body
 
 void subtract(Vector& a, const Vector& b)
@@ -95,7 +99,7 @@ void FetiSet::findOpenings()
   }
 }
 
-/// G Q G^T, whose entries are those of bodies near each other; no factor where some motion is left free.
+/// G Q G^T, whose entries are those of bodies near each other.
 void FetiSet::factorCoarse()
 {
   const int n = bodies_.numMotions();
@@ -122,8 +126,69 @@ void FetiSet::factorCoarse()
   try {
     coarse_ = std::make_unique<SparseCholesky>(coarse);
   } catch (const NotPositiveDefinite&) {
+    isLoose_ = true;
+    holdLoosely(coarse);
+  }
+  projects_ = true;
+}
+
+/// Springs that hold what the rows leave free, soft enough for a few steps of refinement to take them out again.
+void FetiSet::holdLoosely(SymmetricEntries coarse)
+{
+  springs_.assign(std::size_t(coarse.size), 0.0);
+  for (std::size_t e = 0; e < coarse.values.size(); ++e)
+    if (coarse.rows[e] == coarse.columns[e])
+      springs_[std::size_t(coarse.rows[e])] += spring * coarse.values[e];
+  const double least = spring * std::max(largestEntry(springs_), std::numeric_limits<double>::min());
+  for (std::size_t j = 0; j < springs_.size(); ++j) {
+    springs_[j] = std::max(springs_[j], least);
+    coarse.add(int(j), int(j), springs_[j]);
+  }
+  try {
+    coarse_ = std::make_unique<SparseCholesky>(coarse);
+  } catch (const NotPositiveDefinite&) { // hardly held, and yet not free
     coarse_ = nullptr;
   }
+}
+
+/// (G Q G^T)^-1 x, for an x that forces on the rows can do.
+Vector FetiSet::solveCoarse(const Vector& x) const
+{
+  Vector a = coarse_->solve(x);
+  for (int step = 0; isLoose_ && step < refinements; ++step) {
+    Vector rest = x;
+    subtract(rest, G_.transposedTimes(QG_.times(a)));
+    const Vector change = coarse_->solve(rest);
+    for (std::size_t j = 0; j < a.size(); ++j)
+      a[j] += change[j];
+  }
+  return a;
+}
+
+bool FetiSet::canBalance(const Vector& x) const
+{
+  if (!isLoose_)
+    return true;
+  if (coarse_ == nullptr)
+    return false;
+  Vector rest = x;
+  subtract(rest, G_.transposedTimes(balancing(x)));
+  return largestEntry(rest) <= unbalanced * largestEntry(x);
+}
+
+Vector FetiSet::amplitudes(const Vector& w, const Vector& before) const
+{
+  Vector right = QG_.transposedTimes(w);
+  if (!isLoose_)
+    return coarse_->solve(right);
+  for (std::size_t j = 0; j < right.size(); ++j)
+    right[j] += springs_[j] * before[j];
+  Vector a = coarse_->solve(right), rest = w;
+  subtract(rest, G_.times(a));
+  const Vector change = solveCoarse(QG_.transposedTimes(rest)); // without what the springs took
+  for (std::size_t j = 0; j < a.size(); ++j)
+    a[j] += change[j];
+  return a;
 }
 
 Vector FetiSet::jump(const Vector& v) const
@@ -172,7 +237,7 @@ Vector FetiSet::projected(Vector r) const
 Vector FetiSet::projectedTransposed(Vector w) const
 {
   if (projects())
-    subtract(w, G_.times(amplitudes(w)));
+    subtract(w, G_.times(solveCoarse(QG_.transposedTimes(w))));
   return w;
 }
 

@@ -18,9 +18,13 @@ public:
 
   const std::vector<int>& rows() const { return rows_; } ///< unknowns
   bool isOf(const std::vector<char>& closed) const { return closed == closed_; }
-  /// Whether the rows stop all motions, if there are any: then the coarse problem has a factor.
-  bool holdsMotions() const { return bodies_.numMotions() == 0 || projects(); }
-  bool projects() const { return coarse_ != nullptr; }
+  /// Whether the rows stop all motions, if there are any.
+  bool holdsMotions() const { return !isLoose_; }
+  /// Whether forces on the rows can do the work x on the motions, whatever the rows leave free.
+  bool canBalance(const Vector& x) const;
+  /// Whether the coarse problem is used: not with a proximal term, which motions feel.
+  void project(bool isUsed) { projects_ = isUsed && coarse_ != nullptr; }
+  bool projects() const { return projects_; }
 
   /// B v and B^T r.
   Vector jump(const Vector& v) const;
@@ -30,12 +34,12 @@ public:
   /// G r.
   Vector work(const Vector& r) const { return G_.transposedTimes(r); }
   /// Q G^T (G Q G^T)^-1 x: forces that do the work x on the motions.
-  Vector balancing(const Vector& x) const { return QG_.times(coarse_->solve(x)); }
+  Vector balancing(const Vector& x) const { return QG_.times(solveCoarse(x)); }
   /// P r = r - Q G^T (G Q G^T)^-1 G r, and P^T w; all of r and w without coarse problem.
   Vector projected(Vector r) const;
   Vector projectedTransposed(Vector w) const;
-  /// The amplitudes a with G^T a nearest to w in the norm of Q.
-  Vector amplitudes(const Vector& w) const { return coarse_->solve(QG_.transposedTimes(w)); }
+  /// The amplitudes a with G^T a nearest to w in the norm of Q; where the rows leave motions free, those of `before`.
+  Vector amplitudes(const Vector& w, const Vector& before) const;
 
 private:
   /// A body's stiffness on its open entries, which S_A eliminates.
@@ -48,6 +52,8 @@ private:
   DenseMatrix stiffnessOn(std::size_t body, const std::vector<int>& entries) const;
   void findOpenings();
   void factorCoarse();
+  void holdLoosely(SymmetricEntries coarse);
+  Vector solveCoarse(const Vector& x) const;
   SparseRow scaled(const SparseRow& openings, SparseSum& entries, SparseSum& rows) const;
   Vector stiffOnClosed(std::size_t body, const Vector& v) const;
 
@@ -60,6 +66,8 @@ private:
   std::vector<OpenPart> open_;                 ///< per body
   SparseColumns G_, QG_;                       ///< G^T, Q G^T: rows x motions
   std::unique_ptr<SparseCholesky> coarse_;
+  Vector springs_; ///< added to the diagonal of the coarse problem where rows leave motions free
+  bool isLoose_ = false, projects_ = false;
 };
 
 } // namespace ndframe

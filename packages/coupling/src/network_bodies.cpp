@@ -10,6 +10,7 @@ namespace
 
 /// Of the largest diagonal entry: the least weight.
 constexpr double softest = 1e-6;
+constexpr double roundOff = 1e-10; ///< of motions that kept dofs do not feel
 
 Vector part(const Vector& v, int first, int last)
 {
@@ -75,6 +76,17 @@ Vector NetworkBodies::moved(const Vector& amplitudes) const
     v.insert(v.end(), own.begin(), own.end());
   }
   return v;
+}
+
+Vector NetworkBodies::amplitudes(const Vector& v) const
+{
+  Vector a;
+  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
+    const Vector own = multiply(pseudoInverse(network_.bodies[b]->freeMotions, roundOff),
+                                part(v, network_.offsets[b], network_.offsets[b + 1]));
+    a.insert(a.end(), own.begin(), own.end());
+  }
+  return a;
 }
 
 Vector NetworkBodies::work(const Vector& f) const

@@ -32,6 +32,8 @@ public:
   /// R a and R^T f.
   Vector moved(const Vector& amplitudes) const;
   Vector work(const Vector& f) const;
+  /// The a with R a nearest to v, body by body.
+  Vector amplitudes(const Vector& v) const;
 
   /// apply(body, part) for every body whose part of v is not zero.
   template <class Apply>
