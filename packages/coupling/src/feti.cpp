@@ -58,7 +58,7 @@ void registerFeti(Registry<Coupling>& registry)
       "FETI",
       "The contact forces as unknowns: projected conjugate gradients with a Dirichlet preconditioner, a coarse "
       "problem of the rigid motions of floating bodies, statuses outside. Iterations grow neither with the "
-      "number of bodies nor with jumps of their stiffness.",
+      "number of bodies nor with jumps of their stiffness (Farhat and Roux 1991; docs/networks.md).",
       {{"Tolerance", 1e-12, inOpenRange(0.0, 0.1),
         "Where the iterations of a step end: residual relative to the forces, in the energy norm. With Accuracy they "
         "end "
