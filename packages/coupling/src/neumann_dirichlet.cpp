@@ -65,14 +65,14 @@ public:
         result.reason = failure.what();
         return result;
       }
-      const UnilateralState& u1 = step.status;
-      const Vector stepTraction = system.traction(u1.force), lastJump = jumpOf(result.state);
+      const Vector stepTraction = system.traction(step.status.force), lastJump = jumpOf(result.state);
       auto relaxed = relaxation_->next(stepTraction, traction); // (27)
-      closed = u1.closed;
-      result.state = {u1.u,     step.uNeumann, step.motions, std::move(u2),
-                      u1.force, force,         stepTraction, std::exchange(traction, relaxed.traction),
-                      closed};
-      report(system, result, u1, relaxed, lastJump, iteration);
+      closed = step.status.closed;
+      result.state = displacements(step, std::move(u2));
+      result.state.forceNeumann = force;
+      result.state.tractionDirichlet = stepTraction;
+      result.state.tractionNeumann = std::exchange(traction, relaxed.traction);
+      report(system, result, step.status, relaxed, lastJump, iteration);
       observe(result.history.back(), result.state);
       ledger.count("sweeps");
     } while (!stopping.ends(result, agree(result.state, norm(body1.g) + norm(body2.g))));
@@ -80,6 +80,19 @@ public:
   }
 
 private:
+  /// The state but for the traction before the step, and the one after.
+  static InterfaceState displacements(const DirichletStep& step, Vector strainedNeumann)
+  {
+    InterfaceState state;
+    state.uDirichlet = step.status.u;
+    state.uNeumann = step.uNeumann;
+    state.motionsNeumann = step.motions;
+    state.strainedNeumann = std::move(strainedNeumann);
+    state.forceDirichlet = step.status.force;
+    state.closed = step.status.closed;
+    return state;
+  }
+
   void startRelaxation(const InterfaceSystem& system, Ledger& ledger, const CouplingStart& start) const
   {
     if (relaxation_->needsSpectrum())
