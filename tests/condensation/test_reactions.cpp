@@ -93,11 +93,11 @@ TEST_P(Equilibrium, OfLoadsReactionsAndContactOnEveryBody)
   const ndframe::Run& run = outcome.run;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
-    const Vector contact = contactForces(run.model, run.condensed, run.coupling.state, int(b));
+    const Vector contact = contactForces(run.model, run.condensed, run.solved.coupling.state, int(b));
     const Wrench loads = wrenchOf(body.nodes, run.model.loads[b]), pressed = wrenchOf(body.nodes, contact);
     const Wrench held = wrenchOf(run.summary.bodies[b].supports, body.mesh.dim);
-    const Vector reactions =
-        supportForces(run.model, run.condensed, run.coupling.state, int(b), run.fields[b].u.back(), alone());
+    const Vector reactions = supportForces(run.model, run.condensed, run.solved.coupling.state, int(b),
+                                           run.solved.fields[b].u.back(), alone());
     const double scale =
         scaleOf(body.nodes, run.model.loads[b]) + scaleOf(body.nodes, contact) + scaleOf(body.nodes, reactions);
     ASSERT_GT(scale, 0.0) << body.name;
@@ -179,10 +179,10 @@ TEST(ContactPressure, IsZeroAtOpenNodesAndCarriesTheForce)
   for (const char* name : {"contact-loss", "hertz", "regression/cases/three-bodies/three-bodies"}) {
     const Outcome outcome = sceneOf(name).run();
     const ndframe::Run& run = outcome.run;
-    const Vector share = run.condensed.interface.C->apply(Vector(run.contact.size(), 1.0));
+    const Vector share = run.condensed.interface.C->apply(Vector(run.solved.contact.size(), 1.0));
     double resultant = 0.0, force = 0.0;
-    for (std::size_t i = 0; i < run.contact.size(); ++i) {
-      const ContactNode& node = run.contact[i];
+    for (std::size_t i = 0; i < run.solved.contact.size(); ++i) {
+      const ContactNode& node = run.solved.contact[i];
       EXPECT_GE(node.pressure, 0.0);
       EXPECT_TRUE(node.closed || node.pressure == 0.0) << name << ", node " << i;
       resultant += share[i] * node.pressure;
@@ -197,8 +197,8 @@ TEST(ContactTable, IsSortedAlongTheSide)
 {
   for (const char* name : {"contact-loss", "rings"}) {
     const Outcome outcome = Scene(name).run();
-    const auto rows = sortedAlong(outcome.run.model.interfaces, outcome.run.contact);
-    ASSERT_EQ(rows.size(), outcome.run.contact.size());
+    const auto rows = sortedAlong(outcome.run.model.interfaces, outcome.run.solved.contact);
+    ASSERT_EQ(rows.size(), outcome.run.solved.contact.size());
     EXPECT_EQ(rows.front().arcLength, 0.0);
     double total = 0.0;
     for (const double measure : outcome.run.model.interfaces[0].measures)

@@ -145,7 +145,7 @@ TEST(Trust, AStiffnessThatIsLostInRoundOffLeavesNoCertificate)
                        .set("Error Estimation/Estimators={Global}")
                        .run()
                        .run;
-  EXPECT_TRUE(run.coupling.converged);
+  EXPECT_TRUE(run.solved.coupling.converged);
   EXPECT_FALSE(run.certificate);
   EXPECT_THAT(run.failure, HasSubstr("no certificate: a body's stiffness on the interface is lost in round-off"));
 }

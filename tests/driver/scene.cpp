@@ -158,7 +158,7 @@ std::string complaintOf(const Scene& scene)
 
 const Vector& displacement(const Run& run, int body)
 {
-  return run.fields.at(std::size_t(body)).displacement.back();
+  return run.solved.fields.at(std::size_t(body)).displacement.back();
 }
 
 double relativeDifference(const Vector& a, const Vector& b)
@@ -175,7 +175,7 @@ double relativeDifference(const Vector& a, const Vector& b)
 std::vector<char> statuses(const Run& run)
 {
   std::vector<char> all;
-  for (const auto& node : run.contact)
+  for (const auto& node : run.solved.contact)
     all.push_back(node.closed);
   return all;
 }
@@ -183,7 +183,7 @@ std::vector<char> statuses(const Run& run)
 Vector traction(const Run& run)
 {
   Vector all;
-  for (const auto& node : run.contact)
+  for (const auto& node : run.solved.contact)
     all.push_back(node.tractionDirichlet);
   return all;
 }

@@ -59,15 +59,15 @@ TEST_P(TwoBodies, AreBroughtByTheIterationToTheMonolithicSolution)
   const auto reference = together().run();
   for (const char* relaxation : {"Coupling/Relaxation/Type=Constant", "Coupling/Relaxation/Type=Aitken"}) {
     const auto outcome = iterated().set(relaxation).run();
-    EXPECT_TRUE(outcome.run.coupling.converged) << relaxation;
+    EXPECT_TRUE(outcome.run.solved.coupling.converged) << relaxation;
     expectSameSolution(outcome.run, reference.run, sharp);
   }
 }
 
 TEST_P(TwoBodies, AreBroughtThereFasterByAitken)
 {
-  EXPECT_LT(iterated().set("Coupling/Relaxation/Type=Aitken").run().run.coupling.history.size(),
-            iterated().run().run.coupling.history.size());
+  EXPECT_LT(iterated().set("Coupling/Relaxation/Type=Aitken").run().run.solved.coupling.history.size(),
+            iterated().run().run.solved.coupling.history.size());
 }
 
 TEST_P(TwoBodies, DoNotDependOnTheStartingTraction)
@@ -82,7 +82,8 @@ TEST_P(TwoBodies, DoNotDependOnTheInterfaceOperator)
     const auto condensed = Scene(scene).set("Interface Operator/Type=Condensed").run();
     const auto matrixFree = Scene(scene).set("Interface Operator/Type=Matrix Free").run();
     // At 1e-12 round-off may decide which sweep is the last.
-    EXPECT_NEAR(double(matrixFree.run.coupling.history.size()), double(condensed.run.coupling.history.size()), 1.0);
+    EXPECT_NEAR(double(matrixFree.run.solved.coupling.history.size()),
+                double(condensed.run.solved.coupling.history.size()), 1.0);
     expectSameSolution(matrixFree.run, condensed.run, sharp);
   }
 }

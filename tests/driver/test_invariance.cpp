@@ -22,9 +22,9 @@ namespace
 /// All histories go the same way, statuses included.
 void expectSameHistory(const Run& a, const Run& b)
 {
-  ASSERT_EQ(a.coupling.history.size(), b.coupling.history.size());
-  for (std::size_t s = 0; s < a.coupling.history.size(); ++s) {
-    const auto &p = a.coupling.history[s], &q = b.coupling.history[s];
+  ASSERT_EQ(a.solved.coupling.history.size(), b.solved.coupling.history.size());
+  for (std::size_t s = 0; s < a.solved.coupling.history.size(); ++s) {
+    const auto &p = a.solved.coupling.history[s], &q = b.solved.coupling.history[s];
     EXPECT_NEAR(p.epsTau, q.epsTau, 1e-6 * q.epsTau) << "sweep " << s + 1;
     EXPECT_EQ(p.closed, q.closed) << "sweep " << s + 1;
     EXPECT_EQ(p.statusPasses, q.statusPasses) << "sweep " << s + 1;

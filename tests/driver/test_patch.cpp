@@ -52,7 +52,7 @@ void expectExactFields(const Run& run, const std::array<Strain, 2>& strains, dou
         EXPECT_NEAR(stress[k], expected[k], 1e-10) << body.name;
     }
   }
-  for (const auto& node : run.contact) {
+  for (const auto& node : run.solved.contact) {
     EXPECT_NEAR(node.tractionDirichlet, -1.0, 1e-10);
     EXPECT_NEAR(node.gap, 0.0, 1e-11);
   }
@@ -104,7 +104,7 @@ TEST_P(Patch, IsExactInPlaneStrain)
 {
   const auto outcome = scene().run();
   expectExactFields(outcome.run, planeStrain(), GetParam().degrees);
-  EXPECT_EQ(outcome.run.coupling.history.size(), 1U);
+  EXPECT_EQ(outcome.run.solved.coupling.history.size(), 1U);
 }
 
 TEST_P(Patch, IsExactInPlaneStress)
@@ -131,8 +131,8 @@ TEST_P(Patch, IsExactWithAnOrthotropicLaw)
 TEST_P(Patch, BuildsTheTractionUpByTheClosedForm)
 {
   const auto outcome = blocks().run();
-  ASSERT_EQ(outcome.run.coupling.history.size(), 28U);
-  for (const auto& record : outcome.run.coupling.history) {
+  ASSERT_EQ(outcome.run.solved.coupling.history.size(), 28U);
+  for (const auto& record : outcome.run.solved.coupling.history) {
     EXPECT_NEAR(record.epsTau, closedForm(record.sweep), 1e-11) << record.sweep;
     EXPECT_NEAR(record.forceNeumann, std::pow(2.0, 1 - record.sweep) - 1.0, 1e-11) << record.sweep;
     EXPECT_EQ(record.open, 0);

@@ -92,7 +92,7 @@ TEST_P(AfterAChange, TheAnswerIsThatOfARunOfItsOwn)
   EXPECT_EQ(statuses(after), statuses(alone.run));
   EXPECT_EQ(after.summary.energy, alone.run.summary.energy);
   EXPECT_EQ(after.summary.deckJson, alone.run.summary.deckJson);
-  EXPECT_EQ(after.coupling.history.size(), alone.run.coupling.history.size());
+  EXPECT_EQ(after.solved.coupling.history.size(), alone.run.solved.coupling.history.size());
   EXPECT_EQ(after.failure, alone.run.failure);
 }
 

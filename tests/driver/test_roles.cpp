@@ -73,7 +73,7 @@ std::vector<ContactNode> sorted(std::vector<ContactNode> nodes)
 
 void expectSameContact(const Run& a, const Run& b, double tolerance)
 {
-  const auto first = sorted(a.contact), second = sorted(b.contact);
+  const auto first = sorted(a.solved.contact), second = sorted(b.solved.contact);
   ASSERT_EQ(first.size(), second.size());
   for (std::size_t i = 0; i < first.size(); ++i) {
     EXPECT_EQ(first[i].closed, second[i].closed);
@@ -114,8 +114,8 @@ class StiffnessRatio : public testing::TestWithParam<double>
 TEST_P(StiffnessRatio, ConvergesInFewSweepsToTheMonolithicSolution)
 {
   const auto found = automatic(punch(GetParam())).run().run, exact = together(punch(GetParam())).run().run;
-  EXPECT_TRUE(found.coupling.converged) << found.coupling.reason;
-  EXPECT_LE(found.coupling.history.size(), 20u);
+  EXPECT_TRUE(found.solved.coupling.converged) << found.solved.coupling.reason;
+  EXPECT_LE(found.solved.coupling.history.size(), 20u);
   const double difference = std::max(relativeDifference(displacement(found, 0), displacement(exact, 0)),
                                      relativeDifference(displacement(found, 1), displacement(exact, 1)));
   RecordProperty("digits", fmt::format("{:.1f}", -std::log10(difference)));
@@ -140,7 +140,7 @@ TEST(Roles, ChosenAreTheSameAsWritten)
   // A stiff punch: the foundation becomes the Dirichlet body, the punch floats as the Neumann body.
   const auto chosen = automatic(punch(1e3)).run().run, written = exchangedKeys(punch(1e3)).run().run;
   ASSERT_TRUE(chosen.summary.coupling->roles.front().exchanged);
-  EXPECT_EQ(chosen.coupling.history.size(), written.coupling.history.size());
+  EXPECT_EQ(chosen.solved.coupling.history.size(), written.solved.coupling.history.size());
   expectSameDisplacements(chosen, written, 1e-11);
   expectSameContact(chosen, written, 1e-10);
 }
@@ -221,7 +221,7 @@ TEST(Roles, AreChosenForTheThetaThatTheDeckNames)
     EXPECT_LT(roles.contraction, 1.0) << theta;
     EXPECT_LE(0.9 * roles.contraction, *roles.contractionExchanged) << theta;
     EXPECT_DOUBLE_EQ(roles.theta, theta);
-    EXPECT_TRUE(run.coupling.converged) << run.coupling.reason;
+    EXPECT_TRUE(run.solved.coupling.converged) << run.solved.coupling.reason;
   }
 }
 
@@ -231,10 +231,10 @@ TEST(Roles, AreFoundTogetherWithThetaByDefault)
     Scene scene("hertz"); // names neither
     scene.set(fmt::format("Bodies/cylinder/Material/Young Modulus={}", stiffness));
     const auto run = scene.run().run;
-    EXPECT_TRUE(run.coupling.converged) << stiffness << ": " << run.coupling.reason;
+    EXPECT_TRUE(run.solved.coupling.converged) << stiffness << ": " << run.solved.coupling.reason;
     EXPECT_EQ(run.summary.coupling->roles.size(), 1u);
     const double best = run.summary.coupling->roles.front().bestTheta;
-    for (const auto& sweep : run.coupling.history)
+    for (const auto& sweep : run.solved.coupling.history)
       EXPECT_NEAR(sweep.theta, best, 0.05 * best); // two digits
   }
 }
@@ -257,7 +257,7 @@ TEST(FloatingNeumannBody, KeepsTheDigitsOfItsStrains)
 TEST(FloatingNeumannBody, EqualsTheMonolithicSolution)
 {
   const auto found = exchangedKeys(punch()).run().run, exact = together(punch()).run().run;
-  EXPECT_TRUE(found.coupling.converged) << found.coupling.reason;
+  EXPECT_TRUE(found.solved.coupling.converged) << found.solved.coupling.reason;
   EXPECT_EQ(found.summary.interfaces.front().neumannBody, "punch");
   expectSameDisplacements(found, exact, 1e-9);
 }
@@ -274,7 +274,7 @@ TEST(FloatingNeumannBody, MayStartAboveAGap)
 TEST(FloatingNeumannBody, ThatIsPulledOffEndsNotConvergedNamingTheMotion)
 {
   const auto run = exchangedKeys(punch().set("Bodies/punch/Loads/press/Value=-1.0")).run().run;
-  EXPECT_TRUE(run.states.empty());
+  EXPECT_TRUE(run.solved.states.empty());
   EXPECT_THAT(run.failure, HasSubstr("it pulls off punch along +y"));
 }
 
@@ -291,7 +291,7 @@ TEST(ThreeBodies, GetOneRoleEachWhateverTheKeysSay)
 {
   EXPECT_THAT(complaintOf(threeBodies()), HasSubstr("solves a body in one role"));
   const auto found = automatic(threeBodies()).run().run, exact = together(threeBodies()).run().run;
-  EXPECT_TRUE(found.coupling.converged) << found.coupling.reason;
+  EXPECT_TRUE(found.solved.coupling.converged) << found.solved.coupling.reason;
   ASSERT_EQ(found.summary.coupling->roles.size(), 1u);
   const auto& roles = found.summary.coupling->roles.front();
   EXPECT_EQ(roles.dirichletBodies.size() + roles.neumannBodies.size(), 3u);

@@ -208,7 +208,7 @@ TEST(Ledger, CountsOnePassForBodiesThatStayApart)
     scene.set(std::string("Coupling/Type=") + coupling).set("Interfaces/contact/Gap=100.0");
     scene.set("Bodies/upper/Supports/symmetry/Type=Clamp").set("Bodies/upper/Supports/symmetry/Side=unloaded");
     const auto outcome = scene.run();
-    EXPECT_EQ(outcome.run.coupling.reason, "the bodies do not touch: each is solved by itself");
+    EXPECT_EQ(outcome.run.solved.coupling.reason, "the bodies do not touch: each is solved by itself");
     EXPECT_TRUE(outcome.run.failure.empty()) << outcome.run.failure;
     EXPECT_EQ(outcome.ledger->counted("sweeps"), 1);
     EXPECT_EQ(outcome.ledger->counted("status passes"), 1);
@@ -224,7 +224,7 @@ TEST(Ledger, CountsNothingOfTheInterfaceWithoutOne)
   for (const char* count : {"sweeps", "interface factorisations", "status passes", "status changes", "Neumann solves"})
     EXPECT_EQ(outcome.ledger->counts().count(count), 0U) << count;
   EXPECT_FALSE(outcome.run.summary.coupling);
-  EXPECT_TRUE(outcome.run.contact.empty());
+  EXPECT_TRUE(outcome.run.solved.contact.empty());
   EXPECT_EQ(outcome.run.condensed.interface.C, nullptr);
 }
 

@@ -88,7 +88,7 @@ private:
     if (run_.contradiction)
       summary_.limit = contradictingText(*run_.contradiction);
     else if (!summary_.reached)
-      summary_.limit = endOfProgress(options_, summary_.levels, run_.coupling);
+      summary_.limit = endOfProgress(options_, summary_.levels, run_.solved.coupling);
     return !summary_.reached && summary_.limit.empty();
   }
 
@@ -150,9 +150,9 @@ private:
     const double unknown = std::numeric_limits<double>::infinity();
     for (double iterationBefore = unknown, boundBefore = unknown;;) {
       solveRun(run_, tools_, silent_, start);
-      sweeps_ += int(run_.coupling.history.size());
+      sweeps_ += int(run_.solved.coupling.history.size());
       certifyRun(run_, tools_);
-      if (!balances_ || !run_.certificate || !run_.coupling.converged || run_.contradiction)
+      if (!balances_ || !run_.certificate || !run_.solved.coupling.converged || run_.contradiction)
         return;
       const LevelErrors errors(run_, options_);
       const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
@@ -160,7 +160,7 @@ private:
       if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !mayFall))
         return;
       start.traction = nextTraction(run_);
-      start.closed = run_.coupling.state.closed;
+      start.closed = run_.solved.coupling.state.closed;
       start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
       iterationBefore = errors.iteration;
       boundBefore = errors.bound;
@@ -189,7 +189,8 @@ private:
     summary_.levels.push_back(level);
     observer_.level(level, planner_->note());
     if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
-      best_ = {level.level, planner_->meshes(), contactOf(run_, run_.coupling.state.tractionNeumann), rolesOf(run_)};
+      best_ = {level.level, planner_->meshes(), contactOf(run_, run_.solved.coupling.state.tractionNeumann),
+               rolesOf(run_)};
     if (onLevel_)
       onLevel_(run_, level.level);
   }
@@ -221,7 +222,7 @@ private:
     if (isLast && run_.certificate && run_.failure.empty())
       return;
     if (summary_.limit.empty())
-      summary_.limit = run_.failure.empty() ? run_.coupling.reason : run_.failure;
+      summary_.limit = run_.failure.empty() ? run_.solved.coupling.reason : run_.failure;
     run_.failure.clear();
     if (run_.summary.coupling)
       run_.summary.coupling->roles = best_.roles;

@@ -9,7 +9,7 @@ Vector nextTraction(const Run& run)
 {
   if (run.model.interfaces.empty())
     return {};
-  const CouplingResult& coupling = run.coupling;
+  const CouplingResult& coupling = run.solved.coupling;
   const double theta = coupling.history.back().theta;
   const std::vector<char> closed = statusesOfNodes(run.condensed.interface, coupling.state.closed);
   Vector traction = coupling.state.tractionNeumann;
@@ -23,7 +23,7 @@ CarriedContact contactOf(const Run& run, Vector traction)
   if (run.model.interfaces.empty())
     return {};
   return {run.model.interfaces, std::move(traction),
-          statusesOfNodes(run.condensed.interface, run.coupling.state.closed)};
+          statusesOfNodes(run.condensed.interface, run.solved.coupling.state.closed)};
 }
 
 CouplingStart startFrom(const Run& run, const CarriedContact& contact)

@@ -39,8 +39,8 @@ LevelErrors::LevelErrors(const Run& run, const AccuracyOptions& options)
   bound = options.of == AccuracyOf::Displacement ? global.absolute : *errors.meanStress;
   relative = norm > 0.0 ? bound / norm : 0.0;
   target = options.target * (options.relative ? norm : 1.0);
-  if (!run.coupling.history.empty())
-    iteration = run.coupling.history.back().iterationError.value_or(0.0);
+  if (!run.solved.coupling.history.empty())
+    iteration = run.solved.coupling.history.back().iterationError.value_or(0.0);
   contact = global.contact;
   mesh = std::sqrt(std::max(0.0, global.absolute * global.absolute - iteration * iteration));
 }

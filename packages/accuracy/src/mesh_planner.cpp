@@ -109,7 +109,7 @@ std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
     exponent = std::min(exponent, whereContactEnds);
   };
   std::vector<char> closed;
-  for (const ContactNode& node : run.contact)
+  for (const ContactNode& node : run.solved.contact)
     closed.push_back(node.closed);
   const char* ofInterface = closed.data();
   for (const InterfaceMesh& interface : run.model.interfaces) {

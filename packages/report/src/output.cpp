@@ -98,15 +98,15 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
 {
   ExodusStep out;
   const bool touches = !run.model.interfaces.empty();
-  const bool isFinal = step + 1 == run.states.size();
-  const std::size_t sweep = !touches ? 0 : (isFinal ? run.coupling.history.size() : step + 1);
+  const bool isFinal = step + 1 == run.solved.states.size();
+  const std::size_t sweep = !touches ? 0 : (isFinal ? run.solved.coupling.history.size() : step + 1);
   out.time = double(sweep);
-  const auto contact = contactNodes(run.model, run.condensed, run.states[step], run.fields, step);
+  const auto contact = contactNodes(run.model, run.condensed, run.solved.states[step], run.solved.fields, step);
   const auto offsets = gapOffsets(run.model);
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
-    const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(run.fields[b].u[step]);
-    out.nodal.push_back(vectorFields("disp_", run.fields[b].displacement[step], std::size_t(body.mesh.dim)));
+    const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u[step]);
+    out.nodal.push_back(vectorFields("disp_", run.solved.fields[b].displacement[step], std::size_t(body.mesh.dim)));
     if (!offsets.empty())
       append(out.nodal.back(), vectorFields("offset_", offsets[b], std::size_t(body.mesh.dim)));
     if (touches)
@@ -125,8 +125,8 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
     firstNode += std::size_t(interface.numNodes());
   }
   if (touches)
-    out.global = {{"eps_tau", {run.coupling.history[sweep - 1].epsTau}},
-                  {"converged", {isFinal && run.coupling.converged ? 1.0 : 0.0}}};
+    out.global = {{"eps_tau", {run.solved.coupling.history[sweep - 1].epsTau}},
+                  {"converged", {isFinal && run.solved.coupling.converged ? 1.0 : 0.0}}};
   return out;
 }
 
@@ -153,7 +153,7 @@ std::string levelPath(const std::string& stem, int level)
 void writeLevel(const Run& run, int level, const OutputOptions& output, const std::string& deckName, Ledger& ledger)
 {
   const auto timer = timeStage(ledger, Stage::WriteLevels);
-  ExodusStep step = exodusStep(run, output, run.states.size() - 1);
+  ExodusStep step = exodusStep(run, output, run.solved.states.size() - 1);
   step.time = level;
   ledger.count("bytes written", writeAtomically(levelPath(outputStem(output, deckName).string(), level),
                                                 [&](const std::string& temporary) {
@@ -191,7 +191,7 @@ std::vector<std::string> writeSolution(const Run& run, const OutputOptions& outp
   std::vector<ExodusStep> steps;
   if (run.plan.runs(Stage::Stress)) {
     const auto timer = timeStage(ledger, Stage::Stress);
-    for (std::size_t s = 0; s < run.states.size(); ++s)
+    for (std::size_t s = 0; s < run.solved.states.size(); ++s)
       steps.push_back(exodusStep(run, output, s));
   }
   if (run.plan.runs(Stage::Write)) {
@@ -205,7 +205,7 @@ std::vector<std::string> writeSolution(const Run& run, const OutputOptions& outp
     if (run.plan.runs(Stage::ContactTable)) {
       written.push_back(stem + contactEnding);
       ledger.count("bytes written",
-                   writeTextAtomically(written.back(), contactCsv(sortedAlong(run.model.interfaces, run.contact),
+                   writeTextAtomically(written.back(), contactCsv(sortedAlong(run.model.interfaces, run.solved.contact),
                                                                   run.model.bodies.front().mesh.dim)));
     }
   }

@@ -95,15 +95,15 @@ void completeBodies(Run& run, const Comm& comm)
 {
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
-    const Vector& local = run.fields[b].u.back();
+    const Vector& local = run.solved.fields[b].u.back();
     const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(local);
     BodySummary& summary = run.summary.bodies[b];
     summary.energy = energy(body, u);
     run.summary.energy += summary.energy;
     summary.loadForce = resultant(run.model.loads[b], body.mesh.dim);
     summary.supports =
-        supportReactions(body, supportForces(run.model, run.condensed, run.coupling.state, int(b), local, comm));
-    summary.displacement = largestDisplacement(body.nodes, run.fields[b].displacement.back());
+        supportReactions(body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm));
+    summary.displacement = largestDisplacement(body.nodes, run.solved.fields[b].displacement.back());
     summary.strain = largestStrain(body, u);
   }
 }

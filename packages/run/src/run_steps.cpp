@@ -34,22 +34,35 @@ std::string failureOf(const Step& step)
 }
 
 /// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
-void couple(Run& run, const RunTools& tools, RunObserver& observer, const CouplingStart& start)
+void couple(Solved& solved, const Model& model, const CondensedModel& condensed, const RunTools& tools,
+            RunObserver& observer, const CouplingStart& start)
 {
   const bool keepAll = tools.settings.output.steps == StepsWritten::AllSweeps;
-  observer.sweeps(run.model);
+  observer.sweeps(model);
   {
     const auto timer = timeStage(tools.ledger, Stage::Couple);
     const auto observe = [&](const SweepRecord& record, const InterfaceState& state) {
       observer.sweep(record);
       if (keepAll)
-        run.states.push_back(state);
+        solved.states.push_back(state);
     };
-    run.coupling = tools.coupling->solve(run.condensed.interface, observe, tools.ledger, start);
+    solved.coupling = tools.coupling->solve(condensed.interface, observe, tools.ledger, start);
     if (!keepAll)
-      run.states = {run.coupling.state};
+      solved.states = {solved.coupling.state};
   }
-  observer.stopped(run.coupling);
+  observer.stopped(solved.coupling);
+}
+
+/// Displacements and contact of what was coupled.
+void recover(Solved& solved, const Model& model, const CondensedModel& condensed, const RunTools& tools)
+{
+  solved.fields = recoverFields(model, condensed, solved.states, tools.ledger);
+  solved.contact = contactNodes(model, condensed, solved.coupling.state, solved.fields, solved.states.size() - 1);
+  solved.doubt = undecidedContact(model, condensed, solved.coupling.state, solved.fields, tools.comm);
+  if (!solved.doubt.empty()) {
+    solved.coupling.converged = false;
+    solved.coupling.reason = solved.doubt;
+  }
 }
 
 /// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
@@ -91,7 +104,7 @@ std::string doubtAbout(const RunSummary& summary, std::optional<double> solverTo
 std::string verdictOn(Run& run, const RunSettings& settings)
 {
   RunSummary& summary = run.summary;
-  const auto reason = summary.solved ? doubtAbout(summary, settings.solverTolerance) : run.coupling.reason;
+  const auto reason = summary.solved ? doubtAbout(summary, settings.solverTolerance) : run.solved.coupling.reason;
   if (reason.empty())
     return missingGuarantee(summary.errors, settings);
   if (summary.coupling) {
@@ -101,15 +114,15 @@ std::string verdictOn(Run& run, const RunSettings& settings)
   return "not converged: " + reason;
 }
 
-/// Leaves a run without a solution; the reason stands in the coupling's result.
-void giveUp(Run& run, const std::string& reason, RunObserver& observer)
+/// Leaves no solution; the reason stands in the coupling's result.
+void giveUp(Solved& solved, const std::string& reason, RunObserver& observer)
 {
-  run.states.clear();
-  run.fields.clear();
-  run.contact.clear();
-  run.certificate.reset();
-  run.coupling.converged = false;
-  run.coupling.reason = reason;
+  solved.states.clear();
+  solved.fields.clear();
+  solved.contact.clear();
+  solved.doubt.clear();
+  solved.coupling.converged = false;
+  solved.coupling.reason = reason;
   observer.gaveUp(reason);
 }
 
@@ -213,34 +226,51 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
   observer.roles(run.summary.coupling->roles);
 }
 
+Solved solve(const Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+             const CouplingStart& start)
+{
+  Solved solved;
+  solved.failure = failureOf([&] {
+    if (tools.settings.scene.interfaces > 0)
+      couple(solved, model, condensed, tools, observer, start);
+    else
+      solved.states.emplace_back();
+    recover(solved, model, condensed, tools);
+  });
+  return solved;
+}
+
 void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingStart start)
 {
   start.spectrum = run.spectrum;
-  run.states.clear();
   run.certificate.reset(); // of another state
-  if (run.plan.runs(Stage::Couple))
-    couple(run, tools, observer, start);
-  else
-    run.states.emplace_back();
-  run.fields = recoverFields(run.model, run.condensed, run.states, tools.ledger);
-  run.contact = contactNodes(run.model, run.condensed, run.coupling.state, run.fields, run.states.size() - 1);
-  if (const auto reason = undecidedContact(run.model, run.condensed, run.coupling.state, run.fields, tools.comm);
-      !reason.empty())
-  {
-    run.coupling.converged = false;
-    run.coupling.reason = reason;
-    run.failure = "not converged: " + reason;
-  }
+  run.solved = solve(run.model, run.condensed, tools, observer, start);
+  if (!run.solved.failure.empty())
+    throw NotConverged(run.solved.failure);
+  if (!run.solved.doubt.empty())
+    run.failure = "not converged: " + run.solved.doubt;
+}
+
+Certified certify(const Model& model, const CondensedModel& condensed, const Solved& solved,
+                  std::shared_ptr<const ReferenceSolution> reference, const RunTools& tools)
+{
+  Certified certified;
+  certified.reference = std::move(reference);
+  certified.failure = failureOf([&] {
+    certified.certificate = certify(tools.deck, *tools.errors, tools.components, model, condensed, solved.coupling,
+                                    solved.fields, tools.comm, tools.ledger, certified.reference);
+  });
+  return certified;
 }
 
 void certifyRun(Run& run, const RunTools& tools)
 {
-  const auto failure = failureOf([&] {
-    run.certificate = certify(tools.deck, *tools.errors, tools.components, run.model, run.condensed, run.coupling,
-                              run.fields, tools.comm, tools.ledger, run.reference);
-  });
-  if (!failure.empty())
-    run.failure = "no certificate: " + failure;
+  Certified certified = certify(run.model, run.condensed, run.solved, std::move(run.reference), tools);
+  run.reference = std::move(certified.reference);
+  if (certified.failure.empty())
+    run.certificate = std::move(certified.certificate);
+  else
+    run.failure = "no certificate: " + certified.failure;
   if (run.certificate)
     compareEnergies(run, tools.deck);
 }
@@ -248,8 +278,10 @@ void certifyRun(Run& run, const RunTools& tools)
 void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps)
 {
   const auto failure = failureOf(steps);
-  if (!failure.empty())
-    giveUp(run, failure, observer);
+  if (failure.empty())
+    return;
+  run.certificate.reset();
+  giveUp(run.solved, failure, observer);
 }
 
 void finishRun(Run& run, const RunTools& tools)

@@ -30,9 +30,9 @@ void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const 
     if (node < firstNode || node >= firstNode + std::size_t(interface.numNodes()))
       continue;
     const Direction& normal = interface.normals[node - firstNode];
-    addResultant(summary.forceOnDirichlet, run.coupling.state.forceDirichlet[k], normal);
-    addResultant(summary.forceOnNeumann, -run.coupling.state.forceNeumann[k], normal);
-    summary.contactForce -= run.coupling.state.forceDirichlet[k];
+    addResultant(summary.forceOnDirichlet, run.solved.coupling.state.forceDirichlet[k], normal);
+    addResultant(summary.forceOnNeumann, -run.solved.coupling.state.forceNeumann[k], normal);
+    summary.contactForce -= run.solved.coupling.state.forceDirichlet[k];
   }
 }
 
@@ -43,7 +43,7 @@ double closedLength(const Run& run, std::size_t firstNode, std::size_t numNodes)
   const Vector share = C.apply(Vector(std::size_t(C.size()), 1.0));
   double length = 0.0;
   for (std::size_t i = firstNode; i < firstNode + numNodes; ++i)
-    length += run.contact[i].closed ? share[i] : 0.0;
+    length += run.solved.contact[i].closed ? share[i] : 0.0;
   return length;
 }
 
@@ -60,7 +60,8 @@ std::vector<std::vector<double>> endPoints(const InterfaceMesh& interface, const
   const auto farthest = [&](int from) {
     int best = -1;
     for (int i = 0; i < interface.numNodes(); ++i)
-      if (run.contact[firstNode + std::size_t(i)].closed && (best < 0 || distance(from, i) > distance(from, best)))
+      if (run.solved.contact[firstNode + std::size_t(i)].closed &&
+          (best < 0 || distance(from, i) > distance(from, best)))
         best = i;
     return best;
   };
@@ -84,9 +85,9 @@ void completeInterfaces(Run& run)
     addForces(summary, interface, run, firstNode);
     summary.contactLength = closedLength(run, firstNode, std::size_t(interface.numNodes()));
     summary.endPoints = endPoints(interface, run, firstNode);
-    summary.endBrackets = endBrackets(interface, run.contact.data() + firstNode);
+    summary.endBrackets = endBrackets(interface, run.solved.contact.data() + firstNode);
     for (int k = 0; k < interface.numNodes(); ++k) {
-      const ContactNode& node = run.contact[firstNode + std::size_t(k)];
+      const ContactNode& node = run.solved.contact[firstNode + std::size_t(k)];
       summary.closedNodes += node.closed;
       summary.largestPressure = std::max(summary.largestPressure, node.pressure);
       summary.largestPenetration = std::max(summary.largestPenetration, -node.gap);
@@ -174,17 +175,18 @@ void nameSides(RunSummary& summary, const Model& model)
 void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
 {
   if (run.summary.coupling)
-    completeCoupling(run.summary, run.coupling);
+    completeCoupling(run.summary, run.solved.coupling);
   run.strictInput = settings.strictInput;
-  run.summary.solved = !run.states.empty();
+  run.summary.solved = !run.solved.states.empty();
   addWarnings(run.summary, sceneWarnings(run.model, settings.deck));
   if (!run.summary.solved)
     return;
   completeBodies(run, comm);
   completeInterfaces(run);
   addWarnings(run.summary, answerWarnings(run, settings.deck));
-  run.summary.residuals = residuals(run.model, run.condensed, run.coupling.state, run.fields, run.contact, comm);
-  run.summary.residuals.allowedInContact = run.coupling.contactTolerance;
+  run.summary.residuals =
+      residuals(run.model, run.condensed, run.solved.coupling.state, run.solved.fields, run.solved.contact, comm);
+  run.summary.residuals.allowedInContact = run.solved.coupling.contactTolerance;
   if (run.certificate) {
     run.summary.errors = run.certificate->summary;
     run.summary.errors->energyBracket = summarizeEnergy(run);

@@ -77,7 +77,7 @@ double drawnPart(const RunSummary& summary)
 Mesh deformed(const Run& run, std::size_t body, const std::vector<Vector>& offsets, double factor)
 {
   Mesh mesh = run.model.bodies[body].mesh;
-  const Vector& u = run.fields[body].displacement.back();
+  const Vector& u = run.solved.fields[body].displacement.back();
   for (std::size_t i = 0; i < mesh.points.size(); ++i) // the vertices are the first nodes
     mesh.points[i] += factor * (u[i] + (offsets.empty() ? 0.0 : offsets[body][i]));
   return mesh;

@@ -111,7 +111,7 @@ Rim openRim(const Model& model, const InterfaceMesh& interface, const ContactNod
 /// Contact that presses at the end of the named sides would go on where nobody looks for it.
 void findContactAtEnds(const Run& run, const Params& deck, Diagnostics& found)
 {
-  const ContactNode* contact = run.contact.data();
+  const ContactNode* contact = run.solved.contact.data();
   for (const auto& interface : run.model.interfaces) {
     const Mesh& mesh = run.model.bodies[std::size_t(interface.dirichletBody)].mesh;
     if (const Rim rim = openRim(run.model, interface, contact); !rim.empty())

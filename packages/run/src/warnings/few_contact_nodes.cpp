@@ -37,7 +37,7 @@ void findFewContactNodes(const Run& run, const Params& deck, Diagnostics& found)
   std::size_t first = 0;
   for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
     const auto& interface = run.model.interfaces[i];
-    const auto begin = run.contact.begin() + std::ptrdiff_t(first), end = begin + interface.numNodes();
+    const auto begin = run.solved.contact.begin() + std::ptrdiff_t(first), end = begin + interface.numNodes();
     double largest = 0.0;
     for (auto node = begin; node != end; ++node)
       largest = std::max(largest, -node->nodalForce);

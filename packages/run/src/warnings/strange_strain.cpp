@@ -48,7 +48,7 @@ void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
     const BodyModel& body = run.model.bodies[b];
     const PeakSummary& peak = run.summary.bodies[b].strain;
     const StrainOfBody strain =
-        strainOf(body, run.condensed.systems[b].dofs.frames.toGlobal(run.fields[b].u.back()), limit);
+        strainOf(body, run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u.back()), limit);
     largest = std::max(largest, strain.largest);
     motion = std::max(motion, run.summary.bodies[b].displacement.value / diameter(body.mesh));
     if (strain.share > smallPart)

@@ -14,6 +14,26 @@
 namespace ndframe
 {
 
+/// What solving a scene made.
+struct Solved
+{
+  CouplingResult coupling; ///< empty history without interfaces
+  std::vector<InterfaceState>
+      states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
+  std::vector<BodyFields> fields;   ///< per body, per kept state
+  std::vector<ContactNode> contact; ///< final state
+  std::string doubt;                ///< why it is not the solution although it is one of the equations
+  std::string failure;              ///< why there is none; empty when there is
+};
+
+/// What certifying a state made.
+struct Certified
+{
+  std::optional<Certificate> certificate;
+  std::shared_ptr<const ReferenceSolution> reference; ///< null if there is none
+  std::string failure;                                ///< why there is no certificate; empty when there is
+};
+
 /// Everything a run computed; the values that writers and tests look at.
 struct Run
 {
@@ -21,11 +41,7 @@ struct Run
   Model model;
   CondensedModel condensed;
   std::optional<RoleSpectrum> spectrum; ///< of the sweeps, where the coupling needs it
-  CouplingResult coupling;              ///< empty history without interfaces
-  std::vector<InterfaceState>
-      states; ///< those that are kept: the last one, or one per sweep; none when there is no solution
-  std::vector<BodyFields> fields;                     ///< per body, per kept state
-  std::vector<ContactNode> contact;                   ///< final state
+  Solved solved;
   std::optional<Certificate> certificate;             ///< of the final state, when the deck asks for it
   std::shared_ptr<const ReferenceSolution> reference; ///< of this run or an earlier one; null if there was none
   EnergyRecords energies;                     ///< of all certificates of this run and of those that handed theirs on

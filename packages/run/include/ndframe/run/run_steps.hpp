@@ -35,10 +35,19 @@ void condenseRun(Run& run, const RunTools& tools, RunObserver& observer);
 /// Run::spectrum, if the coupling needs it, and the roles of the bodies, if they are to be found.
 void findRoles(Run& run, const RunTools& tools, RunObserver& observer);
 
-/// Sweeps, displacements, contact. Needs condenseRun; may be repeated from another start.
+/// Sweeps, displacements, contact. Where there is no solution and that lies in the problem, the result says why. start:
+/// with the spectrum that the coupling needs (Run::spectrum).
+Solved solve(const Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+             const CouplingStart& start);
+
+/// The same into the run, whose certificate is of another state then. Throws NotConverged without a solution.
 void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingStart start = {});
 
-/// The certificate of the last state; without one Run::failure says why.
+/// The certificate of a solution. reference: of this run or an earlier one; may be null.
+Certified certify(const Model& model, const CondensedModel& condensed, const Solved& solved,
+                  std::shared_ptr<const ReferenceSolution> reference, const RunTools& tools);
+
+/// The certificate of the run's last state; without one Run::failure says why.
 void certifyRun(Run& run, const RunTools& tools);
 
 /// Takes steps that may fail where that lies in the problem; then the run is left without a solution, and says why.
