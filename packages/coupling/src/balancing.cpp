@@ -24,16 +24,11 @@ public:
     const Network network = networkOf(system);
     BalancingProblem problem(network, tolerance_, ledger);
     const std::int64_t before = ledger.counted("Neumann-Neumann iterations");
-    CouplingResult result;
-    UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
-                                          firstStatuses(system, floats(system), start), ledger);
-    setState(network, system, refinedForces(network, problem.displacement(), status, ledger), status, result.state);
-    result.converged = true;
-    result.history.push_back(recordSweep(1, system, result.state, status));
-    result.reason = areApart(result.history.back())
-                        ? std::string(apart)
-                        : fmt::format("statuses settled in {} steps with {} iterations of Neumann-Neumann",
-                                      status.passes, ledger.counted("Neumann-Neumann iterations") - before);
+    UnilateralState status = findStatuses(problem, network, system, start, ledger);
+    const Vector v = refinedForces(network, problem.displacement(), status, ledger);
+    CouplingResult result = settled(system, stateAt(network, system, v, status), status,
+                                    fmt::format("statuses settled in {} steps with {} iterations of Neumann-Neumann",
+                                                status.passes, ledger.counted("Neumann-Neumann iterations") - before));
     observe(result.history.back(), result.state);
     ledger.count("sweeps");
     return result;

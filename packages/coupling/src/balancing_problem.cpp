@@ -20,26 +20,15 @@ void add(Vector& a, double factor, const Vector& b)
 } // namespace
 
 BalancingProblem::BalancingProblem(const Network& network, double tolerance, Ledger& ledger)
-    : network_(network), tolerance_(tolerance), ledger_(ledger), bodies_(network), v_(std::size_t(network.size()), 0.0)
-{
-  for (const BodyTrace* body : network.bodies)
-    motions_.insert(motions_.end(), body->motionNames.begin(), body->motionNames.end());
-}
+    : network_(network), tolerance_(tolerance), ledger_(ledger), motions_(motionNames(network)), bodies_(network),
+      v_(std::size_t(network.size()), 0.0)
+{}
 
 bool BalancingProblem::holds(const std::vector<char>& closed)
 {
   if (!set_ || !set_->isOf(closed, 0.0))
     set_ = std::make_unique<BalancingSet>(network_, bodies_, closed, 0.0);
   return set_->holds();
-}
-
-/// g - S v - proximal D (v - v_c), v_c the solution before.
-Vector BalancingProblem::unbalanced(const Vector& v, double proximal, const Vector& centre) const
-{
-  Vector rest = bodies_.stiff(v);
-  for (std::size_t k = 0; k < rest.size(); ++k)
-    rest[k] = network_.g[k] - rest[k] - proximal * bodies_.weight()[k] * (v[k] - centre[k]);
-  return rest;
 }
 
 /// y with A y = residual.
@@ -75,15 +64,13 @@ void BalancingProblem::solve(const std::vector<char>& closed, double proximal, S
   bodies_.factor(proximal);
   const ClosedRows& rows = set_->rows();
   const Vector centre = v_, start = rows.expanded(Vector(std::size_t(rows.numFree()), 0.0));
-  v_ = rows.expanded(solveSet(rows.reduced(unbalanced(start, proximal, centre))));
-  Vector rest = unbalanced(v_, proximal, centre);
-  pass.unbalanced = largestEntry(rows.reduced(unbalanced(v_, 0.0, centre)));
+  v_ = rows.expanded(solveSet(rows.reduced(bodies_.unbalanced(start, proximal, centre))));
+  Vector rest = bodies_.unbalanced(v_, proximal, centre);
+  pass.unbalanced = largestEntry(rows.reduced(bodies_.unbalanced(v_, 0.0, centre)));
   for (double& value : rest)
     value = -value;
   pass.force = rows.forces(rest);
-  pass.u = rowValues(network_.jump, Vector(network_.jump.size(), 0.0), v_);
-  pass.displacement = largestEntry(v_);
-  pass.load = largestEntry(network_.g);
+  setDisplacement(network_, v_, pass);
   pass.roundOff = std::max(statusRoundOff, amplification * tolerance_);
 }
 

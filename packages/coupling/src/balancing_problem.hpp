@@ -31,7 +31,6 @@ public:
 
 private:
   Vector solveSet(Vector residual);
-  Vector unbalanced(const Vector& v, double proximal, const Vector& centre) const;
 
   const Network& network_;
   double tolerance_;

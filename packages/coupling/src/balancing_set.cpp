@@ -1,25 +1,9 @@
 #include "balancing_set.hpp"
 
-#include <numeric>
+#include "coarse_problem.hpp"
 
 namespace ndframe
 {
-namespace
-{
-
-std::vector<int> tightestFirst(const Network& network, const std::vector<char>& closed)
-{
-  std::vector<int> chosen;
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i])
-      chosen.push_back(int(i));
-  std::stable_sort(chosen.begin(), chosen.end(),
-                   [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
-  return chosen;
-}
-
-} // namespace
-
 BalancingSet::BalancingSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed,
                            double proximal)
     : network_(network), bodies_(bodies), closed_(closed), proximal_(proximal),
@@ -29,10 +13,8 @@ BalancingSet::BalancingSet(const Network& network, const NetworkBodies& bodies, 
     inFree_.push_back(rows_.inFree(entry));
   entries_ = transposed(inFree_, rows_.numFree());
   average_ = averagesOf(entries_, bodies.weight());
-  if (bodies.numMotions() == 0)
-    return;
-  averageMotions();
-  factorCoarse();
+  if (bodies.numMotions() > 0)
+    factorCoarse();
 }
 
 Vector BalancingSet::product(const Vector& y) const
@@ -59,44 +41,13 @@ SparseRow BalancingSet::product(const SparseRow& column, SparseSum& entries, Spa
   return free.take();
 }
 
-/// C = E R.
-void BalancingSet::averageMotions()
-{
-  const std::vector<SparseRow> users = transposed(average_.rows, network_.size());
-  C_ = SparseColumns(rows_.numFree(), bodies_.numMotions());
-  SparseSum free(rows_.numFree());
-  for (std::size_t b = 0, motion = 0; b < network_.bodies.size(); ++b) {
-    const DenseMatrix& R = network_.bodies[b]->freeMotions;
-    for (int m = 0; m < R.cols(); ++m, ++motion) {
-      for (int k = 0; k < R.rows(); ++k)
-        free.add(users[std::size_t(network_.offsets[b] + k)], R(k, m));
-      C_.setColumn(int(motion), free.take());
-    }
-  }
-}
-
 /// C^T A C, whose entries are those of bodies near each other; no factor where some motion is left free.
 void BalancingSet::factorCoarse()
 {
-  const int n = C_.cols();
-  AC_ = SparseColumns(C_.rows(), n);
-  std::vector<SparseRow> motions; // C by rows
-  motions.resize(std::size_t(C_.rows()));
-  for (int j = 0; j < n; ++j)
-    for (const auto& [y, value] : C_.column(j))
-      motions[std::size_t(y)].emplace_back(j, value);
-  SymmetricEntries coarse;
-  coarse.size = n;
-  SparseSum entries(network_.size()), free(C_.rows()), products(n);
-  for (int j = 0; j < n; ++j) {
-    AC_.setColumn(j, product(C_.column(j), entries, free));
-    products.add(j, 0.0);
-    for (const auto& [y, value] : AC_.column(j))
-      products.add(motions[std::size_t(y)], value);
-    for (const auto& [i, value] : products.take())
-      if (i <= j)
-        coarse.add(i, j, value);
-  }
+  C_ = bodies_.motionColumns(transposed(average_.rows, network_.size()), rows_.numFree());
+  SparseSum entries(network_.size()), free(C_.rows());
+  const SymmetricEntries coarse = coarseEntries(
+      C_, [&](const SparseRow& column) { return product(column, entries, free); }, AC_);
   try {
     coarse_ = std::make_unique<SparseCholesky>(coarse);
   } catch (const NotPositiveDefinite&) {

@@ -32,7 +32,6 @@ public:
   Vector preconditioned(const Vector& r) const;
 
 private:
-  void averageMotions();
   void factorCoarse();
   SparseRow product(const SparseRow& column, SparseSum& entries, SparseSum& free) const;
 
@@ -43,8 +42,8 @@ private:
   ClosedRows rows_;
   std::vector<SparseRow> inFree_, entries_; ///< Z by entries of v, and Z^T
   Averages average_;                        ///< E = (Z^T D Z)^-1 Z^T D
-  SparseColumns C_, AC_;
-  std::unique_ptr<SparseCholesky> coarse_; ///< of C^T A C
+  SparseColumns C_, AC_;                    ///< C = E R
+  std::unique_ptr<SparseCholesky> coarse_;  ///< of C^T A C
 };
 
 } // namespace ndframe

@@ -29,18 +29,12 @@ public:
     if (!start.traction.empty())
       problem.startFrom(system.force(start.traction));
     const std::int64_t before = ledger.counted("FETI iterations");
-    CouplingResult result;
-    const UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
-                                                firstStatuses(system, floats(system), start), ledger);
-    setState(network, system, problem.displacement(), status, result.state);
-    result.converged = true;
-    result.history.push_back(recordSweep(1, system, result.state, status));
+    const UnilateralState status = findStatuses(problem, network, system, start, ledger);
+    CouplingResult result = settled(system, stateAt(network, system, problem.displacement(), status), status,
+                                    fmt::format("statuses settled in {} steps with {} iterations of FETI",
+                                                status.passes, ledger.counted("FETI iterations") - before));
     result.history.back().iterationError = problem.error();
     result.contactTolerance = problem.roundOff();
-    result.reason = areApart(result.history.back())
-                        ? std::string(apart)
-                        : fmt::format("statuses settled in {} steps with {} iterations of FETI", status.passes,
-                                      ledger.counted("FETI iterations") - before);
     observe(result.history.back(), result.state);
     ledger.count("sweeps");
     return result;
@@ -61,8 +55,7 @@ void registerFeti(Registry<Coupling>& registry)
       "number of bodies nor with jumps of their stiffness (Farhat and Roux 1991; docs/networks.md).",
       {{"Tolerance", 1e-12, inOpenRange(0.0, 0.1),
         "Where the iterations of a step end: residual relative to the forces, in the energy norm. With Accuracy they "
-        "end "
-        "where the mesh's part of the bound makes more of them useless."}},
+        "end where the mesh's part of the bound makes more of them useless."}},
       [](const Params& params) { return std::make_unique<Feti>(params.get<double>("Tolerance")); });
 }
 

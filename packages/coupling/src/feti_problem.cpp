@@ -38,11 +38,9 @@ double forceRoundOff(const Network& network, const Vector& v)
 } // namespace
 
 FetiProblem::FetiProblem(const Network& network, const FetiStop& stop, Ledger& ledger)
-    : network_(network), stop_(stop), ledger_(ledger), bodies_(network), v_(std::size_t(network.size()), 0.0),
-      force_(network.bound.size(), 0.0)
+    : network_(network), stop_(stop), ledger_(ledger), motions_(motionNames(network)), bodies_(network),
+      v_(std::size_t(network.size()), 0.0), force_(network.bound.size(), 0.0)
 {
-  for (const BodyTrace* body : network.bodies)
-    motions_.insert(motions_.end(), body->motionNames.begin(), body->motionNames.end());
   amplitude_.assign(std::size_t(bodies_.numMotions()), 0.0);
   std::vector<int> all(network.jump.size());
   std::iota(all.begin(), all.end(), 0);
@@ -65,16 +63,19 @@ bool FetiProblem::holds(const std::vector<char>& closed)
   return set_->holdsMotions();
 }
 
-/// The bodies with the motions that close the rows best.
-Vector FetiProblem::placed(const Vector& strained) const
+/// The bodies with motions of these amplitudes.
+Vector FetiProblem::moved(Vector v, const Vector& amplitudes) const
 {
-  Vector v = strained;
-  if (!set_->projects())
-    return v;
-  const Vector motion = bodies_.moved(set_->amplitudes(rest(strained), amplitude_));
+  const Vector motion = bodies_.moved(amplitudes);
   for (std::size_t k = 0; k < v.size(); ++k)
     v[k] += motion[k];
   return v;
+}
+
+/// The bodies with the motions that close the rows best.
+Vector FetiProblem::placed(const Vector& strained) const
+{
+  return set_->projects() ? moved(strained, set_->amplitudes(rest(strained), amplitude_)) : strained;
 }
 
 /// bound - B v.
@@ -201,16 +202,14 @@ void FetiProblem::solve(const std::vector<char>& closed, double proximal, Status
   Iterate now = begun(proximal);
   for (int iteration = 0; iteration < mostIterations && !isEnough(now, iteration, closed); ++iteration)
     advance(now);
-  const Vector before = std::exchange(v_, placed(now.v));
-  amplitude_ = set_->projects() ? set_->amplitudes(rest(now.v), amplitude_) : bodies_.amplitudes(v_);
+  amplitude_ = set_->projects() ? set_->amplitudes(rest(now.v), amplitude_) : bodies_.amplitudes(now.v);
+  const Vector before = std::exchange(v_, set_->projects() ? moved(now.v, amplitude_) : now.v);
   error_ = std::max(std::sqrt(std::max(0.0, now.square)), penetration(v_));
   std::fill(force_.begin(), force_.end(), 0.0);
   for (std::size_t i = 0; i < now.r.size(); ++i)
     force_[std::size_t(set_->rows()[i])] = now.r[i];
   pass.force = force_;
-  pass.u = rowValues(network_.jump, Vector(network_.jump.size(), 0.0), v_);
-  pass.displacement = largestEntry(v_);
-  pass.load = largestEntry(network_.g);
+  setDisplacement(network_, v_, pass);
   pass.roundOff = roundOff();
   pass.unbalanced = 0.0;
   for (std::size_t k = 0; k < v_.size(); ++k)

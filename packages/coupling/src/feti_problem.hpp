@@ -46,6 +46,7 @@ public:
 
 private:
   struct Iterate;
+  Vector moved(Vector v, const Vector& amplitudes) const;
   Vector placed(const Vector& strained) const;
   Vector rest(const Vector& v) const;
   Iterate begun(double proximal) const;

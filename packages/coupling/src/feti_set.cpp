@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <limits>
 
+#include "coarse_problem.hpp"
+
 namespace ndframe
 {
 namespace
@@ -26,13 +28,7 @@ FetiSet::FetiSet(const Network& network, const NetworkBodies& bodies, const std:
                  const FetiSet* before)
     : network_(network), bodies_(bodies), closed_(closed)
 {
-  std::vector<int> chosen;
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (closed[i])
-      chosen.push_back(int(i));
-  std::stable_sort(chosen.begin(), chosen.end(),
-                   [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
-  rows_ = ClosedRows(network.jump, chosen, network.bound, network.size()).independentRows();
+  rows_ = ClosedRows(network.jump, tightestFirst(network, closed), network.bound, network.size()).independentRows();
   std::vector<SparseRow> B;
   for (const int row : rows_)
     B.push_back(network.jump[std::size_t(row)]);
@@ -84,45 +80,15 @@ SparseRow FetiSet::scaled(const SparseRow& openings, SparseSum& entries, SparseS
   return rows.take();
 }
 
-/// G^T: what the motions open.
-void FetiSet::findOpenings()
-{
-  G_ = SparseColumns(int(rows_.size()), bodies_.numMotions());
-  SparseSum rows(G_.rows());
-  for (std::size_t b = 0, motion = 0; b < network_.bodies.size(); ++b) {
-    const DenseMatrix& R = network_.bodies[b]->freeMotions;
-    for (int m = 0; m < R.cols(); ++m, ++motion) {
-      for (int k = 0; k < R.rows(); ++k)
-        rows.add(users_[std::size_t(network_.offsets[b] + k)], R(k, m));
-      G_.setColumn(int(motion), rows.take());
-    }
-  }
-}
-
 /// G Q G^T, whose entries are those of bodies near each other.
 void FetiSet::factorCoarse()
 {
-  const int n = bodies_.numMotions();
-  if (n == 0)
+  if (bodies_.numMotions() == 0)
     return;
-  findOpenings();
-  QG_ = SparseColumns(int(rows_.size()), n);
-  std::vector<SparseRow> opening(rows_.size()); // G^T by rows
-  for (int j = 0; j < n; ++j)
-    for (const auto& [row, value] : G_.column(j))
-      opening[std::size_t(row)].emplace_back(j, value);
-  SymmetricEntries coarse;
-  coarse.size = n;
-  SparseSum entries(network_.size()), rows(int(rows_.size())), products(n);
-  for (int j = 0; j < n; ++j) {
-    QG_.setColumn(j, scaled(G_.column(j), entries, rows));
-    products.add(j, 0.0);
-    for (const auto& [row, value] : QG_.column(j))
-      products.add(opening[std::size_t(row)], value);
-    for (const auto& [i, product] : products.take())
-      if (i <= j)
-        coarse.add(i, j, product);
-  }
+  G_ = bodies_.motionColumns(users_, int(rows_.size()));
+  SparseSum entries(network_.size()), rows(G_.rows());
+  const SymmetricEntries coarse = coarseEntries(
+      G_, [&](const SparseRow& openings) { return scaled(openings, entries, rows); }, QG_);
   try {
     coarse_ = std::make_unique<SparseCholesky>(coarse);
   } catch (const NotPositiveDefinite&) {

@@ -50,7 +50,6 @@ private:
   };
   void condenseBodies(const FetiSet* before);
   DenseMatrix stiffnessOn(std::size_t body, const std::vector<int>& entries) const;
-  void findOpenings();
   void factorCoarse();
   void holdLoosely(SymmetricEntries coarse);
   Vector solveCoarse(const Vector& x) const;
@@ -64,7 +63,7 @@ private:
   Averages weighted_;                          ///< B_D
   std::vector<SparseRow> users_, spreadUsers_; ///< B^T and B_D^T
   std::vector<OpenPart> open_;                 ///< per body
-  SparseColumns G_, QG_;                       ///< G^T, Q G^T: rows x motions
+  SparseColumns G_, QG_;                       ///< G^T, what the motions open, and Q G^T: rows x motions
   std::unique_ptr<SparseCholesky> coarse_;
   Vector springs_; ///< added to the diagonal of the coarse problem where rows leave motions free
   bool isLoose_ = false, projects_ = false;

@@ -20,16 +20,13 @@ public:
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
   {
-    CouplingResult result;
-    InterfaceState& state = result.state;
+    InterfaceState state;
     const UnilateralState status =
         isNetwork(system) ? solveNetwork(system, start, ledger, state) : solvePair(system, start, ledger, state);
-    result.converged = true;
-    result.history.push_back(recordSweep(1, system, state, status));
-    result.reason = areApart(result.history.back()) ? apart
-                    : system.bodies.size() > 2      ? "all bodies solved together"
-                                                    : "both bodies solved together";
-    observe(result.history.back(), state);
+    CouplingResult result =
+        settled(system, std::move(state), status,
+                system.bodies.size() > 2 ? "all bodies solved together" : "both bodies solved together");
+    observe(result.history.back(), result.state);
     ledger.count("sweeps");
     return result;
   }
@@ -50,9 +47,9 @@ private:
   {
     const Network network = networkOf(system);
     NetworkProblem problem(network, ledger);
-    UnilateralState status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
-                                          firstStatuses(system, floats(system), start), ledger);
-    setState(network, system, refinedForces(network, problem.displacement(), status, ledger), status, state);
+    UnilateralState status = findStatuses(problem, network, system, start, ledger);
+    const Vector v = refinedForces(network, problem.displacement(), status, ledger);
+    state = stateAt(network, system, v, status);
     return status;
   }
 

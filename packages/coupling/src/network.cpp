@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "sweep.hpp"
 
 namespace ndframe
 {
@@ -64,14 +65,49 @@ Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const
   return values;
 }
 
-void setState(const Network& network, const InterfaceSystem& system, const Vector& v, const UnilateralState& status,
-              InterfaceState& state)
+std::vector<std::string> motionNames(const Network& network)
 {
+  std::vector<std::string> names;
+  for (const BodyTrace* body : network.bodies)
+    names.insert(names.end(), body->motionNames.begin(), body->motionNames.end());
+  return names;
+}
+
+std::vector<int> tightestFirst(const Network& network, const std::vector<char>& closed)
+{
+  std::vector<int> chosen;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (closed[i])
+      chosen.push_back(int(i));
+  std::stable_sort(chosen.begin(), chosen.end(),
+                   [&](int a, int b) { return network.bound[std::size_t(a)] < network.bound[std::size_t(b)]; });
+  return chosen;
+}
+
+void setDisplacement(const Network& network, const Vector& v, StatusPass& pass)
+{
+  pass.u = rowValues(network.jump, Vector(network.jump.size(), 0.0), v);
+  pass.displacement = largestEntry(v);
+  pass.load = largestEntry(network.g);
+}
+
+UnilateralState findStatuses(StatusSystem& problem, const Network& network, const InterfaceSystem& system,
+                             const CouplingStart& start, Ledger& ledger)
+{
+  return findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
+                      firstStatuses(system, floats(system), start), ledger);
+}
+
+InterfaceState stateAt(const Network& network, const InterfaceSystem& system, const Vector& v,
+                       const UnilateralState& status)
+{
+  InterfaceState state;
   state.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, v);
   state.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, v));
   state.closed = status.closed;
   state.forceDirichlet = state.forceNeumann = status.force;
   state.tractionDirichlet = state.tractionNeumann = system.traction(status.force);
+  return state;
 }
 
 void needStoredOperators(const InterfaceSystem& system, const std::string& coupling)

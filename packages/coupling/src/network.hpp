@@ -34,9 +34,22 @@ Network networkOf(const InterfaceSystem& system);
 /// rows v + offset.
 Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const Vector& v);
 
+/// The motions that supports leave free, of all bodies.
+std::vector<std::string> motionNames(const Network& network);
+
+/// The closed unknowns, tightest bounds first.
+std::vector<int> tightestFirst(const Network& network, const std::vector<char>& closed);
+
+/// What a pass found, but for its forces: the unknowns at v, and what round-off is compared with.
+void setDisplacement(const Network& network, const Vector& v, StatusPass& pass);
+
+/// Statuses of all unknowns, from those of the start.
+UnilateralState findStatuses(StatusSystem& problem, const Network& network, const InterfaceSystem& system,
+                             const CouplingStart& start, Ledger& ledger);
+
 /// The state of the system at v with these statuses and forces.
-void setState(const Network& network, const InterfaceSystem& system, const Vector& v, const UnilateralState& status,
-              InterfaceState& state);
+InterfaceState stateAt(const Network& network, const InterfaceSystem& system, const Vector& v,
+                       const UnilateralState& status);
 
 /// Throws NotConverged, in the coupling's name, where a body's operator is only applied.
 void needStoredOperators(const InterfaceSystem& system, const std::string& coupling);

@@ -23,7 +23,7 @@ NetworkBodies::NetworkBodies(const Network& network) : network_(network)
 {
   for (const BodyTrace* body : network.bodies) {
     const DenseMatrix* S = body->S->dense();
-    NDFRAME_ASSERT(S != nullptr, "FETI needs stored interface operators");
+    NDFRAME_ASSERT(S != nullptr, "a network needs stored interface operators");
     for (int k = 0; k < S->cols(); ++k)
       weight_.push_back((*S)(k, k));
     firstMotion_.push_back(firstMotion_.back() + body->freeMotions.cols());
@@ -62,6 +62,14 @@ Vector NetworkBodies::stiff(const Vector& v) const
   return bodyByBody(v, [&](std::size_t b, const Vector& own) { return network_.bodies[b]->S->apply(own); });
 }
 
+Vector NetworkBodies::unbalanced(const Vector& v, double proximal, const Vector& centre) const
+{
+  Vector rest = stiff(v);
+  for (std::size_t k = 0; k < rest.size(); ++k)
+    rest[k] = network_.g[k] - rest[k] - proximal * weight_[k] * (v[k] - centre[k]);
+  return rest;
+}
+
 Vector NetworkBodies::flexible(const Vector& f) const
 {
   return bodyByBody(f, [&](std::size_t b, const Vector& own) { return inverse_[b]->solve(own); });
@@ -76,6 +84,21 @@ Vector NetworkBodies::moved(const Vector& amplitudes) const
     v.insert(v.end(), own.begin(), own.end());
   }
   return v;
+}
+
+SparseColumns NetworkBodies::motionColumns(const std::vector<SparseRow>& columns, int rows) const
+{
+  SparseColumns product(rows, numMotions());
+  SparseSum sum(rows);
+  for (std::size_t b = 0, motion = 0; b < network_.bodies.size(); ++b) {
+    const DenseMatrix& R = network_.bodies[b]->freeMotions;
+    for (int m = 0; m < R.cols(); ++m, ++motion) {
+      for (int k = 0; k < R.rows(); ++k)
+        sum.add(columns[std::size_t(network_.offsets[b] + k)], R(k, m));
+      product.setColumn(int(motion), sum.take());
+    }
+  }
+  return product;
 }
 
 Vector NetworkBodies::amplitudes(const Vector& v) const

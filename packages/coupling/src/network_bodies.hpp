@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <memory>
 
-#include "ndframe/algebra/sparse_row.hpp"
+#include "ndframe/algebra/sparse_columns.hpp"
 #include "ndframe/algebra/symmetric_operator.hpp"
 #include "network.hpp"
 
@@ -27,11 +27,15 @@ public:
   void factor(double proximal);
   /// S v.
   Vector stiff(const Vector& v) const;
+  /// g - S v - proximal D (v - centre).
+  Vector unbalanced(const Vector& v, double proximal, const Vector& centre) const;
   /// S^+ f.
   Vector flexible(const Vector& f) const;
   /// R a and R^T f.
   Vector moved(const Vector& amplitudes) const;
   Vector work(const Vector& f) const;
+  /// A R for a matrix A with `rows` rows, given by its columns.
+  SparseColumns motionColumns(const std::vector<SparseRow>& columns, int rows) const;
   /// The a with R a nearest to v, body by body.
   Vector amplitudes(const Vector& v) const;
 

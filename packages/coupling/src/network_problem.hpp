@@ -5,7 +5,7 @@
 
 #include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/subdomain/status_method.hpp"
-#include "network.hpp"
+#include "network_bodies.hpp"
 
 namespace ndframe
 {
@@ -32,15 +32,13 @@ public:
 private:
   SymmetricEntries reducedStiffness() const;
   void addBody(std::size_t body, std::vector<int>& local, SymmetricEntries& entries) const;
-  Vector stiffTimes(const Vector& v) const;
-  Vector residual(const Vector& v, double proximal, const Vector& centre) const;
+  Vector unbalanced(const Vector& v, double proximal, const Vector& centre) const;
   SymmetricEntries shiftedStiffness(double proximal) const;
 
   const Network& network_;
   Ledger& ledger_;
   std::vector<std::string> motions_;
-  std::vector<int> byBound_; ///< the unknowns, tightest bounds first
-  Vector diagonal_;          ///< of S, what the proximal term weighs with
+  NetworkBodies bodies_;
   Vector v_;
   std::vector<char> closed_; ///< that the following belongs to
   std::optional<ClosedRows> rows_;

@@ -151,4 +151,15 @@ SweepRecord recordSweep(int sweep, const InterfaceSystem& system, const Interfac
   return record;
 }
 
+CouplingResult settled(const InterfaceSystem& system, InterfaceState state, const UnilateralState& status,
+                       const std::string& reason)
+{
+  CouplingResult result;
+  result.history.push_back(recordSweep(1, system, state, status));
+  result.state = std::move(state);
+  result.converged = true;
+  result.reason = areApart(result.history.back()) ? apart : reason;
+  return result;
+}
+
 } // namespace ndframe

@@ -36,6 +36,10 @@ inline constexpr const char* apart = "the bodies do not touch: each is solved by
 SweepRecord recordSweep(int sweep, const InterfaceSystem& system, const InterfaceState& state,
                         const UnilateralState& status);
 
+/// What a coupling returns that solves all bodies in one go. reason: why it stopped, where they touch.
+CouplingResult settled(const InterfaceSystem& system, InterfaceState state, const UnilateralState& status,
+                       const std::string& reason);
+
 /// A coupling with the parameters of Neumann-Dirichlet.
 struct SweepsEntry
 {
