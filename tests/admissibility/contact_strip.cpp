@@ -52,6 +52,8 @@ std::vector<ContactFacet> pairFacets(const BodyModel& upper, const BodyModel& lo
     for (std::size_t i = 0; i <= std::size_t(upper.nodes.order); ++i)
       facet.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
     facet.pairs = facet.nodes;
+    for (std::size_t end = 0; end < 2; ++end)
+      std::copy_n(upper.nodes.point(ours[end]), 2, facet.points[end].begin());
     facets.push_back(facet);
   }
   return facets;

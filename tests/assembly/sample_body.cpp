@@ -68,7 +68,9 @@ BodyModel makeBody(Mesh mesh, int order, const Conditions& conditions)
   const Params params = validate(parseDeck(xml, "body.xml"), spec, diagnostics);
   diagnostics.throwIfAny();
 
-  BodyModel body{"body", std::move(mesh), {}, {}, {}, {}};
+  BodyModel body;
+  body.name = "body";
+  body.mesh = std::move(mesh);
   body.nodes = makeNodeMap(body.mesh, order);
   body.law = elastic(body.mesh.dim);
   for (const auto& support : params.sub("Supports").subs())

@@ -127,11 +127,19 @@ int mostCells(const Params& deck)
   return most;
 }
 
-bool fits(const Params& deck, const SceneComponents& components, const MeshOfBody& meshes)
+/// Sides that match cost less than those that are cut.
+enum class Sides
+{
+  Match,
+  MayBeCut
+};
+
+bool fits(const Params& deck, const SceneComponents& components, const MeshOfBody& meshes, Sides sides)
 {
   try {
-    buildModel(deck, components, meshes);
-    return true;
+    const Model model = buildModel(deck, components, meshes);
+    return sides == Sides::MayBeCut ||
+           std::none_of(model.interfaces.begin(), model.interfaces.end(), [](const auto& i) { return i.map; });
   } catch (const InputError&) {
     return false;
   }
@@ -143,7 +151,8 @@ MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components,
 {
   const double largest = largestBox(deck);
   const int most = mostCells(deck);
-  const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations) -> MeshOfBody {
+  const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations,
+                             Sides sides = Sides::Match) -> MeshOfBody {
     for (int pieces = first; pieces < end; ++pieces) {
       const double size = largest / pieces;
       MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
@@ -151,7 +160,7 @@ MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components,
         const Stations lines = found == stations.end() ? Stations() : found->second;
         return readCoarse(body.sub("Mesh"), lines, components, comm, size);
       };
-      if (fits(deck, components, meshes))
+      if (fits(deck, components, meshes, sides))
         return meshes;
     }
     return {};
@@ -161,7 +170,9 @@ MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components,
     return even;
   if (MeshOfBody uneven = tryPieces(1, most, matchingStations(deck)))
     return uneven;
-  return tryPieces(fewPieces + 1, most, {});
+  if (MeshOfBody fine = tryPieces(fewPieces + 1, most, {}))
+    return fine;
+  return tryPieces(1, most, {}, Sides::MayBeCut);
 }
 
 } // namespace ndframe

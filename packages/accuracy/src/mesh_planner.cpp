@@ -43,18 +43,63 @@ std::vector<Mesh> meshesOf(const Model& model)
 {
   std::vector<Mesh> meshes;
   for (const auto& body : model.bodies)
-    meshes.push_back(body.mesh);
+    meshes.push_back(body.uncut());
   return meshes;
 }
 
+/// A facet of the uncut mesh that was not cut itself: its cell may have been.
+Facet uncutFacet(const BodyModel& body, Facet facet)
+{
+  if (body.parents.empty())
+    return facet;
+  int ends[3];
+  facetVertices(body.mesh, facet, ends);
+  const int cell = body.parents[std::size_t(facet.cell)];
+  const int* vertices = body.base.cell(cell);
+  const int* opposite = std::find_if(vertices, vertices + 3, [&](int v) { return v != ends[0] && v != ends[1]; });
+  return {cell, int(opposite - vertices)};
+}
+
+/// Sides that match go on matching; where they do not, each body is refined by itself.
 std::vector<FacetTwin> twinsOf(const Model& model)
 {
   std::vector<FacetTwin> twins;
   for (const auto& interface : model.interfaces)
-    for (int f = 0; f < interface.numFacets(); ++f)
-      twins.push_back({interface.dirichletBody, interface.dirichletFacets[std::size_t(f)], interface.neumannBody,
-                       interface.neumannFacets[std::size_t(f)]});
+    for (std::size_t f = 0; f < interface.dirichletFacets.size() && !interface.map; ++f)
+      twins.push_back({interface.dirichletBody,
+                       uncutFacet(model.bodies[std::size_t(interface.dirichletBody)], interface.dirichletFacets[f]),
+                       interface.neumannBody,
+                       uncutFacet(model.bodies[std::size_t(interface.neumannBody)], interface.neumannFacets[f])});
   return twins;
+}
+
+/// Vertices - edges + cells.
+std::int64_t eulerNumber(const Mesh& mesh)
+{
+  return 2 * std::int64_t(mesh.numPoints()) + mesh.numCells() - makeNodeMap(mesh, 2).numNodes();
+}
+
+/// Contributions of the cells of the uncut mesh.
+Vector uncutContributions(const BodyModel& body, const Vector& eta)
+{
+  if (body.parents.empty())
+    return eta;
+  Vector squares(std::size_t(body.base.numCells()), 0.0);
+  for (std::size_t cell = 0; cell < eta.size(); ++cell)
+    squares[std::size_t(body.parents[cell])] += eta[cell] * eta[cell];
+  for (double& square : squares)
+    square = std::sqrt(square);
+  return squares;
+}
+
+/// The vertices of the uncut mesh that stand for a vertex: itself, or those of the cell that it was cut into.
+std::vector<int> uncutVertices(const BodyModel& body, int vertex)
+{
+  if (vertex < body.uncut().numPoints())
+    return {vertex};
+  const auto found = std::find(body.mesh.cells.begin(), body.mesh.cells.end(), vertex);
+  const int* cell = body.base.cell(body.parents[std::size_t(found - body.mesh.cells.begin()) / 3]);
+  return {cell, cell + 3};
 }
 
 } // namespace
@@ -69,7 +114,7 @@ MeshPlanner::MeshPlanner(const Params& deck, const AccuracyComponents& component
     first.sources.push_back(components.meshSources.build(body.sub("Mesh")));
   present_ = refinement->begin(std::move(first), comm);
   for (const BodyModel& body : model.bodies)
-    eulers_.push_back(2 * std::int64_t(body.mesh.numPoints()) + body.mesh.numCells() - body.nodes.numNodes());
+    eulers_.push_back(eulerNumber(body.uncut()));
 }
 
 std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
@@ -83,11 +128,12 @@ std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
 
 void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
 {
-  const auto& eta = run.certificate->etaGlobal;
+  std::vector<Vector> eta;
   double squared = 0.0;
   std::vector<const Mesh*> meshes;
-  for (std::size_t b = 0; b < eta.size(); ++b) {
-    meshes.push_back(&run.model.bodies[b].mesh);
+  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+    eta.push_back(uncutContributions(run.model.bodies[b], run.certificate->etaGlobal[b]));
+    meshes.push_back(&run.model.bodies[b].uncut());
     squared += dot(eta[b], eta[b]);
   }
   if (expected_ > 0.0)
@@ -105,8 +151,10 @@ std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
 {
   std::vector<Vector> exponents = exponents_.exponents();
   const auto lower = [&](int body, int node) {
-    double& exponent = exponents[std::size_t(body)][std::size_t(node)];
-    exponent = std::min(exponent, whereContactEnds);
+    for (const int vertex : uncutVertices(run.model.bodies[std::size_t(body)], node)) {
+      double& exponent = exponents[std::size_t(body)][std::size_t(vertex)];
+      exponent = std::min(exponent, whereContactEnds);
+    }
   };
   std::vector<char> closed;
   for (const ContactNode& node : run.solved.contact)

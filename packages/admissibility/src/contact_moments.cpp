@@ -54,15 +54,18 @@ double along(const Direction& direction, const double* vector)
 
 } // namespace
 
-Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
-                   const std::vector<Vector>& displacement, int degree)
+namespace
 {
-  const int order = bodies.front()->nodes.order;
+
+/// int n_c . w L_k on every facet of a field w(facet) given at the facet's nodes.
+template <class Field>
+Vector normalMoments(const std::vector<ContactFacet>& facets, int order, int degree, const Field& w)
+{
   const DenseMatrix moments = edgeMoments(order, degree);
   const EndTables turning = turningEdgeMoments(order, degree);
   Vector all;
   for (const ContactFacet& facet : facets) {
-    const auto opening = facetOpening(bodies, facet, displacement);
+    const std::array<Direction, 3> opening = w(facet);
     for (int k = 0; k <= degree; ++k) {
       all.push_back(0.0);
       for (int i = 0; i <= order; ++i)
@@ -74,6 +77,22 @@ Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vecto
     }
   }
   return all;
+}
+
+} // namespace
+
+Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+                   const std::vector<Vector>& displacement, int degree)
+{
+  return normalMoments(facets, bodies.front()->nodes.order, degree,
+                       [&](const ContactFacet& facet) { return facetOpening(bodies, facet, displacement); });
+}
+
+Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+                      const std::vector<Vector>& displacement, int degree)
+{
+  return normalMoments(facets, bodies.front()->nodes.order, degree,
+                       [&](const ContactFacet& facet) { return closing(bodies, facet, displacement); });
 }
 
 Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree)

@@ -38,9 +38,12 @@ public:
       if (i < carried)
         traction[i] += (backwards && i / 2 % 2 == 1) == isDirichlet ? -rest[i] : rest[i];
       else
-        square += rest[i] * rest[i] / contact.measure;
-    if (square > 0.0)
+        square += rest[i] * rest[i];
+    if (square > 0.0) {
+      double normal[3];
+      square /= isDirichlet || !contact.isDrawnApart ? contact.measure : facetNormal(body_.mesh, facet, normal);
       beyond_[std::size_t(facet.cell)] += facetOscillationConstant(body_.mesh, facet) * std::sqrt(square);
+    }
   }
 
   Vector squares() const

@@ -7,7 +7,6 @@
 
 #include "doubt.hpp"
 #include "edge_pieces.hpp"
-#include "ndframe/admissibility/contact_nodes.hpp"
 
 namespace ndframe
 {
@@ -111,20 +110,17 @@ Vector gapMoments(const Samples& gap, const MomentBasis& basis, double measure)
 }
 
 /// The gap at the nodes of a facet.
-std::array<double, 3> nodalGaps(const BodyModel& body, const ContactFacet& facet, const SampledFunction& gap)
+std::array<double, 3> nodalGaps(int order, const ContactFacet& facet, const SampledFunction& gap)
 {
-  std::array<double, 3> values{};
-  const auto nodes = contactNodes(body, facet, true);
-  for (std::size_t i = 0; i <= std::size_t(body.nodes.order); ++i)
-    values[i] = valueAt(gap, body.mesh.dim, body.nodes.point(nodes[i]));
-  return values;
+  const auto& [a, b] = facet.points;
+  const Direction middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.0};
+  return {valueAt(gap, 2, a.data()), valueAt(gap, 2, b.data()), order == 1 ? 0.0 : valueAt(gap, 2, middle.data())};
 }
 
 /// The ends of a facet, in the order of ContactFacet::nodes.
-DataSampler::Vertices endsOf(const BodyModel& body, const ContactFacet& facet)
+DataSampler::Vertices endsOf(const ContactFacet& facet)
 {
-  const auto nodes = contactNodes(body, facet, true);
-  return {body.nodes.point(nodes[0]), body.nodes.point(nodes[1]), nullptr, nullptr};
+  return {facet.points[0].data(), facet.points[1].data(), nullptr, nullptr};
 }
 
 } // namespace
@@ -139,16 +135,15 @@ GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector
   for (const FacetGap& gap : gaps) {
     DataSampler sampler({gap.function}, 2);
     const std::size_t end = first + std::size_t(gap.numFacets);
-    const auto ends = [&](std::size_t f) { return endsOf(*bodies[std::size_t(facets[f].dirichletBody)], facets[f]); };
     const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
       for (std::size_t f = first; f < end; ++f)
-        measure(1, ends(f));
+        measure(1, endsOf(facets[f]));
     });
     Doubt doubt;
     for (std::size_t f = first; f < end; ++f) {
       const BodyModel& body = *bodies[std::size_t(facets[f].dirichletBody)];
-      const Samples samples = sampler.sample(1, ends(f), scale);
-      Vector bernstein = interpolant(body.nodes.order, nodalGaps(body, facets[f], gap.function));
+      const Samples samples = sampler.sample(1, endsOf(facets[f]), scale);
+      Vector bernstein = interpolant(body.nodes.order, nodalGaps(body.nodes.order, facets[f], gap.function));
       lower(bernstein, samples, pieces);
       const Vector moments = gapMoments(samples, basis, facets[f].measure);
       bound.bernstein.insert(bound.bernstein.end(), bernstein.begin(), bernstein.end());

@@ -61,7 +61,7 @@ double InterfacePairs::excess(std::size_t facet, std::size_t coefficient) const
 {
   const std::size_t size = gap_.bernstein.size() / facets_.size();
   const JumpCoefficients jump = coefficients(facet);
-  return jump.of(coefficient, facetOpening(bodies_, facets_[facet], displacement_)) -
+  return jump.of(coefficient, closing(bodies_, facets_[facet], displacement_)) -
          jump.gap(coefficient, gap_.bernstein.data() + facet * size);
 }
 

@@ -1,6 +1,11 @@
 #include "ndframe/certification/certificate.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "certificate_measures.hpp"
+#include "coarse_tractions.hpp"
+#include "interface_misfit.hpp"
 #include "ndframe/certification/advice.hpp"
 #include "ndframe/estimation/residual.hpp"
 #include "ndframe/estimation/zienkiewicz_zhu.hpp"
@@ -42,6 +47,7 @@ private:
   bool wants(Estimator estimator) const { return options_.wants(estimator); }
 
   void admitTractions();
+  IntermediateField nearestField(const Vector& traction, TractionSign sign);
   void solveIntermediateFields();
   void recoverStresses();
   void checkStresses();
@@ -72,9 +78,8 @@ void Certifier::admitTractions()
   const TractionSign sign = asPublished ? TractionSign::Values : TractionSign::Coefficients;
   if (options_.needsGlobalField()) {
     const bool updated = options_.tractionMean == TractionMean::Updated;
-    auto& both = global_.field;
-    both.onDirichlet = both.onNeumann = admitTraction(scene_, meanTraction(scene_.coupling, updated),
-                                                      options_.optimises() ? TractionSign::Coefficients : sign);
+    global_.field =
+        nearestField(meanTraction(scene_.coupling, updated), options_.optimises() ? TractionSign::Coefficients : sign);
   }
   if (!wants(Estimator::Discretization))
     return;
@@ -85,11 +90,33 @@ void Certifier::admitTractions()
                         : tractionFromNodes(scene_.facets, state.tractionNeumann, scene_.order, scene_.degree);
 }
 
+/// The admissible traction, of those that may stand for the computed one, that changes the solution least and that its
+/// stress carries best, about; and its field, unless there is nothing to choose.
+IntermediateField Certifier::nearestField(const Vector& traction, TractionSign sign)
+{
+  std::vector<IntermediateField> fields;
+  std::vector<IntermediateField*> wanted;
+  for (const Vector& candidate : tractionsOfSides(scene_, traction)) {
+    const ContactTraction admitted = admitTraction(scene_, candidate, sign);
+    fields.push_back({admitted, admitted, {}});
+  }
+  if (fields.size() == 1)
+    return std::move(fields.front());
+  for (IntermediateField& field : fields)
+    wanted.push_back(&field);
+  solveFields(scene_, wanted);
+  Vector costs;
+  for (const IntermediateField& field : fields)
+    costs.push_back(
+        std::hypot(changeInEnergy(scene_.bodies, scene_.solved, field.displacement), interfaceMisfit(scene_, field)));
+  return std::move(fields[std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin())]);
+}
+
 void Certifier::solveIntermediateFields()
 {
   const auto timer = timeStage(ledger_, Stage::CertifyFields);
   std::vector<IntermediateField*> fields;
-  if (options_.needsGlobalField())
+  if (options_.needsGlobalField() && global_.field.displacement.empty())
     fields.push_back(&global_.field);
   if (wants(Estimator::Discretization))
     fields.push_back(&separate_.field);

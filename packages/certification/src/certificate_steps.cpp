@@ -156,8 +156,13 @@ GapBound contactGap(const CertifiedScene& scene, ErrorMode mode)
 {
   if (scene.facets.empty())
     return {};
-  if (mode == ErrorMode::Paper)
-    return {{}, nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree), {}};
+  if (mode == ErrorMode::Paper) {
+    Vector gap; // of the deck: closing() has what the geometry says
+    for (const auto& interface : scene.model.interfaces)
+      for (std::size_t i = 0; i < interface.gap.size(); ++i)
+        gap.push_back(interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]));
+    return {{}, nodalMoments(scene.facets, gap, scene.order, scene.degree), {}};
+  }
   std::vector<FacetGap> gaps;
   for (const auto& interface : scene.model.interfaces)
     gaps.push_back({interface.numFacets(), interface.gapFunction});
@@ -181,7 +186,7 @@ AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const Gap
 
 Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
 {
-  Vector moments = jumpMoments(scene.bodies, scene.facets, displacement, scene.degree);
+  Vector moments = closingMoments(scene.bodies, scene.facets, displacement, scene.degree);
   for (std::size_t i = 0; i < moments.size(); ++i)
     moments[i] -= gap.moments[i];
   return moments;
@@ -192,7 +197,7 @@ double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>
   double deepest = 0.0;
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {
     const JumpCoefficients jump{scene.facets[f], scene.order};
-    const auto opening = facetOpening(scene.bodies, scene.facets[f], displacement);
+    const auto opening = closing(scene.bodies, scene.facets[f], displacement);
     const double* bound = gap.bernstein.data() + f * std::size_t(scene.order + 1);
     for (std::size_t k = 0; k < jump.size(); ++k)
       deepest = std::max(deepest, jump.of(k, opening) - jump.gap(k, bound));

@@ -47,7 +47,9 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   facet.dirichlet = interface.dirichletFacets[std::size_t(f)];
   facet.neumann = interface.neumannFacets[std::size_t(f)];
   const BodyModel& body = model.bodies[std::size_t(facet.dirichletBody)];
-  facet.measure = facetNormal(body.mesh, facet.dirichlet, facet.normal.data());
+  facet.measure = interface.measures[std::size_t(f)];
+  facet.normal = interface.facetNormals[std::size_t(f)];
+  facet.isDrawnApart = !interface.drawnGap.empty();
   const auto nodes = contactNodes(body, facet, true);
   std::array<int, 3> ours{};
   for (int i = 0; i < body.nodes.nodesPerFacet; ++i) {
@@ -55,6 +57,8 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
     facet.nodes[std::size_t(i)] = firstNode + ours[std::size_t(i)];
     facet.pairs[std::size_t(i)] = firstNode + pairs[std::size_t(ours[std::size_t(i)])];
   }
+  for (std::size_t end = 0; end < 2; ++end)
+    std::copy_n(interface.point(ours[end]), 2, facet.points[end].begin());
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
     const bool backwards = ours[0] != interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())];
@@ -83,6 +87,8 @@ std::vector<ContactFacet> contactFacets(const Model& model)
 std::string geometryCaveat(const Model& model)
 {
   for (const auto& interface : model.interfaces) {
+    if (interface.map) // which points face each other is a part of the scene, not of the meshes
+      continue;
     const BodyModel &first = model.bodies[std::size_t(interface.dirichletBody)],
                     &second = model.bodies[std::size_t(interface.neumannBody)];
     const double shortest = *std::min_element(interface.measures.begin(), interface.measures.end());

@@ -47,6 +47,8 @@ std::vector<Mesh> matchingMeshes(const Model& model)
   for (const auto& body : model.bodies)
     meshes.push_back(body.mesh);
   for (const auto& interface : model.interfaces) {
+    if (interface.map)
+      continue;
     const Mesh& fixed = meshes[std::size_t(interface.dirichletBody)];
     Mesh& moved = meshes[std::size_t(interface.neumannBody)];
     for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i)

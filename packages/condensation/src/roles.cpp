@@ -28,9 +28,10 @@ void exchange(Model& model, InterfaceMesh& interface)
   std::swap(interface.dirichletBody, interface.neumannBody);
   std::swap(interface.dirichletNodes, interface.neumannNodes);
   std::swap(interface.dirichletFacets, interface.neumannFacets);
-  for (auto& normal : interface.normals)
-    for (double& component : normal)
-      component = -component;
+  for (auto* normals : {&interface.normals, &interface.facetNormals})
+    for (auto& normal : *normals)
+      for (double& component : normal)
+        component = -component;
   for (auto& ends : interface.endNormals)
     for (auto& normal : ends)
       for (double& component : normal)

@@ -42,7 +42,7 @@ std::vector<BodyTraceNodes> numberUnknowns(const Model& model, InterfaceSystem& 
         b.traces.push_back({side.node, normal});
         b.unknowns.push_back(system.size());
         b.onDirichletSide.push_back(isObstacle || side.isDirichlet);
-        b.points.push_back(interface.point(i));
+        b.points.push_back(interface.pointOf(side.body, i));
       }
       system.nodeOfUnknown.push_back(node);
       system.gap.push_back(interface.gap[std::size_t(i)]);

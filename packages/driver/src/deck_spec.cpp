@@ -38,7 +38,7 @@ ListSpec bodySpec(const Components& components)
 
 ListSpec interfaceSpec()
 {
-  ListSpec list = makeList("INTERFACE", "Two sides that may touch. Their nodes must match.");
+  ListSpec list = makeList("INTERFACE", "Two sides that may touch. In the plane their meshes need not match.");
   list.params = {
       ParamSpec::required("Dirichlet Body", Kind::String,
                           "Body 1 of the paper: solves the unilateral problem; may float, held by contact alone."),
@@ -48,7 +48,10 @@ ListSpec interfaceSpec()
       ParamSpec::required("Neumann Side", Kind::String, "Its side."),
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: "
-                            "u1_N - u2_N <= g. The meshes touch all the same."),
+                            "u1_N - u2_N <= g, in addition to what the geometry says."),
+      {"Gap From Geometry", std::string("Automatic"), oneOf({"Automatic", "Yes", "No"}),
+       "Whether the distance of the sides as they are drawn, along n_c, is a part of the gap. Automatic: yes, unless "
+       "the sides touch everywhere but for what chords of one curve are apart. No: points that face each other touch."},
       {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),
        "In degrees. Where the side's facets meet at a smaller angle on the first mesh they stand for a curve, and n_c "
        "turns along them from vertex to vertex; at a larger one each facet keeps its own normal, and the corner has "

@@ -80,6 +80,8 @@ public:
     mesh_.neumannNodes.push_back(mesh_.neumannNodes[at]);
     for (int k = 0; k < mesh_.dim; ++k)
       mesh_.points.push_back(mesh_.point(corner)[k]);
+    for (int k = 0; k < mesh_.dim && !mesh_.partners.empty(); ++k)
+      mesh_.partners.push_back(mesh_.partners[at * std::size_t(mesh_.dim) + std::size_t(k)]);
     mesh_.gap.push_back(mesh_.gap[at]);
     mesh_.normals[at] = ofFirst;
     mesh_.normals.push_back(ofSecond);
@@ -143,8 +145,21 @@ private:
   std::vector<std::vector<int>> around_; ///< a vertex's facets
 };
 
-/// The nodes of turning facets take the field's value where it is one value.
-void setNodes(InterfaceMesh& mesh)
+/// Where a point lies on a segment: from 0 at its first end to 1; NaN beside it.
+double placeOn(const double* a, const double* b, const double* x)
+{
+  const double dx = b[0] - a[0], dy = b[1] - a[1], squared = dx * dx + dy * dy;
+  const double along = ((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / squared;
+  const double beside = ((x[0] - a[0]) * dy - (x[1] - a[1]) * dx) / squared;
+  for (const double end : {0.0, 1.0})
+    if (std::abs(along - end) <= sameEnd && std::abs(beside) <= onFacet)
+      return end;
+  return std::abs(beside) <= onFacet && along >= -onFacet && along <= 1.0 + onFacet ? along : std::nan("");
+}
+
+} // namespace
+
+void setNodeNormals(InterfaceMesh& mesh)
 {
   const int nodes = mesh.nodesPerFacet();
   std::vector<Direction> value(mesh.normals.size());
@@ -164,25 +179,11 @@ void setNodes(InterfaceMesh& mesh)
       mesh.normals[node] = value[node];
 }
 
-/// Where a point lies on a segment: from 0 at its first end to 1; NaN beside it.
-double placeOn(const double* a, const double* b, const double* x)
-{
-  const double dx = b[0] - a[0], dy = b[1] - a[1], squared = dx * dx + dy * dy;
-  const double along = ((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / squared;
-  const double beside = ((x[0] - a[0]) * dy - (x[1] - a[1]) * dx) / squared;
-  for (const double end : {0.0, 1.0})
-    if (std::abs(along - end) <= sameEnd && std::abs(beside) <= onFacet)
-      return end;
-  return std::abs(beside) <= onFacet && along >= -onFacet && along <= 1.0 + onFacet ? along : std::nan("");
-}
-
-} // namespace
-
 void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle)
 {
   TurningSide(mesh, dirichletMesh).turn(cornerAngle);
   if (!mesh.endNormals.empty())
-    setNodes(mesh);
+    setNodeNormals(mesh);
 }
 
 void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle, const std::vector<char>& maySplit)
@@ -215,7 +216,7 @@ bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
       normals[std::size_t(f)][i] = combine(sign * (1.0 - place[i]), ends[0], sign * place[i], ends[1]);
   }
   mesh.endNormals = std::move(normals);
-  setNodes(mesh);
+  setNodeNormals(mesh);
   return true;
 }
 

@@ -8,6 +8,7 @@
 
 #include "ndframe/base/expression.hpp"
 #include "ndframe/interface/normal_field.hpp"
+#include "side_facets.hpp"
 
 namespace ndframe
 {
@@ -37,22 +38,12 @@ struct NodeCloud
 using Tree =
     nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, -1, std::size_t>;
 
-const Side& findSide(const Params& definition, const char* key, const BodyModel& body)
-{
-  const auto name = definition.get<std::string>(key);
-  const Side* side = body.side(name);
-  if (side == nullptr)
-    throw InputError(definition.mistake(
-        key, fmt::format("body \"{}\" has no side \"{}\"; {}.", body.name, name, sideNames(body.mesh))));
-  return *side;
-}
-
-double shortestFacet(const BodyModel& body, const Side& side)
+double shortestFacet(const Mesh& mesh, const Side& side)
 {
   double shortest = std::numeric_limits<double>::max(), normal[3];
   for (const Facet facet : side.facets)
-    shortest = std::min(shortest, facetNormal(body.mesh, facet, normal));
-  return body.mesh.dim == 2 ? shortest : std::sqrt(shortest);
+    shortest = std::min(shortest, facetNormal(mesh, facet, normal));
+  return mesh.dim == 2 ? shortest : std::sqrt(shortest);
 }
 
 /// Two sides: for each node of `from` the nearest one of `to` and how far it is.
@@ -121,33 +112,6 @@ void refuseMissing(const Params& definition, const Comparison& sides, double tol
                     names, missing, sides.distance.size(), sides.largestDistance(), sides.worstPosition())));
 }
 
-/// Node normals: the facets' normals weighted by their measure. Also numbers the facets' nodes.
-void addFacets(InterfaceMesh& interface, const BodyModel& body, const Side& side)
-{
-  std::map<int, int> number;
-  for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i)
-    number[interface.dirichletNodes[i]] = int(i);
-  interface.normals.assign(interface.dirichletNodes.size(), Direction{});
-  int nodes[6];
-  for (const Facet facet : side.facets) {
-    Direction normal{};
-    interface.measures.push_back(facetNormal(body.mesh, facet, normal.data()));
-    interface.dirichletFacets.push_back(facet);
-    facetNodes(body.nodes, facet, nodes);
-    for (int a = 0; a < body.nodes.nodesPerFacet; ++a) {
-      const int node = number.at(nodes[a]);
-      interface.facets.push_back(node);
-      for (std::size_t k = 0; k < 3; ++k)
-        interface.normals[std::size_t(node)][k] += interface.measures.back() * normal[k];
-    }
-  }
-  for (auto& normal : interface.normals) {
-    const double length = std::sqrt(dotProduct(normal, normal));
-    for (double& component : normal)
-      component /= length;
-  }
-}
-
 /// Finds the Neumann body's facet for each interface facet by its vertices; false when one is missing.
 bool matchFacets(InterfaceMesh& interface, const BodyModel& neumann, const Side& side)
 {
@@ -189,32 +153,15 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
   }
 }
 
-void evaluateGap(const Params& definition, InterfaceMesh& interface)
-{
-  const Expression gap = definition.expression("Gap");
-  interface.gapFunction = sampledFunction(definition, "Gap");
-  double deepest = 0.0;
-  int where = -1;
-  for (int i = 0; i < interface.numNodes(); ++i) {
-    const double* x = interface.point(i);
-    interface.gap.push_back(gap(x[0], x[1], interface.dim == 3 ? x[2] : 0.0));
-    if (!std::isfinite(interface.gap.back()))
-      throw InputError(definition.mistake(
-          "Gap", fmt::format("Gap = \"{}\" is {} at {}; it must be finite on the whole side.", gap.text(),
-                             std::abs(interface.gap.back()), pointText(x, interface.dim))));
-    if (interface.gap.back() < deepest) {
-      deepest = interface.gap.back();
-      where = i;
-    }
-  }
-  if (where >= 0)
-    throw InputError(
-        definition.mistake("Gap", fmt::format("the bodies overlap at the start: the gap is {:.3g} at {}; it must "
-                                              "not be negative.",
-                                              deepest, pointText(interface.point(where), interface.dim))));
-}
-
 } // namespace
+
+bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide)
+{
+  const NodeMap firstMap = makeNodeMap(first, 1), secondMap = makeNodeMap(second, 1);
+  const NodeCloud mine{firstMap, sideNodes(firstMap, firstSide)}, theirs{secondMap, sideNodes(secondMap, secondSide)};
+  const double tolerance = sameNode * std::min(shortestFacet(first, firstSide), shortestFacet(second, secondSide));
+  return compare(mine, theirs).largestDistance() <= tolerance && compare(theirs, mine).largestDistance() <= tolerance;
+}
 
 InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann)
 {
@@ -227,10 +174,11 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
   const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
   const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
   interface.dirichletNodes = mine.nodes;
-  addFacets(interface, dirichlet, first);
+  addSideFacets(interface, dirichlet.mesh, dirichlet.nodes, first.facets);
 
   const std::string names = fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
-  const double tolerance = sameNode * std::min(shortestFacet(dirichlet, first), shortestFacet(neumann, second));
+  const double tolerance =
+      sameNode * std::min(shortestFacet(dirichlet.mesh, first), shortestFacet(neumann.mesh, second));
   const Comparison forward = compare(mine, theirs);
   if (forward.largestDistance() > tolerance)
     refuseOffset(definition, forward, interface.normals, names);

@@ -55,6 +55,19 @@ std::string roleText(const RoleSummary& roles)
                      fmt::join(roles.dirichletBodies, ", "), reason);
 }
 
+/// How far the sides are apart, and whether that was drawn.
+std::string gapText(const InterfaceMesh& interface)
+{
+  const double widest = *std::max_element(interface.gap.begin(), interface.gap.end());
+  const std::string text = widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap";
+  if (!interface.map)
+    return text;
+  if (!interface.drawnGap.empty())
+    return text + " with what is drawn";
+  const double drawn = interface.map->largestOpening();
+  return drawn > 0.0 ? fmt::format("{} (drawn up to {:.2g} apart, taken as none)", text, drawn) : text;
+}
+
 } // namespace
 
 std::string headerText(const RunSummary& summary, const Model& model, bool rolesAreKnown)
@@ -68,11 +81,9 @@ std::string headerText(const RunSummary& summary, const Model& model, bool roles
                         grouped(body.elements), body.order, body.solver, body.heldBy);
   for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
     const auto& interface = model.interfaces[i];
-    const double widest = *std::max_element(interface.gap.begin(), interface.gap.end());
-    text +=
-        fmt::format("\n  {:<{}} {:>11} interface nodes, matching, {}{}", interface.name, width,
-                    grouped(interface.numNodes()), widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap",
-                    rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
+    text += fmt::format("\n  {:<{}} {:>11} interface nodes, {}, {}{}", interface.name, width,
+                        grouped(interface.numNodes()), interface.map ? "cut to match" : "matching", gapText(interface),
+                        rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
   }
   for (const auto& body : model.bodies)
     for (const auto& note : body.mesh.notes)

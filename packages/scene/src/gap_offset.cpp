@@ -39,7 +39,8 @@ std::vector<OffsetSide> sidesOf(const Model& model, int body)
   for (const auto& interface : model.interfaces) {
     if (interface.dirichletBody == body) {
       Vector along = interface.gap;
-      std::transform(along.begin(), along.end(), along.begin(), std::negate<>());
+      for (std::size_t i = 0; i < along.size(); ++i) // what is drawn needs no offset
+        along[i] = (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]) - along[i];
       sides.push_back({map, interface.dirichletNodes, interface.normals, std::move(along)});
     }
     if (interface.neumannBody == body)
@@ -118,7 +119,8 @@ Vector offsetOf(const Model& model, int body)
 std::vector<Vector> gapOffsets(const Model& model)
 {
   const bool anyGap = std::any_of(model.interfaces.begin(), model.interfaces.end(), [](const auto& interface) {
-    return std::any_of(interface.gap.begin(), interface.gap.end(), [](double gap) { return gap > 0.0; });
+    return interface.drawnGap.empty() &&
+           std::any_of(interface.gap.begin(), interface.gap.end(), [](double gap) { return gap > 0.0; });
   });
   std::vector<Vector> offsets;
   for (std::size_t b = 0; anyGap && b < model.bodies.size(); ++b)

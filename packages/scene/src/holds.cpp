@@ -83,7 +83,7 @@ DenseMatrix pushedByContact(const Model& model, int body, const DenseMatrix& mot
   for (const auto& interface : model.interfaces)
     for (int i = 0; i < interface.numNodes(); ++i)
       if ((interface.dirichletBody == body || interface.neumannBody == body) && model.carriesContact(interface, i)) {
-        points.push_back(interface.point(i));
+        points.push_back(interface.pointOf(body, i));
         normals.push_back(interface.normals[std::size_t(i)]);
       }
   if (points.empty() || motions.cols() == 0)

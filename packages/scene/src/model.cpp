@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "match_sides.hpp"
 #include "ndframe/base/help.hpp"
 #include "ndframe/interface/normal_field.hpp"
 #include "ndframe/scene/holds.hpp"
@@ -17,12 +18,14 @@ namespace
 {
 
 /// Builds one body; mistakes are collected and leave the body incomplete.
-BodyModel buildBody(const Params& params, const SceneComponents& components, GivenMesh given, int order,
+BodyModel buildBody(const Params& params, const SceneComponents& components, CutMesh given, int order,
                     Diagnostics& diagnostics)
 {
   BodyModel body;
   body.name = params.name();
   body.mesh = std::move(given.mesh);
+  body.base = std::move(given.base);
+  body.parents = std::move(given.parents);
   const auto material = components.materials.build(params.sub("Material"));
   const bool isSpatial = material->hypothesis() == Hypothesis::ThreeDimensional;
   if (isSpatial != (body.mesh.dim == 3))
@@ -114,8 +117,8 @@ std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& inter
   return without;
 }
 
-void addInterface(Model& model, const Params& definition, const std::vector<InterfaceMesh>& earlier,
-                  Diagnostics& diagnostics)
+void addInterface(Model& model, const Params& definition, std::shared_ptr<const SideMap> map,
+                  const std::vector<InterfaceMesh>& earlier, Diagnostics& diagnostics)
 {
   const int first = findBody(model, definition, "Dirichlet Body", diagnostics);
   const int second = findBody(model, definition, "Neumann Body", diagnostics);
@@ -131,12 +134,15 @@ void addInterface(Model& model, const Params& definition, const std::vector<Inte
     throw InputError(definition.mistake("",
                                         "contact between three-dimensional bodies is not available in this version; "
                                         "three-dimensional bodies can be solved alone."));
-  InterfaceMesh interface = pairSides(definition, dirichlet, neumann);
-  keepNormals(interface, earlier);
-  interface.dirichletBody = first;
+  InterfaceMesh interface =
+      map ? pairFacing(definition, dirichlet, neumann, std::move(map)) : pairSides(definition, dirichlet, neumann);
+  if (!interface.map)
+    keepNormals(interface, earlier);
+  interface.dirichletBody = interface.firstBody = first;
   interface.neumannBody = second;
   if (diagnostics.empty()) // else constraints may be missing
     splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));
+  addDrawnGap(definition, interface);
   model.interfaces.push_back(std::move(interface));
 }
 
@@ -222,7 +228,8 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
     if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
       return readShared(*components.meshSources.build(body.sub("Mesh")), comm);
     ledger.count("meshes reused");
-    return {model.bodies[b].mesh, model.bodies[b].nodes};
+    const BodyModel& known = model.bodies[b];
+    return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);
   });
   updated.recipe = std::move(recipe);
   countBodyForces(updated, ledger);
@@ -245,9 +252,16 @@ Model buildModel(const Params& deck, const SceneComponents& components, const Me
   const int order = deck.sub("Discretization").get<int>("Order");
   if (deck.sub("Bodies").subs().empty())
     diagnostics.add(deck.sub("Bodies").mistake("", "has no bodies; name at least one list in it."));
+  std::vector<CutMesh> meshes;
   for (const auto& params : deck.sub("Bodies").subs())
-    collecting(diagnostics,
-               [&] { model.bodies.push_back(buildBody(params, components, meshOf(params), order, diagnostics)); });
+    collecting(diagnostics, [&] { meshes.emplace_back(meshOf(params)); });
+  diagnostics.throwIfAny();
+  const auto maps = matchSides(deck, earlier, meshes);
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    collecting(diagnostics, [&] {
+      const Params params = deck.sub("Bodies").subs()[b];
+      model.bodies.push_back(buildBody(params, components, std::move(meshes[b]), order, diagnostics));
+    });
   diagnostics.throwIfAny();
   for (const auto& body : model.bodies)
     collecting(diagnostics,
@@ -255,7 +269,7 @@ Model buildModel(const Params& deck, const SceneComponents& components, const Me
   for (const auto& body : model.bodies)
     model.loads.push_back(evaluateLoads(body, diagnostics));
   for (const auto& definition : deck.sub("Interfaces").subs())
-    collecting(diagnostics, [&] { addInterface(model, definition, earlier, diagnostics); });
+    collecting(diagnostics, [&] { addInterface(model, definition, maps.at(definition.name()), earlier, diagnostics); });
   diagnostics.throwIfAny();
   refuseSharedFacets(model, deck, diagnostics);
   refuseIdleInterfaces(model, deck, diagnostics);

@@ -77,17 +77,18 @@ void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh
   const int sides[] = {interface.dirichletBody, interface.neumannBody};
   if (model.freeMotions[std::size_t(sides[0])].cols() + model.freeMotions[std::size_t(sides[1])].cols() == 0)
     return;
-  std::vector<const double*> points;
+  const std::vector<int> nodes = decisiveNodes(model, interface);
   std::vector<Direction> normals;
-  for (const int node : decisiveNodes(model, interface)) {
-    points.push_back(interface.point(node));
+  for (const int node : nodes)
     normals.push_back(interface.normals[std::size_t(node)]);
-  }
   const std::size_t first = network.approach.size();
-  network.approach.resize(first + points.size());
+  network.approach.resize(first + nodes.size());
   double sign = 1.0;
   for (const int body : sides) {
     const auto b = std::size_t(body);
+    std::vector<const double*> points;
+    for (const int node : nodes)
+      points.push_back(interface.pointOf(body, node));
     const DenseMatrix traces = motionTraces(model.rigid[b], model.freeMotions[b], points, normals);
     for (int i = 0; i < traces.rows(); ++i)
       for (int j = 0; j < traces.cols(); ++j)

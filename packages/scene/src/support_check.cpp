@@ -19,7 +19,7 @@ DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, in
   std::vector<Direction> normals;
   for (int i = 0; i < interface.numNodes(); ++i)
     if (model.carriesContact(interface, i)) {
-      points.push_back(interface.point(i));
+      points.push_back(interface.pointOf(body, i));
       normals.push_back(interface.normals[std::size_t(i)]);
     }
   const RigidBasis& basis = model.rigid[std::size_t(body)];

@@ -12,6 +12,10 @@ namespace ndframe
 Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
                    const std::vector<Vector>& displacement, int degree);
 
+/// The same of closing(): with the distance of the facets as they are drawn, where it counts.
+Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+                      const std::vector<Vector>& displacement, int degree);
+
 /// The nodal forces that tractions put on one body, numNodes * dim, global axes: int t_N n_c . v dS with `onDirichlet`
 /// on facets where it is the Dirichlet body, - int t_N n_c . v dS with `onNeumann` on the others.
 Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<ContactFacet>& facets,

@@ -21,7 +21,11 @@ struct BodyModel
   Elasticity law;
   std::vector<std::unique_ptr<Support>> supports;
   std::vector<std::unique_ptr<Load>> loads;
+  Mesh base;                ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
+  std::vector<int> parents; ///< then per cell of `mesh` the cell of `base` that it is a part of
 
+  /// The mesh without what other bodies cut into it: what is refined.
+  const Mesh& uncut() const { return parents.empty() ? mesh : base; }
   int numDofs() const { return nodes.numNodes() * nodes.dim; }
   /// Side by name; null if the mesh has none of that name.
   const Side* side(const std::string& sideName) const { return mesh.findSide(sideName); }

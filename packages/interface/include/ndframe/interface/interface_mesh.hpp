@@ -7,13 +7,16 @@
 #include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/base/params.hpp"
+#include "ndframe/interface/side_map.hpp"
 
 namespace ndframe
 {
 
-/// Two matching sides that may touch. Everything is seen from the Dirichlet body: n_c = n_1.
+/// Two sides that may touch, whose meshes match: each facet has one that it faces. Everything is seen from the
+/// Dirichlet body: n_c = n_1.
 ///
-/// Interface nodes are numbered along the Dirichlet side; facets refer to these numbers.
+/// Interface nodes are numbered along the first side, the Dirichlet side of the deck; facets refer to these numbers.
+/// Sides that are drawn apart or as different polygons have two positions at a node, and the first side's measure.
 struct InterfaceMesh
 {
   std::string name;
@@ -21,24 +24,37 @@ struct InterfaceMesh
   int dim = 0;
   int order = 0;
   std::vector<int> dirichletNodes, neumannNodes; ///< per interface node, node numbers in the two bodies
-  std::vector<double> points;                    ///< dim per interface node
+  std::vector<double> points;                    ///< dim per interface node, on the first side
+  std::vector<double> partners;                  ///< the same on the second side; empty: the same points
+  int firstBody = 0;                             ///< whose side the first one is
   std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure,
                                                  ///< or the value of the turning field (normal_field.hpp)
-  Vector gap;                                    ///< g >= 0 at the nodes, a length
-  SampledFunction gapFunction;                   ///< g between them
-  std::vector<int> facets;                       ///< interface nodes per facet, in the order of facetLocalNodes
-  std::vector<double> measures;                  ///< of the facets
+  Vector gap;                                    ///< g at the nodes, a length
+  SampledFunction gapFunction;         ///< the deck's Gap on the first side: g, without what the geometry says
+  Vector drawnGap;                     ///< n . (pi x - x) at the nodes where it counts, a part of g; or empty
+  std::vector<int> facets;             ///< interface nodes per facet, in the order of facetLocalNodes
+  std::vector<double> measures;        ///< of the facets, on the first side
+  std::vector<Direction> facetNormals; ///< of the first side's facets, seen from the Dirichlet body as n_c
   std::vector<Facet> dirichletFacets, neumannFacets; ///< the same facet on the two sides
   /// n_c at the two vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
   /// their own normal. Empty where nothing turns.
   std::vector<std::array<Direction, 2>> endNormals;
   std::shared_ptr<const InterfaceMesh> firstMesh; ///< the side as first meshed, which gave the normals; null: this one
+  std::shared_ptr<const SideMap> map; ///< which points face each other; null: sides that match as they are drawn
 
   int numNodes() const { return int(dirichletNodes.size()); }
   int numFacets() const { return int(measures.size()); }
   int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); }
   const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
+  /// Where the node of one of the two bodies is.
+  const double* pointOf(int body, int node) const
+  {
+    return body == firstBody || partners.empty() ? point(node) : partners.data() + std::size_t(node) * std::size_t(dim);
+  }
 };
+
+/// Whether vertices of two sides lie on each other, each on one.
+bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide);
 
 /// Pairs the two sides named by an `Interfaces` entry (keys "Dirichlet Side", "Neumann Side", "Gap", "Corner Angle").
 ///
@@ -46,5 +62,14 @@ struct InterfaceMesh
 /// where); when the bodies overlap (both on the same side of the interface, one side inside the other body, or a
 /// negative gap: where and how much); when they are apart (the opening belongs into Gap).
 InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann);
+
+/// The same for sides whose meshes match along a map (insertion.hpp).
+InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+                         std::shared_ptr<const SideMap> map);
+
+/// Adds n . (pi x - x) to the gap of sides with a map, as "Gap From Geometry" wants it: Yes, No, or, Automatic, unless
+/// the sides touch but for the chords of a curve (SideMap::touches). To be called when the nodes have their normals.
+/// Throws InputError where the sides overlap, with the place and the depth.
+void addDrawnGap(const Params& definition, InterfaceMesh& interface);
 
 } // namespace ndframe

@@ -20,6 +20,9 @@ namespace ndframe
 /// that do not turn.
 void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle);
 
+/// Gives the nodes the values of endNormals where these are one value.
+void setNodeNormals(InterfaceMesh& mesh);
+
 /// Gives every corner inside a side, where two facets of the plane meet at more than `cornerAngle`, a second node with
 /// the same body nodes, so that each facet keeps its own normal there: two conditions on one pair of nodes. Not with an
 /// angle of 0, where every vertex would be a corner and a curved side could not slip. maySplit: per interface node,

@@ -1,0 +1,162 @@
+#include "coarse_tractions.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "ndframe/admissibility/contact_nodes.hpp"
+#include "ndframe/admissibility/edge_functions.hpp"
+#include "ndframe/algebra/sparse_cholesky.hpp"
+#include "ndframe/fem/quadrature.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A coarse facet may be covered in a small part: what is not seen there stays small.
+constexpr double regularisation = 1e-9;
+
+/// The facet of the uncut mesh that a facet is a part of: its vertices.
+std::array<int, 2> uncutEnds(const BodyModel& body, Facet facet)
+{
+  const Mesh& base = body.uncut();
+  const int* vertices = base.cell(body.parents[std::size_t(facet.cell)]);
+  const auto centre = facetCentre(body.mesh, facet);
+  std::array<int, 2> best{};
+  double least = HUGE_VAL;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double *a = base.point(vertices[k]), *b = base.point(vertices[(k + 1) % 3]);
+    const double dx = b[0] - a[0], dy = b[1] - a[1];
+    const double beside = std::abs(dx * (centre[1] - a[1]) - dy * (centre[0] - a[0])) / (dx * dx + dy * dy);
+    if (beside < least) {
+      least = beside;
+      best = {vertices[k], vertices[(k + 1) % 3]};
+    }
+  }
+  return {std::min(best[0], best[1]), std::max(best[0], best[1])};
+}
+
+/// Polynomials on the uncut facets of one side of every interface that was cut there.
+class CoarseTraces
+{
+public:
+  CoarseTraces(const CertifiedScene& scene, bool isDirichlet) : scene_(scene), isDirichlet_(isDirichlet)
+  {
+    for (std::size_t f = 0; f < scene.facets.size(); ++f)
+      if (const BodyModel& body = bodyOf(f); !body.parents.empty())
+        add(f, body);
+  }
+
+  bool isEmpty() const { return pieces_.empty(); }
+
+  /// The nodal values of the nearest; where nothing was cut they stay.
+  Vector nearest(const Vector& nodal) const
+  {
+    const std::size_t nodes = std::size_t(scene_.order) + 1;
+    const DenseMatrix mass = nodalMass();
+    SymmetricEntries matrix;
+    matrix.size = int(unknowns_.size());
+    Vector right(unknowns_.size(), 0.0);
+    for (const Piece& piece : pieces_) {
+      const ContactFacet& facet = scene_.facets[piece.facet];
+      const DenseMatrix weighted = multiply(mass, piece.values);
+      for (std::size_t j = 0; j < nodes; ++j) {
+        for (std::size_t i = 0; i < nodes; ++i)
+          right[piece.unknowns[j]] += facet.measure * weighted(int(i), int(j)) * nodal[std::size_t(facet.nodes[i])];
+        for (std::size_t i = 0; i < nodes; ++i)
+          if (piece.unknowns[i] <= piece.unknowns[j]) {
+            double entry = 0.0;
+            for (std::size_t k = 0; k < nodes; ++k)
+              entry += piece.values(int(k), int(i)) * weighted(int(k), int(j));
+            matrix.add(int(piece.unknowns[i]), int(piece.unknowns[j]),
+                       facet.measure * (i == j ? (1.0 + regularisation) * entry : entry));
+          }
+      }
+    }
+    const Vector coarse = SparseCholesky(matrix).solve(right);
+    Vector result = nodal;
+    for (const Piece& piece : pieces_)
+      for (std::size_t i = 0; i < nodes; ++i) {
+        double value = 0.0;
+        for (std::size_t j = 0; j < nodes; ++j)
+          value += piece.values(int(i), int(j)) * coarse[piece.unknowns[j]];
+        result[std::size_t(scene_.facets[piece.facet].nodes[i])] = value;
+      }
+    return result;
+  }
+
+private:
+  struct Piece
+  {
+    std::size_t facet;
+    std::array<std::size_t, 3> unknowns; ///< of the uncut facet: its vertices, its middle
+    DenseMatrix values;                  ///< of their functions at the facet's nodes
+  };
+
+  const BodyModel& bodyOf(std::size_t f) const
+  {
+    const ContactFacet& facet = scene_.facets[f];
+    return *scene_.bodies[std::size_t(isDirichlet_ ? facet.dirichletBody : facet.neumannBody)];
+  }
+
+  void add(std::size_t f, const BodyModel& body)
+  {
+    const ContactFacet& facet = scene_.facets[f];
+    const auto ends = uncutEnds(body, isDirichlet_ ? facet.dirichlet : facet.neumann);
+    const double *a = body.base.point(ends[0]), *b = body.base.point(ends[1]);
+    const auto nodes = contactNodes(body, facet, isDirichlet_);
+    Piece piece{f, {unknown(body, ends[0], -1), unknown(body, ends[1], -1), 0}, {scene_.order + 1, scene_.order + 1}};
+    if (scene_.order == 2)
+      piece.unknowns[2] = unknown(body, ends[0], ends[1]);
+    const double squared = std::pow(b[0] - a[0], 2) + std::pow(b[1] - a[1], 2);
+    for (int i = 0; i <= scene_.order; ++i) {
+      const double* x = body.nodes.point(nodes[std::size_t(i)]);
+      const double t = ((x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1])) / squared;
+      const std::array<double, 2> lambda{1.0 - t, t};
+      std::array<double, 3> N{};
+      edgeFunctions(scene_.order, lambda.data(), N.data());
+      for (int j = 0; j <= scene_.order; ++j)
+        piece.values(i, j) = N[std::size_t(j)];
+    }
+    pieces_.push_back(std::move(piece));
+  }
+
+  /// The number of a vertex, or of the middle of two; its own for every interface.
+  std::size_t unknown(const BodyModel& body, int first, int second)
+  {
+    return unknowns_.insert({{&body, first, second}, unknowns_.size()}).first->second;
+  }
+
+  DenseMatrix nodalMass() const
+  {
+    const QuadratureRule rule = simplexRule(1, 2 * scene_.order);
+    DenseMatrix mass(scene_.order + 1, scene_.order + 1);
+    std::array<double, 3> N{};
+    for (int g = 0; g < rule.size(); ++g) {
+      edgeFunctions(scene_.order, rule.point(g), N.data());
+      for (int i = 0; i <= scene_.order; ++i)
+        for (int j = 0; j <= scene_.order; ++j)
+          mass(i, j) += rule.weights[std::size_t(g)] * N[std::size_t(i)] * N[std::size_t(j)];
+    }
+    return mass;
+  }
+
+  const CertifiedScene& scene_;
+  bool isDirichlet_;
+  std::map<std::tuple<const BodyModel*, int, int>, std::size_t> unknowns_;
+  std::vector<Piece> pieces_;
+};
+
+} // namespace
+
+std::vector<Vector> tractionsOfSides(const CertifiedScene& scene, const Vector& nodal)
+{
+  std::vector<Vector> tractions{nodal};
+  for (const bool isDirichlet : {true, false})
+    if (const CoarseTraces traces(scene, isDirichlet); !traces.isEmpty())
+      tractions.push_back(traces.nearest(nodal));
+  return tractions;
+}
+
+} // namespace ndframe

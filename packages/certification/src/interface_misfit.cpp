@@ -1,0 +1,90 @@
+#include "interface_misfit.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/admissibility/contact_moments.hpp"
+#include "ndframe/admissibility/contact_nodes.hpp"
+#include "ndframe/admissibility/smallest_stiffness.hpp"
+#include "ndframe/assembly/cell_field.hpp"
+#include "ndframe/equilibrium/moment_basis.hpp"
+#include "ndframe/fem/quadrature.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// t n_c at points of a facet, as a force per length of the interface's first side.
+std::vector<Direction> tractionAt(const ContactFacet& facet, const ContactTraction& traction, int number,
+                                  const QuadratureRule& rule)
+{
+  const MomentBasis basis = facetBasis(2, traction.degree);
+  const Vector moments = traction.moments(number);
+  Vector L(moments.size());
+  std::vector<Direction> values;
+  for (int g = 0; g < rule.size(); ++g) {
+    const double* lambda = rule.point(g);
+    basis.values(lambda, L.data());
+    const double t = dot(moments, L) / facet.measure;
+    values.emplace_back();
+    for (std::size_t k = 0; k < 2; ++k)
+      values.back()[k] =
+          t * (facet.turns ? lambda[0] * facet.ends[0][k] + lambda[1] * facet.ends[1][k] : facet.normal[k]);
+  }
+  return values;
+}
+
+/// int |t - K eps(u) nu|^2 over one side of a facet; t per length of this side.
+template <int order>
+double misfitOf(const BodyModel& body, const Vector& displacement, Facet own, const std::array<int, 3>& nodes,
+                const QuadratureRule& rule, const std::vector<Direction>& traction, double sign)
+{
+  const CellField<2, order> field(body, displacement, own.cell);
+  double normal[2], strain[CellField<2, order>::strains], sigma[CellField<2, order>::strains], carried[2];
+  const double length = facetNormal(body.mesh, own, normal);
+  const int* vertices = body.mesh.cell(own.cell);
+  double square = 0.0;
+  for (int g = 0; g < rule.size(); ++g) {
+    double lambda[3] = {};
+    for (std::size_t end = 0; end < 2; ++end)
+      lambda[std::find(vertices, vertices + 3, nodes[end]) - vertices] = rule.point(g)[end];
+    field.evaluate(lambda, strain, sigma);
+    divergenceForce<2>(normal, sigma, carried);
+    for (std::size_t k = 0; k < 2; ++k)
+      square +=
+          length * rule.weights[std::size_t(g)] * std::pow(sign / length * traction[std::size_t(g)][k] - carried[k], 2);
+  }
+  return length * square;
+}
+
+} // namespace
+
+double interfaceMisfit(const CertifiedScene& scene, const IntermediateField& field)
+{
+  const QuadratureRule rule = simplexRule(1, 2 * scene.degree + 2);
+  double square = 0.0;
+  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
+    const ContactFacet& facet = scene.facets[f];
+    for (const bool isDirichlet : {true, false}) {
+      const auto b = std::size_t(isDirichlet ? facet.dirichletBody : facet.neumannBody);
+      const BodyModel& body = *scene.bodies[b];
+      const auto traction = tractionAt(facet, isDirichlet ? field.onDirichlet : field.onNeumann, int(f), rule);
+      const auto nodes = contactNodes(body, facet, isDirichlet);
+      const Facet own = isDirichlet ? facet.dirichlet : facet.neumann;
+      const double sign = isDirichlet ? facet.measure : -facet.measure;
+      square += (scene.order == 1 ? misfitOf<1>(body, field.displacement[b], own, nodes, rule, traction, sign)
+                                  : misfitOf<2>(body, field.displacement[b], own, nodes, rule, traction, sign)) /
+                smallestStiffness(body.law);
+    }
+  }
+  const Vector gap = nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree);
+  Vector opening = jumpMoments(scene.bodies, scene.facets, scene.solved, scene.degree);
+  for (std::size_t i = 0; i < opening.size(); ++i)
+    opening[i] -= gap[i];
+  for (const double twice : contactContributions(scene.facets, field.onDirichlet, opening))
+    square += twice;
+  return std::sqrt(std::max(0.0, square));
+}
+
+} // namespace ndframe

@@ -1,0 +1,152 @@
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "ndframe/interface/normal_field.hpp"
+#include "side_facets.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates.
+constexpr double roundOff = 1e-6;
+
+/// The nodes of a piece's two facets, in the order of the first one's facetNodes.
+struct FacingNodes
+{
+  std::array<int, 3> first{}, second{};
+};
+
+FacingNodes nodesOf(const FacingPiece& piece, const NodeMap& first, const NodeMap& second)
+{
+  FacingNodes nodes;
+  facetNodes(first, piece.first, nodes.first.data());
+  facetNodes(second, piece.second, nodes.second.data());
+  if ((piece.onFirst[0] < piece.onFirst[1]) != (piece.onSecond[0] < piece.onSecond[1]))
+    std::swap(nodes.second[0], nodes.second[1]);
+  return nodes;
+}
+
+void addPoints(std::vector<double>& points, const NodeMap& map, int node)
+{
+  points.insert(points.end(), map.point(node), map.point(node) + map.dim);
+}
+
+/// Numbers the pairs of nodes that face each other; a node with two partners is two interface nodes.
+void addFacingNodes(InterfaceMesh& interface, const std::vector<FacingPiece>& pieces, const NodeMap& first,
+                    const NodeMap& second)
+{
+  std::vector<std::pair<int, int>> ofFacets;
+  for (const FacingPiece& piece : pieces) {
+    const FacingNodes nodes = nodesOf(piece, first, second);
+    for (std::size_t i = 0; i < std::size_t(first.nodesPerFacet); ++i)
+      ofFacets.emplace_back(nodes.first[i], nodes.second[i]);
+  }
+  std::map<std::pair<int, int>, int> number;
+  for (const auto& pair : ofFacets)
+    number[pair] = 0;
+  int next = 0;
+  for (auto& [nodes, place] : number) {
+    place = next++;
+    interface.dirichletNodes.push_back(nodes.first);
+    interface.neumannNodes.push_back(nodes.second);
+    addPoints(interface.points, first, nodes.first);
+    addPoints(interface.partners, second, nodes.second);
+  }
+  for (const auto& pair : ofFacets)
+    interface.facets.push_back(number.at(pair));
+}
+
+/// n at the vertices of a piece's first facet; zeros where the facet keeps its own.
+std::array<Direction, 2> normalsOf(const SideMap& map, const FacingPiece& piece)
+{
+  const SideSegment& segment = map.segments()[piece.segment];
+  if (!map.first().edges()[std::size_t(segment.firstEdge)].turns)
+    return {};
+  std::array<Direction, 2> ends{map.normal(segment, piece.at[0]), map.normal(segment, piece.at[1])};
+  if (piece.onFirst[0] > piece.onFirst[1])
+    std::swap(ends[0], ends[1]);
+  return ends;
+}
+
+void refuseOverlap(const Params& definition, const SideMap& map)
+{
+  double deepest = 0.0, bow = 0.0;
+  Direction where{};
+  for (const SideSegment& segment : map.segments()) {
+    const SideEdge &first = map.first().edges()[std::size_t(segment.firstEdge)],
+                   &second = map.second().edges()[std::size_t(segment.secondEdge)];
+    for (const double t : {0.0, 0.5, 1.0})
+      if (const double opening = map.opening(segment, t);
+          opening < std::min(deepest, -roundOff * std::min(first.length(), second.length())))
+      {
+        deepest = opening;
+        where = map.pointOnFirst(segment, t);
+        bow = first.bow + second.bow;
+      }
+  }
+  if (deepest == 0.0)
+    return;
+  const bool isChord = -deepest <= bow;
+  throw InputError(definition.mistake(
+      "Gap From Geometry",
+      fmt::format("the bodies overlap at the start: by {:.3g} at {}; {}", -deepest, pointText(where.data(), 2),
+                  isChord ? "chords of a curve reach that far into the other body: mesh the sides finer, or let them "
+                            "touch where they face each other (Gap From Geometry = No, the clearance as Gap)."
+                          : "move one of the meshes, or take the drawn distance as none (Gap From Geometry = No).")));
+}
+
+} // namespace
+
+InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+                         std::shared_ptr<const SideMap> map)
+{
+  const Side& first = findSide(definition, "Dirichlet Side", dirichlet);
+  const Side& second = findSide(definition, "Neumann Side", neumann);
+  const auto pieces = facingPieces(*map, dirichlet.mesh, first.facets, neumann.mesh, second.facets);
+  if (pieces.empty())
+    throw InputError(definition.mistake(
+        "", fmt::format("no part of {}/{} faces {}/{}: along n_c, the outward normal of the first, there is nothing of "
+                        "the second that looks back; name the sides that face each other.",
+                        dirichlet.name, first.name, neumann.name, second.name)));
+  InterfaceMesh interface;
+  interface.name = definition.name();
+  interface.dim = 2;
+  interface.order = dirichlet.nodes.order;
+  addFacingNodes(interface, pieces, dirichlet.nodes, neumann.nodes);
+  std::vector<Facet> facets;
+  for (const FacingPiece& piece : pieces) {
+    facets.push_back(piece.first);
+    interface.neumannFacets.push_back(piece.second);
+    interface.endNormals.push_back(normalsOf(*map, piece));
+  }
+  addNormals(interface, dirichlet.mesh, facets);
+  const auto turns = [](const auto& ends) { return dotProduct(ends[0], ends[0]) > 0.0; };
+  if (std::none_of(interface.endNormals.begin(), interface.endNormals.end(), turns))
+    interface.endNormals.clear();
+  else
+    setNodeNormals(interface);
+  evaluateGap(definition, interface);
+  interface.map = std::move(map);
+  return interface;
+}
+
+void addDrawnGap(const Params& definition, InterfaceMesh& interface)
+{
+  const auto wanted = definition.get<std::string>("Gap From Geometry");
+  if (!interface.map || wanted == "No" || (wanted == "Automatic" && interface.map->touches()))
+    return;
+  refuseOverlap(definition, *interface.map);
+  for (int i = 0; i < interface.numNodes(); ++i) {
+    const double *x = interface.point(i), *y = interface.partners.data() + std::ptrdiff_t(i) * 2;
+    const Direction& n = interface.normals[std::size_t(i)];
+    interface.drawnGap.push_back(n[0] * (y[0] - x[0]) + n[1] * (y[1] - x[1]));
+    interface.gap[std::size_t(i)] += interface.drawnGap.back();
+  }
+}
+
+} // namespace ndframe

@@ -1,0 +1,84 @@
+#include "side_facets.hpp"
+
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/expression.hpp"
+
+namespace ndframe
+{
+
+const Side& findSide(const Params& definition, const char* key, const BodyModel& body)
+{
+  const auto name = definition.get<std::string>(key);
+  const Side* side = body.side(name);
+  if (side == nullptr)
+    throw InputError(definition.mistake(
+        key, fmt::format("body \"{}\" has no side \"{}\"; {}.", body.name, name, sideNames(body.mesh))));
+  return *side;
+}
+
+void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets)
+{
+  if (interface.dirichletNodes.empty())
+    interface.dirichletNodes = sideNodes(nodes, {"", facets});
+  std::map<int, int> number;
+  for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i)
+    number[interface.dirichletNodes[i]] = int(i);
+  int ofFacet[6];
+  for (const Facet facet : facets) {
+    facetNodes(nodes, facet, ofFacet);
+    for (int a = 0; a < nodes.nodesPerFacet; ++a)
+      interface.facets.push_back(number.at(ofFacet[a]));
+  }
+  addNormals(interface, mesh, facets);
+}
+
+void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Facet>& facets)
+{
+  interface.dirichletFacets = facets;
+  interface.normals.assign(interface.dirichletNodes.size(), Direction{});
+  const std::size_t nodes = interface.facets.size() / facets.size();
+  for (std::size_t f = 0; f < facets.size(); ++f) {
+    Direction normal{};
+    interface.measures.push_back(facetNormal(mesh, facets[f], normal.data()));
+    interface.facetNormals.push_back(normal);
+    for (std::size_t a = 0; a < nodes; ++a)
+      for (std::size_t k = 0; k < 3; ++k)
+        interface.normals[std::size_t(interface.facets[f * nodes + a])][k] += interface.measures.back() * normal[k];
+  }
+  for (auto& normal : interface.normals) {
+    const double length = std::sqrt(dotProduct(normal, normal));
+    for (double& component : normal)
+      component /= length;
+  }
+}
+
+void evaluateGap(const Params& definition, InterfaceMesh& interface)
+{
+  const Expression gap = definition.expression("Gap");
+  interface.gapFunction = sampledFunction(definition, "Gap");
+  double deepest = 0.0;
+  int where = -1;
+  for (int i = 0; i < interface.numNodes(); ++i) {
+    const double* x = interface.point(i);
+    interface.gap.push_back(gap(x[0], x[1], interface.dim == 3 ? x[2] : 0.0));
+    if (!std::isfinite(interface.gap.back()))
+      throw InputError(definition.mistake(
+          "Gap", fmt::format("Gap = \"{}\" is {} at {}; it must be finite on the whole side.", gap.text(),
+                             std::abs(interface.gap.back()), pointText(x, interface.dim))));
+    if (interface.gap.back() < deepest) {
+      deepest = interface.gap.back();
+      where = i;
+    }
+  }
+  if (where >= 0)
+    throw InputError(
+        definition.mistake("Gap", fmt::format("the bodies overlap at the start: the gap is {:.3g} at {}; it must "
+                                              "not be negative.",
+                                              deepest, pointText(interface.point(where), interface.dim))));
+}
+
+} // namespace ndframe

@@ -1,0 +1,21 @@
+#pragma once
+
+#include "ndframe/interface/interface_mesh.hpp"
+
+namespace ndframe
+{
+
+/// The side that a key of an interface's definition names; InputError if the body has none of that name.
+const Side& findSide(const Params& definition, const char* key, const BodyModel& body);
+
+/// Fills in what an interface has of its first side alone: dirichletNodes (ascending), facets, and addNormals().
+void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets);
+
+/// Fills in dirichletFacets, measures, facetNormals and the normals at the nodes: the facets' weighted by their
+/// measure.
+void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Facet>& facets);
+
+/// Fills in gapFunction and gap: what the deck's Gap is. InputError where it is negative or not finite.
+void evaluateGap(const Params& definition, InterfaceMesh& interface);
+
+} // namespace ndframe

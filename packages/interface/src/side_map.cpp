@@ -1,0 +1,260 @@
+#include "ndframe/interface/side_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <utility>
+
+namespace ndframe
+{
+namespace
+{
+
+/// Edges face each other when the cosine of the angle between n and the second one's normal is below.
+constexpr double facing = -0.5;
+/// Ends of edges of a curve face each other when they would leave a segment shorter than this part of the shorter edge:
+/// which points of a curve face each other is a choice within this.
+constexpr double sameEnd = 1e-2;
+constexpr double sameEndStraight = 1e-9;
+constexpr double sameLine = 1e-9;
+/// Polygons of one curve are apart by their bows, and a little more where edges are of different lengths.
+constexpr double bowLeeway = 1.5;
+
+Direction difference(const Direction& a, const Direction& b)
+{
+  return {a[0] - b[0], a[1] - b[1], 0.0};
+}
+
+double cross(const Direction& a, const Direction& b)
+{
+  return a[0] * b[1] - a[1] * b[0];
+}
+
+Direction normalAt(const SideEdge& edge, double s)
+{
+  return {(1.0 - s) * edge.normals[0][0] + s * edge.normals[1][0],
+          (1.0 - s) * edge.normals[0][1] + s * edge.normals[1][1], 0.0};
+}
+
+Direction ownNormal(const SideEdge& edge)
+{
+  const Direction along = difference(edge.ends[1], edge.ends[0]);
+  const double length = edge.length();
+  return {along[1] / length, -along[0] / length, 0.0};
+}
+
+/// The place s on an edge whose ray runs through y: (y - x(s)) x n(s) = 0, if there is one change of sign between.
+std::optional<double> rayThrough(const SideEdge& edge, const Direction& y)
+{
+  const Direction to = difference(y, edge.ends[0]), along = difference(edge.ends[1], edge.ends[0]);
+  const Direction turning = difference(edge.normals[1], edge.normals[0]);
+  const double c = cross(to, edge.normals[0]), a = -cross(along, turning);
+  const double b = cross(to, turning) - cross(along, edge.normals[0]);
+  if (c * (a + b + c) >= 0.0)
+    return std::nullopt;
+  const double root = std::sqrt(std::max(0.0, b * b - 4.0 * a * c)), q = -0.5 * (b + std::copysign(root, b));
+  const double s = std::abs(q) > 0.0 ? c / q : 0.0;
+  return s >= 0.0 && s <= 1.0 ? s : q / a;
+}
+
+/// Where the ray from x along n meets an edge: place on it, and how far away.
+struct Hit
+{
+  double place, distance;
+};
+
+std::optional<Hit> meet(const Direction& x, const Direction& n, const SideEdge& edge)
+{
+  const Direction along = difference(edge.ends[1], edge.ends[0]);
+  const double across = cross(along, n);
+  if (across == 0.0)
+    return std::nullopt;
+  const double place = cross(difference(x, edge.ends[0]), n) / across;
+  return Hit{place, dotProduct(difference(edge.at(place), x), n) / std::sqrt(dotProduct(n, n))};
+}
+
+bool faces(const SideEdge& first, const SideEdge& second)
+{
+  const Direction n = normalAt(first, 0.5);
+  return dotProduct(n, ownNormal(second)) < facing * std::sqrt(dotProduct(n, n));
+}
+
+/// Largest extent of both polygons.
+double extentOf(const SidePolygon& first, const SidePolygon& second)
+{
+  std::array<double, 2> low{HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL};
+  for (const SidePolygon* polygon : {&first, &second})
+    for (const SideEdge& edge : polygon->edges())
+      for (const Direction& end : edge.ends)
+        for (std::size_t k = 0; k < 2; ++k) {
+          low[k] = std::min(low[k], end[k]);
+          high[k] = std::max(high[k], end[k]);
+        }
+  return std::hypot(high[0] - low[0], high[1] - low[1]);
+}
+
+/// The nearest edge among some that the ray from s on the first edge meets.
+int nearestEdge(const SideEdge& first, double s, const std::vector<SideEdge>& edges, const std::vector<int>& among,
+                double reach)
+{
+  int nearest = -1;
+  double least = reach;
+  for (const int e : among)
+    if (const auto hit = meet(first.at(s), normalAt(first, s), edges[std::size_t(e)]);
+        hit && hit->place >= 0.0 && hit->place <= 1.0 && std::abs(hit->distance) < least)
+    {
+      least = std::abs(hit->distance);
+      nearest = e;
+    }
+  return nearest;
+}
+
+double snapped(double place, double tolerance)
+{
+  if (place < tolerance)
+    return 0.0;
+  return place > 1.0 - tolerance ? 1.0 : place;
+}
+
+} // namespace
+
+SideMap::SideMap(SidePolygon first, SidePolygon second)
+    : first_(std::move(first)), second_(std::move(second)), reach_(extentOf(first_, second_))
+{
+  for (std::size_t e = 0; e < first_.edges().size(); ++e)
+    addSegments(int(e));
+  keepApart();
+}
+
+void SideMap::addSegments(int firstEdge)
+{
+  const SideEdge& first = first_.edges()[std::size_t(firstEdge)];
+  const auto& edges = second_.edges();
+  std::vector<int> opposite;
+  std::vector<std::pair<double, double>> ends{{0.0, 0.0}, {1.0, 0.0}}; // and the length of the edge that ends there
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    if (!faces(first, edges[e]))
+      continue;
+    opposite.push_back(int(e));
+    for (const Direction& end : edges[e].ends)
+      if (const auto s = rayThrough(first, end); s)
+        ends.emplace_back(*s, edges[e].length());
+  }
+  std::sort(ends.begin(), ends.end());
+  const double length = first.length(), part = first.turns ? sameEnd : sameEndStraight;
+  std::vector<double> places;
+  for (const auto& [s, other] : ends) {
+    const double tolerance = part * std::min(1.0, other > 0.0 ? other / length : 1.0);
+    const double place = snapped(s, tolerance);
+    if (places.empty() || place - places.back() > tolerance || place == 1.0)
+      places.push_back(place);
+  }
+  for (std::size_t i = 0; i + 1 < places.size(); ++i) {
+    const double from = places[i], to = places[i + 1];
+    const int e = to > from ? nearestEdge(first, 0.5 * (from + to), edges, opposite, reach_) : -1;
+    if (e < 0)
+      continue;
+    SideSegment segment{firstEdge, e, {from, to}, {}};
+    const SideEdge& second = edges[std::size_t(e)];
+    const double tolerance = part * std::min(1.0, length / second.length());
+    for (std::size_t k = 0; k < 2; ++k)
+      segment.second[k] =
+          snapped(meet(first.at(segment.first[k]), normalAt(first, segment.first[k]), second)->place, tolerance);
+    if (segment.second[0] != segment.second[1])
+      segments_.push_back(segment);
+  }
+}
+
+/// No point of the second side belongs to two segments: what two of them claim is divided in the middle.
+void SideMap::keepApart()
+{
+  std::vector<std::size_t> order(segments_.size());
+  for (std::size_t i = 0; i < order.size(); ++i)
+    order[i] = i;
+  const auto low = [this](std::size_t i) { return std::min(segments_[i].second[0], segments_[i].second[1]); };
+  std::sort(order.begin(), order.end(), [&](std::size_t i, std::size_t j) {
+    return std::pair(segments_[i].secondEdge, low(i)) < std::pair(segments_[j].secondEdge, low(j));
+  });
+  const auto end = [](SideSegment& segment, double place, bool upper) {
+    const bool isFirst = (segment.second[0] > segment.second[1]) == upper;
+    const std::size_t k = isFirst ? 0 : 1;
+    const double share = (place - segment.second[0]) / (segment.second[1] - segment.second[0]);
+    segment.first[k] = segment.first[0] + share * (segment.first[1] - segment.first[0]);
+    segment.second[k] = place;
+  };
+  for (std::size_t i = 0; i + 1 < order.size(); ++i) {
+    SideSegment &a = segments_[order[i]], &b = segments_[order[i + 1]];
+    const double upper = std::max(a.second[0], a.second[1]), lower = low(order[i + 1]);
+    if (a.secondEdge != b.secondEdge || lower >= upper - sameEndStraight)
+      continue;
+    const double middle = std::clamp(0.5 * (upper + lower), low(order[i]) + sameEndStraight,
+                                     std::max(b.second[0], b.second[1]) - sameEndStraight);
+    end(a, middle, true);
+    end(b, middle, false);
+  }
+}
+
+Direction SideMap::pointOnFirst(const SideSegment& segment, double t) const
+{
+  return first_.edges()[std::size_t(segment.firstEdge)].at((1.0 - t) * segment.first[0] + t * segment.first[1]);
+}
+
+Direction SideMap::pointOnSecond(const SideSegment& segment, double t) const
+{
+  return second_.edges()[std::size_t(segment.secondEdge)].at((1.0 - t) * segment.second[0] + t * segment.second[1]);
+}
+
+Direction SideMap::normal(const SideSegment& segment, double t) const
+{
+  return normalAt(first_.edges()[std::size_t(segment.firstEdge)], (1.0 - t) * segment.first[0] + t * segment.first[1]);
+}
+
+double SideMap::opening(const SideSegment& segment, double t) const
+{
+  return dotProduct(normal(segment, t), difference(pointOnSecond(segment, t), pointOnFirst(segment, t)));
+}
+
+bool SideMap::isSameLine(const SideSegment& segment) const
+{
+  const SideEdge& first = first_.edges()[std::size_t(segment.firstEdge)];
+  if (first.turns)
+    return false;
+  const double size = sameLine * (first.length() + second_.edges()[std::size_t(segment.secondEdge)].length());
+  for (const double t : {0.0, 1.0}) {
+    const Direction apart = difference(pointOnSecond(segment, t), pointOnFirst(segment, t));
+    if (std::hypot(apart[0], apart[1]) > size)
+      return false;
+  }
+  return true;
+}
+
+double SideMap::largestOpening() const
+{
+  double largest = 0.0, roundOff = 0.0;
+  for (const SideSegment& segment : segments_) {
+    roundOff = std::max(roundOff, sameLine * first_.edges()[std::size_t(segment.firstEdge)].length());
+    for (const double t : {0.0, 0.5, 1.0})
+      largest = std::max(largest, std::abs(opening(segment, t)));
+  }
+  return largest > roundOff ? largest : 0.0;
+}
+
+bool SideMap::touches() const
+{
+  double least = HUGE_VAL, roundOff = 0.0;
+  for (const SideSegment& segment : segments_) {
+    const SideEdge &first = first_.edges()[std::size_t(segment.firstEdge)],
+                   &second = second_.edges()[std::size_t(segment.secondEdge)];
+    const double few = 1e-6 * std::min(first.length(), second.length());
+    roundOff = std::max(roundOff, few);
+    for (const double t : {0.0, 0.5, 1.0}) {
+      least = std::min(least, opening(segment, t));
+      if (std::abs(opening(segment, t)) > bowLeeway * (first.bow + second.bow) + few)
+        return false;
+    }
+  }
+  return least <= roundOff;
+}
+
+} // namespace ndframe

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <map>
+#include <utility>
+#include <vector>
+
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// A mesh made of another one.
+struct DerivedMesh
+{
+  Mesh mesh;
+  std::vector<int> parents; ///< per cell the cell of the other one that it is a part of
+};
+
+/// Places on facets of a triangle mesh where vertices are wanted: by cell and local number of the facet, from 0 at its
+/// first vertex (facetVertices) to 1, ascending, strictly between.
+using FacetCuts = std::map<std::pair<int, int>, std::vector<double>>;
+
+/// Gives boundary facets of a triangle mesh new vertices: their cells become fans around the opposite vertices. The
+/// body stays what it is, as do its other cells' facets; points and cells keep their numbers, new ones follow.
+/// The parts of a side's facet stand where it stood, in the direction of facetVertices.
+DerivedMesh cutFacets(const Mesh& mesh, const FacetCuts& cuts);
+
+/// Makes `first` and then `second` of its mesh one step.
+DerivedMesh compose(const DerivedMesh& first, DerivedMesh second);
+
+} // namespace ndframe

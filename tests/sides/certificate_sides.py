@@ -1,0 +1,121 @@
+"""No bound of sides that do not match lies below its error: certificate_sides.py NDFRAME [--scenes N] [--seed FIRST].
+
+Two bodies with random columns on both sides (up to eight to one, facets of one next to the other's by chance), straight,
+turned, curved, apart, one above a part of the other, of random moduli and loads, first and second order, solved to the
+end or stopped anywhere. The error is that of a solution on cells half as large, twice. A guaranteed bound below it is a
+violation; so is a run that ends otherwise than it may. Prints the violations, and how sharp the bounds are.
+"""
+
+import argparse
+import math
+import pathlib
+import random
+import statistics
+import sys
+import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
+import side_scenes
+from runs import Program
+
+ESTIMATES = ("Error Estimation/Estimators={Global, Discretization, Algorithm, Reference}",
+             "Error Estimation/Check Equilibrium=true", "Output/Exodus=false", "Output/Contact Table=false")
+EXACT = 1e-9  # of the solution: an error below is that of two exact solutions
+
+
+def maps(draw, kind):
+    """Of the upper and the lower body, and settings of the interface."""
+    if kind == "straight":
+        turn = draw.choice((0.0, draw.uniform(-0.7, 0.7)))
+        return side_scenes.box(0, 0, 1, 0.5, turn), side_scenes.box(0, -0.5, 1, 0, turn), {}
+    if kind == "part":
+        x0, x1 = draw.uniform(0, 0.3), draw.uniform(0.5, 1.0)
+        return side_scenes.box(x0, 0, x1, 0.5), side_scenes.box(0, -0.5, 1, 0), {}
+    if kind == "curve":
+        height = draw.uniform(-0.15, 0.15)
+        curve = lambda x: height * math.cos(math.pi * x)
+        return (side_scenes.under(curve, 0, 1, 0.6), side_scenes.under(curve, 0, 1, -0.6),
+                {"Gap From Geometry": ("string", draw.choice(("No", "Automatic")))})
+    if kind == "apart":
+        gap, slope, bow = draw.uniform(0.001, 0.02), draw.uniform(0, 0.05), draw.uniform(0, 0.1)
+        upper = lambda x: gap + slope * x + bow * x * x
+        lower = draw.choice((lambda x: 0.0, lambda x: -0.5 * bow * x * x))
+        return side_scenes.under(upper, 0, 1, 0.6), side_scenes.under(lower, 0, 1, -0.5), {}
+    start, radius = draw.uniform(-0.2, 0.0), draw.uniform(0.7, 2.0)  # a round body on a flat one
+    arc = lambda x: radius - math.sqrt(radius * radius - x * x)
+    return side_scenes.under(arc, 0.0, 0.6, 0.8), side_scenes.box(0, -0.5, 1.0 + start, 0), {}
+
+
+def scene(draw):
+    kind = draw.choice(("straight", "part", "curve", "apart", "round"))
+    upper, lower, settings = maps(draw, kind)
+    many = lambda: draw.choice((1, 2, 3, 4, 6, 8))
+    columns = lambda n: side_scenes.even(n) if draw.random() < 0.3 else side_scenes.spread(draw, n, 0.05)
+    held = draw.random() < 0.5
+    size = 10.0 ** draw.uniform(-3, 0) if kind in ("apart", "round") else 1.0
+    load = draw.choice(("1", "1+x", "(x<0.5)", "0.3+x*x"))
+    first = side_scenes.Block("upper", columns(many()), draw.randint(1, 3), upper, "bottom", 10.0 ** draw.uniform(-1, 1),
+                              draw.uniform(0, 0.45), {"left": "Roller", "right": "Roller"} if held else {"left": "Roller"},
+                              f"{size}*({load})")
+    second = side_scenes.Block("lower", columns(many()), draw.randint(1, 3), lower, "top", 10.0 ** draw.uniform(-1, 1),
+                               draw.uniform(0, 0.45), {"bottom": "Clamp", "left": "Roller"})
+    pair = (second, first) if draw.random() < 0.5 else (first, second)
+    return kind, pair, settings
+
+
+def coupling(draw):
+    """Settings, and whether it ends where it should."""
+    if draw.random() < 0.6:
+        return ["Coupling/Type=Monolithic"], True
+    sweeps = draw.choice((1, 2, 5, 200))
+    return ["Coupling/Type=Neumann-Dirichlet", f"Coupling/Stopping/Maximum Sweeps={sweeps}"], False
+
+
+def judge(program, seed):
+    """(what is wrong or None, bound / error of a run that ends where it should, what it is about)"""
+    draw = random.Random(f"sides {seed}")
+    kind, pair, settings = scene(draw)
+    order, (how, ends) = draw.choice((1, 2)), coupling(draw)
+    about = f"{seed}: {kind}, order {order}, {', '.join(how)}"
+    with tempfile.TemporaryDirectory() as folder:
+        deck = side_scenes.write_scene(folder, *pair, settings)
+        run = program.run(deck, f"Discretization/Order={order}", *how, *ESTIMATES)
+    if run.code == 2 and "overlap at the start" in run.screen and kind in ("apart", "curve"):
+        return None, None, about  # chords that reach into the other body
+    if run.code not in (0, 3):
+        return f"exit code {run.code}: {run.screen[-300:]}", None, about
+    if not run.summary or not run.summary["errors"]:
+        return None, None, about
+    errors = run.summary["errors"]
+    bound, error = errors["global"]["absolute"], errors["reference"]["displacement"]
+    if errors["global"]["guaranteed"] and error > bound and errors["reference"]["relative"] > EXACT:
+        return f"bound {bound:.6g} below the error {error:.6g}", None, about
+    if not errors["global"]["guaranteed"] and run.code == 0:
+        return f"not guaranteed: {errors['global']['reason']}", None, about
+    told = ends and run.code == 0 and errors["reference"]["relative"] > EXACT
+    return None, bound / error if told else None, about
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("ndframe")
+    parser.add_argument("--scenes", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=0)
+    options = parser.parse_args()
+    program, sharpness, wrong = Program(options.ndframe), {}, 0
+    for seed in range(options.seed, options.seed + options.scenes):
+        violation, ratio, about = judge(program, seed)
+        if violation:
+            wrong += 1
+            print(f"{about}: {violation}", flush=True)
+        if ratio:
+            sharpness.setdefault(about.split(": ")[1].split(",")[0], []).append(ratio)
+    for kind, ratios in sorted(sharpness.items()):
+        print(f"bound / reference error, {kind}: {len(ratios)} converged runs, median {statistics.median(ratios):.3f}, "
+              f"{min(ratios):.3f} to {max(ratios):.3f}")
+    print(f"{options.scenes} scenes, {wrong} wrong")
+    sys.exit(1 if wrong else 0)
+
+
+if __name__ == "__main__":
+    main()
