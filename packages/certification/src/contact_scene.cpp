@@ -59,6 +59,10 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   }
   for (std::size_t end = 0; end < 2; ++end)
     std::copy_n(interface.point(ours[end]), 2, facet.points[end].begin());
+  const double sign = interface.dirichletBody == interface.firstBody ? -1.0 : 1.0;
+  for (std::size_t i = 0; facet.isDrawnApart && i < std::size_t(body.nodes.nodesPerFacet); ++i)
+    for (std::size_t k = 0; k < 2; ++k)
+      facet.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
     const bool backwards = ours[0] != interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())];

@@ -82,6 +82,8 @@ public:
       mesh_.points.push_back(mesh_.point(corner)[k]);
     for (int k = 0; k < mesh_.dim && !mesh_.partners.empty(); ++k)
       mesh_.partners.push_back(mesh_.partners[at * std::size_t(mesh_.dim) + std::size_t(k)]);
+    if (!mesh_.apart.empty())
+      mesh_.apart.push_back(mesh_.apart[at]);
     mesh_.gap.push_back(mesh_.gap[at]);
     mesh_.normals[at] = ofFirst;
     mesh_.normals.push_back(ofSecond);

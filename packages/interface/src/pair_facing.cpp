@@ -12,9 +12,6 @@ namespace ndframe
 namespace
 {
 
-/// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates.
-constexpr double roundOff = 1e-6;
-
 /// The nodes of a piece's two facets, in the order of the first one's facetNodes.
 struct FacingNodes
 {
@@ -36,9 +33,15 @@ void addPoints(std::vector<double>& points, const NodeMap& map, int node)
   points.insert(points.end(), map.point(node), map.point(node) + map.dim);
 }
 
+/// Quadratic bodies know curves exactly as far as the sides do; linear ones are polygons.
+SideMap::Shape shapeFor(const SideMap& map, int order)
+{
+  return order == 2 ? map.outlines() : SideMap::Shape::Polygons;
+}
+
 /// Numbers the pairs of nodes that face each other; a node with two partners is two interface nodes.
-void addFacingNodes(InterfaceMesh& interface, const std::vector<FacingPiece>& pieces, const NodeMap& first,
-                    const NodeMap& second)
+void addFacingNodes(InterfaceMesh& interface, const SideMap& map, const std::vector<FacingPiece>& pieces,
+                    const NodeMap& first, const NodeMap& second)
 {
   std::vector<std::pair<int, int>> ofFacets;
   for (const FacingPiece& piece : pieces) {
@@ -59,6 +62,16 @@ void addFacingNodes(InterfaceMesh& interface, const std::vector<FacingPiece>& pi
   }
   for (const auto& pair : ofFacets)
     interface.facets.push_back(number.at(pair));
+  interface.apart.resize(number.size());
+  const auto shape = shapeFor(map, first.order);
+  const int* node = interface.facets.data();
+  for (const FacingPiece& piece : pieces) {
+    const bool forward = piece.onFirst[0] < piece.onFirst[1];
+    const std::array<double, 3> places{piece.at[forward ? 0 : 1], piece.at[forward ? 1 : 0],
+                                       0.5 * (piece.at[0] + piece.at[1])};
+    for (std::size_t i = 0; i < std::size_t(first.nodesPerFacet); ++i)
+      interface.apart[std::size_t(*node++)] = map.apart(map.segments()[piece.segment], places[i], shape);
+  }
 }
 
 /// n at the vertices of a piece's first facet; zeros where the facet keeps its own.
@@ -73,31 +86,15 @@ std::array<Direction, 2> normalsOf(const SideMap& map, const FacingPiece& piece)
   return ends;
 }
 
-void refuseOverlap(const Params& definition, const SideMap& map)
+void refuseOverlap(const Params& definition, const SideMap& map, SideMap::Shape shape)
 {
-  double deepest = 0.0, bow = 0.0;
-  Direction where{};
-  for (const SideSegment& segment : map.segments()) {
-    const SideEdge &first = map.first().edges()[std::size_t(segment.firstEdge)],
-                   &second = map.second().edges()[std::size_t(segment.secondEdge)];
-    for (const double t : {0.0, 0.5, 1.0})
-      if (const double opening = map.opening(segment, t);
-          opening < std::min(deepest, -roundOff * std::min(first.length(), second.length())))
-      {
-        deepest = opening;
-        where = map.pointOnFirst(segment, t);
-        bow = first.bow + second.bow;
-      }
-  }
-  if (deepest == 0.0)
-    return;
-  const bool isChord = -deepest <= bow;
-  throw InputError(definition.mistake(
-      "Gap From Geometry",
-      fmt::format("the bodies overlap at the start: by {:.3g} at {}; {}", -deepest, pointText(where.data(), 2),
-                  isChord ? "chords of a curve reach that far into the other body: mesh the sides finer, or let them "
-                            "touch where they face each other (Gap From Geometry = No, the clearance as Gap)."
-                          : "move one of the meshes, or take the drawn distance as none (Gap From Geometry = No).")));
+  const auto [deepest, where] = map.deepestOverlap(shape);
+  if (deepest < 0.0)
+    throw InputError(definition.mistake(
+        "Gap From Geometry",
+        fmt::format("the bodies overlap at the start: by {:.3g} at {}; move one of the meshes, or take the drawn "
+                    "distance as none (Gap From Geometry = No).",
+                    -deepest, pointText(where.data(), 2))));
 }
 
 } // namespace
@@ -117,7 +114,7 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
   interface.name = definition.name();
   interface.dim = 2;
   interface.order = dirichlet.nodes.order;
-  addFacingNodes(interface, pieces, dirichlet.nodes, neumann.nodes);
+  addFacingNodes(interface, *map, pieces, dirichlet.nodes, neumann.nodes);
   std::vector<Facet> facets;
   for (const FacingPiece& piece : pieces) {
     facets.push_back(piece.first);
@@ -140,12 +137,10 @@ void addDrawnGap(const Params& definition, InterfaceMesh& interface)
   const auto wanted = definition.get<std::string>("Gap From Geometry");
   if (!interface.map || wanted == "No" || (wanted == "Automatic" && interface.map->touches()))
     return;
-  refuseOverlap(definition, *interface.map);
-  for (int i = 0; i < interface.numNodes(); ++i) {
-    const double *x = interface.point(i), *y = interface.partners.data() + std::ptrdiff_t(i) * 2;
-    const Direction& n = interface.normals[std::size_t(i)];
-    interface.drawnGap.push_back(n[0] * (y[0] - x[0]) + n[1] * (y[1] - x[1]));
-    interface.gap[std::size_t(i)] += interface.drawnGap.back();
+  refuseOverlap(definition, *interface.map, shapeFor(*interface.map, interface.order));
+  for (std::size_t i = 0; i < interface.gap.size(); ++i) {
+    interface.drawnGap.push_back(dotProduct(interface.normals[i], interface.apart[i]));
+    interface.gap[i] += interface.drawnGap.back();
   }
 }
 

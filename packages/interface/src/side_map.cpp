@@ -18,12 +18,19 @@ constexpr double facing = -0.5;
 constexpr double sameEnd = 1e-2;
 constexpr double sameEndStraight = 1e-9;
 constexpr double sameLine = 1e-9;
-/// Polygons of one curve are apart by their bows, and a little more where edges are of different lengths.
-constexpr double bowLeeway = 1.5;
+/// How well the curve that a polygon stands for is known: a part of what it leaves the chords.
+constexpr double ofBulge = 0.25;
+/// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates.
+constexpr double roundOff = 1e-6;
 
 Direction difference(const Direction& a, const Direction& b)
 {
   return {a[0] - b[0], a[1] - b[1], 0.0};
+}
+
+double size(const Direction& a)
+{
+  return std::hypot(a[0], a[1]);
 }
 
 double cross(const Direction& a, const Direction& b)
@@ -210,9 +217,18 @@ Direction SideMap::normal(const SideSegment& segment, double t) const
   return normalAt(first_.edges()[std::size_t(segment.firstEdge)], (1.0 - t) * segment.first[0] + t * segment.first[1]);
 }
 
-double SideMap::opening(const SideSegment& segment, double t) const
+Direction SideMap::apart(const SideSegment& segment, double t, Shape shape) const
 {
-  return dotProduct(normal(segment, t), difference(pointOnSecond(segment, t), pointOnFirst(segment, t)));
+  if (shape == Shape::Polygons)
+    return difference(pointOnSecond(segment, t), pointOnFirst(segment, t));
+  return difference(
+      second_.edges()[std::size_t(segment.secondEdge)].onCurve((1.0 - t) * segment.second[0] + t * segment.second[1]),
+      first_.edges()[std::size_t(segment.firstEdge)].onCurve((1.0 - t) * segment.first[0] + t * segment.first[1]));
+}
+
+double SideMap::opening(const SideSegment& segment, double t, Shape shape) const
+{
+  return dotProduct(normal(segment, t), apart(segment, t, shape));
 }
 
 bool SideMap::isSameLine(const SideSegment& segment) const
@@ -231,30 +247,46 @@ bool SideMap::isSameLine(const SideSegment& segment) const
 
 double SideMap::largestOpening() const
 {
-  double largest = 0.0, roundOff = 0.0;
+  double largest = 0.0, few = 0.0;
   for (const SideSegment& segment : segments_) {
-    roundOff = std::max(roundOff, sameLine * first_.edges()[std::size_t(segment.firstEdge)].length());
+    few = std::max(few, sameLine * first_.edges()[std::size_t(segment.firstEdge)].length());
     for (const double t : {0.0, 0.5, 1.0})
-      largest = std::max(largest, std::abs(opening(segment, t)));
+      largest = std::max(largest, std::abs(opening(segment, t, Shape::Polygons)));
   }
-  return largest > roundOff ? largest : 0.0;
+  return largest > few ? largest : 0.0;
 }
 
 bool SideMap::touches() const
 {
-  double least = HUGE_VAL, roundOff = 0.0;
+  return std::all_of(segments_.begin(), segments_.end(), [this](const SideSegment& segment) {
+    const SideEdge &first = first_.edges()[std::size_t(segment.firstEdge)],
+                   &second = second_.edges()[std::size_t(segment.secondEdge)];
+    const double unknown =
+        ofBulge * (size(first.bulge) + size(second.bulge)) + roundOff * std::min(first.length(), second.length());
+    return std::abs(opening(segment, 0.0, Shape::Curves)) <= unknown &&
+           std::abs(opening(segment, 0.5, Shape::Curves)) <= unknown &&
+           std::abs(opening(segment, 1.0, Shape::Curves)) <= unknown;
+  });
+}
+
+std::pair<double, Direction> SideMap::deepestOverlap(Shape shape) const
+{
+  std::pair<double, Direction> deepest{0.0, {}};
   for (const SideSegment& segment : segments_) {
     const SideEdge &first = first_.edges()[std::size_t(segment.firstEdge)],
                    &second = second_.edges()[std::size_t(segment.secondEdge)];
-    const double few = 1e-6 * std::min(first.length(), second.length());
-    roundOff = std::max(roundOff, few);
-    for (const double t : {0.0, 0.5, 1.0}) {
-      least = std::min(least, opening(segment, t));
-      if (std::abs(opening(segment, t)) > bowLeeway * (first.bow + second.bow) + few)
-        return false;
-    }
+    const double few = roundOff * std::min(first.length(), second.length());
+    for (const double t : {0.0, 0.5, 1.0})
+      if (const double found = opening(segment, t, shape); found < std::min(deepest.first, -few))
+        deepest = {found, pointOnFirst(segment, t)};
   }
-  return least <= roundOff;
+  return deepest;
+}
+
+SideMap::Shape SideMap::outlines() const
+{
+  return deepestOverlap(Shape::Curves).first < 0.0 && deepestOverlap(Shape::Polygons).first == 0.0 ? Shape::Polygons
+                                                                                                   : Shape::Curves;
 }
 
 } // namespace ndframe

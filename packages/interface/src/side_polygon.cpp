@@ -63,16 +63,15 @@ std::vector<Piece> facetEdges(const Mesh& mesh, const std::vector<Facet>& facets
       std::swap(piece.edge.normals[0], piece.edge.normals[1]);
       std::swap(piece.vertices[0], piece.vertices[1]);
     }
+    if (piece.edge.turns) { // kappa L^2 / 8 with kappa L the change of n along the edge
+      const double spread = dotProduct(difference(piece.edge.normals[1], piece.edge.normals[0]),
+                                       difference(piece.edge.ends[1], piece.edge.ends[0])) /
+                            8.0;
+      piece.edge.bulge = {spread * own[0], spread * own[1], 0.0};
+    }
     pieces.push_back(std::move(piece));
   }
   return pieces;
-}
-
-/// By how much (radians) the way turns from one edge to the next.
-double turn(const SideEdge& a, const SideEdge& b)
-{
-  const Direction first = difference(a.ends[1], a.ends[0]), second = difference(b.ends[1], b.ends[0]);
-  return std::abs(std::atan2(cross(first, second), dotProduct(first, second)));
 }
 
 bool goesOn(const SideEdge& a, const SideEdge& b)
@@ -82,27 +81,18 @@ bool goesOn(const SideEdge& a, const SideEdge& b)
   return !a.turns && !b.turns && dotProduct(whole, part) > 0.0 && std::abs(cross(whole, part)) <= onLine * squared;
 }
 
-/// How far from an edge a curve runs that turns at its ends as the polygon does; corners are no curve.
-void setBows(std::vector<Piece>& pieces, const std::map<int, std::size_t>& startingAt)
-{
-  constexpr double cornerTurn = 0.62; // 35 degrees
-  for (Piece& piece : pieces) {
-    const auto next = startingAt.find(piece.vertices[1]);
-    if (next == startingAt.end())
-      continue;
-    Piece& other = pieces[next->second];
-    const double angle = turn(piece.edge, other.edge), both = piece.edge.length() + other.edge.length();
-    for (SideEdge* edge : {&piece.edge, &other.edge})
-      if (angle < cornerTurn)
-        edge->bow = std::max(edge->bow, 0.25 * edge->length() * edge->length() * angle / both);
-  }
-}
-
 } // namespace
 
 Direction SideEdge::at(double place) const
 {
   return {(1.0 - place) * ends[0][0] + place * ends[1][0], (1.0 - place) * ends[0][1] + place * ends[1][1], 0.0};
+}
+
+Direction SideEdge::onCurve(double place) const
+{
+  const Direction chord = at(place);
+  const double share = 4.0 * place * (1.0 - place);
+  return {chord[0] + share * bulge[0], chord[1] + share * bulge[1], 0.0};
 }
 
 double SideEdge::length() const
@@ -118,7 +108,6 @@ SidePolygon::SidePolygon(const Mesh& mesh, const std::vector<Facet>& facets, dou
   std::vector<char> follows(pieces.size(), 0), done(pieces.size(), 0);
   for (std::size_t i = 0; i < pieces.size(); ++i)
     startingAt[pieces[i].vertices[0]] = i;
-  setBows(pieces, startingAt);
   for (const Piece& piece : pieces)
     if (const auto next = startingAt.find(piece.vertices[1]); next != startingAt.end())
       follows[next->second] = goesOn(piece.edge, pieces[next->second].edge) ? 1 : 0;
@@ -132,7 +121,6 @@ SidePolygon::SidePolygon(const Mesh& mesh, const std::vector<Facet>& facets, dou
          next = startingAt.find(pieces[next->second].vertices[1]))
     {
       edge.ends[1] = pieces[next->second].edge.ends[1];
-      edge.bow = std::max(edge.bow, pieces[next->second].edge.bow);
       done[next->second] = 1;
     }
     edges_.push_back(edge);

@@ -37,8 +37,9 @@ std::shared_ptr<const SideMap> mapOf(const Params& definition, const FacingSides
     return before;
   if (sidesMatch(first, *ours, second, *theirs))
     return nullptr;
-  return std::make_shared<const SideMap>(SidePolygon(first, ours->facets, definition.get<double>("Corner Angle")),
-                                         SidePolygon(second, theirs->facets, 0.0));
+  const double angle = definition.get<double>("Corner Angle");
+  return std::make_shared<const SideMap>(SidePolygon(first, ours->facets, angle),
+                                         SidePolygon(second, theirs->facets, angle));
 }
 
 } // namespace

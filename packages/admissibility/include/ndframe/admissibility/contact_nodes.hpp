@@ -14,10 +14,7 @@ std::array<int, 3> contactNodes(const BodyModel& body, const ContactFacet& facet
 std::array<Direction, 3> facetOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
                                       const std::vector<Vector>& displacement);
 
-/// x1 - x2 at the nodes, where the bodies are drawn.
-std::array<Direction, 3> drawnOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet);
-
-/// What of u1 - u2 counts against the deck's Gap: facetOpening, and drawnOpening where the facet is drawn apart.
+/// What of u1 - u2 counts against the deck's Gap: facetOpening, and the drawn distance where it counts.
 std::array<Direction, 3> closing(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
                                  const std::vector<Vector>& displacement);
 

@@ -16,14 +16,15 @@ struct ContactFacet
 {
   int dirichletBody = 0, neumannBody = 0;
   Facet dirichlet, neumann;
-  Direction normal{};              ///< n_c on this facet: outward normal of the Dirichlet body
-  double measure = 0.0;            ///< length, on the interface's first side
-  bool reversed = false;           ///< the ascending vertex order of the Neumann body runs the other way
-  std::array<int, 3> nodes{};      ///< interface nodes: Dirichlet body's ascending vertices, then (order 2) the middle
-  std::array<int, 3> pairs{};      ///< their pairs of body nodes: nodes, but for the second node of a corner the first
-  bool turns = false;              ///< n_c turns along the facet: linear between `ends`
-  std::array<Direction, 2> ends{}; ///< n_c at the vertices (nodes 0, 1) where it turns
-  bool isDrawnApart = false;       ///< the distance of the two edges is a part of the gap
+  Direction normal{};               ///< n_c on this facet: outward normal of the Dirichlet body
+  double measure = 0.0;             ///< length, on the interface's first side
+  bool reversed = false;            ///< the ascending vertex order of the Neumann body runs the other way
+  std::array<int, 3> nodes{};       ///< interface nodes: Dirichlet body's ascending vertices, then (order 2) the middle
+  std::array<int, 3> pairs{};       ///< their pairs of body nodes: nodes, but for the second node of a corner the first
+  bool turns = false;               ///< n_c turns along the facet: linear between `ends`
+  std::array<Direction, 2> ends{};  ///< n_c at the vertices (nodes 0, 1) where it turns
+  bool isDrawnApart = false;        ///< the distance of the two sides as they are drawn is a part of the gap
+  std::array<Direction, 3> drawn{}; ///< then x1 - x2 at the nodes, of the displacements' order in between
   std::array<Direction, 2> points{}; ///< its vertices on the interface's first side
 
   /// n_c at a node of the facet (0, 1 the vertices, 2 the middle).

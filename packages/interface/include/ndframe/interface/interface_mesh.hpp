@@ -26,6 +26,7 @@ struct InterfaceMesh
   std::vector<int> dirichletNodes, neumannNodes; ///< per interface node, node numbers in the two bodies
   std::vector<double> points;                    ///< dim per interface node, on the first side
   std::vector<double> partners;                  ///< the same on the second side; empty: the same points
+  std::vector<Direction> apart;                  ///< pi x - x at the nodes as the outlines are drawn; empty: zero
   int firstBody = 0;                             ///< whose side the first one is
   std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure,
                                                  ///< or the value of the turning field (normal_field.hpp)

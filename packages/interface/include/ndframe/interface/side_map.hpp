@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <utility>
 #include <vector>
 
 #include "ndframe/assembly/constraint_set.hpp"
@@ -15,9 +16,11 @@ struct SideEdge
   std::array<Direction, 2> ends;
   std::array<Direction, 2> normals; ///< n at the ends, linear in between (normal_field.hpp)
   bool turns = false;               ///< false: `normals` are the edge's own
-  double bow = 0.0; ///< how far a curve that turns as much as the polygon does at the ends leaves the edge, at most
+  Direction bulge{}; ///< from the middle to the curve that the polygon stands for; zero where it does not turn
 
   Direction at(double place) const;
+  /// The curve: at(place) + 4 place (1 - place) bulge, which turns with `normals`.
+  Direction onCurve(double place) const;
   double length() const;
 };
 
@@ -69,17 +72,31 @@ public:
   const SidePolygon& second() const { return second_; }
   const std::vector<SideSegment>& segments() const { return segments_; }
 
+  /// The polygons themselves, or the curves that they stand for.
+  enum class Shape
+  {
+    Polygons,
+    Curves
+  };
+
   Direction pointOnFirst(const SideSegment& segment, double t) const;
   Direction pointOnSecond(const SideSegment& segment, double t) const;
   Direction normal(const SideSegment& segment, double t) const;
+  /// pi x - x.
+  Direction apart(const SideSegment& segment, double t, Shape shape) const;
   /// n . (pi x - x), negative where the bodies overlap.
-  double opening(const SideSegment& segment, double t) const;
+  double opening(const SideSegment& segment, double t, Shape shape) const;
   /// Both edges straight, with their own normals, and the same line (up to 1e-9 of their length).
   bool isSameLine(const SideSegment& segment) const;
-  /// No opening and no overlap that chords of one curve do not have.
+  /// No opening and no overlap but for what the curves are not known to: a quarter of the bulges.
   bool touches() const;
-  /// Largest opening or overlap on the segments, 0 for round-off.
+  /// Largest opening or overlap of the polygons, 0 for round-off.
   double largestOpening() const;
+  /// The deepest overlap: a negative opening, with its place on the first side; 0 for round-off.
+  std::pair<double, Direction> deepestOverlap(Shape shape) const;
+  /// What is to be taken for the bodies' outlines: curves unless these overlap where the polygons do not (corners that
+  /// are taken for a curve).
+  Shape outlines() const;
 
 private:
   void addSegments(int firstEdge);
