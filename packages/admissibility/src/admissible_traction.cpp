@@ -157,8 +157,10 @@ Vector reachableValue(const SparseColumns& W, const BalanceConditions& balance)
 class Projection
 {
 public:
-  Projection(const std::vector<ContactFacet>& facets, int order, const Vector& mean, const BalanceConditions& balance)
-      : facets_(facets), order_(order), mean_(mean), balance_(balance), chain_(facets, int(mean.size()), order + 1)
+  Projection(const std::vector<ContactFacet>& facets, int order, const Vector& mean, const BalanceConditions& balance,
+             const Vector& cost)
+      : facets_(facets), order_(order), mean_(mean), balance_(balance), cost_(cost),
+        chain_(facets, int(mean.size()), order + 1)
   {}
 
   /// Nodal values of the nearest.
@@ -179,6 +181,7 @@ public:
     Vector wanted = mean_;
     unknowns.fromNodal(wanted);
     program.f = multiply(program.M, permuted(wanted, chain_));
+    addCost(unknowns, program.f);
     const auto solution = minimise(program);
     if (!solution)
       throw InfeasibleTraction("rigid motions of the bodies");
@@ -191,20 +194,31 @@ public:
   }
 
 private:
+  void addCost(const FacetUnknowns& unknowns, Vector& f) const
+  {
+    SparseRow nodal;
+    for (std::size_t node = 0; node < cost_.size(); ++node)
+      nodal.emplace_back(int(node), cost_[node]);
+    SparseSum sum(int(mean_.size()));
+    for (const auto& [node, cost] : unknowns.workFromNodal(nodal, sum))
+      f[std::size_t(chain_.position(node))] -= cost;
+  }
+
   const std::vector<ContactFacet>& facets_;
   int order_;
   const Vector& mean_;
   const BalanceConditions& balance_;
+  const Vector& cost_;
   ChainOrder chain_;
 };
 
 } // namespace
 
 Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
-                       const BalanceConditions& balance, TractionSign sign)
+                       const BalanceConditions& balance, TractionSign sign, const Vector& cost)
 {
   NDFRAME_ASSERT(int(mean.size()) == numNodes, "one value per interface node is needed");
-  const Projection projection(facets, order, mean, balance);
+  const Projection projection(facets, order, mean, balance, cost);
   return projection.nearest(FacetUnknowns(facets, order, sign));
 }
 

@@ -9,6 +9,7 @@
 #include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/admissibility/jump_coefficients.hpp"
 #include "ndframe/admissibility/make_static_data.hpp"
+#include "ndframe/admissibility/smallest_stiffness.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
 
@@ -117,12 +118,31 @@ double largestTension(const CertifiedScene& scene, const ContactTraction& tracti
   return scale > 0.0 ? tension / scale : tension;
 }
 
-ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign)
+Vector openingCost(const CertifiedScene& scene)
+{
+  Vector cost(std::size_t(scene.condensed.interface.C->size()), 0.0);
+  const Vector gap = nodalGap(scene.model);
+  for (const ContactFacet& facet : scene.facets) {
+    const auto opening = facetOpening(scene.bodies, facet, scene.solved);
+    const double stiffness = std::min(smallestStiffness(scene.bodies[std::size_t(facet.dirichletBody)]->law),
+                                      smallestStiffness(scene.bodies[std::size_t(facet.neumannBody)]->law));
+    for (std::size_t i = 0; i <= std::size_t(scene.order); ++i) {
+      const auto node = std::size_t(facet.nodes[i]);
+      const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);
+      const double w = -std::max(0.0, std::min(open, gap[node]));
+      const double share = scene.order == 1 ? 1.0 / 2 : i < 2 ? 1.0 / 6 : 2.0 / 3; // of the facet's length
+      cost[node] += 2.0 * stiffness * share * w;
+    }
+  }
+  return cost;
+}
+
+ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
 {
   const auto balance = balanceConditions(scene.model, scene.condensed, scene.facets);
   try {
     const Vector projected =
-        projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign);
+        projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
     return tractionFromNodes(scene.facets, projected, scene.order, scene.degree);
   } catch (const InfeasibleTraction& failure) {
     throw NotConverged(fmt::format("no pressure on the interfaces balances the loads ({}): they act too close to the "

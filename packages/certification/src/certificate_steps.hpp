@@ -62,7 +62,14 @@ Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body
 
 /// Steps 1 and 2 of section 5.3 for a traction at the interface nodes. Throws NotConverged when no traction that
 /// presses everywhere holds a floating body.
-ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign);
+/// cost: as in projectTraction.
+ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign,
+                              const Vector& cost = {});
+
+/// What tractions cost where the sides are apart before and after, beside their distance from the computed ones: the
+/// bound's square is about  sum_f h_f / E |t^ - t|^2 + 4 int t^ ([u_h] - g),  so a unit nodal value costs
+/// 2 E / h int psi_i w, w = - min(g, g - [u_h]) where that is negative. Zero where there is no gap.
+Vector openingCost(const CertifiedScene& scene);
 
 /// Solves (40) for several pairs of tractions at once: at most one back-solve a body and field.
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields);

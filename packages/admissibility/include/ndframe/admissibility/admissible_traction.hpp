@@ -36,8 +36,11 @@ enum class TractionSign
 /// Kim and Park 2011) that falls back on Murty's single pivots (finite). KKT conditions hold to 1e-12 relative.
 /// Throws InfeasibleTraction when no t_N <= 0 balances the loads (a floating body is pulled).
 /// mean, result: per interface node. order: 1 or 2.
+/// cost: what a unit nodal value costs beside half the squared distance (per node; empty: nothing). Where bodies are
+/// apart it keeps tractions away that balance would put there.
 Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
-                       const BalanceConditions& balance, TractionSign sign = TractionSign::Coefficients);
+                       const BalanceConditions& balance, TractionSign sign = TractionSign::Coefficients,
+                       const Vector& cost = {});
 
 /// No t_N <= 0 balances the loads.
 class InfeasibleTraction : public std::runtime_error

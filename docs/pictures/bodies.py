@@ -1,0 +1,63 @@
+"""Plane bodies as they are deformed, coloured by von Mises stress: bodies.py NAME.e PICTURE.png [SCALE [XMIN XMAX YMIN YMAX]]
+
+    /usr/bin/python3 docs/pictures/bodies.py bearing.e docs/pictures/bearing.png 1
+
+Every vertex has the mean of its cells' stresses, body by body. SCALE multiplies displacements.
+"""
+
+import sys
+
+import matplotlib
+
+matplotlib.use("Agg")
+import matplotlib.pyplot as plt
+import netCDF4
+import numpy as np
+from matplotlib.tri import Triangulation
+
+
+def names(file, variable):
+    return [b"".join(row.compressed()).decode().strip("\0 ") for row in file[variable][:]]
+
+
+def main():
+    source, target = sys.argv[1:3]
+    scale = float(sys.argv[3]) if len(sys.argv) > 3 else 1.0
+    file = netCDF4.Dataset(source)
+    nodal, cell = names(file, "name_nod_var"), names(file, "name_elem_var")
+    x, y = file["coordx"][:].filled(), file["coordy"][:].filled()
+    for name, place in (("disp_x", x), ("disp_y", y)):
+        place += scale * file[f"vals_nod_var{nodal.index(name) + 1}"][-1].filled()
+    plt.style.use("default")
+    figure, axes = plt.subplots(figsize=(7, 6), constrained_layout=True)
+    pieces = []
+    for block in range(1, len(file.dimensions["num_el_blk"]) + 1):
+        corners = file[f"connect{block}"][:].filled()[:, :3] - 1
+        stress = {k: file[f"vals_elem_var{cell.index('stress_' + k) + 1}eb{block}"][-1].filled()
+                  for k in ("xx", "yy", "zz", "xy")}
+        mises = np.sqrt(0.5 * ((stress["xx"] - stress["yy"]) ** 2 + (stress["yy"] - stress["zz"]) ** 2
+                               + (stress["zz"] - stress["xx"]) ** 2) + 3.0 * stress["xy"] ** 2)
+        total, count = np.zeros(len(x)), np.zeros(len(x))
+        for k in range(3):
+            np.add.at(total, corners[:, k], mises)
+            np.add.at(count, corners[:, k], 1.0)
+        pieces.append((corners, total / np.maximum(count, 1.0)))
+    high = max(values[corners].max() for corners, values in pieces)
+    levels = np.linspace(0.0, high, 25)
+    for corners, values in pieces:
+        triangles = Triangulation(x, y, corners)
+        drawn = axes.tricontourf(triangles, values, levels=levels, cmap="viridis", extend="max")
+        axes.triplot(triangles, color="white", linewidth=0.15)
+    if len(sys.argv) > 4:
+        box = [float(value) for value in sys.argv[4:8]]
+        axes.set_xlim(box[:2])
+        axes.set_ylim(box[2:])
+    axes.set_aspect("equal")
+    figure.colorbar(drawn, label="von Mises stress", shrink=0.8)
+    axes.set_xlabel("x")
+    axes.set_ylabel("y")
+    figure.savefig(target, dpi=110)
+
+
+if __name__ == "__main__":
+    main()
