@@ -18,19 +18,12 @@ constexpr double facing = -0.5;
 constexpr double sameEnd = 1e-2;
 constexpr double sameEndStraight = 1e-9;
 constexpr double sameLine = 1e-9;
-/// How well the curve that a polygon stands for is known: a part of what it leaves the chords.
-constexpr double ofBulge = 0.25;
 /// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates.
 constexpr double roundOff = 1e-6;
 
 Direction difference(const Direction& a, const Direction& b)
 {
   return {a[0] - b[0], a[1] - b[1], 0.0};
-}
-
-double size(const Direction& a)
-{
-  return std::hypot(a[0], a[1]);
 }
 
 double cross(const Direction& a, const Direction& b)
@@ -261,8 +254,7 @@ bool SideMap::touches() const
   return std::all_of(segments_.begin(), segments_.end(), [this](const SideSegment& segment) {
     const SideEdge &first = first_.edges()[std::size_t(segment.firstEdge)],
                    &second = second_.edges()[std::size_t(segment.secondEdge)];
-    const double unknown =
-        ofBulge * (size(first.bulge) + size(second.bulge)) + roundOff * std::min(first.length(), second.length());
+    const double unknown = first.unsure + second.unsure + roundOff * std::min(first.length(), second.length());
     return std::abs(opening(segment, 0.0, Shape::Curves)) <= unknown &&
            std::abs(opening(segment, 0.5, Shape::Curves)) <= unknown &&
            std::abs(opening(segment, 1.0, Shape::Curves)) <= unknown;

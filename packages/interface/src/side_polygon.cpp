@@ -81,6 +81,21 @@ bool goesOn(const SideEdge& a, const SideEdge& b)
   return !a.turns && !b.turns && dotProduct(whole, part) > 0.0 && std::abs(cross(whole, part)) <= onLine * squared;
 }
 
+/// Where curvature changes the bulge of one edge alone says little.
+void setUnsure(std::vector<Piece>& pieces, const std::map<int, std::size_t>& startingAt)
+{
+  constexpr double ofBulge = 0.25;
+  const auto unsure = [](const SideEdge& edge) { return ofBulge * std::sqrt(dotProduct(edge.bulge, edge.bulge)); };
+  for (Piece& piece : pieces) {
+    piece.edge.unsure = std::max(piece.edge.unsure, unsure(piece.edge));
+    if (const auto next = startingAt.find(piece.vertices[1]); next != startingAt.end()) {
+      SideEdge& other = pieces[next->second].edge;
+      piece.edge.unsure = std::max(piece.edge.unsure, unsure(other));
+      other.unsure = std::max(other.unsure, unsure(piece.edge));
+    }
+  }
+}
+
 } // namespace
 
 Direction SideEdge::at(double place) const
@@ -108,6 +123,7 @@ SidePolygon::SidePolygon(const Mesh& mesh, const std::vector<Facet>& facets, dou
   std::vector<char> follows(pieces.size(), 0), done(pieces.size(), 0);
   for (std::size_t i = 0; i < pieces.size(); ++i)
     startingAt[pieces[i].vertices[0]] = i;
+  setUnsure(pieces, startingAt);
   for (const Piece& piece : pieces)
     if (const auto next = startingAt.find(piece.vertices[1]); next != startingAt.end())
       follows[next->second] = goesOn(piece.edge, pieces[next->second].edge) ? 1 : 0;

@@ -16,7 +16,8 @@ struct SideEdge
   std::array<Direction, 2> ends;
   std::array<Direction, 2> normals; ///< n at the ends, linear in between (normal_field.hpp)
   bool turns = false;               ///< false: `normals` are the edge's own
-  Direction bulge{}; ///< from the middle to the curve that the polygon stands for; zero where it does not turn
+  Direction bulge{};   ///< from the middle to the curve that the polygon stands for; zero where it does not turn
+  double unsure = 0.0; ///< how far the curve may be elsewhere: a quarter of the largest bulge here and next to here
 
   Direction at(double place) const;
   /// The curve: at(place) + 4 place (1 - place) bulge, which turns with `normals`.
@@ -88,7 +89,7 @@ public:
   double opening(const SideSegment& segment, double t, Shape shape) const;
   /// Both edges straight, with their own normals, and the same line (up to 1e-9 of their length).
   bool isSameLine(const SideSegment& segment) const;
-  /// No opening and no overlap but for what the curves are not known to: a quarter of the bulges.
+  /// No opening and no overlap but for what the curves are not known to (SideEdge::unsure).
   bool touches() const;
   /// Largest opening or overlap of the polygons, 0 for round-off.
   double largestOpening() const;
