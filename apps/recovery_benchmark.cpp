@@ -73,8 +73,8 @@ BodyModel makeBlock(int triangles)
   body.name = "block";
   body.mesh = randomSquare(triangles);
   body.nodes = makeNodeMap(body.mesh, 2);
-  body.law = reduceTo(Hypothesis::PlaneStrain,
-                      *orthotropicStiffness({1, -nu, -nu, -nu, 1, -nu, -nu, -nu, 1}, {shear, shear, shear}));
+  body.laws = reduceTo(Hypothesis::PlaneStrain,
+                       *orthotropicStiffness({1, -nu, -nu, -nu, 1, -nu, -nu, -nu, 1}, {shear, shear, shear}));
   return body;
 }
 

@@ -113,8 +113,10 @@ ContactStrip contactStrip(int numFacets, int order, double bend, const Condition
   strip.bodies.push_back(makeBody(below, order, lower));
   strip.bodies[0].name = "upper";
   strip.bodies[1].name = "lower";
-  for (double& entry : strip.bodies[1].law.D) // softer than the upper one
+  Elasticity law = strip.bodies[1].laws(0);
+  for (double& entry : law.D) // softer than the upper one
     entry *= 0.2;
+  strip.bodies[1].laws = law;
   for (const auto& body : strip.bodies)
     strip.constraints.push_back(constraintsOf(body));
   strip.facets = pairFacets(strip.bodies[0], strip.bodies[1]);

@@ -302,7 +302,7 @@ void addSubCell(const BodyModel& body, const std::vector<int>& vertices, int sub
     const double strain[3] = {g[0][0], g[1][1], g[0][1] + g[1][0]};
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 3; ++j)
-        sum.energy += weight * strain[i] * body.law(i, j) * strain[j];
+        sum.energy += weight * strain[i] * body.laws(0)(i, j) * strain[j];
   }
 }
 

@@ -54,7 +54,7 @@ struct CubicField
       for (int i = 0; i < 3; ++i)
         for (int j = 0; j < 3; ++j)
           energy += cellMeasure(body.mesh, cell) * rule.weights[std::size_t(q)] * strain[i] *
-                    body.law.D[std::size_t(i * 3 + j)] * strain[j];
+                    body.laws(0).D[std::size_t(i * 3 + j)] * strain[j];
     }
     return std::sqrt(energy);
   }

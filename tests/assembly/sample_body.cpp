@@ -72,7 +72,7 @@ BodyModel makeBody(Mesh mesh, int order, const Conditions& conditions)
   body.name = "body";
   body.mesh = std::move(mesh);
   body.nodes = makeNodeMap(body.mesh, order);
-  body.law = elastic(body.mesh.dim);
+  body.laws = elastic(body.mesh.dim);
   for (const auto& support : params.sub("Supports").subs())
     body.supports.push_back(supports.build(support));
   for (const auto& load : params.sub("Loads").subs())

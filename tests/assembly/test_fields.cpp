@@ -59,7 +59,7 @@ TEST_P(Fields, StressOfALinearFieldInPlaneStrain)
 TEST_P(Fields, StressOfALinearFieldInPlaneStress)
 {
   BodyModel body = test::makeBody(plane(), order);
-  body.law = test::elastic(2, Hypothesis::PlaneStress);
+  body.laws = test::elastic(2, Hypothesis::PlaneStress);
   const double E = young / (1 - nu * nu);
   for (const auto& stress : cellStress(body, test::interpolate(body.nodes, stretchAndShear)))
     expectStress(stress, {E * (0.1 + nu * 0.2), E * (0.2 + nu * 0.1), 0, mu * 0.3, 0, 0});

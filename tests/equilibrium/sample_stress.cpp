@@ -231,7 +231,7 @@ Mesh shuffledCell(int dim, unsigned seed)
 BodyModel bodyOf(Mesh mesh, int order, const Elasticity& law)
 {
   BodyModel body = makeBody(std::move(mesh), order);
-  body.law = law;
+  body.laws = law;
   return body;
 }
 

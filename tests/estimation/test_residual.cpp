@@ -278,11 +278,13 @@ TEST(ResidualIndicator, IsAnEnergyInAllUnits)
     const Vector u = Random(4).vector(std::size_t(body.numDofs()));
     const Vector squared = residualIndicator(body, data, {&u, nullptr});
     // Stresses a million times as large: loads and stiffness; then displacements a thousand times as large.
-    BodyModel stiff{"stiff", body.mesh, body.nodes, body.law, {}, {}};
+    BodyModel stiff{"stiff", body.mesh, body.nodes, body.laws, {}, {}};
     StaticData heavy = data;
     Vector longer = u;
-    for (double& D : stiff.law.D)
+    Elasticity law = stiff.laws(0);
+    for (double& D : law.D)
       D *= 1e6;
+    stiff.laws = law;
     for (auto* values : {&heavy.facetShares, &heavy.cellShares})
       for (double& value : *values)
         value *= 1e9;

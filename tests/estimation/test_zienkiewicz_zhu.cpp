@@ -84,8 +84,10 @@ TEST(ZienkiewiczZhu, IsAnEnergyInAllUnits)
                                            x[k] *= length;
                                        }),
                                  order);
-      for (double& D : other.law.D)
+      Elasticity law = other.laws(0);
+      for (double& D : law.D)
         D *= stress;
+      other.laws = law;
       Vector longer = u;
       for (double& value : longer)
         value *= length;

@@ -102,7 +102,7 @@ BodyModel boxBody(const std::string& name, const std::string& meshEntries, int o
   const std::string hypothesis = body.mesh.dim == 2 ? "Plane Strain" : "Three Dimensional";
   const std::string material =
       entry("Young Modulus", "double", "2") + entry("Poisson Ratio", "double", "0.3") + text("Hypothesis", hypothesis);
-  body.law = materials.build(validated(material, choiceSpec("Material", materials), "Material"))->elasticity();
+  body.laws = materials.build(validated(material, choiceSpec("Material", materials), "Material"))->elasticity();
   body.nodes = makeNodeMap(body.mesh, order);
   for (const auto& support : params.sub("Supports").subs())
     body.supports.push_back(supportTypes.build(support));
@@ -113,7 +113,7 @@ BodyModel renumbered(const BodyModel& body)
 {
   BodyModel result;
   result.name = body.name;
-  result.law = body.law;
+  result.laws = body.laws;
   result.mesh = body.mesh;
   Mesh& mesh = result.mesh;
   const int dim = mesh.dim, numPoints = mesh.numPoints(), numCells = mesh.numCells();

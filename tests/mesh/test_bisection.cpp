@@ -9,6 +9,7 @@
 #include "bisection_scenes.hpp"
 #include "meshing/mesh_deck.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/outline.hpp"
 
 namespace
 {
@@ -63,6 +64,28 @@ TEST_P(BisectionOf, StaysSoundConformingAndMatching)
       EXPECT_GT(mesh.numCells(), start()[m].numCells());
     }
     EXPECT_NEAR(lengthOf(findTwins(bisection.meshes()), bisection.meshes()), length, 1e-12 * length);
+  }
+}
+
+TEST_P(BisectionOf, GroupsOfCellsKeepTheirPlaces)
+{
+  std::vector<Mesh> meshes = start();
+  std::mt19937 random(5);
+  for (Mesh& mesh : meshes)
+    for (int c = 0; c < mesh.numCells(); ++c)
+      mesh.groups.kind.push_back(
+          mesh.groups.findOrAdd(random() % 3 == 0 ? std::vector<std::string>{"core"} : std::vector<std::string>{}));
+  Bisection bisection(meshes, twins());
+  for (unsigned round = 0; round < 3; ++round) {
+    bisection.refine(randomHalvings(bisection.meshes(), 40 + round));
+    for (std::size_t m = 0; m < meshes.size(); ++m) {
+      EXPECT_TRUE(sameOutline(outlineOf(bisection.meshes()[m]), outlineOf(meshes[m])));
+      for (int c = 0; c < bisection.meshes()[m].numCells(); ++c)
+        for (int k = 0; k < meshes[m].numCells(); ++k)
+          if (holdsMiddle(meshes[m], k, bisection.meshes()[m], c)) {
+            EXPECT_EQ(bisection.meshes()[m].groups.kind[std::size_t(c)], meshes[m].groups.kind[std::size_t(k)]);
+          }
+    }
   }
 }
 

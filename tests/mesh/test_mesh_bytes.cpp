@@ -14,6 +14,7 @@ TEST(MeshBytes, ReadBackToTheSameMesh)
   mesh.cells = {0, 1, 2};
   mesh.sides = {{"bottom", {{0, 2}}}, {"", {}}};
   mesh.notes = {"a note"};
+  mesh.groups = {{{}, {"core", "steel"}}, {1}};
   const std::string bytes = toBytes(mesh);
   const Mesh back = meshFromBytes(bytes);
   EXPECT_EQ(back.dim, mesh.dim);
@@ -25,6 +26,8 @@ TEST(MeshBytes, ReadBackToTheSameMesh)
   EXPECT_EQ(back.sides[0].facets[0].local, 2);
   EXPECT_TRUE(back.sides[1].facets.empty());
   EXPECT_EQ(back.notes, mesh.notes);
+  EXPECT_EQ(back.groups.names, mesh.groups.names);
+  EXPECT_EQ(back.groups.kind, mesh.groups.kind);
   EXPECT_EQ(toBytes(back), bytes);
 }
 

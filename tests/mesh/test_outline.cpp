@@ -47,6 +47,24 @@ void bend(double* p)
   p[1] += 0.1 * (p[1] - 0.1) * (p[0] - 0.3) * (1.3 - p[0]);
 }
 
+/// The square with the cells left of x = `at` in a group.
+Mesh withGroup(const std::string& cells, double at)
+{
+  Mesh mesh = square(cells, "0");
+  for (int c = 0; c < mesh.numCells(); ++c)
+    mesh.groups.kind.push_back(mesh.groups.findOrAdd(cellCentre(mesh, c)[0] < at ? std::vector<std::string>{"left half"}
+                                                                                 : std::vector<std::string>{}));
+  return mesh;
+}
+
+TEST(Outline, KnowsGroupsOfCells)
+{
+  const MeshOutline coarse = outlineOf(withGroup("4, 4", 0.8));
+  EXPECT_TRUE(sameOutline(coarse, outlineOf(withGroup("8, 6", 0.8))));
+  EXPECT_FALSE(sameOutline(coarse, outlineOf(withGroup("4, 4", 0.55))));
+  EXPECT_FALSE(sameOutline(coarse, outlineOf(square("4, 4", "0"))));
+}
+
 } // namespace
 
 TEST(Outline, OfASquareHasTwoCornersASide)

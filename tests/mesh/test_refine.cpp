@@ -82,6 +82,20 @@ TEST(Refine, ChildrenShareTheirParentEqually)
   }
 }
 
+TEST(Refine, ChildrenAreInTheGroupsOfTheirParent)
+{
+  for (Mesh mesh : samples()) {
+    EXPECT_TRUE(refineUniformly(mesh).groups.kind.empty());
+    for (int c = 0; c < mesh.numCells(); ++c)
+      mesh.groups.kind.push_back(
+          mesh.groups.findOrAdd(c % 3 == 0 ? std::vector<std::string>{} : std::vector<std::string>{"some", "more"}));
+    const Mesh fine = refineUniformly(mesh);
+    EXPECT_EQ(fine.groups.names, (std::vector<std::vector<std::string>>{{}, {"more", "some"}}));
+    for (int c = 0; c < fine.numCells(); ++c)
+      EXPECT_EQ(fine.groups.kind[std::size_t(c)], c / numChildren(mesh.dim) % 3 == 0 ? 0 : 1);
+  }
+}
+
 TEST(Refine, ChildVerticesAreWhereTheTableSays)
 {
   for (const Mesh& mesh : samples()) {

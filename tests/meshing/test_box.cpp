@@ -190,4 +190,25 @@ TEST(Box, AMillionDofsAreGenerated)
   EXPECT_NEAR(volume(mesh), 1.0, 1e-11);
 }
 
+TEST(BoxParts, AreGroupsOfTheCellsBetweenTheirCorners)
+{
+  const Mesh mesh =
+      readMesh(plane(list("Parts", list("soft", doubles("Lower", "-1, 0.5") + doubles("Upper", "0.3, 1.5")) +
+                                       list("low", doubles("Lower", "-1, 0.5") + doubles("Upper", "2, 0.8")))));
+  EXPECT_TRUE(readMesh(plane()).groups.kind.empty());
+  ASSERT_EQ(int(mesh.groups.kind.size()), mesh.numCells());
+  double both = 0.0;
+  for (int c = 0; c < mesh.numCells(); ++c) {
+    std::vector<std::string> expected;
+    const auto middle = cellCentre(mesh, c);
+    if (middle[1] < 0.8)
+      expected.emplace_back("low");
+    if (middle[0] < 0.3)
+      expected.emplace_back("soft");
+    EXPECT_EQ(mesh.groups.names[std::size_t(mesh.groups.kind[std::size_t(c)])], expected);
+    both += expected.size() == 2 ? cellMeasure(mesh, c) : 0.0;
+  }
+  EXPECT_NEAR(both, 1.3 * 0.3, 1e-14); // grid lines lie on the corners
+}
+
 } // namespace

@@ -66,6 +66,14 @@ TEST(Exodus, MixesOrdersAndNamesUnnamedSets)
   EXPECT_THAT(mesh.notes, IsEmpty());
 }
 
+TEST(Exodus, BlocksAreGroupsOfCells)
+{
+  const Mesh mesh = readMesh(exodus(twoBlocks()));
+  ASSERT_EQ(mesh.groups.kind.size(), 2U);
+  EXPECT_THAT(mesh.groups.names[std::size_t(mesh.groups.kind[0])], ElementsAre("lower"));
+  EXPECT_THAT(mesh.groups.names[std::size_t(mesh.groups.kind[1])], ElementsAre("block_20"));
+}
+
 TEST(Exodus, ChoosesBlocksByNameOrNumber)
 {
   EXPECT_EQ(readMesh(exodus(twoBlocks(), strings("Blocks", "lower"))).points, (std::vector<double>{0, 0, 1, 0, 1, 1}));

@@ -170,6 +170,22 @@ TEST(Gmsh, CallsUnnamedGroupsByTheirTag)
   EXPECT_NE(mesh.findSide("physical_17"), nullptr);
 }
 
+TEST(Gmsh, CellsRememberTheirGroups)
+{
+  const std::string nodes =
+      std::string(header22) + "$PhysicalNames\n1\n2 5 \"core\"\n$EndPhysicalNames\n" + squareNodes;
+  const auto groupsOf = [](const Mesh& mesh, int cell) {
+    return mesh.groups.names[std::size_t(mesh.groups.kind[std::size_t(cell)])];
+  };
+  // Format 2.2 lists a cell once for each of its groups.
+  const Mesh mesh = fromText(nodes + "$Elements\n3\n1 2 2 5 1 1 2 3\n2 2 2 7 1 1 3 4\n3 2 2 7 1 1 2 3\n$EndElements\n");
+  ASSERT_EQ(mesh.numCells(), 2);
+  EXPECT_THAT(groupsOf(mesh, 0), ElementsAre("core", "physical_7"));
+  EXPECT_THAT(groupsOf(mesh, 1), ElementsAre("physical_7"));
+  EXPECT_TRUE(fromText(nodes + "$Elements\n1\n1 2 2 0 1 1 2 3\n$EndElements\n").groups.kind.empty());
+  EXPECT_THAT(groupsOf(fromText(asMsh41(flatBox())), 3), ElementsAre("body"));
+}
+
 TEST(Gmsh, SaysWhichGroupsAreEmpty)
 {
   const Mesh mesh = fromText(std::string(header22) + "$PhysicalNames\n1\n1 3 \"top\"\n$EndPhysicalNames\n" +

@@ -84,8 +84,7 @@ def pressed(draw, side, width):
     return {"press": {"Type": "Pressure", "Side": side, "Value": load_value(draw, width)}}
 
 
-def two_bodies(seed, lowest=-6.0, highest=6.0):
-    """upper's stiffness over lower's between 10^lowest and 10^highest."""
+def two_bodies_lists(seed, lowest, highest):
     draw = random.Random(f"two bodies {seed}")
     floating = draw.choice(("upper", "lower", None))
     width, heights = round(draw.uniform(0.5, 2.0), 1), [round(draw.uniform(0.1, 2.0), 2) for _ in range(2)]
@@ -106,10 +105,43 @@ def two_bodies(seed, lowest=-6.0, highest=6.0):
     draw.shuffle(roles)
     contact = {"Dirichlet Body": roles[0][0], "Dirichlet Side": roles[0][1], "Neumann Body": roles[1][0],
                "Neumann Side": roles[1][1], "Gap": gap_value(draw, width, floating is not None)}
-    name = f"two-bodies-{seed}"
     title = f"upper {stiffness:g} times as stiff, {floating or 'no body'} floats"
-    return Scene(name, title, to_xml(name, {"Title": title, "Bodies": {"upper": upper, "lower": lower},
-                                     "Interfaces": {"contact": contact}}))
+    return {"Title": title, "Bodies": {"upper": upper, "lower": lower}, "Interfaces": {"contact": contact}}
+
+
+def two_bodies(seed, lowest=-6.0, highest=6.0):
+    """upper's stiffness over lower's between 10^lowest and 10^highest."""
+    name, lists = f"two-bodies-{seed}", two_bodies_lists(seed, lowest, highest)
+    return Scene(name, lists["Title"], to_xml(name, lists))
+
+
+def add_regions(draw, body, lowest, highest):
+    """One or two parts of a body's box, from grid line to grid line, 10^lowest to 10^highest times as stiff."""
+    mesh, parts = body["Mesh"], {}
+    grid = [[low + k * (high - low) / cells for k in range(cells + 1)]
+            for low, high, cells in zip(mesh["Lower"], mesh["Upper"], mesh["Cells"], strict=True)]
+    for name in ("first", "second")[:draw.randint(1, 2)]:
+        ends = [sorted(draw.sample(lines, 2)) for lines in grid]
+        parts[name] = {"Lower": tuple(low for low, _ in ends), "Upper": tuple(high for _, high in ends)}
+    if len(parts) == 2 and all(max(a, c) < min(b, d) for a, b, c, d in zip(
+            parts["first"]["Lower"], parts["first"]["Upper"], parts["second"]["Lower"], parts["second"]["Upper"])):
+        del parts["second"]  # they would overlap
+    mesh["Parts"] = parts
+    stiffness = body["Material"]["Young Modulus"]
+    body["Regions"] = {name: {"Material": material(draw, stiffness * power_of_ten(draw, lowest, highest))}
+                       for name in parts}
+
+
+def bodies_of_regions(seed, lowest=-3.0, highest=3.0):
+    """Two bodies of similar stiffness that consist of several materials."""
+    draw = random.Random(f"regions {seed}")
+    lists = two_bodies_lists(f"of regions {seed}", -1.0, 1.0)
+    for body in lists["Bodies"].values():
+        body["Mesh"]["Pattern"] = draw.choice(("Right", "Alternating", "Crossed"))
+        add_regions(draw, body, lowest, highest)
+    lists["Discretization"] = {"Order": draw.choice((1, 2))}
+    name = f"regions-{seed}"
+    return Scene(name, lists["Title"], to_xml(name, lists))
 
 
 def sweep_parser(doc, scenes):

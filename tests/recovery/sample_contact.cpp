@@ -37,7 +37,7 @@ BodyModel contactBody(const ContactKind& kind, bool punch)
   if (!punch)
     conditions.supports = {onSide("Clamp", "bottom")};
   BodyModel body = makeBody(std::move(mesh), kind.order, conditions);
-  body.law = isotropic((punch ? 3.0 : 1.0) * kind.stress, 0.3);
+  body.laws = isotropic((punch ? 3.0 : 1.0) * kind.stress, 0.3);
   return body;
 }
 

@@ -126,12 +126,12 @@ Conditions loadsOf(const ExactField& exact)
 double distance(const ExactField& exact, const BodyModel& body,
                 const std::function<void(int, int, const double*, double*)>& stress)
 {
-  const int dim = exact.dim, strainCount = body.law.strains();
+  const int dim = exact.dim, strainCount = body.laws(0).strains();
   const QuadratureRule rule = simplexRule(dim, 6);
   DenseMatrix D(strainCount, strainCount);
   for (int i = 0; i < strainCount; ++i)
     for (int j = 0; j < strainCount; ++j)
-      D(i, j) = body.law(i, j);
+      D(i, j) = body.laws(0)(i, j);
   const DenseCholesky stiffness(D);
   double sum = 0.0;
   for (int cell = 0; cell < body.mesh.numCells(); ++cell) {

@@ -177,7 +177,7 @@ Problem solvedUnder(const ExactSolution& exact, Mesh mesh, int order, int degree
     if (side.name != "left")
       conditions.loads.push_back(onSide("Traction", side.name));
   BodyModel body = makeBody(std::move(mesh), order, conditions);
-  body.law = law;
+  body.laws = law;
   for (auto& load : body.loads)
     load = std::make_unique<ExactLoad>(load->params(), exact);
   return solved(std::move(body), degree);
@@ -186,11 +186,11 @@ Problem solvedUnder(const ExactSolution& exact, Mesh mesh, int order, int degree
 Distances distances(const ExactSolution& exact, const Problem& problem, const StressCorrection& correction)
 {
   const BodyModel& body = problem.body;
-  const std::size_t strains = std::size_t(body.law.strains());
-  DenseMatrix D(body.law.strains(), body.law.strains());
+  const std::size_t strains = std::size_t(body.laws(0).strains());
+  DenseMatrix D(body.laws(0).strains(), body.laws(0).strains());
   for (int i = 0; i < D.rows(); ++i)
     for (int j = 0; j < D.cols(); ++j)
-      D(i, j) = body.law(i, j);
+      D(i, j) = body.laws(0)(i, j);
   const DenseCholesky stiffness(D);
   const auto square = [&stiffness](const Vector& stress) { return dot(stress, stiffness.solve(stress)); };
   StressCorrection none = correction;

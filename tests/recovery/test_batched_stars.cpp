@@ -96,6 +96,23 @@ TEST_P(BatchedStarsOf, AreThoseOfTheGeneralSolver)
     }
 }
 
+TEST_P(BatchedStarsOf, EveryCellHasItsLaw)
+{
+  const auto [order, degree] = GetParam();
+  BodyModel body = test::makeBody(test::sampleMesh(2, 20.0), order, test::conditions(2, "corner"));
+  Elasticity stiff = body.laws(0);
+  for (double& entry : stiff.D)
+    entry *= 50.0;
+  std::vector<int> ofCell;
+  for (int c = 0; c < body.mesh.numCells(); ++c)
+    ofCell.push_back(c % 3 == 1 ? 1 : 0);
+  body.laws = CellLaws({body.laws(0), stiff}, ofCell);
+  const auto problem = test::solved(std::move(body), degree);
+  const auto expected = general(problem, {problem.field()});
+  for (const BatchedKernels* kernels : availableKernels())
+    expectSame(batched(problem, {problem.field()}, *kernels)[0], expected[0], agreement, kernels->name);
+}
+
 TEST_P(BatchedStarsOf, AreTheSameWithAllInstructionsAndWhateverTheFieldsBesideThem)
 {
   // Valences 4 to 8, numbers by chance, more stars of a valence than lanes and fewer.

@@ -45,7 +45,7 @@ test::Problem sample(const std::string& kind, Space space, const Elasticity& law
                      double rotation = 0.0)
 {
   BodyModel body = test::makeBody(test::sampleMesh(2, rotation), space.order, test::conditions(2, kind));
-  body.law = law;
+  body.laws = law;
   return test::solved(std::move(body), space.degree);
 }
 
@@ -80,8 +80,10 @@ test::Problem seenOtherwise(test::Problem problem, double length, double stress,
   for (BoundaryFacet& facet : problem.data.boundary)
     for (Direction& direction : facet.directions)
       turn(direction.data(), 1.0);
-  for (double& entry : problem.body.law.D)
+  Elasticity law = problem.body.laws(0);
+  for (double& entry : law.D)
     entry *= stress;
+  problem.body.laws = law;
   return problem;
 }
 

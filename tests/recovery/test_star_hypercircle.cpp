@@ -20,7 +20,7 @@ TEST_P(Hypercircle, IsAnEquality)
   // The stress of the solution has the degree that tractions may have, its divergence that of the loads.
   const auto exact = test::exactField(dim, order + 1, law, 3);
   BodyModel body = test::makeBody(test::sampleMesh(dim, 0.0), order, test::loadsOf(exact));
-  body.law = law;
+  body.laws = law;
   const test::Problem problem = test::solved(std::move(body), degree);
   EXPECT_EQ(test::largest(problem.data.oscillation), 0.0);
   Ledger ledger;

@@ -91,7 +91,7 @@ TEST_P(Stars, GiveEquilibriumWhateverTheMaterialAlsoOnSlivers)
   const Mesh thin = test::moved(test::sampleMesh(dim, 0.0), [](double* x) { x[1] *= 0.1; });
   for (const Elasticity& law : test::sampleLaws(dim)) {
     BodyModel body = test::makeBody(thin, order, test::conditions(dim, "corner"));
-    body.law = law;
+    body.laws = law;
     const auto problem = test::solved(std::move(body), degree);
     const StressCorrection correction = recovered(problem);
     // Nearly incompressible or bent slivers: the round-off of sigma~ itself, seen as the stars' imbalance.

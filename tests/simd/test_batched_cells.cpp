@@ -39,7 +39,7 @@ Vector oneByOne(const BodyModel& body, const StressCorrection& correction, const
 {
   Vector distances;
   for (int cell = 0; cell < body.mesh.numCells(); ++cell)
-    distances.push_back(equilibratedStress(body, difference, correction, cell).energy(body.law));
+    distances.push_back(equilibratedStress(body, difference, correction, cell).energy(body.laws(cell)));
   return distances;
 }
 
@@ -87,6 +87,22 @@ TEST_P(BatchedCellsOf, DistancesAreThoseOfTheCellsOneByOne)
       expectSame(batchedCellDistances(body, correction, nullptr, *kernels), oneByOne(body, correction, none), roundOff);
     }
   }
+}
+
+TEST_P(BatchedCellsOf, EveryCellHasItsLaw)
+{
+  const auto [order, degree] = GetParam();
+  const auto laws = test::sampleLaws(2);
+  BodyModel body = test::bodyOf(manyCells(), order, laws[0]);
+  std::vector<int> ofCell;
+  for (int c = 0; c < body.mesh.numCells(); ++c)
+    ofCell.push_back(c * 7 % int(laws.size()));
+  body.laws = CellLaws(laws, ofCell);
+  const StressCorrection correction = randomCorrection(body, degree, 3);
+  const Vector difference = test::Random(5).vector(std::size_t(body.numDofs()));
+  for (const BatchedKernels* kernels : availableKernels())
+    expectSame(batchedCellDistances(body, correction, &difference, *kernels), oneByOne(body, correction, difference),
+               roundOff);
 }
 
 TEST_P(BatchedCellsOf, DistancesAreThoseThatTheCertificateTakes)

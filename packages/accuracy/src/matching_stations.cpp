@@ -31,6 +31,10 @@ public:
       parts_[side] = {0, lower_[0], upper_[0]};
     for (const Params& split : mesh.sub("Splits").subs())
       cut(split);
+    if (mesh.hasSub("Parts"))
+      for (const Params& part : mesh.sub("Parts").subs())
+        for (const char* corner : {"Lower", "Upper"})
+          takeCorner(part.get<std::vector<double>>(corner));
   }
 
   std::optional<Part> part(const std::string& name) const
@@ -57,6 +61,13 @@ public:
   }
 
 private:
+  /// Of a part of the box: grid lines go through it.
+  void takeCorner(const std::vector<double>& corner)
+  {
+    for (std::size_t d = 0; d < 2 && corner.size() == 2; ++d)
+      take({int(d), lower_[d], upper_[d]}, {corner[d]});
+  }
+
   void cut(const Params& split)
   {
     const auto whole = part(split.get<std::string>("Side"));

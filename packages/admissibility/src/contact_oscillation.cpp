@@ -49,8 +49,10 @@ public:
   Vector squares() const
   {
     Vector result = cellDistances(body_, lifted_, nullptr);
+    const Vector stiffness = smallestStiffness(body_.laws);
     for (std::size_t cell = 0; cell < result.size(); ++cell)
-      result[cell] = std::pow(std::sqrt(result[cell]) + beyond_[cell] / std::sqrt(smallestStiffness(body_.law)), 2);
+      result[cell] = std::pow(
+          std::sqrt(result[cell]) + beyond_[cell] / std::sqrt(stiffness[std::size_t(body_.laws.number(int(cell)))]), 2);
     return result;
   }
 

@@ -60,7 +60,7 @@ private:
   static void addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values,
                     double factor = 1.0);
   void addBound(std::size_t cell, double constant, const SimplexMoments& moments);
-  bool boundByConstants(double stiffness, double negligible);
+  bool boundByConstants(const Vector& stiffness, double negligible);
   Vector liftedEnergies();
 
   const BodyModel& body_;
@@ -149,15 +149,18 @@ void DataBuilder::addBound(std::size_t cell, double constant, const SimplexMomen
 }
 
 /// Where the constants alone show that all is negligible there is no need for the stress tau.
-bool DataBuilder::boundByConstants(double stiffness, double negligible)
+bool DataBuilder::boundByConstants(const Vector& stiffness, double negligible)
 {
+  const auto squareIn = [&](std::size_t cell) {
+    return byConstants_[cell] * byConstants_[cell] / stiffness[std::size_t(body_.laws.number(int(cell)))];
+  };
   double square = 0.0;
-  for (const double bound : byConstants_)
-    square += bound * bound / stiffness;
+  for (std::size_t cell = 0; cell < byConstants_.size(); ++cell)
+    square += squareIn(cell);
   if (data_.dim != 2 || square > negligible * negligible)
     return false;
   for (std::size_t cell = 0; cell < byConstants_.size(); ++cell)
-    data_.oscillation[cell] = byConstants_[cell] * byConstants_[cell] / stiffness;
+    data_.oscillation[cell] = squareIn(cell);
   return true;
 }
 
@@ -178,7 +181,7 @@ Vector DataBuilder::liftedEnergies()
 /// (b - b_h, v) + (p - p_h, v) = (tau, eps(v)) <= |tau| |v|; the constants bound what it does not carry.
 void DataBuilder::finish(double negligible)
 {
-  const double stiffness = smallestStiffness(body_.law);
+  const Vector stiffness = smallestStiffness(body_.laws);
   if (boundByConstants(stiffness, negligible))
     return;
   const Vector carried = liftedEnergies();
@@ -186,7 +189,8 @@ void DataBuilder::finish(double negligible)
   for (std::size_t cell = 0; cell < carried.size(); ++cell) {
     double& bound = data_.oscillation[cell];
     oscillates = oscillates || bound > 0.0;
-    bound = std::pow(std::sqrt(carried[cell]) + bound / std::sqrt(stiffness), 2);
+    bound =
+        std::pow(std::sqrt(carried[cell]) + bound / std::sqrt(stiffness[std::size_t(body_.laws.number(int(cell)))]), 2);
   }
   if (oscillates && data_.dim == 3)
     data_.caveat +=

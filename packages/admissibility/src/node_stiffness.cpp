@@ -24,7 +24,7 @@ NodeStiffness blocksBetween(const BodyModel& body, const std::set<int>& chosen)
     if (std::none_of(cellNodes, cellNodes + nodes, isChosen))
       continue;
     cellPoints(body.mesh, cell, points);
-    elementStiffness<2, order>(points, body.law, rule, element);
+    elementStiffness<2, order>(points, body.laws(cell), rule, element);
     for (int a = 0; a < nodes; ++a)
       for (int b = 0; b < nodes; ++b) {
         if (!isChosen(cellNodes[a]) || !isChosen(cellNodes[b]))

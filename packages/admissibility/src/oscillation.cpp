@@ -103,4 +103,12 @@ double smallestStiffness(const Elasticity& law)
   return low;
 }
 
+Vector smallestStiffness(const CellLaws& laws)
+{
+  Vector ofLaws;
+  for (const Elasticity& law : laws.all())
+    ofLaws.push_back(smallestStiffness(law));
+  return ofLaws;
+}
+
 } // namespace ndframe

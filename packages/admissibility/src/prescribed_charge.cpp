@@ -84,7 +84,7 @@ double liftedEnergy(const BodyModel& body, Facet facet, const Samples& samples, 
         value[1][i] = values[i][q] + (1.0 - t) * slopes[i][std::size_t(q)];
       }
       energy += measure * samples.rule.weights[std::size_t(piece.first) + std::size_t(q)] *
-                energyDensity(body.law, gradLambda + std::ptrdiff_t(2) * local[0],
+                energyDensity(body.laws(facet.cell), gradLambda + std::ptrdiff_t(2) * local[0],
                               gradLambda + std::ptrdiff_t(2) * local[1], value);
     }
   }
@@ -129,7 +129,7 @@ double missedEnergy(const BodyModel& body, Facet facet, const Samples& samples, 
   for (int v = 0; v < 2; ++v)
     gradients += std::hypot(gradLambda[std::ptrdiff_t(2) * local[v]], gradLambda[std::ptrdiff_t(2) * local[v] + 1]);
   for (int i = 0; i < 3; ++i)
-    trace += (i < 2 ? 1.0 : 2.0) * body.law(i, i);
+    trace += (i < 2 ? 1.0 : 2.0) * body.laws(facet.cell)(i, i);
   for (const auto& piece : samples.pieces) {
     const double value = EdgePieces::interpolationFactor(*piece.rule) * piece.error, slope = piece.slopeError;
     if (value + slope > 0.0)

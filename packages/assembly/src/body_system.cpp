@@ -63,7 +63,7 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
     if (std::none_of(nodes, nodes + nodesPerCell, [&](int node) { return rowIndex[std::size_t(node)] >= 0; }))
       continue;
     cellPoints(body.mesh, c, points);
-    elementStiffness<dim, order>(points, body.law, rule, element);
+    elementStiffness<dim, order>(points, body.laws(c), rule, element);
     if (frames.anyTurned())
       for (int a = 0; a < nodesPerCell; ++a)
         if (frames.isTurned(nodes[a]))

@@ -25,7 +25,7 @@ std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, cons
     else {
       double outOfPlane = 0.0;
       for (std::size_t i = 0; i < 3; ++i)
-        outOfPlane += body.law.outOfPlane[i] * strain[i];
+        outOfPlane += cell.law.outOfPlane[i] * strain[i];
       all[std::size_t(c)] = {stress[0], stress[1], outOfPlane, stress[2], 0.0, 0.0};
     }
   }

@@ -52,7 +52,7 @@ std::vector<std::array<double, 6>> averageAtNodes(const BodyModel& body, const V
     const double measure = cellMeasure(body.mesh, c);
     for (int a = 0; a < nodes; ++a) {
       cell.evaluate(lambda + a * (dim + 1), strain, stress);
-      const auto value = fullStress<dim>(body.law, strain, stress);
+      const auto value = fullStress<dim>(cell.law, strain, stress);
       const auto node = std::size_t(body.nodes.cell(c)[a]);
       weight[node] += measure;
       for (std::size_t i = 0; i < value.size(); ++i)

@@ -1,5 +1,7 @@
 #include "spec_text.hpp"
 
+#include <fmt/format.h>
+
 #include "value_text.hpp"
 
 namespace ndframe
@@ -16,6 +18,8 @@ std::vector<std::string> paramFacts(const ParamSpec& param)
 
 std::string presence(const ListSpec& list)
 {
+  if (list.isRequired && !list.requiredUnless.empty())
+    return fmt::format("required unless {} is given", list.requiredUnless);
   return list.isRequired ? "required" : list.onlyIfGiven ? "only if given" : "optional";
 }
 

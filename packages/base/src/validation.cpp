@@ -207,11 +207,17 @@ private:
     }
   }
 
+  static bool isExcused(const ListSpec& spec, const DeckList& parent)
+  {
+    return !spec.requiredUnless.empty() && parent.findList(spec.requiredUnless) != nullptr;
+  }
+
   void addList(Params::Node& node, const DeckList& parent, const ListSpec& spec, const SpecView& view)
   {
     const DeckList* given = parent.findList(spec.name);
     const std::string path = joinPath(node.path, spec.name);
-    if (given == nullptr && spec.isRequired && !isMisspelt(namesOf(parent.lists), view.listNames(), spec.name))
+    if (given == nullptr && spec.isRequired && !isExcused(spec, parent) &&
+        !isMisspelt(namesOf(parent.lists), view.listNames(), spec.name))
       mistake(parent.file, parent.line, node.path, fmt::format("the list {} is missing.", inQuotes(spec.name)));
     if (given == nullptr && (spec.isRequired || spec.onlyIfGiven))
       return;

@@ -124,8 +124,9 @@ Vector openingCost(const CertifiedScene& scene)
   const Vector gap = nodalGap(scene.model);
   for (const ContactFacet& facet : scene.facets) {
     const auto opening = facetOpening(scene.bodies, facet, scene.solved);
-    const double stiffness = std::min(smallestStiffness(scene.bodies[std::size_t(facet.dirichletBody)]->law),
-                                      smallestStiffness(scene.bodies[std::size_t(facet.neumannBody)]->law));
+    const double stiffness =
+        std::min(smallestStiffness(scene.bodies[std::size_t(facet.dirichletBody)]->laws(facet.dirichlet.cell)),
+                 smallestStiffness(scene.bodies[std::size_t(facet.neumannBody)]->laws(facet.neumann.cell)));
     for (std::size_t i = 0; i <= std::size_t(scene.order); ++i) {
       const auto node = std::size_t(facet.nodes[i]);
       const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);

@@ -10,7 +10,7 @@ namespace ndframe
 SceneIdentity::SceneIdentity(const Params& deck, const Model& model) : data_(toXml(deck.sub("Interfaces")))
 {
   for (const Params& body : deck.sub("Bodies").subs())
-    data_ += body.name() + toXml(body.sub("Material")) + toXml(body.sub("Supports")) + toXml(body.sub("Loads"));
+    data_ += body.name() + materialText(body) + toXml(body.sub("Supports")) + toXml(body.sub("Loads"));
   for (const BodyModel& body : model.bodies)
     bodies_.push_back(outlineOf(body.mesh));
 }

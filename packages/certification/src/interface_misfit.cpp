@@ -75,7 +75,7 @@ double interfaceMisfit(const CertifiedScene& scene, const IntermediateField& fie
       const double sign = isDirichlet ? facet.measure : -facet.measure;
       square += (scene.order == 1 ? misfitOf<1>(body, field.displacement[b], own, nodes, rule, traction, sign)
                                   : misfitOf<2>(body, field.displacement[b], own, nodes, rule, traction, sign)) /
-                smallestStiffness(body.law);
+                smallestStiffness(body.laws(own.cell));
     }
   }
   const Vector gap = nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree);

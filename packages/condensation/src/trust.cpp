@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/scene/regions.hpp"
+
 namespace ndframe
 {
 namespace
@@ -43,6 +45,18 @@ void checkRange(double number, const Params& list, const char* key, const char* 
         key, fmt::format("{} reach {:.3g}: products of such numbers leave the range of floating-point numbers; "
                          "choose units in which they lie between {:g} and {:g}.",
                          what, number, 1.0 / largestNumber, largestNumber)));
+}
+
+/// Of all materials of a body; each is checked.
+double largestModulus(const BodyModel& body, const Params& definition, Diagnostics& diagnostics)
+{
+  double largestOfAll = 0.0;
+  for (const auto& [list, law] : materialsOf(body, definition)) {
+    const double modulus = largest({law.D.begin(), law.D.end()});
+    checkRange(modulus, list, "", "the elastic moduli", diagnostics);
+    largestOfAll = std::max(largestOfAll, modulus);
+  }
+  return largestOfAll;
 }
 
 double largestContactForce(const BodyTrace& trace, const InterfaceState& state)
@@ -91,9 +105,8 @@ void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagn
   double driving = 0.0; // a small load beside a large one does no harm
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
-    const double size = largest(body.mesh.points), modulus = largest({body.law.D.begin(), body.law.D.end()});
+    const double size = largest(body.mesh.points), modulus = largestModulus(body, bodies.sub(body.name), diagnostics);
     checkRange(size, bodies.sub(body.name).sub("Mesh"), "", "the coordinates", diagnostics);
-    checkRange(modulus, bodies.sub(body.name).sub("Material"), "", "the elastic moduli", diagnostics);
     const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
     driving = largest({driving, largest(model.loads[b]), prescribed});
   }

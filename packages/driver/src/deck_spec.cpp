@@ -20,13 +20,27 @@ ListSpec makeNamed(std::string name, std::string doc, ListSpec each)
   return list;
 }
 
+ListSpec regionSpec(const ListSpec& material)
+{
+  ListSpec region = makeList("REGION", "Cells of the body and what they are made of.");
+  region.params = {{"Cells", std::vector<std::string>{},
+                    "Groups of cells of the mesh: physical groups of gmsh, element blocks of Exodus, Parts of a box. "
+                    "Empty: the group that has the region's name. Cells in no region have the body's Material."}};
+  region.lists = {material};
+  return region;
+}
+
 ListSpec bodySpec(const Components& components)
 {
   ListSpec body = makeList("BODY", "One elastic body; the list's name is the body's name.");
   ListSpec mesh = makeChoice("Mesh", "Where the mesh comes from.", components.meshSources.choices());
   ListSpec material = makeChoice("Material", "The elastic law.", components.materials.choices());
   mesh.isRequired = material.isRequired = true;
-  body.lists = {std::move(mesh), std::move(material),
+  ListSpec regions =
+      makeNamed("Regions", "Parts of the body with materials of their own, one named list each.", regionSpec(material));
+  regions.onlyIfGiven = true;
+  material.requiredUnless = regions.name;
+  body.lists = {std::move(mesh), std::move(material), std::move(regions),
                 makeNamed("Supports",
                           "Prescribed displacements, one named list each. A body that contact holds needs only what "
                           "contact cannot hold.",

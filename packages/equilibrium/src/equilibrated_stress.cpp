@@ -51,7 +51,7 @@ SplitStress correctionStress(const BodyModel& body, const StressCorrection& corr
   stress.cell = sortedCell(body.mesh, cell);
   stress.map = cellMap(body.mesh, stress.cell);
   stress.coefficients =
-      CellForm(reference, stress.map, body.law).coefficients(pullBack(reference, stress.map, correction, cell));
+      CellForm(reference, stress.map, body.laws(cell)).coefficients(pullBack(reference, stress.map, correction, cell));
   return stress;
 }
 

@@ -102,7 +102,7 @@ private:
 double EquilibriumSearch::stressOfSums(const CellMap& map, int cell) const
 {
   double modulus = 0.0, slope = 0.0, displacement = 0.0;
-  for (const double entry : body_.law.D)
+  for (const double entry : body_.laws(cell).D)
     modulus = std::max(modulus, std::abs(entry));
   for (int a = 0; a <= mesh_.dim; ++a)
     slope = std::max(slope, largestOf(gradient(map, a)));

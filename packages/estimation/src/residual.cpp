@@ -187,9 +187,9 @@ Vector residualIndicator(const BodyModel& body, const StaticData& data, const Fi
     squared[c] = h * h * squaredNorm(residuals.cells.data() + c * loadData, loadData, cellMeasure(mesh, int(c)));
   }
   addJumps(mesh, residuals.facets, facetBasis(data.dim, data.degree).size() * data.dim, squared);
-  const double stiffness = smallestStiffness(body.law);
-  for (double& value : squared)
-    value /= stiffness;
+  const Vector stiffness = smallestStiffness(body.laws);
+  for (std::size_t c = 0; c < squared.size(); ++c)
+    squared[c] /= stiffness[std::size_t(body.laws.number(int(c)))];
   return squared;
 }
 

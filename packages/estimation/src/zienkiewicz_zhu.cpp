@@ -40,7 +40,8 @@ double energyDensity(const Elasticity& law, const double* strain)
   return density;
 }
 
-/// One law for the whole body, so sigma* = K eps*: strains are recovered and no compliance is needed.
+/// Within a region sigma* = K eps*: strains are recovered and no compliance is needed. Limit: strains are smoothed
+/// across regions of different materials, too, where they jump.
 template <int dim, int order>
 Vector squaredDifferences(const BodyModel& body, const Vector& displacement)
 {
@@ -66,7 +67,7 @@ Vector squaredDifferences(const BodyModel& body, const Vector& displacement)
       for (int i = 0; i < strains; ++i)
         recovered[i] -= strain[i];
       squared[std::size_t(c)] +=
-          cellMeasure(body.mesh, c) * rule.weights[std::size_t(q)] * energyDensity(body.law, recovered);
+          cellMeasure(body.mesh, c) * rule.weights[std::size_t(q)] * energyDensity(field.law, recovered);
     }
   }
   return squared;

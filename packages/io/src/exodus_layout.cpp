@@ -57,6 +57,24 @@ void checkStep(const ExodusLayout& layout, const ExodusVariables& variables, con
   checkFields({step.global}, variables.global, 1, [](std::size_t) { return 1; });
 }
 
+/// firstCell of the body is there.
+void addBlocks(const ExodusBody& body, int number, ExodusLayout& layout)
+{
+  int first = layout.firstCell[std::size_t(number)];
+  layout.elements.emplace_back();
+  if (body.parts.empty())
+    layout.blocks.push_back({body.name, number, nullptr, first});
+  else
+    layout.elements.back().assign(std::size_t(body.nodes->numCells()), -1);
+  for (const ExodusPart& part : body.parts) {
+    layout.blocks.push_back({part.name, number, &part.cells, first});
+    for (const int cell : part.cells)
+      layout.elements.back()[std::size_t(cell)] = first++;
+  }
+  NDFRAME_ASSERT(body.parts.empty() || first == layout.firstCell[std::size_t(number) + 1],
+                 "every cell of a body is in one part: " + body.name);
+}
+
 } // namespace
 
 ExodusLayout makeLayout(const std::vector<ExodusBody>& bodies, const std::vector<ExodusContactSide>& contactSides)
@@ -65,12 +83,13 @@ ExodusLayout makeLayout(const std::vector<ExodusBody>& bodies, const std::vector
   ExodusLayout layout;
   layout.bodies = &bodies;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto& [name, mesh, nodes] = bodies[b];
+    const auto& [name, mesh, nodes, parts] = bodies[b];
     NDFRAME_ASSERT(mesh != nullptr && nodes != nullptr, "body without mesh or nodes: " + name);
     NDFRAME_ASSERT(nodes->dim == bodies.front().nodes->dim, "bodies of one file have the same dimension");
     NDFRAME_ASSERT(nodes->numCells() > 0, "body without elements: " + name);
     appendCount(layout.firstNode, nodes->numNodes());
     appendCount(layout.firstCell, nodes->numCells());
+    addBlocks(bodies[b], int(b), layout);
     for (const auto& side : mesh->sides)
       layout.sets.push_back({name + ":" + side.name, int(b), &side.facets});
   }
@@ -95,8 +114,8 @@ ExodusVariables commonVariables(const ExodusLayout& layout, const std::vector<Ex
 std::size_t longestName(const ExodusLayout& layout, const ExodusVariables& variables)
 {
   std::size_t longest = 1;
-  for (const auto& body : *layout.bodies)
-    longest = std::max(longest, body.name.size());
+  for (const auto& block : layout.blocks)
+    longest = std::max(longest, block.name.size());
   for (const auto& set : layout.sets)
     longest = std::max(longest, set.name.size());
   for (const auto* names : {&variables.nodal, &variables.element, &variables.contactSide, &variables.global})

@@ -16,18 +16,40 @@ struct SideSet
   const std::vector<Facet>* facets;
 };
 
+/// An element block of the file: a body or a part of it.
+struct ElementBlock
+{
+  std::string name;
+  int body;
+  const std::vector<int>* cells; ///< of the body; null: all
+  int firstElement;              ///< of the file, from 0
+
+  int numCells(const std::vector<ExodusBody>& bodies) const
+  {
+    return cells == nullptr ? bodies[std::size_t(body)].nodes->numCells() : int(cells->size());
+  }
+};
+
 /// The bodies one after the other: what is numbered through the whole file.
 struct ExodusLayout
 {
   const std::vector<ExodusBody>* bodies;
   std::vector<int> firstNode{0}; ///< of each body, and one more: the number of all nodes
   std::vector<int> firstCell{0};
-  std::vector<SideSet> sets;    ///< the named sides, then the contact sides
-  std::size_t firstContact = 0; ///< index of the first contact side in `sets`
+  std::vector<ElementBlock> blocks;
+  std::vector<std::vector<int>> elements; ///< per body in parts: element of each cell; else empty
+  std::vector<SideSet> sets;              ///< the named sides, then the contact sides
+  std::size_t firstContact = 0;           ///< index of the first contact side in `sets`
 
   int dim() const { return bodies->front().nodes->dim; }
   int numNodes() const { return firstNode.back(); }
   int numCells() const { return firstCell.back(); }
+  /// The element of the file, from 0.
+  int element(int body, int cell) const
+  {
+    const auto& ofCells = elements[std::size_t(body)];
+    return ofCells.empty() ? firstCell[std::size_t(body)] + cell : ofCells[std::size_t(cell)];
+  }
   /// The library knows no variables on sets without facets.
   bool carriesVariables(std::size_t set) const { return set >= firstContact && !sets[set].facets->empty(); }
 };

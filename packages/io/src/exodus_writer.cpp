@@ -35,11 +35,11 @@ void defineBlocks(ExodusFile& file, const ExodusLayout& layout)
 {
   std::vector<int> ids, cells, nodesPerCell;
   std::vector<std::string> types;
-  for (std::size_t b = 0; b < layout.bodies->size(); ++b) {
-    const NodeMap& nodes = *(*layout.bodies)[b].nodes;
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
+    const NodeMap& nodes = *(*layout.bodies)[std::size_t(layout.blocks[b].body)].nodes;
     ids.push_back(idOf(b));
     types.emplace_back(elementNames[std::size_t(nodes.dim - 2)][std::size_t(nodes.order - 1)]);
-    cells.push_back(nodes.numCells());
+    cells.push_back(layout.blocks[b].numCells(*layout.bodies));
     nodesPerCell.push_back(nodes.nodesPerCell);
   }
   CStrings texts(types);
@@ -69,7 +69,7 @@ void defineMesh(ExodusFile& file, const ExodusLayout& layout, const std::string&
   sizes.num_dim = layout.dim();
   sizes.num_nodes = layout.numNodes();
   sizes.num_elem = layout.numCells();
-  sizes.num_elem_blk = std::int64_t(layout.bodies->size());
+  sizes.num_elem_blk = std::int64_t(layout.blocks.size());
   sizes.num_side_sets = std::int64_t(layout.sets.size());
   file.call("the sizes", ex_put_init_ext, &sizes);
   defineBlocks(file, layout);
@@ -81,7 +81,7 @@ void defineMesh(ExodusFile& file, const ExodusLayout& layout, const std::string&
 void defineVariables(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables& variables)
 {
   // Truth tables: which block or set (row) has which variable (column).
-  std::vector<int> inBlocks(layout.bodies->size() * variables.element.size(), 1);
+  std::vector<int> inBlocks(layout.blocks.size() * variables.element.size(), 1);
   std::vector<int> inSets;
   for (std::size_t s = 0; s < layout.sets.size(); ++s)
     inSets.insert(inSets.end(), variables.contactSide.size(), layout.carriesVariables(s) ? 1 : 0);
@@ -138,7 +138,7 @@ void putAllNames(ExodusFile& file, const ExodusLayout& layout, const ExodusVaria
 {
   CStrings coordinates({coordinateNames.begin(), coordinateNames.begin() + layout.dim()});
   file.call("the names of the coordinates", ex_put_coord_names, coordinates.data());
-  putNames(file, EX_ELEM_BLOCK, *layout.bodies);
+  putNames(file, EX_ELEM_BLOCK, layout.blocks);
   putNames(file, EX_SIDE_SET, layout.sets);
   putVariableNames(file, EX_GLOBAL, variables.global);
   putVariableNames(file, EX_NODAL, variables.nodal);
@@ -156,12 +156,29 @@ void putCoordinates(ExodusFile& file, const ExodusLayout& layout)
   file.call("the coordinates", ex_put_coord, x[0].data(), x[1].data(), x[2].data());
 }
 
+/// What belongs to the cells of a block, of an array with `perCell` entries for each cell of the body.
+template <class Value>
+std::vector<Value> ofBlock(const std::vector<Value>& ofBody, int perCell, const std::vector<int>* cells)
+{
+  if (cells == nullptr)
+    return ofBody;
+  std::vector<Value> chosen;
+  chosen.reserve(cells->size() * std::size_t(perCell));
+  for (const int cell : *cells) {
+    const auto first = ofBody.begin() + std::ptrdiff_t(cell) * perCell;
+    chosen.insert(chosen.end(), first, first + perCell);
+  }
+  return chosen;
+}
+
 void putConnectivity(ExodusFile& file, const ExodusLayout& layout)
 {
-  for (std::size_t b = 0; b < layout.bodies->size(); ++b) {
-    auto nodes = (*layout.bodies)[b].nodes->cellNodes;
+  for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
+    const auto& [name, body, cells, first] = layout.blocks[b];
+    const NodeMap& map = *(*layout.bodies)[std::size_t(body)].nodes;
+    auto nodes = ofBlock(map.cellNodes, map.nodesPerCell, cells);
     for (int& node : nodes)
-      node += layout.firstNode[b] + 1;
+      node += layout.firstNode[std::size_t(body)] + 1;
     file.call("the elements", ex_put_conn, EX_ELEM_BLOCK, idOf(b), nodes.data(), nullptr, nullptr);
   }
 }
@@ -172,7 +189,7 @@ void putSideSets(ExodusFile& file, const ExodusLayout& layout)
     const auto& [name, body, facets] = layout.sets[s];
     std::vector<int> elements, sides;
     for (const auto& facet : *facets) {
-      elements.push_back(layout.firstCell[std::size_t(body)] + facet.cell + 1);
+      elements.push_back(layout.element(body, facet.cell) + 1);
       sides.push_back(exodusSideNumber[std::size_t(facet.local)]);
     }
     if (!elements.empty())
@@ -214,8 +231,12 @@ void putStep(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables
   file.call("the time of a step", ex_put_time, number, &step.time);
   for (std::size_t v = 0; v < variables.nodal.size(); ++v)
     writer.put(EX_NODAL, v, 1, joined(step.nodal, v));
-  for (std::size_t b = 0; b < step.element.size(); ++b)
-    writer.putAll(EX_ELEM_BLOCK, idOf(b), step.element[b]);
+  for (std::size_t b = 0; !step.element.empty() && b < layout.blocks.size(); ++b) {
+    const ElementBlock& block = layout.blocks[b];
+    const auto& fields = step.element[std::size_t(block.body)];
+    for (std::size_t v = 0; v < fields.size(); ++v)
+      writer.put(EX_ELEM_BLOCK, v, idOf(b), ofBlock(fields[v].values, 1, block.cells));
+  }
   for (std::size_t s = layout.firstContact; s < layout.sets.size(); ++s)
     if (layout.carriesVariables(s))
       writer.putAll(EX_SIDE_SET, idOf(s), step.contactSide[s - layout.firstContact]);

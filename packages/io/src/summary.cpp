@@ -36,19 +36,27 @@ Json peakJson(const PeakSummary& peak)
   return {{"value", peak.value}, {"point", peak.point}};
 }
 
+Json regionJson(const RegionSummary& region)
+{
+  return {{"name", region.name}, {"elements", region.elements}, {"energy", region.energy}};
+}
+
 Json bodyJson(const BodySummary& body)
 {
-  return {{"name", body.name},
-          {"dofs", body.dofs},
-          {"elements", body.elements},
-          {"order", body.order},
-          {"solver", body.solver},
-          {"held_by", body.heldBy},
-          {"energy", body.energy},
-          {"load_force", body.loadForce},
-          {"supports", arrayOf(body.supports, supportJson)},
-          {"largest_displacement", peakJson(body.displacement)},
-          {"largest_strain", peakJson(body.strain)}};
+  Json json{{"name", body.name},
+            {"dofs", body.dofs},
+            {"elements", body.elements},
+            {"order", body.order},
+            {"solver", body.solver},
+            {"held_by", body.heldBy},
+            {"energy", body.energy},
+            {"load_force", body.loadForce},
+            {"supports", arrayOf(body.supports, supportJson)},
+            {"largest_displacement", peakJson(body.displacement)},
+            {"largest_strain", peakJson(body.strain)}};
+  if (!body.regions.empty())
+    json["regions"] = arrayOf(body.regions, regionJson);
+  return json;
 }
 
 Json warningJson(const WarningSummary& warning)

@@ -246,6 +246,7 @@ void Bisection::writeMesh(int number)
     mesh.cells.insert(mesh.cells.end(), triangle.vertices.begin(), triangle.vertices.end());
     parents_[m].push_back(triangle.parent);
   }
+  mesh.groups.inherit(parents_[m]);
   for (std::size_t s = 0; s < mesh.sides.size(); ++s) {
     std::vector<DirectedEdge> leaves;
     for (const DirectedEdge edge : sides_[m][s])

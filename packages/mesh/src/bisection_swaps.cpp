@@ -50,6 +50,8 @@ double Bisection::gainOfSwap(int number) const
   if (mesh != meshOf(edge.slots[1] / 3))
     return 0.0;
   const Triangle &one = triangles_[std::size_t(edge.slots[0] / 3)], &two = triangles_[std::size_t(edge.slots[1] / 3)];
+  if (!meshes_[std::size_t(mesh)].groups.sameKind(one.parent, two.parent))
+    return 0.0;
   const std::array<Triangle, 2> after = swapped(number);
   const Corners now[2] = {cornersOf(one, mesh), cornersOf(two, mesh)};
   const Corners then[2] = {cornersOf(after[0], mesh), cornersOf(after[1], mesh)};

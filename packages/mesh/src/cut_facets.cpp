@@ -61,6 +61,7 @@ public:
     }
     for (std::size_t s = 0; s < old_.sides.size(); ++s)
       cutSide(old_.sides[s], result_.mesh.sides[s]);
+    result_.mesh.groups.inherit(result_.parents);
     return std::move(result_);
   }
 

@@ -33,6 +33,28 @@ double dot(const Vector& a, const Vector& b)
 
 } // namespace
 
+int CellGroups::findOrAdd(std::vector<std::string> groups)
+{
+  std::sort(groups.begin(), groups.end());
+  groups.erase(std::unique(groups.begin(), groups.end()), groups.end());
+  const auto found = std::find(names.begin(), names.end(), groups);
+  const int number = int(found - names.begin());
+  if (found == names.end())
+    names.push_back(std::move(groups));
+  return number;
+}
+
+void CellGroups::inherit(const std::vector<int>& parents)
+{
+  if (kind.empty())
+    return;
+  std::vector<int> inherited;
+  inherited.reserve(parents.size());
+  for (const int parent : parents)
+    inherited.push_back(kind[std::size_t(parent)]);
+  kind = std::move(inherited);
+}
+
 const Side* Mesh::findSide(const std::string& name) const
 {
   const auto found = std::find_if(sides.begin(), sides.end(), [&](const Side& side) { return side.name == name; });

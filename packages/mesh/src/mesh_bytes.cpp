@@ -97,6 +97,13 @@ void walk(Stream& stream, AnyMesh& mesh)
   stream.length(mesh.notes);
   for (auto& note : mesh.notes)
     stream.array(note);
+  stream.array(mesh.groups.kind);
+  stream.length(mesh.groups.names);
+  for (auto& names : mesh.groups.names) {
+    stream.length(names);
+    for (auto& name : names)
+      stream.array(name);
+  }
 }
 
 } // namespace

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <map>
 
+#include "ndframe/mesh/vertex_tuples.hpp"
+
 namespace ndframe
 {
 namespace
@@ -136,6 +138,40 @@ Outline sideOutline(const Mesh& mesh, const std::vector<Facet>& facets)
   return outline;
 }
 
+/// The facets on which cells of a kind border on others, by kind.
+std::vector<std::vector<Facet>> bordersOfKinds(const Mesh& mesh)
+{
+  std::vector<std::vector<Facet>> borders(mesh.groups.names.size());
+  const int facets = mesh.dim + 1;
+  const VertexTuples all = allFacets(mesh, mesh.numPoints());
+  for (int place = 0, end = 0; place < all.size(); place = end) {
+    end = all.groupEnd(place);
+    const int one = all.at(place), other = all.at(end - 1);
+    if (!mesh.groups.sameKind(one / facets, other / facets))
+      for (const int facet : {one, other})
+        borders[std::size_t(mesh.groups.kind[std::size_t(facet / facets)])].push_back({facet / facets, facet % facets});
+  }
+  return borders;
+}
+
+/// A part of the body: its size instead of that of its border, and the corners of its border on other parts.
+void addKinds(const Mesh& mesh, MeshOutline& outline)
+{
+  if (mesh.groups.kind.empty())
+    return;
+  std::vector<double> measures(mesh.groups.names.size(), 0.0);
+  for (int c = 0; c < mesh.numCells(); ++c)
+    measures[std::size_t(mesh.groups.kind[std::size_t(c)])] += cellMeasure(mesh, c);
+  const auto borders = bordersOfKinds(mesh);
+  for (std::size_t k = 0; k < borders.size(); ++k) {
+    std::string name = "cells of";
+    for (const std::string& group : mesh.groups.names[k])
+      name += "\n" + group;
+    outline.sides.emplace_back(name, sideOutline(mesh, borders[k]));
+    outline.sides.back().second.measure = measures[k];
+  }
+}
+
 bool isSame(const Outline& a, const Outline& b)
 {
   if (a.corners.size() != b.corners.size())
@@ -156,6 +192,7 @@ MeshOutline outlineOf(const Mesh& mesh)
     outline.measure += cellMeasure(mesh, c);
   for (const Side& side : mesh.sides)
     outline.sides.emplace_back(side.name, sideOutline(mesh, side.facets));
+  addKinds(mesh, outline);
   std::sort(outline.sides.begin(), outline.sides.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   return outline;
 }

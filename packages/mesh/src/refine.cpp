@@ -105,7 +105,7 @@ const ChildVertex* childVertices(int dim, int child)
 Mesh refineUniformly(const Mesh& mesh)
 {
   const Edges edges(mesh);
-  Mesh refined{mesh.dim, mesh.points, {}, {}, mesh.notes};
+  Mesh refined{mesh.dim, mesh.points, {}, {}, mesh.notes, mesh.groups};
   refined.points.reserve(mesh.points.size() + edges.ends().size() * std::size_t(mesh.dim));
   for (const auto& [a, b] : edges.ends())
     for (int k = 0; k < mesh.dim; ++k)
@@ -119,6 +119,10 @@ Mesh refineUniformly(const Mesh& mesh)
       }
   for (const Side& side : mesh.sides)
     refined.sides.push_back(refineSide(side, mesh.dim));
+  std::vector<int> parents(std::size_t(refined.numCells()));
+  for (std::size_t c = 0; c < parents.size(); ++c)
+    parents[c] = int(c) / numChildren(mesh.dim);
+  refined.groups.inherit(parents);
   return refined;
 }
 

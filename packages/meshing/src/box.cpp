@@ -65,6 +65,22 @@ ListSpec splitsSpec()
   return spec;
 }
 
+ListSpec partsSpec()
+{
+  auto part = std::make_shared<ListSpec>();
+  part->doc = "The cells between two corners, a group by the list's name. Parts may overlap.";
+  part->params = {ParamSpec::required("Lower", Kind::Doubles,
+                                      "Corner with the smallest coordinates, before the rotation; a grid line falls "
+                                      "exactly on it."),
+                  ParamSpec::required("Upper", Kind::Doubles, "Opposite corner.")};
+  ListSpec spec;
+  spec.name = "Parts";
+  spec.doc = "Named groups of cells, one list each, for the Regions of a body.";
+  spec.onlyIfGiven = true;
+  spec.each = part;
+  return spec;
+}
+
 } // namespace
 
 void registerBox(Registry<MeshSource>& registry)
@@ -87,7 +103,7 @@ void registerBox(Registry<MeshSource>& registry)
         "triangles."},
        {"Rotation", 0.0, "Angle in degrees by which the finished box is turned about the origin (the z axis)."}},
       [](const Params& params) { return std::make_unique<Box>(params); },
-      {sizesSpec(0), sizesSpec(1), sizesSpec(2), splitsSpec()});
+      {sizesSpec(0), sizesSpec(1), sizesSpec(2), splitsSpec(), partsSpec()});
 }
 
 } // namespace ndframe

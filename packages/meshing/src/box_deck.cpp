@@ -41,11 +41,15 @@ BoxGrid BoxDeck::grid()
   readProfiles();
   for (const Params& list : params_.sub("Splits").subs())
     readSplit(list);
+  if (params_.hasSub("Parts"))
+    for (const Params& list : params_.sub("Parts").subs())
+      readBlock(list);
   mistakes_.throwIfAny();
   checkSize();
   makeLines();
   mistakes_.throwIfAny();
   makeParts();
+  makeBlocks();
   mistakes_.throwIfAny();
   return std::move(grid_);
 }
@@ -185,13 +189,17 @@ void BoxDeck::makeLines()
     for (const Split& split : splits_)
       if (split.along == d)
         breaks.insert(breaks.end(), split.at.begin(), split.at.end());
+    for (const Block& block : blocks_)
+      for (const double at : {block.lower[std::size_t(d)], block.upper[std::size_t(d)]})
+        if (at > lower_[d] + tolerance(d) && at < upper_[d] - tolerance(d))
+          breaks.push_back(at);
     std::sort(breaks.begin(), breaks.end());
     const auto same = [&](double a, double b) { return b - a <= tolerance(d); };
     breaks.erase(std::unique(breaks.begin(), breaks.end(), same), breaks.end());
     if (cells_[d] <= int(breaks.size()))
       mistake(params_, "Cells",
-              fmt::format("{} cells in direction {} are too few for the splits, which need {}.", cells_[d],
-                          boxDirections.name(d), breaks.size() + 1));
+              fmt::format("{} cells in direction {} are too few for the splits{}, which need {}.", cells_[d],
+                          boxDirections.name(d), blocks_.empty() ? "" : " and parts", breaks.size() + 1));
     else
       grid_.lines.push_back(gridLines(lower_[d], upper_[d], cells_[d], profiles_[d], breaks));
   }
@@ -217,6 +225,39 @@ void BoxDeck::makeParts()
       addPart(split.names[k], split.side, split.along, first, last);
       first = last;
     }
+  }
+}
+
+void BoxDeck::readBlock(const Params& list)
+{
+  Block block{list.name(), list.get<std::vector<double>>("Lower"), list.get<std::vector<double>>("Upper")};
+  for (const auto& [key, corner] : {std::pair("Lower", &block.lower), std::pair("Upper", &block.upper)})
+    if (int(corner->size()) != dim_)
+      return mistake(list, key,
+                     fmt::format("{} has {} entries but the box has {} directions.", key, corner->size(), dim_));
+  for (int d = 0; d < dim_; ++d) {
+    const double low = block.lower[std::size_t(d)], high = block.upper[std::size_t(d)];
+    if (!(high > low + tolerance(d)))
+      mistake(list, "Upper",
+              fmt::format("Upper must be larger than Lower in direction {}, but {} and {} are given.",
+                          boxDirections.name(d), low, high));
+    else if (low < lower_[d] - tolerance(d) || high > upper_[d] + tolerance(d))
+      mistake(list, "Lower",
+              fmt::format("the part goes from {} to {} in direction {}, the box from {} to {}.", low, high,
+                          boxDirections.name(d), lower_[d], upper_[d]));
+  }
+  blocks_.push_back(std::move(block));
+}
+
+void BoxDeck::makeBlocks()
+{
+  for (const Block& block : blocks_) {
+    BoxBlock cells{block.name, {}, {1, 1, 1}};
+    for (int d = 0; d < dim_; ++d) {
+      cells.first[std::size_t(d)] = lineAt(d, block.lower[std::size_t(d)]);
+      cells.last[std::size_t(d)] = lineAt(d, block.upper[std::size_t(d)]);
+    }
+    grid_.blocks.push_back(std::move(cells));
   }
 }
 

@@ -44,6 +44,13 @@ private:
     std::vector<std::string> names;
   };
 
+  /// A named part of the box: bricks between two corners.
+  struct Block
+  {
+    std::string name;
+    std::vector<double> lower, upper;
+  };
+
   void readExtents();
   void checkSize();
   void readProfiles();
@@ -51,7 +58,9 @@ private:
   void readSplit(const Params& list);
   void readDirection(const Params& list, Split& split);
   void checkSplitPoints(const Params& list, const Split& split);
+  void readBlock(const Params& list);
   void makeLines();
+  void makeBlocks();
   void makeParts();
   void addPart(const std::string& name, const BoxSide& side, int along, int first, int last);
   int lineAt(int direction, double x) const;
@@ -71,6 +80,7 @@ private:
   std::vector<int> cells_;
   std::vector<SizeProfile> profiles_;
   std::vector<Split> splits_;
+  std::vector<Block> blocks_;
   BoxGrid grid_;
 };
 

@@ -154,6 +154,16 @@ Side sideOf(const BoxPart& part, const Bricks& bricks, const Cuts& cuts)
   return side;
 }
 
+void addGroups(const BoxGrid& grid, const Bricks& bricks, int cellsPerBrick, Mesh& mesh)
+{
+  std::vector<std::vector<std::string>> ofBrick(grid.blocks.empty() ? 0 : std::size_t(bricks.total()));
+  for (const BoxBlock& block : grid.blocks)
+    Bricks::forEach(block.first, block.last,
+                    [&](const std::array<int, 3>& i) { ofBrick[std::size_t(bricks.number(i))].push_back(block.name); });
+  for (const auto& names : ofBrick)
+    mesh.groups.kind.insert(mesh.groups.kind.end(), std::size_t(cellsPerBrick), mesh.groups.findOrAdd(names));
+}
+
 void rotate(Mesh& mesh, double degrees)
 {
   const double pi = std::acos(-1.0);
@@ -182,6 +192,7 @@ Mesh boxMesh(const BoxGrid& grid)
   mesh.dim = bricks.dim();
   addPoints(grid, bricks, mesh);
   addCells(bricks, cuts, mesh);
+  addGroups(grid, bricks, int(cuts.even.size()), mesh);
   for (const BoxPart& part : grid.parts)
     mesh.sides.push_back(sideOf(part, bricks, cuts));
   if (grid.rotation != 0.0)

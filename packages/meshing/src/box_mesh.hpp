@@ -27,6 +27,13 @@ struct BoxPart
   int lastCell;
 };
 
+/// A named part of the box: the bricks [first, last) in every direction.
+struct BoxBlock
+{
+  std::string name;
+  std::array<int, 3> first{}, last{1, 1, 1};
+};
+
 /// A tensor-product grid whose bricks are cut into simplices.
 struct BoxGrid
 {
@@ -34,12 +41,14 @@ struct BoxGrid
   BoxPattern pattern;
   double rotation; ///< degrees about the origin (the z axis)
   std::vector<BoxPart> parts;
+  std::vector<BoxBlock> blocks; ///< become groups of cells; they may overlap
 };
 
 /// Simplices per brick.
 int simplicesPerBrick(int dim, BoxPattern pattern);
 
-/// Points of the grid with x running fastest, followed by the centres of crossed bricks; one side per part.
+/// Points of the grid with x running fastest, followed by the centres of crossed bricks; one side per part, one
+/// group of cells per block.
 Mesh boxMesh(const BoxGrid& grid);
 
 } // namespace ndframe

@@ -130,7 +130,7 @@ void ExodusConverter::addBlock(const ExodusBlock& block)
   std::iota(numbers.begin(), numbers.end(), block.firstElement + 1);
   for (int e = 0; e < block.numElements; ++e)
     cellOfElement_[block.firstElement + e] = builder_.cells().numCells() + e;
-  builder_.addCells(file_.nodes(block), block.nodesPerElement, numbers, midNodes);
+  builder_.addCells(file_.nodes(block), block.nodesPerElement, numbers, midNodes, {block.name});
 }
 
 void ExodusConverter::addSide(const ExodusSideSet& set)

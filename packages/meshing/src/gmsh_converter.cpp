@@ -135,7 +135,10 @@ void GmshConverter::addCells()
           fmt::format("element {} is a {} of order {} with {} nodes; only triangles and tetrahedra of order "
                       "1 and 2 are read.",
                       block.numbers.front(), type.name, type.order, type.nodes));
-    builder_.addCells(block.nodes, type.nodes, block.numbers, midNodes);
+    std::vector<std::string> groups;
+    for (const int tag : block.groups)
+      groups.push_back(groupName(file_, dim_, tag));
+    builder_.addCells(block.nodes, type.nodes, block.numbers, midNodes, std::move(groups));
   }
   // Format 2.2 lists an element once for each of its groups.
   if (selected.size() > 1)

@@ -41,7 +41,7 @@ double MeshBuilder::distanceFromMiddle(int mid, int a, int b) const
 }
 
 void MeshBuilder::addCells(const std::vector<int>& nodes, int nodesPerCell, const std::vector<std::int64_t>& numbers,
-                           const MidNodes& midNodes)
+                           const MidNodes& midNodes, std::vector<std::string> groups)
 {
   const int vertices = mesh_.dim + 1;
   if (nodesPerCell > vertices)
@@ -60,6 +60,7 @@ void MeshBuilder::addCells(const std::vector<int>& nodes, int nodesPerCell, cons
     }
   }
   numbers_.insert(numbers_.end(), numbers.begin(), numbers.end());
+  mesh_.groups.kind.resize(numbers_.size(), mesh_.groups.findOrAdd(std::move(groups)));
 }
 
 void MeshBuilder::dropRepeatedCells()
@@ -67,17 +68,34 @@ void MeshBuilder::dropRepeatedCells()
   const int vertices = mesh_.dim + 1;
   const VertexTuples sorted(mesh_.cells, vertices, numNodes());
   std::vector<bool> keep(numbers_.size(), false);
-  for (int place = 0; place < sorted.size(); place = sorted.groupEnd(place))
+  for (int place = 0, end = 0; place < sorted.size(); place = end) {
+    end = sorted.groupEnd(place);
     keep[sorted.at(place)] = true;
+    joinGroups(sorted, place, end);
+  }
   std::size_t kept = 0;
   for (std::size_t c = 0; c < keep.size(); ++c) {
     if (!keep[c])
       continue;
     std::copy_n(mesh_.cells.begin() + c * vertices, vertices, mesh_.cells.begin() + kept * vertices);
+    mesh_.groups.kind[kept] = mesh_.groups.kind[c];
     numbers_[kept++] = numbers_[c];
   }
+  mesh_.groups.kind.resize(kept);
   numbers_.resize(kept);
   mesh_.cells.resize(kept * vertices);
+}
+
+/// The first of equal cells gets the groups of all.
+void MeshBuilder::joinGroups(const VertexTuples& cells, int first, int end)
+{
+  std::vector<std::string> joined;
+  for (int place = first; place < end && end > first + 1; ++place) {
+    const auto& names = mesh_.groups.names[std::size_t(mesh_.groups.kind[std::size_t(cells.at(place))])];
+    joined.insert(joined.end(), names.begin(), names.end());
+  }
+  if (end > first + 1)
+    mesh_.groups.kind[std::size_t(cells.at(first))] = mesh_.groups.findOrAdd(std::move(joined));
 }
 
 void MeshBuilder::addSide(std::string name, std::vector<Facet> facets)
@@ -173,6 +191,8 @@ Mesh MeshBuilder::finish()
   dropUnusedPoints();
   orient();
   noteCurvedEdges();
+  if (mesh_.groups.names == std::vector<std::vector<std::string>>{{}})
+    mesh_.groups = {}; // none has a name
   const std::vector<std::string> mistakes = checkMesh(mesh_);
   if (!mistakes.empty())
     throw FileError(fmt::format("{}", fmt::join(mistakes, " ")));

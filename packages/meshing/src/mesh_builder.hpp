@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/mesh/mesh.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {
@@ -23,10 +23,10 @@ public:
   MeshBuilder(int dim, std::vector<double> coordinates);
 
   /// nodes: nodesPerCell node indices per cell, vertices first, then (second order) those on the edges `midNodes`;
-  /// numbers: what the file calls the cells.
+  /// numbers: what the file calls the cells; groups: those that they belong to.
   void addCells(const std::vector<int>& nodes, int nodesPerCell, const std::vector<std::int64_t>& numbers,
-                const MidNodes& midNodes);
-  /// Keeps the first of cells with the same vertices. Only before the first side.
+                const MidNodes& midNodes, std::vector<std::string> groups);
+  /// Keeps the first of cells with the same vertices, in the groups of all of them. Only before the first side.
   void dropRepeatedCells();
   /// A side by the cells added so far; facets named twice are taken once.
   void addSide(std::string name, std::vector<Facet> facets);
@@ -40,6 +40,7 @@ public:
   Mesh finish();
 
 private:
+  void joinGroups(const VertexTuples& cells, int first, int end);
   double distanceFromMiddle(int mid, int a, int b) const;
   void dropUnusedPoints();
   void requirePlane() const;

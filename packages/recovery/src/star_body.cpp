@@ -39,7 +39,7 @@ int StarBody::lookUp(const Index& index, int cell, int facet) const
 
 DenseMatrix StarBody::cellEnergy(const StarCell& cell) const
 {
-  return cellEnergyMatrix(reference_, cellMap(model_.mesh, cell.sorted), model_.law);
+  return cellEnergyMatrix(reference_, cellMap(model_.mesh, cell.sorted), model_.laws(cell.cell));
 }
 
 Star StarBody::star(int vertex) const

@@ -48,11 +48,13 @@ std::vector<std::array<double, 6>> equilibratedMeans(const Run& run, std::size_t
   const StressCorrection& correction = certificate.corrections[body];
   const auto rule = simplexRule(model.mesh.dim, correction.degree);
   const bool plane = model.mesh.dim == 2;
-  const auto outOfPlane = plane ? outOfPlaneOfStress(model.law) : std::array<double, 3>{};
+  std::vector<std::array<double, 3>> outOfPlane; // per law
+  for (const Elasticity& law : model.laws.all())
+    outOfPlane.push_back(plane ? outOfPlaneOfStress(law) : std::array<double, 3>{});
   std::vector<std::array<double, 6>> means;
   for (int cell = 0; cell < model.mesh.numCells(); ++cell) {
     const auto mean = meanOf(equilibratedStress(model, certificate.intermediate[body], correction, cell), rule);
-    means.push_back(plane ? wholeTensor(mean, outOfPlane) : mean);
+    means.push_back(plane ? wholeTensor(mean, outOfPlane[std::size_t(model.laws.number(cell))]) : mean);
   }
   return means;
 }

@@ -130,12 +130,22 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
   return out;
 }
 
+std::vector<ExodusPart> partsOf(const BodyModel& body)
+{
+  std::vector<ExodusPart> parts;
+  for (const BodyRegion& region : body.regions)
+    parts.push_back({region.name.empty() ? body.name : body.name + ":" + region.name, {}});
+  for (std::size_t c = 0; c < body.regionOfCell.size(); ++c)
+    parts[std::size_t(body.regionOfCell[c])].cells.push_back(int(c));
+  return parts;
+}
+
 void writeExodusFile(const Run& run, const std::vector<ExodusStep>& steps, const std::string& path,
                      const std::string& deckName)
 {
   std::vector<ExodusBody> bodies;
   for (const auto& body : run.model.bodies)
-    bodies.push_back({body.name, &body.mesh, &body.nodes});
+    bodies.push_back({body.name, &body.mesh, &body.nodes, partsOf(body)});
   std::vector<ExodusContactSide> sides;
   for (const auto& interface : run.model.interfaces) {
     sides.push_back({interface.name + ":dirichlet", interface.dirichletBody, interface.dirichletFacets});

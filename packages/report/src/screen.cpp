@@ -20,6 +20,9 @@ std::size_t nameWidth(const RunSummary& summary)
   std::size_t width = 10;
   for (const auto& body : summary.bodies)
     width = std::max(width, body.name.size());
+  for (const auto& body : summary.bodies)
+    for (const auto& region : body.regions)
+      width = std::max(width, region.name.size() + 2); // indented
   for (const auto& interface : summary.interfaces)
     width = std::max(width, interface.name.size());
   return width;

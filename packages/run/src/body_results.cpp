@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -89,6 +90,25 @@ std::string vectorText(std::vector<double> values, double nothing)
   return fmt::format("({:.5g})", fmt::join(values, ", "));
 }
 
+std::string regionRows(const BodySummary& body, std::size_t nameWidth)
+{
+  std::string text;
+  for (const auto& region : body.regions)
+    text += fmt::format("\n  {:<{}} {:>18.8g}", "  " + (region.name.empty() ? "rest" : region.name), nameWidth,
+                        region.energy);
+  return text;
+}
+
+std::vector<RegionSummary> regionSummaries(const BodyModel& body, const Vector& energies)
+{
+  std::vector<RegionSummary> summaries;
+  for (const BodyRegion& region : body.regions)
+    summaries.push_back({region.name, region.numCells, 0.0});
+  for (std::size_t c = 0; c < body.regionOfCell.size(); ++c)
+    summaries[std::size_t(body.regionOfCell[c])].energy += energies[c];
+  return summaries;
+}
+
 } // namespace
 
 void completeBodies(Run& run, const Comm& comm)
@@ -98,7 +118,9 @@ void completeBodies(Run& run, const Comm& comm)
     const Vector& local = run.solved.fields[b].u.back();
     const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(local);
     BodySummary& summary = run.summary.bodies[b];
-    summary.energy = energy(body, u);
+    const Vector ofCells = cellEnergies(body, u);
+    summary.energy = std::accumulate(ofCells.begin(), ofCells.end(), 0.0);
+    summary.regions = regionSummaries(body, ofCells);
     run.summary.energy += summary.energy;
     summary.loadForce = resultant(run.model.loads[b], body.mesh.dim);
     summary.supports =
@@ -116,9 +138,11 @@ std::string bodyTable(const RunSummary& summary, std::size_t nameWidth)
     placeWidth = std::max({placeWidth, at(body.displacement).size(), at(body.strain).size()});
   std::string text = fmt::format("  {:<{}} {:>18}   {:>20} {:<{}}   {:>14} at", "body", nameWidth, "energy a(u,u)",
                                  "largest displacement", "at", placeWidth, "largest strain");
-  for (const auto& body : summary.bodies)
+  for (const auto& body : summary.bodies) {
     text += fmt::format("\n  {:<{}} {:>18.8g}   {:>20.6g} {:<{}}   {:>14.4g} {}", body.name, nameWidth, body.energy,
                         body.displacement.value, at(body.displacement), placeWidth, body.strain.value, at(body.strain));
+    text += regionRows(body, nameWidth);
+  }
   if (summary.bodies.size() > 1)
     text += fmt::format("\n  {:<{}} {:>18.8g}", "all", nameWidth, summary.energy);
   return text;

@@ -9,6 +9,7 @@
 #include "ndframe/base/help.hpp"
 #include "ndframe/interface/normal_field.hpp"
 #include "ndframe/scene/holds.hpp"
+#include "ndframe/scene/regions.hpp"
 #include "ndframe/scene/shared_mesh.hpp"
 #include "ndframe/scene/stage.hpp"
 
@@ -26,15 +27,7 @@ BodyModel buildBody(const Params& params, const SceneComponents& components, Cut
   body.mesh = std::move(given.mesh);
   body.base = std::move(given.base);
   body.parents = std::move(given.parents);
-  const auto material = components.materials.build(params.sub("Material"));
-  const bool isSpatial = material->hypothesis() == Hypothesis::ThreeDimensional;
-  if (isSpatial != (body.mesh.dim == 3))
-    diagnostics.add(
-        params.sub("Material")
-            .mistake("Hypothesis", fmt::format("\"{}\" does not suit a mesh of dimension {}; use {}.",
-                                               hypothesisNames().name(material->hypothesis()), body.mesh.dim,
-                                               isSpatial ? "Plane Strain or Plane Stress" : "Three Dimensional")));
-  body.law = material->elasticity();
+  takeMaterials(body, params, components, diagnostics);
   body.nodes = given.nodes.numNodes() > 0 ? std::move(given.nodes) : makeNodeMap(body.mesh, order);
   for (const auto& support : params.sub("Supports").subs())
     body.supports.push_back(components.supports.build(support));
@@ -45,6 +38,14 @@ BodyModel buildBody(const Params& params, const SceneComponents& components, Cut
   for (const auto& load : body.loads)
     load->check(body.mesh, diagnostics);
   return body;
+}
+
+/// Groups of cells mean nothing to a body without regions.
+GivenMesh withoutIdleGroups(GivenMesh given, const Params& body)
+{
+  if (!body.hasSub("Regions"))
+    given.mesh.groups = {};
+  return given;
 }
 
 /// Runs `step`, moving an InputError into the collection.
@@ -254,7 +255,7 @@ Model buildModel(const Params& deck, const SceneComponents& components, const Me
     diagnostics.add(deck.sub("Bodies").mistake("", "has no bodies; name at least one list in it."));
   std::vector<CutMesh> meshes;
   for (const auto& params : deck.sub("Bodies").subs())
-    collecting(diagnostics, [&] { meshes.emplace_back(meshOf(params)); });
+    collecting(diagnostics, [&] { meshes.emplace_back(withoutIdleGroups(meshOf(params), params)); });
   diagnostics.throwIfAny();
   const auto maps = matchSides(deck, earlier, meshes);
   for (std::size_t b = 0; b < meshes.size(); ++b)

@@ -20,6 +20,12 @@ std::string fileStamp(const std::string& path)
 
 } // namespace
 
+std::string materialText(const Params& body)
+{
+  return (body.hasSub("Material") ? toXml(body.sub("Material")) : std::string()) +
+         (body.hasSub("Regions") ? toXml(body.sub("Regions")) : std::string());
+}
+
 bool SceneRecipe::sameModel(const SceneRecipe& other) const
 {
   return !bodies.empty() && bodies == other.bodies && interfaces == other.interfaces;
@@ -37,8 +43,9 @@ SceneRecipe recipeOf(const Params& deck)
     const Params mesh = body.sub("Mesh");
     recipe.bodies.push_back({body.name(),
                              toXml(mesh) + toXml(deck.sub("Discretization")) +
-                                 (mesh.has("File") ? fileStamp(mesh.file("File")) : std::string()),
-                             toXml(body.sub("Material")), toXml(body.sub("Supports")) + toXml(body.sub("Loads"))});
+                                 (mesh.has("File") ? fileStamp(mesh.file("File")) : std::string()) +
+                                 (body.hasSub("Regions") ? " with groups of cells" : ""),
+                             materialText(body), toXml(body.sub("Supports")) + toXml(body.sub("Loads"))});
   }
   recipe.interfaces = toXml(deck.sub("Interfaces"));
   recipe.solver = toXml(deck.sub("Linear Solver"));

@@ -11,6 +11,7 @@ namespace
 {
 
 constexpr int edgeValues = 4, nodeValues = 12, stressValues = 9;
+constexpr int lawValues = int(sizeof(PlaneLaw) / sizeof(double));
 
 /// From the first vertex to the others; vertices in the order of `local`.
 void takeEdges(const Mesh& mesh, int cell, const int* local, int lane, int lanes, double* values)
@@ -41,18 +42,30 @@ void takeDisplacement(const NodeMap& nodes, const Vector& displacement, int cell
   }
 }
 
+void takeLaw(const PlaneLaw& law, int lane, int lanes, double* values)
+{
+  for (const auto* part : {&law.compliance, &law.stiffness, &law.root})
+    for (const double value : *part) {
+      values[lane] = value;
+      values += lanes;
+    }
+}
+
 } // namespace
 
 Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const Vector& displacement)
 {
   constexpr int order[3] = {0, 1, 2};
-  const auto stiffness = planeStiffness(body.law);
+  const auto law = planeLaw(body.laws.all().front());
+  const auto several = severalLaws(body.laws);
   const int lanes = kernels.lanes, cells = body.mesh.numCells();
-  AlignedDoubles memory(std::size_t(edgeValues + nodeValues + stressValues) * std::size_t(lanes));
+  AlignedDoubles memory(std::size_t(edgeValues + nodeValues + stressValues + lawValues) * std::size_t(lanes));
   CellBatch batch;
   batch.edges = memory.data();
   batch.displacement = batch.edges + std::ptrdiff_t(edgeValues) * lanes;
   batch.stress = batch.displacement + std::ptrdiff_t(nodeValues) * lanes;
+  if (!several.empty())
+    batch.law = batch.stress + std::ptrdiff_t(stressValues) * lanes;
   Vector stress(std::size_t(stressValues) * std::size_t(cells));
   for (int first = 0; first < cells; first += lanes) {
     const int count = std::min(lanes, cells - first);
@@ -60,8 +73,10 @@ Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const 
       const int cell = first + std::min(lane, count - 1);
       takeEdges(body.mesh, cell, order, lane, lanes, batch.edges);
       takeDisplacement(body.nodes, displacement, cell, order, lane, lanes, batch.displacement);
+      if (batch.law != nullptr)
+        takeLaw(several[std::size_t(body.laws.number(cell))], lane, lanes, batch.law);
     }
-    kernels.vertexStress(stiffness.data(), batch);
+    kernels.vertexStress(law, batch);
     double* out = stress.data() + std::size_t(stressValues) * std::size_t(first);
     for (int lane = 0; lane < count; ++lane)
       for (int i = 0; i < stressValues; ++i)
@@ -73,17 +88,19 @@ Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const 
 Vector batchedCellDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference,
                             const BatchedKernels& kernels)
 {
-  const BatchedCellTables tables(correction.degree, body.law);
+  const BatchedCellTables tables(correction.degree, body.laws.all().front());
+  const auto several = severalLaws(body.laws);
   const auto distance = kernels.degree[correction.degree - 1].distance;
   const int lanes = kernels.lanes, cells = body.mesh.numCells();
   const int tractions = 6 * (correction.degree + 1), loads = 2 * loadModesOf(correction.degree);
-  AlignedDoubles memory(std::size_t(edgeValues + nodeValues + tractions + loads + 1) * std::size_t(lanes));
+  AlignedDoubles memory(std::size_t(edgeValues + nodeValues + tractions + loads + 1 + lawValues) * std::size_t(lanes));
   CellBatch batch;
   batch.edges = memory.data();
   batch.data = batch.edges + std::ptrdiff_t(edgeValues) * lanes;
   batch.distance = batch.data + std::ptrdiff_t(tractions + loads) * lanes;
-  if (difference != nullptr)
-    batch.displacement = batch.distance + lanes;
+  batch.displacement = difference == nullptr ? nullptr : batch.distance + lanes;
+  if (!several.empty())
+    batch.law = batch.distance + std::ptrdiff_t(1 + nodeValues) * lanes;
   Vector distances(std::size_t(cells), 0.0);
   for (int first = 0; first < cells; first += lanes) {
     const int count = std::min(lanes, cells - first);
@@ -93,6 +110,8 @@ Vector batchedCellDistances(const BodyModel& body, const StressCorrection& corre
       takeEdges(body.mesh, cell, sorted.local.data(), lane, lanes, batch.edges);
       if (difference != nullptr)
         takeDisplacement(body.nodes, *difference, cell, sorted.local.data(), lane, lanes, batch.displacement);
+      if (batch.law != nullptr)
+        takeLaw(several[std::size_t(body.laws.number(cell))], lane, lanes, batch.law);
       const double* traction = correction.tractions.data() + std::size_t(cell) * std::size_t(tractions);
       for (int i = 0; i < tractions; ++i)
         batch.data[i * lanes + lane] = traction[i];

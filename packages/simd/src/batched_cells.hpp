@@ -35,7 +35,8 @@ inline CellShape shapeOf(const CellBatch& batch)
 }
 
 /// K eps(v) at the vertices.
-inline void elasticStress(const double* stiffness, const CellShape& shape, const Lanes* v, Lanes (&stress)[3][3])
+template <class Number>
+void elasticStress(const Number* stiffness, const CellShape& shape, const Lanes* v, Lanes (&stress)[3][3])
 {
   Lanes strain[3][3];
   vertexStrains(shape, v, strain);
@@ -43,21 +44,25 @@ inline void elasticStress(const double* stiffness, const CellShape& shape, const
     multiply3(stiffness, strain[a], stress[a]);
 }
 
-inline void vertexStress(const double* stiffness, const CellBatch& batch)
+inline void vertexStress(const PlaneLaw& law, const CellBatch& batch)
 {
   Lanes stress[3][3];
-  elasticStress(stiffness, shapeOf(batch), lanes(batch.displacement), stress);
+  if (batch.law == nullptr)
+    elasticStress(law.stiffness, shapeOf(batch), lanes(batch.displacement), stress);
+  else
+    elasticStress(lanes(batch.law) + 6, shapeOf(batch), lanes(batch.displacement), stress);
   for (int i = 0; i < 9; ++i)
     lanes(batch.stress)[i] = stress[i / 3][i % 3];
 }
 
 /// The bubbles of least energy, added to the coefficients of a stress in reference axes.
-template <int q>
-void addBubbles(const CellTables& tables, const CellShape& shape, Lanes (&S)[Sizes<q>::coefficients][3])
+template <int q, class Number>
+void addBubbles(const CellTables& tables, const Number* compliance, const CellShape& shape,
+                Lanes (&S)[Sizes<q>::coefficients][3])
 {
   constexpr int bubbles = Sizes<q>::bubbles;
   Lanes c[6], A[bubbles][bubbles], y[bubbles] = {};
-  pullBackCompliance(shape, tables.compliance, c);
+  pullBackCompliance(shape, compliance, c);
   const double *bubble = tables.bubble, *form = tables.bubbleForm;
   for (const auto& coefficient : S) {
     Lanes strain[3];
@@ -77,8 +82,8 @@ void addBubbles(const CellTables& tables, const CellShape& shape, Lanes (&S)[Siz
 }
 
 /// Coefficients of a correction in reference axes from its data.
-template <int q>
-void findStress(const CellTables& tables, const CellShape& shape, const Lanes* data,
+template <int q, class Number>
+void findStress(const CellTables& tables, const Number* compliance, const CellShape& shape, const Lanes* data,
                 Lanes (&S)[Sizes<q>::coefficients][3])
 {
   constexpr int values = 3 * Sizes<q>::facetData + 2 * loadModesOf(q);
@@ -99,28 +104,21 @@ void findStress(const CellTables& tables, const CellShape& shape, const Lanes* d
     copy3(third, S[i + 2]);
   }
   if constexpr (Sizes<q>::bubbles > 0)
-    addBubbles<q>(tables, shape, S);
-}
-
-/// |sigma|^2 of one coefficient in the complementary energy norm; root: lower triangle, row by row.
-inline Lanes square(const double* root, const Lanes* sigma)
-{
-  const Lanes x = root[0] * sigma[0], y = root[1] * sigma[0] + root[2] * sigma[1];
-  const Lanes z = root[3] * sigma[0] + root[4] * sigma[1] + root[5] * sigma[2];
-  return x * x + y * y + z * z;
+    addBubbles<q>(tables, compliance, shape, S);
 }
 
 /// |c + K eps(v)|^2 as a sum of squares: one that is small beside |c|^2 and |K eps(v)|^2 comes out right as well.
-template <int q>
-void distance(const CellTables& tables, const CellBatch& batch)
+template <int q, class Number>
+void distance(const CellTables& tables, const Number* compliance, const Number* stiffness, const Number* root,
+              const CellBatch& batch)
 {
   constexpr int modes = Sizes<q>::coefficients / 3;
   const CellShape shape = shapeOf(batch);
   Lanes S[Sizes<q>::coefficients][3], axes[3][3], elastic[3][3] = {}, sum{};
-  findStress<q>(tables, shape, lanes(batch.data), S);
+  findStress<q>(tables, compliance, shape, lanes(batch.data), S);
   pushForward(shape, axes);
   if (batch.displacement != nullptr)
-    elasticStress(tables.stiffness, shape, lanes(batch.displacement), elastic);
+    elasticStress(stiffness, shape, lanes(batch.displacement), elastic);
   const Lanes inverse = absolute(shape.inverse);
   for (int i = 0; i < Sizes<q>::coefficients; ++i) {
     Lanes sigma[3] = {};
@@ -129,9 +127,19 @@ void distance(const CellTables& tables, const CellBatch& batch)
     if (i % modes < 3)
       for (int vertex = 0; vertex < 3; ++vertex)
         add3(elastic[vertex], tables.linear[(i / modes * 3 + i % modes) * 3 + vertex], sigma);
-    sum += square(tables.root, sigma);
+    sum += square(root, sigma);
   }
   lanes(batch.distance)[0] = absolute(shape.det) * sum;
+}
+
+template <int q>
+void distance(const CellTables& tables, const CellBatch& batch)
+{
+  const PlaneLaw& law = tables.law;
+  if (batch.law == nullptr)
+    distance<q>(tables, law.compliance, law.stiffness, law.root, batch);
+  else
+    distance<q>(tables, lanes(batch.law), lanes(batch.law) + 6, lanes(batch.law) + 12, batch);
 }
 
 } // namespace

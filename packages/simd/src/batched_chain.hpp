@@ -118,7 +118,8 @@ void condense(const StarTables& tables, const StarBatch& batch)
   Lanes* gradient = lanes(batch.scratch);
   for (int c = 0; c < batch.cells; ++c) {
     const CellShape shape(load2(spokes + 2 * c), load2(spokes + 2 * c + 2));
-    const CellForm<q> cell(tables, *batch.loads, shape);
+    const CellForm<q> cell(tables, *batch.loads, shape,
+                           batch.compliance == nullptr ? nullptr : lanes(batch.compliance) + 6 * c);
     if (c > 0) {
       cellGradient(cell, batch, c, gradient);
       border.add(cell, gradient, lanes(batch.panels) + (c - 1) * panelSize(q, batch.fields));

@@ -56,10 +56,14 @@ struct CellForm
   Lanes A[n][n]; ///< upper triangle
   Lanes load[n][maxLoads];
 
-  CellForm(const StarTables& tables, const LoadModes& loads, const CellShape& shape)
+  /// compliance: of the cell; null for that of the tables.
+  CellForm(const StarTables& tables, const LoadModes& loads, const CellShape& shape, const Lanes* compliance)
   {
     Lanes c[6];
-    pullBackCompliance(shape, tables.compliance, c);
+    if (compliance == nullptr)
+      pullBackCompliance(shape, tables.compliance, c);
+    else
+      pullBackCompliance(shape, compliance, c);
     fromTables(tables.form, loads, c);
     const AxesChange<q> axes(tables, shape);
     for (int j = 0; j < n; ++j)

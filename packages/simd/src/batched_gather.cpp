@@ -34,6 +34,16 @@ void BatchedPass::gatherSpokes()
     }
 }
 
+void BatchedPass::gatherLaws()
+{
+  for (int c = 0; c < batch_.cells; ++c)
+    for (int lane = 0; lane < lanes_; ++lane) {
+      const auto& law = stars_.laws[std::size_t(stars_.body.laws.number(corner(lane, c) / 3))];
+      for (int i = 0; i < 6; ++i)
+        batch_.compliance[place(6 * c + i, lane)] = law.compliance[i];
+    }
+}
+
 void BatchedPass::gatherStress()
 {
   for (int k = 0; k < fields_; ++k) {

@@ -42,8 +42,9 @@ struct StarBatch
   double* spokes = nullptr; ///< (cells + 1) x 2: from the vertex to the other end
   double* stress =
       nullptr; ///< initial pass: fields x cells x 9: sigma~ at the vertex and at the ends of the two spokes
-  double* bodyLoad = nullptr; ///< initial pass with body force: cells x modes x 2, shares
-  double* total = nullptr;    ///< sweeps: fields x cells x (2 spokes, loads, rim): current moments
+  double* bodyLoad = nullptr;   ///< initial pass with body force: cells x modes x 2, shares
+  double* total = nullptr;      ///< sweeps: fields x cells x (2 spokes, loads, rim): current moments
+  double* compliance = nullptr; ///< bodies of several materials: cells x 6, instead of that of StarTables
   // Between the kernels.
   double* known = nullptr; ///< fields x cells x (w, s_1, s_2, loads): data of the cells without the unknowns
   double* jumps = nullptr; ///< fields x (cells + 1) x 2 (q + 1): share of the jump on each spoke (fans' ends: traction)
@@ -66,7 +67,15 @@ struct CellBatch
   double* displacement = nullptr; ///< 6 x 2: v at the vertices and at the middles of the edges opposite to them
   double* stress = nullptr;       ///< 3 x 3: at the vertices
   double* data = nullptr;         ///< tractions and loads of a correction; vertices in sorted order
+  double* law = nullptr;          ///< bodies of several materials: a PlaneLaw each, instead of that of CellTables
   double* distance = nullptr;     ///< 1
+};
+
+/// A material as the cells' kernels want it.
+struct PlaneLaw
+{
+  double compliance[6], stiffness[6]; ///< upper triangles, row by row
+  double root[6];                     ///< sigma : compliance sigma = |root sigma|^2: lower triangle, row by row
 };
 
 /// The reference tables as the cells' kernels want them.
@@ -76,8 +85,7 @@ struct CellTables
   const double* bubble;     ///< per coefficient, per bubble: 3 components
   const double* bubbleForm; ///< upper triangle over bubbles: 6 coefficients of the compliance each
   const double* linear;     ///< per sub-cell, 3 coefficients, per vertex: of the linear function that is 1 there
-  double compliance[6], stiffness[6]; ///< of the material: upper triangles, row by row
-  double root[6];                     ///< sigma : compliance sigma = |root sigma|^2: lower triangle, row by row
+  PlaneLaw law;             ///< of the material
 };
 
 // Internal linkage: see lanes.hpp.
@@ -126,8 +134,8 @@ struct BatchedKernels
 {
   const char* name;
   int lanes;
-  /// Stress of a displacement of order 2; stiffness: upper triangle.
-  void (*vertexStress)(const double* stiffness, const CellBatch&);
+  /// Stress of a displacement of order 2 with the batch's laws, or with this one.
+  void (*vertexStress)(const PlaneLaw& law, const CellBatch&);
   DegreeKernels degree[3]; ///< q = 1, 2, 3
 };
 

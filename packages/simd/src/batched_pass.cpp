@@ -23,7 +23,7 @@ BatchedPass::BatchedPass(const BatchedStarData& stars, const StarFieldInputs* in
     : stars_(stars), inputs_(inputs), corrections_(corrections), fields_(int(corrections.size())),
       facetData_(2 * (stars.data.degree + 1)), lanes_(stars.kernels.lanes),
       workspace_(stars.data.degree, stars.kernels.lanes, maxCells, fields_, loadModesOfPass(stars, inputs == nullptr),
-                 inputs == nullptr ? totalsPerCell(stars.data.degree) : 0),
+                 inputs == nullptr ? totalsPerCell(stars.data.degree) : 0, !stars.laws.empty()),
       corners_(std::size_t(lanes_))
 {}
 
@@ -39,6 +39,8 @@ void BatchedPass::run(const int* vertices, int count)
   if (stars_.data.cellShares.empty())
     batch_.bodyLoad = nullptr;
   gatherSpokes();
+  if (batch_.compliance != nullptr)
+    gatherLaws();
   if (inputs_ == nullptr) {
     gatherTotals();
     kernels.takeTotals(tables, batch_);

@@ -49,6 +49,7 @@ public:
 
 private:
   void gatherSpokes();
+  void gatherLaws();
   void gatherStress();
   void gatherBodyLoad();
   void gatherTotals();

@@ -51,7 +51,8 @@ inline void pushForward(const CellShape& shape, Lanes (&stress)[3][3])
 }
 
 /// Entries of the compliance in reference axes over det F, the factors of the six tables.
-inline void pullBackCompliance(const CellShape& shape, const double* compliance, Lanes* c)
+template <class Number>
+inline void pullBackCompliance(const CellShape& shape, const Number* compliance, Lanes* c)
 {
   Lanes stress[3][3], strain[3];
   pushForward(shape, stress);
@@ -60,6 +61,15 @@ inline void pullBackCompliance(const CellShape& shape, const double* compliance,
     for (int j = i; j < 3; ++j, ++entry)
       c[entry] = shape.inverse * (strain[0] * stress[j][0] + strain[1] * stress[j][1] + strain[2] * stress[j][2]);
   }
+}
+
+/// |sigma|^2 of one coefficient in the complementary energy norm; root: lower triangle, row by row.
+template <class Number>
+Lanes square(const Number* root, const Lanes* sigma)
+{
+  const Lanes x = root[0] * sigma[0], y = root[1] * sigma[0] + root[2] * sigma[1];
+  const Lanes z = root[3] * sigma[0] + root[4] * sigma[1] + root[5] * sigma[2];
+  return x * x + y * y + z * z;
 }
 
 inline Lanes combine(const double* table, const Lanes* c)

@@ -22,8 +22,8 @@ void addShare(const double* shares, int modes, bool isUpperVertex, double* momen
 
 BatchedStarData::BatchedStarData(const BodyModel& model, const StaticData& staticData, const BatchedKernels& chosen)
     : body(model), data(staticData), kernels(chosen), rings(model.mesh),
-      tables(data.degree, model.nodes.order, model.law), permutations(data.degree),
-      loadShares(loadBasis(2, data.degree), model.nodes.order)
+      tables(data.degree, model.nodes.order, model.laws.all().front()), laws(severalLaws(model.laws)),
+      permutations(data.degree), loadShares(loadBasis(2, data.degree), model.nodes.order)
 {
   for (std::size_t i = 0; i < data.boundary.size(); ++i)
     boundary[3 * data.boundary[i].facet.cell + data.boundary[i].facet.local] = int(i);

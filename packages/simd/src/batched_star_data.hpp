@@ -22,6 +22,7 @@ struct BatchedStarData
   const BatchedKernels& kernels;
   Rings rings;
   BatchedStarTables tables;
+  std::vector<PlaneLaw> laws; ///< severalLaws()
   LoadPermutations permutations;
   Shares loadShares;
   /// Numbers in StaticData::boundary and StaticData::contact by facet: 3 * cell + local.

@@ -182,7 +182,7 @@ BatchedStarTables::BatchedStarTables(int degree, int order, const Elasticity& la
   tables_.form = form_.data();
   tables_.arm = columns.arm();
   setTractionShares(degree, order, tables_);
-  std::copy_n(planeCompliance(law).begin(), 6, tables_.compliance);
+  std::copy_n(planeLaw(law).compliance, 6, tables_.compliance);
   tables_.constant = constant_.modes();
   tables_.full = full_.modes();
   tables_.withRim = withRim_.modes();

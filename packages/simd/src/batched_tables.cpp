@@ -50,21 +50,33 @@ std::vector<double> linearCoefficients(const MomentBasis& basis)
 
 } // namespace
 
-std::array<double, 6> planeStiffness(const Elasticity& law)
-{
-  return {law(0, 0), law(0, 1), law(0, 2), law(1, 1), law(1, 2), law(2, 2)};
-}
-
-std::array<double, 6> planeCompliance(const Elasticity& law)
+PlaneLaw planeLaw(const Elasticity& law)
 {
   CellMap unit;
   unit.dim = 2;
   unit.F = {1.0, 0.0, 0.0, 1.0};
   unit.det = 1.0;
-  const std::vector<double> entries = pulledBackCompliance(unit, law);
-  std::array<double, 6> C;
-  std::copy(entries.begin(), entries.end(), C.begin());
-  return C;
+  PlaneLaw plane{{}, {law(0, 0), law(0, 1), law(0, 2), law(1, 1), law(1, 2), law(2, 2)}, {}};
+  const std::vector<double> compliance = pulledBackCompliance(unit, law);
+  std::copy(compliance.begin(), compliance.end(), plane.compliance);
+  const DenseCholesky stiffness = stiffnessFactor(law);
+  for (int j = 0; j < 3; ++j) {
+    Vector column(3, 0.0);
+    column[std::size_t(j)] = 1.0;
+    column = stiffness.solveLower(std::move(column));
+    for (int i = j; i < 3; ++i)
+      plane.root[i * (i + 1) / 2 + j] = column[std::size_t(i)];
+  }
+  return plane;
+}
+
+std::vector<PlaneLaw> severalLaws(const CellLaws& laws)
+{
+  std::vector<PlaneLaw> several;
+  if (!laws.isUniform())
+    for (const Elasticity& law : laws.all())
+      several.push_back(planeLaw(law));
+  return several;
 }
 
 BatchedCellTables::BatchedCellTables(int degree, const Elasticity& law)
@@ -87,17 +99,7 @@ BatchedCellTables::BatchedCellTables(int degree, const Elasticity& law)
         bubbleForm_.push_back(energy(data + b, data + j));
   for (const double value : linearCoefficients(reference.basis))
     linear_.push_back(scale * value);
-  tables_ = {lift_.data(), bubble_.data(), bubbleForm_.data(), linear_.data(), {}, {}, {}};
-  std::copy_n(planeCompliance(law).begin(), 6, tables_.compliance);
-  std::copy_n(planeStiffness(law).begin(), 6, tables_.stiffness);
-  const DenseCholesky stiffness = stiffnessFactor(law);
-  for (int j = 0; j < 3; ++j) {
-    Vector column(3, 0.0);
-    column[std::size_t(j)] = 1.0;
-    column = stiffness.solveLower(std::move(column));
-    for (int i = j; i < 3; ++i)
-      tables_.root[i * (i + 1) / 2 + j] = column[std::size_t(i)];
-  }
+  tables_ = {lift_.data(), bubble_.data(), bubbleForm_.data(), linear_.data(), planeLaw(law)};
 }
 
 LoadPermutations::LoadPermutations(int degree)

@@ -5,6 +5,7 @@
 
 #include "batched_kernels.hpp"
 #include "ndframe/equilibrium/reference_stress.hpp"
+#include "ndframe/mechanics/cell_laws.hpp"
 
 namespace ndframe
 {
@@ -16,9 +17,10 @@ struct LoadArrays
   LoadModes modes() const;
 };
 
-/// Stiffness and compliance of a plane law: upper triangles, row by row.
-std::array<double, 6> planeStiffness(const Elasticity& law);
-std::array<double, 6> planeCompliance(const Elasticity& law);
+PlaneLaw planeLaw(const Elasticity& law);
+
+/// Per law of a body; none when it has only one, which the tables know.
+std::vector<PlaneLaw> severalLaws(const CellLaws& laws);
 
 /// The tables of StarTables for stresses of degree q, displacements of order p and a material, derived from
 /// referenceStress(2, q).

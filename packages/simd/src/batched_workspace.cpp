@@ -5,7 +5,8 @@
 namespace ndframe
 {
 
-BatchWorkspace::BatchWorkspace(int degree, int lanes, int maxCells, int fields, const LoadModes& loads, int total)
+BatchWorkspace::BatchWorkspace(int degree, int lanes, int maxCells, int fields, const LoadModes& loads, int total,
+                               bool severalLaws)
 {
   const int n = cellUnknowns(degree), facetData = 2 * (degree + 1), spokes = maxCells + 1;
   batch_.fields = fields;
@@ -14,6 +15,7 @@ BatchWorkspace::BatchWorkspace(int degree, int lanes, int maxCells, int fields, 
                                              {&batch_.stress, fields * maxCells * (total == 0 ? 9 : 0)},
                                              {&batch_.bodyLoad, maxCells * loads.modes * 2},
                                              {&batch_.total, fields * maxCells * total},
+                                             {&batch_.compliance, severalLaws ? maxCells * 6 : 0},
                                              {&batch_.known, fields * maxCells * (n + 2 * loads.modes)},
                                              {&batch_.jumps, fields * spokes * facetData},
                                              {&batch_.offsets, fields * spokes * 3},
@@ -34,6 +36,8 @@ BatchWorkspace::BatchWorkspace(int degree, int lanes, int maxCells, int fields, 
     *pointer = next;
     next += std::ptrdiff_t(count) * lanes;
   }
+  if (!severalLaws)
+    batch_.compliance = nullptr;
 }
 
 StarBatch BatchWorkspace::batch(int cells, bool closed) const

@@ -27,8 +27,9 @@ private:
 class BatchWorkspace
 {
 public:
-  /// total: numbers per cell and field of StarBatch::total, zero in the initial pass.
-  BatchWorkspace(int degree, int lanes, int maxCells, int fields, const LoadModes& loads, int total);
+  /// total: numbers per cell and field of StarBatch::total, zero in the initial pass. severalLaws: with a compliance
+  /// for every cell.
+  BatchWorkspace(int degree, int lanes, int maxCells, int fields, const LoadModes& loads, int total, bool severalLaws);
   /// The arrays for a batch.
   StarBatch batch(int cells, bool closed) const;
 

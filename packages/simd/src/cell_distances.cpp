@@ -15,7 +15,7 @@ Vector cellDistances(const BodyModel& body, const StressCorrection& correction, 
   for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
     const SplitStress stress = difference == nullptr ? correctionStress(body, correction, cell)
                                                      : equilibratedStress(body, *difference, correction, cell);
-    distances.push_back(stress.energy(body.law));
+    distances.push_back(stress.energy(body.laws(cell)));
   }
   return distances;
 }

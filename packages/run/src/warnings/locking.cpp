@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
+#include "ndframe/scene/regions.hpp"
 
 namespace ndframe
 {
@@ -28,13 +29,12 @@ double effectivePoisson(const Elasticity& law)
 void findLocking(const Model& model, const Params& deck, Diagnostics& found)
 {
   for (const auto& body : model.bodies)
-    if (const double nu = effectivePoisson(body.law); body.nodes.order == 1 && nu > largestPoisson)
-      found.add(deck.sub("Bodies")
-                    .sub(body.name)
-                    .sub("Material")
-                    .mistake("", fmt::format("elements of order 1 lock at a Poisson ratio of {:.3g} (above {:g}): the "
-                                             "body comes out too stiff; use Discretization/Order = 2.",
-                                             nu, largestPoisson)));
+    for (const auto& material : materialsOf(body, deck.sub("Bodies").sub(body.name)))
+      if (const double nu = effectivePoisson(material.law); body.nodes.order == 1 && nu > largestPoisson)
+        found.add(material.list.mistake(
+            "", fmt::format("elements of order 1 lock at a Poisson ratio of {:.3g} (above {:g}): the "
+                            "body comes out too stiff; use Discretization/Order = 2.",
+                            nu, largestPoisson)));
 }
 
 } // namespace ndframe

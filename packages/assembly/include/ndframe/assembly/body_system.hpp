@@ -7,10 +7,18 @@
 #include "ndframe/algebra/block_matrix.hpp"
 #include "ndframe/assembly/dof_layout.hpp"
 #include "ndframe/assembly/side_condition.hpp"
-#include "ndframe/mechanics/elasticity.hpp"
+#include "ndframe/mechanics/cell_laws.hpp"
 
 namespace ndframe
 {
+
+/// A part of a body with a material of its own.
+struct BodyRegion
+{
+  std::string name; ///< empty: what is in no region that the deck names
+  int firstCell = 0;
+  int numCells = 0;
+};
 
 /// A body as the deck describes it, discretised.
 struct BodyModel
@@ -18,11 +26,13 @@ struct BodyModel
   std::string name;
   Mesh mesh;
   NodeMap nodes;
-  Elasticity law;
+  CellLaws laws;
   std::vector<std::unique_ptr<Support>> supports;
   std::vector<std::unique_ptr<Load>> loads;
-  Mesh base;                ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
-  std::vector<int> parents; ///< then per cell of `mesh` the cell of `base` that it is a part of
+  Mesh base;                         ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
+  std::vector<int> parents;          ///< then per cell of `mesh` the cell of `base` that it is a part of
+  std::vector<BodyRegion> regions{}; ///< none: the body is one part
+  std::vector<int> regionOfCell{};   ///< per cell; empty without regions
 
   /// The mesh without what other bodies cut into it: what is refined.
   const Mesh& uncut() const { return parents.empty() ? mesh : base; }

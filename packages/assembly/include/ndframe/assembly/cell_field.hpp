@@ -16,7 +16,7 @@ struct CellField
   double points[(dim + 1) * dim], u[nodes * dim];
 
   /// displacement: numNodes * dim, global axes. body must outlive the field.
-  CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.law)
+  CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.laws(cell))
   {
     cellPoints(body.mesh, cell, points);
     for (int a = 0; a < nodes; ++a)

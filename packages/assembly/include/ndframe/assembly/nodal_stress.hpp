@@ -9,7 +9,8 @@ namespace ndframe
 {
 
 /// The stress at every node as (xx, yy, zz, xy, yz, xz): the values of the cells around it, weighted by their measure.
-/// A continuous picture of sigma_h; at a corner or under a jump of a load it is a mean of values that differ.
+/// A continuous picture of sigma_h; at a corner, under a jump of a load and between regions of different
+/// materials it is a mean of values that differ.
 /// displacement: numNodes * dim, global axes.
 std::vector<std::array<double, 6>> nodalStress(const BodyModel& body, const Vector& displacement);
 

@@ -99,6 +99,7 @@ struct ListSpec
   std::string doc;
   bool isRequired = false;            ///< absent lists that are not required are filled with their defaults ...
   bool onlyIfGiven = false;           ///< ... unless this is set: then absence means "not wanted"
+  std::string requiredUnless;         ///< a required list may be absent where the list of this name is given
   std::vector<ParamSpec> params;      ///< keys of this list
   std::vector<ListSpec> lists;        ///< sublists with fixed names
   std::shared_ptr<ListSpec> each;     ///< user-named sublists, all of this shape

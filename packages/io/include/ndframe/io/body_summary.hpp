@@ -23,6 +23,14 @@ struct PeakSummary
   std::vector<double> point;
 };
 
+/// A part of a body with a material of its own.
+struct RegionSummary
+{
+  std::string name; ///< empty: what is in no region that the deck names
+  std::int64_t elements = 0;
+  double energy = 0.0; ///< its part of a(u,u)
+};
+
 /// One body in NAME.summary.json.
 struct BodySummary
 {
@@ -35,8 +43,9 @@ struct BodySummary
   double energy = 0.0;           ///< a(u,u) = int K eps:eps, no 1/2
   std::vector<double> loadForce; ///< resultant of its loads
   std::vector<SupportSummary> supports;
-  PeakSummary displacement; ///< |u|
-  PeakSummary strain;       ///< absolute principal strain, in the plane in plane scenes
+  PeakSummary displacement;           ///< |u|
+  std::vector<RegionSummary> regions; ///< none: the body is one part
+  PeakSummary strain;                 ///< absolute principal strain, in the plane in plane scenes
 };
 
 } // namespace ndframe

@@ -17,13 +17,21 @@ struct NamedField
   Vector values;
 };
 
-/// One body becomes one element block; its named sides become side sets "BODY:SIDE" (node numbers and element numbers
-/// of the bodies follow each other).
+/// Some cells of a body, an element block of their own.
+struct ExodusPart
+{
+  std::string name;
+  std::vector<int> cells;
+};
+
+/// One body becomes one element block, or one for each of its parts; its named sides become side sets "BODY:SIDE" (node
+/// numbers and element numbers of the bodies follow each other).
 struct ExodusBody
 {
   std::string name;
   const Mesh* mesh = nullptr;
   const NodeMap* nodes = nullptr;
+  std::vector<ExodusPart> parts; ///< every cell in one of them; none: the body is one block
 };
 
 /// A side set that carries variables: the contact interface as seen from one body.

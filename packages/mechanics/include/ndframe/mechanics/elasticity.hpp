@@ -27,6 +27,11 @@ struct Elasticity
   std::array<double, 36> D{};         ///< strains() x strains(), row-major, symmetric positive definite
   std::array<double, 3> outOfPlane{}; ///< dim 2: sigma_zz = outOfPlane . eps (zero in plane stress)
 
+  bool operator==(const Elasticity& other) const
+  {
+    return dim == other.dim && D == other.D && outOfPlane == other.outOfPlane;
+  }
+
   int strains() const { return dim == 2 ? 3 : 6; }
   double operator()(int i, int j) const { return D[std::size_t(i) * std::size_t(strains()) + std::size_t(j)]; }
 };

@@ -38,7 +38,7 @@ struct FacetTwin
 /// choice of refinement edges; where nothing is mended, after any number of calls there are O(halvings asked for) more
 /// triangles (Karkulik, Pavlicek and Praetorius 2013). The meshes are bisected as one mesh in which twins are the same
 /// edge; each keeps its own coordinates, a new point being the middle of its two parents. Facets of sides and
-/// interfaces are halved and never swapped.
+/// interfaces, and edges between cells of different groups, are halved and never swapped.
 ///
 /// Limits: two dimensions, straight edges. Cells of which nothing was asked stay stretched. A body's mesh does not
 /// depend on the order of the bodies. One call costs O(cells) a halving asked for at most.

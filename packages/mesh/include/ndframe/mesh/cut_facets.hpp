@@ -21,8 +21,8 @@ struct DerivedMesh
 using FacetCuts = std::map<std::pair<int, int>, std::vector<double>>;
 
 /// Gives boundary facets of a triangle mesh new vertices: their cells become fans around the opposite vertices. The
-/// body stays what it is, as do its other cells' facets; points and cells keep their numbers, new ones follow.
-/// The parts of a side's facet stand where it stood, in the direction of facetVertices.
+/// body stays what it is with its groups of cells, as do its other cells' facets; points and cells keep their numbers,
+/// new ones follow. The parts of a side's facet stand where it stood, in the direction of facetVertices.
 DerivedMesh cutFacets(const Mesh& mesh, const FacetCuts& cuts);
 
 /// Makes `first` and then `second` of its mesh one step.

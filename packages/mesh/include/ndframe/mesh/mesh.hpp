@@ -21,6 +21,20 @@ struct Side
   std::vector<Facet> facets;
 };
 
+/// The named groups of cells of a mesh. Groups may overlap; cells are of one kind when they belong to the same groups.
+struct CellGroups
+{
+  std::vector<std::vector<std::string>> names; ///< per kind: the groups that its cells belong to, sorted
+  std::vector<int> kind;                       ///< per cell; empty when the mesh has no groups
+
+  /// Of cells that may be of different kinds.
+  bool sameKind(int a, int b) const { return kind.empty() || kind[std::size_t(a)] == kind[std::size_t(b)]; }
+  /// Number of the kind of cells that belong to these groups (in any order), which is added when it is new.
+  int findOrAdd(std::vector<std::string> groups);
+  /// The kinds of new cells that take the place of old ones.
+  void inherit(const std::vector<int>& parents);
+};
+
 /// Straight-sided simplices: triangles (dim 2) or tetrahedra (dim 3), given by their vertices only.
 ///
 /// Nodes of higher order belong to the dof map (fem). Cells are positively oriented (checked by checkMesh).
@@ -33,6 +47,7 @@ struct Mesh
   std::vector<Side> sides;
   std::vector<std::string>
       notes; ///< what a user should know about how the mesh was read (e.g. curved edges straightened)
+  CellGroups groups{};
 
   int numPoints() const { return dim == 0 ? 0 : int(points.size()) / dim; }
   int numCells() const { return dim == 0 ? 0 : int(cells.size()) / (dim + 1); }

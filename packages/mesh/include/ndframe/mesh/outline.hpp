@@ -25,7 +25,7 @@ struct Outline
 struct MeshOutline
 {
   double measure = 0.0;
-  std::vector<std::pair<std::string, Outline>> sides; ///< by name
+  std::vector<std::pair<std::string, Outline>> sides; ///< by name; groups of cells are parts, too
 };
 
 MeshOutline outlineOf(const Mesh& mesh);

@@ -14,8 +14,9 @@ namespace ndframe
 struct BodyRecipe
 {
   std::string name;
-  std::string mesh;   ///< list Mesh, order of the elements; path, size and time of the mesh file
-  std::string matrix; ///< list Material
+  std::string mesh; ///< list Mesh, order of the elements; path, size and time of the mesh file; with or without groups
+                    ///< of cells
+  std::string matrix; ///< lists Material and Regions
   std::string load;   ///< lists Supports and Loads
 
   bool operator==(const BodyRecipe& other) const
@@ -36,6 +37,9 @@ struct SceneRecipe
   /// The same model, solved in the same way.
   bool sameSystems(const SceneRecipe& other) const;
 };
+
+/// The text of what a body is made of.
+std::string materialText(const Params& body);
 
 /// Limit: of a mesh made by a .geo script only the script itself is looked at, not the files that it includes.
 SceneRecipe recipeOf(const Params& deck);

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "ndframe/scene/model.hpp"
+
+namespace ndframe
+{
+
+/// Takes the laws and regions of a body from its lists Material and Regions; the body's mesh is there. Mistakes, with
+/// their places: a region that names groups of cells that the mesh does not have, or no cells; a cell in two regions; a
+/// cell in no region of a body without Material; hypotheses that differ or do not suit the mesh.
+void takeMaterials(BodyModel& body, const Params& definition, const SceneComponents& components,
+                   Diagnostics& diagnostics);
+
+/// A material of a body and where the deck describes it.
+struct PlacedMaterial
+{
+  Params list;
+  const Elasticity& law;
+};
+std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition);
+
+} // namespace ndframe

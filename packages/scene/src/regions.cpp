@@ -1,0 +1,209 @@
+#include "ndframe/scene/regions.hpp"
+
+#include <algorithm>
+#include <set>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/base/help.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr int nowhere = -1;
+
+std::vector<Params> regionsOf(const Params& body)
+{
+  return body.hasSub("Regions") ? body.sub("Regions").subs() : std::vector<Params>{};
+}
+
+/// The groups of cells that a region names; without any the one of its own name.
+std::vector<std::string> groupsOf(const Params& region)
+{
+  auto groups = region.get<std::vector<std::string>>("Cells");
+  return groups.empty() ? std::vector<std::string>{region.name()} : groups;
+}
+
+/// Builds the law of a list Material and checks its hypothesis.
+class Laws
+{
+public:
+  Laws(const SceneComponents& components, int dim, Diagnostics& diagnostics)
+      : components_(components), dim_(dim), diagnostics_(diagnostics)
+  {}
+
+  void add(const Params& material)
+  {
+    const auto law = components_.materials.build(material);
+    const bool isSpatial = law->hypothesis() == Hypothesis::ThreeDimensional;
+    const auto refuse = [&](const std::string& message) {
+      diagnostics_.add(
+          material.mistake("Hypothesis", fmt::format("\"{}\" {}", hypothesisNames().name(law->hypothesis()), message)));
+    };
+    if (isSpatial != (dim_ == 3))
+      refuse(fmt::format("does not suit a mesh of dimension {}; use {}.", dim_,
+                         isSpatial ? "Plane Strain or Plane Stress" : "Three Dimensional"));
+    else if (!laws_.empty() && law->hypothesis() != first_)
+      refuse(fmt::format("here, \"{}\" in another region; a body has one hypothesis.", hypothesisNames().name(first_)));
+    if (laws_.empty())
+      first_ = law->hypothesis();
+    laws_.push_back(law->elasticity());
+  }
+
+  const std::vector<Elasticity>& all() const { return laws_; }
+
+private:
+  const SceneComponents& components_;
+  int dim_;
+  Diagnostics& diagnostics_;
+  Hypothesis first_ = Hypothesis::PlaneStrain;
+  std::vector<Elasticity> laws_;
+};
+
+/// Which region the kinds of cells belong to.
+class KindsOfRegions
+{
+public:
+  KindsOfRegions(const Mesh& mesh, Diagnostics& diagnostics)
+      : mesh_(mesh), diagnostics_(diagnostics), region_(mesh.groups.names.size(), nowhere)
+  {
+    for (const auto& names : mesh.groups.names)
+      names_.insert(names.begin(), names.end());
+  }
+
+  void add(const Params& region, int number)
+  {
+    const auto groups = groupsOf(region);
+    for (const std::string& group : groups)
+      if (names_.count(group) == 0)
+        refuseUnknown(region, group);
+    for (std::size_t kind = 0; kind < region_.size(); ++kind) {
+      const auto& names = mesh_.groups.names[kind];
+      const bool isMine = std::any_of(groups.begin(), groups.end(), [&](const std::string& group) {
+        return std::binary_search(names.begin(), names.end(), group);
+      });
+      if (isMine && region_[kind] != nowhere)
+        refuseShared(region, int(kind), others_[std::size_t(region_[kind])]);
+      else if (isMine)
+        region_[kind] = number;
+    }
+    others_.push_back(region.name());
+  }
+
+  /// Per cell: the region, or `rest`.
+  std::vector<int> ofCells(int rest) const
+  {
+    std::vector<int> regions(std::size_t(mesh_.numCells()), rest);
+    for (std::size_t c = 0; c < mesh_.groups.kind.size(); ++c)
+      if (const int region = region_[std::size_t(mesh_.groups.kind[c])]; region != nowhere)
+        regions[c] = region;
+    return regions;
+  }
+
+private:
+  void refuseUnknown(const Params& region, const std::string& group)
+  {
+    const std::vector<std::string> names(names_.begin(), names_.end());
+    const std::string nearest = nearestName(group, names);
+    diagnostics_.add(region.mistake(
+        "Cells", fmt::format("the mesh has no group of cells \"{}\"; {}", group,
+                             names.empty() ? "it names no groups (physical groups of gmsh, element blocks of Exodus, "
+                                             "Parts of a box)."
+                             : nearest.empty() ? fmt::format("its groups are: {}.", fmt::join(names, ", "))
+                                               : fmt::format("did you mean \"{}\"?", nearest))));
+  }
+
+  void refuseShared(const Params& region, int kind, const std::string& other)
+  {
+    const auto cell = std::find(mesh_.groups.kind.begin(), mesh_.groups.kind.end(), kind) - mesh_.groups.kind.begin();
+    if (cell == mesh_.numCells())
+      return;
+    diagnostics_.add(region.mistake(
+        "Cells", fmt::format("contains the cell at {}, which region \"{}\" contains, too; a cell has one material.",
+                             pointText(cellCentre(mesh_, int(cell)).data(), mesh_.dim), other)));
+  }
+
+  const Mesh& mesh_;
+  Diagnostics& diagnostics_;
+  std::set<std::string> names_;
+  std::vector<int> region_; ///< per kind of cells
+  std::vector<std::string> others_;
+};
+
+/// Counts the cells of the regions.
+std::vector<BodyRegion> countCells(std::vector<std::string> names, const std::vector<int>& regionOfCell)
+{
+  std::vector<BodyRegion> regions;
+  for (std::string& name : names)
+    regions.push_back({std::move(name), 0, 0});
+  for (std::size_t c = 0; c < regionOfCell.size(); ++c) {
+    BodyRegion& region = regions[std::size_t(regionOfCell[c])];
+    if (region.numCells++ == 0)
+      region.firstCell = int(c);
+  }
+  return regions;
+}
+
+void refuseWithoutMaterial(const BodyModel& body, const BodyRegion& rest, const Params& definition,
+                           Diagnostics& diagnostics)
+{
+  diagnostics.add(definition.mistake(
+      "", fmt::format("{} of {} cells are in no region, the first at {}; give the body a list \"Material\" for them.",
+                      rest.numCells, body.mesh.numCells(),
+                      pointText(cellCentre(body.mesh, rest.firstCell).data(), body.mesh.dim))));
+}
+
+} // namespace
+
+void takeMaterials(BodyModel& body, const Params& definition, const SceneComponents& components,
+                   Diagnostics& diagnostics)
+{
+  const auto lists = regionsOf(definition);
+  const bool hasRest = definition.hasSub("Material");
+  Laws laws(components, body.mesh.dim, diagnostics);
+  KindsOfRegions kinds(body.mesh, diagnostics);
+  std::vector<std::string> names;
+  for (const Params& region : lists) {
+    laws.add(region.sub("Material"));
+    kinds.add(region, int(names.size()));
+    names.push_back(region.name());
+  }
+  if (hasRest)
+    laws.add(definition.sub("Material"));
+  if (laws.all().empty())
+    throw InputError(definition.mistake("", "has neither a list \"Material\" nor regions."));
+  if (lists.empty()) {
+    body.laws = laws.all().front();
+    return;
+  }
+  const int rest = int(names.size());
+  names.emplace_back();
+  body.regionOfCell = kinds.ofCells(rest);
+  body.regions = countCells(std::move(names), body.regionOfCell);
+  for (std::size_t r = 0; r < lists.size(); ++r)
+    if (body.regions[r].numCells == 0 && diagnostics.empty())
+      diagnostics.add(lists[r].mistake("", "names no cells."));
+  if (body.regions.back().numCells == 0)
+    body.regions.pop_back();
+  else if (!hasRest && diagnostics.empty())
+    refuseWithoutMaterial(body, body.regions.back(), definition, diagnostics);
+  if (diagnostics.empty())
+    body.laws = CellLaws(laws.all(), body.regionOfCell);
+}
+
+std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition)
+{
+  if (body.regions.empty())
+    return {{definition.sub("Material"), body.laws(0)}};
+  std::vector<PlacedMaterial> materials;
+  for (const BodyRegion& region : body.regions)
+    materials.push_back(
+        {(region.name.empty() ? definition : definition.sub("Regions").sub(region.name)).sub("Material"),
+         body.laws(region.firstCell)});
+  return materials;
+}
+
+} // namespace ndframe
