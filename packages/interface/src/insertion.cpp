@@ -66,12 +66,6 @@ private:
     result = result.parents.empty() ? std::move(next) : compose(result, std::move(next));
   }
 
-  double length(int body, Facet facet)
-  {
-    double normal[3];
-    return facetNormal(mesh(body), facet, normal);
-  }
-
   /// Per body and cell whether it has to be halved.
   std::vector<std::vector<int>> longCells()
   {
@@ -80,7 +74,9 @@ private:
       halvings.emplace_back(std::size_t(result.mesh.numCells()), 0);
     for (const FacingSides& sides : interfaces_)
       for (const FacingPiece& piece : pieces(sides)) {
-        const double one = length(sides.firstBody, piece.first), other = length(sides.secondBody, piece.second);
+        // seen along the segment, where facets that match are equally long
+        const double one = 1.0 / std::abs(piece.onFirst[1] - piece.onFirst[0]),
+                     other = 1.0 / std::abs(piece.onSecond[1] - piece.onSecond[0]);
         if (one > (largestRatio + leeway) * other)
           halvings[std::size_t(sides.firstBody)][std::size_t(piece.first.cell)] = 1;
         if (other > (largestRatio + leeway) * one)

@@ -1,0 +1,79 @@
+"""Bodies as they are drawn: test_drawn.py NDFRAME DECKS.
+
+Hertz from an arc and a line, whichever body gives the normals; a press fit of rings that are meshed independently,
+against Lame; targets are reached, guaranteed; overlaps are told.
+"""
+
+import math
+import pathlib
+import sys
+import tempfile
+import unittest
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
+import side_scenes
+from runs import Program
+
+PROGRAM, DECKS = Program(sys.argv[1]), pathlib.Path(sys.argv[2])
+
+
+def sector(inner, outer):
+    def place(u, v):
+        r, angle = inner + (outer - inner) * v, (1.0 - u) * math.pi / 2
+        return r * math.cos(angle), r * math.sin(angle)
+
+    return place
+
+
+def lame_energy(a, b, young, poisson):
+    """a(u, u) of a quarter of a ring under the inner pressure 1, plane strain."""
+    shear, lame = young / (2 * (1 + poisson)), young * poisson / ((1 + poisson) * (1 - 2 * poisson))
+    A = a * a / (b * b - a * a)
+    return math.pi / 2 * a * (A * a / (2 * (lame + shear)) + A * b * b / (2 * shear * a))
+
+
+def rings(inner, outer, exchanged=False):
+    """Energy and guarantee of a quarter of a ring of two parts with `inner` and `outer` columns."""
+    held = {"left": "Roller", "right": "Roller"}
+    parts = [side_scenes.Block("inner", side_scenes.even(inner), max(2, inner // 4), sector(1, 1.5), "top", 1.0, 0.3,
+                               held, "1"),
+             side_scenes.Block("outer", side_scenes.even(outer), max(2, outer // 4), sector(1.5, 2), "bottom", 1.0, 0.3,
+                               held)]
+    with tempfile.TemporaryDirectory() as folder:
+        deck = side_scenes.write_scene(folder, *(reversed(parts) if exchanged else parts))
+        run = PROGRAM.run(deck, "Coupling/Type=Monolithic", "Output/Exodus=false", "Error Estimation/Estimators={Global}")
+    return sum(body["energy"] for body in run.summary["bodies"]), run.summary["errors"]["global"]["guaranteed"]
+
+
+class Drawn(unittest.TestCase):
+    def test_targets_are_reached(self):
+        for name in ("hertz-drawn", "drawn-punch", "bearing"):  # the first one expects what Hertz says
+            run = PROGRAM.run(DECKS / f"{name}.xml")
+            self.assertEqual(run.code, 0, run.screen)
+            self.assertTrue(run.accuracy["reached"])
+            self.assertTrue(run.summary["errors"]["global"]["guaranteed"])
+
+    def test_either_side_may_give_the_normals(self):
+        exchanged = ("Dirichlet Body=block", "Dirichlet Side=flat", "Neumann Body=cylinder", "Neumann Side=round")
+        run = PROGRAM.run(DECKS / "hertz-drawn.xml", *(f"Interfaces/contact/{setting}" for setting in exchanged))
+        self.assertEqual(run.code, 0, run.screen)
+
+    def test_rings_meshed_apart_are_one_ring_to_second_order(self):
+        exact = lame_energy(1.0, 2.0, 1.0, 0.3)
+        before = None
+        for inner, outer in ((4, 6), (8, 12), (16, 24)):
+            (energy, guaranteed), (exchanged, _) = rings(inner, outer), rings(inner, outer, True)
+            self.assertTrue(guaranteed)
+            self.assertAlmostEqual(energy / exchanged, 1.0, delta=1e-3)
+            off = abs(energy / exact - 1.0)
+            self.assertLess(off, 0.03 if before is None else 0.3 * before)
+            before = off
+
+    def test_overlaps_are_told(self):
+        run = PROGRAM.run(DECKS / "punch.xml", "Bodies/punch/Mesh/Lower={0, -0.02}")
+        self.assertEqual(run.code, 2)
+        self.assertIn("the bodies overlap at the start: by 0.02 at (0, -0.02)", run.screen)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
