@@ -145,8 +145,8 @@ TEST(Exodus, TurnsNegativeElementsAround)
 TEST(Exodus, RefusesOtherElements)
 {
   ExodusSample sample = twoBlocks();
-  sample.blocks.push_back({30, "brick", "QUAD4", 4, {1, 2, 3, 4}});
-  EXPECT_THAT(messageOf(exodus(sample)), HasSubstr("the elements of block brick are of type QUAD4 with 4 nodes"));
+  sample.blocks.push_back({30, "brick", "QUAD5", 5, {1, 2, 3, 4, 5}});
+  EXPECT_THAT(messageOf(exodus(sample)), HasSubstr("the elements of block brick are of type QUAD5 with 5 nodes"));
   EXPECT_EQ(readMesh(exodus(sample, strings("Blocks", "lower, 20"))).numCells(), 2);
 }
 

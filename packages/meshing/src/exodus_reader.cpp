@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "child_process.hpp"
+#include "cut_cells.hpp"
 #include "exodus_input.hpp"
 #include "file_error.hpp"
 #include "mesh_builder.hpp"
@@ -35,20 +36,22 @@ struct Shape
   std::string_view prefix;
   int dim;
   bool simplex;
+  std::string_view cutAs;               ///< gmsh's name of a cell that is cut into simplices
+  std::array<int, 3> nodesPerElement{}; ///< of such a cell, first and second order
 };
 
-constexpr std::array<Shape, 8> shapes{{{"TRI", 2, true},
-                                       {"TET", 3, true},
-                                       {"QUAD", 2, false},
-                                       {"SHELL", 2, false},
-                                       {"HEX", 3, false},
-                                       {"WEDGE", 3, false},
-                                       {"PYR", 3, false},
-                                       {"NSIDED", 2, false}}};
+constexpr std::array<Shape, 8> shapes{{{"TRI", 2, true, {}, {}},
+                                       {"TET", 3, true, {}, {}},
+                                       {"QUAD", 2, false, "quadrangle", {4, 8, 9}},
+                                       {"SHELL", 2, false, "quadrangle", {4, 8, 9}},
+                                       {"HEX", 3, false, "hexahedron", {8, 20, 27}},
+                                       {"WEDGE", 3, false, "prism", {6, 15, 18}},
+                                       {"PYR", 3, false, "pyramid", {5, 13, 14}},
+                                       {"NSIDED", 2, false, {}, {}}}};
 
 const Shape& shapeOf(const ExodusBlock& block)
 {
-  static constexpr Shape lowDimensional{"", 1, false};
+  static constexpr Shape lowDimensional{"", 1, false, {}, {}};
   const auto found = std::find_if(shapes.begin(), shapes.end(), [&](const Shape& shape) {
     return block.type.compare(0, shape.prefix.size(), shape.prefix) == 0;
   });
@@ -71,6 +74,8 @@ private:
   std::vector<ExodusBlock> chosenBlocks() const;
   int dimension() const;
   void addBlock(const ExodusBlock& block);
+  void addCutBlock(const ExodusBlock& block, const CellShape& shape);
+  std::vector<Facet> facetsOnSide(int element, int side, const std::string& set) const;
   void addSide(const ExodusSideSet& set);
 
   ExodusInput file_;
@@ -78,7 +83,16 @@ private:
   std::vector<ExodusBlock> blocks_;
   int dim_;
   MeshBuilder builder_;
-  std::vector<int> cellOfElement_;
+  /// A block of cells that are no simplices.
+  struct CutBlock
+  {
+    const CellShape* shape;
+    int firstElement, nodesPerElement;
+    std::vector<int> nodes;
+  };
+
+  std::vector<int> cellOfElement_; ///< the first of its cells
+  std::vector<CutBlock> cutBlocks_;
 };
 
 std::vector<std::string> namesOf(const std::vector<ExodusBlock>& blocks)
@@ -118,19 +132,69 @@ int ExodusConverter::dimension() const
   return dim;
 }
 
+void ExodusConverter::addCutBlock(const ExodusBlock& block, const CellShape& shape)
+{
+  CutBlock cut{&shape, block.firstElement, block.nodesPerElement, file_.nodes(block)};
+  std::vector<int> simplices;
+  std::vector<std::int64_t> numbers;
+  for (int e = 0; e < block.numElements; ++e) {
+    cellOfElement_[block.firstElement + e] = builder_.cells().numCells() + e * shape.simplices;
+    const std::vector<int> parts =
+        simplicesOf(shape, cut.nodes.data() + std::size_t(e) * std::size_t(block.nodesPerElement));
+    simplices.insert(simplices.end(), parts.begin(), parts.end());
+    numbers.insert(numbers.end(), std::size_t(shape.simplices), block.firstElement + e + 1);
+  }
+  builder_.addCells(simplices, dim_ + 1, numbers, midNodes, {block.name});
+  builder_.addNote(cutNote(fmt::format("{} {} of block {}", block.numElements, shape.plural, block.name), dim_));
+  cutBlocks_.push_back(std::move(cut));
+}
+
 void ExodusConverter::addBlock(const ExodusBlock& block)
 {
+  const auto& counts = shapeOf(block).nodesPerElement;
+  if (const CellShape* shape = findCellShape(shapeOf(block).cutAs);
+      shape != nullptr && std::find(counts.begin(), counts.end(), block.nodesPerElement) != counts.end())
+    return addCutBlock(block, *shape);
   const int vertices = dim_ + 1;
   const int secondOrder = vertices * (dim_ + 2) / 2;
   if (!shapeOf(block).simplex || (block.nodesPerElement != vertices && block.nodesPerElement != secondOrder))
-    throw FileError(fmt::format("the elements of block {} are of type {} with {} nodes; only TRI3, TRI6, TETRA4 and "
-                                "TETRA10 are read.",
+    throw FileError(fmt::format("the elements of block {} are of type {} with {} nodes; only TRI, TETRA, QUAD, HEX, "
+                                "WEDGE and PYRAMID of first and second order are read.",
                                 block.name, block.type, block.nodesPerElement));
   std::vector<std::int64_t> numbers(block.numElements);
   std::iota(numbers.begin(), numbers.end(), block.firstElement + 1);
   for (int e = 0; e < block.numElements; ++e)
     cellOfElement_[block.firstElement + e] = builder_.cells().numCells() + e;
   builder_.addCells(file_.nodes(block), block.nodesPerElement, numbers, midNodes, {block.name});
+}
+
+/// side: from 0. Of a cell that was cut: the facets whose vertices lie on the side.
+std::vector<Facet> ExodusConverter::facetsOnSide(int element, int side, const std::string& set) const
+{
+  const auto block = std::find_if(cutBlocks_.rbegin(), cutBlocks_.rend(), [&](const CutBlock& cut) {
+    return element >= cut.firstElement && element < cut.firstElement + int(cut.nodes.size()) / cut.nodesPerElement;
+  });
+  const int sides = block == cutBlocks_.rend() ? dim_ + 1 : int(block->shape->faces.size());
+  if (side < 0 || side >= sides)
+    throw FileError(fmt::format("side set {} names side {} of element {}, which does not exist.", set,
+                                side + (dim_ < file_.dim() ? 3 : 1), element + 1));
+  if (block == cutBlocks_.rend())
+    return {{cellOfElement_[element], facetOfSide[side]}};
+  const int* nodes =
+      block->nodes.data() + std::size_t(element - block->firstElement) * std::size_t(block->nodesPerElement);
+  const auto& face = block->shape->faces[std::size_t(side)];
+  const auto isOn = [&](int vertex) {
+    return std::any_of(face.begin(), face.end(), [&](int local) { return nodes[local] == vertex; });
+  };
+  std::vector<Facet> facets;
+  for (int cell = cellOfElement_[element], end = cell + block->shape->simplices; cell < end; ++cell) {
+    const int* vertices = builder_.cells().cell(cell);
+    for (int local = 0; local <= dim_; ++local)
+      if (dim_ ==
+          std::count_if(vertices, vertices + dim_ + 1, [&](const int& v) { return &v != vertices + local && isOn(v); }))
+        facets.push_back({cell, local});
+  }
+  return facets;
 }
 
 void ExodusConverter::addSide(const ExodusSideSet& set)
@@ -143,14 +207,10 @@ void ExodusConverter::addSide(const ExodusSideSet& set)
     if (element < 1 || element > file_.numElements())
       throw FileError(
           fmt::format("side set {} names element {}, but there are {}.", set.name, element, file_.numElements()));
-    const int cell = cellOfElement_[element - 1];
-    if (cell < 0)
+    if (cellOfElement_[element - 1] < 0)
       continue; // of a block that is left out
-    const int side = set.sides[i];
-    if (side < firstSide || side > firstSide + dim_)
-      throw FileError(
-          fmt::format("side set {} names side {} of element {}, which does not exist.", set.name, side, element));
-    facets.push_back({cell, facetOfSide[side - firstSide]});
+    const std::vector<Facet> onSide = facetsOnSide(element - 1, set.sides[i] - firstSide, set.name);
+    facets.insert(facets.end(), onSide.begin(), onSide.end());
   }
   if (!facets.empty())
     builder_.addSide(set.name, std::move(facets));

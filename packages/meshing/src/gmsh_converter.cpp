@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cut_cells.hpp"
 #include "file_error.hpp"
 #include "mesh_builder.hpp"
 #include "ndframe/mesh/vertex_tuples.hpp"
@@ -74,7 +75,10 @@ int dimensionOf(const MshFile& file)
 GmshConverter::GmshConverter(MshFile file, std::vector<std::string> regions)
     : file_(std::move(file)), regions_(std::move(regions)), dim_(dimensionOf(file_)),
       builder_(dim_, std::move(file_.coordinates))
-{}
+{
+  if (std::string note = cutCells(file_, dim_); !note.empty())
+    builder_.addNote(std::move(note));
+}
 
 Mesh GmshConverter::convert()
 {
@@ -131,10 +135,9 @@ void GmshConverter::addCells()
     if (type.dim != dim_ || !(selected.empty() || hasGroup(block, selected)))
       continue;
     if (type.nodes != dim_ + 1 && type.nodes != (dim_ + 1) * (dim_ + 2) / 2)
-      throw FileError(
-          fmt::format("element {} is a {} of order {} with {} nodes; only triangles and tetrahedra of order "
-                      "1 and 2 are read.",
-                      block.numbers.front(), type.name, type.order, type.nodes));
+      throw FileError(fmt::format("element {} is a {} of order {} with {} nodes; only elements of order 1 and 2 are "
+                                  "read.",
+                                  block.numbers.front(), type.name, type.order, type.nodes));
     std::vector<std::string> groups;
     for (const int tag : block.groups)
       groups.push_back(groupName(file_, dim_, tag));
