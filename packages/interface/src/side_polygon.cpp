@@ -69,7 +69,7 @@ std::vector<Piece> facetEdges(const Mesh& mesh, const std::vector<Facet>& facets
                             8.0;
       piece.edge.bulge = {spread * own[0], spread * own[1], 0.0};
     }
-    pieces.push_back(std::move(piece));
+    pieces.push_back(piece);
   }
   return pieces;
 }

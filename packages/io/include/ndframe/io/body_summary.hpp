@@ -43,9 +43,9 @@ struct BodySummary
   double energy = 0.0;           ///< a(u,u) = int K eps:eps, no 1/2
   std::vector<double> loadForce; ///< resultant of its loads
   std::vector<SupportSummary> supports;
-  PeakSummary displacement;           ///< |u|
-  std::vector<RegionSummary> regions; ///< none: the body is one part
-  PeakSummary strain;                 ///< absolute principal strain, in the plane in plane scenes
+  PeakSummary displacement;             ///< |u|
+  PeakSummary strain;                   ///< absolute principal strain, in the plane in plane scenes
+  std::vector<RegionSummary> regions{}; ///< none: the body is one part
 };
 
 } // namespace ndframe
