@@ -65,11 +65,12 @@ ExodusStep sampleStep(const std::vector<ExodusBody>& bodies, const std::vector<E
   ExodusStep step;
   step.time = time;
   for (int b = 0; b < int(bodies.size()); ++b) {
-    const auto& [name, mesh, nodes] = bodies[std::size_t(b)];
-    auto negative = atNodes(*nodes, b, time);
+    const Mesh& mesh = *bodies[std::size_t(b)].mesh;
+    const NodeMap& nodes = *bodies[std::size_t(b)].nodes;
+    auto negative = atNodes(nodes, b, time);
     std::for_each(negative.begin(), negative.end(), [](double& value) { value = -value; });
-    step.nodal.push_back({{"disp_x", atNodes(*nodes, b, time)}, {"disp_y", negative}});
-    step.element.push_back({{"von_mises", atCells(*mesh, b, time)}});
+    step.nodal.push_back({{"disp_x", atNodes(nodes, b, time)}, {"disp_y", negative}});
+    step.element.push_back({{"von_mises", atCells(mesh, b, time)}});
   }
   for (const auto& side : contacts)
     step.contactSide.push_back(

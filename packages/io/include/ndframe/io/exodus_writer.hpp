@@ -31,7 +31,7 @@ struct ExodusBody
   std::string name;
   const Mesh* mesh = nullptr;
   const NodeMap* nodes = nullptr;
-  std::vector<ExodusPart> parts; ///< every cell in one of them; none: the body is one block
+  std::vector<ExodusPart> parts{}; ///< every cell in one of them; none: the body is one block
 };
 
 /// A side set that carries variables: the contact interface as seen from one body.
