@@ -1,6 +1,6 @@
 // Half of a cylinder of radius 1 (its lower part) and a block, each meshed for itself.
 R = 1;
-Point(1) = {0, 0, 0, 0.012};
+Point(1) = {0, 0, 0, 0.004};
 Point(2) = {0, R, 0, 0.25};
 Point(3) = {R, R, 0, 0.25};
 Point(4) = {R * Sin(Pi / 12), R - R * Cos(Pi / 12), 0, 0.08};
@@ -11,7 +11,7 @@ Line(4) = {2, 1};
 Curve Loop(1) = {1, 2, 3, 4};
 Plane Surface(1) = {1};
 
-Point(11) = {0, 0, 0, 0.02};
+Point(11) = {0, 0, 0, 0.006};
 Point(12) = {0, -1, 0, 0.3};
 Point(13) = {1, -1, 0, 0.3};
 Point(14) = {1, 0, 0, 0.3};
