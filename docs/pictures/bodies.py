@@ -1,8 +1,9 @@
 """Plane bodies as they are deformed, coloured by von Mises stress: bodies.py NAME.e PICTURE.png [SCALE [XMIN XMAX YMIN YMAX]]
 
     /usr/bin/python3 docs/pictures/bodies.py bearing.e docs/pictures/bearing.png 1
+    /usr/bin/python3 docs/pictures/bodies.py rigid-cylinder.e docs/pictures/rigid-cylinder.png 1   # Accuracy/Target=0.005
 
-Every vertex has the mean of its cells' stresses, body by body. SCALE multiplies displacements.
+Every vertex has the mean of its cells' stresses, body by body; rigid bodies are grey. SCALE multiplies displacements.
 """
 
 import sys
@@ -28,6 +29,8 @@ def main():
     x, y = file["coordx"][:].filled(), file["coordy"][:].filled()
     for name, place in (("disp_x", x), ("disp_y", y)):
         place += scale * file[f"vals_nod_var{nodal.index(name) + 1}"][-1].filled()
+        if (offset := name.replace("disp", "offset")) in nodal:
+            place += file[f"vals_nod_var{nodal.index(offset) + 1}"][-1].filled()
     plt.style.use("default")
     figure, axes = plt.subplots(figsize=(7, 6), constrained_layout=True)
     pieces = []
@@ -46,6 +49,9 @@ def main():
     levels = np.linspace(0.0, high, 25)
     for corners, values in pieces:
         triangles = Triangulation(x, y, corners)
+        if not values[corners].any():
+            axes.tripcolor(triangles, np.zeros(len(corners)), cmap="Greys", vmin=-1.0, vmax=1.0)
+            continue
         drawn = axes.tricontourf(triangles, values, levels=levels, cmap="viridis", extend="max")
         axes.triplot(triangles, color="white", linewidth=0.15)
     if len(sys.argv) > 4:

@@ -1,7 +1,7 @@
 """No bound of sides that do not match lies below its error: certificate_sides.py NDFRAME [--scenes N] [--seed FIRST].
 
 Two bodies with random columns on both sides (up to eight to one, facets of one next to the other's by chance), straight,
-turned, curved, apart, one above a part of the other, of random moduli and loads, first and second order, solved to the
+turned, curved, apart, one above a part of the other, or one body and a rigid one, of random moduli and loads, first and second order, solved to the
 end or stopped anywhere. The error is that of a solution on cells half as large, twice. A guaranteed bound below it is a
 violation; so is a run that ends otherwise than it may. Prints the violations, and how sharp the bounds are.
 """
@@ -46,8 +46,42 @@ def maps(draw, kind):
     return side_scenes.under(arc, 0.0, 0.6, 0.8), side_scenes.box(0, -0.5, 1.0 + start, 0), {}
 
 
+def obstacle(draw, load):
+    """A body that a rigid one holds."""
+    shape = draw.choice(("plane", "hole", "cylinder", "expression", "round on plane", "pin in hole"))
+    above = side_scenes.box(0, 0, 1, 0.6)
+    if shape == "plane":
+        turn = draw.uniform(-0.05, 0.05)
+        rigid = side_scenes.plane((draw.random(), -draw.uniform(0.05, 0.06)), (math.sin(turn), math.cos(turn)),
+                                  Displacement=(draw.uniform(-0.1, 0.1), draw.uniform(0.0, 0.05)))
+    elif shape == "hole":
+        rigid = side_scenes.plane((0.0, 0.0), (0.0, 1.0), Extent=(draw.uniform(-0.2, 0.3), draw.uniform(0.5, 1.2)))
+    elif shape == "cylinder":
+        radius = draw.uniform(0.5, 3)
+        rigid = side_scenes.cylinder((draw.choice((0.0, draw.random())), -radius - draw.choice((0, 0.01))), radius)
+    elif shape == "expression":
+        rigid = side_scenes.Rigid("floor", {"Type": ("string", "Expression"),
+                                            "Distance": ("string", f"{draw.uniform(0, 0.1)}*x^2*(1+exp(x))")})
+    elif shape == "round on plane":
+        radius = draw.uniform(0.7, 2.0)
+        above = side_scenes.under(lambda x: radius - math.sqrt(radius * radius - x * x), 0.0, 0.6, 0.8)
+        rigid = side_scenes.plane((0.0, 0.0), (0.0, draw.uniform(0.1, 10)))
+    else:
+        radius, hole = draw.uniform(0.8, 1.2), draw.uniform(1.25, 3)
+        above = side_scenes.under(lambda x: -math.sqrt(radius * radius - x * x), 0.0, 0.5 * radius, 0.0)
+        rigid = side_scenes.cylinder((0.0, hole - radius), hole, True)
+    body = side_scenes.Block("upper", side_scenes.spread(draw, draw.choice((2, 4, 8)), 0.05), draw.randint(1, 4), above,
+                             "bottom", 10.0 ** draw.uniform(-1, 1), draw.uniform(0, 0.45), {"left": "Roller"},
+                             f"{10.0 ** draw.uniform(-4, -1)}*({load})")
+    if shape in ("plane", "hole", "expression") or draw.random() < 0.3:
+        body.supports["right"] = "Roller"
+    return "rigid", (body, rigid), {}
+
+
 def scene(draw):
-    kind = draw.choice(("straight", "part", "curve", "apart", "round"))
+    kind = draw.choice(("straight", "part", "curve", "apart", "round", "rigid"))
+    if kind == "rigid":
+        return obstacle(draw, draw.choice(("1", "1+x", "0.3+x*x")))
     upper, lower, settings = maps(draw, kind)
     many = lambda: draw.choice((1, 2, 3, 4, 6, 8))
     columns = lambda n: side_scenes.even(n) if draw.random() < 0.3 else side_scenes.spread(draw, n, 0.05)

@@ -71,6 +71,36 @@ class Block:
                 f'<ParameterList name="Loads">{loads}</ParameterList></ParameterList>')
 
 
+@dataclasses.dataclass
+class Rigid:
+    """A rigid body: its list Rigid, name to (type, value)."""
+    name: str
+    entries: dict
+    foot = None
+
+    def write(self, folder):
+        pass
+
+    def deck(self):
+        entries = "".join(f'<Parameter name="{key}" type="{kind}" value="{value}"/>'
+                          for key, (kind, value) in self.entries.items())
+        return f'<ParameterList name="{self.name}"><ParameterList name="Rigid">{entries}</ParameterList></ParameterList>'
+
+
+def plane(point, normal, **more):
+    """A rigid plane."""
+    pair = lambda values: ("Array(double)", "{" + ", ".join(repr(value) for value in values) + "}")
+    return Rigid("floor", {"Type": ("string", "Plane"), "Point": pair(point), "Normal": pair(normal),
+                           **{key: pair(values) for key, values in more.items()}})
+
+
+def cylinder(centre, radius, hollow=False):
+    """A rigid cylinder."""
+    return Rigid("floor", {"Type": ("string", "Cylinder"),
+                           "Centre": ("Array(double)", "{" + ", ".join(repr(value) for value in centre) + "}"),
+                           "Radius": ("double", repr(radius)), "Hollow": ("bool", str(hollow).lower())})
+
+
 def write_scene(folder, first, second, settings=None):
     """Writes meshes and deck of a scene; `first` has the first (the deck's Dirichlet) side. Returns the deck's path."""
     folder = pathlib.Path(folder)
@@ -83,7 +113,7 @@ def write_scene(folder, first, second, settings=None):
             f'<Parameter name="Dirichlet Body" type="string" value="{first.name}"/>'
             f'<Parameter name="Dirichlet Side" type="string" value="{first.foot}"/>'
             f'<Parameter name="Neumann Body" type="string" value="{second.name}"/>'
-            f'<Parameter name="Neumann Side" type="string" value="{second.foot}"/>{contact}'
+            + (f'<Parameter name="Neumann Side" type="string" value="{second.foot}"/>' if second.foot else "") + contact +
             "</ParameterList></ParameterList></ParameterList>")
     path = folder / "sides.xml"
     path.write_text(deck)

@@ -120,8 +120,8 @@ private:
   {
     Model model;
     model.interfaces = run_.model.interfaces;
-    readModel(model, tools_,
-              [&](const Params& body) { return meshes[std::size_t(run_.model.bodyIndex(body.name()))]; });
+    auto next = meshes.begin();
+    readModel(model, tools_, [&](const Params& body) { return body.hasSub("Rigid") ? Mesh() : *next++; });
     beginLevel(std::move(model), before);
   }
 

@@ -17,9 +17,9 @@ namespace
 /// An even grid with no more cells along the largest box is coarse enough.
 constexpr int fewPieces = 4;
 
-bool isBox(const Params& mesh)
+bool isBox(const Params& body)
 {
-  return mesh.get<std::string>("Type") == "Box";
+  return !body.hasSub("Rigid") && body.sub("Mesh").get<std::string>("Type") == "Box";
 }
 
 /// The cells of a box in each direction if none is longer than `size`; never more than the deck asks for.
@@ -95,10 +95,13 @@ Params coarseBox(const Params& mesh, const Stations& stations, const SceneCompon
   return mesh;
 }
 
-Mesh readCoarse(const Params& mesh, const Stations& stations, const SceneComponents& components, const Comm& comm,
+Mesh readCoarse(const Params& body, const Stations& stations, const SceneComponents& components, const Comm& comm,
                 double size)
 {
-  const Params chosen = isBox(mesh) ? coarseBox(mesh, stations, components, size) : mesh;
+  if (body.hasSub("Rigid"))
+    return {};
+  const Params mesh = body.sub("Mesh");
+  const Params chosen = isBox(body) ? coarseBox(mesh, stations, components, size) : mesh;
   Mesh read = readShared(*components.meshSources.build(chosen), comm);
   const auto isUnasked = [](const Side& side) { return side.name.rfind(unaskedPart, 0) == 0; };
   read.sides.erase(std::remove_if(read.sides.begin(), read.sides.end(), isUnasked), read.sides.end());
@@ -109,7 +112,8 @@ double largestBox(const Params& deck)
 {
   double largest = 0.0;
   for (const auto& body : deck.sub("Bodies").subs())
-    if (const Params mesh = body.sub("Mesh"); isBox(mesh)) {
+    if (isBox(body)) {
+      const Params mesh = body.sub("Mesh");
       const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
       for (std::size_t d = 0; d < std::min(lower.size(), upper.size()); ++d)
         largest = std::max(largest, upper[d] - lower[d]);
@@ -121,8 +125,8 @@ int mostCells(const Params& deck)
 {
   int most = 0;
   for (const auto& body : deck.sub("Bodies").subs())
-    if (const Params mesh = body.sub("Mesh"); isBox(mesh))
-      for (const int cells : mesh.get<std::vector<int>>("Cells"))
+    if (isBox(body))
+      for (const int cells : body.sub("Mesh").get<std::vector<int>>("Cells"))
         most = std::max(most, cells);
   return most;
 }
@@ -158,7 +162,7 @@ MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components,
       MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
         const auto found = stations.find(body.name());
         const Stations lines = found == stations.end() ? Stations() : found->second;
-        return readCoarse(body.sub("Mesh"), lines, components, comm, size);
+        return readCoarse(body, lines, components, comm, size);
       };
       if (fits(deck, components, meshes, sides))
         return meshes;

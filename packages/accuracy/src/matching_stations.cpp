@@ -91,6 +91,8 @@ std::map<std::string, PlaneBox> planeBoxes(const Params& deck)
 {
   std::map<std::string, PlaneBox> boxes;
   for (const Params& body : deck.sub("Bodies").subs()) {
+    if (body.hasSub("Rigid"))
+      continue;
     const Params mesh = body.sub("Mesh");
     if (mesh.get<std::string>("Type") == "Box" && mesh.get<std::vector<double>>("Lower").size() == 2 &&
         mesh.get<std::vector<double>>("Upper").size() == 2 && mesh.get<double>("Rotation") == 0.0)
@@ -105,6 +107,8 @@ bool exchange(const Params& interface, std::map<std::string, PlaneBox>& boxes)
   const auto one = boxes.find(interface.get<std::string>("Dirichlet Body"));
   const auto other = boxes.find(interface.get<std::string>("Neumann Body"));
   if (one == boxes.end() || other == boxes.end())
+    return false;
+  if (!interface.has("Neumann Side")) // a mistake, which reading the interface tells
     return false;
   const auto onePart = one->second.part(interface.get<std::string>("Dirichlet Side"));
   const auto otherPart = other->second.part(interface.get<std::string>("Neumann Side"));

@@ -42,8 +42,8 @@ constexpr int mostTrials = 4;
 std::vector<Mesh> meshesOf(const Model& model)
 {
   std::vector<Mesh> meshes;
-  for (const auto& body : model.bodies)
-    meshes.push_back(body.uncut());
+  for (const int b : model.elasticBodies())
+    meshes.push_back(model.bodies[std::size_t(b)].uncut());
   return meshes;
 }
 
@@ -60,15 +60,26 @@ Facet uncutFacet(const BodyModel& body, Facet facet)
   return {cell, int(opposite - vertices)};
 }
 
+/// The place of every body among those that are meshed; -1 for rigid ones.
+std::vector<int> placesOf(const Model& model)
+{
+  std::vector<int> places(model.bodies.size(), -1);
+  int next = 0;
+  for (const int b : model.elasticBodies())
+    places[std::size_t(b)] = next++;
+  return places;
+}
+
 /// Sides that match go on matching; where they do not, each body is refined by itself.
 std::vector<FacetTwin> twinsOf(const Model& model)
 {
   std::vector<FacetTwin> twins;
+  const std::vector<int> place = placesOf(model);
   for (const auto& interface : model.interfaces)
     for (std::size_t f = 0; f < interface.dirichletFacets.size() && !interface.map; ++f)
-      twins.push_back({interface.dirichletBody,
+      twins.push_back({place[std::size_t(interface.dirichletBody)],
                        uncutFacet(model.bodies[std::size_t(interface.dirichletBody)], interface.dirichletFacets[f]),
-                       interface.neumannBody,
+                       place[std::size_t(interface.neumannBody)],
                        uncutFacet(model.bodies[std::size_t(interface.neumannBody)], interface.neumannFacets[f])});
   return twins;
 }
@@ -111,10 +122,11 @@ MeshPlanner::MeshPlanner(const Params& deck, const AccuracyComponents& component
   const auto refinement = components.refinements.build(deck.sub("Accuracy").sub("Refinement"));
   FirstMeshes first{meshesOf(model), twinsOf(model), {}};
   for (const Params& body : deck.sub("Bodies").subs())
-    first.sources.push_back(components.meshSources.build(body.sub("Mesh")));
+    if (!body.hasSub("Rigid"))
+      first.sources.push_back(components.meshSources.build(body.sub("Mesh")));
+  for (const Mesh& mesh : first.meshes)
+    eulers_.push_back(eulerNumber(mesh));
   present_ = refinement->begin(std::move(first), comm);
-  for (const BodyModel& body : model.bodies)
-    eulers_.push_back(eulerNumber(body.uncut()));
 }
 
 std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
@@ -131,10 +143,11 @@ void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
   std::vector<Vector> eta;
   double squared = 0.0;
   std::vector<const Mesh*> meshes;
-  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
+  for (const int body : run.model.elasticBodies()) {
+    const auto b = std::size_t(body);
     eta.push_back(uncutContributions(run.model.bodies[b], run.certificate->etaGlobal[b]));
     meshes.push_back(&run.model.bodies[b].uncut());
-    squared += dot(eta[b], eta[b]);
+    squared += dot(eta.back(), eta.back());
   }
   if (expected_ > 0.0)
     correction_ = std::clamp(errors.bound / expected_, leastCorrection, 1.0);
@@ -150,9 +163,12 @@ void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
 std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
 {
   std::vector<Vector> exponents = exponents_.exponents();
+  const std::vector<int> place = placesOf(run.model);
   const auto lower = [&](int body, int node) {
+    if (run.model.bodies[std::size_t(body)].isRigid)
+      return;
     for (const int vertex : uncutVertices(run.model.bodies[std::size_t(body)], node)) {
-      double& exponent = exponents[std::size_t(body)][std::size_t(vertex)];
+      double& exponent = exponents[std::size_t(place[std::size_t(body)])][std::size_t(vertex)];
       exponent = std::min(exponent, whereContactEnds);
     }
   };

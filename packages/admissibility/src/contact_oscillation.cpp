@@ -48,6 +48,8 @@ public:
 
   Vector squares() const
   {
+    if (body_.isRigid)
+      return beyond_;
     Vector result = cellDistances(body_, lifted_, nullptr);
     const Vector stiffness = smallestStiffness(body_.laws);
     for (std::size_t cell = 0; cell < result.size(); ++cell)
@@ -84,8 +86,9 @@ std::vector<Vector> contactOscillation(const std::vector<const BodyModel*>& bodi
       rest[i % carried] -= traction.vectors[f * 2 * carried + i];
     if (norm(rest) <= roundOff * size)
       continue;
-    parts[std::size_t(facet.dirichletBody)].add(facet, true, rest);
-    parts[std::size_t(facet.neumannBody)].add(facet, false, rest);
+    for (const auto& [body, isDirichlet] : {std::pair(facet.dirichletBody, true), std::pair(facet.neumannBody, false)})
+      if (!bodies[std::size_t(body)]->isRigid)
+        parts[std::size_t(body)].add(facet, isDirichlet, rest);
   }
   std::vector<Vector> squares;
   for (const BodyOscillation& part : parts)

@@ -60,7 +60,11 @@ const Side& SideCondition::side(const Mesh& mesh) const
 
 SampledFunction sampledFunction(const Params& params, const char* key)
 {
-  const std::string text = params.expression(key).text();
+  return sampledFunction(params, key, params.expression(key).text());
+}
+
+SampledFunction sampledFunction(const Params& params, const char* key, const std::string& text)
+{
   return {std::make_shared<const ExpressionTree>(text), [params, key, text](const double* x, int dim, double value) {
             throw InputError(
                 params.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it counts.", key,

@@ -178,6 +178,26 @@ private:
   std::vector<NodeConstraint> pins_;
 };
 
+/// A rigid body is where its list says, moved by a given displacement.
+class RigidSupport final : public Support
+{
+public:
+  using Support::Support;
+  std::string description() const override { return "rigid " + Support::description(); }
+  std::vector<Direction> directions(const Mesh& mesh) const override { return {axes.begin(), axes.begin() + mesh.dim}; }
+  const std::vector<Facet>& facets(const Mesh&) const override { return noFacets(); }
+
+  std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const override
+  {
+    const auto moved = params().get<std::vector<double>>("Displacement");
+    std::vector<NodeConstraint> all;
+    for (int node = 0; node < nodes.numNodes(); ++node)
+      for (std::size_t k = 0; k < std::size_t(mesh.dim); ++k)
+        all.push_back({node, axes[k], k < moved.size() ? moved[k] : 0.0});
+    return all;
+  }
+};
+
 template <class Component>
 auto build()
 {
@@ -185,6 +205,11 @@ auto build()
 }
 
 } // namespace
+
+std::unique_ptr<Support> makeRigidSupport(const Params& rigid)
+{
+  return std::make_unique<RigidSupport>(rigid);
+}
 
 void registerSupports(Registry<Support>& registry)
 {

@@ -1,6 +1,7 @@
 #include "spec_text.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "value_text.hpp"
 
@@ -19,7 +20,7 @@ std::vector<std::string> paramFacts(const ParamSpec& param)
 std::string presence(const ListSpec& list)
 {
   if (list.isRequired && !list.requiredUnless.empty())
-    return fmt::format("required unless {} is given", list.requiredUnless);
+    return fmt::format("required unless {} is given", fmt::join(list.requiredUnless, " or "));
   return list.isRequired ? "required" : list.onlyIfGiven ? "only if given" : "optional";
 }
 

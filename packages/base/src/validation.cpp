@@ -209,7 +209,8 @@ private:
 
   static bool isExcused(const ListSpec& spec, const DeckList& parent)
   {
-    return !spec.requiredUnless.empty() && parent.findList(spec.requiredUnless) != nullptr;
+    return std::any_of(spec.requiredUnless.begin(), spec.requiredUnless.end(),
+                       [&](const std::string& name) { return parent.findList(name) != nullptr; });
   }
 
   void addList(Params::Node& node, const DeckList& parent, const ListSpec& spec, const SpecView& view)

@@ -203,7 +203,8 @@ void Certifier::compareWithIndicators()
   }
   if (wants(Estimator::Residual) && recoveryScene_.data.empty())
     recoveryScene_ = makeRecoveryScene(scene_);
-  for (std::size_t b = 0; b < scene_.bodies.size(); ++b) {
+  for (const int body : scene_.model.elasticBodies()) {
+    const auto b = std::size_t(body);
     if (wants(Estimator::ZienkiewiczZhu))
       smoothing.push_back(zienkiewiczZhu(*scene_.bodies[b], scene_.solved[b]));
     if (!wants(Estimator::Residual))

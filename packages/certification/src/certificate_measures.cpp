@@ -71,6 +71,8 @@ double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recov
 {
   std::vector<Vector> squares;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    if (scene.bodies[b]->isRigid)
+      continue;
     Vector v = recovered.field.displacement[b];
     for (std::size_t i = 0; i < v.size(); ++i)
       v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
@@ -87,8 +89,10 @@ AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& rec
   result.gap = contactGap(scene, mode);
   result.displacement = admitDisplacements(scene, result.gap, mode);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const auto prescribed = chargePrescribed(*scene.bodies[b]);
     result.oscillation.push_back(recovery.data[b].oscillation);
+    if (scene.bodies[b]->isRigid)
+      continue;
+    const auto prescribed = chargePrescribed(*scene.bodies[b]);
     result.prescribed += prescribed.charge;
     for (const auto& caveat : {recovery.data[b].caveat, prescribed.caveat})
       if (result.caveat.empty())
@@ -116,6 +120,10 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
   std::vector<Vector> distances(scene.bodies.size());
   runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
     const auto b = std::size_t(body);
+    if (scene.bodies[b]->isRigid) {
+      distances[b].assign(std::size_t(scene.bodies[b]->mesh.numCells()), 0.0);
+      return;
+    }
     const Vector v = difference(recovered.field.displacement[b], admissible.displacement.displacement[b]);
     distances[b] = cellDistances(*scene.bodies[b], recovered.stress.corrections[b], isZero(v) ? nullptr : &v);
   });
@@ -151,7 +159,8 @@ double correctionNorm(const CertifiedScene& scene, const RecoveredField& recover
 {
   std::vector<Vector> energies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    energies.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], nullptr));
+    if (!scene.bodies[b]->isRigid)
+      energies.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], nullptr));
   return totalOf(energies);
 }
 
@@ -167,7 +176,7 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
     RecoveredField& field = *recovered[std::size_t(i) / bodies];
     const std::size_t b = std::size_t(i) % bodies;
     StressCorrection& correction = field.stress.corrections[b];
-    if (!needsSettling(scene.bodies[b]->mesh, correction))
+    if (scene.bodies[b]->isRigid || !needsSettling(scene.bodies[b]->mesh, correction))
       return;
     const Vector contact = sharesOf(scene, field.stress, int(b));
     const FieldInput input{&field.field.displacement[b], &contact};
@@ -179,8 +188,9 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered)
 {
   double largest = 0.0, scale = 0.0;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Vector contact = sharesOf(scene, recovered.stress, int(b));
+  for (const int body : scene.model.elasticBodies()) {
+    const auto b = std::size_t(body);
+    const Vector contact = sharesOf(scene, recovered.stress, body);
     const FieldInput input{&recovered.field.displacement[b], &contact};
     const auto defects = checkEquilibrium(*scene.bodies[b], recovery.data[b], input, recovered.stress.corrections[b]);
     largest = std::max(largest, defects.largest() * defects.scale);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 
@@ -25,6 +26,11 @@ std::vector<int> traceSizes(const CertifiedScene& scene)
   for (const auto& trace : scene.condensed.interface.bodies)
     sizes.push_back(scene.bodies[std::size_t(trace.body)]->numDofs());
   return sizes;
+}
+
+double stiffnessAt(const BodyModel& body, Facet facet)
+{
+  return body.isRigid ? std::numeric_limits<double>::infinity() : smallestStiffness(body.laws(facet.cell));
 }
 
 double largest(const std::vector<Vector>& fields)
@@ -64,6 +70,21 @@ CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, co
   return scene;
 }
 
+namespace
+{
+
+StaticData withoutData(const BodyModel& body, int degree)
+{
+  StaticData data;
+  data.dim = body.mesh.dim;
+  data.order = body.nodes.order;
+  data.degree = degree;
+  data.oscillation.assign(std::size_t(body.mesh.numCells()), 0.0);
+  return data;
+}
+
+} // namespace
+
 RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
 {
   RecoveryScene result;
@@ -78,6 +99,10 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
         contact.push_back(facet.dirichlet);
       if (facet.neumannBody == int(b))
         contact.push_back(facet.neumann);
+    }
+    if (scene.bodies[b]->isRigid) { // no stress, no data
+      result.data[b] = withoutData(*scene.bodies[b], scene.degree);
+      return;
     }
     constexpr double negligible = 1e-7; // of the solution, to be bounded without a stress of its own
     result.data[b] = makeStaticData(*scene.bodies[b], scene.degree, std::move(contact), negligible * scene.norm);
@@ -124,9 +149,8 @@ Vector openingCost(const CertifiedScene& scene)
   const Vector gap = nodalGap(scene.model);
   for (const ContactFacet& facet : scene.facets) {
     const auto opening = facetOpening(scene.bodies, facet, scene.solved);
-    const double stiffness =
-        std::min(smallestStiffness(scene.bodies[std::size_t(facet.dirichletBody)]->laws(facet.dirichlet.cell)),
-                 smallestStiffness(scene.bodies[std::size_t(facet.neumannBody)]->laws(facet.neumann.cell)));
+    const double stiffness = std::min(stiffnessAt(*scene.bodies[std::size_t(facet.dirichletBody)], facet.dirichlet),
+                                      stiffnessAt(*scene.bodies[std::size_t(facet.neumannBody)], facet.neumann));
     for (std::size_t i = 0; i <= std::size_t(scene.order); ++i) {
       const auto node = std::size_t(facet.nodes[i]);
       const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);

@@ -12,7 +12,8 @@ SceneIdentity::SceneIdentity(const Params& deck, const Model& model) : data_(toX
   for (const Params& body : deck.sub("Bodies").subs())
     data_ += body.name() + materialText(body) + toXml(body.sub("Supports")) + toXml(body.sub("Loads"));
   for (const BodyModel& body : model.bodies)
-    bodies_.push_back(outlineOf(body.mesh));
+    if (!body.isRigid) // its mesh follows the others'
+      bodies_.push_back(outlineOf(body.mesh));
 }
 
 bool SceneIdentity::operator==(const SceneIdentity& other) const

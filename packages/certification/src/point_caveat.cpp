@@ -25,8 +25,8 @@ bool holdsPoint(const Support& support, const Mesh& mesh)
 std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
 {
   const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyModel* body) {
-    return std::any_of(body->supports.begin(), body->supports.end(),
-                       [&](const auto& support) { return holdsPoint(*support, body->mesh); });
+    return !body->isRigid && std::any_of(body->supports.begin(), body->supports.end(),
+                                         [&](const auto& support) { return holdsPoint(*support, body->mesh); });
   });
   if (!any)
     return {};
@@ -37,14 +37,17 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
     reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
     largest = std::max({largest, largestEntry(reactions[b]), largestEntry(scene.condensed.systems[b].load)});
   }
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    for (const auto& support : scene.bodies[b]->supports)
-      for (const auto& held : support->constraints(scene.bodies[b]->mesh, scene.bodies[b]->nodes)) {
+  for (const int b : scene.model.elasticBodies())
+    for (const auto& support : scene.bodies[std::size_t(b)]->supports)
+      for (const auto& held :
+           support->constraints(scene.bodies[std::size_t(b)]->mesh, scene.bodies[std::size_t(b)]->nodes)) {
         double force = 0.0;
-        for (int k = 0; k < scene.bodies[b]->mesh.dim; ++k)
-          force += held.direction[std::size_t(k)] *
-                   reactions[b][std::size_t(held.node) * std::size_t(scene.bodies[b]->mesh.dim) + std::size_t(k)];
-        if (holdsPoint(*support, scene.bodies[b]->mesh) && std::abs(force) > roundOff * largest)
+        for (int k = 0; k < scene.bodies[std::size_t(b)]->mesh.dim; ++k)
+          force +=
+              held.direction[std::size_t(k)] *
+              reactions[std::size_t(b)]
+                       [std::size_t(held.node) * std::size_t(scene.bodies[std::size_t(b)]->mesh.dim) + std::size_t(k)];
+        if (holdsPoint(*support, scene.bodies[std::size_t(b)]->mesh) && std::abs(force) > roundOff * largest)
           return fmt::format(
               "{} holds a point with a force of {:.3g}, and no stress of finite energy is in equilibrium "
               "with a force on a point: hold a side, or balance the loads. ",

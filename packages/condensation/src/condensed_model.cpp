@@ -35,9 +35,27 @@ BodySystem assemble(const Model& model, std::size_t b, DofLayout layout, const C
   return assembleBody(model.bodies[b], std::move(layout), ownedNodes(model.bodies[b], comm), model.loads[b]);
 }
 
+/// A body whose dofs are all prescribed needs no factor.
+class HeldBody final : public CondensedBody
+{
+public:
+  explicit HeldBody(int dofs) : dofs_(dofs) {}
+  DenseMatrix expand(const DenseMatrix& load, const DenseMatrix&) const override { return {dofs_, load.cols()}; }
+  DenseMatrix reduce(const DenseMatrix& load) const override { return {0, load.cols()}; }
+  Vector applySchur(const Vector&) const override { return {}; }
+  DenseMatrix schurComplement() const override { return {0, 0}; }
+  bool hasCheapSchur() const override { return true; }
+  std::string description() const override { return "nothing to factor"; }
+
+private:
+  int dofs_;
+};
+
 std::unique_ptr<CondensedBody> factorBody(const BodyModel& body, const RigidBasis& rigid, const BodySystem& system,
                                           const LinearSolver& solver, const Comm& comm, Ledger& ledger)
 {
+  if (body.isRigid)
+    return std::make_unique<HeldBody>(body.numDofs());
   try {
     return solver.factor(solverProblem(body, rigid, system), comm, ledger);
   } catch (const SingularBody& failure) {
@@ -120,7 +138,7 @@ public:
     for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
       if (kept_[b].factor)
         ledger_.count("factors reused");
-      else if (onFactor_)
+      else if (onFactor_ && !model_.bodies[b].isRigid)
         onFactor_(model_.bodies[b].name, result_.condensed[b]->description());
       if (!traceNodes[b].traces.empty())
         result_.interface.bodies.push_back(std::move(traces_[b]));

@@ -106,7 +106,7 @@ void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagn
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
     const double size = largest(body.mesh.points), modulus = largestModulus(body, bodies.sub(body.name), diagnostics);
-    checkRange(size, bodies.sub(body.name).sub("Mesh"), "", "the coordinates", diagnostics);
+    checkRange(size, bodies.sub(body.name).sub(body.isRigid ? "Rigid" : "Mesh"), "", "the coordinates", diagnostics);
     const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
     driving = largest({driving, largest(model.loads[b]), prescribed});
   }

@@ -10,6 +10,7 @@ std::unique_ptr<Components> makeComponents(const Extension& extend)
   registerMaterials(components->materials);
   registerSupports(components->supports);
   registerLoads(components->loads);
+  registerObstacles(components->obstacles);
   registerLinearSolvers(components->linearSolvers);
   registerInterfaceOperators(components->interfaceOperators);
   registerRelaxations(components->relaxations);

@@ -36,11 +36,20 @@ ListSpec bodySpec(const Components& components)
   ListSpec mesh = makeChoice("Mesh", "Where the mesh comes from.", components.meshSources.choices());
   ListSpec material = makeChoice("Material", "The elastic law.", components.materials.choices());
   mesh.isRequired = material.isRequired = true;
+  ListSpec rigid = makeChoice("Rigid",
+                              "In place of Mesh and Material: an obstacle that does not deform, as a formula. Sides of "
+                              "other bodies touch it (Interfaces, as Neumann Body); it needs no mesh.",
+                              components.obstacles.choices());
+  rigid.onlyIfGiven = true;
+  mesh.requiredUnless = {rigid.name};
   ListSpec regions =
       makeNamed("Regions", "Parts of the body with materials of their own, one named list each.", regionSpec(material));
   regions.onlyIfGiven = true;
-  material.requiredUnless = regions.name;
-  body.lists = {std::move(mesh), std::move(material), std::move(regions),
+  material.requiredUnless = {regions.name, rigid.name};
+  body.lists = {std::move(mesh),
+                std::move(material),
+                std::move(regions),
+                std::move(rigid),
                 makeNamed("Supports",
                           "Prescribed displacements, one named list each. A body that contact holds needs only what "
                           "contact cannot hold.",
@@ -59,7 +68,7 @@ ListSpec interfaceSpec()
       ParamSpec::required("Dirichlet Side", Kind::String, "Its side; the outward normal there is n_c."),
       ParamSpec::required("Neumann Body", Kind::String,
                           "Body 2 of the paper: receives the contact traction; may float, too."),
-      ParamSpec::required("Neumann Side", Kind::String, "Its side."),
+      ParamSpec::optional("Neumann Side", Kind::String, "Its side; required unless the body is Rigid."),
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: "
                             "u1_N - u2_N <= g, in addition to what the geometry says."),

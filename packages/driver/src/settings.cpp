@@ -17,6 +17,8 @@ bool needsGmsh(const Params& deck)
 {
   const auto bodies = deck.sub("Bodies").subs();
   return std::any_of(bodies.begin(), bodies.end(), [](const Params& body) {
+    if (body.hasSub("Rigid"))
+      return false;
     const Params mesh = body.sub("Mesh");
     return mesh.get<std::string>("Type") == "Gmsh" &&
            std::filesystem::path(mesh.get<std::string>("File")).extension() == ".geo";

@@ -100,7 +100,7 @@ void refuseOverlap(const Params& definition, const SideMap& map, SideMap::Shape 
 } // namespace
 
 InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
-                         std::shared_ptr<const SideMap> map)
+                         std::shared_ptr<const SideMap> map, const std::string& more)
 {
   const Side& first = findSide(definition, "Dirichlet Side", dirichlet);
   const Side& second = findSide(definition, "Neumann Side", neumann);
@@ -127,7 +127,7 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
     interface.endNormals.clear();
   else
     setNodeNormals(interface);
-  evaluateGap(definition, interface);
+  evaluateGap(definition, interface, more);
   interface.map = std::move(map);
   return interface;
 }

@@ -12,6 +12,10 @@ namespace ndframe
 
 const Side& findSide(const Params& definition, const char* key, const BodyModel& body)
 {
+  if (body.isRigid) // it has one side for every interface
+    return *body.side(definition.name());
+  if (!definition.has(key))
+    throw InputError(definition.mistake(key, fmt::format("the key \"{}\" is missing; {}.", key, sideNames(body.mesh))));
   const auto name = definition.get<std::string>(key);
   const Side* side = body.side(name);
   if (side == nullptr)
@@ -56,10 +60,11 @@ void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Fa
   }
 }
 
-void evaluateGap(const Params& definition, InterfaceMesh& interface)
+void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::string& more)
 {
-  const Expression gap = definition.expression("Gap");
-  interface.gapFunction = sampledFunction(definition, "Gap");
+  const Expression given = definition.expression("Gap");
+  const Expression gap = more.empty() ? given : Expression(fmt::format("({})+({})", given.text(), more));
+  interface.gapFunction = sampledFunction(definition, "Gap", gap.text());
   double deepest = 0.0;
   int where = -1;
   for (int i = 0; i < interface.numNodes(); ++i) {

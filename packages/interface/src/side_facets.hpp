@@ -15,7 +15,8 @@ void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& no
 /// measure.
 void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Facet>& facets);
 
-/// Fills in gapFunction and gap: what the deck's Gap is. InputError where it is negative or not finite.
-void evaluateGap(const Params& definition, InterfaceMesh& interface);
+/// Fills in gapFunction and gap: the deck's Gap, and what an obstacle adds to it (ObstacleOutline::gap). InputError
+/// where it is negative or not finite.
+void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::string& more = {});
 
 } // namespace ndframe

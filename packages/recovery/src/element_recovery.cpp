@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "element_tractions.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
 
 namespace ndframe
 {
@@ -43,12 +44,16 @@ std::vector<SceneStress> ElementRecovery::recover(const RecoveryScene& scene, co
 {
   std::vector<EdgeMap> edges;
   for (const BodyModel* body : scene.bodies)
-    edges.push_back(edgeMap(*body));
+    edges.push_back(body->isRigid ? EdgeMap() : edgeMap(*body));
   std::vector<SceneStress> stresses;
   for (const SceneField& field : fields) {
     NDFRAME_ASSERT(!field.optimise, "refusal() says that tractions are not optimised");
     stresses.push_back({{}, field.onDirichlet, field.onNeumann});
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
+      if (scene.bodies[body]->isRigid) {
+        stresses.back().corrections.push_back(zeroCorrection(scene.bodies[body]->mesh, scene.data[body].degree));
+        continue;
+      }
       const Vector contact = contactShares(scene.facets, field.onDirichlet, field.onNeumann, int(body), 2);
       stresses.back().corrections.push_back(equilibrateElements(edges[body], *scene.bodies[body], scene.data[body],
                                                                 {field.displacement[body], &contact}));

@@ -109,23 +109,31 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
 
 InterfaceStar::InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
                              const InterfaceVertex& vertex)
-    : scene_(scene),
-      vertex_(vertex), sides_{makeSide(scene, bodies, vertex, false), makeSide(scene, bodies, vertex, true)}
-{}
-
-TractionStep InterfaceStar::step(const std::array<StarFields, 2>& x, const Vector& opening) const
+    : scene_(scene), vertex_(vertex)
 {
-  const int size = sides_[0].released.cols(), modes = size / int(vertex_.ends.size());
-  const DenseMatrix rows[2] = {multiply(sides_[0].system.conditions(), sides_[0].released),
-                               multiply(sides_[1].system.conditions(), sides_[1].released)};
-  DenseMatrix E(rows[0].rows() + rows[1].rows(), size), H(size, size);
+  const ContactFacet& facet = scene.facets[std::size_t(vertex.ends.front().facet)];
+  for (const auto& [body, isNeumann] : {std::pair(facet.dirichletBody, false), std::pair(facet.neumannBody, true)})
+    if (!scene.bodies[std::size_t(body)]->isRigid)
+      sides_.push_back(makeSide(scene, bodies, vertex, isNeumann));
+}
+
+TractionStep InterfaceStar::step(const std::vector<StarFields>& x, const Vector& opening) const
+{
+  const int size = sides_.front().released.cols(), modes = size / int(vertex_.ends.size());
+  std::vector<DenseMatrix> rows;
+  int numRows = 0;
+  for (const Side& side : sides_) {
+    rows.push_back(multiply(side.system.conditions(), side.released));
+    numRows += rows.back().rows();
+  }
+  DenseMatrix E(numRows, size), H(size, size);
   Vector h;
   for (int i = 0; i < size; ++i) {
     const FacetEnd& end = vertex_.ends[std::size_t(i / modes)];
     h.push_back(opening[std::size_t(end.facet) * std::size_t(modes) + std::size_t(i % modes)] /
                 scene_.facets[std::size_t(end.facet)].measure);
   }
-  for (std::size_t s = 0, first = 0; s < 2; first += std::size_t(rows[s++].rows())) {
+  for (std::size_t s = 0, first = 0; s < sides_.size(); first += std::size_t(rows[s++].rows())) {
     const Side& side = sides_[s];
     const DenseMatrix gradient = multiplyTransposed(side.released, side.system.gradient(x[s]));
     const DenseMatrix stiffness = multiplyTransposed(side.released, multiply(side.system.stiffness(), side.released));

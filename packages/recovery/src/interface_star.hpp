@@ -1,6 +1,6 @@
 #pragma once
 
-#include <array>
+#include <vector>
 
 #include "ndframe/recovery/stress_recovery.hpp"
 #include "star_system.hpp"
@@ -33,14 +33,15 @@ public:
 
   InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex);
 
-  const std::array<Side, 2>& sides() const { return sides_; }
-  /// The step that lowers  |x|^2 + 2 int dt (u~1_N - u~2_N - g),  x: the stresses on the two stars, one field each.
-  TractionStep step(const std::array<StarFields, 2>& x, const Vector& opening) const;
+  /// Two, or one where the other body is rigid.
+  const std::vector<Side>& sides() const { return sides_; }
+  /// The step that lowers  |x|^2 + 2 int dt (u~1_N - u~2_N - g),  x: the stresses on the stars, one field each.
+  TractionStep step(const std::vector<StarFields>& x, const Vector& opening) const;
 
 private:
   const RecoveryScene& scene_;
   const InterfaceVertex& vertex_;
-  std::array<Side, 2> sides_;
+  std::vector<Side> sides_;
 };
 
 } // namespace ndframe

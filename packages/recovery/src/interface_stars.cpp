@@ -1,6 +1,7 @@
 #include "interface_stars.hpp"
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <utility>
 
@@ -36,7 +37,8 @@ InterfaceStars::InterfaceStars(const RecoveryScene& scene, std::vector<const Sta
     : scene_(scene), bodies_(std::move(bodies)), vertices_(interfaceVertices(scene))
 {}
 
-std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field, const std::vector<StarLoads>& loads,
+std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field,
+                                                     const std::vector<std::unique_ptr<StarLoads>>& loads,
                                                      int threads) const
 {
   std::vector<std::optional<TractionStep>> found(vertices_.size());
@@ -44,10 +46,10 @@ std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field, co
   runConcurrently((last + block - 1) / block, threads, [&](int task) {
     for (int v = task * block; v < std::min(last, (task + 1) * block); ++v) {
       const InterfaceStar star(scene_, bodies_, vertices_[std::size_t(v)]);
-      std::array<StarFields, 2> x;
-      for (std::size_t s = 0; s < 2; ++s) {
+      std::vector<StarFields> x(star.sides().size());
+      for (std::size_t s = 0; s < x.size(); ++s) {
         const InterfaceStar::Side& side = star.sides()[s];
-        x[s] = loads[std::size_t(side.body)].initial(side.system.star());
+        x[s] = loads[std::size_t(side.body)]->initial(side.system.star());
         side.system.balance(x[s]);
       }
       found[std::size_t(v)] = star.step(x, field.opening);
@@ -64,10 +66,13 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, L
   ContactTraction traction = field.onDirichlet;
   std::vector<Vector> contact;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
-    contact.push_back(contactShares(scene_.facets, traction, field.onNeumann, int(body), bodies_[body]->dim()));
-  std::vector<StarLoads> loads;
+    contact.push_back(contactShares(scene_.facets, traction, field.onNeumann, int(body), 2));
+  std::vector<std::unique_ptr<StarLoads>> loads;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
-    loads.emplace_back(*bodies_[body], std::vector<FieldInput>{{field.displacement[body], &contact[body]}});
+    loads.push_back(bodies_[body] == nullptr
+                        ? nullptr
+                        : std::make_unique<StarLoads>(
+                              *bodies_[body], std::vector<FieldInput>{{field.displacement[body], &contact[body]}}));
 
   std::vector<TractionStep> steps = firstSteps(field, loads, threads);
   const EndTables turning = turningModes(traction.degree, traction.degree);
@@ -84,14 +89,14 @@ void InterfaceStars::sweep(const Vector& opening, ContactTraction& traction,
   const EndTables turning = turningModes(traction.degree, traction.degree);
   for (const InterfaceVertex& vertex : vertices_) {
     const InterfaceStar star(scene_, bodies_, vertex);
-    std::array<StarFields, 2> x;
-    for (std::size_t s = 0; s < 2; ++s) {
+    std::vector<StarFields> x(star.sides().size());
+    for (std::size_t s = 0; s < x.size(); ++s) {
       const InterfaceStar::Side& side = star.sides()[s];
       x[s] = gather(*bodies_[std::size_t(side.body)], side.system.star(), {corrections[std::size_t(side.body)]});
     }
     const Vector change = star.step(x, opening).apply(traction);
     addTurned(turning, scene_.facets, vertex, change, traction);
-    for (std::size_t s = 0; s < 2; ++s) {
+    for (std::size_t s = 0; s < x.size(); ++s) {
       const InterfaceStar::Side& side = star.sides()[s];
       side.system.relax(x[s], multiply(side.released, DenseMatrix(change)));
       scatter(*bodies_[std::size_t(side.body)], side.system.star(), x[s], {corrections[std::size_t(side.body)]});

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "interface_star.hpp"
 #include "ndframe/base/ledger.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
@@ -19,7 +21,7 @@ namespace ndframe
 class InterfaceStars
 {
 public:
-  /// bodies: one for each body of the scene. Scene and bodies must outlive this.
+  /// bodies: one for each body of the scene, null for rigid ones. Scene and bodies must outlive this.
   InterfaceStars(const RecoveryScene& scene, std::vector<const StarBody*> bodies);
 
   /// The traction of an initial pass: the energy of every star is its own. field: with `optimise`; its traction is the
@@ -32,7 +34,8 @@ public:
              Ledger& ledger) const;
 
 private:
-  std::vector<TractionStep> firstSteps(const SceneField& field, const std::vector<StarLoads>& loads, int threads) const;
+  std::vector<TractionStep> firstSteps(const SceneField& field, const std::vector<std::unique_ptr<StarLoads>>& loads,
+                                       int threads) const;
 
   const RecoveryScene& scene_;
   std::vector<const StarBody*> bodies_;

@@ -8,6 +8,7 @@
 #include "body_stars.hpp"
 #include "interface_stars.hpp"
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
 
 namespace ndframe
 {
@@ -21,15 +22,15 @@ public:
   StarStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm, Ledger& ledger)
       : scene_(scene), fields_(fields), comm_(comm), ledger_(ledger)
   {
-    bodies_.reserve(scene.bodies.size()); // interface stars point to their StarBody
     for (std::size_t body = 0; body < scene.bodies.size(); ++body)
-      bodies_.emplace_back(*scene.bodies[body], scene.data[body]);
+      bodies_.push_back(
+          scene.bodies[body]->isRigid ? nullptr : std::make_unique<BodyStars>(*scene.bodies[body], scene.data[body]));
     for (const SceneField& field : fields)
       stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
     if (std::any_of(fields.begin(), fields.end(), [](const SceneField& field) { return field.optimise; })) {
       std::vector<const StarBody*> starBodies;
-      for (const BodyStars& body : bodies_)
-        starBodies.push_back(&body.body());
+      for (const auto& body : bodies_)
+        starBodies.push_back(body ? &body->body() : nullptr);
       interfaces_.emplace(scene, std::move(starBodies));
     }
   }
@@ -53,7 +54,10 @@ public:
       std::vector<FieldInput> inputs;
       for (std::size_t field = 0; field < fields_.size(); ++field)
         inputs.push_back({fields_[field].displacement[body], &contact[field]});
-      corrections_[body] = bodies_[body].solve(inputs, comm_, ledger_);
+      if (bodies_[body])
+        corrections_[body] = bodies_[body]->solve(inputs, comm_, ledger_);
+      else
+        corrections_[body].assign(fields_.size(), zeroCorrection(scene_.bodies[body]->mesh, scene_.data[body].degree));
     });
   }
 
@@ -61,7 +65,10 @@ public:
   /// may change.
   void sweep()
   {
-    forEachBody([this](std::size_t body) { bodies_[body].sweep(corrections_[body], comm_, ledger_); });
+    forEachBody([this](std::size_t body) {
+      if (bodies_[body])
+        bodies_[body]->sweep(corrections_[body], comm_, ledger_);
+    });
     for (std::size_t field = 0; field < fields_.size(); ++field) {
       if (!fields_[field].optimise)
         continue;
@@ -99,7 +106,7 @@ private:
   const std::vector<SceneField>& fields_;
   const Comm& comm_;
   Ledger& ledger_;
-  std::vector<BodyStars> bodies_;
+  std::vector<std::unique_ptr<BodyStars>> bodies_;         ///< null for rigid ones
   std::optional<InterfaceStars> interfaces_;               ///< when a field's traction may be changed
   std::vector<SceneStress> stresses_;                      ///< per field
   std::vector<std::vector<StressCorrection>> corrections_; ///< per body, per field

@@ -84,9 +84,12 @@ std::string headerText(const RunSummary& summary, const Model& model, bool roles
                         grouped(body.elements), body.order, body.solver, body.heldBy);
   for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
     const auto& interface = model.interfaces[i];
-    text += fmt::format("\n  {:<{}} {:>11} interface nodes, {}, {}{}", interface.name, width,
-                        grouped(interface.numNodes()), interface.map ? "cut to match" : "matching", gapText(interface),
-                        rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
+    text +=
+        fmt::format("\n  {:<{}} {:>11} interface nodes, {}, {}{}", interface.name, width, grouped(interface.numNodes()),
+                    model.bodies[std::size_t(interface.neumannBody)].isRigid ? "on a rigid body"
+                    : interface.map                                          ? "cut to match"
+                                                                             : "matching",
+                    gapText(interface), rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
   }
   for (const auto& body : model.bodies)
     for (const auto& note : body.mesh.notes)

@@ -156,7 +156,8 @@ std::string forceTable(const RunSummary& summary, std::size_t nameWidth)
     const auto add = [&](const std::string& what, const std::string& force) {
       rows.push_back({body.name, what, force});
     };
-    add("loads", vectorText(body.loadForce, nothing));
+    if (body.dofs > 0) // nothing loads a rigid one
+      add("loads", vectorText(body.loadForce, nothing));
     for (const auto& support : body.supports)
       add(support.description, fmt::format("{}   moment {} about {}", vectorText(support.force, nothing),
                                            vectorText(support.moment, nothing), vectorText(support.centre, 0.0)));

@@ -68,6 +68,8 @@ std::string memoryPlan(const Params& deck)
   double bytes = atStart, dofs = 0.0;
   const int order = deck.sub("Discretization").get<int>("Order");
   for (const Params& body : deck.sub("Bodies").subs()) {
+    if (body.hasSub("Rigid"))
+      continue;
     const auto ofBox = dofsOfBox(body.sub("Mesh"), order);
     if (!ofBox)
       return fmt::format("checked when the mesh files are read; {}", left);

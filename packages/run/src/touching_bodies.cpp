@@ -54,9 +54,10 @@ void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes,
     return;
   auto paired = pairedFacets(model);
   for (const auto& [a, b] : nearPairs(meshes))
-    report(a, b,
-           encounterOf({meshes[std::size_t(a)], boundaries[std::size_t(a)], paired[{a, b}]},
-                       {meshes[std::size_t(b)], boundaries[std::size_t(b)], paired[{b, a}]}));
+    if (!model.bodies[std::size_t(a)].isRigid && !model.bodies[std::size_t(b)].isRigid) // only shown by their meshes
+      report(a, b,
+             encounterOf({meshes[std::size_t(a)], boundaries[std::size_t(a)], paired[{a, b}]},
+                         {meshes[std::size_t(b)], boundaries[std::size_t(b)], paired[{b, a}]}));
 }
 
 std::string bodyNames(const Model& model, int a, int b)

@@ -37,14 +37,17 @@ std::vector<OffsetSide> sidesOf(const Model& model, int body)
   const NodeMap& map = model.bodies[std::size_t(body)].nodes;
   std::vector<OffsetSide> sides;
   for (const auto& interface : model.interfaces) {
-    if (interface.dirichletBody == body) {
-      Vector along = interface.gap;
-      for (std::size_t i = 0; i < along.size(); ++i) // what is drawn needs no offset
-        along[i] = (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]) - along[i];
-      sides.push_back({map, interface.dirichletNodes, interface.normals, std::move(along)});
+    const bool isDirichlet = interface.dirichletBody == body;
+    if (!isDirichlet && interface.neumannBody != body)
+      continue;
+    const bool moves = isDirichlet != model.bodies[std::size_t(interface.neumannBody)].isRigid;
+    Vector along(interface.gap.size(), 0.0);
+    for (std::size_t i = 0; moves && i < along.size(); ++i) { // what is drawn needs no offset
+      const double opening = interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]);
+      along[i] = isDirichlet ? -opening : opening;
     }
-    if (interface.neumannBody == body)
-      sides.push_back({map, interface.neumannNodes, interface.normals, Vector(interface.gap.size(), 0.0)});
+    sides.push_back(
+        {map, isDirichlet ? interface.dirichletNodes : interface.neumannNodes, interface.normals, std::move(along)});
   }
   return sides;
 }

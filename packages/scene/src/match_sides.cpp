@@ -1,5 +1,7 @@
 #include "match_sides.hpp"
 
+#include <fmt/format.h>
+
 #include "ndframe/interface/insertion.hpp"
 
 namespace ndframe
@@ -7,9 +9,17 @@ namespace ndframe
 namespace
 {
 
-int bodyNumber(const Params& deck, const std::string& name)
+/// What of a scene pairs sides.
+struct Sides
 {
-  const auto bodies = deck.sub("Bodies").subs();
+  const Params& deck;
+  const SceneComponents& components;
+  const std::vector<InterfaceMesh>& earlier;
+  std::vector<CutMesh>& meshes;
+};
+
+int bodyNumber(const std::vector<Params>& bodies, const std::string& name)
+{
   for (std::size_t b = 0; b < bodies.size(); ++b)
     if (bodies[b].name() == name)
       return int(b);
@@ -42,27 +52,66 @@ std::shared_ptr<const SideMap> mapOf(const Params& definition, const FacingSides
                                          SidePolygon(second, theirs->facets, angle));
 }
 
-} // namespace
-
-std::map<std::string, std::shared_ptr<const SideMap>>
-matchSides(const Params& deck, const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes)
+/// Whether a map of earlier meshes still is one of this side.
+bool suits(const std::shared_ptr<const SideMap>& map, const Mesh& mesh, const Side& side)
 {
-  std::map<std::string, std::shared_ptr<const SideMap>> maps;
-  std::vector<FacingSides> facing;
-  for (const Params& definition : deck.sub("Interfaces").subs()) {
-    FacingSides sides{bodyNumber(deck, definition.get<std::string>("Dirichlet Body")),
-                      bodyNumber(deck, definition.get<std::string>("Neumann Body")),
-                      definition.get<std::string>("Dirichlet Side"),
-                      definition.get<std::string>("Neumann Side"),
-                      {}};
-    if (sides.firstBody >= 0 && sides.secondBody >= 0 && sides.firstBody != sides.secondBody)
-      sides.map = mapOf(definition, sides, earlier, meshes);
-    maps[definition.name()] = sides.map;
-    if (sides.map)
-      facing.push_back(std::move(sides));
+  return map && map->first().locate(mesh, side.facets.front()).edge >= 0;
+}
+
+/// The same for a side that faces a rigid body; the body gets its strip unless it has one.
+SidePairing obstaclePairing(const Sides& scene, const Params& definition, const Params& rigid, bool isMeshed,
+                            const FacingSides& sides)
+{
+  const Mesh& first = scene.meshes[std::size_t(sides.firstBody)].mesh;
+  const Side* ours = first.findSide(sides.firstSide);
+  if (ours == nullptr)
+    throw InputError(definition.mistake(
+        "Dirichlet Side", fmt::format("there is no side \"{}\"; {}.", sides.firstSide, sideNames(first))));
+  if (first.dim != 2)
+    throw InputError(definition.mistake("", "rigid bodies are available in the plane only."));
+  const auto obstacle = scene.components.obstacles.build(rigid);
+  auto map = earlierMap(definition.name(), scene.earlier);
+  if (!suits(map, first, *ours)) {
+    SidePolygon side(first, ours->facets, definition.get<double>("Corner Angle"));
+    SidePolygon outline = obstacle->facing(side).polygon;
+    map = std::make_shared<const SideMap>(std::move(side), std::move(outline));
   }
-  if (facing.empty())
-    return maps;
+  if (map->segments().empty())
+    throw InputError(definition.mistake(
+        "", fmt::format("no part of side \"{}\" faces the rigid body: along the side's outward normal there is nothing "
+                        "of it that looks back.",
+                        sides.firstSide)));
+  if (!isMeshed)
+    addStrip(scene.meshes[std::size_t(sides.secondBody)].mesh, definition.name(), *map, first, ours->facets);
+  return {map, obstacle->facing(map->first()).gap};
+}
+
+/// A rigid body is the second one, has no sides of its own and touches something.
+void checkRigid(const Params& deck, const std::vector<Params>& bodies)
+{
+  std::map<std::string, bool> isTouched;
+  for (const Params& definition : deck.sub("Interfaces").subs()) {
+    const int first = bodyNumber(bodies, definition.get<std::string>("Dirichlet Body")),
+              second = bodyNumber(bodies, definition.get<std::string>("Neumann Body"));
+    if (first >= 0 && bodies[std::size_t(first)].hasSub("Rigid"))
+      throw InputError(definition.mistake("Dirichlet Body", fmt::format("\"{}\" is rigid: name it as Neumann Body, and "
+                                                                        "the one that touches it here.",
+                                                                        bodies[std::size_t(first)].name())));
+    if (second < 0 || !bodies[std::size_t(second)].hasSub("Rigid"))
+      continue;
+    if (definition.has("Neumann Side"))
+      throw InputError(definition.mistake("Neumann Side", fmt::format("\"{}\" is rigid and has no sides; remove this.",
+                                                                      bodies[std::size_t(second)].name())));
+    isTouched[bodies[std::size_t(second)].name()] = true;
+  }
+  for (const Params& body : bodies)
+    if (body.hasSub("Rigid") && !isTouched[body.name()])
+      throw InputError(body.mistake("", "is rigid, and nothing touches it; name it in an interface as Neumann Body."));
+}
+
+/// The meshes as they were get a place beside those that match.
+void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing)
+{
   std::vector<Mesh> before;
   for (const CutMesh& mesh : meshes)
     before.push_back(mesh.mesh);
@@ -74,7 +123,43 @@ matchSides(const Params& deck, const std::vector<InterfaceMesh>& earlier, std::v
       meshes[b].parents = std::move(cut[b].parents);
       meshes[b].nodes = {};
     }
-  return maps;
+}
+
+} // namespace
+
+std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneComponents& components,
+                                              const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes)
+{
+  const Sides scene{deck, components, earlier, meshes};
+  const auto bodies = deck.sub("Bodies").subs();
+  checkRigid(deck, bodies);
+  std::vector<char> isMeshed;
+  for (const CutMesh& mesh : meshes)
+    isMeshed.push_back(mesh.mesh.numCells() > 0);
+  std::map<std::string, SidePairing> pairings;
+  std::vector<FacingSides> facing;
+  for (const Params& definition : deck.sub("Interfaces").subs()) {
+    FacingSides sides{bodyNumber(bodies, definition.get<std::string>("Dirichlet Body")),
+                      bodyNumber(bodies, definition.get<std::string>("Neumann Body")),
+                      definition.get<std::string>("Dirichlet Side"),
+                      definition.has("Neumann Side") ? definition.get<std::string>("Neumann Side") : definition.name(),
+                      {}};
+    SidePairing& pairing = pairings[definition.name()];
+    if (sides.firstBody < 0 || sides.secondBody < 0 || sides.firstBody == sides.secondBody)
+      continue;
+    const Params& second = bodies[std::size_t(sides.secondBody)];
+    if (second.hasSub("Rigid"))
+      pairing =
+          obstaclePairing(scene, definition, second.sub("Rigid"), isMeshed[std::size_t(sides.secondBody)] != 0, sides);
+    else
+      pairing.map = mapOf(definition, sides, earlier, meshes);
+    sides.map = pairing.map;
+    if (sides.map)
+      facing.push_back(std::move(sides));
+  }
+  if (!facing.empty())
+    insertAll(meshes, facing);
+  return pairings;
 }
 
 } // namespace ndframe

@@ -16,10 +16,18 @@ struct CutMesh : GivenMesh
   std::vector<int> parents;
 };
 
-/// Cuts the meshes of plane bodies where interfaces have sides that do not match (insertion). Returns the map of every
-/// interface by its name: null where the sides match as they are, or where something is missing or wrong that reading
-/// the interface will tell. A map of an earlier mesh of the same polygons is kept: the scene stays the same.
-std::map<std::string, std::shared_ptr<const SideMap>>
-matchSides(const Params& deck, const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes);
+/// Which points of an interface face each other, if that takes more than sides that match.
+struct SidePairing
+{
+  std::shared_ptr<const SideMap> map; ///< null where the sides match as they are
+  std::string gap;                    ///< what a rigid body adds to the gap (ObstacleOutline)
+};
+
+/// Cuts the meshes of plane bodies where interfaces have sides that do not match (insertion), and makes those of rigid
+/// bodies that have none yet. Returns the pairing of every interface by its name: without map, too, where something is
+/// missing or wrong that reading the interface will tell. A map of an earlier mesh of the same polygons is kept: the
+/// scene stays the same. InputError for rigid bodies that nothing faces.
+std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneComponents& components,
+                                              const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes);
 
 } // namespace ndframe

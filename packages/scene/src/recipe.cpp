@@ -23,7 +23,8 @@ std::string fileStamp(const std::string& path)
 std::string materialText(const Params& body)
 {
   return (body.hasSub("Material") ? toXml(body.sub("Material")) : std::string()) +
-         (body.hasSub("Regions") ? toXml(body.sub("Regions")) : std::string());
+         (body.hasSub("Regions") ? toXml(body.sub("Regions")) : std::string()) +
+         (body.hasSub("Rigid") ? toXml(body.sub("Rigid")) : std::string());
 }
 
 bool SceneRecipe::sameModel(const SceneRecipe& other) const
@@ -40,7 +41,7 @@ SceneRecipe recipeOf(const Params& deck)
 {
   SceneRecipe recipe;
   for (const auto& body : deck.sub("Bodies").subs()) {
-    const Params mesh = body.sub("Mesh");
+    const Params mesh = body.sub(body.hasSub("Rigid") ? "Rigid" : "Mesh");
     recipe.bodies.push_back({body.name(),
                              toXml(mesh) + toXml(deck.sub("Discretization")) +
                                  (mesh.has("File") ? fileStamp(mesh.file("File")) : std::string()) +

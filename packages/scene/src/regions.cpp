@@ -196,6 +196,8 @@ void takeMaterials(BodyModel& body, const Params& definition, const SceneCompone
 
 std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition)
 {
+  if (body.isRigid)
+    return {};
   if (body.regions.empty())
     return {{definition.sub("Material"), body.laws(0)}};
   std::vector<PlacedMaterial> materials;

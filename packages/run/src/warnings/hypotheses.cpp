@@ -19,12 +19,14 @@ void findDifferentHypotheses(const Model& model, const Params& deck, Diagnostics
     const Params material = materialOf(b);
     return material.has("Hypothesis") ? material.get<std::string>("Hypothesis") : std::string();
   };
-  for (std::size_t b = 1; b < model.bodies.size(); ++b)
-    if (hypothesis(b) != hypothesis(0)) {
+  const std::vector<int> bodies = model.elasticBodies();
+  const auto first = std::size_t(bodies.front());
+  for (const int body : bodies)
+    if (const auto b = std::size_t(body); hypothesis(b) != hypothesis(first)) {
       found.add(
           materialOf(b).mistake("Hypothesis", fmt::format("{} here, {} for body \"{}\": bodies of one scene have one "
                                                           "hypothesis.",
-                                                          hypothesis(b), hypothesis(0), model.bodies[0].name)));
+                                                          hypothesis(b), hypothesis(first), model.bodies[first].name)));
       return;
     }
 }

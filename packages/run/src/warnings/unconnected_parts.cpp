@@ -35,6 +35,8 @@ private:
 void findUnconnectedParts(const Model& model, const Params& deck, Diagnostics& found)
 {
   for (const auto& body : model.bodies) {
+    if (body.isRigid)
+      continue;
     const Mesh& mesh = body.mesh;
     Parts parts(mesh.numCells());
     for (const auto& [cell, neighbour] : neighbourCells(mesh))

@@ -29,8 +29,9 @@ struct BodyModel
   CellLaws laws;
   std::vector<std::unique_ptr<Support>> supports;
   std::vector<std::unique_ptr<Load>> loads;
-  Mesh base;                         ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
-  std::vector<int> parents;          ///< then per cell of `mesh` the cell of `base` that it is a part of
+  Mesh base;                ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
+  std::vector<int> parents; ///< then per cell of `mesh` the cell of `base` that it is a part of
+  bool isRigid = false; ///< an obstacle: `mesh` only shows where it is; all its nodes are held, it carries no stress
   std::vector<BodyRegion> regions{}; ///< none: the body is one part
   std::vector<int> regionOfCell{};   ///< per cell; empty without regions
 

@@ -26,6 +26,8 @@ struct NodeConstraint
 
 /// The expression of a key; a value that is not finite is the user's mistake.
 SampledFunction sampledFunction(const Params& params, const char* key);
+/// The same for an expression that the key is a part of.
+SampledFunction sampledFunction(const Params& params, const char* key, const std::string& text);
 
 /// What a support or a load has in common: it stands in the deck and may name a side of its body.
 class SideCondition
@@ -37,7 +39,7 @@ public:
   /// Adds a mistake if the side that this condition names does not exist (saying which do) or does not suit it.
   virtual void check(const Mesh& mesh, Diagnostics& diagnostics) const;
   /// "clamp at bottom", for the header of a run.
-  std::string description() const;
+  virtual std::string description() const;
   const Params& params() const { return params_; }
 
 protected:
@@ -95,6 +97,9 @@ bool areConstant(const std::vector<SampledFunction>& functions);
 
 /// The value at a point of space (three coordinates are read only where the dimension has them).
 double valueAt(const SampledFunction& function, int dim, const double* point);
+
+/// What holds a rigid body: its list "Rigid", whose "Displacement" all nodes have.
+std::unique_ptr<Support> makeRigidSupport(const Params& rigid);
 
 /// "Clamp", "Roller", "Displacement", "Point", "Hold".
 void registerSupports(Registry<Support>& registry);

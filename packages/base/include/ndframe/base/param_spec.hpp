@@ -97,14 +97,14 @@ struct ListSpec
 {
   std::string name;
   std::string doc;
-  bool isRequired = false;            ///< absent lists that are not required are filled with their defaults ...
-  bool onlyIfGiven = false;           ///< ... unless this is set: then absence means "not wanted"
-  std::string requiredUnless;         ///< a required list may be absent where the list of this name is given
-  std::vector<ParamSpec> params;      ///< keys of this list
-  std::vector<ListSpec> lists;        ///< sublists with fixed names
-  std::shared_ptr<ListSpec> each;     ///< user-named sublists, all of this shape
-  std::optional<ParamSpec> eachParam; ///< user-named keys, all of this kind
-  std::optional<Choices> choices;     ///< "Type" picks a component whose keys belong to this list too
+  bool isRequired = false;                 ///< absent lists that are not required are filled with their defaults ...
+  bool onlyIfGiven = false;                ///< ... unless this is set: then absence means "not wanted"
+  std::vector<std::string> requiredUnless; ///< a required list may be absent where one of these lists is given
+  std::vector<ParamSpec> params;           ///< keys of this list
+  std::vector<ListSpec> lists;             ///< sublists with fixed names
+  std::shared_ptr<ListSpec> each;          ///< user-named sublists, all of this shape
+  std::optional<ParamSpec> eachParam;      ///< user-named keys, all of this kind
+  std::optional<Choices> choices;          ///< "Type" picks a component whose keys belong to this list too
   /// A list handed on to a library: any keys, checked by this function (returns one message per mistake).
   std::function<std::vector<std::string>(const Teuchos::ParameterList&)> passThrough;
 };

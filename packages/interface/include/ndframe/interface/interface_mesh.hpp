@@ -64,9 +64,10 @@ bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, co
 /// negative gap: where and how much); when they are apart (the opening belongs into Gap).
 InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann);
 
-/// The same for sides whose meshes match along a map (insertion.hpp).
+/// The same for sides whose meshes match along a map (insertion.hpp). more: what a rigid body adds to the gap
+/// (ObstacleOutline::gap).
 InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
-                         std::shared_ptr<const SideMap> map);
+                         std::shared_ptr<const SideMap> map, const std::string& more = {});
 
 /// Adds n . (pi x - x) to the gap of sides with a map, as "Gap From Geometry" wants it: Yes, No, or, Automatic, unless
 /// the sides touch but for the chords of a curve (SideMap::touches). To be called when the nodes have their normals.

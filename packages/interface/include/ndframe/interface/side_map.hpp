@@ -39,6 +39,7 @@ class SidePolygon
 public:
   /// cornerAngle: as in turnNormals; 0 for a side whose normals do not count.
   SidePolygon(const Mesh& mesh, const std::vector<Facet>& facets, double cornerAngle);
+  explicit SidePolygon(std::vector<SideEdge> edges) : edges_(std::move(edges)) {}
 
   const std::vector<SideEdge>& edges() const { return edges_; }
   /// Where a facet lies that is a part of an edge (up to 1e-6 of the facet).

@@ -53,6 +53,7 @@ struct Model
   bool carriesContact(const InterfaceMesh& interface, int node) const;
 
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
+  std::vector<int> elasticBodies() const;       ///< the numbers of the bodies that are not rigid
   std::vector<int> numDofs() const;             ///< per body
   std::int64_t totalDofs() const;
 };
@@ -75,7 +76,7 @@ struct GivenMesh
   NodeMap nodes;
 };
 
-/// The mesh of a body, given its list in the deck.
+/// The mesh of a body, given its list in the deck; of a rigid one an empty mesh if it has to be made.
 using MeshOfBody = std::function<GivenMesh(const Params& body)>;
 
 /// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes

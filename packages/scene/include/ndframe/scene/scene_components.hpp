@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ndframe/assembly/side_condition.hpp"
+#include "ndframe/interface/obstacle.hpp"
 #include "ndframe/mechanics/material_law.hpp"
 #include "ndframe/meshing/mesh_source.hpp"
 
@@ -14,6 +15,7 @@ struct SceneComponents
   Registry<MaterialLaw> materials{"material", "Isotropic"};
   Registry<Support> supports{"support"};
   Registry<Load> loads{"load"};
+  Registry<Obstacle> obstacles{"rigid body"};
 
   SceneComponents() = default;
   SceneComponents(const SceneComponents&) = delete;

@@ -1,0 +1,122 @@
+#include "add_interface.hpp"
+
+#include <map>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "ndframe/base/help.hpp"
+#include "ndframe/interface/normal_field.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+int findBody(const Model& model, const Params& definition, const char* key, Diagnostics& diagnostics)
+{
+  const auto name = definition.get<std::string>(key);
+  const int index = model.bodyIndex(name);
+  if (index >= 0)
+    return index;
+  std::vector<std::string> names;
+  for (const auto& body : model.bodies)
+    names.push_back(body.name);
+  const auto nearest = nearestName(name, names);
+  diagnostics.add(
+      definition.mistake(key, fmt::format("there is no body \"{}\"; {}", name,
+                                          nearest.empty() ? fmt::format("the bodies are: {}.", fmt::join(names, ", "))
+                                                          : fmt::format("did you mean \"{}\"?", nearest))));
+  return -1;
+}
+
+/// A side that is the polygon it was before keeps the normals of the mesh that it had first.
+void keepNormals(InterfaceMesh& interface, const std::vector<InterfaceMesh>& earlier)
+{
+  for (const InterfaceMesh& before : earlier) {
+    if (before.name != interface.name || before.endNormals.empty())
+      continue;
+    auto first = before.firstMesh ? before.firstMesh : std::make_shared<const InterfaceMesh>(before);
+    if (inheritNormals(interface, *first))
+      interface.firstMesh = std::move(first);
+  }
+}
+
+/// Per interface node whether supports hold neither of its bodies there.
+std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& interface)
+{
+  const auto isHeld = [&](int body, int node) { return model.constraints[std::size_t(body)].nodes().count(node) > 0; };
+  std::vector<char> without;
+  for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
+    without.push_back(!isHeld(interface.dirichletBody, interface.dirichletNodes[i]) &&
+                      !isHeld(interface.neumannBody, interface.neumannNodes[i]));
+  return without;
+}
+
+} // namespace
+
+void addInterface(Model& model, const Params& definition, const SidePairing& pairing,
+                  const std::vector<InterfaceMesh>& earlier, Diagnostics& diagnostics)
+{
+  const int first = findBody(model, definition, "Dirichlet Body", diagnostics);
+  const int second = findBody(model, definition, "Neumann Body", diagnostics);
+  if (first < 0 || second < 0)
+    return;
+  const auto &dirichlet = model.bodies[std::size_t(first)], &neumann = model.bodies[std::size_t(second)];
+  if (first == second)
+    throw InputError(definition.mistake("Neumann Body", "a body cannot touch itself; name two different bodies."));
+  if (dirichlet.mesh.dim != neumann.mesh.dim)
+    throw InputError(definition.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
+                                                        dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
+  if (dirichlet.mesh.dim == 3)
+    throw InputError(definition.mistake("",
+                                        "contact between three-dimensional bodies is not available in this version; "
+                                        "three-dimensional bodies can be solved alone."));
+  InterfaceMesh interface = pairing.map ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
+                                        : pairSides(definition, dirichlet, neumann);
+  if (!interface.map)
+    keepNormals(interface, earlier);
+  interface.dirichletBody = interface.firstBody = first;
+  interface.neumannBody = second;
+  if (diagnostics.empty()) // else constraints may be missing
+    splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));
+  addDrawnGap(definition, interface);
+  model.interfaces.push_back(std::move(interface));
+}
+
+void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  std::map<std::array<int, 3>, const InterfaceMesh*> taken; // by body, cell and local number
+  for (const auto& interface : model.interfaces)
+    for (const auto& [body, facets] : {std::pair(interface.dirichletBody, &interface.dirichletFacets),
+                                       std::pair(interface.neumannBody, &interface.neumannFacets)})
+      for (const Facet facet : *facets) {
+        const auto [before, isNew] = taken.insert({{body, facet.cell, facet.local}, &interface});
+        if (isNew)
+          continue;
+        const BodyModel& owner = model.bodies[std::size_t(body)];
+        diagnostics.add(deck.sub("Interfaces")
+                            .sub(interface.name)
+                            .mistake("", fmt::format("contains the facet at {} of \"{}\", which \"{}\" contains, too; "
+                                                     "leave it out of one of them (split the side).",
+                                                     pointText(facetCentre(owner.mesh, facet).data(), owner.mesh.dim),
+                                                     owner.name, before->second->name)));
+        return;
+      }
+}
+
+void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  for (const auto& interface : model.interfaces) {
+    bool carries = false;
+    for (int i = 0; i < interface.numNodes(); ++i)
+      carries = carries || model.carriesContact(interface, i);
+    if (!carries)
+      diagnostics.add(deck.sub("Interfaces")
+                          .sub(interface.name)
+                          .mistake("", "supports prescribe the normal displacement of every node on both sides: "
+                                       "contact has nothing to decide here."));
+  }
+}
+
+} // namespace ndframe
