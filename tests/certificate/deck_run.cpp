@@ -5,6 +5,7 @@
 
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/deck_spec.hpp"
+#include "ndframe/driver/tied_deck.hpp"
 
 namespace ndframe::test
 {
@@ -33,7 +34,7 @@ std::string writeScene(const DrawnScene& scene, const std::string& folder)
 Run runDeckFile(const std::string& path)
 {
   Diagnostics diagnostics;
-  const Params deck = validate(readDeck(path), makeDeckSpec(allComponents()), diagnostics);
+  const Params deck = validateScene(readDeck(path), makeDeckSpec(allComponents()), diagnostics);
   diagnostics.throwIfAny();
   Ledger ledger;
   return runDeck(deck, allComponents(), Comm::single(), ledger, silentLog());

@@ -11,6 +11,7 @@
 
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/deck_spec.hpp"
+#include "ndframe/driver/tied_deck.hpp"
 
 namespace ndframe::test
 {
@@ -131,7 +132,7 @@ Scene& Scene::reverseBodies()
 Params Scene::params() const
 {
   Diagnostics diagnostics;
-  Params params = validate(deck_, makeDeckSpec(components()), diagnostics);
+  Params params = validateScene(deck_, makeDeckSpec(components()), diagnostics);
   diagnostics.throwIfAny();
   return params;
 }

@@ -106,7 +106,7 @@ TEST_P(ShippedDeck, FactorsEveryBodyOnceWithACertificateToo)
   scene.changeAll("Estimators", [](const std::string&) { return "{Global, Algorithm, Discretization}"; });
   const auto outcome = scene.run();
   const bool isKrylov = GetParam() == "krylov";
-  EXPECT_EQ(outcome.ledger->counted("factorisations"), isKrylov ? 0 : int(outcome.run.model.bodies.size()));
+  EXPECT_EQ(outcome.ledger->counted("factorisations"), isKrylov ? 0 : int(outcome.run.model.elasticBodies().size()));
 }
 
 INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeck, testing::ValuesIn(shippedDecks()), deckName);

@@ -38,8 +38,8 @@ def chosen(node, path=()):
 
 
 def stands_for(pattern, path):
-    """Whether a list such as Bodies/*/Mesh describes a list of a deck."""
-    words = pattern.split("/")
+    """Whether a list such as Bodies/*/Mesh describes a list of a deck. Parts of a mesh are made of what meshes are."""
+    words = pattern.replace("/Mesh/Parts/*", "/Mesh").split("/")
     return len(words) == len(path) and all(word in ("*", name) for word, name in zip(words, path))
 
 

@@ -50,7 +50,11 @@ void visitSimplices(const Load& load, const Mesh& mesh, const Visit& visit)
     return;
   }
   simplex.isCell = true;
+  const auto groups = load.groups();
+  const auto kinds = mesh.groups.kindsIn(groups);
   for (int cell = 0; cell < mesh.numCells(); ++cell) {
+    if (!groups.empty() && !kinds[std::size_t(mesh.groups.kind[std::size_t(cell)])])
+      continue;
     simplex.facet = {cell, 0};
     visit(simplex, locate(mesh, simplex));
   }

@@ -37,6 +37,14 @@ public:
     Load::check(mesh, diagnostics);
     if (mesh.dim == 2 && params().isGiven("Z"))
       diagnostics.add(params().mistake("Z", "this body is two-dimensional and takes no load along z."));
+    for (const std::string& group : groups())
+      if (!mesh.groups.has(group))
+        diagnostics.add(params().mistake("Cells", fmt::format("the mesh has no group of cells \"{}\".", group)));
+  }
+
+  std::vector<std::string> groups() const override
+  {
+    return params().has("Cells") ? params().get<std::vector<std::string>>("Cells") : std::vector<std::string>();
   }
 
   std::vector<SampledFunction> functions(int dim) const override
@@ -74,8 +82,11 @@ void registerLoads(Registry<Load>& registry)
   auto traction = components("a stress");
   traction.insert(traction.begin(), sideSpec());
   registry.add("Traction", "A surface force on a side, by its components.", traction, build<VectorLoad>());
-  registry.add("Body Force", "A force per volume in the whole body, by its components.",
-               components("a stress per length"), build<VectorLoad>());
+  auto force = components("a stress per length");
+  force.push_back({"Cells", std::vector<std::string>{},
+                   "Groups of cells that it acts in, as those of Regions. Empty: the whole body."});
+  registry.add("Body Force", "A force per volume in the whole body, or in a part of it, by its components.", force,
+               build<VectorLoad>());
 }
 
 } // namespace ndframe

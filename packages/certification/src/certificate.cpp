@@ -96,7 +96,7 @@ IntermediateField Certifier::nearestField(const Vector& traction, TractionSign s
 {
   std::vector<IntermediateField> fields;
   std::vector<IntermediateField*> wanted;
-  const Vector cost = options_.mode == ErrorMode::Paper ? Vector() : openingCost(scene_);
+  const Vector cost = options_.mode == ErrorMode::Paper ? Vector() : openingCost(scene_, traction);
   for (const Vector& candidate : tractionsOfSides(scene_, traction)) {
     const ContactTraction admitted = admitTraction(scene_, candidate, sign, cost);
     fields.push_back({admitted, admitted, {}});

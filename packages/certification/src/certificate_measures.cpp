@@ -40,10 +40,15 @@ bool isZero(const Vector& v)
   return std::all_of(v.begin(), v.end(), [](double value) { return value == 0.0; });
 }
 
-/// Of the forces at a node, relative to the largest; 0 without any.
-double largestImbalance(const RecoveredField& recovered)
+/// Of the forces at a node, relative to the largest; 0 without any. The computed solution's energy over its
+/// displacement is a force, too: where the admissible field has none (contact that turns out open), what is left of it
+/// is round-off.
+double largestImbalance(const CertifiedScene& scene, const RecoveredField& recovered)
 {
-  double force = 0.0, imbalance = 0.0;
+  double displacement = 0.0, imbalance = 0.0;
+  for (const Vector& solved : scene.solved)
+    displacement = std::max(displacement, largestEntry(solved));
+  double force = displacement > 0.0 ? scene.norm * scene.norm / displacement : 0.0;
   for (const auto& correction : recovered.stress.corrections) {
     force = std::max(force, correction.force);
     imbalance = std::max(imbalance, correction.imbalance);
@@ -209,7 +214,7 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   guarantee.accept(admissible.caveat);
   guarantee.accept(admissible.gap.caveat);
   guarantee.accept(admissible.displacement.caveat);
-  const double imbalance = largestImbalance(recovered);
+  const double imbalance = largestImbalance(scene, recovered);
   guarantee.require(
       imbalance <= largestDefect,
       fmt::format("the forces are out of balance by {:.1e} of the largest at a node (limit {:.0e}): solve more tightly",
@@ -257,7 +262,7 @@ std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const Recover
     if (measure.prescribed > 0.0 && !scene.bodies[b]->loads.empty())
       return std::nullopt;
   }
-  return bracketEnergy(measure, strainEnergy, work, largestImbalance(recovered));
+  return bracketEnergy(measure, strainEnergy, work, largestImbalance(scene, recovered));
 }
 
 double boundOf(const ErrorMeasure& measure, ErrorMode mode)

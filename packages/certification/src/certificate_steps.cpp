@@ -143,8 +143,10 @@ double largestTension(const CertifiedScene& scene, const ContactTraction& tracti
   return scale > 0.0 ? tension / scale : tension;
 }
 
-Vector openingCost(const CertifiedScene& scene)
+Vector openingCost(const CertifiedScene& scene, const Vector& traction)
 {
+  constexpr double enough = 10.0; // of the largest traction keeps any other away; more would only cost digits
+  const double most = enough * largestEntry(traction);
   Vector cost(std::size_t(scene.condensed.interface.C->size()), 0.0);
   const Vector gap = nodalGap(scene.model);
   for (const ContactFacet& facet : scene.facets) {
@@ -154,9 +156,8 @@ Vector openingCost(const CertifiedScene& scene)
     for (std::size_t i = 0; i <= std::size_t(scene.order); ++i) {
       const auto node = std::size_t(facet.nodes[i]);
       const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);
-      const double w = -std::max(0.0, std::min(open, gap[node]));
       const double share = scene.order == 1 ? 1.0 / 2 : i < 2 ? 1.0 / 6 : 2.0 / 3; // of the facet's length
-      cost[node] += 2.0 * stiffness * share * w;
+      cost[node] -= share * std::min(2.0 * stiffness * std::max(0.0, open), most * facet.measure);
     }
   }
   return cost;

@@ -66,10 +66,10 @@ Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body
 ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign,
                               const Vector& cost = {});
 
-/// What tractions cost where the sides are apart before and after, beside their distance from the computed ones: the
+/// What tractions cost where the sides are apart in the solution, beside their distance from the computed ones: the
 /// bound's square is about  sum_f h_f / E |t^ - t|^2 + 4 int t^ ([u_h] - g),  so a unit nodal value costs
-/// 2 E / h int psi_i w, w = - min(g, g - [u_h]) where that is negative. Zero where there is no gap.
-Vector openingCost(const CertifiedScene& scene);
+/// 2 E / h int psi_i w, w = [u_h] - g where that is negative.
+Vector openingCost(const CertifiedScene& scene, const Vector& traction);
 
 /// Solves (40) for several pairs of tractions at once: at most one back-solve a body and field.
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields);

@@ -1,5 +1,7 @@
 #include "ndframe/driver/components.hpp"
 
+#include "ndframe/scene/tied_mesh.hpp"
+
 namespace ndframe
 {
 
@@ -7,6 +9,7 @@ std::unique_ptr<Components> makeComponents(const Extension& extend)
 {
   auto components = std::make_unique<Components>();
   registerMeshSources(components->meshSources);
+  registerTied(components->meshSources);
   registerMaterials(components->materials);
   registerSupports(components->supports);
   registerLoads(components->loads);

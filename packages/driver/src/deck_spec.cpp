@@ -69,6 +69,10 @@ ListSpec interfaceSpec()
       ParamSpec::required("Neumann Body", Kind::String,
                           "Body 2 of the paper: receives the contact traction; may float, too."),
       ParamSpec::optional("Neumann Side", Kind::String, "Its side; required unless the body is Rigid."),
+      {"Tied", false,
+       "The sides are glued where they face each other, along the normal and along the side: no contact, the two "
+       "bodies "
+       "become one with a region each, called \"BODY + BODY\"."},
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: "
                             "u1_N - u2_N <= g, in addition to what the geometry says."),

@@ -21,6 +21,7 @@
 #include "ndframe/base/help.hpp"
 #include "ndframe/driver/deck_spec.hpp"
 #include "ndframe/driver/run_deck.hpp"
+#include "ndframe/driver/tied_deck.hpp"
 #include "ndframe/report/accuracy_screen.hpp"
 #include "ndframe/report/error_screen.hpp"
 #include "ndframe/report/outputs.hpp"
@@ -180,7 +181,7 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
   if (input.findList("Study") != nullptr)
     return runStudy(input, options, components, comm, log, diagnostics, computed);
   completeAccuracyDeck(input, diagnostics);
-  const Params deck = validate(input, makeDeckSpec(components), diagnostics);
+  const Params deck = validateScene(input, makeDeckSpec(components), diagnostics);
   diagnostics.throwIfAny();
   const RunSettings settings = readSettings(deck);
   greet(settings, options, log);

@@ -12,17 +12,22 @@ namespace ndframe
 namespace
 {
 
-/// True if a body's mesh is a script that the gmsh library has to mesh; mesh files are read without it.
+/// True if the mesh is a script that the gmsh library has to mesh; mesh files are read without it.
+bool isScript(const Params& mesh)
+{
+  if (mesh.has("File"))
+    return std::filesystem::path(mesh.get<std::string>("File")).extension() == ".geo";
+  if (!mesh.hasSub("Joints"))
+    return false;
+  const auto parts = mesh.sub("Parts").subs();
+  return std::any_of(parts.begin(), parts.end(), isScript);
+}
+
 bool needsGmsh(const Params& deck)
 {
   const auto bodies = deck.sub("Bodies").subs();
-  return std::any_of(bodies.begin(), bodies.end(), [](const Params& body) {
-    if (body.hasSub("Rigid"))
-      return false;
-    const Params mesh = body.sub("Mesh");
-    return mesh.get<std::string>("Type") == "Gmsh" &&
-           std::filesystem::path(mesh.get<std::string>("File")).extension() == ".geo";
-  });
+  return std::any_of(bodies.begin(), bodies.end(),
+                     [](const Params& body) { return !body.hasSub("Rigid") && isScript(body.sub("Mesh")); });
 }
 
 /// True where the deck has an entry that would stop the sweeps.

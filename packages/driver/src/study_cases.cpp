@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "accuracy_list.hpp"
+#include "ndframe/driver/tied_deck.hpp"
 
 namespace ndframe
 {
@@ -137,7 +138,7 @@ StudyCase makeCase(const Study& study, DeckList deck, std::int64_t number, const
   }
   setOutput(deck, study, fmt::format("{}.{}", study.fileName, number + 1), diagnostics);
   completeAccuracyDeck(deck, diagnostics);
-  return {std::move(values), validate(deck, spec, diagnostics)};
+  return {std::move(values), validateScene(deck, spec, diagnostics)};
 }
 
 /// Replaces the values of a parameter that an axis of the deck moves already; false if none does.

@@ -44,6 +44,22 @@ int CellGroups::findOrAdd(std::vector<std::string> groups)
   return number;
 }
 
+std::vector<char> CellGroups::kindsIn(const std::vector<std::string>& groups) const
+{
+  std::vector<char> isIn;
+  for (const auto& ofKind : names)
+    isIn.push_back(std::any_of(groups.begin(), groups.end(), [&](const std::string& group) {
+      return std::binary_search(ofKind.begin(), ofKind.end(), group);
+    }));
+  return isIn;
+}
+
+bool CellGroups::has(const std::string& name) const
+{
+  const auto isIn = kindsIn({name});
+  return std::any_of(isIn.begin(), isIn.end(), [](char value) { return value != 0; });
+}
+
 void CellGroups::inherit(const std::vector<int>& parents)
 {
   if (kind.empty())

@@ -58,6 +58,7 @@ std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& inter
 void addInterface(Model& model, const Params& definition, const SidePairing& pairing,
                   const std::vector<InterfaceMesh>& earlier, Diagnostics& diagnostics)
 {
+  NDFRAME_ASSERT(!definition.get<bool>("Tied"), "tied bodies are one before a scene is built");
   const int first = findBody(model, definition, "Dirichlet Body", diagnostics);
   const int second = findBody(model, definition, "Neumann Body", diagnostics);
   if (first < 0 || second < 0)

@@ -110,11 +110,17 @@ void checkRigid(const Params& deck, const std::vector<Params>& bodies)
 }
 
 /// The meshes as they were get a place beside those that match.
-void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing)
+void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing, const std::vector<char>& isRigid)
 {
   std::vector<Mesh> before;
   for (const CutMesh& mesh : meshes)
     before.push_back(mesh.mesh);
+  const auto changed = addSideEnds(before, facing, isRigid);
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    if (changed[b]) {
+      meshes[b].mesh = before[b];
+      meshes[b].nodes = {};
+    }
   std::vector<DerivedMesh> cut = insertion(before, facing);
   for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!cut[b].parents.empty()) {
@@ -157,8 +163,11 @@ std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneCom
     if (sides.map)
       facing.push_back(std::move(sides));
   }
+  std::vector<char> isRigid;
+  for (const Params& body : bodies)
+    isRigid.push_back(body.hasSub("Rigid"));
   if (!facing.empty())
-    insertAll(meshes, facing);
+    insertAll(meshes, facing, isRigid);
   return pairings;
 }
 

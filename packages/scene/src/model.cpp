@@ -1,5 +1,7 @@
 #include "ndframe/scene/model.hpp"
 
+#include <algorithm>
+
 #include "add_interface.hpp"
 #include "ndframe/scene/holds.hpp"
 #include "ndframe/scene/regions.hpp"
@@ -49,10 +51,14 @@ BodyModel buildBody(const Params& params, const SceneComponents& components, Cut
   return body;
 }
 
-/// Groups of cells mean nothing to a body without regions.
+/// Groups of cells mean nothing to a body whose regions and loads name none.
 GivenMesh withoutIdleGroups(GivenMesh given, const Params& body)
 {
-  if (!body.hasSub("Regions"))
+  const auto loads = body.sub("Loads").subs();
+  const bool named = std::any_of(loads.begin(), loads.end(), [](const Params& load) {
+    return load.has("Cells") && !load.get<std::vector<std::string>>("Cells").empty();
+  });
+  if (!body.hasSub("Regions") && !named)
     given.mesh.groups = {};
   return given;
 }

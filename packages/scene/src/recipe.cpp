@@ -18,6 +18,16 @@ std::string fileStamp(const std::string& path)
   return fmt::format("{} {} {}", std::filesystem::absolute(path, ignored).string(), size, time);
 }
 
+/// The mesh's text with the states of all files that it names.
+std::string meshText(const Params& mesh)
+{
+  std::string text = toXml(mesh) + (mesh.has("File") ? fileStamp(mesh.file("File")) : std::string());
+  if (mesh.hasSub("Joints"))
+    for (const Params& part : mesh.sub("Parts").subs())
+      text += meshText(part);
+  return text;
+}
+
 } // namespace
 
 std::string materialText(const Params& body)
@@ -43,9 +53,10 @@ SceneRecipe recipeOf(const Params& deck)
   for (const auto& body : deck.sub("Bodies").subs()) {
     const Params mesh = body.sub(body.hasSub("Rigid") ? "Rigid" : "Mesh");
     recipe.bodies.push_back({body.name(),
-                             toXml(mesh) + toXml(deck.sub("Discretization")) +
-                                 (mesh.has("File") ? fileStamp(mesh.file("File")) : std::string()) +
-                                 (body.hasSub("Regions") ? " with groups of cells" : ""),
+                             meshText(mesh) + toXml(deck.sub("Discretization")) +
+                                 (body.hasSub("Regions") || toXml(body.sub("Loads")).find("Cells") != std::string::npos
+                                      ? " with groups of cells"
+                                      : ""),
                              materialText(body), toXml(body.sub("Supports")) + toXml(body.sub("Loads"))});
   }
   recipe.interfaces = toXml(deck.sub("Interfaces"));

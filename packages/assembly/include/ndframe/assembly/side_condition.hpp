@@ -81,6 +81,8 @@ public:
   using SideCondition::SideCondition;
   /// The facets it acts on; null: it acts in all cells.
   const std::vector<Facet>* facets(const Mesh& mesh) const;
+  /// Groups of cells that it acts in, where it acts in cells; none: in all.
+  virtual std::vector<std::string> groups() const { return {}; }
   /// The functions of the position that it is made of in a body of dimension `dim`.
   virtual std::vector<SampledFunction> functions(int dim) const = 0;
   /// Fills q (dim components), linear in the functions' values; normal: the facet's outward normal, null in a cell.

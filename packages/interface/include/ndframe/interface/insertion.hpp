@@ -27,4 +27,9 @@ struct FacingSides
 /// Per body; without parents where nothing was done. Two dimensions.
 std::vector<DerivedMesh> insertion(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces);
 
+/// Gives straight sides a vertex where the other one ends, for stresses are large there: moves one along the side, or
+/// cuts the facet. Unlike insertion() it changes what is refined later. Returns which bodies' meshes were changed.
+std::vector<char> addSideEnds(std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces,
+                              const std::vector<char>& isRigid);
+
 } // namespace ndframe

@@ -29,6 +29,9 @@ struct CellGroups
 
   /// Of cells that may be of different kinds.
   bool sameKind(int a, int b) const { return kind.empty() || kind[std::size_t(a)] == kind[std::size_t(b)]; }
+  bool has(const std::string& name) const;
+  /// Per kind whether its cells belong to one of these groups.
+  std::vector<char> kindsIn(const std::vector<std::string>& groups) const;
   /// Number of the kind of cells that belong to these groups (in any order), which is added when it is new.
   int findOrAdd(std::vector<std::string> groups);
   /// The kinds of new cells that take the place of old ones.
