@@ -223,9 +223,13 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
                     fmt::format("the equilibrated stress is out of balance by {:.1e}", equilibrium));
   if (scene.facets.empty() || mode == ErrorMode::Paper)
     return guarantee;
-  guarantee.require(largestTension(scene, recovered.stress.onDirichlet) <= roundOff, "the traction pulls somewhere");
-  guarantee.require(largestPenetration(scene, admissible.displacement.displacement, admissible.gap) <= roundOff,
-                    "the displacement penetrates somewhere");
+  const double tension = largestTension(scene, recovered.stress.onDirichlet),
+               penetration = largestPenetration(scene, admissible.displacement.displacement, admissible.gap);
+  guarantee.require(tension <= roundOff,
+                    fmt::format("the admissible traction pulls somewhere, by {:.1e} of the largest", tension));
+  guarantee.require(
+      penetration <= roundOff,
+      fmt::format("the admissible displacement penetrates somewhere, by {:.1e} of the largest", penetration));
   return guarantee;
 }
 

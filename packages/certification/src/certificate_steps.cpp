@@ -136,16 +136,16 @@ Vector nodalGap(const Model& model)
 
 double largestTension(const CertifiedScene& scene, const ContactTraction& traction)
 {
-  double scale = 0.0;
-  for (std::size_t f = 0; f < scene.facets.size(); ++f)
-    scale = std::max(scale, std::abs(traction.moments(int(f)).front()) / scene.facets[f].measure);
-  const double tension = largestBernstein(traction, scene.facets);
+  ContactTraction opposite = traction;
+  for (double& share : opposite.shares)
+    share = -share;
+  const double tension = largestBernstein(traction, scene.facets), scale = largestBernstein(opposite, scene.facets);
   return scale > 0.0 ? tension / scale : tension;
 }
 
 Vector openingCost(const CertifiedScene& scene, const Vector& traction)
 {
-  constexpr double enough = 10.0; // of the largest traction keeps any other away; more would only cost digits
+  constexpr double enough = 1.0; // of the largest traction keeps any other away; more would only cost digits
   const double most = enough * largestEntry(traction);
   Vector cost(std::size_t(scene.condensed.interface.C->size()), 0.0);
   const Vector gap = nodalGap(scene.model);

@@ -27,13 +27,14 @@ int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
   return *found;
 }
 
-/// Per interface node the first one with the same body nodes.
+/// Per interface node the first one with the same nodes of both bodies; a node may face two.
 std::vector<int> firstOfPairs(const InterfaceMesh& interface)
 {
-  std::map<int, int> first;
+  std::map<std::pair<int, int>, int> first;
   std::vector<int> pairs;
-  for (int i = 0; i < interface.numNodes(); ++i)
-    pairs.push_back(first.emplace(interface.dirichletNodes[std::size_t(i)], i).first->second);
+  for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
+    pairs.push_back(
+        first.emplace(std::pair(interface.dirichletNodes[i], interface.neumannNodes[i]), int(i)).first->second);
   return pairs;
 }
 
