@@ -55,10 +55,10 @@ public:
     summary_.relative = options_.relative;
   }
 
-  Run run()
+  Run run(Model known)
   {
     const SerialBlas serial;
-    begin();
+    begin(std::move(known));
     attempt(run_, observer_, [&] { solveLevel(); });
     while (needsAnother() && takeNext()) {
     }
@@ -68,9 +68,8 @@ public:
   }
 
 private:
-  void begin()
+  void begin(Model model)
   {
-    Model model;
     planner_ = readFirstMeshes(model, tools_, components_);
     beginLevel(std::move(model), {});
     observer_.header(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic);
@@ -281,9 +280,9 @@ private:
 } // namespace
 
 Run runToTarget(RunTools tools, const AccuracyComponents& components, RunObserver& observer,
-                const LevelObserver& onLevel, EnergyRecords energies)
+                const LevelObserver& onLevel, EnergyRecords energies, Model known)
 {
-  return AdaptiveRun(std::move(tools), components, observer, onLevel, std::move(energies)).run();
+  return AdaptiveRun(std::move(tools), components, observer, onLevel, std::move(energies)).run(std::move(known));
 }
 
 } // namespace ndframe

@@ -1,6 +1,7 @@
 #include "ndframe/driver/deck_spec.hpp"
 
 #include "accuracy_list.hpp"
+#include "automatic_list.hpp"
 #include "error_list.hpp"
 #include "ndframe/base/list_specs.hpp"
 #include "ndframe/run/warnings.hpp"
@@ -87,6 +88,14 @@ ListSpec interfaceSpec()
   return list;
 }
 
+ListSpec interfacesSpec()
+{
+  ListSpec list =
+      makeNamed("Interfaces", "Where bodies may touch. Without it every body is solved alone.", interfaceSpec());
+  list.lists = {automaticSpec(*list.each)};
+  return list;
+}
+
 } // namespace
 
 ListSpec makeDeckSpec(const Components& components)
@@ -100,19 +109,18 @@ ListSpec makeDeckSpec(const Components& components)
   bodies.isRequired = true;
   ListSpec discretization = makeList("Discretization", "The finite elements.");
   discretization.params = {{"Order", 2, inClosedRange(1, 2), "Degree of the displacements on every simplex."}};
-  deck.lists = {
-      std::move(bodies),
-      makeNamed("Interfaces", "Where bodies may touch. Without it every body is solved alone.", interfaceSpec()),
-      std::move(discretization),
-      makeChoice("Coupling", "How the bodies are brought together.", components.couplings.choices()),
-      makeChoice("Linear Solver", "How each body's matrix is factored.", components.linearSolvers.choices()),
-      makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
-                 components.interfaceOperators.choices()),
-      errorEstimationSpec(components.recoveries.choices()),
-      accuracySpec(components),
-      outputSpec(),
-      makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec()),
-      studySpec()};
+  deck.lists = {std::move(bodies),
+                interfacesSpec(),
+                std::move(discretization),
+                makeChoice("Coupling", "How the bodies are brought together.", components.couplings.choices()),
+                makeChoice("Linear Solver", "How each body's matrix is factored.", components.linearSolvers.choices()),
+                makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
+                           components.interfaceOperators.choices()),
+                errorEstimationSpec(components.recoveries.choices()),
+                accuracySpec(components),
+                outputSpec(),
+                makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec()),
+                studySpec()};
   return deck;
 }
 

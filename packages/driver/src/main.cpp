@@ -194,8 +194,8 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
   if (options.check) {
     Ledger ledger(&log);
     Model model;
-    checkDeck(model, settings, components, comm, ledger);
-    for (const auto& warning : sceneWarnings(model, deck))
+    const RunSettings checked = checkDeck(model, settings, components, comm, ledger, log);
+    for (const auto& warning : sceneWarnings(model, checked))
       complain(comm, warningText(warningSummary(warning)));
     log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
     return ExitCode::Right;

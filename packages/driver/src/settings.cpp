@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "accuracy_list.hpp"
+#include "automatic_list.hpp"
 #include "error_list.hpp"
 #include "output_list.hpp"
 
@@ -45,7 +46,8 @@ RunSettings readSettings(const Params& deck)
   settings.deck = deck;
   settings.title = deck.get<std::string>("Title");
   settings.strictInput = deck.get<bool>("Strict Input");
-  settings.scene = {deck.sub("Bodies").subs().size(), deck.sub("Interfaces").subs().size(), needsGmsh(deck)};
+  settings.scene = {deck.sub("Bodies").subs().size(), deck.sub("Interfaces").subs().size(), findsInterfaces(deck),
+                    needsGmsh(deck)};
   settings.coupling = coupling.get<std::string>("Type");
   settings.linearSolver = solver.get<std::string>("Type");
   if (solver.has("Tolerance"))

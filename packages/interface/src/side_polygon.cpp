@@ -5,6 +5,7 @@
 
 #include "ndframe/interface/normal_field.hpp"
 #include "ndframe/interface/side_map.hpp"
+#include "rays.hpp"
 #include "side_facets.hpp"
 
 namespace ndframe
@@ -16,16 +17,6 @@ namespace
 constexpr double onLine = 1e-9;
 /// A facet lies on an edge when its ends do, relative to its length.
 constexpr double onEdge = 1e-6;
-
-Direction difference(const Direction& a, const Direction& b)
-{
-  return {a[0] - b[0], a[1] - b[1], 0.0};
-}
-
-double cross(const Direction& a, const Direction& b)
-{
-  return a[0] * b[1] - a[1] * b[0];
-}
 
 Direction pointAt(const Mesh& mesh, int vertex)
 {

@@ -51,7 +51,9 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Check, true, "sides, pairing and supports are checked before anything is assembled" + again, {});
   add(Stage::Assemble, true, counted(bodies, "matrix", "matrices") + again, {});
   add(Stage::Factor, true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
-  add(Stage::Interface, touches, counted(interfaces, "interface", "interfaces") + " condensed" + again, noInterface);
+  const std::string met = settings.scene.findsInterfaces ? "interfaces as Automatic finds them"
+                                                         : counted(interfaces, "interface", "interfaces");
+  add(Stage::Interface, touches, met + " condensed" + again, noInterface);
   add(Stage::Couple, touches, settings.coupling + again, noInterface);
   add(Stage::Recover, true, "interior displacements, one back-solve a body and state" + again, {});
   addCertificate(settings);

@@ -185,7 +185,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   checkRecovery(model, tools, diagnostics);
   checkExpectationNames(outlineSummary(model, tools.settings, *tools.solver, 1), tools.settings, diagnostics);
   if (tools.settings.strictInput)
-    refuseWarnings(model, deck, diagnostics);
+    refuseWarnings(model, tools.settings, diagnostics);
   diagnostics.throwIfAny();
 }
 

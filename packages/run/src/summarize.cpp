@@ -178,7 +178,7 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
     completeCoupling(run.summary, run.solved.coupling);
   run.strictInput = settings.strictInput;
   run.summary.solved = !run.solved.states.empty();
-  addWarnings(run.summary, sceneWarnings(run.model, settings.deck));
+  addWarnings(run.summary, sceneWarnings(run.model, settings));
   if (!run.summary.solved)
     return;
   completeBodies(run, comm);

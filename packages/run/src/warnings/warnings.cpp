@@ -49,9 +49,12 @@ std::vector<Warning> collect(const Checks& checks, const Subject& subject, const
 
 } // namespace
 
-std::vector<Warning> sceneWarnings(const Model& model, const Params& deck)
+std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings)
 {
-  return collect(sceneChecks, model, deck);
+  std::vector<Warning> warnings = collect(sceneChecks, model, settings.deck);
+  for (const Diagnostic& place : settings.unnamedFacing)
+    warnings.push_back({"unnamed facets", place});
+  return warnings;
 }
 
 std::vector<Warning> answerWarnings(const Run& run, const Params& deck)
@@ -61,9 +64,9 @@ std::vector<Warning> answerWarnings(const Run& run, const Params& deck)
   return collect(answerChecks, run, deck);
 }
 
-void refuseWarnings(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics)
 {
-  for (const auto& warning : sceneWarnings(model, deck))
+  for (const auto& warning : sceneWarnings(model, settings))
     diagnostics.add(warning.what);
 }
 

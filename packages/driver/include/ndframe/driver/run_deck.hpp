@@ -21,8 +21,9 @@ Run runDeck(const Params& deck, const Components& components, const Comm& comm, 
             Reusable&& previous = {}, const LevelObserver& onLevel = {});
 
 /// Makes an earlier (or empty) model the deck's and checks everything that --check checks: meshes, pairing, supports,
-/// expectations. With a target the model is that of the first meshes.
-void checkDeck(Model& model, const RunSettings& settings, const Components& components, const Comm& comm,
-               Ledger& ledger);
+/// expectations. With a target the model is that of the first meshes. Returns the settings with the interfaces that
+/// Interfaces/Automatic found, if the deck has it; `log` says which.
+RunSettings checkDeck(Model& model, const RunSettings& settings, const Components& components, const Comm& comm,
+                      Ledger& ledger, const Log& log = silentLog());
 
 } // namespace ndframe

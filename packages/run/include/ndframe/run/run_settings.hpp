@@ -25,7 +25,8 @@ struct Expectation
 struct SceneOutline
 {
   std::size_t bodies = 0, interfaces = 0;
-  bool needsGmsh = false; ///< a mesh is a script that the library has to mesh
+  bool findsInterfaces = false; ///< those of a list Automatic are not known yet, and count as one
+  bool needsGmsh = false;       ///< a mesh is a script that the library has to mesh
 };
 
 /// What a deck says about a run, read once.
@@ -35,6 +36,7 @@ struct RunSettings
   std::string title;
   bool strictInput = false; ///< warnings are mistakes
   SceneOutline scene;
+  std::vector<Diagnostic> unnamedFacing;   ///< warnings of Interfaces/Automatic: facets that it could not take
   std::string coupling, linearSolver;      ///< names of the components
   std::optional<double> solverTolerance;   ///< of a linear solver that has one
   bool namesTolerance = false;             ///< the deck has an entry that would stop the sweeps

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "ndframe/run/run.hpp"
+#include "ndframe/run/run_settings.hpp"
 
 namespace ndframe
 {
@@ -13,13 +14,13 @@ struct Warning
 };
 
 /// What the scene shows before anything is solved.
-std::vector<Warning> sceneWarnings(const Model& model, const Params& deck);
+std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings);
 
 /// What only the answer shows; of a run with a solution.
 std::vector<Warning> answerWarnings(const Run& run, const Params& deck);
 
 /// The warnings of the scene are mistakes.
-void refuseWarnings(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics);
 
 /// "large strain: Bodies/punch: strains reach ..." for the summary and the screen.
 WarningSummary warningSummary(const Warning& warning);

@@ -1,0 +1,70 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ndframe/interface/side_map.hpp"
+
+namespace ndframe
+{
+
+/// A body whose sides are searched.
+struct SearchedBody
+{
+  const Mesh* mesh;
+  std::vector<std::string> preferred; ///< sides that are taken before others that share facets with them
+  std::vector<std::string> leftOut;   ///< sides that face nothing
+};
+
+/// A side of a body and one of a later body, and what of the first one faces the second.
+struct FacingPair
+{
+  int firstBody, secondBody;
+  std::string firstSide, secondSide;
+  double length = 0.0;                  ///< of the first side
+  double smallest = 0.0, largest = 0.0; ///< opening along the first side's normals; negative where polygons overlap
+};
+
+/// Facets of no named side that face another body.
+struct UnnamedFacing
+{
+  int body; ///< whose facets have no name
+  int other;
+  Direction place;     ///< on the first of both bodies, in the middle of the longest such part
+  double length = 0.0; ///< of all such parts
+};
+
+struct FacingSearch
+{
+  std::vector<FacingPair> pairs;      ///< in the order of bodies and sides
+  std::vector<UnnamedFacing> unnamed; ///< at most one for two bodies and the side of either
+};
+
+/// Which named sides of different bodies in the plane face each other: rays from the sides of the first body along
+/// their normals (SidePolygon, with the corner angle) meet the second one before they meet anything else, within
+/// `distance` and what the chords of curves may be off by, on a part of positive length (1e-6 of the shorter side),
+/// where the two enclose less than 25 degrees. Corners that meet face nothing.
+///
+/// Sides that share facets: a preferred one counts; a side that others are parts of counts unless they make all of it;
+/// then the longer one counts. What is left of the other one counts as if it had no name.
+/// Limits: two dimensions; a body does not face itself; what lies behind another body is not seen.
+/// Costs boxes of sides times sides, then edges times edges of sides that are near each other.
+FacingSearch searchFacing(const std::vector<SearchedBody>& bodies, double distance, double cornerAngle);
+
+/// Two named sides of different bodies, and how near they come.
+struct NearestSides
+{
+  int firstBody, secondBody;
+  std::string firstSide, secondSide;
+  double distance;
+  Direction place; ///< on one of them
+};
+
+/// The nearest of all; none for fewer than two bodies with sides.
+std::optional<NearestSides> nearestSides(const std::vector<SearchedBody>& bodies);
+
+/// Diagonal of the box around all bodies.
+double extentOf(const std::vector<SearchedBody>& bodies);
+
+} // namespace ndframe

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+/// An interface that Interfaces/Automatic has found.
+struct FoundInterface
+{
+  std::string name;
+  std::string firstBody, firstSide, secondBody, secondSide;
+  double length = 0.0;                  ///< of the first side's part that faces the second one
+  double smallest = 0.0, largest = 0.0; ///< opening there
+};
+
+/// The table of what was found within a distance.
+std::string foundText(const std::vector<FoundInterface>& found, double distance);
+
+} // namespace ndframe

@@ -1,0 +1,33 @@
+#include "ndframe/scene/read_meshes.hpp"
+
+#include <algorithm>
+
+#include "ndframe/scene/shared_mesh.hpp"
+#include "ndframe/scene/stage.hpp"
+
+namespace ndframe
+{
+
+void updateMeshes(Model& model, const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger)
+{
+  const SceneRecipe recipe = recipeOf(deck);
+  const auto sameMesh = [](const BodyRecipe& a, const BodyRecipe& b) { return a.mesh == b.mesh; };
+  const auto &now = recipe.bodies, &before = model.recipe.bodies;
+  if (std::equal(now.begin(), now.end(), before.begin(), before.end(), sameMesh))
+    return;
+  const auto timer = timeStage(ledger, Stage::Read);
+  Model read;
+  for (std::size_t b = 0; b < now.size(); ++b) {
+    const Params body = deck.sub("Bodies").subs()[b];
+    const bool isKnown = now.size() == before.size() && sameMesh(now[b], before[b]);
+    read.bodies.emplace_back();
+    read.bodies.back().name = body.name();
+    if (!body.hasSub("Rigid"))
+      read.bodies.back().mesh =
+          isKnown ? model.bodies[b].uncut() : readShared(*components.meshSources.build(body.sub("Mesh")), comm);
+    read.recipe.bodies.push_back({now[b].name, now[b].mesh, {}, {}});
+  }
+  model = std::move(read);
+}
+
+} // namespace ndframe
