@@ -80,6 +80,7 @@ class Automatic(unittest.TestCase):
         for name, count in (("bearing", 2), ("stack", 3)):
             counts = self.run_deck(self.write(name, automatic())).summary["ledger"]["counts"]
             self.assertEqual(counts["meshes reused"], count)
+            self.assertEqual(counts.get("scripts meshed", 0), 1 if name == "bearing" else 0)
 
     def test_targets_are_reached_as_with_written_interfaces(self):
         for name in ("bearing", "stack", "drawn-punch"):

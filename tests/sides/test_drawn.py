@@ -54,6 +54,13 @@ class Drawn(unittest.TestCase):
             self.assertTrue(run.accuracy["reached"])
             self.assertTrue(run.summary["errors"]["global"]["guaranteed"])
 
+    def test_bodies_of_one_script_share_one_run_of_gmsh(self):
+        deck = DECKS / "hertz-drawn.xml"
+        meshed = lambda *settings: PROGRAM.run(deck, *settings).summary["ledger"]["counts"]["scripts meshed"]
+        self.assertEqual(meshed(), 1)
+        self.assertEqual(meshed("Bodies/block/Mesh/Mesh Size Factor=1.5"), 2)
+        self.assertEqual(meshed(*(f"Bodies/{body}/Mesh/Mesh Size Factor=1.5" for body in ("block", "cylinder"))), 1)
+
     def test_hertz_is_right_whichever_side_gives_the_normals(self):
         exchanged = ("Dirichlet Body=block", "Dirichlet Side=flat", "Neumann Body=cylinder", "Neumann Side=round")
         for settings in ((), exchanged):

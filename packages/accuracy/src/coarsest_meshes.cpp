@@ -96,13 +96,13 @@ Params coarseBox(const Params& mesh, const Stations& stations, const SceneCompon
 }
 
 Mesh readCoarse(const Params& body, const Stations& stations, const SceneComponents& components, const Comm& comm,
-                double size)
+                ScriptMeshes& scripts, double size)
 {
   if (body.hasSub("Rigid"))
     return {};
   const Params mesh = body.sub("Mesh");
   const Params chosen = isBox(body) ? coarseBox(mesh, stations, components, size) : mesh;
-  Mesh read = readShared(*components.meshSources.build(chosen), comm);
+  Mesh read = readShared(*components.meshSources.build(chosen), comm, scripts);
   const auto isUnasked = [](const Side& side) { return side.name.rfind(unaskedPart, 0) == 0; };
   read.sides.erase(std::remove_if(read.sides.begin(), read.sides.end(), isUnasked), read.sides.end());
   return read;
@@ -151,18 +151,19 @@ bool fits(const Params& deck, const SceneComponents& components, const MeshOfBod
 
 } // namespace
 
-MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components, const Comm& comm)
+MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger)
 {
+  const auto scripts = std::make_shared<ScriptMeshes>(ledger); // of all tries
   const double largest = largestBox(deck);
   const int most = mostCells(deck);
   const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations,
                              Sides sides = Sides::Match) -> MeshOfBody {
     for (int pieces = first; pieces < end; ++pieces) {
       const double size = largest / pieces;
-      MeshOfBody meshes = [&components, &comm, size, stations](const Params& body) -> GivenMesh {
+      MeshOfBody meshes = [&components, &comm, scripts, size, stations](const Params& body) -> GivenMesh {
         const auto found = stations.find(body.name());
         const Stations lines = found == stations.end() ? Stations() : found->second;
-        return readCoarse(body, lines, components, comm, size);
+        return readCoarse(body, lines, components, comm, *scripts, size);
       };
       if (fits(deck, components, meshes, sides))
         return meshes;

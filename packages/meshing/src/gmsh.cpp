@@ -27,10 +27,17 @@ public:
 
   Mesh read() const override
   {
+    Ledger nobody;
+    ScriptMeshes alone(nobody);
+    return readWith(alone);
+  }
+
+  Mesh readWith(ScriptMeshes& scripts) const override
+  {
     try {
       const SteadyFile steady(path_);
       const std::string file = readText(path_);
-      MshFile msh = parseMsh(isScript() ? meshed() : file);
+      MshFile msh = parseMsh(isScript() ? scripts.find(way(), [this] { return meshed(); }) : file);
       steady.requireUnchanged();
       return meshFromMsh(std::move(msh), regions());
     } catch (const FileError& error) {
@@ -48,6 +55,13 @@ public:
 private:
   std::vector<std::string> regions() const { return params_.get<std::vector<std::string>>("Regions"); }
   bool isScript() const { return std::filesystem::path(path_).extension() == ".geo"; }
+
+  /// The script and all that decides what gmsh makes of it.
+  std::string way() const
+  {
+    return fmt::format("{} {} {}", std::filesystem::absolute(path_).string(), params_.get<double>("Mesh Size Factor"),
+                       params_.get<bool>("Allow Commands"));
+  }
 
   std::string meshed() const
   {
@@ -67,9 +81,9 @@ void registerGmsh(Registry<MeshSource>& registry)
 {
   registry.add(
       "Gmsh",
-      "A mesh of triangles or tetrahedra by gmsh. Physical groups of facets are the sides, by their names (unnamed "
-      "ones: "
-      "physical_TAG). Second-order elements are read by their vertices.",
+      "A mesh of triangles or tetrahedra by gmsh; quadrilaterals, hexahedra, prisms and pyramids are cut into these. "
+      "Physical groups of facets are the sides, by their names (unnamed ones: physical_TAG). Second-order elements are "
+      "read by their vertices. Bodies of one .geo script share one run of gmsh.",
       {ParamSpec::required("File", Kind::String,
                            "A .msh file (format 2.2 or 4.1, ASCII or binary) or a .geo script to be meshed on the fly; "
                            "relative names count from the deck's folder."),

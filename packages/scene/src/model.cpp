@@ -130,8 +130,10 @@ std::vector<int> Model::elasticBodies() const
 
 Model buildModel(const Params& deck, const SceneComponents& components)
 {
+  Ledger nobody;
+  ScriptMeshes scripts(nobody);
   return buildModel(deck, components, [&](const Params& body) {
-    return body.hasSub("Rigid") ? Mesh() : components.meshSources.build(body.sub("Mesh"))->read();
+    return body.hasSub("Rigid") ? Mesh() : components.meshSources.build(body.sub("Mesh"))->readWith(scripts);
   });
 }
 
@@ -146,12 +148,13 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
   const auto timer = timeStage(ledger, Stage::Read);
   const bool comparable = recipe.bodies.size() == model.recipe.bodies.size();
   std::size_t next = 0;
+  ScriptMeshes scripts(ledger);
   Model updated = buildModel(deck, components, [&](const Params& body) -> GivenMesh {
     const std::size_t b = next++;
     if (body.hasSub("Rigid"))
       return Mesh();
     if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
-      return readShared(*components.meshSources.build(body.sub("Mesh")), comm);
+      return readShared(*components.meshSources.build(body.sub("Mesh")), comm, scripts);
     ledger.count("meshes reused");
     const BodyModel& known = model.bodies[b];
     return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);

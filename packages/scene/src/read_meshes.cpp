@@ -17,14 +17,15 @@ void updateMeshes(Model& model, const Params& deck, const SceneComponents& compo
     return;
   const auto timer = timeStage(ledger, Stage::Read);
   Model read;
+  ScriptMeshes scripts(ledger);
   for (std::size_t b = 0; b < now.size(); ++b) {
     const Params body = deck.sub("Bodies").subs()[b];
     const bool isKnown = now.size() == before.size() && sameMesh(now[b], before[b]);
     read.bodies.emplace_back();
     read.bodies.back().name = body.name();
     if (!body.hasSub("Rigid"))
-      read.bodies.back().mesh =
-          isKnown ? model.bodies[b].uncut() : readShared(*components.meshSources.build(body.sub("Mesh")), comm);
+      read.bodies.back().mesh = isKnown ? model.bodies[b].uncut()
+                                        : readShared(*components.meshSources.build(body.sub("Mesh")), comm, scripts);
     read.recipe.bodies.push_back({now[b].name, now[b].mesh, {}, {}});
   }
   model = std::move(read);

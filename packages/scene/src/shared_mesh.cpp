@@ -6,11 +6,11 @@
 namespace ndframe
 {
 
-Mesh readShared(const MeshSource& source, const Comm& comm)
+Mesh readShared(const MeshSource& source, const Comm& comm, ScriptMeshes& scripts)
 {
   if (comm.size() == 1)
-    return source.read();
-  return meshFromBytes(fromRankZero(comm, [&] { return toBytes(source.read()); }));
+    return source.readWith(scripts);
+  return meshFromBytes(fromRankZero(comm, [&] { return toBytes(source.readWith(scripts)); }));
 }
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 
 #include "ndframe/base/registry.hpp"
 #include "ndframe/mesh/mesh.hpp"
+#include "ndframe/meshing/script_meshes.hpp"
 
 namespace ndframe
 {
@@ -28,6 +29,8 @@ public:
   /// triangle/tetrahedron mesh, or changes while it is read. The mesh has passed checkMesh and carries no unused
   /// points.
   virtual Mesh read() const = 0;
+  /// The same mesh; what gmsh has made of its script already is not made again.
+  virtual Mesh readWith(ScriptMeshes&) const { return read(); }
 
   /// The script that gmsh makes the mesh of. Throws InputError (with the deck's place) when the mesh comes from none.
   virtual MeshScript script() const = 0;

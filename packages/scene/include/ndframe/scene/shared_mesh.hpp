@@ -8,6 +8,6 @@ namespace ndframe
 
 /// The mesh as rank 0 reads it, on every rank: a file that changes meanwhile, or that looks different on another
 /// machine, cannot give the ranks different meshes. InputError on every rank when rank 0 has one. Limit: 2 GB.
-Mesh readShared(const MeshSource& source, const Comm& comm);
+Mesh readShared(const MeshSource& source, const Comm& comm, ScriptMeshes& scripts);
 
 } // namespace ndframe
