@@ -8,6 +8,7 @@ void registerMeshSources(Registry<MeshSource>& registry)
   registerBox(registry);
   registerGmsh(registry);
   registerExodus(registry);
+  registerMeshio(registry);
 }
 
 void refuseRemesh(const Params& list, const char* key)

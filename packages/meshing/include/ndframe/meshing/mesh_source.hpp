@@ -36,7 +36,7 @@ public:
   virtual MeshScript script() const = 0;
 };
 
-/// "Box", "Gmsh", "Exodus".
+/// "Box", "Gmsh", "Exodus", "Meshio".
 void registerMeshSources(Registry<MeshSource>& registry);
 
 } // namespace ndframe
