@@ -138,7 +138,8 @@ class Automatic(unittest.TestCase):
 
     def test_check_and_plan_know_the_list(self):
         deck = self.write("bearing", automatic())
-        for option, wanted in (("--check", "pin round - housing hole"), ("--plan", "as Automatic finds them")):
+        for option, wanted in (("--check", "pin round - housing hole"), ("--plan", "as Automatic finds them"),
+                               ("--yardstick", "housing")):
             done = subprocess.run([str(PROGRAM.path), "-i", str(deck), option], cwd=self.folder, capture_output=True, text=True)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertIn(wanted, done.stdout)

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 #include <nlohmann/json.hpp>
 
+#include "found_interfaces.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/io/atomic_file.hpp"
@@ -67,7 +68,10 @@ std::string yardstickText(const RunSettings& settings, const Components& compone
 {
   if (comm.size() > 1)
     throw InputError("--yardstick measures one process; run it without mpirun.");
-  const auto bodies = measureBodies(buildModel(settings.deck, components));
+  Model meshes;
+  Ledger ledger;
+  const RunSettings found = withFoundInterfaces(settings, components, meshes, comm, ledger, silentLog());
+  const auto bodies = measureBodies(buildModel(found.deck, components));
   const std::string file = outputStem(settings.output, deckName).string() + ".yardstick.json";
   writeTextAtomically(file, jsonText(bodies));
   return table(bodies) + fmt::format("\n  wrote {}", file);
