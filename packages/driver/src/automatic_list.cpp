@@ -13,11 +13,11 @@ namespace
 constexpr const char* distance = "Distance";
 constexpr const char* leaveOut = "Leave Out";
 
-/// Parameters of an interface that say which sides meet, or what is between these two.
+/// Parameters of an interface that say which sides meet, or what is special about these two.
 bool isOfOnePair(const ParamSpec& param)
 {
   const auto startsWith = [&](const char* word) { return param.name.rfind(word, 0) == 0; };
-  return startsWith("Dirichlet ") || startsWith("Neumann ") || param.name == "Gap";
+  return startsWith("Dirichlet ") || startsWith("Neumann ") || param.name == "Gap" || param.name == "Tied";
 }
 
 } // namespace

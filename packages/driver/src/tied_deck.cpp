@@ -57,7 +57,7 @@ public:
     for (const Params& body : deck.sub("Bodies").subs())
       names_.push_back(body.name());
     for (const Params& interface : deck.sub("Interfaces").subs())
-      if (interface.get<bool>("Tied"))
+      if (interface.has("Tied") && interface.get<bool>("Tied")) // Automatic ties nothing
         add(deck, interface, diagnostics);
   }
 
@@ -252,9 +252,9 @@ private:
     const Params given = params_.sub("Interfaces").sub(interface.name);
     for (const char* role : {"Dirichlet", "Neumann"}) {
       const std::string bodyKey = std::string(role) + " Body", sideKey = std::string(role) + " Side";
-      const auto body = given.get<std::string>(bodyKey);
-      if (!tied_.isPart(body))
+      if (!given.has(bodyKey) || !tied_.isPart(given.get<std::string>(bodyKey)))
         continue;
+      const auto body = given.get<std::string>(bodyKey);
       for (DeckEntry& entry : interface.entries) {
         if (entry.name == bodyKey)
           entry.value = tied_.nameOf(body);

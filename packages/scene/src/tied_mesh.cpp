@@ -78,7 +78,13 @@ public:
       throw InputError(list.mistake("", "ties at least two parts; name them in the list Parts."));
   }
 
-  Mesh read() const override;
+  Mesh read() const override
+  {
+    Ledger nobody;
+    ScriptMeshes alone(nobody);
+    return readWith(alone);
+  }
+  Mesh readWith(ScriptMeshes& scripts) const override;
 
   MeshScript script() const override
   {
@@ -201,11 +207,11 @@ Mesh TiedMesh::merged(const std::vector<DerivedMesh>& parts, const Glue& glue,
   return mesh;
 }
 
-Mesh TiedMesh::read() const
+Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
 {
   std::vector<Mesh> parts;
   for (const auto& source : sources_)
-    parts.push_back(source->read());
+    parts.push_back(source->readWith(scripts));
   const auto facing = facingSides(parts);
   std::vector<DerivedMesh> cut = insertion(parts, facing);
   Glue glue(cut);
