@@ -14,6 +14,8 @@ namespace ndframe
 namespace
 {
 
+/// With fewer pieces of every facet nothing is to be gained: sides that are about as fine as each other.
+constexpr int worthwhile = 3;
 /// A coarse facet may be covered in a small part: what is not seen there stays small.
 constexpr double regularisation = 1e-9;
 
@@ -48,7 +50,11 @@ public:
         add(f, body);
   }
 
-  bool isEmpty() const { return pieces_.empty(); }
+  bool isWorthwhile() const
+  {
+    return std::any_of(numPieces_.begin(), numPieces_.end(),
+                       [](const auto& entry) { return entry.second >= worthwhile; });
+  }
 
   /// The nodal values of the nearest; where nothing was cut they stay.
   Vector nearest(const Vector& nodal) const
@@ -106,6 +112,7 @@ private:
     const auto ends = uncutEnds(body, isDirichlet_ ? facet.dirichlet : facet.neumann);
     const double *a = body.base.point(ends[0]), *b = body.base.point(ends[1]);
     const auto nodes = contactNodes(body, facet, isDirichlet_);
+    ++numPieces_[{&body, ends[0], ends[1]}];
     Piece piece{f, {unknown(body, ends[0], -1), unknown(body, ends[1], -1), 0}, {scene_.order + 1, scene_.order + 1}};
     if (scene_.order == 2)
       piece.unknowns[2] = unknown(body, ends[0], ends[1]);
@@ -145,6 +152,7 @@ private:
   const CertifiedScene& scene_;
   bool isDirichlet_;
   std::map<std::tuple<const BodyModel*, int, int>, std::size_t> unknowns_;
+  std::map<std::tuple<const BodyModel*, int, int>, int> numPieces_; ///< per uncut facet
   std::vector<Piece> pieces_;
 };
 
@@ -154,7 +162,7 @@ std::vector<Vector> tractionsOfSides(const CertifiedScene& scene, const Vector& 
 {
   std::vector<Vector> tractions{nodal};
   for (const bool isDirichlet : {true, false})
-    if (const CoarseTraces traces(scene, isDirichlet); !traces.isEmpty())
+    if (const CoarseTraces traces(scene, isDirichlet); traces.isWorthwhile())
       tractions.push_back(traces.nearest(nodal));
   return tractions;
 }
