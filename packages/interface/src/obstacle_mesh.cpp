@@ -41,7 +41,7 @@ std::vector<std::vector<Placed>> placed(const SidePolygon& polygon, const Mesh& 
 
 Covered coveredBy(const SideSegment& segment, const std::vector<Placed>& facets, bool isSameLine)
 {
-  const auto [first, last] = segment.first;
+  const double first = segment.first[0], last = segment.first[1];
   const auto onSecond = [&](double place) {
     const double t = (place - first) / (last - first);
     return (1.0 - t) * segment.second[0] + t * segment.second[1];

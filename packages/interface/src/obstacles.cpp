@@ -7,6 +7,7 @@
 
 #include "ndframe/base/expression.hpp"
 #include "ndframe/interface/obstacle.hpp"
+#include "rays.hpp"
 
 namespace ndframe
 {
@@ -21,11 +22,6 @@ Direction plus(const Direction& a, double factor, const Direction& b)
   return {a[0] + factor * b[0], a[1] + factor * b[1], 0.0};
 }
 
-Direction minus(const Direction& a, const Direction& b)
-{
-  return plus(a, -1.0, b);
-}
-
 Direction unit(const Direction& v)
 {
   const double length = std::sqrt(dotProduct(v, v));
@@ -35,8 +31,9 @@ Direction unit(const Direction& v)
 /// The body of an edge lies to its left.
 SideEdge edgeBetween(const Direction& from, const Direction& to)
 {
-  const Direction along = unit(minus(to, from)), outward{along[1], -along[0], 0.0};
-  return {{from, to}, {outward, outward}};
+  SideEdge edge{{from, to}, {}};
+  edge.normals = {ownNormal(edge), ownNormal(edge)};
+  return edge;
 }
 
 /// Two coordinates.
@@ -87,7 +84,7 @@ public:
     double low = std::numeric_limits<double>::max(), high = -low, far = 0.0;
     for (const SideEdge& edge : side.edges())
       for (const Direction& end : edge.ends) {
-        const Direction apart = minus(end, point_);
+        const Direction apart = difference(end, point_);
         low = std::min(low, dotProduct(apart, along));
         high = std::max(high, dotProduct(apart, along));
         far = std::max(far, std::abs(dotProduct(apart, normal_)));
@@ -137,8 +134,8 @@ private:
   /// Where the ray from x along the unit vector n meets it; none where it is too oblique to face it.
   std::optional<Direction> hit(const Direction& x, const Direction& n) const
   {
-    const Direction to = minus(centre_, x);
-    const double ahead = dotProduct(to, n), across = to[0] * n[1] - to[1] * n[0];
+    const Direction to = difference(centre_, x);
+    const double ahead = dotProduct(to, n), across = cross(to, n);
     const double reach = std::sqrt(1.0 - facingCosine * facingCosine) * radius_;
     if (std::abs(across) > reach || (sign_ > 0.0 && ahead <= 0.0))
       return std::nullopt;
@@ -151,7 +148,7 @@ private:
     if (!first || !last)
       return std::nullopt;
     SideEdge arc = edgeBetween(*last, *first);
-    const Direction middle = minus(arc.at(0.5), centre_);
+    const Direction middle = difference(arc.at(0.5), centre_);
     const double depth = radius_ - std::sqrt(dotProduct(middle, middle));
     arc.bulge = plus({}, depth, unit(middle));
     return arc;
@@ -160,11 +157,11 @@ private:
   /// The part of a straight edge that it faces, seen from the other side.
   std::optional<SideEdge> lineFacing(const SideEdge& edge) const
   {
-    const Direction along = unit(minus(edge.ends[1], edge.ends[0])), n = edge.normals[0];
-    const double centre = dotProduct(minus(centre_, edge.ends[0]), along),
+    const Direction along = unit(difference(edge.ends[1], edge.ends[0])), n = edge.normals[0];
+    const double centre = dotProduct(difference(centre_, edge.ends[0]), along),
                  reach = std::sqrt(1.0 - facingCosine * facingCosine) * radius_;
     const double low = std::max(0.0, centre - reach), high = std::min(edge.length(), centre + reach);
-    if (low >= high || (sign_ > 0.0 && dotProduct(minus(centre_, edge.ends[0]), n) <= 0.0))
+    if (low >= high || (sign_ > 0.0 && dotProduct(difference(centre_, edge.ends[0]), n) <= 0.0))
       return std::nullopt;
     return edgeBetween(plus(edge.ends[0], high, along), plus(edge.ends[0], low, along));
   }
