@@ -213,6 +213,7 @@ Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
   for (const auto& source : sources_)
     parts.push_back(source->readWith(scripts));
   const auto facing = facingSides(parts);
+  addSideEnds(parts, facing, std::vector<char>(parts.size(), 0));
   std::vector<DerivedMesh> cut = insertion(parts, facing);
   Glue glue(cut);
   std::vector<std::set<std::pair<int, int>>> inside(parts.size()); // facets that have become inner ones
