@@ -46,8 +46,10 @@ RunSettings readSettings(const Params& deck)
   settings.deck = deck;
   settings.title = deck.get<std::string>("Title");
   settings.strictInput = deck.get<bool>("Strict Input");
-  settings.scene = {deck.sub("Bodies").subs().size(), deck.sub("Interfaces").subs().size(), findsInterfaces(deck),
-                    needsGmsh(deck)};
+  const auto bodies = deck.sub("Bodies").subs();
+  const auto elastic =
+      std::count_if(bodies.begin(), bodies.end(), [](const Params& body) { return !body.hasSub("Rigid"); });
+  settings.scene = {std::size_t(elastic), deck.sub("Interfaces").subs().size(), findsInterfaces(deck), needsGmsh(deck)};
   settings.coupling = coupling.get<std::string>("Type");
   settings.linearSolver = solver.get<std::string>("Type");
   if (solver.has("Tolerance"))
