@@ -271,7 +271,7 @@ TEST(FacingSearch, OfSidesThatShareFacetsTheLongerCounts)
 TEST(FacingSearch, PartsThatMakeAWholeSideCountForIt)
 {
   Mesh lower = meshOf({{0, -1}, {2, 0}}, 4, 1);
-  const auto& top = lower.sides[2].facets;
+  const auto top = lower.sides[2].facets;
   const Side first{"first", {top[0], top[1]}}, second{"second", {top[2], top[3]}};
   lower.sides.push_back(first);
   lower.sides.push_back(second);
