@@ -37,18 +37,19 @@ struct ObliqueBox
     }
     return result;
   }
+  TraceMap map() const { return TraceMap(body.system.dofs.trace); }
   std::shared_ptr<const SymmetricOperator> schur(const std::string& type) const
   {
-    return traceOperator(*body.condensed, body.system.dofs.trace, *makeInterfaceOperator(type));
+    return traceOperator(*body.condensed, map(), *makeInterfaceOperator(type));
   }
   Vector reducedLoad(const SymmetricOperator& S) const
   {
-    return traceLoad(*body.condensed, body.system.dofs.trace, S, body.system.effectiveLoad(comm()));
+    return traceLoad(*body.condensed, map(), S, body.system.effectiveLoad(comm()));
   }
   /// The whole body's displacement under the load, with these normal displacements; global axes.
   Vector displacement(const Vector& normalDisplacement) const
   {
-    const Vector kept = keptValues(body.system.dofs.trace, normalDisplacement);
+    const Vector kept = map().keptValues(normalDisplacement);
     Vector u = body.condensed->expand(DenseMatrix(body.system.effectiveLoad(comm())), DenseMatrix(kept)).column(0);
     for (std::size_t i = 0; i < u.size(); ++i)
       u[i] += body.system.dofs.prescribed[i];
@@ -142,11 +143,35 @@ TEST(BodyTrace, ScaledOperatorIsTheSameStoredAndApplied)
 TEST(BodyTrace, ForcesAndDisplacementsDoTheSameWorkOnBothSidesOfTheTransformation)
 {
   const ObliqueBox box("0");
-  const auto& trace = box.body.system.dofs.trace;
-  const Vector kept = randomVector(trace.size(), 5), force = randomVector(trace.size(), 6);
-  EXPECT_NEAR(dot(normalParts(trace, kept), force), dot(kept, keptForces(trace, force)), 1e-13);
-  EXPECT_LT(relativeDifference(normalForces(trace, keptForces(trace, force)), force), 1e-14);
-  EXPECT_LT(relativeDifference(keptValues(trace, normalParts(trace, kept)), kept), 1e-14);
+  const TraceMap map = box.map();
+  const Vector kept = randomVector(std::size_t(map.size()), 5), force = randomVector(std::size_t(map.size()), 6);
+  EXPECT_NEAR(dot(map.values(kept), force), dot(kept, map.keptForces(force)), 1e-13);
+  EXPECT_LT(relativeDifference(map.forces(map.keptForces(force)), force), 1e-14);
+  EXPECT_LT(relativeDifference(map.keptValues(map.values(kept)), kept), 1e-14);
+}
+
+TEST(BodyTrace, CoefficientsOfTheNormalDisplacementsAreValuesLikeThem)
+{
+  const ObliqueBox box("0.1");
+  const TraceMap plain = box.map();
+  AffineRows coefficients; // twice the value less half of two others, plus 1, where an end has nothing else
+  for (int k = 0; k < plain.size(); ++k) {
+    const bool isMiddle = k % 3 == 2;
+    coefficients.rows.push_back(isMiddle ? SparseRow{{k, 2.0}, {k - 2, -0.5}, {k - 1, -0.5}} : SparseRow{{k, 1.0}});
+    coefficients.offset.push_back(isMiddle ? 1.0 : 0.0);
+  }
+  const TraceMap map(box.body.system.dofs.trace, coefficients);
+  const Vector kept = randomVector(std::size_t(map.size()), 7), force = randomVector(std::size_t(map.size()), 8);
+  const Vector normal = plain.values(kept), values = map.values(kept);
+  for (std::size_t k = 0; k < values.size(); ++k)
+    EXPECT_NEAR(values[k], k % 3 == 2 ? 2.0 * normal[k] - 0.5 * (normal[k - 2] + normal[k - 1]) + 1.0 : normal[k],
+                1e-14);
+  EXPECT_LT(relativeDifference(map.keptValues(values), kept), 1e-14);
+  EXPECT_LT(relativeDifference(map.forces(map.keptForces(force)), force), 1e-14);
+  TraceMap exchanged = map;
+  exchanged.exchange();
+  EXPECT_LT(relativeDifference(exchanged.keptValues(exchanged.values(kept)), kept), 1e-14);
+  EXPECT_FALSE(map.isLike(plain));
 }
 
 TEST(BodyTrace, LoadIsReducedByItselfWhereNothingIsMoved)

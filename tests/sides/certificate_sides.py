@@ -112,6 +112,7 @@ def judge(program, seed):
     draw = random.Random(f"sides {seed}")
     kind, pair, settings = scene(draw)
     order, (how, ends) = draw.choice((1, 2)), coupling(draw)
+    how.append(f"Discretization/Contact Conditions={draw.choice(('Nodal', 'Bernstein'))}")
     about = f"{seed}: {kind}, order {order}, {', '.join(how)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = side_scenes.write_scene(folder, *pair, settings)

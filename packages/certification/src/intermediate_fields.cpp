@@ -32,16 +32,13 @@ bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
 }
 
 /// Normal displacements of a field at a body's trace.
-Vector traceValues(const BodySystem& system, const Vector& solved)
+Vector traceValues(const BodySystem& system, const BodyTrace& trace, const Vector& solved)
 {
   const Vector own = system.dofs.frames.toLocal(solved);
   Vector kept;
-  for (const auto& trace : system.dofs.trace)
-    kept.push_back(own[std::size_t(trace.dof)]);
-  Vector values = normalParts(system.dofs.trace, kept);
-  for (std::size_t k = 0; k < values.size(); ++k)
-    values[k] += system.dofs.trace[k].offset;
-  return values;
+  for (const int dof : trace.map.dofs())
+    kept.push_back(own[std::size_t(dof)]);
+  return trace.map.values(kept);
 }
 
 /// S u_N = g under the loads of one field; held entries keep the values of `start`.
@@ -86,11 +83,11 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
       inside = std::max(inside, std::abs(force[i]));
   }
   if (inside > sameForce * largest)
-    return traceLoad(*condensed.condensed[b], system.dofs.trace, *trace.S, load);
+    return traceLoad(*condensed.condensed[b], trace.map, *trace.S, load);
   Vector kept;
-  for (const TraceDof& dof : system.dofs.trace)
-    kept.push_back(force[std::size_t(dof.dof)]);
-  Vector g = normalForces(system.dofs.trace, std::move(kept));
+  for (const int dof : trace.map.dofs())
+    kept.push_back(force[std::size_t(dof)]);
+  Vector g = trace.map.forces(kept);
   for (std::size_t k = 0; k < g.size(); ++k)
     g[k] += trace.g[k];
   return g;
@@ -118,9 +115,9 @@ Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceSt
   const BodySystem& system = condensed.systems[std::size_t(body)];
   const BodyTrace& trace = *condensed.trace(body);
   Vector force(system.load.size(), 0.0);
-  const Vector kept = keptForces(system.dofs.trace, trace.forces(state.forceDirichlet, state.forceNeumann));
+  const Vector kept = trace.map.keptForces(trace.forces(state.forceDirichlet, state.forceNeumann));
   for (std::size_t k = 0; k < kept.size(); ++k)
-    force[std::size_t(system.dofs.trace[k].dof)] += kept[k];
+    force[std::size_t(trace.map.dofs()[k])] += kept[k];
   return system.dofs.frames.toGlobal(force);
 }
 
@@ -137,14 +134,14 @@ std::vector<Vector> intermediateFields(const Model& model, const CondensedModel&
       unknown.push_back(f);
   if (unknown.empty())
     return fields;
-  const Vector start = traceValues(system, solved);
+  const Vector start = traceValues(system, trace, solved);
   const auto isFree = freeWhenHeld(trace.freeMotions);
   const auto inverse = trace.S->inverseOn(isFree, 0.0);
   DenseMatrix loads(model.bodies[b].numDofs(), int(unknown.size())), kept(int(start.size()), int(unknown.size()));
   for (std::size_t j = 0; j < unknown.size(); ++j) {
     const Vector load = loaded(system, condensed.loads[b], forces[unknown[j]]);
     const Vector g = traceLoadUnder(condensed, body, load);
-    const Vector values = keptValues(system.dofs.trace, solveTrace(trace, *inverse, isFree, g, start));
+    const Vector values = trace.map.keptValues(solveTrace(trace, *inverse, isFree, g, start));
     std::copy(load.begin(), load.end(), loads.col(int(j)));
     std::copy(values.begin(), values.end(), kept.col(int(j)));
   }

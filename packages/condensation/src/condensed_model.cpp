@@ -68,15 +68,25 @@ std::unique_ptr<CondensedBody> factorBody(const BodyModel& body, const RigidBasi
   }
 }
 
-BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& all,
-                    const std::vector<DependentTrace>& dependents)
+/// What each column makes of the rows.
+DenseMatrix multiplied(const AffineRows& map, const DenseMatrix& columns)
 {
+  DenseMatrix result(int(map.rows.size()), columns.cols());
+  for (int j = 0; j < columns.cols(); ++j)
+    for (std::size_t i = 0; i < map.rows.size(); ++i)
+      for (const auto& [k, share] : map.rows[i])
+        result(int(i), j) += share * columns(k, j);
+  return result;
+}
+
+BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& all, const DofLayout& layout)
+{
+  BodyTraceMap maps = mapOf(all, layout);
   BodyTrace trace;
   trace.body = body;
-  for (const DependentTrace& dependent : dependents)
-    trace.dependents.push_back({all.unknowns[std::size_t(dependent.given)],
-                                all.onDirichletSide[std::size_t(dependent.given)] != 0, dependent});
-  const BodyTraceNodes nodes = all.without(dependents);
+  trace.map = std::move(maps.map);
+  trace.dependents = std::move(maps.dependents);
+  const BodyTraceNodes nodes = all.without(layout.dependents);
   trace.unknowns = nodes.unknowns;
   trace.onDirichletSide = nodes.onDirichletSide;
   std::vector<Direction> normals;
@@ -84,19 +94,11 @@ BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& all,
     normals.push_back(t.normal);
   const auto& rigid = model.rigid[std::size_t(body)];
   const auto& free = model.freeMotions[std::size_t(body)];
-  trace.freeMotions = motionTraces(rigid, free, nodes.points, normals);
+  trace.freeMotions = multiplied(maps.coefficients, motionTraces(rigid, free, nodes.points, normals));
   if (free.cols() > 0)
     for (const auto& motion : describeMotions(rigid, free))
       trace.motionNames.push_back(fmt::format("{} of {}", motion, model.bodies[std::size_t(body)].name));
   return trace;
-}
-
-/// True when a kept dof stands for the same multiple of the normal displacement.
-bool sameScales(const std::vector<TraceDof>& a, const std::vector<TraceDof>& b)
-{
-  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TraceDof& x, const TraceDof& y) {
-    return x.dof == y.dof && x.scale == y.scale && x.along == y.along;
-  });
 }
 
 /// Condenses a model body by body and keeps of an earlier condensed scene what the model has not changed.
@@ -133,14 +135,14 @@ public:
       const auto b = std::size_t(body);
       if (b != largest)
         assembleWhatIsNew(b);
-      condenseBody(b, traceNodes[b]);
+      condenseBody(b);
     });
     for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
       if (kept_[b].factor)
         ledger_.count("factors reused");
       else if (onFactor_ && !model_.bodies[b].isRigid)
         onFactor_(model_.bodies[b].name, result_.condensed[b]->description());
-      if (!traceNodes[b].traces.empty())
+      if (traces_[b].map.size() > 0)
         result_.interface.bodies.push_back(std::move(traces_[b]));
     }
     return std::move(result_);
@@ -153,17 +155,17 @@ private:
     bool factor = false, schur = false, load = false;
   };
 
-  Kept whatIsKept(std::size_t b) const
+  Kept whatIsKept(std::size_t b)
   {
     Kept kept;
     if (recipe_.bodies.empty())
       return kept;
     const BodyRecipe &before = recipe_.bodies[b], &now = model_.recipe.bodies[b];
-    const DofLayout& earlier = result_.systems[b].dofs;
     kept.factor = before.mesh == now.mesh && before.matrix == now.matrix && recipe_.solver == model_.recipe.solver &&
-                  layouts_[b].splitsLike(earlier);
+                  layouts_[b].splitsLike(result_.systems[b].dofs);
+    const auto earlier = earlierTrace(b);
     kept.schur = kept.factor && recipe_.representation == model_.recipe.representation &&
-                 sameScales(layouts_[b].trace, earlier.trace);
+                 earlier != interface_.bodies.end() && traces_[b].map.isLike(earlier->map);
     kept.load = kept.schur && before.load == now.load;
     return kept;
   }
@@ -172,6 +174,8 @@ private:
   void layOutBody(std::size_t b, const BodyTraceNodes& nodes)
   {
     layouts_.push_back(layOut(model_, b, nodes));
+    if (!nodes.traces.empty())
+      traces_[b] = makeTrace(model_, int(b), nodes, layouts_[b]);
     kept_.push_back(whatIsKept(b));
     if (b == result_.systems.size())
       result_.systems.push_back({layouts_[b], {}, {}}); // a place for condenseBody()
@@ -195,25 +199,28 @@ private:
     result_.loads[b] = system.effectiveLoad(comm_);
   }
 
-  void condenseBody(std::size_t b, const BodyTraceNodes& nodes)
+  void condenseBody(std::size_t b)
   {
     if (!kept_[b].factor)
       result_.condensed[b] = factorBody(model_.bodies[b], model_.rigid[b], result_.systems[b], solver_, comm_, ledger_);
-    if (!nodes.traces.empty())
-      condenseTrace(b, nodes);
+    if (traces_[b].map.size() > 0)
+      condenseTrace(b);
   }
 
-  void condenseTrace(std::size_t b, const BodyTraceNodes& nodes)
+  void condenseTrace(std::size_t b)
   {
     const auto timer = timeStage(ledger_, Stage::Interface);
-    const auto& dofs = result_.systems[b].dofs.trace;
-    const auto earlier = std::find_if(interface_.bodies.begin(), interface_.bodies.end(),
-                                      [&](const BodyTrace& trace) { return trace.body == int(b); });
+    const auto earlier = earlierTrace(b);
     BodyTrace& trace = traces_[b];
-    trace = makeTrace(model_, int(b), nodes, result_.systems[b].dofs.dependents);
-    trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], dofs, representation_);
+    trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], trace.map, representation_);
     trace.g =
-        kept_[b].load ? std::move(earlier->g) : traceLoad(*result_.condensed[b], dofs, *trace.S, result_.loads[b]);
+        kept_[b].load ? std::move(earlier->g) : traceLoad(*result_.condensed[b], trace.map, *trace.S, result_.loads[b]);
+  }
+
+  std::vector<BodyTrace>::iterator earlierTrace(std::size_t b)
+  {
+    return std::find_if(interface_.bodies.begin(), interface_.bodies.end(),
+                        [&](const BodyTrace& trace) { return trace.body == int(b); });
   }
 
   const Model& model_;

@@ -74,11 +74,10 @@ Vector contactForces(const Model& model, const CondensedModel& condensed, const 
 {
   const BodyModel& on = model.bodies[std::size_t(body)];
   Vector forces(std::size_t(on.numDofs()), 0.0);
-  Vector dirichlet(state.tractionDirichlet.size(), 0.0), neumann = dirichlet;
-  for (std::size_t k = 0; k < condensed.interface.nodeOfUnknown.size(); ++k) {
-    dirichlet[std::size_t(condensed.interface.nodeOfUnknown[k])] = state.forceDirichlet[k];
-    neumann[std::size_t(condensed.interface.nodeOfUnknown[k])] = -state.forceNeumann[k];
-  }
+  const Vector dirichlet = condensed.interface.nodalForces(state.forceDirichlet);
+  Vector neumann = condensed.interface.nodalForces(state.forceNeumann);
+  for (double& force : neumann)
+    force = -force;
   std::size_t first = 0;
   const auto add = [&](const InterfaceMesh& interface, const std::vector<int>& nodes, const Vector& along) {
     for (std::size_t i = 0; i < nodes.size(); ++i)

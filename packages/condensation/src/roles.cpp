@@ -57,7 +57,7 @@ void exchange(Model& model, InterfaceMesh& interface)
 }
 
 /// The same for a body that is already condensed: S stays.
-void exchange(CondensedModel& condensed, BodyTrace& trace)
+void exchange(BodyTrace& trace)
 {
   for (char& side : trace.onDirichletSide)
     side = !side;
@@ -65,11 +65,7 @@ void exchange(CondensedModel& condensed, BodyTrace& trace)
   negate(trace.g);
   for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
     trace.freeMotions.data()[i] *= -1.0;
-  for (auto& dof : condensed.systems[std::size_t(trace.body)].dofs.trace) {
-    dof.scale = -dof.scale;
-    dof.offset = -dof.offset;
-    dof.along = -dof.along;
-  }
+  trace.map.exchange();
 }
 
 void exchange(Model& model, CondensedModel& condensed, const std::vector<int>& bodies)
@@ -80,7 +76,7 @@ void exchange(Model& model, CondensedModel& condensed, const std::vector<int>& b
       exchange(model, interface);
   for (auto& trace : condensed.interface.bodies)
     if (isOne(trace.body))
-      exchange(condensed, trace);
+      exchange(trace);
 }
 
 /// Where a body is free and supports hold the other one: the interface and its node.

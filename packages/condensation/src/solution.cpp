@@ -16,17 +16,16 @@ constexpr double lastDigits = 1e-14; ///< round-off of a sum of products over a 
 constexpr double smallForce = 1e-8; ///< below this part of the scene's largest force a body's own ones may be round-off
 
 /// Kept values of a body in each state, n_c x states.
-DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<TraceDof>& dofs,
-                       const std::vector<InterfaceState>& states)
+DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<InterfaceState>& states)
 {
-  DenseMatrix kept(int(dofs.size()), int(states.size()));
+  DenseMatrix kept(trace.map.size(), int(states.size()));
   for (int s = 0; s < kept.cols(); ++s) {
     const InterfaceState& state = states[std::size_t(s)];
     const Vector& uNeumann = state.motionsNeumann.empty() ? state.uNeumann : state.strainedNeumann;
     Vector normal;
     for (std::size_t k = 0; k < trace.unknowns.size(); ++k)
       normal.push_back((trace.onDirichletSide[k] ? state.uDirichlet : uNeumann)[std::size_t(trace.unknowns[k])]);
-    const Vector values = keptValues(dofs, normal);
+    const Vector values = trace.map.keptValues(normal);
     std::copy(values.begin(), values.end(), kept.col(s));
   }
   return kept;
@@ -86,9 +85,9 @@ Balance balance(const BodySystem& system, const BodyTrace* trace, const Interfac
     residual[i] -= system.load[i];
   result.force = std::max(result.force, largestEntry(residual));
   if (trace != nullptr) {
-    const Vector kept = keptForces(system.dofs.trace, trace->forces(state.forceDirichlet, state.forceNeumann));
+    const Vector kept = trace->map.keptForces(trace->forces(state.forceDirichlet, state.forceNeumann));
     for (std::size_t k = 0; k < kept.size(); ++k)
-      residual[std::size_t(system.dofs.trace[k].dof)] -= kept[k];
+      residual[std::size_t(trace->map.dofs()[k])] -= kept[k];
   }
   for (std::size_t i = 0; i < residual.size(); ++i)
     if (system.dofs.roles[i] != DofRole::Fixed)
@@ -96,16 +95,32 @@ Balance balance(const BodySystem& system, const BodyTrace* trace, const Interfac
   return result;
 }
 
-/// The pressure of a node is its force over its share of the side, int psi_i dS: never tension, zero where contact is
-/// open, and with the resultant of the forces, which the nodal values C^-1 r are not.
-void addPressures(std::vector<ContactNode>& nodes, const ContactMatrix& C)
+/// The pressure of a node is its force over its share of the side, the integral of its function: never tension, zero
+/// where contact is open, and with the resultant of the forces, which the nodal values C^-1 r are not.
+void addPressures(std::vector<ContactNode>& nodes, const Vector& share)
 {
-  const Vector share = C.apply(Vector(nodes.size(), 1.0));
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].closed) {
-      NDFRAME_ASSERT(share[i] > 0.0, "every node of a plane interface has a share of it");
+      NDFRAME_ASSERT(share[i] > 0.0, "every node of an interface has a share of it");
       nodes[i].pressure = std::max(0.0, -nodes[i].nodalForce / share[i]);
     }
+}
+
+/// What contact is asked of at the unknowns: gaps, or coefficients of them.
+void addConditions(std::vector<ContactNode>& nodes, const InterfaceSystem& system)
+{
+  Vector jumps;
+  for (ContactNode& node : nodes) {
+    jumps.push_back(node.uDirichlet - node.uNeumann);
+    node.condition = node.gap;
+  }
+  if (!system.basis)
+    return;
+  jumps = system.basis->coefficients(jumps);
+  for (std::size_t k = 0; k < system.nodeOfUnknown.size(); ++k) {
+    const auto node = std::size_t(system.nodeOfUnknown[k]);
+    nodes[node].condition = system.gap[k] - jumps[node];
+  }
 }
 
 double ratio(double value, double scale)
@@ -136,8 +151,8 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
     DenseMatrix load(int(condensed.loads[b].size()), steps);
     for (int s = 0; s < steps; ++s)
       std::copy(condensed.loads[b].begin(), condensed.loads[b].end(), load.col(s));
-    const DenseMatrix u = condensed.condensed[b]->expand(
-        load, trace == nullptr ? DenseMatrix(0, steps) : keptMatrix(*trace, system.dofs.trace, states));
+    const DenseMatrix u =
+        condensed.condensed[b]->expand(load, trace == nullptr ? DenseMatrix(0, steps) : keptMatrix(*trace, states));
     for (int s = 0; s < steps; ++s) {
       Vector full = u.column(s);
       for (std::size_t i = 0; i < full.size(); ++i)
@@ -179,13 +194,14 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
       entry.tractionNeumann = state.tractionNeumann[node];
       all.push_back(std::move(entry));
     }
+  addConditions(all, condensed.interface);
   for (std::size_t k = 0; k < condensed.interface.nodeOfUnknown.size(); ++k) {
     ContactNode& entry = all[std::size_t(condensed.interface.nodeOfUnknown[k])];
     entry.nodalForce = state.forceDirichlet[k];
     entry.closed = state.closed[k] != 0;
   }
   if (!all.empty())
-    addPressures(all, *condensed.interface.C);
+    addPressures(all, condensed.interface.shares());
   return all;
 }
 
@@ -207,7 +223,7 @@ ResidualSummary residuals(const Model& model, const CondensedModel& condensed, c
   double complementarity = 0.0, penetration = 0.0, tension = 0.0;
   for (const auto& node : contact) {
     opening = std::max(opening, std::abs(node.gap));
-    complementarity = std::max(complementarity, std::abs(node.gap * node.nodalForce));
+    complementarity = std::max(complementarity, std::abs(node.condition * node.nodalForce));
     penetration = std::max(penetration, -node.gap);
     tension = std::max(tension, node.nodalForce - roundOff);
   }

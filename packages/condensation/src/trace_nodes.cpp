@@ -1,7 +1,159 @@
 #include "trace_nodes.hpp"
 
+#include <algorithm>
+
 namespace ndframe
 {
+namespace
+{
+
+/// A body at an interface node.
+struct Place
+{
+  NodeSide side;
+  int trace = -1;     ///< its place among the body's traces; -1 where supports hold it
+  double along = 1.0; ///< 1 or -1: the normal of all traces at this node over n_c
+};
+using Places = std::array<Place, 2>;
+
+/// Whether a held side of a node is free at another one: then a coefficient of both would be no obstacle.
+bool isHeldAlone(const Places& node, const Places& other)
+{
+  return (!node[0].side.isFree && other[0].side.isFree) || (!node[1].side.isFree && other[1].side.isFree);
+}
+
+class Numbering
+{
+public:
+  Numbering(const Model& model, InterfaceSystem& system) : model_(model), system_(system), bodies_(model.bodies.size())
+  {
+    for (const auto& interface : model.interfaces)
+      for (int i = 0; i < interface.numNodes(); ++i)
+        add(interface, i);
+    if (model.conditions == ContactConditions::Bernstein)
+      chooseBasis();
+    for (std::size_t i = 0; i < system.nodeOfUnknown.size(); ++i)
+      describe(int(i));
+  }
+
+  std::vector<BodyTraceNodes> bodies() && { return std::move(bodies_); }
+
+private:
+  void add(const InterfaceMesh& interface, int i)
+  {
+    const int node = int(places_.size());
+    gaps_.push_back(interface.gap[std::size_t(i)]);
+    const auto sides = model_.sidesAt(interface, i);
+    places_.push_back({Place{sides[0]}, Place{sides[1]}});
+    if (!model_.carriesContact(interface, i))
+      return;
+    const bool isObstacle = !sides[0].isFree || !sides[1].isFree;
+    for (Place& place : places_.back()) { // an obstacle is met along the free body's normal
+      place.along = isObstacle && !(sides[0].isFree ? sides[0] : sides[1]).isDirichlet ? -1.0 : 1.0;
+      if (!place.side.isFree)
+        continue;
+      auto& body = bodies_[std::size_t(place.side.body)];
+      Direction normal = interface.normals[std::size_t(i)];
+      for (double& component : normal)
+        component *= place.along;
+      place.trace = int(body.traces.size());
+      body.traces.push_back({place.side.node, normal});
+      body.unknowns.push_back(system_.size());
+      body.onDirichletSide.push_back(isObstacle || place.side.isDirichlet);
+      body.points.push_back(interface.pointOf(place.side.body, i));
+    }
+    system_.nodeOfUnknown.push_back(node);
+    system_.isObstacle.push_back(isObstacle);
+  }
+
+  void chooseBasis()
+  {
+    std::vector<char> isNodal(places_.size(), 0);
+    const ContactBasis all(model_.interfaces, isNodal);
+    for (int node = 0; node < all.size(); ++node)
+      isNodal[std::size_t(node)] =
+          std::any_of(all.row(node).begin(), all.row(node).end(), [&](const std::pair<int, double>& entry) {
+            return isHeldAlone(places_[std::size_t(node)], places_[std::size_t(entry.first)]);
+          });
+    system_.basis = std::make_shared<ContactBasis>(model_.interfaces, isNodal);
+  }
+
+  SparseRow rowOf(int node) const { return system_.basis ? system_.basis->row(node) : SparseRow{{node, 1.0}}; }
+
+  /// Gap, obstacle and the bodies' coefficients of an unknown.
+  void describe(int unknown)
+  {
+    const int node = system_.nodeOfUnknown[std::size_t(unknown)];
+    const SparseRow row = rowOf(node);
+    double gap = 0.0, smallest = gaps_[std::size_t(node)], obstacle = 0.0;
+    for (const auto& [other, share] : row) {
+      gap += share * gaps_[std::size_t(other)];
+      smallest = std::min(smallest, gaps_[std::size_t(other)]);
+    }
+    for (std::size_t s = 0; s < 2; ++s) {
+      const Place& own = places_[std::size_t(node)][s];
+      if (own.side.isFree)
+        addCoefficient(own, s, row);
+      else
+        for (const auto& [other, share] : row)
+          obstacle += share * own.along * places_[std::size_t(other)][s].side.held;
+    }
+    // What is open at all nodes is not closed before anything moves: coefficients may lie below a convex gap.
+    system_.gap.push_back(std::max(gap, smallest));
+    system_.obstacle.push_back(obstacle);
+  }
+
+  void addCoefficient(const Place& own, std::size_t side, const SparseRow& row)
+  {
+    AffineRows& coefficients = bodies_[std::size_t(own.side.body)].coefficients;
+    double constant = 0.0;
+    SparseRow values;
+    for (const auto& [node, share] : row) {
+      const Place& other = places_[std::size_t(node)][side];
+      if (other.trace >= 0)
+        values.emplace_back(other.trace, share * own.along * other.along);
+      else
+        constant += share * own.along * other.side.held;
+    }
+    coefficients.rows.push_back(std::move(values));
+    coefficients.offset.push_back(constant);
+  }
+
+  const Model& model_;
+  InterfaceSystem& system_;
+  std::vector<BodyTraceNodes> bodies_;
+  std::vector<Places> places_; ///< per interface node
+  Vector gaps_;                ///< the same
+};
+
+/// The normal displacements of all of a body's traces from those that do not depend on others.
+AffineRows followed(std::size_t size, const std::vector<DependentTrace>& dependents)
+{
+  AffineRows values{std::vector<SparseRow>(size), Vector(size, 0.0)};
+  for (const DependentTrace& dependent : dependents) {
+    SparseRow& row = values.rows[std::size_t(dependent.given)];
+    row = {{dependent.first, dependent.share}};
+    if (dependent.other >= 0)
+      row.emplace_back(dependent.other, dependent.otherShare);
+    values.offset[std::size_t(dependent.given)] = dependent.offset;
+  }
+  int next = 0;
+  for (SparseRow& row : values.rows)
+    if (row.empty())
+      row = {{next++, 1.0}};
+  return values;
+}
+
+/// The diagonal first, as inverseOf wants it.
+void putFirst(SparseRow& row, int column)
+{
+  const auto found =
+      std::find_if(row.begin(), row.end(), [column](const auto& entry) { return entry.first == column; });
+  NDFRAME_ASSERT(found != row.end(), "a value depends on its own node");
+  std::rotate(row.begin(), found, found + 1);
+}
+
+} // namespace
 
 BodyTraceNodes BodyTraceNodes::without(const std::vector<DependentTrace>& dependents) const
 {
@@ -16,40 +168,40 @@ BodyTraceNodes BodyTraceNodes::without(const std::vector<DependentTrace>& depend
       rest.onDirichletSide.push_back(onDirichletSide[i]);
       rest.points.push_back(points[i]);
     }
+  rest.coefficients = coefficients;
   return rest;
 }
 
 std::vector<BodyTraceNodes> numberUnknowns(const Model& model, InterfaceSystem& system)
 {
-  std::vector<BodyTraceNodes> bodies(model.bodies.size());
-  int node = 0;
-  for (const auto& interface : model.interfaces)
-    for (int i = 0; i < interface.numNodes(); ++i, ++node) {
-      if (!model.carriesContact(interface, i))
-        continue;
-      const auto sides = model.sidesAt(interface, i);
-      const bool isObstacle = !sides[0].isFree || !sides[1].isFree;
-      double obstacle = 0.0;
-      for (const auto& side : sides) {
-        if (!side.isFree) { // met by the other one, along its normal
-          obstacle = side.isDirichlet ? -side.held : side.held;
-          continue;
-        }
-        auto& b = bodies[std::size_t(side.body)];
-        Direction normal = interface.normals[std::size_t(i)];
-        for (double& component : normal)
-          component = isObstacle && !side.isDirichlet ? -component : component;
-        b.traces.push_back({side.node, normal});
-        b.unknowns.push_back(system.size());
-        b.onDirichletSide.push_back(isObstacle || side.isDirichlet);
-        b.points.push_back(interface.pointOf(side.body, i));
-      }
-      system.nodeOfUnknown.push_back(node);
-      system.gap.push_back(interface.gap[std::size_t(i)]);
-      system.isObstacle.push_back(isObstacle);
-      system.obstacle.push_back(obstacle);
+  return Numbering(model, system).bodies();
+}
+
+BodyTraceMap mapOf(const BodyTraceNodes& nodes, const DofLayout& layout)
+{
+  AffineRows all = nodes.coefficients.after(followed(nodes.traces.size(), layout.dependents)), own;
+  std::vector<char> follows(nodes.traces.size(), 0);
+  for (const DependentTrace& dependent : layout.dependents)
+    follows[std::size_t(dependent.given)] = 1;
+  for (std::size_t i = 0; i < follows.size(); ++i)
+    if (!follows[i]) {
+      putFirst(all.rows[i], int(own.rows.size()));
+      own.rows.push_back(all.rows[i]);
+      own.offset.push_back(all.offset[i]);
     }
-  return bodies;
+  AffineRows others;
+  BodyTraceMap result{own, TraceMap(layout.trace, own), {}};
+  for (const DependentTrace& dependent : layout.dependents) {
+    others.rows.push_back(all.rows[std::size_t(dependent.given)]);
+    others.offset.push_back(all.offset[std::size_t(dependent.given)]);
+  }
+  others = others.after(inverseOf(own));
+  for (std::size_t d = 0; d < layout.dependents.size(); ++d) {
+    const auto given = std::size_t(layout.dependents[d].given);
+    result.dependents.push_back(
+        {nodes.unknowns[given], nodes.onDirichletSide[given] != 0, others.rows[d], others.offset[d]});
+  }
+  return result;
 }
 
 } // namespace ndframe

@@ -5,25 +5,11 @@
 
 namespace ndframe
 {
-namespace
-{
-
-/// C R_m at the unknowns: the forces of the traction that has the values of a motion's trace.
-Vector forceLike(const InterfaceSystem& system, const double* motion)
-{
-  Vector traction(std::size_t(system.C->size()), 0.0);
-  for (std::size_t i = 0; i < system.nodeOfUnknown.size(); ++i)
-    traction[std::size_t(system.nodeOfUnknown[i])] = motion[i];
-  return system.force(traction);
-}
-
-} // namespace
-
 MotionBalance::MotionBalance(const InterfaceSystem& system, DenseMatrix motions)
     : motions_(std::move(motions)), forces_(motions_.rows(), motions_.cols())
 {
   for (int m = 0; m < motions_.cols(); ++m) {
-    const Vector force = forceLike(system, motions_.col(m));
+    const Vector force = system.forceOf(motions_.column(m));
     std::copy(force.begin(), force.end(), forces_.col(m));
   }
   inverse_ = pseudoInverse(multiplyTransposed(motions_, forces_), rigidTolerance);

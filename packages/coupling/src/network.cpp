@@ -20,13 +20,11 @@ void addBody(Network& network, const BodyTrace& body)
   for (std::size_t k = 0; k < body.unknowns.size(); ++k)
     row(body.unknowns[k], body.onDirichletSide[k] != 0).emplace_back(first + int(k), 1.0);
   for (const DependentUnknown& dependent : body.dependents) {
-    const DependentTrace& follows = dependent.follows;
     SparseRow& entries = row(dependent.unknown, dependent.onDirichletSide);
-    entries.emplace_back(first + follows.first, follows.share);
-    if (follows.other >= 0)
-      entries.emplace_back(first + follows.other, follows.otherShare);
+    for (const auto& [k, share] : dependent.row)
+      entries.emplace_back(first + k, share);
     (dependent.onDirichletSide ? network.dirichletOffset : network.neumannOffset)[std::size_t(dependent.unknown)] +=
-        follows.offset;
+        dependent.offset;
   }
   network.bodies.push_back(&body);
   network.g.insert(network.g.end(), body.g.begin(), body.g.end());

@@ -108,7 +108,13 @@ ListSpec makeDeckSpec(const Components& components)
   ListSpec bodies = makeNamed("Bodies", "The elastic bodies.", bodySpec(components));
   bodies.isRequired = true;
   ListSpec discretization = makeList("Discretization", "The finite elements.");
-  discretization.params = {{"Order", 2, inClosedRange(1, 2), "Degree of the displacements on every simplex."}};
+  discretization.params = {
+      {"Order", 2, inClosedRange(1, 2), "Degree of the displacements on every simplex."},
+      {"Contact Conditions", std::string("Automatic"), oneOf({"Automatic", "Nodal", "Bernstein"}),
+       "Where contact is decided on bodies of second order. Nodal: the displacements of the nodes; between them bodies "
+       "may penetrate, and in space vertices carry no load. Bernstein: the Bernstein coefficients of the gap on each "
+       "facet, so that no point of a straight side penetrates; bounds on coarse meshes with open contact are smaller. "
+       "Automatic: Bernstein in space, Nodal in the plane."}};
   deck.lists = {std::move(bodies),
                 interfacesSpec(),
                 std::move(discretization),

@@ -24,23 +24,21 @@ void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const 
 {
   summary.forceOnDirichlet.assign(std::size_t(interface.dim), 0.0);
   summary.forceOnNeumann.assign(std::size_t(interface.dim), 0.0);
-  const auto& system = run.condensed.interface;
-  for (std::size_t k = 0; k < system.nodeOfUnknown.size(); ++k) {
-    const auto node = std::size_t(system.nodeOfUnknown[k]);
-    if (node < firstNode || node >= firstNode + std::size_t(interface.numNodes()))
-      continue;
-    const Direction& normal = interface.normals[node - firstNode];
-    addResultant(summary.forceOnDirichlet, run.solved.coupling.state.forceDirichlet[k], normal);
-    addResultant(summary.forceOnNeumann, -run.solved.coupling.state.forceNeumann[k], normal);
-    summary.contactForce -= run.solved.coupling.state.forceDirichlet[k];
+  const auto& state = run.solved.coupling.state;
+  const Vector dirichlet = run.condensed.interface.nodalForces(state.forceDirichlet),
+               neumann = run.condensed.interface.nodalForces(state.forceNeumann);
+  for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
+    addResultant(summary.forceOnDirichlet, dirichlet[firstNode + i], interface.normals[i]);
+    addResultant(summary.forceOnNeumann, -neumann[firstNode + i], interface.normals[i]);
+    summary.contactForce -= dirichlet[firstNode + i];
   }
 }
 
-/// Length of the contact: every closed node counts with int psi_i dS, so that an end inside a facet is seen.
+/// Length of the contact: every closed node counts with the integral of its function, so that an end inside a facet is
+/// seen.
 double closedLength(const Run& run, std::size_t firstNode, std::size_t numNodes)
 {
-  const ContactMatrix& C = *run.condensed.interface.C;
-  const Vector share = C.apply(Vector(std::size_t(C.size()), 1.0));
+  const Vector share = run.condensed.interface.shares();
   double length = 0.0;
   for (std::size_t i = firstNode; i < firstNode + numNodes; ++i)
     length += run.solved.contact[i].closed ? share[i] : 0.0;

@@ -93,6 +93,23 @@ void countBodyForces(const Model& model, Ledger& ledger)
         ledger.count("body force integrals", body.mesh.numCells());
 }
 
+/// What the deck says, or, Automatic, Bernstein in space and Nodal in the plane.
+ContactConditions conditionsOf(const Params& deck, int dim)
+{
+  const std::string given = deck.sub("Discretization").get<std::string>("Contact Conditions");
+  return given == "Bernstein" || (given == "Automatic" && dim == 3) ? ContactConditions::Bernstein
+                                                                    : ContactConditions::Nodal;
+}
+
+/// What the interfaces of a scene can only be told together.
+void checkInterfaces(Model& model, const Params& deck, Diagnostics& diagnostics)
+{
+  model.conditions = conditionsOf(deck, model.bodies.front().mesh.dim);
+  refuseSharedFacets(model, deck, diagnostics);
+  refuseIdleInterfaces(model, deck, diagnostics);
+  diagnostics.throwIfAny();
+}
+
 } // namespace
 
 std::vector<int> Model::numDofs() const
@@ -200,9 +217,7 @@ Model buildModel(const Params& deck, const SceneComponents& components, const Me
     collecting(diagnostics,
                [&] { addInterface(model, definition, pairings.at(definition.name()), earlier, diagnostics); });
   diagnostics.throwIfAny();
-  refuseSharedFacets(model, deck, diagnostics);
-  refuseIdleInterfaces(model, deck, diagnostics);
-  diagnostics.throwIfAny();
+  checkInterfaces(model, deck, diagnostics);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     model.rigid.push_back(rigidBasis(model.bodies[b].mesh));
     model.freeMotions.push_back(

@@ -6,19 +6,22 @@
 
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
+#include "ndframe/interface/contact_basis.hpp"
 #include "ndframe/interface/contact_matrix.hpp"
 #include "ndframe/interface/interface_operators.hpp"
+#include "ndframe/interface/trace_map.hpp"
 
 namespace ndframe
 {
 
 /// Another unknown that a body takes part in, at a node whose displacement other unknowns of the body say already:
-/// u_N = share u_first + otherShare u_other + offset.
+/// u_N = row u + offset, u the values of the trace.
 struct DependentUnknown
 {
   int unknown;
   bool onDirichletSide;
-  DependentTrace follows; ///< `first` and `other` are kept dofs of the trace
+  SparseRow row;
+  double offset;
 };
 
 /// A body as the interface sees it:  S u_N = g + r,  r the nodal forces along n_c that act on this body.
@@ -28,20 +31,22 @@ struct BodyTrace
   std::vector<int> unknowns;         ///< the interface unknown of each kept dof
   std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there, or meets an obstacle
   std::shared_ptr<const SymmetricOperator> S;
-  Vector g;                                 ///< reduced load, per kept dof
+  TraceMap map;                             ///< from the kept dofs to u_N
+  Vector g;                                 ///< reduced load, per value
   std::vector<DependentUnknown> dependents; ///< where more unknowns meet than its nodes can follow one by one
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames;
 
-  /// The contact forces on this body along n_c, per kept dof, from those per unknown; those of dependents are shared
-  /// out.
+  /// The contact forces on this body along n_c, per value of the trace, from those per unknown; those of dependents are
+  /// shared out.
   Vector forces(const Vector& onDirichlet, const Vector& onNeumann) const;
 };
 
 /// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies, or
 /// on one: where supports hold the other body, that one is an obstacle. Everything at such an unknown is seen from the
 /// free body, whatever its role: uDirichlet and forceDirichlet are its own, along its outward normal, and uNeumann is
-/// the obstacle's displacement. Nodes that supports hold on both sides carry no contact force.
+/// the obstacle's displacement. Nodes that supports hold on both sides carry no contact force. Displacements, forces
+/// and gaps of an unknown are those of the contact basis: of the node's value, or of a coefficient.
 struct InterfaceSystem
 {
   std::vector<int> nodeOfUnknown; ///< node number in the numbering of the contact matrix
@@ -50,34 +55,30 @@ struct InterfaceSystem
   Vector obstacle;                ///< per unknown: the held body's displacement along the free one's normal; else 0
   std::vector<BodyTrace> bodies;
   std::shared_ptr<const ContactMatrix> C;
+  std::shared_ptr<const ContactBasis> basis; ///< null: values at the nodes
 
   int size() const { return int(nodeOfUnknown.size()); }
   /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.
   bool isDirichlet(const BodyTrace& body) const;
   /// Displacements of the Neumann side with those of the obstacles filled in.
   Vector withObstacles(Vector uNeumann) const;
-  /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns (zero at the other nodes).
+  /// Per interface node the integral of its function: what a traction of 1 makes of it.
+  Vector shares() const;
+  /// Nodal forces along n_c, per interface node, from those at the unknowns.
+  Vector nodalForces(const Vector& force) const;
+  /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns.
   Vector traction(const Vector& force) const;
-  /// The forces r = C Lambda at the unknowns.
+  /// The forces at the unknowns of nodal tractions, and of the traction that has these values or coefficients there.
   Vector force(const Vector& traction) const;
+  Vector forceOf(const Vector& tractionAtUnknowns) const;
 };
 
-/// S in the normal displacements of the trace: u_N = a s + b gives S_N = a^-T S a^-1; a is diagonal but where a node
-/// has two normals. The condensed body must outlive it.
-std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body, const std::vector<TraceDof>& trace,
+/// S in the values of the trace: u_N = A s + b gives S_N = A^-T S A^-1. The condensed body must outlive it.
+std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body, const TraceMap& map,
                                                        const InterfaceOperator& representation);
 
-/// g in the normal displacements of the trace: g_N = a^-T g + S_N b. load: BodySystem::effectiveLoad.
-Vector traceLoad(const CondensedBody& body, const std::vector<TraceDof>& trace, const SymmetricOperator& S,
-                 const Vector& load);
-
-/// The kept dofs' values s = a^-1 (u_N - b), and a s.
-Vector keptValues(const std::vector<TraceDof>& trace, const Vector& normalDisplacement);
-Vector normalParts(const std::vector<TraceDof>& trace, const Vector& kept);
-
-/// The forces a^T r on the kept dofs that forces r along the normals are, and a^-T f.
-Vector keptForces(const std::vector<TraceDof>& trace, const Vector& normalForce);
-Vector normalForces(const std::vector<TraceDof>& trace, Vector keptForce);
+/// g in the values of the trace: g_N = A^-T g + S_N b. load: BodySystem::effectiveLoad.
+Vector traceLoad(const CondensedBody& body, const TraceMap& map, const SymmetricOperator& S, const Vector& load);
 
 /// Normal displacements of rigid motions (columns: coefficients in the basis) at interface nodes.
 DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, const std::vector<const double*>& points,

@@ -17,9 +17,10 @@ struct ContactNode
   double gap = 0.0;               ///< g - (u1_N - u2_N): opening that is left
   double tractionDirichlet = 0.0; ///< Lambda_dir
   double tractionNeumann = 0.0;   ///< Lambda_neu
-  double nodalForce = 0.0;        ///< (C Lambda_dir)_i
+  double nodalForce = 0.0;        ///< int t psi_i of Lambda_dir; psi_i a Bernstein polynomial where contact is asked so
   double pressure = 0.0;          ///< contact pressure >= 0: zero where the node is open
   bool closed = false;
+  double condition = 0.0; ///< what is closed at 0: the gap, or its Bernstein coefficient; not written
 };
 
 /// The table as CSV text: a header line with the column names, then one line per node sorted as given,

@@ -32,6 +32,13 @@ struct NodeSide
   double held = 0.0;   ///< that displacement
 };
 
+/// What contact is asked of on bodies of second order: values at the nodes, or Bernstein coefficients (ContactBasis).
+enum class ContactConditions
+{
+  Nodal,
+  Bernstein
+};
+
 /// The scene: what the deck says, read and checked, before anything is assembled.
 struct Model
 {
@@ -45,6 +52,7 @@ struct Model
   DenseMatrix jointMotions;                 ///< of all bodies together that Holds fix (freeTogether)
   std::vector<HeldMean> holds;
   std::vector<InterfaceMesh> interfaces;
+  ContactConditions conditions = ContactConditions::Nodal;
   SceneRecipe recipe; ///< what it was made from; empty when it is not to be reused
 
   /// The Dirichlet and the Neumann side of an interface node.
