@@ -67,7 +67,7 @@ TEST(ContactLoss, ContactEndsWithinOneElementOfItsLimit)
     const auto contact = contactLoss(n).interfaces.front();
     ASSERT_EQ(contact.endPoints.size(), 2U);
     EXPECT_NEAR(contact.endPoints[1][0], 0.957, 1.0 / n) << n;
-    EXPECT_NEAR(contact.contactLength, 0.957, 1.0 / n) << n;
+    EXPECT_NEAR(contact.contactMeasure, 0.957, 1.0 / n) << n;
     EXPECT_NEAR(contact.contactForce, 0.5, 1e-10) << n;
   }
 }
@@ -80,7 +80,7 @@ TEST(Hertz, MeetsTheClosedFormWithinTwoPercentOnGradedMeshes)
       scene.set(fmt::format("Bodies/{}/Mesh/Cells={{{}}}", body, cells));
     const auto contact = scene.run().run.summary.interfaces.front();
     EXPECT_NEAR(contact.largestPressure / 0.013736, 1.0, 0.02) << cells;
-    EXPECT_NEAR(contact.contactLength / 0.05, 1.0, 0.02) << cells;
+    EXPECT_NEAR(contact.contactMeasure / 0.05, 1.0, 0.02) << cells;
     EXPECT_NEAR(contact.contactForce, 5.394e-4, 1e-12) << cells;
   }
 }

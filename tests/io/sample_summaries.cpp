@@ -90,7 +90,7 @@ RunSummary contactSummary()
   interface.forceOnDirichlet = {0.0, 1.0};
   interface.forceOnNeumann = {0.0, -0.9375};
   interface.contactForce = 1.0;
-  interface.contactLength = 0.957;
+  interface.contactMeasure = 0.957;
   interface.endPoints = {{0.0, 1.0}, {0.957, 1.0}};
   interface.endBrackets = {{{0.957, 1.0}, {0.96, 1.0}}};
   interface.largestPressure = 1.75;

@@ -1,6 +1,8 @@
 #include "ndframe/assembly/dof_layout.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <map>
 #include <utility>
 
 namespace ndframe
@@ -67,99 +69,121 @@ std::vector<std::pair<int, double>> placeDirections(Frames& frames, int dim, int
   return places;
 }
 
-void layOutNode(DofLayout& layout, int dim, int node, const ConstraintSet::Node* fixed, const TraceNormal* trace,
-                const ConstraintSet& constraints)
+/// A node whose displacement supports or interfaces ask for.
+struct AskedNode
 {
-  std::vector<Direction> directions;
-  const int numFixed = fixed == nullptr ? 0 : fixed->count;
-  for (int k = 0; k < numFixed; ++k)
-    directions.push_back(fixed->direction[std::size_t(k)]);
-  double scale = 1.0, offset = 0.0;
-  if (trace != nullptr) {
-    Direction free = constraints.freePart(node, trace->normal);
-    scale = std::sqrt(dotProduct(free, free));
-    NDFRAME_ASSERT(scale > 0.0, "the normal displacement of a trace node is prescribed");
+  int node;
+  const ConstraintSet::Node* fixed = nullptr;
+  std::vector<int> traces;     ///< of the list of trace normals
+  std::vector<Direction> axes; ///< of those that depend on no other
+  std::vector<char> isNew;     ///< per trace: it has an axis of its own
+};
+
+constexpr double nothingNew = 1e-9; ///< of a unit normal beside those before
+
+/// What supports and the normals before leave of each normal: an axis, or nothing.
+void findAxes(AskedNode& asked, const std::vector<TraceNormal>& traces, const ConstraintSet& constraints)
+{
+  for (const int given : asked.traces) {
+    Direction free = constraints.freePart(asked.node, traces[std::size_t(given)].normal);
+    NDFRAME_ASSERT(dotProduct(free, free) > 0.0, "the normal displacement of a trace node is prescribed");
+    for (const Direction& known : asked.axes) {
+      const double along = dotProduct(free, known);
+      for (std::size_t i = 0; i < 3; ++i)
+        free[i] -= along * known[i];
+    }
+    const double length = std::sqrt(dotProduct(free, free));
+    asked.isNew.push_back(length > nothingNew);
+    if (!asked.isNew.back())
+      continue;
     for (double& component : free)
-      component /= scale;
-    directions.push_back(free);
-    offset = constraints.heldValue(node, trace->normal);
-  }
-  const auto places = placeDirections(layout.frames, dim, node, directions);
-  for (int k = 0; k < numFixed; ++k) {
-    const auto [component, sign] = places[std::size_t(k)];
-    const auto dof = std::size_t(node) * std::size_t(dim) + std::size_t(component);
-    layout.roles[dof] = DofRole::Fixed;
-    layout.prescribed[dof] = sign * fixed->value[std::size_t(k)];
-  }
-  if (trace != nullptr) {
-    const auto [component, sign] = places.back();
-    layout.roles[std::size_t(node) * std::size_t(dim) + std::size_t(component)] = DofRole::Kept;
-    layout.trace.push_back({node * dim + component, sign * scale, offset});
+      component /= length;
+    asked.axes.push_back(free);
   }
 }
 
-/// Another normal of a node in the plane whose first one has the place `first` in the trace, the second one `second`
-/// (-1: none yet).
-class FurtherNormal
+/// Fixes and keeps the dofs of a node. Returns component and sign of each axis.
+std::vector<std::pair<int, double>> layOutNode(DofLayout& layout, int dim, const AskedNode& asked)
 {
-public:
-  FurtherNormal(DofLayout& layout, const TraceNormal& trace, int first, const ConstraintSet& constraints)
-      : layout_(layout), first_(first), component_(layout.trace[std::size_t(first)].dof - 2 * trace.node),
-        alongFirst_(along(trace, component_)), alongOther_(along(trace, 1 - component_)),
-        offset_(constraints.heldValue(trace.node, trace.normal)), dof_(2 * trace.node + 1 - component_),
-        isHeld_(layout.roles[std::size_t(dof_)] == DofRole::Fixed)
-  {}
-
-  bool isDependent(int second) const { return isHeld_ || second >= 0 || std::abs(alongOther_) <= parallel; }
-
-  /// The other dof of the node becomes a kept one.
-  void add()
-  {
-    layout_.roles[std::size_t(dof_)] = DofRole::Kept;
-    layout_.trace.push_back({dof_, alongOther_, 0.0, first_, alongFirst_});
+  std::vector<Direction> directions;
+  const int numFixed = asked.fixed == nullptr ? 0 : asked.fixed->count;
+  for (int k = 0; k < numFixed; ++k)
+    directions.push_back(asked.fixed->direction[std::size_t(k)]);
+  directions.insert(directions.end(), asked.axes.begin(), asked.axes.end());
+  auto places = placeDirections(layout.frames, dim, asked.node, directions);
+  const auto dof = [&](std::size_t k) {
+    return std::size_t(asked.node) * std::size_t(dim) + std::size_t(places[k].first);
+  };
+  for (std::size_t k = 0; k < places.size(); ++k) {
+    layout.roles[dof(k)] = int(k) < numFixed ? DofRole::Fixed : DofRole::Kept;
+    if (int(k) < numFixed)
+      layout.prescribed[dof(k)] = places[k].second * asked.fixed->value[k];
   }
+  places.erase(places.begin(), places.begin() + numFixed);
+  return places;
+}
 
-  /// From the dofs' values in terms of the normals before: s_1 = (u_1 - b_1) / a_1, s_2 = (u_2 - c_2 s_1) / a_2.
-  void addDependent(int given, int second)
-  {
-    const TraceDof& first = layout_.trace[std::size_t(first_)];
-    DependentTrace dependent{given, first_, alongFirst_ / first.scale};
-    if (!isHeld_ && second >= 0 && std::abs(alongOther_) > parallel) {
-      const TraceDof& other = layout_.trace[std::size_t(second)];
-      dependent.other = second;
-      dependent.otherShare = alongOther_ / other.scale;
-      dependent.share -= dependent.otherShare * other.along / first.scale;
-    }
-    dependent.offset = isHeld_ ? offset_ - dependent.share * first.offset : 0.0;
-    layout_.dependents.push_back(dependent);
+/// The nodes of supports and traces, and the place of each trace normal's node among them.
+std::vector<AskedNode> gatherNodes(const ConstraintSet& constraints, const std::vector<TraceNormal>& traces,
+                                   std::vector<int>& nodeOfTrace)
+{
+  std::map<int, int> numbers;
+  std::vector<AskedNode> nodes;
+  const auto number = [&](int node) {
+    const auto [found, isNew] = numbers.emplace(node, int(nodes.size()));
+    if (isNew)
+      nodes.push_back({node, nullptr, {}, {}, {}});
+    return found->second;
+  };
+  for (std::size_t given = 0; given < traces.size(); ++given) {
+    nodeOfTrace.push_back(number(traces[given].node));
+    nodes[std::size_t(nodeOfTrace.back())].traces.push_back(int(given));
   }
+  for (const auto& [node, fixed] : constraints.nodes())
+    nodes[std::size_t(number(node))].fixed = &fixed;
+  return nodes;
+}
 
-private:
-  double along(const TraceNormal& trace, int axis) const
-  {
-    if (!layout_.frames.isTurned(trace.node))
-      return trace.normal[std::size_t(axis)];
-    const double* axes = layout_.frames.axes(trace.node) + std::ptrdiff_t(2) * axis;
-    return axes[0] * trace.normal[0] + axes[1] * trace.normal[1];
-  }
-
-  static constexpr double parallel = 1e-9;
-
-  DofLayout& layout_;
-  int first_, component_;
-  double alongFirst_, alongOther_, offset_;
-  int dof_;
-  bool isHeld_;
+/// The normal displacements of a node's trace normals, one after the other in the order of the list.
+struct TracedNode
+{
+  std::vector<std::pair<int, double>> places; ///< component and sign of the axes
+  std::vector<int> known;                     ///< places in the trace of the normals so far that have axes
+  std::size_t next = 0;
 };
 
-void addFurtherNormal(DofLayout& layout, const TraceNormal& trace, int given, int first, int& second,
-                      const ConstraintSet& constraints)
+/// u_N = row u' + offset in terms of the normals before, from u_N = sum along s + held: each s = (u' - others s - b) /
+/// a.
+DependentTrace dependentOn(const DofLayout& layout, int given, const std::vector<int>& known, Vector along, double held)
 {
-  FurtherNormal normal(layout, trace, first, constraints);
-  if (normal.isDependent(second))
-    return normal.addDependent(given, second);
-  second = int(layout.trace.size());
-  normal.add();
+  DependentTrace dependent{given, {}, held};
+  for (std::size_t k = known.size(); k-- > 0;) {
+    const TraceDof& dof = layout.trace[std::size_t(known[k])];
+    const double share = along[k] / dof.scale;
+    dependent.offset -= share * dof.offset;
+    for (const auto& [place, value] : dof.others)
+      along[std::size_t(std::find(known.begin(), known.end(), place) - known.begin())] -= share * value;
+    dependent.row.emplace_back(known[k], share);
+  }
+  return dependent;
+}
+
+void addTrace(DofLayout& layout, int dim, const AskedNode& asked, TracedNode& traced, const TraceNormal& trace,
+              double held)
+{
+  const std::size_t own = traced.next++, before = traced.known.size();
+  Vector along;
+  for (std::size_t k = 0; k < before + (asked.isNew[own] ? 1 : 0); ++k)
+    along.push_back(traced.places[k].second * dotProduct(asked.axes[k], trace.normal));
+  if (!asked.isNew[own]) {
+    layout.dependents.push_back(dependentOn(layout, asked.traces[own], traced.known, along, held));
+    return;
+  }
+  TraceDof dof{trace.node * dim + traced.places[before].first, along.back(), held, {}};
+  for (std::size_t k = 0; k < before; ++k)
+    dof.others.emplace_back(traced.known[k], along[k]);
+  traced.known.push_back(int(layout.trace.size()));
+  layout.trace.push_back(std::move(dof));
 }
 
 } // namespace
@@ -223,24 +247,18 @@ DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, 
                    Vector(numDofs, 0.0),
                    {},
                    {}};
-  const std::vector<int> none(std::size_t(nodes.numNodes()), -1);
-  std::vector<int> place = none, second = none; // of a node's first two normals in the trace
-  for (std::size_t given = 0; given < traces.size(); ++given) {
-    const TraceNormal& trace = traces[given];
-    int& first = place[std::size_t(trace.node)];
-    if (first >= 0) {
-      NDFRAME_ASSERT(nodes.dim == 2, "a node in space has one trace normal");
-      addFurtherNormal(layout, trace, int(given), first, second[std::size_t(trace.node)], constraints);
-      continue;
-    }
-    first = int(layout.trace.size());
-    const auto fixed = constraints.nodes().find(trace.node);
-    layOutNode(layout, nodes.dim, trace.node, fixed == constraints.nodes().end() ? nullptr : &fixed->second, &trace,
-               constraints);
+  std::vector<int> nodeOfTrace;
+  std::vector<AskedNode> asked = gatherNodes(constraints, traces, nodeOfTrace);
+  std::vector<TracedNode> traced;
+  for (AskedNode& node : asked) {
+    findAxes(node, traces, constraints);
+    traced.push_back({layOutNode(layout, nodes.dim, node), {}, 0});
   }
-  for (const auto& [node, fixed] : constraints.nodes())
-    if (place[std::size_t(node)] < 0)
-      layOutNode(layout, nodes.dim, node, &fixed, nullptr, constraints);
+  for (std::size_t given = 0; given < traces.size(); ++given) {
+    const auto node = std::size_t(nodeOfTrace[given]);
+    addTrace(layout, nodes.dim, asked[node], traced[node], traces[given],
+             constraints.heldValue(traces[given].node, traces[given].normal));
+  }
   return layout;
 }
 

@@ -27,6 +27,7 @@ class Numbering
 public:
   Numbering(const Model& model, InterfaceSystem& system) : model_(model), system_(system), bodies_(model.bodies.size())
   {
+    system.dim = model.bodies.front().mesh.dim;
     for (const auto& interface : model.interfaces)
       for (int i = 0; i < interface.numNodes(); ++i)
         add(interface, i);
@@ -131,10 +132,7 @@ AffineRows followed(std::size_t size, const std::vector<DependentTrace>& depende
 {
   AffineRows values{std::vector<SparseRow>(size), Vector(size, 0.0)};
   for (const DependentTrace& dependent : dependents) {
-    SparseRow& row = values.rows[std::size_t(dependent.given)];
-    row = {{dependent.first, dependent.share}};
-    if (dependent.other >= 0)
-      row.emplace_back(dependent.other, dependent.otherShare);
+    values.rows[std::size_t(dependent.given)] = dependent.row;
     values.offset[std::size_t(dependent.given)] = dependent.offset;
   }
   int next = 0;

@@ -22,7 +22,10 @@ public:
 
   Roles roles() const override { return sweeps_->roles(); }
   bool needsRoles() const override { return roles() == Roles::AsGiven; }
-  bool sweeps(const InterfaceSystem& system) const override { return system.bodies.size() <= 2 && haveRoles(system); }
+  bool sweeps(const InterfaceSystem& system) const override
+  {
+    return system.dim == 2 && system.bodies.size() <= 2 && haveRoles(system);
+  }
   bool needsSpectrum() const override { return sweeps_->needsSpectrum(); }
   std::optional<double> givenTheta() const override { return sweeps_->givenTheta(); }
 
@@ -43,6 +46,8 @@ private:
   {
     if (system.bodies.size() > 2)
       return "there are more than two bodies";
+    if (system.dim == 3)
+      return "statuses in space settle in fewer steps than sweeps take";
     if (!haveRoles(system))
       return "no roles suit both of them";
     if (!start.spectrum)
@@ -66,7 +71,7 @@ void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<Rela
       {"Automatic",
        "Neumann-Dirichlet where its sweeps contract the error by 0.9 or better, closed contact and what opens alike, "
        "which the bodies' "
-       "stiffnesses on the interface say before the first one; else, and with more than two bodies, "
+       "stiffnesses on the interface say before the first one; else, with more than two bodies, and in space, "
        "Monolithic. The screen says which and why.",
        [](std::unique_ptr<Coupling> sweeps) { return std::make_unique<AutomaticCoupling>(std::move(sweeps)); }});
 }

@@ -108,7 +108,8 @@ void refuseMissing(const Params& definition, const Comparison& sides, double tol
     throw InputError(definition.mistake(
         "",
         fmt::format("the sides do not match ({}): {} of {} nodes have no partner, the largest distance is {:.3g} at "
-                    "{}; give both sides the same nodes (split the longer side).",
+                    "{}; sides of solids must have the same nodes and facets in this version: split the longer side, "
+                    "mesh both bodies in one gmsh script with a common face, or lay boxes on one grid.",
                     names, missing, sides.distance.size(), sides.largestDistance(), sides.worstPosition())));
 }
 

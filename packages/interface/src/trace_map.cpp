@@ -1,6 +1,7 @@
 #include "ndframe/interface/trace_map.hpp"
 
 #include <algorithm>
+#include <functional>
 
 #include "ndframe/base/diagnostics.hpp"
 
@@ -9,14 +10,13 @@ namespace ndframe
 namespace
 {
 
-/// a and b of u_N = a s + b: diagonal but for second normals of nodes.
+/// A and b of u_N = A s + b: diagonal but for further normals of nodes.
 AffineRows normalRows(const std::vector<TraceDof>& trace)
 {
   AffineRows result;
   for (std::size_t k = 0; k < trace.size(); ++k) {
     result.rows.push_back({{int(k), trace[k].scale}});
-    if (trace[k].first >= 0)
-      result.rows.back().emplace_back(trace[k].first, trace[k].along);
+    result.rows.back().insert(result.rows.back().end(), trace[k].others.begin(), trace[k].others.end());
     result.offset.push_back(trace[k].offset);
   }
   return result;
@@ -62,21 +62,26 @@ AffineRows AffineRows::after(const AffineRows& inner) const
 
 AffineRows inverseOf(const AffineRows& map)
 {
-  AffineRows result;
-  for (std::size_t k = 0; k < map.rows.size(); ++k) {
+  AffineRows result{std::vector<SparseRow>(map.rows.size()), Vector(map.rows.size(), 0.0)};
+  SparseSum sum(int(map.rows.size()));
+  const std::function<void(std::size_t)> invert = [&](std::size_t k) {
     const SparseRow& row = map.rows[k];
     NDFRAME_ASSERT(row.front().first == int(k), "the diagonal comes first");
-    const double diagonal = row.front().second;
-    result.rows.push_back({{int(k), 1.0 / diagonal}});
-    result.offset.push_back(-map.offset[k] / diagonal);
+    for (auto entry = row.begin() + 1; entry != row.end(); ++entry)
+      if (result.rows[std::size_t(entry->first)].empty())
+        invert(std::size_t(entry->first));
+    sum.add(int(k), 1.0 / row.front().second);
+    double constant = map.offset[k];
     for (auto entry = row.begin() + 1; entry != row.end(); ++entry) {
-      const auto other = std::size_t(entry->first);
-      NDFRAME_ASSERT(map.rows[other].size() == 1, "what others need stands for itself");
-      const double share = entry->second / (diagonal * map.rows[other].front().second);
-      result.rows.back().emplace_back(entry->first, -share);
-      result.offset.back() += share * map.offset[other];
+      sum.add(result.rows[std::size_t(entry->first)], -entry->second / row.front().second);
+      constant += entry->second * result.offset[std::size_t(entry->first)];
     }
-  }
+    result.rows[k] = sum.take();
+    result.offset[k] = -constant / row.front().second;
+  };
+  for (std::size_t k = 0; k < map.rows.size(); ++k)
+    if (result.rows[k].empty())
+      invert(k);
   return result;
 }
 

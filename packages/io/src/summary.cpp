@@ -79,7 +79,7 @@ Json interfaceJson(const InterfaceSummary& interface)
           {"force_on_dirichlet", interface.forceOnDirichlet},
           {"force_on_neumann", interface.forceOnNeumann},
           {"contact_force", interface.contactForce},
-          {"contact_length", interface.contactLength},
+          {interface.isArea ? "contact_area" : "contact_length", interface.contactMeasure},
           {"end_points", interface.endPoints},
           {"end_brackets", arrayOf(interface.endBrackets, bracketJson)},
           {"largest_pressure", interface.largestPressure},
@@ -171,9 +171,9 @@ void eraseSolution(Json& json)
     for (const auto* key : {"energy", "load_force", "supports", "largest_displacement", "largest_strain"})
       body[key] = nullptr;
   for (auto& interface : json["interfaces"])
-    for (const auto* key : {"closed_nodes", "force_on_dirichlet", "force_on_neumann", "contact_force", "contact_length",
-                            "end_points", "end_brackets", "largest_pressure", "largest_penetration"})
-      interface[key] = nullptr;
+    for (auto& [key, value] : interface.items())
+      if (key != "name" && key != "dirichlet_body" && key != "neumann_body" && key != "nodes")
+        value = nullptr;
   for (auto& residual : json["residuals"])
     residual = nullptr;
   if (auto& coupling = json["coupling"]; coupling.is_object() && coupling["history"].empty())

@@ -51,7 +51,7 @@ ListSpec splitsSpec()
   auto split = std::make_shared<ListSpec>();
   split->doc = "Cuts a side into named parts; the side's own name stays valid for the whole of it.";
   split->params = {
-      ParamSpec::required("Side", Kind::String, boxSides(3).range(), "The side to be cut."),
+      ParamSpec::required("Side", Kind::String, "The side to be cut, or a part that a list before this one makes."),
       ParamSpec::required(
           "At", Kind::Doubles,
           "Increasing coordinates along the side, before the rotation; a grid line falls exactly on each."),

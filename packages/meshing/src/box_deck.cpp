@@ -39,6 +39,7 @@ BoxGrid BoxDeck::grid()
   if (dim_ == 3 && grid_.pattern == BoxPattern::Crossed)
     mistake(params_, "Pattern", "Crossed is for boxes in two dimensions; take Right or Alternating.");
   readProfiles();
+  nameSides();
   for (const Params& list : params_.sub("Splits").subs())
     readSplit(list);
   if (params_.hasSub("Parts"))
@@ -137,30 +138,49 @@ SizeProfile BoxDeck::readSizes(const Params& list)
   return profile;
 }
 
+void BoxDeck::nameSides()
+{
+  for (int normal = 0; normal < dim_; ++normal)
+    for (const bool upper : {false, true})
+      parts_.push_back({boxSides(dim_).name({normal, upper}), {normal, upper}, lower_, upper_});
+}
+
 void BoxDeck::readSplit(const Params& list)
 {
-  const auto sideName = list.get<std::string>("Side");
-  if (!boxSides(dim_).range().contains(sideName))
+  const auto name = list.get<std::string>("Side");
+  const auto whole = std::find_if(parts_.begin(), parts_.end(), [&](const Part& part) { return part.name == name; });
+  if (whole == parts_.end())
     return mistake(list, "Side",
-                   fmt::format("a box in two dimensions has no side \"{}\"; its sides are {}.", sideName,
-                               boxSides(dim_).range().text));
-  Split split{boxSides(dim_).value(sideName), 0, list.get<std::vector<double>>("At"),
-              list.get<std::vector<std::string>>("Names")};
+                   fmt::format("a box in {} dimensions has no side \"{}\" and no split before this one makes it; the "
+                               "sides are {}.",
+                               dim_ == 2 ? "two" : "three", name, boxSides(dim_).range().text));
+  Split split{*whole, 0, list.get<std::vector<double>>("At"), list.get<std::vector<std::string>>("Names")};
   readDirection(list, split);
   checkSplitPoints(list, split);
   splits_.push_back(split);
+  const auto along = std::size_t(split.along);
+  Part rest = split.whole;
+  for (std::size_t k = 0; k < split.names.size() && along < split.whole.high.size(); ++k) {
+    rest.name = split.names[k];
+    rest.high[along] = k < split.at.size() ? split.at[k] : split.whole.high[along];
+    for (const Part& other : parts_)
+      if (other.name == rest.name)
+        return mistake(params_.sub("Splits"), "",
+                       fmt::format("two sides are called \"{}\"; names must differ.", rest.name));
+    parts_.push_back(rest);
+    rest.low[along] = rest.high[along];
+  }
 }
 
 void BoxDeck::readDirection(const Params& list, Split& split)
 {
-  split.along = split.side.normal == 0 ? 1 : 0;
+  split.along = split.whole.side.normal == 0 ? 1 : 0;
   if (!list.has("Direction"))
     return;
   const auto name = list.get<std::string>("Direction");
   split.along = boxDirections.value(name);
-  if (split.along >= dim_ || split.along == split.side.normal)
-    mistake(list, "Direction",
-            fmt::format("the side {} does not extend in direction {}.", boxSides(dim_).name(split.side), name));
+  if (split.along >= dim_ || split.along == split.whole.side.normal)
+    mistake(list, "Direction", fmt::format("the side {} does not extend in direction {}.", split.whole.name, name));
 }
 
 void BoxDeck::checkSplitPoints(const Params& list, const Split& split)
@@ -172,8 +192,7 @@ void BoxDeck::checkSplitPoints(const Params& list, const Split& split)
             fmt::format("{} points cut the side into {} parts, but {} names are given.", split.at.size(),
                         split.at.size() + 1, split.names.size()));
   const double margin = tolerance(split.along);
-  const double low = lower_[split.along];
-  const double high = upper_[split.along];
+  const double low = split.whole.low[std::size_t(split.along)], high = split.whole.high[std::size_t(split.along)];
   for (std::size_t i = 0; i < split.at.size(); ++i) {
     if (split.at[i] <= low + margin || split.at[i] >= high - margin)
       mistake(list, "At", fmt::format("At = {} is outside ({}, {}).", split.at[i], low, high));
@@ -213,18 +232,13 @@ int BoxDeck::lineAt(int direction, double x) const
 
 void BoxDeck::makeParts()
 {
-  for (int normal = 0; normal < dim_; ++normal)
-    for (const bool upper : {false, true}) {
-      const int along = normal == 0 ? 1 : 0;
-      addPart(boxSides(dim_).name({normal, upper}), {normal, upper}, along, 0, cells_[along]);
+  for (const Part& part : parts_) {
+    BoxPart bricks{part.name, part.side.normal, part.side.upper, {}, {1, 1, 1}};
+    for (int d = 0; d < dim_; ++d) {
+      bricks.first[std::size_t(d)] = lineAt(d, part.low[std::size_t(d)]);
+      bricks.last[std::size_t(d)] = lineAt(d, part.high[std::size_t(d)]);
     }
-  for (const Split& split : splits_) {
-    int first = 0;
-    for (std::size_t k = 0; k < split.names.size(); ++k) {
-      const int last = k < split.at.size() ? lineAt(split.along, split.at[k]) : cells_[split.along];
-      addPart(split.names[k], split.side, split.along, first, last);
-      first = last;
-    }
+    grid_.parts.push_back(std::move(bricks));
   }
 }
 
@@ -259,14 +273,6 @@ void BoxDeck::makeBlocks()
     }
     grid_.blocks.push_back(std::move(cells));
   }
-}
-
-void BoxDeck::addPart(const std::string& name, const BoxSide& side, int along, int first, int last)
-{
-  for (const BoxPart& other : grid_.parts)
-    if (other.name == name)
-      return mistake(params_.sub("Splits"), "", fmt::format("two sides are called \"{}\"; names must differ.", name));
-  grid_.parts.push_back({name, side.normal, side.upper, along, first, last});
 }
 
 } // namespace ndframe

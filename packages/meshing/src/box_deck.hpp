@@ -35,10 +35,18 @@ public:
   BoxGrid grid();
 
 private:
-  /// A side to be cut into named parts along a direction.
+  /// A side, or a part of one: where it begins and ends in every direction.
+  struct Part
+  {
+    std::string name;
+    BoxSide side;
+    std::vector<double> low, high;
+  };
+
+  /// A part to be cut into named ones along a direction.
   struct Split
   {
-    BoxSide side;
+    Part whole;
     int along;
     std::vector<double> at;
     std::vector<std::string> names;
@@ -55,6 +63,7 @@ private:
   void checkSize();
   void readProfiles();
   SizeProfile readSizes(const Params& list);
+  void nameSides();
   void readSplit(const Params& list);
   void readDirection(const Params& list, Split& split);
   void checkSplitPoints(const Params& list, const Split& split);
@@ -62,7 +71,6 @@ private:
   void makeLines();
   void makeBlocks();
   void makeParts();
-  void addPart(const std::string& name, const BoxSide& side, int along, int first, int last);
   int lineAt(int direction, double x) const;
   double length(int direction) const { return upper_[direction] - lower_[direction]; }
   /// Points closer than this are one grid line.
@@ -79,6 +87,7 @@ private:
   std::vector<double> upper_;
   std::vector<int> cells_;
   std::vector<SizeProfile> profiles_;
+  std::vector<Part> parts_; ///< the sides, then what splits make of them
   std::vector<Split> splits_;
   std::vector<Block> blocks_;
   BoxGrid grid_;

@@ -141,10 +141,13 @@ Side sideOf(const BoxPart& part, const Bricks& bricks, const Cuts& cuts)
                                                 facetsOnFace(cuts.odd, bricks.dim(), part.normal, part.upper)};
   std::array<int, 3> low{};
   std::array<int, 3> high = bricks.counts();
+  for (int d = 0; d < bricks.dim(); ++d)
+    if (d != part.normal) {
+      low[d] = part.first[std::size_t(d)];
+      high[d] = part.last[std::size_t(d)];
+    }
   low[part.normal] = part.upper ? high[part.normal] - 1 : 0;
   high[part.normal] = low[part.normal] + 1;
-  low[part.along] = part.firstCell;
-  high[part.along] = part.lastCell;
   Side side{part.name, {}};
   Bricks::forEach(low, high, [&](const std::array<int, 3>& i) {
     const int firstCell = bricks.number(i) * int(cuts.even.size());

@@ -20,11 +20,9 @@ enum class BoxPattern
 struct BoxPart
 {
   std::string name;
-  int normal; ///< direction of the side's normal: 0, 1, 2 for x, y, z
-  bool upper; ///< the side at the larger coordinate
-  int along;  ///< direction in which the part is cut out, different from `normal`
-  int firstCell;
-  int lastCell;
+  int normal;                     ///< direction of the side's normal: 0, 1, 2 for x, y, z
+  bool upper;                     ///< the side at the larger coordinate
+  std::array<int, 3> first, last; ///< bricks [first, last) in the directions in which the side extends
 };
 
 /// A named part of the box: the bricks [first, last) in every direction.

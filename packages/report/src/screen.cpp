@@ -130,13 +130,14 @@ std::string closingText(const RunSummary& summary)
   std::string text = bodyTable(summary, width) + "\n\n" + forceTable(summary, width);
   if (!summary.interfaces.empty())
     text += fmt::format("\n\n  {:<{}} {:>14} {:>15} {:>17} {:>12}   {}", "interface", width, "contact force",
-                        "contact length", "largest pressure", "penetration", "from - to");
+                        summary.interfaces.front().isArea ? "contact area" : "contact length", "largest pressure",
+                        "penetration", "from - to");
   for (const auto& interface : summary.interfaces) {
     std::string ends;
     for (const auto& point : interface.endPoints)
       ends += fmt::format("{}({:.5g})", ends.empty() ? "" : " - ", fmt::join(point, ", "));
     text += fmt::format("\n  {:<{}} {:>14.6g} {:>15.6g} {:>17.6g} {:>12.1e}   {}", interface.name, width,
-                        interface.contactForce, interface.contactLength, interface.largestPressure,
+                        interface.contactForce, interface.contactMeasure, interface.largestPressure,
                         interface.largestPenetration, ends.empty() ? "no contact" : ends);
   }
   text += endsText(summary);

@@ -34,15 +34,33 @@ void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const 
   }
 }
 
-/// Length of the contact: every closed node counts with the integral of its function, so that an end inside a facet is
-/// seen.
-double closedLength(const Run& run, std::size_t firstNode, std::size_t numNodes)
+/// Length or area of the contact: every closed node counts with the integral of its function, so that an end inside a
+/// facet is seen.
+double closedMeasure(const Run& run, std::size_t firstNode, std::size_t numNodes)
 {
   const Vector share = run.condensed.interface.shares();
-  double length = 0.0;
+  double measure = 0.0;
   for (std::size_t i = firstNode; i < firstNode + numNodes; ++i)
-    length += run.solved.contact[i].closed ? share[i] : 0.0;
-  return length;
+    measure += run.solved.contact[i].closed ? share[i] : 0.0;
+  return measure;
+}
+
+/// The corners of the box around the closed nodes.
+std::vector<std::vector<double>> boxCorners(const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+{
+  std::vector<double> low, high;
+  for (int i = 0; i < interface.numNodes(); ++i) {
+    if (!run.solved.contact[firstNode + std::size_t(i)].closed)
+      continue;
+    const std::vector<double> point(interface.point(i), interface.point(i) + interface.dim);
+    if (low.empty())
+      low = high = point;
+    for (std::size_t k = 0; k < point.size(); ++k) {
+      low[k] = std::min(low[k], point[k]);
+      high[k] = std::max(high[k], point[k]);
+    }
+  }
+  return low.empty() ? std::vector<std::vector<double>>() : std::vector{low, high};
 }
 
 /// The two closed nodes that are farthest apart (one if there is only one).
@@ -81,8 +99,8 @@ void completeInterfaces(Run& run)
     const auto& interface = run.model.interfaces[i];
     auto& summary = run.summary.interfaces[i];
     addForces(summary, interface, run, firstNode);
-    summary.contactLength = closedLength(run, firstNode, std::size_t(interface.numNodes()));
-    summary.endPoints = endPoints(interface, run, firstNode);
+    summary.contactMeasure = closedMeasure(run, firstNode, std::size_t(interface.numNodes()));
+    summary.endPoints = summary.isArea ? boxCorners(interface, run, firstNode) : endPoints(interface, run, firstNode);
     summary.endBrackets = endBrackets(interface, run.solved.contact.data() + firstNode);
     for (int k = 0; k < interface.numNodes(); ++k) {
       const ContactNode& node = run.solved.contact[firstNode + std::size_t(k)];
@@ -144,6 +162,7 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
   for (const auto& interface : model.interfaces) {
     InterfaceSummary outline;
     outline.name = interface.name;
+    outline.isArea = interface.dim == 3;
     outline.dirichletBody = model.bodies[std::size_t(interface.dirichletBody)].name;
     outline.neumannBody = model.bodies[std::size_t(interface.neumannBody)].name;
     outline.nodes = interface.numNodes();

@@ -69,17 +69,13 @@ void addInterface(Model& model, const Params& definition, const SidePairing& pai
   if (dirichlet.mesh.dim != neumann.mesh.dim)
     throw InputError(definition.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
                                                         dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
-  if (dirichlet.mesh.dim == 3)
-    throw InputError(definition.mistake("",
-                                        "contact between three-dimensional bodies is not available in this version; "
-                                        "three-dimensional bodies can be solved alone."));
   InterfaceMesh interface = pairing.map ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
                                         : pairSides(definition, dirichlet, neumann);
   if (!interface.map)
     keepNormals(interface, earlier);
   interface.dirichletBody = interface.firstBody = first;
   interface.neumannBody = second;
-  if (diagnostics.empty()) // else constraints may be missing
+  if (diagnostics.empty() && interface.dim == 2) // else constraints may be missing
     splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));
   addDrawnGap(definition, interface);
   model.interfaces.push_back(std::move(interface));

@@ -104,7 +104,14 @@ ContactConditions conditionsOf(const Params& deck, int dim)
 /// What the interfaces of a scene can only be told together.
 void checkInterfaces(Model& model, const Params& deck, Diagnostics& diagnostics)
 {
-  model.conditions = conditionsOf(deck, model.bodies.front().mesh.dim);
+  const int dim = model.bodies.front().mesh.dim;
+  model.conditions = conditionsOf(deck, dim);
+  const Params discretization = deck.sub("Discretization");
+  if (dim == 3 && model.conditions == ContactConditions::Nodal && discretization.get<int>("Order") == 2 &&
+      !model.interfaces.empty())
+    diagnostics.add(discretization.mistake(
+        "Contact Conditions", "in space the vertices of second order carry no load, and nodal conditions are noise "
+                              "there; take Bernstein (or Automatic)."));
   refuseSharedFacets(model, deck, diagnostics);
   refuseIdleInterfaces(model, deck, diagnostics);
   diagnostics.throwIfAny();

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/sparse_row.hpp"
 #include "ndframe/assembly/constraint_set.hpp"
 
 namespace ndframe
@@ -43,27 +44,23 @@ struct TraceNormal
   Direction normal; ///< n_c
 };
 
-/// How a normal displacement depends on dofs: u_N = scale * s + offset. Scale is 1 unless the normal is oblique to a
-/// support's direction at the same node (or points against the axis). The second normal of a node adds along * s', s'
-/// the dof of the first.
+/// How a normal displacement depends on dofs: u_N = scale * s + sum others * s' + offset. Scale is 1 unless the normal
+/// is oblique to a support's direction at the same node (or points against the axis). Further normals of a node add the
+/// dofs of those before.
 struct TraceDof
 {
   int dof;
   double scale;
   double offset;
-  int first = -1; ///< place in the trace of the node's first normal, for the second one
-  double along = 0.0;
+  SparseRow others = {}; ///< by places in the trace
 };
 
 /// A trace normal whose displacement follows from those of other normals of its node, because these have all that
-/// supports leave free there: u_N = share u_first + otherShare u_other + offset.
+/// supports leave free there: u_N = row u + offset.
 struct DependentTrace
 {
-  int given; ///< its place in the list of trace normals
-  int first; ///< places in DofLayout::trace
-  double share;
-  int other = -1; ///< -1: none
-  double otherShare = 0.0;
+  int given;     ///< its place in the list of trace normals
+  SparseRow row; ///< by places in DofLayout::trace, of their normal displacements
   double offset = 0.0;
 };
 
@@ -81,9 +78,9 @@ struct DofLayout
   bool splitsLike(const DofLayout& other) const;
 };
 
-/// Chooses axes so that supports fix dofs and interface normals are dofs. A node in the plane may have any number of
-/// trace normals, as many as interfaces and corners meet there; their free parts must not vanish
-/// (ConstraintSet::freePart). A node in space has one. Normals count as parallel below an angle of 1e-9.
+/// Chooses axes so that supports fix dofs and interface normals are dofs. A node may have any number of trace normals,
+/// as many as interfaces and corners meet there; their free parts must not vanish (ConstraintSet::freePart). Normals
+/// count as dependent when less than 1e-9 of them is new.
 DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces);
 
 } // namespace ndframe

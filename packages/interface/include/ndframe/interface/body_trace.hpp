@@ -49,6 +49,7 @@ struct BodyTrace
 /// and gaps of an unknown are those of the contact basis: of the node's value, or of a coefficient.
 struct InterfaceSystem
 {
+  int dim = 2;                    ///< of the bodies
   std::vector<int> nodeOfUnknown; ///< node number in the numbering of the contact matrix
   Vector gap;                     ///< per unknown
   std::vector<char> isObstacle;   ///< per unknown: only one body is free

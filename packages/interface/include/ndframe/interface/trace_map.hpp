@@ -18,8 +18,7 @@ struct AffineRows
   AffineRows after(const AffineRows& inner) const;
 };
 
-/// A^-1 (y - b). Each row has its diagonal first; what else it has stands in columns whose rows have their diagonal
-/// only.
+/// A^-1 (y - b) of a matrix that is triangular in some order. Each row has its diagonal first.
 AffineRows inverseOf(const AffineRows& map);
 
 /// How a body's values on the interfaces depend on its kept dofs s: u_N = A s + b. A value is the displacement along

@@ -37,8 +37,9 @@ struct InterfaceSummary
   std::vector<double> forceOnDirichlet;       ///< resultant vector of t_dir on the Dirichlet body
   std::vector<double> forceOnNeumann;         ///< resultant vector of -t_neu on the Neumann body
   double contactForce = 0.0;                  ///< - int t_dir . n_c dS, positive in compression
-  double contactLength = 0.0;                 ///< sum of int psi_i dS over the closed nodes i
-  std::vector<std::vector<double>> endPoints; ///< of the closed nodes: the two farthest apart (2-D)
+  bool isArea = false;                        ///< bodies in space touch on areas
+  double contactMeasure = 0.0;                ///< sum of int psi_i dS over the closed nodes i: a length or an area
+  std::vector<std::vector<double>> endPoints; ///< of the closed nodes: the two farthest apart; in space, of their box
   std::vector<EndBracket> endBrackets;        ///< where contact ends inside the interface (2-D)
   double largestPressure = 0.0;
   double largestPenetration = 0.0; ///< max (u1_N - u2_N - g) over the nodes, 0 if none
