@@ -171,9 +171,10 @@ void eraseSolution(Json& json)
     for (const auto* key : {"energy", "load_force", "supports", "largest_displacement", "largest_strain"})
       body[key] = nullptr;
   for (auto& interface : json["interfaces"])
-    for (auto& [key, value] : interface.items())
-      if (key != "name" && key != "dirichlet_body" && key != "neumann_body" && key != "nodes")
-        value = nullptr;
+    for (const auto* key : {"closed_nodes", "force_on_dirichlet", "force_on_neumann", "contact_force", "contact_length",
+                            "contact_area", "end_points", "end_brackets", "largest_pressure", "largest_penetration"})
+      if (interface.contains(key))
+        interface[key] = nullptr;
   for (auto& residual : json["residuals"])
     residual = nullptr;
   if (auto& coupling = json["coupling"]; coupling.is_object() && coupling["history"].empty())

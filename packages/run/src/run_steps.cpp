@@ -148,6 +148,13 @@ void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagn
     return;
   const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
   const BodyModel& body = model.bodies.front();
+  if (body.mesh.dim == 3 && !model.interfaces.empty()) {
+    if (!tools.settings.accuracy) // which is refused itself
+      diagnostics.add(tools.deck.sub("Error Estimation")
+                          .mistake("Estimators", "contact between bodies in space has no bound in this version; remove "
+                                                 "the list, or take Estimators = {Reference}."));
+    return;
+  }
   const auto reason =
       tools.components.recoveries.build(list)->refusal(body.mesh.dim, body.nodes.order, errors->optimises());
   if (!reason.empty())
