@@ -144,19 +144,14 @@ void refuseSharedNodes(const Run& run, const RunTools& tools)
 void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagnostics)
 {
   const auto& errors = tools.settings.errors;
-  if (!errors || !errors->recoversStress())
-    return;
+  const auto& nodes = model.bodies.front().nodes;
+  const bool touchInSpace = nodes.dim == 3 && !model.interfaces.empty();
+  if (!errors || (touchInSpace ? tools.settings.accuracy.has_value() : !errors->recoversStress()))
+    return; // Accuracy in space is refused itself
   const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
-  const BodyModel& body = model.bodies.front();
-  if (body.mesh.dim == 3 && !model.interfaces.empty()) {
-    if (!tools.settings.accuracy) // which is refused itself
-      diagnostics.add(tools.deck.sub("Error Estimation")
-                          .mistake("Estimators", "contact between bodies in space has no bound in this version; remove "
-                                                 "the list, or take Estimators = {Reference}."));
-    return;
-  }
   const auto reason =
-      tools.components.recoveries.build(list)->refusal(body.mesh.dim, body.nodes.order, errors->optimises());
+      touchInSpace ? "the error of contact between bodies in space is not known in this version; leave it out"
+                   : tools.components.recoveries.build(list)->refusal(nodes.dim, nodes.order, errors->optimises());
   if (!reason.empty())
     diagnostics.add(list.mistake("", reason + "."));
 }
