@@ -51,7 +51,7 @@ def judge(program, columns, width, order, turn, exchanged):
         return f"not guaranteed: {errors['reason']}"
     if errors["relative"] > math.sqrt(ALLOWED):  # the contact part is the square root of round-off in [u] - g
         return f"bound {errors['relative']:.2g}"
-    return f"pressures are off by {off:.2g}" if off > 20 * ALLOWED else None
+    return f"pressures are off by {off:.2g}" if off > 10 * ALLOWED else None
 
 
 def main():

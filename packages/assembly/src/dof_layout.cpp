@@ -74,9 +74,12 @@ struct AskedNode
 {
   int node;
   const ConstraintSet::Node* fixed = nullptr;
-  std::vector<int> traces;     ///< of the list of trace normals
-  std::vector<Direction> axes; ///< of those that depend on no other
-  std::vector<char> isNew;     ///< per trace: it has an axis of its own
+  std::vector<int> traces = {};                    ///< of the list of trace normals
+  std::vector<Direction> axes = {};                ///< of those that depend on no other
+  std::vector<double> fresh = {};                  ///< per trace: how much of it is new; 0: it depends on others
+  std::vector<std::pair<int, double>> places = {}; ///< component and sign of the axes
+  std::vector<int> known = {};                     ///< places in the trace of the normals so far that have axes
+  std::size_t next = 0;                            ///< of the node's traces
 };
 
 constexpr double nothingNew = 1e-9; ///< of a unit normal beside those before
@@ -93,8 +96,8 @@ void findAxes(AskedNode& asked, const std::vector<TraceNormal>& traces, const Co
         free[i] -= along * known[i];
     }
     const double length = std::sqrt(dotProduct(free, free));
-    asked.isNew.push_back(length > nothingNew);
-    if (!asked.isNew.back())
+    asked.fresh.push_back(length > nothingNew ? length : 0.0);
+    if (asked.fresh.back() == 0.0)
       continue;
     for (double& component : free)
       component /= length;
@@ -102,15 +105,15 @@ void findAxes(AskedNode& asked, const std::vector<TraceNormal>& traces, const Co
   }
 }
 
-/// Fixes and keeps the dofs of a node. Returns component and sign of each axis.
-std::vector<std::pair<int, double>> layOutNode(DofLayout& layout, int dim, const AskedNode& asked)
+/// Fixes and keeps the dofs of a node.
+void layOutNode(DofLayout& layout, int dim, AskedNode& asked)
 {
   std::vector<Direction> directions;
   const int numFixed = asked.fixed == nullptr ? 0 : asked.fixed->count;
   for (int k = 0; k < numFixed; ++k)
     directions.push_back(asked.fixed->direction[std::size_t(k)]);
   directions.insert(directions.end(), asked.axes.begin(), asked.axes.end());
-  auto places = placeDirections(layout.frames, dim, asked.node, directions);
+  const auto places = placeDirections(layout.frames, dim, asked.node, directions);
   const auto dof = [&](std::size_t k) {
     return std::size_t(asked.node) * std::size_t(dim) + std::size_t(places[k].first);
   };
@@ -119,8 +122,7 @@ std::vector<std::pair<int, double>> layOutNode(DofLayout& layout, int dim, const
     if (int(k) < numFixed)
       layout.prescribed[dof(k)] = places[k].second * asked.fixed->value[k];
   }
-  places.erase(places.begin(), places.begin() + numFixed);
-  return places;
+  asked.places.assign(places.begin() + numFixed, places.end());
 }
 
 /// The nodes of supports and traces, and the place of each trace normal's node among them.
@@ -132,7 +134,7 @@ std::vector<AskedNode> gatherNodes(const ConstraintSet& constraints, const std::
   const auto number = [&](int node) {
     const auto [found, isNew] = numbers.emplace(node, int(nodes.size()));
     if (isNew)
-      nodes.push_back({node, nullptr, {}, {}, {}});
+      nodes.push_back({node});
     return found->second;
   };
   for (std::size_t given = 0; given < traces.size(); ++given) {
@@ -143,14 +145,6 @@ std::vector<AskedNode> gatherNodes(const ConstraintSet& constraints, const std::
     nodes[std::size_t(number(node))].fixed = &fixed;
   return nodes;
 }
-
-/// The normal displacements of a node's trace normals, one after the other in the order of the list.
-struct TracedNode
-{
-  std::vector<std::pair<int, double>> places; ///< component and sign of the axes
-  std::vector<int> known;                     ///< places in the trace of the normals so far that have axes
-  std::size_t next = 0;
-};
 
 /// u_N = row u' + offset in terms of the normals before, from u_N = sum along s + held: each s = (u' - others s - b) /
 /// a.
@@ -168,21 +162,21 @@ DependentTrace dependentOn(const DofLayout& layout, int given, const std::vector
   return dependent;
 }
 
-void addTrace(DofLayout& layout, int dim, const AskedNode& asked, TracedNode& traced, const TraceNormal& trace,
-              double held)
+void addTrace(DofLayout& layout, int dim, AskedNode& asked, const TraceNormal& trace, double held)
 {
-  const std::size_t own = traced.next++, before = traced.known.size();
+  const std::size_t own = asked.next++, before = asked.known.size();
   Vector along;
-  for (std::size_t k = 0; k < before + (asked.isNew[own] ? 1 : 0); ++k)
-    along.push_back(traced.places[k].second * dotProduct(asked.axes[k], trace.normal));
-  if (!asked.isNew[own]) {
-    layout.dependents.push_back(dependentOn(layout, asked.traces[own], traced.known, along, held));
+  for (std::size_t k = 0; k < before; ++k)
+    along.push_back(asked.places[k].second * dotProduct(asked.axes[k], trace.normal));
+  if (asked.fresh[own] == 0.0) {
+    layout.dependents.push_back(dependentOn(layout, asked.traces[own], asked.known, along, held));
     return;
   }
-  TraceDof dof{trace.node * dim + traced.places[before].first, along.back(), held, {}};
+  const auto [component, sign] = asked.places[before];
+  TraceDof dof{trace.node * dim + component, sign * asked.fresh[own], held, {}};
   for (std::size_t k = 0; k < before; ++k)
-    dof.others.emplace_back(traced.known[k], along[k]);
-  traced.known.push_back(int(layout.trace.size()));
+    dof.others.emplace_back(asked.known[k], along[k]);
+  asked.known.push_back(int(layout.trace.size()));
   layout.trace.push_back(std::move(dof));
 }
 
@@ -249,16 +243,13 @@ DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, 
                    {}};
   std::vector<int> nodeOfTrace;
   std::vector<AskedNode> asked = gatherNodes(constraints, traces, nodeOfTrace);
-  std::vector<TracedNode> traced;
   for (AskedNode& node : asked) {
     findAxes(node, traces, constraints);
-    traced.push_back({layOutNode(layout, nodes.dim, node), {}, 0});
+    layOutNode(layout, nodes.dim, node);
   }
-  for (std::size_t given = 0; given < traces.size(); ++given) {
-    const auto node = std::size_t(nodeOfTrace[given]);
-    addTrace(layout, nodes.dim, asked[node], traced[node], traces[given],
+  for (std::size_t given = 0; given < traces.size(); ++given)
+    addTrace(layout, nodes.dim, asked[std::size_t(nodeOfTrace[given])], traces[given],
              constraints.heldValue(traces[given].node, traces[given].normal));
-  }
   return layout;
 }
 
