@@ -19,26 +19,37 @@ void addResultant(std::vector<double>& sum, double force, const Direction& norma
     sum[k] += force * normal[k];
 }
 
+/// Per interface node of the whole scene, once for all interfaces.
+struct NodalContact
+{
+  Vector dirichlet, neumann; ///< forces along the normals
+  Vector shares;
+};
+
+NodalContact nodalContact(const Run& run)
+{
+  const InterfaceSystem& system = run.condensed.interface;
+  const InterfaceState& state = run.solved.coupling.state;
+  return {system.nodalForces(state.forceDirichlet), system.nodalForces(state.forceNeumann), system.shares()};
+}
+
 /// Forces of one interface: nodal forces C Lambda along the node normals.
-void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const Run& run, std::size_t firstNode)
+void addForces(InterfaceSummary& summary, const InterfaceMesh& interface, const NodalContact& nodal,
+               std::size_t firstNode)
 {
   summary.forceOnDirichlet.assign(std::size_t(interface.dim), 0.0);
   summary.forceOnNeumann.assign(std::size_t(interface.dim), 0.0);
-  const auto& state = run.solved.coupling.state;
-  const Vector dirichlet = run.condensed.interface.nodalForces(state.forceDirichlet),
-               neumann = run.condensed.interface.nodalForces(state.forceNeumann);
   for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
-    addResultant(summary.forceOnDirichlet, dirichlet[firstNode + i], interface.normals[i]);
-    addResultant(summary.forceOnNeumann, -neumann[firstNode + i], interface.normals[i]);
-    summary.contactForce -= dirichlet[firstNode + i];
+    addResultant(summary.forceOnDirichlet, nodal.dirichlet[firstNode + i], interface.normals[i]);
+    addResultant(summary.forceOnNeumann, -nodal.neumann[firstNode + i], interface.normals[i]);
+    summary.contactForce -= nodal.dirichlet[firstNode + i];
   }
 }
 
 /// Length or area of the contact: every closed node counts with the integral of its function, so that an end inside a
 /// facet is seen.
-double closedMeasure(const Run& run, std::size_t firstNode, std::size_t numNodes)
+double closedMeasure(const Run& run, const Vector& share, std::size_t firstNode, std::size_t numNodes)
 {
-  const Vector share = run.condensed.interface.shares();
   double measure = 0.0;
   for (std::size_t i = firstNode; i < firstNode + numNodes; ++i)
     measure += run.solved.contact[i].closed ? share[i] : 0.0;
@@ -94,12 +105,15 @@ std::vector<std::vector<double>> endPoints(const InterfaceMesh& interface, const
 
 void completeInterfaces(Run& run)
 {
+  if (run.model.interfaces.empty())
+    return;
+  const NodalContact nodal = nodalContact(run);
   std::size_t firstNode = 0;
   for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
     const auto& interface = run.model.interfaces[i];
     auto& summary = run.summary.interfaces[i];
-    addForces(summary, interface, run, firstNode);
-    summary.contactMeasure = closedMeasure(run, firstNode, std::size_t(interface.numNodes()));
+    addForces(summary, interface, nodal, firstNode);
+    summary.contactMeasure = closedMeasure(run, nodal.shares, firstNode, std::size_t(interface.numNodes()));
     summary.endPoints = summary.isArea ? boxCorners(interface, run, firstNode) : endPoints(interface, run, firstNode);
     summary.endBrackets = endBrackets(interface, run.solved.contact.data() + firstNode);
     for (int k = 0; k < interface.numNodes(); ++k) {
