@@ -48,7 +48,8 @@ std::vector<ContactFacet> pairFacets(const BodyModel& upper, const BodyModel& lo
     facet.neumann = opposite(lower.mesh, *lower.side("top"), middle(upper.mesh, mine));
     facet.measure = facetNormal(upper.mesh, mine, facet.normal.data());
     const auto ours = contactNodes(upper, facet, true);
-    facet.reversed = !isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, facet, false)[0]));
+    if (!isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, facet, false)[0])))
+      facet.theirs = {1, 0, 2};
     for (std::size_t i = 0; i <= std::size_t(upper.nodes.order); ++i)
       facet.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
     facet.pairs = facet.nodes;

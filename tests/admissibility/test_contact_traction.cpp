@@ -85,7 +85,7 @@ TEST(ContactTraction, BernsteinCoefficientsReproduceThePolynomial)
       {mu * mu, 2 * mu * lambda, lambda * lambda},
       {mu * mu * mu, 3 * mu * mu * lambda, 3 * mu * lambda * lambda, lambda * lambda * lambda}};
   for (int degree = 1; degree <= 3; ++degree) {
-    const DenseMatrix C = bernsteinOfMoments(degree);
+    const DenseMatrix C = bernsteinOfMoments(2, degree);
     const double barycentric[2] = {mu, lambda};
     Vector L(std::size_t(degree + 1));
     facetBasis(2, degree).values(barycentric, L.data());
@@ -112,11 +112,11 @@ TEST(ContactTraction, BothBodiesFeelTheSameTractionInOppositeDirections)
     for (const int degree : {2, 3}) {
       Chain chain = test::straightChain({0.4, 0.9}, 2);
       for (ContactFacet& facet : chain.facets) {
-        facet.reversed = reversed;
+        facet.theirs = reversed ? std::array{1, 0, 2} : std::array{0, 1, 2};
         facet.normal = {0.6, 0.8, 0.0};
       }
       const ContactTraction t = tractionFromNodes(chain.facets, test::randomNodes(chain.numNodes(), random), 2, degree);
-      const Vector first = contactShares(chain.facets, t, t, 0, 2), second = contactShares(chain.facets, t, t, 1, 2);
+      const Vector first = contactShares(chain.facets, t, t, 0), second = contactShares(chain.facets, t, t, 1);
       for (int f = 0; f < 2; ++f)
         for (const double lambda : {0.0, 0.2, 0.5}) {
           const double measure = chain.facets[std::size_t(f)].measure;
@@ -134,9 +134,9 @@ TEST(ContactTraction, BothBodiesFeelTheSameTractionInOppositeDirections)
 TEST(ContactTraction, SharesBelongToTheSamePointOnBothBodies)
 {
   Chain chain = test::straightChain({1.0}, 2);
-  chain.facets[0].reversed = true;
+  chain.facets[0].theirs = {1, 0, 2};
   const ContactTraction t = tractionFromNodes(chain.facets, {-1.0, 0.0, 0.0}, 2, 2);
-  const Vector first = contactShares(chain.facets, t, t, 0, 2), second = contactShares(chain.facets, t, t, 1, 2);
+  const Vector first = contactShares(chain.facets, t, t, 0), second = contactShares(chain.facets, t, t, 1);
   const auto resultant = [](const Vector& shares, std::size_t a) { return shares[a * 6 + 1]; };
   EXPECT_NEAR(resultant(first, 0), -resultant(second, 1), 1e-15);
   EXPECT_NEAR(resultant(first, 1), -resultant(second, 0), 1e-15);
@@ -150,7 +150,7 @@ TEST(ContactTraction, ABodyTakesTheFacetsItTouchesWithTheTractionOfItsRole)
   const ContactTraction above = tractionFromNodes(chain.facets, Vector(4, -1.0), 1, 1),
                         below = tractionFromNodes(chain.facets, Vector(4, -2.0), 1, 1);
   const auto forces = [&](int body) {
-    const Vector shares = contactShares(chain.facets, above, below, body, 2);
+    const Vector shares = contactShares(chain.facets, above, below, body);
     Vector perFacet;
     for (std::size_t f = 0; f * 8 < shares.size(); ++f)
       perFacet.push_back(shares[f * 8 + 1] + shares[f * 8 + 5]);

@@ -98,7 +98,7 @@ struct TurningTraction : testing::TestWithParam<Kind>
   /// int (t n - what the upper body carries) . v over a facet.
   double uncarriedWork(std::size_t facet, const CubicField& v) const
   {
-    const Vector shares = contactShares(strip.facets, traction, traction, 0, 2);
+    const Vector shares = contactShares(strip.facets, traction, traction, 0);
     const QuadratureRule rule = simplexRule(1, 12);
     const std::size_t modes = std::size_t(traction.degree + 1);
     Vector L(modes);
@@ -158,12 +158,12 @@ TEST_P(TurningTraction, ItsSharesBalanceTheForcesOfTheHatFunctions)
 {
   // the resultant of a vertex's share is int lambda_a t n: what the star of that vertex has to balance
   for (const std::size_t b : {0u, 1u}) {
-    const Vector shares = contactShares(strip.facets, traction, traction, int(b), 2);
+    const Vector shares = contactShares(strip.facets, traction, traction, int(b));
     const std::size_t modes = std::size_t(traction.degree + 1);
     for (std::size_t f = 0; f < strip.facets.size(); ++f)
       for (std::size_t a = 0; a < 2; ++a)
         for (std::size_t k = 0; k < 2; ++k) {
-          const std::size_t mine = b == 1 && strip.facets[f].reversed ? 1 - a : a;
+          const std::size_t mine = b == 1 && strip.facets[f].isReversed() ? 1 - a : a;
           const double sum = work([&](std::size_t facet, const double* lambda) {
             Direction v{};
             v[k] = facet == f ? (b == 0 ? 1.0 : -1.0) * lambda[a] : 0.0;
@@ -201,7 +201,7 @@ TEST_P(TurningTraction, JumpCoefficientsAreThoseOfTheJump)
   for (const ContactFacet& facet : strip.facets) {
     const JumpCoefficients jump{facet, order};
     ASSERT_EQ(jump.size(), std::size_t(order + 2));
-    std::array<Direction, 3> opening{};
+    FacetVectors opening{};
     for (int i = 0; i <= order; ++i)
       opening[std::size_t(i)] = {random.vector(1)[0], random.vector(1)[0], 0.0};
     const Vector gap = random.vector(std::size_t(order + 1));

@@ -53,7 +53,7 @@ TEST(ErrorEstimation, EstimatesTheBoundAndItsPartsByDefault)
   EXPECT_EQ(options.tractionMean, TractionMean::Previous);
   EXPECT_EQ(options.refinements, 3);
   EXPECT_EQ(options.maximumDofs, 2000000);
-  EXPECT_TRUE(options.optimises());
+  EXPECT_TRUE(options.optimises(2));
 }
 
 TEST(ErrorEstimation, EstimatesTheBoundAloneWithoutAnInterface)
@@ -61,14 +61,14 @@ TEST(ErrorEstimation, EstimatesTheBoundAloneWithoutAnInterface)
   const auto options = optionsOf(Scene("beam-3d").set("Error Estimation/Mode=Strict"));
   EXPECT_THAT(options.estimators, ElementsAre(Estimator::Global));
   EXPECT_FALSE(options.needsTraction());
-  EXPECT_FALSE(options.optimises());
+  EXPECT_FALSE(options.optimises(2));
   EXPECT_TRUE(options.recoversStress());
 }
 
 TEST(ErrorEstimation, OptimisesOnlyTheTractionOfTheBound)
 {
-  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Interface Traction/Type=Projected")).optimises());
-  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Estimators={Discretization}")).optimises());
+  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Interface Traction/Type=Projected")).optimises(2));
+  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Estimators={Discretization}")).optimises(2));
 }
 
 TEST(Plan, HasOneLineForACertificateThatTheDeckDoesNotAskFor)

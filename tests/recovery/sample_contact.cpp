@@ -74,7 +74,8 @@ void addFacets(ContactScene& scene)
     contact.neumann = other;
     contact.measure = facetNormal(punch.mesh, facet, contact.normal.data());
     const auto ours = ascendingNodes(punch, facet), theirs = ascendingNodes(foundation, other);
-    contact.reversed = (punch.nodes.point(ours[0])[0] < at[0]) != (foundation.nodes.point(theirs[0])[0] < at[0]);
+    if ((punch.nodes.point(ours[0])[0] < at[0]) != (foundation.nodes.point(theirs[0])[0] < at[0]))
+      contact.theirs = {1, 0, 2};
     for (std::size_t i = 0; i < std::size_t(punch.nodes.nodesPerFacet); ++i) {
       const auto [found, isNew] = number.emplace(ours[i], int(scene.x.size()));
       if (isNew)
@@ -175,8 +176,8 @@ ContactScene contactScene(const ContactKind& kind)
 
 std::vector<Vector> sharesOf(const ContactScene& scene, const ContactTraction& traction)
 {
-  return {contactShares(scene.recovery.facets, traction, traction, 0, 2),
-          contactShares(scene.recovery.facets, traction, traction, 1, 2)};
+  return {contactShares(scene.recovery.facets, traction, traction, 0),
+          contactShares(scene.recovery.facets, traction, traction, 1)};
 }
 
 double objective(const ContactScene& scene, const ContactTraction& traction,

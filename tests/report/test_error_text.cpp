@@ -64,7 +64,7 @@ TEST(Advice, CountsTheSweepsByTheLastContraction)
 {
   EXPECT_EQ(advice(parts(0.03, 0.05), history({0.2, 0.1})), "2 more sweeps would leave the mesh alone");
   EXPECT_EQ(advice(parts(0.03, 0.05), history({1.0, 0.1})), "1 more sweep would leave the mesh alone");
-  EXPECT_EQ(advice(parts(0.03, 0.05), history({0.11, 0.1})), "13 more sweeps would leave the mesh alone");
+  EXPECT_EQ(advice(parts(0.03, 0.05), history({0.11, 0.1})), "15 more sweeps would leave the mesh alone");
 }
 
 TEST(Advice, NamesNoNumberWhenTheIterationDoesNotContract)

@@ -44,7 +44,7 @@ private:
   void open(bool middles)
   {
     for (const auto& entry : pairs_.all())
-      if (entry.second.isMiddle() == middles)
+      if (entry.second.isMiddle == middles)
         separate(entry.second);
   }
 
@@ -79,9 +79,10 @@ void Admission::refuse(const Pair& pair, double excess)
 
 void Admission::move(const Pair& pair, const Compliance& apart, double force)
 {
+  const auto dim = std::size_t(bodies_.front()->mesh.dim);
   for (std::size_t side = 0; side < 2; ++side)
-    for (std::size_t k = 0; k < 2; ++k)
-      result_.displacement[pair.body[side]][std::size_t(pair.node[side]) * 2 + k] += force * apart.move[side][k];
+    for (std::size_t k = 0; k < dim; ++k)
+      result_.displacement[pair.body[side]][std::size_t(pair.node[side]) * dim + k] += force * apart.move[side][k];
   ++result_.moved;
 }
 

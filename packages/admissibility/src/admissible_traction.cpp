@@ -20,8 +20,8 @@ constexpr double noWork = 1e-12;
 /// Loads that are out of reach by less than this, relative to their magnitude, are round-off.
 constexpr double unreachable = 1e-9;
 
-/// Positions of the interface nodes along the chains of facets, so that neighbours stay close: breadth first, every
-/// chain from one of its ends, closed chains from any node.
+/// Positions of the interface nodes along the facets, so that neighbours stay close: breadth first (Cuthill and McKee
+/// 1969), every chain of edges from one of its ends, a surface from a vertex with one facet, closed ones from any node.
 class ChainOrder
 {
 public:
@@ -34,7 +34,7 @@ public:
         around_[std::size_t(facets[f].nodes[std::size_t(i)])].push_back(f);
     for (const bool ends : {true, false})
       for (const ContactFacet& facet : facets)
-        for (int i = 0; i < 2; ++i)
+        for (int i = 0; i < facet.dim; ++i)
           if (!ends || around_[std::size_t(facet.nodes[std::size_t(i)])].size() == 1)
             number(facet.nodes[std::size_t(i)]);
     NDFRAME_ASSERT(next_ == numNodes, "every interface node belongs to a facet");
@@ -83,7 +83,7 @@ BandMatrix massMatrix(const std::vector<ContactFacet>& facets, const FacetUnknow
 {
   BandMatrix M(numNodes, order.bandwidth());
   for (std::size_t f = 0; f < facets.size(); ++f)
-    for (int i = 0; i <= p; ++i)
+    for (int i = 0; i < numFacetNodes(facets[f].dim, p); ++i)
       for (int j = 0; j <= i; ++j)
         M(order.position(facets[f].nodes[std::size_t(i)]), order.position(facets[f].nodes[std::size_t(j)])) +=
             facets[f].measure * unknowns.mass(i, j);
@@ -160,7 +160,7 @@ public:
   Projection(const std::vector<ContactFacet>& facets, int order, const Vector& mean, const BalanceConditions& balance,
              const Vector& cost)
       : facets_(facets), order_(order), mean_(mean), balance_(balance), cost_(cost),
-        chain_(facets, int(mean.size()), order + 1)
+        chain_(facets, int(mean.size()), numFacetNodes(facets.empty() ? 2 : facets.front().dim, order))
   {}
 
   /// Nodal values of the nearest.

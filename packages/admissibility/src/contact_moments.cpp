@@ -3,7 +3,6 @@
 #include <map>
 
 #include "ndframe/admissibility/contact_nodes.hpp"
-#include "ndframe/admissibility/edge_functions.hpp"
 #include "ndframe/admissibility/turning_normal.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
@@ -12,44 +11,38 @@ namespace ndframe
 namespace
 {
 
-/// Per facet and interface node of the facet (ContactFacet::nodes): int psi_i psi_j dS over the facet's measure,
-/// (order + 1) x (order + 1), row-major.
-std::vector<double> facetContactMatrix(int order)
+/// 1/|f| int f(lambda) psi_i psi_j dS of the nodal functions of a facet, row-major; `extra`: the degree of f.
+template <class Factor>
+std::vector<double> contactMatrix(int dim, int order, int extra, const Factor& f)
 {
-  const QuadratureRule rule = simplexRule(1, 2 * order);
-  const auto nodes = std::size_t(order) + 1;
+  const QuadratureRule rule = simplexRule(dim - 1, 2 * order + extra);
+  const auto nodes = std::size_t(numFacetNodes(dim, order));
   std::vector<double> matrix(nodes * nodes, 0.0);
-  double N[3];
+  double N[mostFacetNodes];
   for (int g = 0; g < rule.size(); ++g) {
-    edgeFunctions(order, rule.point(g), N);
+    facetFunctions(dim, order, rule.point(g), N);
     for (std::size_t i = 0; i < nodes; ++i)
       for (std::size_t j = 0; j < nodes; ++j)
-        matrix[i * nodes + j] += rule.weights[std::size_t(g)] * N[i] * N[j];
+        matrix[i * nodes + j] += rule.weights[std::size_t(g)] * f(rule.point(g)) * N[i] * N[j];
   }
   return matrix;
 }
 
-/// The same times lambda_e, by end e.
-std::array<std::vector<double>, 2> turningContactMatrices(int order)
+std::vector<double> facetContactMatrix(int dim, int order)
 {
-  const QuadratureRule rule = simplexRule(1, 2 * order + 1);
-  const auto nodes = std::size_t(order) + 1;
-  std::array<std::vector<double>, 2> matrices;
-  matrices.fill(std::vector<double>(nodes * nodes, 0.0));
-  double N[3];
-  for (int g = 0; g < rule.size(); ++g) {
-    edgeFunctions(order, rule.point(g), N);
-    for (std::size_t e = 0; e < 2; ++e)
-      for (std::size_t i = 0; i < nodes; ++i)
-        for (std::size_t j = 0; j < nodes; ++j)
-          matrices[e][i * nodes + j] += rule.weights[std::size_t(g)] * rule.point(g)[e] * N[i] * N[j];
-  }
-  return matrices;
+  return contactMatrix(dim, order, 0, [](const double*) { return 1.0; });
 }
 
-double along(const Direction& direction, const double* vector)
+/// Those of edges along which n_c turns: the same times lambda_e, by end e.
+std::array<std::vector<double>, 2> turningContactMatrices(int order)
 {
-  return direction[0] * vector[0] + direction[1] * vector[1];
+  return {contactMatrix(2, order, 1, [](const double* lambda) { return lambda[0]; }),
+          contactMatrix(2, order, 1, [](const double* lambda) { return lambda[1]; })};
+}
+
+int dimOf(const std::vector<ContactFacet>& facets)
+{
+  return facets.empty() ? 2 : facets.front().dim;
 }
 
 } // namespace
@@ -61,14 +54,14 @@ namespace
 template <class Field>
 Vector normalMoments(const std::vector<ContactFacet>& facets, int order, int degree, const Field& w)
 {
-  const DenseMatrix moments = edgeMoments(order, degree);
+  const DenseMatrix moments = facetMoments(dimOf(facets), order, degree);
   const EndTables turning = turningEdgeMoments(order, degree);
   Vector all;
   for (const ContactFacet& facet : facets) {
-    const std::array<Direction, 3> opening = w(facet);
-    for (int k = 0; k <= degree; ++k) {
+    const FacetVectors opening = w(facet);
+    for (int k = 0; k < moments.cols(); ++k) {
       all.push_back(0.0);
-      for (int i = 0; i <= order; ++i)
+      for (int i = 0; i < moments.rows(); ++i)
         if (facet.turns)
           for (std::size_t e = 0; e < 2; ++e)
             all.back() += facet.measure * dotProduct(facet.ends[e], opening[std::size_t(i)]) * turning[e](i, k);
@@ -97,12 +90,12 @@ Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::ve
 
 Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree)
 {
-  const DenseMatrix moments = edgeMoments(order, degree);
+  const DenseMatrix moments = facetMoments(dimOf(facets), order, degree);
   Vector all;
   for (const ContactFacet& facet : facets)
-    for (int k = 0; k <= degree; ++k) {
+    for (int k = 0; k < moments.cols(); ++k) {
       all.push_back(0.0);
-      for (int i = 0; i <= order; ++i)
+      for (int i = 0; i < moments.rows(); ++i)
         all.back() += facet.measure * nodal[std::size_t(facet.nodes[std::size_t(i)])] * moments(i, k);
     }
   return all;
@@ -112,7 +105,8 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
                      const ContactTraction& onDirichlet, const ContactTraction& onNeumann)
 {
   Vector force(std::size_t(body.numDofs()), 0.0);
-  const DenseMatrix moments = edgeMoments(body.nodes.order, onDirichlet.degree);
+  const auto dim = std::size_t(body.mesh.dim);
+  const DenseMatrix moments = facetMoments(body.mesh.dim, body.nodes.order, onDirichlet.degree);
   const EndTables turning = turningEdgeMoments(body.nodes.order, onDirichlet.degree);
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const ContactFacet& facet = facets[f];
@@ -124,8 +118,8 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
     const auto add = [&](const DenseMatrix& table, const Direction& normal) {
       const Vector size = multiply(table, traction);
       for (std::size_t i = 0; i < size.size(); ++i)
-        for (std::size_t k = 0; k < 2; ++k)
-          force[std::size_t(nodes[i]) * 2 + k] += (isDirichlet ? size[i] : -size[i]) * normal[k];
+        for (std::size_t k = 0; k < dim; ++k)
+          force[std::size_t(nodes[i]) * dim + k] += (isDirichlet ? size[i] : -size[i]) * normal[k];
     };
     if (!facet.turns)
       add(moments, facet.normal);
@@ -137,7 +131,7 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
 
 Vector contactContributions(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& w)
 {
-  const auto modes = std::size_t(traction.degree) + 1;
+  const std::size_t modes = traction.numModes();
   Vector contributions;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const Vector t = traction.moments(int(f));
@@ -162,9 +156,10 @@ std::vector<std::vector<int>> facetsOfBodies(const std::vector<ContactFacet>& fa
 SparseRow motionWork(const BodyModel& body, int bodyIndex, const Vector& motion,
                      const std::vector<ContactFacet>& facets, const std::vector<int>& ofBody)
 {
-  const auto matrix = facetContactMatrix(body.nodes.order);
+  const int dim = body.mesh.dim;
+  const auto matrix = facetContactMatrix(dim, body.nodes.order);
   const auto turning = turningContactMatrices(body.nodes.order);
-  const auto n = std::size_t(body.nodes.order) + 1;
+  const auto n = std::size_t(body.nodes.nodesPerFacet);
   std::map<int, double> work;
   for (const int f : ofBody) {
     const ContactFacet& facet = facets[std::size_t(f)];
@@ -172,7 +167,9 @@ SparseRow motionWork(const BodyModel& body, int bodyIndex, const Vector& motion,
     const auto nodes = contactNodes(body, facet, isDirichlet);
     const auto add = [&](const std::vector<double>& table, const Direction& normal) {
       for (std::size_t j = 0; j < n; ++j) {
-        const double moved = along(normal, motion.data() + std::size_t(nodes[j]) * 2);
+        double moved = 0.0;
+        for (int k = 0; k < dim; ++k)
+          moved += normal[std::size_t(k)] * motion[std::size_t(nodes[j]) * std::size_t(dim) + std::size_t(k)];
         for (std::size_t i = 0; i < n; ++i)
           work[facet.nodes[i]] += (isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
       }

@@ -29,7 +29,7 @@ public:
   void add(const ContactFacet& contact, bool isDirichlet, const Vector& rest)
   {
     const Facet facet = isDirichlet ? contact.dirichlet : contact.neumann;
-    const bool backwards = !isDirichlet && contact.reversed;
+    const bool backwards = !isDirichlet && contact.isReversed();
     const std::size_t carried = 2 * (std::size_t(richestDegree) + 1);
     double* traction = lifted_.tractions.data() +
                        (std::size_t(facet.cell) * 3 + std::size_t(sortedFacet(body_.mesh, facet))) * carried;

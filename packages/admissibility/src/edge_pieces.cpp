@@ -29,7 +29,7 @@ const EdgePieces::Table& EdgePieces::table(int points)
   const auto found = tables_.find(points);
   if (found != tables_.end())
     return found->second;
-  return tables_.insert({points, {MomentBasis::polynomials(1, points - 1), bernsteinOfMoments(points - 1)}})
+  return tables_.insert({points, {MomentBasis::polynomials(1, points - 1), bernsteinOfMoments(2, points - 1)}})
       .first->second;
 }
 

@@ -8,43 +8,47 @@ namespace ndframe
 {
 
 FacetUnknowns::FacetUnknowns(const std::vector<ContactFacet>& facets, int order, TractionSign sign)
-    : facets_(facets), order_(order), bernstein_(order == 2 && sign == TractionSign::Coefficients)
+    : dim_(facets.empty() ? 2 : facets.front().dim), order_(order),
+      bernstein_(order == 2 && sign == TractionSign::Coefficients)
 {
   NDFRAME_ASSERT(order == 1 || order == 2, "tractions of order 1 or 2");
-  for (std::size_t f = 0; bernstein_ && f < facets.size(); ++f) {
-    const auto middle = std::size_t(facets[f].nodes[2]);
-    facetOfMiddle_.resize(std::max(facetOfMiddle_.size(), middle + 1), -1);
-    facetOfMiddle_[middle] = int(f);
-  }
+  NDFRAME_ASSERT(dim_ == 2 || order == 1 || bernstein_, "a vertex of a triangle carries no load in nodal values");
+  const FacetEdges edges = facetEdges(dim_);
+  for (std::size_t f = 0; bernstein_ && f < facets.size(); ++f)
+    for (int e = 0; e < edges.size; ++e) {
+      const auto node = std::size_t(facets[f].nodes[std::size_t(dim_ + e)]);
+      middleOf_.resize(std::max(middleOf_.size(), node + 1), -1);
+      if (middleOf_[node] >= 0)
+        continue;
+      middleOf_[node] = int(middles_.size());
+      const auto [a, b] = edges.ends[e];
+      middles_.push_back({int(node), {facets[f].nodes[std::size_t(a)], facets[f].nodes[std::size_t(b)]}});
+    }
 }
 
 void FacetUnknowns::fromNodal(Vector& values) const
 {
-  if (!bernstein_)
-    return;
-  for (const ContactFacet& facet : facets_) {
-    double& middle = values[std::size_t(facet.nodes[2])];
-    middle = 2.0 * middle - 0.5 * (values[std::size_t(facet.nodes[0])] + values[std::size_t(facet.nodes[1])]);
+  for (const auto& [node, ends] : middles_) {
+    double& middle = values[std::size_t(node)];
+    middle = 2.0 * middle - 0.5 * (values[std::size_t(ends[0])] + values[std::size_t(ends[1])]);
   }
 }
 
 void FacetUnknowns::toNodal(Vector& unknowns) const
 {
-  if (!bernstein_)
-    return;
-  for (const ContactFacet& facet : facets_) {
-    double& middle = unknowns[std::size_t(facet.nodes[2])];
-    middle = 0.5 * middle + 0.25 * (unknowns[std::size_t(facet.nodes[0])] + unknowns[std::size_t(facet.nodes[1])]);
+  for (const auto& [node, ends] : middles_) {
+    double& middle = unknowns[std::size_t(node)];
+    middle = 0.5 * middle + 0.25 * (unknowns[std::size_t(ends[0])] + unknowns[std::size_t(ends[1])]);
   }
 }
 
 SparseRow FacetUnknowns::workFromNodal(const SparseRow& work, SparseSum& sum) const
 {
   for (const auto& [node, value] : work) {
-    const int facet = std::size_t(node) < facetOfMiddle_.size() ? facetOfMiddle_[std::size_t(node)] : -1;
-    sum.add(node, facet < 0 ? value : 0.5 * value);
-    for (std::size_t end = 0; facet >= 0 && end < 2; ++end)
-      sum.add(facets_[std::size_t(facet)].nodes[end], 0.25 * value);
+    const int middle = std::size_t(node) < middleOf_.size() ? middleOf_[std::size_t(node)] : -1;
+    sum.add(node, middle < 0 ? value : 0.5 * value);
+    for (std::size_t end = 0; middle >= 0 && end < 2; ++end)
+      sum.add(middles_[std::size_t(middle)].ends[end], 0.25 * value);
   }
   return sum.take();
 }
@@ -56,9 +60,30 @@ double FacetUnknowns::mass(int i, int j) const
       {1. / 5, 1. / 30, 1. / 10}, {1. / 30, 1. / 5, 1. / 10}, {1. / 10, 1. / 10, 2. / 15}};
   static constexpr double nodal[3][3] = {
       {2. / 15, -1. / 30, 1. / 15}, {-1. / 30, 2. / 15, 1. / 15}, {1. / 15, 1. / 15, 8. / 15}};
+  if (dim_ == 3)
+    return onTriangles(i, j);
   if (order_ == 1)
     return linear[i][j];
   return bernstein_ ? bernstein[i][j] : nodal[i][j];
+}
+
+/// Means of products of the Bernstein polynomials lambda_a, or lambda_a^2 and 2 lambda_a lambda_b:
+/// the mean of lambda^p is 2 p! / (2 + |p|)!.
+double FacetUnknowns::onTriangles(int i, int j) const
+{
+  static constexpr double factorial[5] = {1, 1, 2, 6, 24};
+  std::array<int, 3> power{};
+  double factor = 1.0;
+  for (const int k : {i, j})
+    if (order_ == 1 || k < 3)
+      power[std::size_t(k)] += order_;
+    else {
+      factor *= 2.0;
+      for (const int end : facetEdges(3).ends[k - 3])
+        ++power[std::size_t(end)];
+    }
+  const double whole = order_ == 1 ? 24.0 : 720.0; // (2 + |p|)!
+  return factor * 2.0 * factorial[power[0]] * factorial[power[1]] * factorial[power[2]] / whole;
 }
 
 } // namespace ndframe

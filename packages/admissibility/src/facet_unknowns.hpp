@@ -8,12 +8,12 @@
 namespace ndframe
 {
 
-/// Continuous polynomials of order 1 or 2 on a chain of facets, by the unknowns that a projection bounds: values at the
-/// vertices and one unknown x on each facet of order 2.
+/// Continuous polynomials of order 1 or 2 on facets, by the unknowns that a projection bounds: values at the vertices
+/// and one unknown x on each edge of order 2.
 class FacetUnknowns
 {
 public:
-  /// Coefficients: x is the middle Bernstein coefficient. Values: the value at the middle, so that unknowns are nodal
+  /// Coefficients: x is the edge's Bernstein coefficient. Values: the value at the middle, so that unknowns are nodal
   /// values.
   FacetUnknowns(const std::vector<ContactFacet>& facets, int order, TractionSign sign);
 
@@ -23,15 +23,22 @@ public:
   /// The work of unit unknowns from that of unit nodal values: the transpose of toNodal. sum: zero before and after.
   SparseRow workFromNodal(const SparseRow& work, SparseSum& sum) const;
 
-  /// int N_i N_j over a facet of length 1, i and j in the order of ContactFacet::nodes, of the functions that belong to
-  /// the unknowns.
+  /// int N_i N_j over a facet of measure 1, i and j in the order of ContactFacet::nodes, of the functions that belong
+  /// to the unknowns.
   double mass(int i, int j) const;
 
 private:
-  const std::vector<ContactFacet>& facets_;
-  int order_;
-  bool bernstein_;                 ///< false: unknowns are nodal values
-  std::vector<int> facetOfMiddle_; ///< per node, -1 at vertices
+  struct Middle
+  {
+    int node;
+    std::array<int, 2> ends;
+  };
+  double onTriangles(int i, int j) const;
+
+  int dim_, order_;
+  bool bernstein_;              ///< false: unknowns are nodal values
+  std::vector<Middle> middles_; ///< if true
+  std::vector<int> middleOf_;   ///< per node the number of the middle, -1 at vertices
 };
 
 } // namespace ndframe

@@ -7,6 +7,7 @@
 
 #include "doubt.hpp"
 #include "edge_pieces.hpp"
+#include "triangle_pieces.hpp"
 
 namespace ndframe
 {
@@ -16,53 +17,92 @@ namespace
 /// A gap that differs from its interpolant by less, relative to its size, is the interpolant.
 constexpr double roundOff = 1e-12;
 
-/// Bernstein coefficients of the interpolant at the nodes, from the values at the vertices and (order 2) in the middle.
-Vector interpolant(int order, const std::array<double, 3>& atNodes)
+/// Bernstein coefficients of the interpolant at the nodes, in the order of JumpCoefficients, from the values at
+/// ContactFacet::nodes.
+Vector interpolant(int dim, int order, const std::array<double, mostFacetNodes>& atNodes)
 {
-  if (order == 1)
-    return {atNodes[0], atNodes[1]};
-  return {atNodes[0], 2.0 * atNodes[2] - 0.5 * (atNodes[0] + atNodes[1]), atNodes[1]};
+  Vector bernstein(atNodes.begin(), atNodes.begin() + numFacetNodes(dim, order));
+  const FacetEdges edges = facetEdges(dim);
+  for (int e = 0; order == 2 && e < edges.size; ++e) {
+    const auto& [a, b] = edges.ends[e];
+    double& middle = bernstein[std::size_t(dim + e)];
+    middle = 2.0 * middle - 0.5 * (atNodes[std::size_t(a)] + atNodes[std::size_t(b)]);
+  }
+  if (dim == 2 && order == 2)
+    std::swap(bernstein[1], bernstein[2]);
+  return bernstein;
 }
 
-double valueAt(const Vector& bernstein, double t)
+double onEdge(const Vector& bernstein, const double* lambda)
 {
-  const double s = 1.0 - t;
+  const double t = lambda[1], s = 1.0 - t;
   if (bernstein.size() == 2)
     return s * bernstein[0] + t * bernstein[1];
   return s * s * bernstein[0] + 2.0 * s * t * bernstein[1] + t * t * bernstein[2];
 }
 
+double onTriangle(const Vector& bernstein, const double* lambda)
+{
+  double value = 0.0;
+  for (std::size_t a = 0; a < 3; ++a)
+    value += (bernstein.size() == 3 ? lambda[a] : lambda[a] * lambda[a]) * bernstein[a];
+  for (std::size_t e = 3; e < bernstein.size(); ++e) {
+    const auto& ends = facetEdges(3).ends[e - 3];
+    value += 2.0 * lambda[ends[0]] * lambda[ends[1]] * bernstein[e];
+  }
+  return value;
+}
+
+/// Polynomials on the pieces of facets of either kind, and what they miss.
+struct FacetPieces
+{
+  EdgePieces edges;
+  TrianglePieces triangles;
+
+  double upperBound(int dim, const Samples::Piece& piece, const double* values)
+  {
+    return dim == 2 ? edges.upperBound(*piece.rule, values) : triangles.upperBound(*piece.rule, values);
+  }
+  double distance(int dim, const Samples::Piece& piece)
+  {
+    return dim == 2 ? EdgePieces::interpolationFactor(*piece.rule) * piece.error : triangles.distance(piece);
+  }
+};
+
 /// The interpolant minus the gap on a facet, on every piece a polynomial and an error.
 class Excess
 {
 public:
-  Excess(const Vector& bernstein, const Samples& gap, EdgePieces& pieces) : gap_(gap), pieces_(pieces)
+  Excess(int dim, const Vector& bernstein, const Samples& gap, FacetPieces& pieces)
+      : dim_(dim), gap_(gap), pieces_(pieces)
   {
+    const auto& value = dim == 2 ? onEdge : onTriangle;
     for (int i = 0; i < gap.rule.size(); ++i)
-      values_.push_back(valueAt(bernstein, gap.rule.point(i)[1]) - gap.values[std::size_t(i)]);
+      values_.push_back(value(bernstein, gap.rule.point(i)) - gap.values[std::size_t(i)]);
   }
 
   bool isRoundOff() const
   {
     const auto isSmall = [this](double value) { return std::abs(value) <= roundOff * gap_.scale; };
     return std::all_of(values_.begin(), values_.end(), isSmall) &&
-           std::all_of(gap_.pieces.begin(), gap_.pieces.end(), [&](const auto& piece) { return isSmall(piece.error); });
+           std::all_of(gap_.pieces.begin(), gap_.pieces.end(),
+                       [&](const auto& piece) { return isSmall(dim_ == 2 ? piece.error : piece.normError); });
   }
 
   /// An upper bound of what is left of it less kappa t (1 - t), 0 when that is nowhere positive but for round-off.
   double left(double kappa) const
   {
     Vector rest = values_;
-    for (std::size_t i = 0; i < rest.size(); ++i)
+    for (std::size_t i = 0; kappa > 0.0 && i < rest.size(); ++i)
       rest[i] -= kappa * gap_.rule.point(int(i))[0] * gap_.rule.point(int(i))[1];
     double largest = 0.0;
     for (const auto& piece : gap_.pieces)
-      largest = std::max(largest, pieces_.upperBound(*piece.rule, rest.data() + piece.first) +
-                                      EdgePieces::interpolationFactor(*piece.rule) * piece.error);
+      largest =
+          std::max(largest, pieces_.upperBound(dim_, piece, rest.data() + piece.first) + pieces_.distance(dim_, piece));
     return largest <= roundOff * gap_.scale ? 0.0 : largest;
   }
 
-  /// About the smallest kappa that leaves no more than a very large one.
+  /// On an edge, about the smallest kappa that leaves no more than a very large one.
   double bubble() const
   {
     constexpr double veryLarge = 1024.0;
@@ -78,18 +118,19 @@ public:
   }
 
 private:
+  int dim_;
   const Samples& gap_;
-  EdgePieces& pieces_;
+  FacetPieces& pieces_;
   Vector values_;
 };
 
-/// Lowers the interpolant below the gap: by a bubble for order 2, then by the constant that is still missing.
-void lower(Vector& bernstein, const Samples& gap, EdgePieces& pieces)
+/// Lowers the interpolant below the gap: by a bubble on edges of order 2, then by the constant that is still missing.
+void lower(int dim, Vector& bernstein, const Samples& gap, FacetPieces& pieces)
 {
-  const Excess excess(bernstein, gap, pieces);
+  const Excess excess(dim, bernstein, gap, pieces);
   if (excess.isRoundOff())
     return;
-  const double kappa = bernstein.size() == 3 ? excess.bubble() : 0.0;
+  const double kappa = dim == 2 && bernstein.size() == 3 ? excess.bubble() : 0.0;
   if (kappa > 0.0)
     bernstein[1] -= 0.5 * kappa; // t (1 - t) is half the middle Bernstein polynomial
   const double constant = excess.left(kappa);
@@ -110,17 +151,27 @@ Vector gapMoments(const Samples& gap, const MomentBasis& basis, double measure)
 }
 
 /// The gap at the nodes of a facet.
-std::array<double, 3> nodalGaps(int order, const ContactFacet& facet, const SampledFunction& gap)
+std::array<double, mostFacetNodes> nodalGaps(int order, const ContactFacet& facet, const SampledFunction& gap)
 {
-  const auto& [a, b] = facet.points;
-  const Direction middle{0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.0};
-  return {valueAt(gap, 2, a.data()), valueAt(gap, 2, b.data()), order == 1 ? 0.0 : valueAt(gap, 2, middle.data())};
+  const auto dim = std::size_t(facet.dim);
+  std::array<double, mostFacetNodes> values{};
+  for (std::size_t a = 0; a < dim; ++a)
+    values[a] = valueAt(gap, facet.dim, facet.points[a].data());
+  const FacetEdges edges = facetEdges(facet.dim);
+  for (int e = 0; order == 2 && e < edges.size; ++e) {
+    const auto& [a, b] = edges.ends[e];
+    Direction middle{};
+    for (std::size_t k = 0; k < dim; ++k)
+      middle[k] = 0.5 * (facet.points[std::size_t(a)][k] + facet.points[std::size_t(b)][k]);
+    values[dim + std::size_t(e)] = valueAt(gap, facet.dim, middle.data());
+  }
+  return values;
 }
 
-/// The ends of a facet, in the order of ContactFacet::nodes.
-DataSampler::Vertices endsOf(const ContactFacet& facet)
+/// The vertices of a facet, in the order of ContactFacet::nodes.
+DataSampler::Vertices verticesOf(const ContactFacet& facet)
 {
-  return {facet.points[0].data(), facet.points[1].data(), nullptr, nullptr};
+  return {facet.points[0].data(), facet.points[1].data(), facet.dim == 3 ? facet.points[2].data() : nullptr, nullptr};
 }
 
 } // namespace
@@ -129,28 +180,30 @@ GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector
                   const std::vector<FacetGap>& gaps)
 {
   GapBound bound;
-  const MomentBasis basis = facetBasis(2, degree);
-  EdgePieces pieces;
+  const int dim = facets.empty() ? 2 : facets.front().dim;
+  const MomentBasis basis = facetBasis(dim, degree);
+  FacetPieces pieces;
   std::size_t first = 0;
   for (const FacetGap& gap : gaps) {
-    DataSampler sampler({gap.function}, 2);
+    DataSampler sampler({gap.function}, dim);
     const std::size_t end = first + std::size_t(gap.numFacets);
     const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
       for (std::size_t f = first; f < end; ++f)
-        measure(1, endsOf(facets[f]));
+        measure(dim - 1, verticesOf(facets[f]));
     });
     Doubt doubt;
     for (std::size_t f = first; f < end; ++f) {
       const BodyModel& body = *bodies[std::size_t(facets[f].dirichletBody)];
-      const Samples samples = sampler.sample(1, endsOf(facets[f]), scale);
-      Vector bernstein = interpolant(body.nodes.order, nodalGaps(body.nodes.order, facets[f], gap.function));
-      lower(bernstein, samples, pieces);
+      const Samples samples = sampler.sample(dim - 1, verticesOf(facets[f]), scale);
+      const int order = body.nodes.order;
+      Vector bernstein = interpolant(dim, order, nodalGaps(order, facets[f], gap.function));
+      lower(dim, bernstein, samples, pieces);
       const Vector moments = gapMoments(samples, basis, facets[f].measure);
       bound.bernstein.insert(bound.bernstein.end(), bernstein.begin(), bernstein.end());
       bound.moments.insert(bound.moments.end(), moments.begin(), moments.end());
       int vertices[3];
       facetVertices(body.mesh, facets[f].dirichlet, vertices);
-      doubt.add(samples, body.mesh, 1, vertices);
+      doubt.add(samples, body.mesh, dim - 1, vertices);
     }
     if (doubt)
       bound.caveat += fmt::format("the integrals of the gap are not certain near {} ({}). ", doubt.place, doubt.size());

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "ndframe/admissibility/contact_nodes.hpp"
 
@@ -20,16 +19,18 @@ InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
     size_ = std::max(size_, std::abs(g));
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const std::array<std::size_t, 2> body{std::size_t(facets[f].dirichletBody), std::size_t(facets[f].neumannBody)};
-    const std::array<std::array<int, 3>, 2> nodes{contactNodes(*bodies[body[0]], facets[f], true),
-                                                  contactNodes(*bodies[body[1]], facets[f], false)};
-    for (std::size_t i = 0; i <= std::size_t(bodies[body[0]]->nodes.order); ++i) {
+    const std::array<FacetNodes, 2> nodes{contactNodes(*bodies[body[0]], facets[f], true),
+                                          contactNodes(*bodies[body[1]], facets[f], false)};
+    const auto dim = std::size_t(facets[f].dim);
+    for (std::size_t i = 0; i < std::size_t(bodies[body[0]]->nodes.nodesPerFacet); ++i) {
       Pair& pair = pairs_[facets[f].pairs[i]];
       pair.body = body;
       pair.node = {nodes[0][i], nodes[1][i]};
       pair.corners.push_back({f, i});
+      pair.isMiddle = i >= dim;
       for (std::size_t side = 0; side < 2; ++side)
-        for (std::size_t k = 0; k < 2; ++k)
-          size_ = std::max(size_, std::abs(displacement[body[side]][std::size_t(pair.node[side]) * 2 + k]));
+        for (std::size_t k = 0; k < dim; ++k)
+          size_ = std::max(size_, std::abs(displacement[body[side]][std::size_t(pair.node[side]) * dim + k]));
     }
   }
   for (const auto& entry : pairs_)
@@ -49,12 +50,10 @@ JumpCoefficients InterfacePairs::coefficients(std::size_t facet) const
 
 std::vector<std::size_t> InterfacePairs::decided(const Corner& corner) const
 {
-  const std::size_t size = coefficients(corner.facet).size();
-  if (corner.number < 2)
-    return {corner.number == 0 ? 0 : size - 1};
-  std::vector<std::size_t> inner(size - 2);
-  std::iota(inner.begin(), inner.end(), 1);
-  return inner;
+  const JumpCoefficients jump = coefficients(corner.facet);
+  if (corner.number < std::size_t(facets_[corner.facet].dim))
+    return {jump.atVertex(corner.number)};
+  return jump.atMiddle(corner.number);
 }
 
 double InterfacePairs::excess(std::size_t facet, std::size_t coefficient) const
@@ -78,7 +77,7 @@ Compliance InterfacePairs::compliance(const Pair& pair)
   const auto node = [&](const Corner& corner) { return facets_[corner.facet].nodes[corner.number]; };
   const bool isCorner = node(pair.corners.front()) != node(pair.corners.back());
   for (const Corner& corner : pair.corners)
-    for (std::size_t k = 0; k < 2; ++k) // at a corner the bisector, which opens both flanks whatever their lengths
+    for (std::size_t k = 0; k < 3; ++k) // at a corner the bisector, which opens both flanks whatever their lengths
       normal[k] += (isCorner ? 1.0 : facets_[corner.facet].measure) * facets_[corner.facet].normalAt(corner.number)[k];
   const double length = std::sqrt(dotProduct(normal, normal));
   for (double& component : normal)
@@ -91,7 +90,7 @@ Compliance InterfacePairs::compliance(const Pair& pair)
       continue;
     const NodeBlock& block = stiffness(body).at({pair.node[side], pair.node[side]});
     const double factor = dotProduct(free, free) / block.work(free, free);
-    for (std::size_t k = 0; k < 2; ++k)
+    for (std::size_t k = 0; k < 3; ++k)
       result.move[side][k] = (side == 0 ? -factor : factor) * free[k];
   }
   return result;

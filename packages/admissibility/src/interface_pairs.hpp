@@ -9,7 +9,7 @@
 namespace ndframe
 {
 
-/// A facet's node: number 0, 1 the vertices, 2 the middle.
+/// A facet's node: number 0, 1 (in space 2) the vertices, then the middles of its edges.
 struct Corner
 {
   std::size_t facet;
@@ -21,9 +21,8 @@ struct Pair
 {
   std::array<std::size_t, 2> body{};
   std::array<int, 2> node{};
-  std::vector<Corner> corners; ///< one facet for a middle, the facets of a vertex
-
-  bool isMiddle() const { return corners.front().number == 2; }
+  std::vector<Corner> corners; ///< the facets of an edge's middle, the facets of a vertex
+  bool isMiddle = false;
 };
 
 /// How much an interface node's bodies give way along the mean normal, the stiffer one less: for a force of one between

@@ -1,5 +1,7 @@
 #include "ndframe/admissibility/jump_coefficients.hpp"
 
+#include <numeric>
+
 namespace ndframe
 {
 namespace
@@ -15,12 +17,15 @@ Direction sum(const Direction& a, const Direction& b)
   return {a[0] + b[0], a[1] + b[1], a[2] + b[2]};
 }
 
-/// Bernstein coefficient k of a polynomial of order 1 or 2 by its values at the nodes of an edge.
-double nodalWeight(int order, std::size_t k, std::size_t node)
+/// The node that a coefficient of the displacements' order belongs to: on edges the middle is the last node.
+std::size_t nodeOf(int dim, int order, std::size_t k)
 {
-  if (order == 2 && k == 1)
-    return node == 2 ? 2.0 : -0.5;
-  return node == (k == 0 ? 0u : 1u) ? 1.0 : 0.0;
+  return dim == 3 || order == 1 || k == 0 ? k : 3 - k;
+}
+
+double nodalWeight(int dim, int order, std::size_t k, std::size_t node)
+{
+  return bernsteinWeight(dim, order, int(nodeOf(dim, order, k)), int(node));
 }
 
 } // namespace
@@ -28,18 +33,37 @@ double nodalWeight(int order, std::size_t k, std::size_t node)
 Direction JumpCoefficients::weight(std::size_t k, std::size_t node) const
 {
   if (!facet.turns)
-    return scaled(nodalWeight(order, k, node), facet.normal);
+    return scaled(nodalWeight(facet.dim, order, k, node), facet.normal);
   // n has degree one: the product's coefficient k takes k parts of n_1 and the rest of n_0
   const double degree = order + 1, part = double(k) / degree;
   Direction result{};
   if (k <= std::size_t(order))
-    result = scaled((1.0 - part) * nodalWeight(order, k, node), facet.ends[0]);
+    result = scaled((1.0 - part) * nodalWeight(2, order, k, node), facet.ends[0]);
   if (k > 0)
-    result = sum(result, scaled(part * nodalWeight(order, k - 1, node), facet.ends[1]));
+    result = sum(result, scaled(part * nodalWeight(2, order, k - 1, node), facet.ends[1]));
   return result;
 }
 
-double JumpCoefficients::of(std::size_t k, const std::array<Direction, 3>& opening) const
+std::size_t JumpCoefficients::size() const
+{
+  return std::size_t(numFacetNodes(facet.dim, order)) + (facet.turns ? 1 : 0);
+}
+
+std::size_t JumpCoefficients::atVertex(std::size_t vertex) const
+{
+  return facet.dim == 2 && vertex == 1 ? size() - 1 : vertex;
+}
+
+std::vector<std::size_t> JumpCoefficients::atMiddle(std::size_t node) const
+{
+  if (facet.dim == 3)
+    return {node};
+  std::vector<std::size_t> inner(size() - 2);
+  std::iota(inner.begin(), inner.end(), 1);
+  return inner;
+}
+
+double JumpCoefficients::of(std::size_t k, const FacetVectors& opening) const
 {
   if (facet.turns) {
     double value = 0.0;
@@ -48,9 +72,12 @@ double JumpCoefficients::of(std::size_t k, const std::array<Direction, 3>& openi
     return value;
   }
   const auto along = [&](std::size_t node) { return dotProduct(facet.normal, opening[node]); };
-  if (order == 2 && k == 1)
-    return 2.0 * along(2) - 0.5 * (along(0) + along(1));
-  return along(k == 0 ? 0 : 1);
+  const auto vertices = std::size_t(facet.dim);
+  const std::size_t node = nodeOf(facet.dim, order, k);
+  if (node < vertices)
+    return along(node);
+  const auto& ends = facetEdges(facet.dim).ends[node - vertices];
+  return 2.0 * along(node) - 0.5 * (along(std::size_t(ends[0])) + along(std::size_t(ends[1])));
 }
 
 double JumpCoefficients::gap(std::size_t k, const double* bernstein) const

@@ -11,28 +11,28 @@ namespace ndframe
 namespace
 {
 
-template <int order>
+template <int dim, int order>
 NodeStiffness blocksBetween(const BodyModel& body, const std::set<int>& chosen)
 {
-  constexpr int nodes = Lagrange<2, order>::nodes, dofs = 2 * nodes;
-  const QuadratureRule rule = simplexRule(2, 2 * (order - 1));
+  constexpr int nodes = Lagrange<dim, order>::nodes, dofs = dim * nodes;
+  const QuadratureRule rule = simplexRule(dim, 2 * (order - 1));
   const auto isChosen = [&](int node) { return chosen.count(node) > 0; };
   NodeStiffness blocks;
-  double points[6], element[dofs * dofs];
+  double points[dim * (dim + 1)], element[dofs * dofs];
   for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
     const int* cellNodes = body.nodes.cell(cell);
     if (std::none_of(cellNodes, cellNodes + nodes, isChosen))
       continue;
     cellPoints(body.mesh, cell, points);
-    elementStiffness<2, order>(points, body.laws(cell), rule, element);
+    elementStiffness<dim, order>(points, body.laws(cell), rule, element);
     for (int a = 0; a < nodes; ++a)
       for (int b = 0; b < nodes; ++b) {
         if (!isChosen(cellNodes[a]) || !isChosen(cellNodes[b]))
           continue;
         NodeBlock& block = blocks[{cellNodes[a], cellNodes[b]}];
-        for (int i = 0; i < 2; ++i)
-          for (int j = 0; j < 2; ++j)
-            block.K[std::size_t(i) * 2 + std::size_t(j)] += element[(a * 2 + i) * dofs + b * 2 + j];
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            block.K[std::size_t(i) * 3 + std::size_t(j)] += element[(a * dim + i) * dofs + b * dim + j];
       }
   }
   return blocks;
@@ -47,9 +47,10 @@ NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<Contac
     for (const bool isDirichlet : {true, false})
       if ((isDirichlet ? facet.dirichletBody : facet.neumannBody) == bodyNumber) {
         const auto nodes = contactNodes(body, facet, isDirichlet);
-        chosen.insert(nodes.begin(), nodes.begin() + body.nodes.order + 1);
+        chosen.insert(nodes.begin(), nodes.begin() + body.nodes.nodesPerFacet);
       }
-  return body.nodes.order == 1 ? blocksBetween<1>(body, chosen) : blocksBetween<2>(body, chosen);
+  return withDimAndOrder(body.mesh.dim, body.nodes.order,
+                         [&](auto dim, auto order) { return blocksBetween<dim(), order()>(body, chosen); });
 }
 
 } // namespace ndframe

@@ -9,14 +9,17 @@
 namespace ndframe
 {
 
-/// A block of K in the plane, row-major, global axes.
+/// A block of K, row-major, global axes; in the plane the third row and column are zero.
 struct NodeBlock
 {
-  std::array<double, 4> K{};
+  std::array<double, 9> K{};
   /// a . K b
   double work(const Direction& a, const Direction& b) const
   {
-    return a[0] * (K[0] * b[0] + K[1] * b[1]) + a[1] * (K[2] * b[0] + K[3] * b[1]);
+    double sum = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      sum += a[i] * (K[3 * i] * b[0] + K[3 * i + 1] * b[1] + K[3 * i + 2] * b[2]);
+    return sum;
   }
 };
 

@@ -49,14 +49,15 @@ double PairMoves::work(int i, const std::vector<Vector>& forces) const
   const Pair& pair = pairs[std::size_t(i)];
   double sum = 0.0;
   for (std::size_t side = 0; side < 2; ++side)
-    for (std::size_t k = 0; k < 2; ++k)
-      sum += moves[std::size_t(i)].move[side][k] * forces[pair.body[side]][std::size_t(pair.node[side]) * 2 + k];
+    for (std::size_t k = 0; k < dim; ++k)
+      sum += moves[std::size_t(i)].move[side][k] * forces[pair.body[side]][std::size_t(pair.node[side]) * dim + k];
   return sum;
 }
 
 PairMoves pairMoves(const std::vector<ContactFacet>& facets, InterfacePairs& pairs)
 {
   PairMoves result;
+  result.dim = facets.empty() ? 2 : std::size_t(facets.front().dim);
   std::vector<Members> members(pairs.numBodies());
   for (const auto& [node, pair] : pairs.all()) {
     Compliance apart = pairs.compliance(pair);

@@ -8,6 +8,7 @@ namespace ndframe
 /// Movements of pairs of interface nodes against each other by a unit opening, and their stiffness a(m_i, m_j).
 struct PairMoves
 {
+  std::size_t dim = 2;
   std::vector<Pair> pairs;
   std::vector<Compliance> moves;                         ///< opens its facets by 1, at corners by 1 at least
   std::vector<std::vector<std::pair<int, double>>> rows; ///< of the stiffness, by pair

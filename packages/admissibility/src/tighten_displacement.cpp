@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "pair_stiffness.hpp"
 
@@ -59,20 +60,27 @@ private:
   std::vector<std::vector<Condition>> conditions_;
 };
 
-/// A vertex takes the middles of its facets along by a quarter: their coefficients stay.
+/// A vertex takes the middles of its edges along by a quarter: their coefficients stay.
 Tightening::Opening Tightening::opening(int number) const
 {
   Opening result{{number, 1.0}};
   const Pair& pair = moves_.pairs[std::size_t(number)];
-  if (!isQuadratic_ || pair.isMiddle())
+  if (!isQuadratic_ || pair.isMiddle)
     return result;
+  std::set<int> taken; // an edge in space has two facets
   for (const Corner& corner : pair.corners) {
     const ContactFacet& facet = facets_[corner.facet];
-    const auto middle = moves_.index.find(facet.pairs[2]);
-    if (middle == moves_.index.end())
-      continue;
-    const Compliance &vertex = moves_.moves[std::size_t(number)], &between = moves_.moves[std::size_t(middle->second)];
-    result.emplace_back(middle->second, 0.25 * vertex.gain(facet.normal) / between.gain(facet.normal));
+    const FacetEdges edges = facetEdges(facet.dim);
+    for (int e = 0; e < edges.size; ++e) {
+      const auto [a, b] = edges.ends[e];
+      const auto middle = moves_.index.find(facet.pairs[std::size_t(facet.dim + e)]);
+      if ((a != int(corner.number) && b != int(corner.number)) || middle == moves_.index.end() ||
+          !taken.insert(middle->second).second)
+        continue;
+      const Compliance &vertex = moves_.moves[std::size_t(number)],
+                       &between = moves_.moves[std::size_t(middle->second)];
+      result.emplace_back(middle->second, 0.25 * vertex.gain(facet.normal) / between.gain(facet.normal));
+    }
   }
   return result;
 }
@@ -83,8 +91,8 @@ double Tightening::moved(int number, const std::vector<Vector>& displacement) co
   const Pair& pair = moves_.pairs[std::size_t(number)];
   double along = 0.0, size = 0.0;
   for (std::size_t side = 0; side < 2; ++side)
-    for (std::size_t k = 0; k < 2; ++k) {
-      const std::size_t dof = std::size_t(pair.node[side]) * 2 + k;
+    for (std::size_t k = 0; k < moves_.dim; ++k) {
+      const std::size_t dof = std::size_t(pair.node[side]) * moves_.dim + k;
       const double m = moves_.moves[std::size_t(number)].move[side][k];
       along += m * (admissible_.displacement[pair.body[side]][dof] - displacement[pair.body[side]][dof]);
       size += m * m;
@@ -150,8 +158,8 @@ void Tightening::open(int number, double amount)
 {
   const Pair& pair = moves_.pairs[std::size_t(number)];
   for (std::size_t side = 0; side < 2; ++side)
-    for (std::size_t k = 0; k < 2; ++k)
-      admissible_.displacement[pair.body[side]][std::size_t(pair.node[side]) * 2 + k] +=
+    for (std::size_t k = 0; k < moves_.dim; ++k)
+      admissible_.displacement[pair.body[side]][std::size_t(pair.node[side]) * moves_.dim + k] +=
           amount * moves_.moves[std::size_t(number)].move[side][k];
   x_[std::size_t(number)] += amount;
   for (const auto& [j, M] : moves_.rows[std::size_t(number)])

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ndframe/admissibility/edge_functions.hpp"
+#include "ndframe/admissibility/facet_functions.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
 namespace ndframe
@@ -32,7 +32,7 @@ EndTables shareTables(int order, int degree, int a)
 {
   const MomentBasis basis = facetBasis(2, degree);
   return endMeans(order + 1, degree + 1, 2 + order + degree, [&](const double* lambda, double* N, double* m) {
-    edgeFunctions(order, lambda, N);
+    facetFunctions(2, order, lambda, N);
     basis.values(lambda, m);
     if (order == 1)
       basis.vertexForce(a, m);
@@ -47,7 +47,7 @@ EndTables turningEdgeMoments(int order, int degree)
 {
   const MomentBasis basis = facetBasis(2, degree);
   return endMeans(order + 1, degree + 1, 1 + order + degree, [&](const double* lambda, double* N, double* L) {
-    edgeFunctions(order, lambda, N);
+    facetFunctions(2, order, lambda, N);
     basis.values(lambda, L);
   });
 }

@@ -129,6 +129,7 @@ Samples join(const SimplexGeometry& geometry, const std::vector<SampledFunction>
     for (Samples::Piece piece : leaf.slab.parts()) {
       piece.rule = leaf.rule;
       piece.error = leaf.error;
+      piece.normError = leaf.normError;
       piece.slopeError = leaf.slopeError;
       piece.first = samples.rule.size();
       append(geometry, functions, piece, samples);

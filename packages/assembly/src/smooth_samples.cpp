@@ -80,6 +80,7 @@ bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples
       continue;
     beginWhole(simplex, sampling.rule, samples);
     samples.pieces.front().error = error;
+    samples.pieces.front().normError = ofNorm;
     samples.scale = scale;
     samples.spread = ofNorm;
     samples.uncertainty = error == 0.0 ? 0.0 : 2.0 * error / scale;

@@ -33,14 +33,17 @@ std::optional<Parts> partsOf(const ErrorSummary& errors)
   return std::nullopt;
 }
 
-/// "2 more sweeps", or without a number when the last two do not tell.
+/// "2 more sweeps", many of them in steps of 5, or without a number when the last two do not tell.
 std::string sweepsToGo(const Parts& parts, const std::vector<SweepRecord>& history)
 {
   const auto last = history.rbegin();
   const double contraction = history.size() < 2 ? 1.0 : last[0].epsTau / last[1].epsTau;
   if (!(contraction > 0.0 && contraction < 1.0))
     return "more sweeps";
-  const double sweeps = std::ceil(std::log(negligible * parts.mesh / parts.iteration) / std::log(contraction));
+  constexpr double few = 10.0, step = 5.0;
+  double sweeps = std::ceil(std::log(negligible * parts.mesh / parts.iteration) / std::log(contraction));
+  if (sweeps > few)
+    sweeps = step * std::ceil(sweeps / step);
   return std::isfinite(sweeps) ? fmt::format("{:.0f} more sweep{}", sweeps, sweeps == 1.0 ? "" : "s") : "more sweeps";
 }
 

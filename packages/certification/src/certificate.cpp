@@ -78,8 +78,8 @@ void Certifier::admitTractions()
   const TractionSign sign = asPublished ? TractionSign::Values : TractionSign::Coefficients;
   if (options_.needsGlobalField()) {
     const bool updated = options_.tractionMean == TractionMean::Updated;
-    global_.field =
-        nearestField(meanTraction(scene_.coupling, updated), options_.optimises() ? TractionSign::Coefficients : sign);
+    global_.field = nearestField(meanTraction(scene_.coupling, updated),
+                                 options_.optimises(scene_.dim()) ? TractionSign::Coefficients : sign);
   }
   if (!wants(Estimator::Discretization))
     return;
@@ -127,7 +127,7 @@ void Certifier::solveIntermediateFields()
 SceneField Certifier::globalField() const
 {
   SceneField field = makeSceneField(global_.field);
-  field.optimise = options_.optimises();
+  field.optimise = options_.optimises(scene_.dim());
   if (field.optimise)
     field.opening = openings(scene_, global_.field.displacement, admissible_.gap);
   return field;
@@ -229,7 +229,7 @@ void Certifier::measure()
     summary.degree = scene_.degree;
   }
   if (options_.needsTraction())
-    summary.interfaceTraction = tractionTypeNames().name(options_.tractionType);
+    summary.interfaceTraction = tractionTypeNames().name(options_.tractionIn(scene_.dim()));
   if (wants(Estimator::Global))
     measureGlobal();
   if (wants(Estimator::Algorithm) || wants(Estimator::Split)) {

@@ -33,6 +33,16 @@ double stiffnessAt(const BodyModel& body, Facet facet)
   return body.isRigid ? std::numeric_limits<double>::infinity() : smallestStiffness(body.laws(facet.cell));
 }
 
+/// 1/|f| int psi_i dS of a facet's nodal functions.
+double shareOf(int dim, int order, std::size_t node)
+{
+  if (order == 1)
+    return 1.0 / dim;
+  if (dim == 3)
+    return node < 3 ? 0.0 : 1.0 / 3;
+  return node < 2 ? 1.0 / 6 : 2.0 / 3;
+}
+
 double largest(const std::vector<Vector>& fields)
 {
   double value = 0.0;
@@ -122,8 +132,7 @@ SceneField makeSceneField(const IntermediateField& field)
 
 Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body)
 {
-  return contactShares(scene.facets, stress.onDirichlet, stress.onNeumann, body,
-                       scene.bodies[std::size_t(body)]->mesh.dim);
+  return contactShares(scene.facets, stress.onDirichlet, stress.onNeumann, body);
 }
 
 Vector nodalGap(const Model& model)
@@ -153,10 +162,10 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
     const auto opening = facetOpening(scene.bodies, facet, scene.solved);
     const double stiffness = std::min(stiffnessAt(*scene.bodies[std::size_t(facet.dirichletBody)], facet.dirichlet),
                                       stiffnessAt(*scene.bodies[std::size_t(facet.neumannBody)], facet.neumann));
-    for (std::size_t i = 0; i <= std::size_t(scene.order); ++i) {
+    for (std::size_t i = 0; i < std::size_t(numFacetNodes(facet.dim, scene.order)); ++i) {
       const auto node = std::size_t(facet.nodes[i]);
       const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);
-      const double share = scene.order == 1 ? 1.0 / 2 : i < 2 ? 1.0 / 6 : 2.0 / 3; // of the facet's length
+      const double share = shareOf(facet.dim, scene.order, i);
       cost[node] -= share * std::min(2.0 * stiffness * std::max(0.0, open), most * facet.measure);
     }
   }
@@ -244,7 +253,7 @@ double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {
     const JumpCoefficients jump{scene.facets[f], scene.order};
     const auto opening = closing(scene.bodies, scene.facets[f], displacement);
-    const double* bound = gap.bernstein.data() + f * std::size_t(scene.order + 1);
+    const double* bound = gap.bernstein.data() + f * std::size_t(numFacetNodes(scene.facets[f].dim, scene.order));
     for (std::size_t k = 0; k < jump.size(); ++k)
       deepest = std::max(deepest, jump.of(k, opening) - jump.gap(k, bound));
   }

@@ -25,6 +25,8 @@ struct CertifiedScene
   int order = 0;                    ///< of the displacements
   int degree = 0;                   ///< of the stresses and tractions
   double norm = 0.0;                ///< sqrt(sum a(u_h, u_h))
+
+  int dim() const { return bodies.front()->mesh.dim; }
 };
 
 /// Stresses K eps(u~) of all bodies in finite element equilibrium with the loads and with tractions on the interfaces.

@@ -5,7 +5,7 @@
 #include <map>
 
 #include "ndframe/admissibility/contact_nodes.hpp"
-#include "ndframe/admissibility/edge_functions.hpp"
+#include "ndframe/admissibility/facet_functions.hpp"
 #include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
@@ -122,7 +122,7 @@ private:
       const double t = ((x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1])) / squared;
       const std::array<double, 2> lambda{1.0 - t, t};
       std::array<double, 3> N{};
-      edgeFunctions(scene_.order, lambda.data(), N.data());
+      facetFunctions(2, scene_.order, lambda.data(), N.data());
       for (int j = 0; j <= scene_.order; ++j)
         piece.values(i, j) = N[std::size_t(j)];
     }
@@ -141,7 +141,7 @@ private:
     DenseMatrix mass(scene_.order + 1, scene_.order + 1);
     std::array<double, 3> N{};
     for (int g = 0; g < rule.size(); ++g) {
-      edgeFunctions(scene_.order, rule.point(g), N.data());
+      facetFunctions(2, scene_.order, rule.point(g), N.data());
       for (int i = 0; i <= scene_.order; ++i)
         for (int j = 0; j <= scene_.order; ++j)
           mass(i, j) += rule.weights[std::size_t(g)] * N[std::size_t(i)] * N[std::size_t(j)];

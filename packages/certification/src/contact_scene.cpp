@@ -41,8 +41,8 @@ std::vector<int> firstOfPairs(const InterfaceMesh& interface)
 ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f, const std::vector<int>& pairs,
                        int firstNode)
 {
-  NDFRAME_ASSERT(interface.dim == 2, "contact facets are edges");
   ContactFacet facet;
+  facet.dim = interface.dim;
   facet.dirichletBody = interface.dirichletBody;
   facet.neumannBody = interface.neumannBody;
   facet.dirichlet = interface.dirichletFacets[std::size_t(f)];
@@ -52,14 +52,18 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   facet.normal = interface.facetNormals[std::size_t(f)];
   facet.isDrawnApart = !interface.drawnGap.empty();
   const auto nodes = contactNodes(body, facet, true);
-  std::array<int, 3> ours{};
+  FacetNodes ours{};
   for (int i = 0; i < body.nodes.nodesPerFacet; ++i) {
     ours[std::size_t(i)] = nodeAt(interface, f, nodes[std::size_t(i)]);
     facet.nodes[std::size_t(i)] = firstNode + ours[std::size_t(i)];
     facet.pairs[std::size_t(i)] = firstNode + pairs[std::size_t(ours[std::size_t(i)])];
   }
-  for (std::size_t end = 0; end < 2; ++end)
-    std::copy_n(interface.point(ours[end]), 2, facet.points[end].begin());
+  for (std::size_t a = 0; a < std::size_t(facet.dim); ++a)
+    std::copy_n(interface.point(ours[a]), facet.dim, facet.points[a].begin());
+  FacetNodes theirs{};
+  for (std::size_t a = 0; a < std::size_t(facet.dim); ++a)
+    theirs[a] = interface.neumannNodes[std::size_t(ours[a])];
+  facet.theirs = ascendingPlaces(facet.dim, theirs.data());
   const double sign = interface.dirichletBody == interface.firstBody ? -1.0 : 1.0;
   for (std::size_t i = 0; facet.isDrawnApart && i < std::size_t(body.nodes.nodesPerFacet); ++i)
     for (std::size_t k = 0; k < 2; ++k)
@@ -70,7 +74,6 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
     facet.turns = dotProduct(ends[0], ends[0]) > 0.0;
     facet.ends = backwards ? std::array{ends[1], ends[0]} : ends;
   }
-  facet.reversed = interface.neumannNodes[std::size_t(ours[0])] > interface.neumannNodes[std::size_t(ours[1])];
   return facet;
 }
 

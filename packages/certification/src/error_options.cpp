@@ -34,7 +34,9 @@ const Names<ErrorMode>& errorModeNames()
 
 const Names<TractionType>& tractionTypeNames()
 {
-  static const Names<TractionType> names{{"Optimal", TractionType::Optimal}, {"Projected", TractionType::Projected}};
+  static const Names<TractionType> names{{"Automatic", TractionType::Automatic},
+                                         {"Optimal", TractionType::Optimal},
+                                         {"Projected", TractionType::Projected}};
   return names;
 }
 
@@ -69,9 +71,16 @@ bool ErrorOptions::recoversGlobalStress() const
   return wantsAny(*this, {Estimator::Global, Estimator::Split});
 }
 
-bool ErrorOptions::optimises() const
+TractionType ErrorOptions::tractionIn(int dim) const
 {
-  return touches && recoversGlobalStress() && tractionType == TractionType::Optimal;
+  if (tractionType != TractionType::Automatic)
+    return tractionType;
+  return dim == 2 ? TractionType::Optimal : TractionType::Projected;
+}
+
+bool ErrorOptions::optimises(int dim) const
+{
+  return touches && recoversGlobalStress() && tractionIn(dim) == TractionType::Optimal;
 }
 
 } // namespace ndframe

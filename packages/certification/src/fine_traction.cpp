@@ -10,36 +10,46 @@ namespace ndframe
 namespace
 {
 
-/// An edge of the Dirichlet body, from its first to its second ascending vertex.
-struct Line
+/// A facet of the Dirichlet body by its ascending vertices.
+class Flat
 {
-  const double *start, *end;
-
-  Line(const Model& model, const ContactFacet& facet)
+public:
+  Flat(const Model& model, const ContactFacet& facet) : dim_(std::size_t(facet.dim))
   {
     const Mesh& mesh = model.bodies[std::size_t(facet.dirichletBody)].mesh;
-    int vertices[2];
-    facetVertices(mesh, facet.dirichlet, vertices);
-    start = mesh.point(std::min(vertices[0], vertices[1]));
-    end = mesh.point(std::max(vertices[0], vertices[1]));
+    std::array<int, 3> vertices{};
+    facetVertices(mesh, facet.dirichlet, vertices.data());
+    const auto places = ascendingPlaces(facet.dim, vertices.data());
+    for (std::size_t a = 0; a < dim_; ++a)
+      std::copy_n(mesh.point(vertices[std::size_t(places[a])]), facet.dim, corners_[a].begin());
   }
 
-  /// Where a point of the line lies: 0 at the start, 1 at the end.
-  double position(const double* x) const
+  const Direction& corner(std::size_t a) const { return corners_[a]; }
+
+  /// Barycentric coordinates of a point of its line or plane: least squares.
+  std::array<double, 3> locate(const Direction& x) const
   {
-    double along = 0.0, squared = 0.0;
-    for (int k = 0; k < 2; ++k) {
-      along += (x[k] - start[k]) * (end[k] - start[k]);
-      squared += (end[k] - start[k]) * (end[k] - start[k]);
+    const Direction e = minus(corners_[1], corners_[0]), f = minus(corners_[2], corners_[0]), d = minus(x, corners_[0]);
+    if (dim_ == 2) {
+      const double t = dotProduct(d, e) / dotProduct(e, e);
+      return {1.0 - t, t, 0.0};
     }
-    return along / squared;
+    const double ee = dotProduct(e, e), ef = dotProduct(e, f), ff = dotProduct(f, f), de = dotProduct(d, e),
+                 df = dotProduct(d, f), det = ee * ff - ef * ef;
+    const double s = (ff * de - ef * df) / det, t = (ee * df - ef * de) / det;
+    return {1.0 - s - t, s, t};
   }
+
+private:
+  static Direction minus(const Direction& a, const Direction& b) { return {a[0] - b[0], a[1] - b[1], a[2] - b[2]}; }
+
+  std::size_t dim_;
+  std::array<Direction, 3> corners_{};
 };
 
-/// 1/|f| sum_k T_k L_k at a position along the facet.
-double tractionAt(const MomentBasis& basis, const Vector& moments, double measure, double position)
+/// 1/|f| sum_k T_k L_k at a point of the facet.
+double tractionAt(const MomentBasis& basis, const Vector& moments, double measure, const double* lambda)
 {
-  const double lambda[2] = {1.0 - position, position};
   Vector L(moments.size());
   basis.values(lambda, L.data());
   return dot(moments, L) / measure;
@@ -51,22 +61,29 @@ ContactTraction onFineFacets(const Model& coarseModel, const std::vector<Contact
                              const ContactTraction& traction, const Model& fineModel,
                              const std::vector<ContactFacet>& fine)
 {
-  const MomentBasis basis = facetBasis(2, traction.degree);
-  const QuadratureRule rule = simplexRule(1, 2 * traction.degree);
-  const std::size_t modes = std::size_t(basis.size()), pieces = coarse.empty() ? 1 : fine.size() / coarse.size();
-  ContactTraction result{traction.degree, Vector(fine.size() * 2 * modes, 0.0)};
+  const MomentBasis basis = facetBasis(traction.dim, traction.degree);
+  const QuadratureRule rule = simplexRule(traction.dim - 1, 2 * traction.degree);
+  const std::size_t modes = traction.numModes(), pieces = coarse.empty() ? 1 : fine.size() / coarse.size(),
+                    dim = std::size_t(traction.dim);
+  ContactTraction result{traction.degree, Vector(fine.size() * dim * modes, 0.0), {}, traction.dim};
   Vector L(modes);
   for (std::size_t f = 0; f < fine.size(); ++f) {
     const ContactFacet& parent = coarse[f / pieces];
-    const Line whole(coarseModel, parent), piece(fineModel, fine[f]);
+    const Flat whole(coarseModel, parent), piece(fineModel, fine[f]);
     const Vector moments = traction.moments(int(f / pieces));
-    const double first = whole.position(piece.start), last = whole.position(piece.end);
+    std::array<std::array<double, 3>, 3> corners{};
+    for (std::size_t a = 0; a < dim; ++a)
+      corners[a] = whole.locate(piece.corner(a));
     for (int g = 0; g < rule.size(); ++g) {
       const double* lambda = rule.point(g);
-      const double t = tractionAt(basis, moments, parent.measure, lambda[0] * first + lambda[1] * last);
+      std::array<double, 3> place{};
+      for (std::size_t a = 0; a < dim; ++a)
+        for (std::size_t i = 0; i < dim; ++i)
+          place[i] += lambda[a] * corners[a][i];
+      const double t = tractionAt(basis, moments, parent.measure, place.data());
       basis.values(lambda, L.data());
       for (std::size_t k = 0; k < modes; ++k)
-        result.shares[f * 2 * modes + k] += fine[f].measure * rule.weights[std::size_t(g)] * t * L[k];
+        result.shares[f * dim * modes + k] += fine[f].measure * rule.weights[std::size_t(g)] * t * L[k];
     }
   }
   return result;

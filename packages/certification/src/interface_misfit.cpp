@@ -37,7 +37,7 @@ std::vector<Direction> tractionAt(const ContactFacet& facet, const ContactTracti
 
 /// int |t - K eps(u) nu|^2 over one side of a facet; t per length of this side.
 template <int order>
-double misfitOf(const BodyModel& body, const Vector& displacement, Facet own, const std::array<int, 3>& nodes,
+double misfitOf(const BodyModel& body, const Vector& displacement, Facet own, const FacetNodes& nodes,
                 const QuadratureRule& rule, const std::vector<Direction>& traction, double sign)
 {
   const CellField<2, order> field(body, displacement, own.cell);
@@ -62,6 +62,7 @@ double misfitOf(const BodyModel& body, const Vector& displacement, Facet own, co
 
 double interfaceMisfit(const CertifiedScene& scene, const IntermediateField& field)
 {
+  NDFRAME_ASSERT(scene.bodies.front()->mesh.dim == 2, "sides that are cut are those of plane bodies");
   const QuadratureRule rule = simplexRule(1, 2 * scene.degree + 2);
   double square = 0.0;
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {

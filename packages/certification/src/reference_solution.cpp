@@ -75,13 +75,20 @@ std::optional<double> ratio(double bound, double error, double size)
   return error > smallestError * size ? std::optional(bound / error) : std::nullopt;
 }
 
+/// Limit of a reference's dofs; in space a factor takes more memory for each.
+std::int64_t affordableDofs(const Model& model, const ReferenceDepth& depth)
+{
+  constexpr int shareInSpace = 5;
+  return model.bodies.front().mesh.dim == 2 ? depth.maximumDofs : depth.maximumDofs / shareInSpace;
+}
+
 /// Nodes multiply by 2^dim with every refinement (a little less).
 int affordableRefinements(const Model& model, const ReferenceDepth& depth)
 {
   std::int64_t dofs = model.totalDofs();
   const int children = numChildren(model.bodies.front().mesh.dim);
   int refinements = 0;
-  while (refinements < depth.refinements && (dofs *= children) <= depth.maximumDofs)
+  while (refinements < depth.refinements && (dofs *= children) <= affordableDofs(model, depth))
     ++refinements;
   return refinements;
 }
@@ -217,7 +224,7 @@ ReferenceSummary compareWithReference(const ReferenceSolution* reference, const 
   summary.refinements = reference == nullptr ? 0 : reference->refinements();
   if (summary.refinements < depth.refinements)
     summary.note = fmt::format("{} of {} refinements: the next one would have more than {} dofs", summary.refinements,
-                               depth.refinements, depth.maximumDofs);
+                               depth.refinements, affordableDofs(model, depth));
   if (reference == nullptr) {
     summary.displacement = summary.relative = std::numeric_limits<double>::quiet_NaN();
     return summary;

@@ -17,9 +17,12 @@ ListSpec tractionSpec()
   list.name = "Interface Traction";
   list.doc = "The admissible traction: pressing everywhere, equal on both bodies, in balance with the loads.";
   list.params = {
-      {"Type", std::string("Optimal"), tractionTypeNames().range(),
-       "Optimal: the one that makes the bound small, found by stars that span both bodies. Projected: the one nearest "
-       "to the computed tractions (section 5.3 of the paper)."},
+      {"Type", std::string("Automatic"), tractionTypeNames().range(),
+       "Optimal: the one that makes the bound small, found by stars that span both bodies, in the plane. Projected: "
+       "the "
+       "one nearest to the computed tractions (section 5.3 of the paper). Automatic: Optimal in the plane, Projected "
+       "in "
+       "space."},
       {"Mean", std::string("Previous"), tractionMeanNames().range(),
        "Which traction of the Neumann side enters the mean of the two sides: Previous, with which its body is in "
        "equilibrium, or Updated, the one for the next sweep."}};
@@ -33,7 +36,8 @@ ListSpec referenceSpec()
   list.doc = "The finer solution that the estimator Reference compares with: the same scene, all bodies at once.";
   list.params = {{"Refinements", 3, inClosedRange(1, 6), "Every edge is halved so many times; 3 gives h/8."},
                  {"Maximum Dofs", 2000000, atLeast(1),
-                  "Refinement stops before the scene gets more dofs than this; the summary says so."}};
+                  "Refinement stops before the scene gets more dofs than this, in space than a fifth of it; the "
+                  "summary says so."}};
   return list;
 }
 

@@ -54,7 +54,7 @@ std::vector<SceneStress> ElementRecovery::recover(const RecoveryScene& scene, co
         stresses.back().corrections.push_back(zeroCorrection(scene.bodies[body]->mesh, scene.data[body].degree));
         continue;
       }
-      const Vector contact = contactShares(scene.facets, field.onDirichlet, field.onNeumann, int(body), 2);
+      const Vector contact = contactShares(scene.facets, field.onDirichlet, field.onNeumann, int(body));
       stresses.back().corrections.push_back(equilibrateElements(edges[body], *scene.bodies[body], scene.data[body],
                                                                 {field.displacement[body], &contact}));
       ledger.count("element problems", scene.bodies[body]->mesh.numCells());

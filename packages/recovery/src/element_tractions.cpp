@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "element_forces.hpp"
-#include "ndframe/admissibility/edge_functions.hpp"
+#include "ndframe/admissibility/facet_functions.hpp"
 
 namespace ndframe
 {
@@ -15,7 +15,7 @@ namespace
 /// int p phi_i = sum_k <phi_i, L_k> P_k  for any p; k = 0..p.
 struct EdgeBasis
 {
-  explicit EdgeBasis(int order) : values(order + 1, order + 1), means(edgeMoments(order, order))
+  explicit EdgeBasis(int order) : values(order + 1, order + 1), means(facetMoments(2, order, order))
   {
     const MomentBasis basis = facetBasis(2, order);
     const double nodes[3][2] = {{1.0, 0.0}, {0.0, 1.0}, {0.5, 0.5}};

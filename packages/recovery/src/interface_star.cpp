@@ -41,7 +41,7 @@ DenseMatrix releasedByTraction(const RecoveryScene& scene, const InterfaceVertex
   int row = 0, col = 0;
   for (const FacetEnd& end : vertex.ends) {
     const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-    const auto sign = [&](int k) { return (isNeumann && facet.reversed && k % 2 == 1) != isNeumann ? -1.0 : 1.0; };
+    const auto sign = [&](int k) { return (isNeumann && facet.isReversed() && k % 2 == 1) != isNeumann ? -1.0 : 1.0; };
     for (int k = 0; !facet.turns && k < modes; ++k)
       map(row + k, col + k) = sign(k);
     for (int d = 0; facet.turns && d < 2; ++d)
@@ -70,7 +70,7 @@ InterfaceStar::Side makeSide(const RecoveryScene& scene, const std::vector<const
     else
       released.push_back({own, facet.normal});
     meshPoint = meshVertex(bodies[std::size_t(body)]->model().mesh, own,
-                           isNeumann && facet.reversed ? 1 - end.vertex : end.vertex);
+                           isNeumann && facet.isReversed() ? 1 - end.vertex : end.vertex);
   }
   const StarBody& star = *bodies[std::size_t(body)];
   return {body, StarSystem(star, star.star(meshPoint), released),

@@ -66,7 +66,7 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, L
   ContactTraction traction = field.onDirichlet;
   std::vector<Vector> contact;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
-    contact.push_back(contactShares(scene_.facets, traction, field.onNeumann, int(body), 2));
+    contact.push_back(contactShares(scene_.facets, traction, field.onNeumann, int(body)));
   std::vector<std::unique_ptr<StarLoads>> loads;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     loads.push_back(bodies_[body] == nullptr

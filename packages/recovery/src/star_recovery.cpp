@@ -49,8 +49,7 @@ public:
     forEachBody([this](std::size_t body) {
       std::vector<Vector> contact;
       for (const SceneStress& stress : stresses_)
-        contact.push_back(contactShares(scene_.facets, stress.onDirichlet, stress.onNeumann, int(body),
-                                        scene_.bodies[body]->mesh.dim));
+        contact.push_back(contactShares(scene_.facets, stress.onDirichlet, stress.onNeumann, int(body)));
       std::vector<FieldInput> inputs;
       for (std::size_t field = 0; field < fields_.size(); ++field)
         inputs.push_back({fields_[field].displacement[body], &contact[field]});

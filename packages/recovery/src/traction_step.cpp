@@ -41,7 +41,7 @@ TractionStep::TractionStep(std::vector<FacetEnd> ends, const DenseMatrix& E, Den
   NDFRAME_ASSERT(H_.rows() == int(h_.size()) && E.cols() == H_.rows(), "shapes do not match");
   reducedH_ = multiplyTransposed(basis_, multiply(H_, basis_));
   const int modes = H_.rows() / int(ends_.size());
-  toBernstein_ = bernsteinOfMoments(modes - 1);
+  toBernstein_ = bernsteinOfMoments(2, modes - 1);
   reducedB_ = DenseMatrix(H_.rows(), basis_.cols());
   for (int i = 0; i < H_.rows(); ++i)
     for (int z = 0; z < basis_.cols(); ++z) {

@@ -145,15 +145,16 @@ void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagn
 {
   const auto& errors = tools.settings.errors;
   const auto& nodes = model.bodies.front().nodes;
-  const bool touchInSpace = nodes.dim == 3 && !model.interfaces.empty();
-  if (!errors || (touchInSpace ? tools.settings.accuracy.has_value() : !errors->recoversStress()))
-    return; // Accuracy in space is refused itself
+  if (!errors || !errors->recoversStress())
+    return;
   const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
   const auto reason =
-      touchInSpace ? "the error of contact between bodies in space is not known in this version; leave it out"
-                   : tools.components.recoveries.build(list)->refusal(nodes.dim, nodes.order, errors->optimises());
+      tools.components.recoveries.build(list)->refusal(nodes.dim, nodes.order, errors->optimises(nodes.dim));
   if (!reason.empty())
     diagnostics.add(list.mistake("", reason + "."));
+  if (errors->touches && errors->mode == ErrorMode::Paper && nodes.dim == 3 && nodes.order == 2)
+    diagnostics.add(errors->place.mistake("Mode", "Paper asks for signs at the nodes, and in space the vertices of "
+                                                  "second order carry no traction; Strict works."));
 }
 
 } // namespace

@@ -6,16 +6,19 @@
 namespace ndframe
 {
 
+/// Vectors at a facet's nodes.
+using FacetVectors = std::array<Direction, mostFacetNodes>;
+
 /// A body's node numbers on a contact facet in the order of ContactFacet::nodes.
-std::array<int, 3> contactNodes(const BodyModel& body, const ContactFacet& facet, bool isDirichlet);
+FacetNodes contactNodes(const BodyModel& body, const ContactFacet& facet, bool isDirichlet);
 
 /// u1 - u2 at the nodes of a contact facet, in the order of ContactFacet::nodes. displacement: per body, numNodes *
 /// dim, global axes.
-std::array<Direction, 3> facetOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
-                                      const std::vector<Vector>& displacement);
+FacetVectors facetOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+                          const std::vector<Vector>& displacement);
 
 /// What of u1 - u2 counts against the deck's Gap: facetOpening, and the drawn distance where it counts.
-std::array<Direction, 3> closing(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
-                                 const std::vector<Vector>& displacement);
+FacetVectors closing(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+                     const std::vector<Vector>& displacement);
 
 } // namespace ndframe

@@ -13,8 +13,8 @@ namespace ndframe
 /// tractions.
 struct GapBound
 {
-  Vector bernstein; ///< per facet, order + 1 Bernstein coefficients of g_h <= g
-  Vector moments;   ///< per facet, degree + 1: int g L_k of the true gap
+  Vector bernstein; ///< per facet, Bernstein coefficients of g_h <= g in the order of JumpCoefficients
+  Vector moments;   ///< per facet and mode: int g L_k of the true gap
   std::string
       caveat; ///< why g_h <= g or the moments are not certain (a gap too rough to be resolved); empty when they are
 };
@@ -28,8 +28,8 @@ struct FacetGap
 
 /// Finds g_h and the moments of every facet, vertices in the order of ContactFacet::nodes.
 ///
-/// g_h is the interpolant at the nodes, lowered until g_h <= g: by kappa t (1 - t) for order 2 (the values at the
-/// vertices stay), and by the constant that is then missing. g is enclosed on pieces of the facet
+/// g_h is the interpolant at the nodes, lowered until g_h <= g: by kappa t (1 - t) on edges of order 2 (the values at
+/// the vertices stay), and by the constant that is then missing. g is enclosed on pieces of the facet
 /// (adaptive_samples.hpp): it is a polynomial, bounded by its Bernstein coefficients, and an error that is bounded.
 /// Gaps that are polynomials of the order are kept as they are.
 GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets, int degree,

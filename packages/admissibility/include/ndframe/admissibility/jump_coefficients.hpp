@@ -1,12 +1,13 @@
 #pragma once
 
-#include "ndframe/admissibility/contact_traction.hpp"
+#include "ndframe/admissibility/contact_nodes.hpp"
 
 namespace ndframe
 {
 
-/// The normal jump w = (u1 - u2) . n_c on a facet in Bernstein coefficients, ascending from the facet's first vertex:
-/// as many as the displacements' order and one, one more where n_c turns (n_c and u1 - u2 multiply):
+/// The normal jump w = (u1 - u2) . n_c on a facet in Bernstein coefficients. On triangles in the order of the nodes
+/// (bernsteinWeight). On edges ascending from the facet's first vertex, as many as the displacements' order and one,
+/// one more where n_c turns (n_c and u1 - u2 multiply):
 ///
 ///   order 1:  n_0.j_0,  (n_0.j_1 + n_1.j_0) / 2,  n_1.j_1
 ///   order 2:  n_0.j_0,  (n_1.j_0 + 2 n_0.J) / 3,  (n_0.j_1 + 2 n_1.J) / 3,  n_1.j_1,     J = 2 j_2 - (j_0 + j_1) / 2
@@ -17,11 +18,15 @@ struct JumpCoefficients
   const ContactFacet& facet;
   int order;
 
-  std::size_t size() const { return std::size_t(order) + (facet.turns ? 2 : 1); }
+  std::size_t size() const;
+  /// The coefficient that is the value at a vertex.
+  std::size_t atVertex(std::size_t vertex) const;
+  /// Those that the node in the middle of an edge decides.
+  std::vector<std::size_t> atMiddle(std::size_t node) const;
   /// Coefficient k = sum over the facet's nodes of weight(k, node) . j.
   Direction weight(std::size_t k, std::size_t node) const;
-  double of(std::size_t k, const std::array<Direction, 3>& opening) const;
-  /// A polynomial of the displacements' order in as many coefficients: gap points to its order + 1.
+  double of(std::size_t k, const FacetVectors& opening) const;
+  /// A polynomial of the displacements' order in as many coefficients: gap points to its own.
   double gap(std::size_t k, const double* bernstein) const;
 };
 

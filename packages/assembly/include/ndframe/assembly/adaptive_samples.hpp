@@ -27,6 +27,7 @@ struct Samples
     const QuadratureRule* rule = nullptr;
     /// Bound of |f - polynomial| + |f - values|, the largest of the functions; infinite when nothing is known.
     double error = 0.0;
+    double normError = 0.0; ///< bound of |f - polynomial| for polynomials whose squares the rule integrates
     /// The same for the derivative along a piece of an edge, its length being 1.
     double slopeError = 0.0;
   };

@@ -31,6 +31,7 @@ enum class ErrorMode
 /// The admissible traction: the one that makes the bound small, or the paper's projection of the computed one.
 enum class TractionType
 {
+  Automatic, ///< Optimal in the plane, Projected in space
   Optimal,
   Projected
 };
@@ -54,7 +55,7 @@ struct ErrorOptions
   ListPlace place;
   std::vector<Estimator> estimators; ///< those of the deck; without the key Global and, with interfaces, its two parts
   ErrorMode mode = ErrorMode::Strict;
-  TractionType tractionType = TractionType::Optimal;
+  TractionType tractionType = TractionType::Automatic;
   TractionMean tractionMean = TractionMean::Previous;
   std::string recovery; ///< name of the component
   bool checkEquilibrium = false;
@@ -68,7 +69,8 @@ struct ErrorOptions
   bool needsTraction() const;        ///< that or the tractions of the separate problems
   bool recoversGlobalStress() const; ///< the equilibrated stress of the bound
   bool recoversStress() const;       ///< that or the one of the separate problems
-  bool optimises() const;            ///< the recovery changes the traction
+  TractionType tractionIn(int dim) const; ///< Optimal or Projected
+  bool optimises(int dim) const;          ///< the recovery changes the traction
 };
 
 } // namespace ndframe

@@ -1,0 +1,143 @@
+"""No bound of solids in contact lies below its error: certificate_solids.py NDFRAME [--scenes N] [--seed FIRST].
+
+Two solids with 12 to some hundred tetrahedra each, flat, inclined or bent where they touch, stretched up to ten to one,
+shaken inside and numbered at random, of random moduli, loads, gaps and supports, first and second order, solved to the end or
+stopped anywhere. The error is that of a solution on cells half as large, once or twice. A guaranteed bound below it is a
+violation; so are a bound that is not guaranteed although the run ended well, a stress out of balance, and (but on bent sides)
+a mean stress that is further from the reference than its bound. Prints the violations, and how sharp the bounds are.
+"""
+
+import argparse
+import math
+import pathlib
+import random
+import statistics
+import sys
+import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
+from runs import Program
+from solid_scenes import Solid, pressure, write_scene
+
+EXACT = 1e-9  # of the solution: an error below is that of two exact solutions
+BALANCED = 1e-10  # largest defect of the recovered stress
+
+
+def maps(draw, kind):
+    """Of the upper and of the lower solid; they agree where the side of contact is."""
+    height, depth = draw.uniform(0.1, 1.0), draw.uniform(0.1, 1.0)
+    wide, long = draw.uniform(0.3, 1.5), draw.uniform(0.3, 1.5)
+    bow = draw.uniform(-0.3, 0.3) * min(height, depth) if kind == "bent" else 0.0
+    a, b = (draw.uniform(-1, 1), draw.uniform(-0.7, 0.7)) if kind == "inclined" else (0.0, 0.0)
+    c, s, d, e = math.cos(a), math.sin(a), math.cos(b), math.sin(b)
+
+    def turned(x, y, z):
+        x, z = c * x - s * z, s * x + c * z
+        return x, d * y - e * z, e * y + d * z
+
+    floor = lambda x, y: bow * (x * x + 0.5 * x * y)
+    upper = lambda r, q, t: turned(wide * r, long * q, (1 - t) * floor(r, q) + t * height)
+    lower = lambda r, q, t: turned(wide * r, long * q, t * floor(r, q) - (1 - t) * depth)
+    return upper, lower
+
+
+def load(draw, order):
+    """Body and surface loads that stresses carry, or (not guaranteed in space) others."""
+    if order == 1 or draw.random() < 0.7:
+        return draw.choice(("1", "1", "2")), True
+    return draw.choice(("1+x", "2+x-y", "1.5+0.5*x*y")), True
+
+
+def scene(draw, order):
+    kind = draw.choice(("flat", "flat", "inclined", "bent"))
+    upper, lower = maps(draw, kind)
+    columns, rows = draw.randint(1, 3), draw.randint(1, 3)
+    value, _ = load(draw, order)
+    held = {"left": "Roller", "front": "Roller"} if kind == "flat" else {"left": "Clamp"}
+    if draw.random() < 0.3:
+        held["right"] = "Roller" if kind == "flat" else "Clamp"
+    young = lambda: 10.0 ** draw.uniform(-1.5, 1.5)
+    first = Solid("upper", (columns, rows, draw.randint(1, 2)), upper, "bottom", young(), draw.uniform(0.0, 0.45), held,
+                  {"press": pressure("top", f"{10.0 ** draw.uniform(-2, 0)}*({value})")}, 0.2, draw.randint(0, 10**6))
+    second = Solid("lower", (columns, rows, draw.randint(1, 2)), lower, "top", young(), draw.uniform(0.0, 0.45),
+                   {"bottom": "Clamp"}, {}, 0.2, draw.randint(0, 10**6))
+    if draw.random() < 0.3:
+        second.loads["side"] = pressure("back", "0.1")
+    gap = draw.choice(("0", "0", "0.01", "0.02*x", "0.05*(x^2+y^2)", "0.03*(1-cos(x+y))", "0.1*(x>0.3)"))
+    gap = gap if kind == "flat" else draw.choice(("0", "0.01"))
+    pair = (first, second) if draw.random() < 0.5 else (second, first)
+    return kind, pair, [("Gap", "string", gap.replace(">", "&gt;"))]
+
+
+def coupling(draw):
+    """Settings, and whether it ends where it should."""
+    if draw.random() < 0.7:
+        return [f"Coupling/Type={draw.choice(('Monolithic', 'Automatic', 'FETI'))}"], True
+    sweeps = draw.choice((1, 2, 5, 100))
+    return ["Coupling/Type=Neumann-Dirichlet", f"Coupling/Stopping/Maximum Sweeps={sweeps}"], False
+
+
+def wrong(run, errors, kind):
+    bound, reference = errors["global"]["absolute"], errors["reference"]
+    if errors["equilibrium"] > BALANCED:
+        return f"the stress is out of balance by {errors['equilibrium']:.2e}"
+    if not errors["global"]["guaranteed"]:
+        return f"not guaranteed: {errors['global']['reason']}" if run.code == 0 else None
+    if reference["relative"] <= EXACT:
+        return None
+    if reference["displacement"] > bound:
+        return f"bound {bound:.6g} below the error {reference['displacement']:.6g}"
+    # Bent sides touch along their facets' own normals; the reference's vertices, along the facets' mean, bend that rule.
+    if kind != "bent" and reference["mean_stress"] > errors["mean_stress"]["absolute"] * (1 + 1e-6):
+        return f"mean stress {reference['mean_stress']:.6g} further than {errors['mean_stress']['absolute']:.6g}"
+    return None
+
+
+def judge(program, seed, refinements):
+    """(what is wrong or None, bound / error of a run that ends where it should, what it is about)"""
+    draw = random.Random(f"solids {seed}")
+    order = draw.choice((1, 2, 2))
+    kind, pair, settings = scene(draw, order)
+    how, ends = coupling(draw)
+    about = f"{seed}: {kind}, order {order}, {', '.join(how)}"
+    with tempfile.TemporaryDirectory() as folder:
+        deck = write_scene(folder, *pair, settings)
+        run = program.run(deck, f"Discretization/Order={order}", *how,
+                          "Error Estimation/Estimators={Global, Reference}", "Error Estimation/Check Equilibrium=true",
+                          f"Error Estimation/Reference/Refinements={refinements}", "Output/Exodus=false",
+                          "Output/Contact Table=false")
+    if run.code == 2 and "Every displacement of a body is prescribed" in run.screen:
+        return None, None, about
+    if run.code not in (0, 3):
+        return f"exit code {run.code}: {run.screen[-400:]}", None, about
+    if not run.summary or not run.summary["errors"]:
+        return None if not ends else f"no certificate: {run.screen[-300:]}", None, about
+    errors = run.summary["errors"]
+    told = ends and run.code == 0 and errors["reference"]["relative"] > EXACT
+    return wrong(run, errors, kind), errors["global"]["absolute"] / errors["reference"]["displacement"] if told else None, about
+
+
+def main():
+    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("ndframe")
+    parser.add_argument("--scenes", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=0)
+    parser.add_argument("--refinements", type=int, default=1, help="of the reference")
+    options = parser.parse_args()
+    program, sharpness, violations = Program(options.ndframe), {}, 0
+    for seed in range(options.seed, options.seed + options.scenes):
+        violation, ratio, about = judge(program, seed, options.refinements)
+        if violation:
+            violations += 1
+            print(f"{about}: {violation}", flush=True)
+        if ratio:
+            sharpness.setdefault(", ".join(about.split(": ")[1].split(", ")[:2]), []).append(ratio)
+    for kind, ratios in sorted(sharpness.items()):
+        print(f"bound / reference error, {kind}: {len(ratios)} converged runs, median {statistics.median(ratios):.3f}, "
+              f"{min(ratios):.3f} to {max(ratios):.3f}")
+    print(f"{options.scenes} scenes, {violations} wrong")
+    sys.exit(1 if violations else 0)
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,96 @@
+"""Two solids whose sides match: meshes (gmsh 2.2) and decks of random scenes.
+
+A solid is a grid of hexahedra cut into six tetrahedra each about a diagonal (Kuhn), moved by a map of the unit cube, its
+vertices numbered at random. Both grids have the same columns on the side of contact, so the triangles there match.
+"""
+
+import dataclasses
+import itertools
+import pathlib
+import random
+
+SIDES = ("left", "right", "front", "back", "bottom", "top")  # x, y, z = 0, 1
+
+
+@dataclasses.dataclass
+class Solid:
+    name: str
+    cells: tuple  # along x, y, z
+    place: object  # (r, s, t) in the unit cube -> (x, y, z)
+    foot: str  # the side of contact
+    young: float = 1.0
+    poisson: float = 0.3
+    supports: dict = dataclasses.field(default_factory=dict)  # side -> Type
+    loads: dict = dataclasses.field(default_factory=dict)  # name -> list of (key, type, value)
+    shake: float = 0.0  # of the vertices inside, in parts of a cell
+    seed: int = 0  # of numbering and shaking
+
+    def write(self, folder):
+        draw = random.Random(self.seed)
+        counts = [n + 1 for n in self.cells]
+        grid = list(itertools.product(*(range(n) for n in counts)))
+        order = list(range(len(grid)))
+        draw.shuffle(order)
+        number = dict(zip(grid, order))
+        points = [None] * len(grid)
+        for at in grid:
+            inside = all(0 < i < n for i, n in zip(at, self.cells))
+            moved = [(i + (draw.uniform(-self.shake, self.shake) if inside else 0.0)) / n
+                     for i, n in zip(at, self.cells)]
+            points[number[at]] = self.place(*moved)
+        tetrahedra, triangles = [], {side: [] for side in SIDES}
+        for corner in itertools.product(*(range(n) for n in self.cells)):
+            for path in itertools.permutations(range(3)):
+                cell = [corner]
+                for axis in path:
+                    cell.append(tuple(c + (a == axis) for a, c in enumerate(cell[-1])))
+                turns = sum(a > b for a, b in itertools.combinations(path, 2)) % 2  # an odd path turns the other way
+                tetrahedra.append([number[at] for at in ([cell[1], cell[0], *cell[2:]] if turns else cell)])
+                for facet in itertools.combinations(cell, 3):
+                    for side, (axis, end) in zip(SIDES, itertools.product(range(3), (0, 1))):
+                        if all(at[axis] == end * self.cells[axis] for at in facet):
+                            triangles[side].append([number[at] for at in facet])
+        self._save(pathlib.Path(folder) / f"{self.name}.msh", points, tetrahedra, triangles)
+
+    def _save(self, path, points, tetrahedra, triangles):
+        elements = [f"2 2 {k + 1} {k + 1} " + " ".join(str(v + 1) for v in facet)
+                    for k, side in enumerate(SIDES) for facet in triangles[side]]
+        elements += ["4 2 7 7 " + " ".join(str(v + 1) for v in cell) for cell in tetrahedra]
+        names = [f'2 {k + 1} "{side}"' for k, side in enumerate(SIDES)] + ['3 7 "body"']
+        text = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(names)), *names,
+                "$EndPhysicalNames", "$Nodes", str(len(points))]
+        text += [f"{k + 1} {x!r} {y!r} {z!r}" for k, (x, y, z) in enumerate(points)]
+        text += ["$EndNodes", "$Elements", str(len(elements))]
+        text += [f"{k + 1} {element}" for k, element in enumerate(elements)] + ["$EndElements", ""]
+        path.write_text("\n".join(text))
+
+    def deck(self):
+        parameter = lambda key, kind, value: f'<Parameter name="{key}" type="{kind}" value="{value}"/>'
+        listed = lambda name, entries: f'<ParameterList name="{name}">{"".join(entries)}</ParameterList>'
+        supports = [listed(side, [parameter("Type", "string", kind), parameter("Side", "string", side)])
+                    for side, kind in self.supports.items()]
+        loads = [listed(name, [parameter(*entry) for entry in load]) for name, load in self.loads.items()]
+        return listed(self.name, [
+            listed("Mesh", [parameter("Type", "string", "Gmsh"), parameter("File", "string", f"{self.name}.msh")]),
+            listed("Material", [parameter("Young Modulus", "double", repr(self.young)),
+                                parameter("Poisson Ratio", "double", repr(self.poisson)),
+                                parameter("Hypothesis", "string", "Three Dimensional")]),
+            listed("Supports", supports), listed("Loads", loads)])
+
+
+def pressure(side, value):
+    return [("Type", "string", "Pressure"), ("Side", "string", side), ("Value", "string", value)]
+
+
+def write_scene(folder, first, second, settings=()):
+    """Writes meshes and deck of two solids; `first` is the Dirichlet body. Returns the deck's path."""
+    for solid in (first, second):
+        solid.write(folder)
+    entries = [("Dirichlet Body", "string", first.name), ("Dirichlet Side", "string", first.foot),
+               ("Neumann Body", "string", second.name), ("Neumann Side", "string", second.foot), *settings]
+    contact = "".join(f'<Parameter name="{key}" type="{kind}" value="{value}"/>' for key, kind, value in entries)
+    path = pathlib.Path(folder) / "solids.xml"
+    path.write_text(f'<ParameterList name="solids"><ParameterList name="Bodies">{first.deck()}{second.deck()}'
+                    f'</ParameterList><ParameterList name="Interfaces"><ParameterList name="contact">{contact}'
+                    "</ParameterList></ParameterList></ParameterList>")
+    return path
