@@ -225,7 +225,8 @@ void Certifier::measure()
   ErrorSummary& summary = result_.summary;
   summary.mode = errorModeNames().name(options_.mode);
   if (options_.recoversStress()) {
-    summary.recovery = options_.recovery;
+    const std::string chosen = recovery_.standsFor(scene_.dim());
+    summary.recovery = chosen.empty() ? options_.recovery : chosen;
     summary.degree = scene_.degree;
   }
   if (options_.needsTraction())

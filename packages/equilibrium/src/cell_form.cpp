@@ -13,22 +13,18 @@ DenseCholesky stiffnessFactor(const Elasticity& law)
 }
 
 CellForm::CellForm(const ReferenceStress& reference, const CellMap& map, const Elasticity& law)
-    : reference_(reference), dd_(reference.data(), reference.data()), bd_(reference.bubbles, reference.data())
+    : reference_(reference), compliance_(pulledBackCompliance(map, law)), bd_(reference.bubbles, reference.data())
 {
-  const std::vector<double> compliance = pulledBackCompliance(map, law);
   const int data = reference.data(), bubbles = reference.bubbles;
   DenseMatrix bb(bubbles, bubbles);
-  for (std::size_t m = 0; m < compliance.size(); ++m) {
+  for (std::size_t m = 0; m < compliance_.size(); ++m) {
     const DenseMatrix& table = reference.energy[m];
-    for (int j = 0; j < data; ++j) {
-      for (int i = 0; i < data; ++i)
-        dd_(i, j) += compliance[m] * table(i, j);
+    for (int j = 0; j < data; ++j)
       for (int i = 0; i < bubbles; ++i)
-        bd_(i, j) += compliance[m] * table(data + i, j);
-    }
+        bd_(i, j) += compliance_[m] * table(data + i, j);
     for (int j = 0; j < bubbles; ++j)
       for (int i = 0; i < bubbles; ++i)
-        bb(i, j) += compliance[m] * table(data + i, data + j);
+        bb(i, j) += compliance_[m] * table(data + i, data + j);
   }
   if (bubbles > 0)
     bb_.emplace(std::move(bb), 0.0);
@@ -36,7 +32,11 @@ CellForm::CellForm(const ReferenceStress& reference, const CellMap& map, const E
 
 DenseMatrix CellForm::condensed() const
 {
-  DenseMatrix A = dd_;
+  DenseMatrix A(reference_.data(), reference_.data());
+  for (std::size_t m = 0; m < compliance_.size(); ++m)
+    for (int j = 0; j < A.cols(); ++j)
+      for (int i = 0; i < A.rows(); ++i)
+        A(i, j) += compliance_[m] * reference_.energy[m](i, j);
   if (!bb_)
     return A;
   for (int j = 0; j < A.cols(); ++j) {

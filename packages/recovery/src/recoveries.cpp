@@ -1,4 +1,6 @@
+#include "automatic_recovery.hpp"
 #include "element_recovery.hpp"
+#include "global_recovery.hpp"
 #include "star_recovery.hpp"
 
 namespace ndframe
@@ -6,8 +8,10 @@ namespace ndframe
 
 void registerRecoveries(Registry<StressRecovery>& registry)
 {
+  registerAutomaticRecovery(registry);
   registerStarRecovery(registry);
   registerElementRecovery(registry);
+  registerGlobalRecovery(registry);
 }
 
 } // namespace ndframe

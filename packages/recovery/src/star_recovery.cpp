@@ -147,6 +147,11 @@ private:
 
 } // namespace
 
+std::unique_ptr<StressRecovery> makeStarRecovery(int degree, int sweeps)
+{
+  return std::make_unique<StarRecovery>(degree, sweeps);
+}
+
 void registerStarRecovery(Registry<StressRecovery>& registry)
 {
   registry.add(
@@ -155,7 +160,7 @@ void registerStarRecovery(Registry<StressRecovery>& registry)
         "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
        {"Sweeps", 0, atLeast(0),
         "Sweeps over the stars that lower the bound further; each costs about as much as the recovery itself."}},
-      [](const Params& p) { return std::make_unique<StarRecovery>(p.get<int>("Degree"), p.get<int>("Sweeps")); });
+      [](const Params& p) { return makeStarRecovery(p.get<int>("Degree"), p.get<int>("Sweeps")); });
 }
 
 } // namespace ndframe

@@ -9,4 +9,6 @@ namespace ndframe
 /// block Gauss-Seidel sweeps over the stars then lower the energy of the sum. Parameters Degree, Sweeps.
 void registerStarRecovery(Registry<StressRecovery>& registry);
 
+std::unique_ptr<StressRecovery> makeStarRecovery(int degree, int sweeps);
+
 } // namespace ndframe

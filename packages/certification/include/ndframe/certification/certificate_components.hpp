@@ -10,7 +10,7 @@ namespace ndframe
 /// All that a run on given meshes needs.
 struct CertificateComponents : SceneComponents, SolverComponents
 {
-  Registry<StressRecovery> recoveries{"recovery", "Star"};
+  Registry<StressRecovery> recoveries{"recovery", "Automatic"};
 };
 
 } // namespace ndframe

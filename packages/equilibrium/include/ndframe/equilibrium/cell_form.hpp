@@ -23,7 +23,8 @@ public:
 
 private:
   const ReferenceStress& reference_;
-  DenseMatrix dd_, bd_;
+  std::vector<double> compliance_;
+  DenseMatrix bd_;
   std::optional<DenseCholesky> bb_; ///< empty without bubbles
 };
 

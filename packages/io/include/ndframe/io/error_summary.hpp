@@ -36,7 +36,7 @@ struct ReferenceSummary
 struct ErrorSummary
 {
   std::string mode;              ///< "Strict", "Paper"
-  std::string recovery;          ///< "Star", "Element"; empty when no stress was recovered
+  std::string recovery;          ///< "Star", "Global", "Element"; empty when no stress was recovered
   std::string interfaceTraction; ///< "Optimal", "Projected"; empty without contact
   int degree = 0;
   bool guaranteed = false;

@@ -47,7 +47,7 @@ public:
 
   /// All fields share geometry and factors. Collective; results are replicated.
   /// Ledger counts: "stars" (star problems factored, whatever the number of fields), "star sweeps", "interface stars",
-  /// "element problems".
+  /// "element problems", "recovery steps".
   virtual std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields,
                                            const Comm& comm, Ledger& ledger) const = 0;
 
@@ -56,10 +56,13 @@ public:
 
   /// Why it is not defined for bodies of this dimension and order, or cannot optimise tractions; empty when it can.
   virtual std::string refusal(int dim, int order, bool optimise) const = 0;
+
+  /// The name of the component that does the work for bodies of this dimension; empty: this one itself.
+  virtual std::string standsFor(int /*dim*/) const { return {}; }
 };
 
-/// "Star" (default; parameters Degree, Sweeps), "Element" (EET, 2-D; parameter Degree). Degree 0 (default) means the
-/// order of the displacement; one more is allowed.
+/// "Automatic" (default; Degree, Sweeps), "Star" (Degree, Sweeps), "Global" (3-D; Degree, Steps), "Element" (EET, 2-D;
+/// Degree). Degree 0 (default) means the order of the displacement; one more is allowed.
 void registerRecoveries(Registry<StressRecovery>& registry);
 
 } // namespace ndframe

@@ -1,0 +1,51 @@
+#include "automatic_recovery.hpp"
+
+#include "global_recovery.hpp"
+#include "star_recovery.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr int stepsOfSweep = 10; ///< of Global, which take about as long as a sweep of Star
+
+class AutomaticRecovery final : public StressRecovery
+{
+public:
+  AutomaticRecovery(int degree, int sweeps)
+      : plane_(makeStarRecovery(degree, sweeps)), space_(makeGlobalRecovery(degree, stepsOfSweep * (1 + sweeps)))
+  {}
+
+  std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
+                                   Ledger& ledger) const override
+  {
+    return chosen(scene.bodies.front()->mesh.dim).recover(scene, fields, comm, ledger);
+  }
+  int degree(int order) const override { return plane_->degree(order); }
+  std::string refusal(int dim, int order, bool optimise) const override
+  {
+    return chosen(dim).refusal(dim, order, optimise);
+  }
+  std::string standsFor(int dim) const override { return dim == 2 ? "Star" : "Global"; }
+
+private:
+  const StressRecovery& chosen(int dim) const { return dim == 2 ? *plane_ : *space_; }
+
+  std::unique_ptr<StressRecovery> plane_, space_;
+};
+
+} // namespace
+
+void registerAutomaticRecovery(Registry<StressRecovery>& registry)
+{
+  registry.add(
+      "Automatic", "Star in the plane, Global in space.",
+      {{"Degree", 0, inClosedRange(0, 3),
+        "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
+       {"Sweeps", 0, atLeast(0),
+        "Makes the bound lower: sweeps over the stars in the plane, ten steps more each in space."}},
+      [](const Params& p) { return std::make_unique<AutomaticRecovery>(p.get<int>("Degree"), p.get<int>("Sweeps")); });
+}
+
+} // namespace ndframe

@@ -1,0 +1,11 @@
+#pragma once
+
+#include "ndframe/recovery/stress_recovery.hpp"
+
+namespace ndframe
+{
+
+/// "Automatic" (parameters Degree, Sweeps): Star in the plane; Global in space, with ten steps more a sweep.
+void registerAutomaticRecovery(Registry<StressRecovery>& registry);
+
+} // namespace ndframe

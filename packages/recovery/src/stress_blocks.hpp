@@ -1,0 +1,35 @@
+#pragma once
+
+#include "stress_faces.hpp"
+
+namespace ndframe
+{
+
+/// The diagonal blocks of the energy as a function of the tractions that may change: one a face (StressFace::own), one
+/// an edge (StressEdge::basis); unknowns are numbered in this order. Their inverses precondition the steps of
+/// StressDescent.
+class StressBlocks
+{
+public:
+  StressBlocks(const StarBody& body, const StressFaces& faces);
+
+  int size() const { return begin_.back(); }
+  /// The first unknown of a face or of an edge.
+  int ofFace(int face) const { return begin_[std::size_t(face)]; }
+  int ofEdge(std::size_t edge) const { return begin_[faces_->faces().size() + edge]; }
+
+  /// What a cell's matrix (reference axes) adds.
+  void add(int cell, const DenseMatrix& A);
+  /// To be called when all have been added.
+  void invert();
+  Vector precondition(const Vector& gradient) const;
+
+private:
+  const StarBody* body_;
+  const StressFaces* faces_;
+  std::vector<int> begin_{0};
+  std::vector<std::vector<int>> edgesOf_; ///< per cell
+  std::vector<DenseMatrix> blocks_;       ///< then their inverses
+};
+
+} // namespace ndframe
