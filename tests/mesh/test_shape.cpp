@@ -62,6 +62,19 @@ TEST(Shape, OfAMeshIsThatOfItsWorstCell)
   EXPECT_EQ(worstShape({2, {}, {}, {}, {}}), 1.0);
 }
 
+TEST(Shape, OfKnownTetrahedra)
+{
+  const double o[] = {0, 0, 0}, x[] = {1, 0, 0}, y[] = {0, 1, 0}, z[] = {0, 0, 1}, xy[] = {1, 1, 0}, xyz[] = {1, 1, 1};
+  const double xz[] = {1, 0, 1}, yz[] = {0, 1, 1};
+  EXPECT_NEAR(tetrahedronShape(o, xy, yz, xz), 1.0, 1e-14);
+  EXPECT_NEAR(tetrahedronShape(o, x, xy, xyz), 1.2 * std::cbrt(0.25), 1e-14); // a sixth of a cube
+  EXPECT_NEAR(tetrahedronShape(o, x, y, z), 12.0 / 9.0 * std::cbrt(0.25), 1e-14);
+  EXPECT_NEAR(tetrahedronShape(x, o, y, z), -12.0 / 9.0 * std::cbrt(0.25), 1e-14);
+  EXPECT_EQ(tetrahedronShape(o, x, y, xy), 0.0);
+  EXPECT_NEAR(worstShape({3, {0, 0, 0, 1, 0, 0, 1, 1, 0, 1, 1, 1, 0, 0, 0.1}, {0, 1, 2, 3, 0, 1, 2, 4}, {}, {}}),
+              12.0 * std::cbrt(0.0025) / (1 + 1 + 2 + 0.01 + 1.01 + 2.01), 1e-14);
+}
+
 TEST(Shape, DoesNotDependOnUnitsPlaceOrFirstCorner)
 {
   for (const Triangle& t : someTriangles()) {

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/base/diagnostics.hpp"
-
 namespace ndframe
 {
 
@@ -16,13 +14,32 @@ double triangleShape(const double* a, const double* b, const double* c)
   return 2.0 * std::sqrt(3.0) * (ab[0] * ac[1] - ab[1] * ac[0]) / squares;
 }
 
+double tetrahedronShape(const double* a, const double* b, const double* c, const double* d)
+{
+  const double* const points[4] = {a, b, c, d};
+  double edges[3][3], squares = 0.0; // from a
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < i; ++j)
+      for (int k = 0; k < 3; ++k) {
+        const double difference = points[i][k] - points[j][k];
+        squares += difference * difference;
+        if (j == 0)
+          edges[i - 1][k] = difference;
+      }
+  const double *u = edges[0], *v = edges[1], *w = edges[2];
+  const double tripled = 0.5 * (u[0] * (v[1] * w[2] - v[2] * w[1]) + u[1] * (v[2] * w[0] - v[0] * w[2]) +
+                                u[2] * (v[0] * w[1] - v[1] * w[0])); // of the volume
+  return 12.0 * std::copysign(std::cbrt(tripled * tripled), tripled) / squares;
+}
+
 double worstShape(const Mesh& mesh)
 {
-  NDFRAME_ASSERT(mesh.dim == 2, "shapes are those of triangles");
   double worst = 1.0;
   for (int c = 0; c < mesh.numCells(); ++c) {
     const int* v = mesh.cell(c);
-    worst = std::min(worst, triangleShape(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2])));
+    worst = std::min(worst, mesh.dim == 2 ? triangleShape(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]))
+                                          : tetrahedronShape(mesh.point(v[0]), mesh.point(v[1]), mesh.point(v[2]),
+                                                             mesh.point(v[3])));
   }
   return worst;
 }

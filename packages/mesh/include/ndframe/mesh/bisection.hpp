@@ -3,19 +3,10 @@
 #include <array>
 #include <vector>
 
-#include "ndframe/mesh/mesh.hpp"
+#include "ndframe/mesh/facet_twin.hpp"
 
 namespace ndframe
 {
-
-/// One edge seen from two meshes: a facet of each, and they lie on each other. `first` and `second` number the meshes.
-struct FacetTwin
-{
-  int first;
-  Facet firstFacet;
-  int second;
-  Facet secondFacet;
-};
 
 /// Bisection of triangle meshes that match along interfaces, and go on matching; stretched cells become rounder.
 ///
