@@ -48,12 +48,12 @@ TEST(Prediction, ReachesItsTargetByItsOwnModelWithoutMuchMore)
     for (const double part : {0.5, 0.1, 0.01}) {
       const Cells cells = roughCells(1, degree);
       const double target = part * total(cells);
-      const Prediction prediction = predictRefinement(cells, target, degree);
+      const Prediction prediction = predictRefinement(cells, target, {degree, 2});
       double squared = 0.0;
       std::int64_t number = 0;
       for (const auto& body : cells)
         for (const CellDecay& cell : body) {
-          const int n = smoothHalvings(cell.logSquared, prediction.level, degree);
+          const int n = smoothHalvings(cell.logSquared, prediction.level, {degree, 2});
           squared += std::exp2(cell.logSquared - degree * n);
           number += std::int64_t(1) << n;
         }
@@ -68,11 +68,11 @@ TEST(Prediction, NewCellsContributeTheSameUpToOneHalving)
 {
   const int degree = 2;
   const Cells cells = roughCells(2, degree);
-  const Prediction prediction = predictRefinement(cells, 0.01 * total(cells), degree);
+  const Prediction prediction = predictRefinement(cells, 0.01 * total(cells), {degree, 2});
   double least = std::numeric_limits<double>::infinity(), largest = -least;
   for (const auto& body : cells)
     for (const CellDecay& cell : body) {
-      const int n = smoothHalvings(cell.logSquared, prediction.level, degree);
+      const int n = smoothHalvings(cell.logSquared, prediction.level, {degree, 2});
       const double each = cell.logSquared - (degree + 1) * n;
       largest = std::max(largest, each);
       least = n == 0 ? least : std::min(least, each);
@@ -84,8 +84,8 @@ TEST(Prediction, HalvesEqualCellsEqually)
 {
   const Cells equal{std::vector<CellDecay>(7, smoothCell(0.3, 2)), std::vector<CellDecay>(5, smoothCell(0.3, 2))};
   // Two halvings leave 2^(-2 * 2) of the square.
-  const Prediction prediction = predictRefinement(equal, total(equal) / 4.0 * (1.0 + 1e-9), 2);
-  EXPECT_EQ(smoothHalvings(equal[0][0].logSquared, prediction.level, 2), 2);
+  const Prediction prediction = predictRefinement(equal, total(equal) / 4.0 * (1.0 + 1e-9), {2, 2});
+  EXPECT_EQ(smoothHalvings(equal[0][0].logSquared, prediction.level, {2, 2}), 2);
   EXPECT_EQ(prediction.numCells, 48);
 }
 
@@ -97,8 +97,8 @@ TEST(Prediction, DoesNotDependOnTheUnitOfEnergy)
     for (CellDecay& cell : body)
       cell.logSquared += 80.0;
   const double target = 0.03 * total(cells);
-  const Prediction prediction = predictRefinement(cells, target, 2);
-  const Prediction same = predictRefinement(scaled, target * 0x1p40, 2);
+  const Prediction prediction = predictRefinement(cells, target, {2, 2});
+  const Prediction same = predictRefinement(scaled, target * 0x1p40, {2, 2});
   EXPECT_EQ(prediction.numCells, same.numCells);
   EXPECT_NEAR(prediction.level + 80.0, same.level, 1e-2);
 }
@@ -106,9 +106,9 @@ TEST(Prediction, DoesNotDependOnTheUnitOfEnergy)
 TEST(Prediction, AsksForNothingWhereTheTargetIsMetOrNothingContributes)
 {
   const Cells cells = roughCells(4, 2);
-  EXPECT_EQ(predictRefinement(cells, 1.01 * total(cells), 2).numCells, 400);
+  EXPECT_EQ(predictRefinement(cells, 1.01 * total(cells), {2, 2}).numCells, 400);
   const Cells silent{std::vector<CellDecay>(3, CellDecay{-std::numeric_limits<double>::infinity(), 3.0})};
-  const Prediction none = predictRefinement(silent, 1.0, 2);
+  const Prediction none = predictRefinement(silent, 1.0, {2, 2});
   EXPECT_EQ(none.numCells, 3);
   EXPECT_EQ(none.error, 0.0);
 }
@@ -120,8 +120,8 @@ TEST(Prediction, GradedCellsAtACornerConvergeLikeSmoothOnes)
   const int degree = 2;
   const Cells corner{{CellDecay{0.0, lambda}}}, smooth{{CellDecay{0.0, degree + 1.0 - 1e-12}}};
   for (const double target : {1e-2, 1e-3}) {
-    const Prediction there = predictRefinement(corner, target, degree),
-                     elsewhere = predictRefinement(smooth, target, degree);
+    const Prediction there = predictRefinement(corner, target, {degree, 2}),
+                     elsewhere = predictRefinement(smooth, target, {degree, 2});
     EXPECT_NEAR(double(there.numCells) / double(elsewhere.numCells),
                 std::pow((degree + 1.0) / lambda, 1.0 + 1.0 / degree),
                 0.02 * double(there.numCells) / double(elsewhere.numCells));

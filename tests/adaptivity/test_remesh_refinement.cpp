@@ -140,7 +140,7 @@ TEST(RemeshRefinement, SidesGoOnMatching)
   const auto first = begin(halfDiscs());
   SizeField sizes = sizesOf(first->meshes(), 0.05);
   for (CellSize& size : sizes[1])
-    size.logArea = std::log2(2e-3);
+    size.logMeasure = std::log2(2e-3);
   const auto next = first->refined(sizes);
   const std::size_t facets = next->meshes()[0].findSide("contact")->facets.size();
   EXPECT_GT(facets, 20u);
@@ -154,12 +154,12 @@ TEST(RemeshRefinement, SizesFallTowardsACorner)
   SizeField sizes = sizesOf(first->meshes(), 1e-2);
   for (auto& body : sizes)
     for (CellSize& size : body)
-      size = {std::log2(0.02), 1.0, std::log2(1e-7), {1.0, 0.0, 0.0}}; // area 0.02 r^2
+      size = {std::log2(0.02), 1.0, std::log2(1e-7), {{1.0, 0.0, 0.0}, {}}}; // area 0.02 r^2
   const auto next = first->refined(sizes);
   for (const Mesh& mesh : next->meshes())
     for (int c = 0; c < mesh.numCells(); ++c) {
       const std::array<double, 3> centre = cellCentre(mesh, c);
-      const double wanted = std::exp2(sizes[0][0].logAreaAt(centre));
+      const double wanted = std::exp2(sizes[0][0].logMeasureAt(centre));
       EXPECT_LT(cellMeasure(mesh, c), 4.0 * wanted) << centre[0] << ", " << centre[1];
     }
 }

@@ -10,10 +10,6 @@ MeshPlanner readFirstMeshes(Model& model, const RunTools& tools, const AccuracyC
   const AccuracyOptions& accuracy = *tools.settings.accuracy;
   const bool coarsest = accuracy.start == AccuracyStart::Coarsest;
   readModel(model, tools, coarsest ? coarsestMeshes(tools.deck, components, tools.comm, tools.ledger) : MeshOfBody());
-  if (model.bodies.front().mesh.dim == 3)
-    throw InputError(accuracy.place.mistake("",
-                                            "meshes are adapted in two dimensions only; remove the list and choose the "
-                                            "mesh."));
   return {tools.deck, components, model, tools.comm};
 }
 

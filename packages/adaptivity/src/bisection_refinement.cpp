@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ndframe/mesh/bisection.hpp"
+#include "ndframe/mesh/tetrahedron_bisection.hpp"
 #include "refinements.hpp"
 
 namespace ndframe
@@ -20,6 +22,8 @@ std::vector<int> halvingsOf(const Mesh& mesh, const std::vector<int>& ancestors,
   return halvings;
 }
 
+/// Halving: Bisection or TetrahedronBisection.
+template <class Halving>
 class BisectedMeshes final : public RefinedMeshes
 {
 public:
@@ -63,7 +67,7 @@ private:
     return true;
   }
 
-  Bisection bisection_;
+  Halving bisection_;
   std::vector<std::vector<int>> ancestors_;
 };
 
@@ -90,14 +94,16 @@ std::vector<std::vector<int>> ownAncestors(const std::vector<Mesh>& meshes)
 
 std::unique_ptr<RefinedMeshes> bisectedMeshes(std::vector<Mesh> meshes, const std::vector<FacetTwin>& twins)
 {
-  return std::make_unique<BisectedMeshes>(std::move(meshes), twins);
+  if (meshes.front().dim == 3)
+    return std::make_unique<BisectedMeshes<TetrahedronBisection>>(std::move(meshes), twins);
+  return std::make_unique<BisectedMeshes<Bisection>>(std::move(meshes), twins);
 }
 
 void registerBisection(Registry<Refinement>& registry)
 {
   registry.add("Bisection",
-               "Triangles are halved again and again, all bodies as one mesh, so that sides go on matching. Works from "
-               "any mesh in two dimensions; sides stay as straight as the first mesh has them.",
+               "Triangles or tetrahedra are halved again and again, all bodies as one mesh, so that sides go on "
+               "matching. Works from any mesh; sides stay as straight as the first mesh has them.",
                {}, [](const Params&) { return std::make_unique<BisectionRefinement>(); });
 }
 

@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/base/diagnostics.hpp"
-
 namespace ndframe
 {
 namespace
@@ -16,36 +14,34 @@ bool isCorner(double exponent)
   return exponent <= 1.5;
 }
 
-double squaredDistance(const std::array<double, 3>& a, const std::array<double, 3>& b)
-{
-  return (a[0] - b[0]) * (a[0] - b[0]) + (a[1] - b[1]) * (a[1] - b[1]);
-}
-
-ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double contribution, const Vector& ofVertices, int degree)
+ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double contribution, const Vector& ofVertices,
+                               const std::vector<std::array<double, 3>>* directions, ErrorDecay decay)
 {
   const auto smaller = [&](int v, int w) { return ofVertices[std::size_t(v)] < ofVertices[std::size_t(w)]; };
-  const int vertex = *std::min_element(mesh.cell(cell), mesh.cell(cell) + 3, smaller);
+  const int vertex = *std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1, smaller);
   const double exponent = ofVertices[std::size_t(vertex)];
-  const bool atCorner = isCorner(exponent);
-  const std::array<double, 3> corner{mesh.point(vertex)[0], mesh.point(vertex)[1], 0.0};
-  return {{2.0 * std::log2(contribution), atCorner ? exponent : degree + 1.0},
+  const bool atPlace = isCorner(exponent);
+  SingularPlace place;
+  std::copy_n(mesh.point(vertex), mesh.dim, place.point.begin());
+  if (directions)
+    place.direction = (*directions)[std::size_t(vertex)];
+  return {{2.0 * std::log2(contribution), atPlace ? exponent : decay.smoothExponent()},
           cellMeasure(mesh, cell),
-          atCorner,
-          corner,
-          squaredDistance(cellCentre(mesh, cell), corner)};
+          atPlace,
+          place,
+          place.squaredDistance(cellCentre(mesh, cell))};
 }
 
 } // namespace
 
 ContributionModel::ContributionModel(const std::vector<Mesh>& meshes, const std::vector<Vector>& contributions,
-                                     const std::vector<Vector>& exponents, int degree)
-    : degree_(degree), cells_(meshes.size())
+                                     const std::vector<Vector>& exponents, int degree, const EdgeDirections& directions)
+    : decay_{degree, meshes.front().dim}, cells_(meshes.size())
 {
-  for (const Mesh& mesh : meshes)
-    NDFRAME_ASSERT(mesh.dim == 2, "sizes are those of triangles");
   for (std::size_t b = 0; b < meshes.size(); ++b)
     for (int c = 0; c < meshes[b].numCells(); ++c)
-      cells_[b].push_back(cellOf(meshes[b], c, contributions[b][std::size_t(c)], exponents[b], degree));
+      cells_[b].push_back(cellOf(meshes[b], c, contributions[b][std::size_t(c)], exponents[b],
+                                 directions.empty() ? nullptr : &directions[b], decay_));
 }
 
 std::vector<std::vector<CellDecay>> ContributionModel::decays() const
@@ -59,13 +55,13 @@ std::vector<std::vector<CellDecay>> ContributionModel::decays() const
   return decays;
 }
 
-double ContributionModel::logSquared(const Cell& cell, double area, const std::array<double, 3>& centre) const
+double ContributionModel::logSquared(const Cell& cell, double measure, const std::array<double, 3>& centre) const
 {
-  const double smooth = cell.decay.logSquared + (degree_ + 1) * std::log2(area / cell.area);
-  if (!cell.atCorner)
+  const double smooth = cell.decay.logSquared + decay_.ofCell() * std::log2(measure / cell.measure);
+  if (!cell.atPlace)
     return smooth;
-  const double nearer = std::log2(squaredDistance(centre, cell.corner) / cell.squaredDistance);
-  return smooth + (cell.decay.exponent - 1.0 - degree_) * nearer;
+  const double nearer = std::log2(cell.place.squaredDistance(centre) / cell.squaredDistance);
+  return smooth + (cell.decay.exponent - 1.0 - decay_.degree) * nearer;
 }
 
 double ContributionModel::errorOn(const std::vector<Mesh>& meshes, const std::vector<std::vector<int>>& ancestors) const

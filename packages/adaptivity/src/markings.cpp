@@ -10,15 +10,17 @@ namespace ndframe
 namespace
 {
 
-/// Halving twice is one refinement: all edges of a cell are halved.
-constexpr double oneRefinement = 2.0;
+/// Halving dim times is one refinement: all edges of a cell are halved.
+double oneRefinement(const ContributionModel& model)
+{
+  return model.decay().dim;
+}
 
 /// The parts of a cell that is halved n times.
 CellSize halved(const ContributionModel::Cell& cell, double halvings)
 {
-  const double logArea = std::log2(cell.area) - halvings;
   CellSize size;
-  size.logArea = size.leastLogArea = logArea;
+  size.logMeasure = size.leastLogMeasure = std::log2(cell.measure) - halvings;
   return size;
 }
 
@@ -41,35 +43,36 @@ class Predicted final : public Marking
 public:
   SizeField sizes(const ContributionModel& model, double target) const override
   {
-    const double level = predictRefinement(model.decays(), target, model.degree()).level;
-    return fieldOf(model, [&](const ContributionModel::Cell& cell) { return sizeOf(cell, level, model.degree()); });
+    const double level = predictRefinement(model.decays(), target, model.decay()).level;
+    return fieldOf(model, [&](const ContributionModel::Cell& cell) { return sizeOf(cell, level, model.decay()); });
   }
 
   std::optional<std::int64_t> cellsFor(const ContributionModel& model, double target) const override
   {
-    return predictRefinement(model.decays(), target, model.degree()).numCells;
+    return predictRefinement(model.decays(), target, model.decay()).numCells;
   }
 
 private:
   /// Smooth cells are halved at most so often at once, cells at a corner twice as often.
   static constexpr double mostHalvings = 8.0;
 
-  /// Solves eta^2 = 2^level of ContributionModel for the area.
-  static CellSize sizeOf(const ContributionModel::Cell& cell, double level, int degree)
+  /// Solves eta^2 = 2^level of ContributionModel for the measure.
+  static CellSize sizeOf(const ContributionModel::Cell& cell, double level, ErrorDecay decay)
   {
-    const double smooth = degree + 1.0, halvings = (cell.decay.logSquared - level) / smooth;
-    if (!cell.atCorner)
+    const double halvings = (cell.decay.logSquared - level) / decay.ofCell();
+    if (!cell.atPlace)
       return halved(cell, std::clamp(halvings, 0.0, mostHalvings));
     CellSize size;
-    size.gradation = 1.0 - cell.decay.exponent / smooth;
-    size.logArea = std::log2(cell.area) - halvings - size.gradation * std::log2(cell.squaredDistance);
-    size.leastLogArea = std::log2(cell.area) - 2.0 * mostHalvings;
-    size.corner = cell.corner;
+    size.gradation = decay.smoothExponent() / decay.ofCell() - cell.decay.exponent / decay.ofCell();
+    size.logMeasure = std::log2(cell.measure) - halvings - size.gradation * std::log2(cell.squaredDistance);
+    size.leastLogMeasure = std::log2(cell.measure) - 2.0 * mostHalvings;
+    size.place = cell.place;
     return size;
   }
 };
 
-/// A refinement of the cells with the largest contributions.
+/// Halves the cells with the largest contributions: twice in the plane; once in space, where a refinement at once costs
+/// a quarter more dofs.
 class Doerfler final : public Marking
 {
 public:
@@ -77,9 +80,9 @@ public:
 
   SizeField sizes(const ContributionModel& model, double) const override
   {
-    const double least = leastMarked(model);
+    const double least = leastMarked(model), halvings = model.decay().dim == 2 ? oneRefinement(model) : 1.0;
     return fieldOf(model, [&](const ContributionModel::Cell& cell) {
-      return halved(cell, cell.decay.logSquared >= least ? oneRefinement : 0.0);
+      return halved(cell, cell.decay.logSquared >= least ? halvings : 0.0);
     });
   }
 
@@ -114,7 +117,7 @@ class Uniform final : public Marking
 public:
   SizeField sizes(const ContributionModel& model, double) const override
   {
-    return fieldOf(model, [](const ContributionModel::Cell& cell) { return halved(cell, oneRefinement); });
+    return fieldOf(model, [&](const ContributionModel::Cell& cell) { return halved(cell, oneRefinement(model)); });
   }
 
   std::optional<std::int64_t> cellsFor(const ContributionModel&, double) const override { return std::nullopt; }
@@ -127,14 +130,14 @@ void registerMarkings(Registry<Marking>& registry)
   registry.add(
       "Predicted",
       "Sizes with which all cells of the next mesh contribute the same, from how contributions fall: learned at "
-      "corners, dofs^-1 (second order) elsewhere. Three to six meshes to a target.",
+      "corners and edges, dofs^-1 (second order; in space dofs^-2/3) elsewhere. Three to six meshes to a target.",
       {}, [](const Params&) { return std::make_unique<Predicted>(); });
   registry.add("Doerfler",
-               "The cells with the largest contributions are halved twice: as few as make a fraction of the sum of "
-               "squares. Many meshes, and no prediction.",
+               "The cells with the largest contributions are halved, triangles twice: as few as make a fraction of the "
+               "sum of squares. Many meshes, and no prediction.",
                {{"Fraction", 0.6, inOpenRange(0.0, 1.0), "Of the sum of squared contributions."}},
                [](const Params& params) { return std::make_unique<Doerfler>(params.get<double>("Fraction")); });
-  registry.add("Uniform", "All cells are halved twice: what a target costs without knowing where the error is.", {},
+  registry.add("Uniform", "All edges are halved: what a target costs without knowing where the error is.", {},
                [](const Params&) { return std::make_unique<Uniform>(); });
 }
 

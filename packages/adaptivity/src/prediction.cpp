@@ -17,25 +17,37 @@ struct Parts
   double number, squared;
 };
 
-Parts partsAt(const CellDecay& cell, double level, int degree)
+/// Of a cell at an edge; logRatio: log2 q.
+double partsAtEdge(double exponent, double logRatio, ErrorDecay decay)
 {
-  const double smooth = degree + 1.0;
-  if (cell.exponent == smooth) {
-    const int halvings = smoothHalvings(cell.logSquared, level, degree);
-    return {std::exp2(halvings), std::exp2(cell.logSquared - degree * halvings)};
+  const double growth = 2.0 * (decay.smoothExponent() - exponent) / decay.ofCell() - 2.0; // log2, from shell to shell
+  const int last = int(logRatio / (2.0 * exponent + 1.0));
+  double number = 0.0;
+  for (int shell = 0; shell <= last; ++shell)
+    number += (shell == last ? 1.0 : 0.75) * std::exp2(logRatio / decay.ofCell() + shell * growth);
+  return number;
+}
+
+Parts partsAt(const CellDecay& cell, double level, ErrorDecay decay)
+{
+  const double smooth = decay.smoothExponent(), logRatio = cell.logSquared - level;
+  if (cell.exponent == smooth || (decay.dim == 3 && logRatio <= 0.0)) {
+    const int halvings = smoothHalvings(cell.logSquared, level, decay);
+    return {std::exp2(halvings), std::exp2(cell.logSquared - decay.ofSum() * halvings)};
   }
-  const double number = smooth / cell.exponent * std::exp2((cell.logSquared - level) / smooth);
+  const double number = decay.dim == 3 ? partsAtEdge(cell.exponent, logRatio, decay)
+                                       : smooth / cell.exponent * std::exp2(logRatio / smooth);
   if (number <= 1.0)
     return {1.0, std::exp2(cell.logSquared)};
   return {number, std::min(number * std::exp2(level), std::exp2(cell.logSquared))};
 }
 
-Parts sumAt(const std::vector<std::vector<CellDecay>>& cells, double level, int degree)
+Parts sumAt(const std::vector<std::vector<CellDecay>>& cells, double level, ErrorDecay decay)
 {
   Parts sum{0.0, 0.0};
   for (const auto& body : cells)
     for (const CellDecay& cell : body) {
-      const Parts parts = partsAt(cell, level, degree);
+      const Parts parts = partsAt(cell, level, decay);
       sum.number += parts.number;
       sum.squared += parts.squared;
     }
@@ -48,31 +60,32 @@ constexpr double awayFromHalves = 0.3;
 
 } // namespace
 
-Prediction predictRefinement(const std::vector<std::vector<CellDecay>>& cells, double target, int degree)
+Prediction predictRefinement(const std::vector<std::vector<CellDecay>>& cells, double target, ErrorDecay decay)
 {
   NDFRAME_ASSERT(target > 0.0, "a prediction needs a positive target");
+  const double smooth = decay.smoothExponent();
   double coarse = -std::numeric_limits<double>::infinity();
   for (const auto& body : cells)
     for (const CellDecay& cell : body)
-      coarse = std::max(coarse, cell.logSquared + (degree + 1) * std::log2((degree + 1) / cell.exponent));
+      coarse = std::max(coarse, cell.logSquared + smooth * std::log2(smooth / cell.exponent));
   if (!std::isfinite(coarse))
     coarse = 0.0; // no cell contributes anything
   coarse += awayFromHalves;
   double fine = coarse;
-  for (double step = 1.0; sumAt(cells, fine, degree).squared > target * target; step *= 2.0)
+  for (double step = 1.0; sumAt(cells, fine, decay).squared > target * target; step *= 2.0)
     fine -= step;
   constexpr double resolution = 1e-3; ///< of log2 tau^2: far below one halving
   while (coarse - fine > resolution) {
     const double middle = 0.5 * (fine + coarse);
-    (sumAt(cells, middle, degree).squared <= target * target ? fine : coarse) = middle;
+    (sumAt(cells, middle, decay).squared <= target * target ? fine : coarse) = middle;
   }
-  const Parts parts = sumAt(cells, fine, degree);
+  const Parts parts = sumAt(cells, fine, decay);
   return {fine, std::int64_t(std::ceil(parts.number)), std::sqrt(parts.squared)};
 }
 
-int smoothHalvings(double logSquared, double level, int degree)
+int smoothHalvings(double logSquared, double level, ErrorDecay decay)
 {
-  return int(std::max(0.0, std::round((logSquared - level) / (degree + 1))));
+  return int(std::max(0.0, std::round((logSquared - level) / decay.ofCell())));
 }
 
 } // namespace ndframe

@@ -31,7 +31,7 @@ struct RemeshScene
 /// log2 of the area that a part of an ancestor shall have.
 double logAreaAt(const CellSize& size, double ancestorArea, const std::array<double, 3>& centre)
 {
-  return std::min(size.logAreaAt(centre), std::log2(ancestorArea) + logMostGrowth);
+  return std::min(size.logMeasureAt(centre), std::log2(ancestorArea) + logMostGrowth);
 }
 
 /// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another

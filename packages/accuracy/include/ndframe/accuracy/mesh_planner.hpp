@@ -49,10 +49,10 @@ private:
   double boundPerTotal() const { return correction_ * bound_ / total_; }
   std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
 
-  int degree_;
+  int degree_, dim_;
   std::unique_ptr<Marking> marking_;
   std::unique_ptr<RefinedMeshes> present_;
-  std::vector<std::int64_t> eulers_; ///< per body: vertices - edges + cells, which refinement does not change
+  std::vector<std::int64_t> eulers_; ///< per body: vertices - edges + cells, which refinement does not change; in the plane
   CornerExponents exponents_;
   std::optional<ContributionModel> contributions_;
   double bound_ = 0.0, target_ = 0.0, total_ = 0.0; ///< of the present meshes; total: sqrt(sum eta_K^2)

@@ -7,7 +7,7 @@
 #include "ndframe/adaptivity/size_field.hpp"
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/registry.hpp"
-#include "ndframe/mesh/bisection.hpp"
+#include "ndframe/mesh/facet_twin.hpp"
 #include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe
@@ -38,7 +38,7 @@ public:
 /// What a refinement begins with, body by body.
 struct FirstMeshes
 {
-  std::vector<Mesh> meshes;     ///< sound triangle meshes
+  std::vector<Mesh> meshes;     ///< sound, of the same dimension
   std::vector<FacetTwin> twins; ///< where they match
   std::vector<std::shared_ptr<const MeshSource>> sources;
 };
