@@ -4,11 +4,11 @@
 
 #include <gtest/gtest.h>
 
+#include "components.hpp"
 #include "ndframe/adaptivity/corner_exponents.hpp"
-#include "ndframe/adaptivity/marking.hpp"
-#include "ndframe/adaptivity/refinement.hpp"
 
 using namespace ndframe;
+using namespace ndframe::test;
 
 namespace
 {
@@ -50,35 +50,6 @@ Vector contributionsOf(const Mesh& mesh, double lambda)
 double normOf(const Vector& eta)
 {
   return std::sqrt(std::inner_product(eta.begin(), eta.end(), eta.begin(), 0.0));
-}
-
-/// The parameters of a component that a deck only names.
-Params defaults(const Choices& choices, const std::string& type)
-{
-  ListSpec spec;
-  spec.name = "Component";
-  spec.choices = choices;
-  DeckList list;
-  list.name = spec.name;
-  Diagnostics diagnostics;
-  applySetting(list, "Type=" + type, diagnostics);
-  Params params = validate(list, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return params;
-}
-
-std::unique_ptr<Marking> makeMarking(const std::string& type)
-{
-  Registry<Marking> registry("marking", type);
-  registerMarkings(registry);
-  return registry.build(defaults(registry.choices(), type));
-}
-
-std::unique_ptr<RefinedMeshes> bisected(const Mesh& mesh)
-{
-  Registry<Refinement> registry("refinement", "Bisection");
-  registerRefinements(registry);
-  return registry.build(defaults(registry.choices(), "Bisection"))->begin({{mesh}, {}, {}}, Comm::single());
 }
 
 /// Refines the square for the exponent `lambda`, which is learned from two meshes.

@@ -101,6 +101,16 @@ TEST(LevelTable, HasOneRowALevelAndNoNumberThatIsNotKnown)
             "1.5,0.75,,0.040000,-0.75,-0.5\n");
 }
 
+TEST(LevelTable, HasThreeCoordinatesInSpace)
+{
+  auto levels = contactSummary().accuracy->levels;
+  for (auto& level : levels)
+    level.worstPoint.push_back(0.125);
+  const std::string table = levelsCsv(levels);
+  EXPECT_THAT(table, testing::HasSubstr(",largest_body,largest_x,largest_y,largest_z,dofs_to_target,"));
+  EXPECT_THAT(table, testing::HasSubstr(",foundation,1.5,0.75,0.125,,"));
+}
+
 TEST(Summary, ErrorsThatWereNotComputedAreNull)
 {
   auto summary = contactSummary();

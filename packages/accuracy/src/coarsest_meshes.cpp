@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -108,17 +109,38 @@ Mesh readCoarse(const Params& body, const Stations& stations, const SceneCompone
   return read;
 }
 
-double largestBox(const Params& deck)
+/// Of all boxes.
+struct BoxEdges
 {
-  double largest = 0.0;
+  double longest = 0.0, shortest = std::numeric_limits<double>::infinity();
+  std::size_t dim = 0;
+};
+
+BoxEdges boxEdges(const Params& deck)
+{
+  BoxEdges edges;
   for (const auto& body : deck.sub("Bodies").subs())
     if (isBox(body)) {
       const Params mesh = body.sub("Mesh");
       const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
-      for (std::size_t d = 0; d < std::min(lower.size(), upper.size()); ++d)
-        largest = std::max(largest, upper[d] - lower[d]);
+      edges.dim = std::min(lower.size(), upper.size());
+      for (std::size_t d = 0; d < edges.dim; ++d) {
+        edges.longest = std::max(edges.longest, upper[d] - lower[d]);
+        edges.shortest = std::min(edges.shortest, upper[d] - lower[d]);
+      }
     }
-  return largest;
+  return edges;
+}
+
+/// How many cells the longest edge has at first. Stretched triangles are mended when they are halved, stretched
+/// tetrahedra only in part (2 : 1 costs half as many dofs again): in space cells begin as cubes as far as few are
+/// enough for that.
+int firstPieces(const BoxEdges& edges, int most)
+{
+  if (edges.dim != 3)
+    return 1;
+  const double cubes = std::min(2.0 * fewPieces, edges.longest / edges.shortest * (1.0 - 1e-9));
+  return std::clamp(int(std::ceil(cubes)), 1, std::max(1, most - 1));
 }
 
 int mostCells(const Params& deck)
@@ -154,12 +176,12 @@ bool fits(const Params& deck, const SceneComponents& components, const MeshOfBod
 MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger)
 {
   const auto scripts = std::make_shared<ScriptMeshes>(ledger); // of all tries
-  const double largest = largestBox(deck);
-  const int most = mostCells(deck);
+  const BoxEdges edges = boxEdges(deck);
+  const int most = mostCells(deck), coarsest = firstPieces(edges, most);
   const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations,
                              Sides sides = Sides::Match) -> MeshOfBody {
     for (int pieces = first; pieces < end; ++pieces) {
-      const double size = largest / pieces;
+      const double size = edges.longest / pieces;
       MeshOfBody meshes = [&components, &comm, scripts, size, stations](const Params& body) -> GivenMesh {
         const auto found = stations.find(body.name());
         const Stations lines = found == stations.end() ? Stations() : found->second;
@@ -171,7 +193,7 @@ MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components,
     return {};
   };
   // Even grids are better shaped; where sides are cut so that only fine ones match, grid lines go on across bodies.
-  if (MeshOfBody even = tryPieces(1, std::min(most, fewPieces + 1), {}))
+  if (MeshOfBody even = tryPieces(coarsest, std::min(most, std::max(coarsest, fewPieces) + 1), {}))
     return even;
   if (MeshOfBody uneven = tryPieces(1, most, matchingStations(deck)))
     return uneven;

@@ -14,10 +14,10 @@ namespace
 // Chosen where `punch` and `contact-loss` need the fewest dofs in all for 2 % to 0.1 % (docs/accuracy.md).
 
 /// The bound of a mesh is to be at least this part of the one before. With more there are more levels, with less
-/// predictions do not reach that far. In space a mesh with 0.4 times the bound has 4 to 6 times the dofs.
+/// predictions do not reach that far. In space a mesh with 0.45 times the bound has 4 to 6 times the dofs.
 double largestFall(int dim)
 {
-  return dim == 2 ? 0.22 : 0.4;
+  return dim == 2 ? 0.22 : 0.45;
 }
 /// The last step aims below the target: predictions are off by some per cent, and a miss costs one more mesh.
 constexpr double aimAtTarget = 0.94;
@@ -40,7 +40,10 @@ constexpr double whereContactEnds = 1.0;
 /// Plans are made again until they expect what is wanted and not more than this above it; conformity adds cells that a
 /// marking does not know of.
 constexpr double closeEnough = 0.01;
-constexpr int mostTrials = 4;
+int mostTrials(int dim)
+{
+  return dim == 2 ? 4 : 8; // in space conformity adds more, and meshes cost little beside their certificates
+}
 
 std::vector<Mesh> meshesOf(const Model& model)
 {
@@ -119,8 +122,8 @@ std::vector<int> uncutVertices(const BodyModel& body, int vertex)
 } // namespace
 
 MeshPlanner::MeshPlanner(const Params& deck, const AccuracyComponents& components, const Model& model, const Comm& comm)
-    : degree_(model.bodies.front().nodes.order), dim_(model.bodies.front().mesh.dim),
-      marking_(components.markings.build(deck.sub("Accuracy").sub("Marking"))), exponents_(degree_)
+    : degree_(model.bodies.front().nodes.order), dim_(model.bodies.front().mesh.dim), fall_(dim_, degree_),
+      marking_(components.markings.build(deck.sub("Accuracy").sub("Marking"))), corners_(degree_), edges_(degree_)
 {
   const auto refinement = components.refinements.build(deck.sub("Accuracy").sub("Refinement"));
   FirstMeshes first{meshesOf(model), twinsOf(model), {}};
@@ -155,20 +158,36 @@ void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
     meshes.push_back(&run.model.bodies[b].uncut());
     squared += dot(eta.back(), eta.back());
   }
-  if (expected_ > 0.0)
+  if (expected_ > 0.0 && dim_ == 2)
     correction_ = std::clamp(errors.bound / expected_, leastCorrection, 1.0);
-  if (errors.relative > tooCoarse)
-    exponents_ = CornerExponents(degree_);
-  exponents_.observe(meshes, eta);
-  contributions_.emplace(present_->meshes(), eta, exponentsFor(run), degree_);
+
+  if (expected_ > 0.0 && tells_)
+    fall_.learn(bound_, predicted_, errors.bound);
+  learnExponents(meshes, eta, errors.relative > tooCoarse);
+  contributions_.emplace(present_->meshes(), eta, exponentsFor(run), degree_, edges_.directions());
   bound_ = errors.bound;
+  tells_ = errors.tells();
   target_ = errors.target;
   total_ = std::sqrt(squared);
 }
 
+void MeshPlanner::learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse)
+{
+  if (dim_ == 3) {
+    const bool knewEdges = edges_.knowsAny();
+    edges_.observe(meshes, eta, isCoarse);
+    if (!knewEdges && edges_.knowsAny())
+      fall_.edgesBecameKnown();
+    return;
+  }
+  if (isCoarse)
+    corners_ = CornerExponents(degree_);
+  corners_.observe(meshes, eta);
+}
+
 std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
 {
-  std::vector<Vector> exponents = exponents_.exponents();
+  std::vector<Vector> exponents = dim_ == 3 ? edges_.exponents() : corners_.exponents();
   const std::vector<int> place = placesOf(run.model);
   const auto lower = [&](int body, int node) {
     if (run.model.bodies[std::size_t(body)].isRigid)
@@ -194,7 +213,7 @@ std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
 
 std::optional<std::int64_t> MeshPlanner::dofsToTarget() const
 {
-  const auto cells = marking_->cellsFor(*contributions_, target_ / boundPerTotal());
+  const auto cells = marking_->cellsFor(*contributions_, fall_.predicted(bound_, target_) / boundPerTotal());
   if (!cells)
     return std::nullopt;
   double present = 0.0;
@@ -211,20 +230,24 @@ MeshPlan MeshPlanner::planFor(double wanted) const
   const std::int64_t presentDofs = dofsOf(present_->meshes());
   MeshPlan plan;
   std::int64_t lastDofs = 0;
-  double aim = std::min(wanted / boundPerTotal(), (smallestFall - present_->slack()) * total_);
-  for (int trial = 0; trial < mostTrials; ++trial) {
+  double fits = 0.0, misses = 0.0; // the last aims that did
+  double aim = std::min(fall_.predicted(bound_, wanted) / boundPerTotal(), (smallestFall - present_->slack()) * total_);
+  for (int trial = 0; trial < mostTrials(dim_); ++trial) {
     auto meshes = present_->refined(marking_->sizes(*contributions_, aim));
     const std::int64_t dofs = dofsOf(meshes->meshes());
-    const double expected = contributions_->errorOn(meshes->meshes(), meshes->ancestors()) * boundPerTotal();
+    const double predicted = contributions_->errorOn(meshes->meshes(), meshes->ancestors()) * boundPerTotal();
+    const double expected = fall_.expected(bound_, predicted);
     if (trial > 0 && (dofs == lastDofs || dofs == presentDofs))
       break; // the marking does not aim, or not so finely
     const bool better = expected <= most ? plan.bound > most || dofs < plan.dofs : expected < plan.bound;
     if (trial == 0 || better)
-      plan = {std::move(meshes), dofs, expected};
+      plan = {std::move(meshes), dofs, expected, predicted};
     if (expected <= most && expected >= least)
       break;
     lastDofs = dofs;
-    aim *= wanted / expected;
+    (expected <= most ? fits : misses) = aim;
+    const bool isBracketed = dim_ == 3 && fits > 0.0 && misses > 0.0;
+    aim = isBracketed ? std::sqrt(fits * misses) : aim * std::pow(wanted / expected, 1.0 / fall_.power());
   }
   return plan;
 }
@@ -248,6 +271,7 @@ void MeshPlanner::accept(MeshPlan plan)
 {
   present_ = std::move(plan.meshes);
   expected_ = plan.bound;
+  predicted_ = plan.predicted;
 }
 
 } // namespace ndframe

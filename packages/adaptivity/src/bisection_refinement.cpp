@@ -43,7 +43,7 @@ public:
     return next;
   }
 
-  double slack() const override { return 0.01; }
+  double slack() const override { return meshes().front().dim == 2 ? 0.01 : 0.04; }
 
 private:
   /// False when nothing is left to be halved.

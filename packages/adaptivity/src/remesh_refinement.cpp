@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ndframe/algebra/from_rank_zero.hpp"
+#include "ndframe/base/list_place.hpp"
 #include "ndframe/mesh/cell_locator.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
 #include "ndframe/mesh/vertex_cells.hpp"
@@ -148,14 +149,21 @@ private:
 class RemeshRefinement final : public Refinement
 {
 public:
+  explicit RemeshRefinement(const Params& list) : place_(list) {}
+
   std::unique_ptr<RefinedMeshes> begin(FirstMeshes first, const Comm& comm) const override
   {
+    if (first.meshes.front().dim == 3)
+      throw InputError(place_.mistake("Type", "gmsh makes meshes again in two dimensions only; refine by Bisection."));
     auto scene = std::make_shared<RemeshScene>(RemeshScene{{}, matchingSides(first.meshes, first.twins), comm});
     for (const auto& source : first.sources)
       scene->scripts.push_back(source->script());
     std::vector<std::vector<int>> ancestors = ownAncestors(first.meshes);
     return std::make_unique<RemeshedMeshes>(std::move(scene), std::move(first.meshes), std::move(ancestors));
   }
+
+private:
+  ListPlace place_;
 };
 
 } // namespace
@@ -166,9 +174,8 @@ void registerRemesh(Registry<Refinement>& registry)
       "Remesh",
       "gmsh makes the meshes of .geo scripts again with the wanted sizes. Vertices of a curved boundary lie on "
       "the curve, matching sides go on matching. Costs 0.1 s a mesh and more. Where gmsh gives up, it is asked again "
-      "with "
-      "other algorithms and slightly smaller sizes; in the end the triangles are halved.",
-      {}, [](const Params&) { return std::make_unique<RemeshRefinement>(); });
+      "with other algorithms and slightly smaller sizes; in the end the triangles are halved. In two dimensions.",
+      {}, [](const Params& list) { return std::make_unique<RemeshRefinement>(list); });
 }
 
 } // namespace ndframe

@@ -41,7 +41,7 @@ ListSpec accuracySpec(const AccuracyComponents& components)
   ListSpec list;
   list.name = "Accuracy";
   list.doc = "An accuracy instead of a mesh: the meshes are refined where the error is and the sweeps stopped when "
-             "their part is small, until the bound is below the target. In two dimensions.";
+             "their part is small, until the bound is below the target.";
   list.onlyIfGiven = true;
   list.params = {
       ParamSpec::optional("Target", Kind::Double, share(),

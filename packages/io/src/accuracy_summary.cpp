@@ -74,9 +74,12 @@ std::string levelsCsv(const std::vector<LevelSummary>& levels)
 {
   fmt::memory_buffer buffer;
   auto out = std::back_inserter(buffer);
+  const bool plane = levels.empty() || levels.front().worstPoint.size() == 2;
   fmt::format_to(
-      out, "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
-           "dofs_to_target,seconds,energy_lower,energy_upper\n");
+      out,
+      "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
+      "{}dofs_to_target,seconds,energy_lower,energy_upper\n",
+      plane ? "" : "largest_z,");
   for (const auto& level : levels) {
     fmt::format_to(out, "{},{},{},{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},", level.level, level.dofs, level.elements,
                    level.worstShape, level.sweeps, level.bound, level.relative, level.mesh, level.iteration);

@@ -1,6 +1,7 @@
 #include "ndframe/report/accuracy_screen.hpp"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "ndframe/base/grouped.hpp"
 #include "ndframe/report/screen.hpp"
@@ -38,11 +39,10 @@ std::string levelTitle(const AccuracySummary& summary, bool replacesTolerance)
 std::string levelLine(const LevelSummary& level, const std::string& note)
 {
   return fmt::format(
-      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {}  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g}, "
-      "{:.3g} in {}{}",
+      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {}  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g} in {}{}",
       level.level, grouped(level.dofs), level.sweeps, level.bound, relativeText(level), level.mesh, level.iteration,
-      level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds, level.worstShape, level.worstPoint[0],
-      level.worstPoint[1], level.worstBody, note.empty() ? "" : "   note: " + note);
+      level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds, level.worstShape,
+      fmt::join(level.worstPoint, ", "), level.worstBody, note.empty() ? "" : "   note: " + note);
 }
 
 std::string accuracyText(const AccuracySummary& summary, bool guaranteed)

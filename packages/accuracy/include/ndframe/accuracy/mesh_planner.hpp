@@ -4,8 +4,10 @@
 #include <optional>
 
 #include "ndframe/accuracy/accuracy_components.hpp"
+#include "ndframe/accuracy/bound_fall.hpp"
 #include "ndframe/accuracy/level_errors.hpp"
 #include "ndframe/adaptivity/corner_exponents.hpp"
+#include "ndframe/adaptivity/edge_exponents.hpp"
 #include "ndframe/adaptivity/marking.hpp"
 #include "ndframe/adaptivity/refinement.hpp"
 
@@ -17,7 +19,8 @@ struct MeshPlan
 {
   std::unique_ptr<RefinedMeshes> meshes;
   std::int64_t dofs = 0;
-  double bound = 0.0; ///< that is expected
+  double bound = 0.0;     ///< that is expected
+  double predicted = 0.0; ///< by the contributions alone
 };
 
 /// Decides about the next meshes of a run with a target.
@@ -43,6 +46,7 @@ public:
   std::string note() const { return present_->note(); }
 
 private:
+  void learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse);
   /// lambda per body and vertex: what has been learned, and where contact ends now.
   std::vector<Vector> exponentsFor(const Run& run) const;
   MeshPlan planFor(double wanted) const;
@@ -50,13 +54,18 @@ private:
   std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
 
   int degree_, dim_;
+  BoundFall fall_;
   std::unique_ptr<Marking> marking_;
   std::unique_ptr<RefinedMeshes> present_;
-  std::vector<std::int64_t> eulers_; ///< per body: vertices - edges + cells, which refinement does not change; in the plane
-  CornerExponents exponents_;
+  std::vector<std::int64_t>
+      eulers_;              ///< per body: vertices - edges + cells, which refinement does not change; in the plane
+  CornerExponents corners_; ///< in the plane
+  EdgeExponents edges_;     ///< in space
   std::optional<ContributionModel> contributions_;
+  bool tells_ = false;                              ///< LevelErrors::tells of the present meshes
   double bound_ = 0.0, target_ = 0.0, total_ = 0.0; ///< of the present meshes; total: sqrt(sum eta_K^2)
   double expected_ = 0.0;                           ///< bound of the present meshes, as it was planned; 0 for the first
+  double predicted_ = 0.0;                          ///< MeshPlan::predicted of the present meshes
   double correction_ = 1.0;                         ///< of what is expected
 };
 

@@ -15,7 +15,7 @@ struct LevelSummary
 {
   int level = 1;
   std::int64_t dofs = 0, elements = 0;
-  double worstShape = 1.0; ///< 4 sqrt(3) area / sum of squared edges of the worst element; 1: equilateral
+  double worstShape = 1.0; ///< worstShape of its meshes; 1: all elements are equilateral
   int sweeps = 0;
   double bound = 0.0;     ///< what is compared with the target, absolute
   double relative = 0.0;  ///< over sqrt(a(u_h, u_h))

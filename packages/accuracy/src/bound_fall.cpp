@@ -1,0 +1,27 @@
+#include "ndframe/accuracy/bound_fall.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace ndframe
+{
+
+double BoundFall::expected(double before, double predicted) const
+{
+  return inSpace_ ? before * std::pow(predicted / before, power_) : predicted;
+}
+
+double BoundFall::predicted(double before, double wanted) const
+{
+  return inSpace_ ? before * std::pow(wanted / before, 1.0 / power_) : wanted;
+}
+
+void BoundFall::learn(double before, double predicted, double found)
+{
+  if (!inSpace_ || predicted >= before)
+    return;
+  const double last = std::log(found / before) / std::log(predicted / before);
+  power_ = std::clamp(0.5 * (power_ + last), least, 1.0);
+}
+
+} // namespace ndframe

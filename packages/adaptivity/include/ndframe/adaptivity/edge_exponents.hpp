@@ -1,0 +1,62 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/adaptivity/contribution_model.hpp"
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// How the error falls around the edges of solids, learned from one mesh to the next.
+///
+/// Around an edge with u ~ r^lambda the cells that have a piece of it as an edge contribute sum eta_K^2 ~ (V /
+/// L)^lambda per length L together, V the volume of all of them; where the solution is smooth, (V / L)^(p+1) with
+/// displacements of degree p: a corner of the plane, along a line. Two meshes, the second made from the first by
+/// halving edges, show lambda wherever these cells became smaller. Edges are those of the very first mesh where its
+/// boundary turns, where the sides change and where regions meet at an angle or end. The cells at the ends of an edge
+/// are left out where there are others.
+class EdgeExponents
+{
+public:
+  explicit EdgeExponents(int degree) : smooth_(degree + 1.0) {}
+
+  /// The next mesh of every body and eta_K on it. Points that stay keep their numbers; edges are halved in the middle.
+  /// isCoarse: nothing can be learned from this mesh, nor from those before.
+  void observe(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& contributions, bool isCoarse = false);
+
+  /// lambda per body and vertex of the meshes last seen; p + 1 off the edges and where nothing has been learned.
+  const std::vector<Vector>& exponents() const { return exponents_; }
+  /// Whether any edge is known to be singular.
+  bool knowsAny() const;
+  /// Of the edge with this lambda.
+  const EdgeDirections& directions() const { return directions_; }
+
+private:
+  /// Sums over the cells of an edge.
+  struct Tube
+  {
+    double squared = 0.0, volume = 0.0, length = 0.0;
+  };
+  struct Crease
+  {
+    std::vector<int> chain; ///< its vertices, from end to end
+    std::array<double, 3> direction;
+    double exponent;
+    Tube tube{}; ///< on the last mesh that could teach
+  };
+
+  void findCreases(const Mesh& mesh);
+  static std::vector<Tube> tubesOf(const Mesh& mesh, const Vector& contributions, const std::vector<Crease>& creases);
+  void learn(Crease& crease, const Tube& now) const;
+  void tellVertices(const Mesh& mesh, const std::vector<Crease>& creases);
+
+  double smooth_;
+  std::vector<int> numPoints_;               ///< per body, of the last mesh
+  std::vector<std::vector<Crease>> creases_; ///< per body
+  std::vector<Vector> exponents_;
+  EdgeDirections directions_;
+};
+
+} // namespace ndframe
