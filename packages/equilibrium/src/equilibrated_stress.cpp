@@ -1,7 +1,10 @@
 #include "ndframe/equilibrium/equilibrated_stress.hpp"
 
+#include <algorithm>
+
 #include "ndframe/assembly/cell_field.hpp"
 #include "ndframe/equilibrium/cell_form.hpp"
+#include "ndframe/equilibrium/cell_forms.hpp"
 #include "ndframe/equilibrium/sub_cell.hpp"
 
 namespace ndframe
@@ -42,14 +45,25 @@ void addElasticStress(const BodyModel& body, const Vector& displacement, int cel
 
 } // namespace
 
-SplitStress correctionStress(const BodyModel& body, const StressCorrection& correction, int cell)
+namespace
 {
-  const ReferenceStress& reference = referenceStress(body.mesh.dim, correction.degree);
+
+SplitStress zeroStress(const BodyModel& body, const ReferenceStress& reference, int cell)
+{
   SplitStress stress;
   stress.dim = reference.dim;
   stress.degree = reference.degree;
   stress.cell = sortedCell(body.mesh, cell);
   stress.map = cellMap(body.mesh, stress.cell);
+  return stress;
+}
+
+} // namespace
+
+SplitStress correctionStress(const BodyModel& body, const StressCorrection& correction, int cell)
+{
+  const ReferenceStress& reference = referenceStress(body.mesh.dim, correction.degree);
+  SplitStress stress = zeroStress(body, reference, cell);
   stress.coefficients =
       CellForm(reference, stress.map, body.laws(cell)).coefficients(pullBack(reference, stress.map, correction, cell));
   return stress;
@@ -61,6 +75,34 @@ SplitStress equilibratedStress(const BodyModel& body, const Vector& displacement
   SplitStress stress = correctionStress(body, correction, cell);
   addElasticStress(body, displacement, cell, stress);
   return stress;
+}
+
+void visitStresses(const BodyModel& body, const Vector* displacement, const StressCorrection& correction,
+                   const std::function<void(int, const SplitStress&)>& visit)
+{
+  constexpr int together = 64;
+  const ReferenceStress& reference = referenceStress(body.mesh.dim, correction.degree);
+  const CellForms forms(reference);
+  for (int first = 0; first < body.mesh.numCells(); first += together) {
+    const int count = std::min(together, body.mesh.numCells() - first);
+    DenseMatrix compliances(int(reference.energy.size()), count), data(reference.data(), count);
+    std::vector<SplitStress> stresses;
+    for (int c = 0; c < count; ++c) {
+      stresses.push_back(zeroStress(body, reference, first + c));
+      const auto entries = pulledBackCompliance(stresses.back().map, body.laws(first + c));
+      std::copy(entries.begin(), entries.end(), compliances.col(c));
+      const Vector pulled = pullBack(reference, stresses.back().map, correction, first + c);
+      std::copy(pulled.begin(), pulled.end(), data.col(c));
+    }
+    const DenseMatrix coefficients = forms.coefficients(compliances, data);
+    for (int c = 0; c < count; ++c) {
+      SplitStress& stress = stresses[std::size_t(c)];
+      stress.coefficients = coefficients.column(c);
+      if (displacement != nullptr)
+        addElasticStress(body, *displacement, first + c, stress);
+      visit(first + c, stress);
+    }
+  }
 }
 
 } // namespace ndframe

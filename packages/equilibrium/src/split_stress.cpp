@@ -1,4 +1,6 @@
-#include "ndframe/equilibrium/cell_form.hpp"
+#include <cmath>
+
+#include "ndframe/equilibrium/reference_stress.hpp"
 #include "ndframe/equilibrium/sub_cell.hpp"
 
 namespace ndframe
@@ -40,21 +42,58 @@ void SplitStress::divergence(int sub, const double* lambda, double* div) const
   }
 }
 
+namespace
+{
+
+/// K = L L^T: the complementary energy of a stress is |L^-1 sigma|^2.
+class StiffnessRoot
+{
+public:
+  explicit StiffnessRoot(const Elasticity& law) : strains_(std::size_t(law.strains()))
+  {
+    for (std::size_t j = 0; j < strains_; ++j)
+      for (std::size_t i = j; i < strains_; ++i) {
+        double value = law(int(i), int(j));
+        for (std::size_t k = 0; k < j; ++k)
+          value -= L_[i][k] * L_[j][k];
+        L_[i][j] = i == j ? std::sqrt(value) : value / L_[j][j];
+      }
+  }
+
+  double energy(const double* sigma) const
+  {
+    double sum = 0.0, x[6];
+    for (std::size_t i = 0; i < strains_; ++i) {
+      x[i] = sigma[i];
+      for (std::size_t k = 0; k < i; ++k)
+        x[i] -= L_[i][k] * x[k];
+      x[i] /= L_[i][i];
+      sum += x[i] * x[i];
+    }
+    return sum;
+  }
+
+private:
+  std::size_t strains_;
+  double L_[6][6] = {};
+};
+
+} // namespace
+
 double SplitStress::energy(const Elasticity& law) const
 {
-  const DenseCholesky stiffness = stiffnessFactor(law);
+  const StiffnessRoot root(law);
   const int modes = referenceStress(dim, degree).basis.size(), strains = numStrains(dim);
   double sum = 0.0;
   for (int sub = 0; sub <= dim; ++sub)
     for (int m = 0; m < modes; ++m) {
       double S[6];
-      Vector sigma(std::size_t(strains), 0.0);
+      double sigma[6] = {};
       for (int s = 0; s < strains; ++s)
         S[s] = coefficients[(std::size_t(sub) * std::size_t(strains) + std::size_t(s)) * std::size_t(modes) +
                             std::size_t(m)];
-      transformStress(dim, map.F.data(), 1.0 / map.det, S, sigma.data());
-      sigma = stiffness.solveLower(std::move(sigma));
-      sum += dot(sigma, sigma);
+      transformStress(dim, map.F.data(), 1.0 / map.det, S, sigma);
+      sum += root.energy(sigma);
     }
   // The functions are orthonormal for the mean value over a sub-cell.
   return sum * referenceMeasure(dim) * map.det / (dim + 1);

@@ -66,7 +66,7 @@ Vector StressDescent::gradientOf(const Vector& forces) const
   std::vector<std::size_t> firstCarrier{0};
   for (int f = 0; f < numFaces(); ++f) {
     const StressFace& face = faces_->faces()[std::size_t(f)];
-    Vector G(std::size_t(size), 0.0);
+    std::array<double, 18> G{}; // facet data at most
     for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
       for (int i = 0; i < size; ++i)
         G[std::size_t(i)] +=

@@ -12,11 +12,8 @@ Vector cellDistances(const BodyModel& body, const StressCorrection& correction, 
   if (body.mesh.dim == 2)
     return batchedCellDistances(body, correction, difference, *availableKernels().back());
   Vector distances;
-  for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
-    const SplitStress stress = difference == nullptr ? correctionStress(body, correction, cell)
-                                                     : equilibratedStress(body, *difference, correction, cell);
-    distances.push_back(stress.energy(body.laws(cell)));
-  }
+  visitStresses(body, difference, correction,
+                [&](int cell, const SplitStress& stress) { distances.push_back(stress.energy(body.laws(cell))); });
   return distances;
 }
 

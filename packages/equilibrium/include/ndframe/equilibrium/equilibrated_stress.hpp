@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "ndframe/equilibrium/reference_stress.hpp"
 #include "ndframe/equilibrium/stress_correction.hpp"
 
@@ -12,5 +14,10 @@ SplitStress correctionStress(const BodyModel& body, const StressCorrection& corr
 /// sigma^ = K eps(u~) + c on one cell.
 SplitStress equilibratedStress(const BodyModel& body, const Vector& displacement, const StressCorrection& correction,
                                int cell);
+
+/// The stresses of all cells in their order, many at a time; displacement: null for the correction alone. A stress
+/// holds during its visit.
+void visitStresses(const BodyModel& body, const Vector* displacement, const StressCorrection& correction,
+                   const std::function<void(int, const SplitStress&)>& visit);
 
 } // namespace ndframe
