@@ -37,6 +37,17 @@ TEST(BoundFall, ComesToThePowerOfAllSteps)
   EXPECT_NEAR(fall.expected(5.0, 1.0), 5.0 * std::pow(0.2, 0.62), 1e-4);
 }
 
+TEST(BoundFall, ComesNearerToThePredictionWithKnownEdges)
+{
+  BoundFall fall(3, 2);
+  fall.learn(1.0, 0.3, std::pow(0.3, 0.5));
+  fall.edgesBecameKnown();
+  const double first = fall.power();
+  EXPECT_GT(first, 0.5);
+  fall.learn(1.0, 0.3, std::pow(0.3, first));
+  EXPECT_NEAR(1.0 - fall.power(), 0.5 * (1.0 - first), 1e-12);
+}
+
 TEST(BoundFall, StaysBetweenNoiseAndThePrediction)
 {
   BoundFall fall(3, 2);

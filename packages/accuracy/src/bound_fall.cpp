@@ -20,8 +20,16 @@ void BoundFall::learn(double before, double predicted, double found)
 {
   if (!inSpace_ || predicted >= before)
     return;
+  constexpr double least = 0.4;
   const double last = std::log(found / before) / std::log(predicted / before);
-  power_ = std::clamp(0.5 * (power_ + last), least, 1.0);
+  power_ = std::clamp(0.5 * (last + (knowsEdges_ ? 1.0 : power_)), least, 1.0);
+}
+
+void BoundFall::edgesBecameKnown()
+{
+  constexpr double atFirst = 0.75;
+  power_ = std::max(power_, atFirst);
+  knowsEdges_ = true;
 }
 
 } // namespace ndframe

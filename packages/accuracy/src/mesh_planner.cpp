@@ -29,8 +29,12 @@ constexpr double worthwhile = 0.9;
 /// a spike where contact ends on this mesh.
 constexpr double leastCorrection = 0.95;
 
-/// With a larger relative bound nothing can be learned about corners: cells are larger than what they shall show.
-constexpr double tooCoarse = 0.3;
+/// With a larger relative bound nothing can be learned about corners and edges: cells are larger than what they shall
+/// show. Of edges there is a lot, and meshes in space are coarser.
+double tooCoarse(int dim)
+{
+  return dim == 2 ? 0.3 : 0.5;
+}
 
 /// Where a frictionless contact ends inside a smooth side, u ~ r^1.5. It ends up to half a facet away from the vertex
 /// that meshes are graded to, and the traction's part of the bound is largest there: a smaller exponent, with smaller
@@ -163,7 +167,7 @@ void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
 
   if (expected_ > 0.0 && tells_)
     fall_.learn(bound_, predicted_, errors.bound);
-  learnExponents(meshes, eta, errors.relative > tooCoarse);
+  learnExponents(meshes, eta, errors.relative > tooCoarse(dim_));
   contributions_.emplace(present_->meshes(), eta, exponentsFor(run), degree_, edges_.directions());
   bound_ = errors.bound;
   tells_ = errors.tells();
