@@ -49,10 +49,11 @@ TEST(ErrorEstimation, EstimatesTheBoundAndItsPartsByDefault)
   const auto options = optionsOf(Scene("punch").set("Error Estimation/Mode=Strict"));
   EXPECT_THAT(options.estimators,
               UnorderedElementsAre(Estimator::Global, Estimator::Algorithm, Estimator::Discretization));
-  EXPECT_EQ(options.tractionType, TractionType::Optimal);
+  EXPECT_EQ(options.tractionIn(2), TractionType::Optimal);
+  EXPECT_EQ(options.tractionIn(3), TractionType::Projected);
   EXPECT_EQ(options.tractionMean, TractionMean::Previous);
   EXPECT_EQ(options.refinements, 3);
-  EXPECT_EQ(options.maximumDofs, 2000000);
+  EXPECT_EQ(options.maximumDofs, 0);
   EXPECT_TRUE(options.optimises(2));
 }
 

@@ -41,18 +41,16 @@ def maps(draw, kind):
     return upper, lower
 
 
-def load(draw, order):
-    """Body and surface loads that stresses carry, or (not guaranteed in space) others."""
-    if order == 1 or draw.random() < 0.7:
-        return draw.choice(("1", "1", "2")), True
-    return draw.choice(("1+x", "2+x-y", "1.5+0.5*x*y")), True
+def load(draw):
+    """A pressure that stresses carry, or one whose oscillation is bounded."""
+    return draw.choice(("1", "1", "2", "1+x", "2+x-y", "1.5+0.5*x*y", "exp(x-y)", "1.1+sin(9*x)", "1+(x>0.3)"))
 
 
 def scene(draw, order):
     kind = draw.choice(("flat", "flat", "inclined", "bent"))
     upper, lower = maps(draw, kind)
     columns, rows = draw.randint(1, 3), draw.randint(1, 3)
-    value, _ = load(draw, order)
+    value = load(draw)
     held = {"left": "Roller", "front": "Roller"} if kind == "flat" else {"left": "Clamp"}
     if draw.random() < 0.3:
         held["right"] = "Roller" if kind == "flat" else "Clamp"
@@ -63,6 +61,9 @@ def scene(draw, order):
                    {"bottom": "Clamp"}, {}, 0.2, draw.randint(0, 10**6))
     if draw.random() < 0.3:
         second.loads["side"] = pressure("back", "0.1")
+    if draw.random() < 0.3:
+        first.loads["weight"] = [("Type", "string", "Body Force"),
+                                 ("Z", "string", draw.choice(("-0.1", "-0.1*(1+x)", "-0.1*cos(5*y)")))]
     gap = draw.choice(("0", "0", "0.01", "0.02*x", "0.05*(x^2+y^2)", "0.03*(1-cos(x+y))", "0.1*(x>0.3)"))
     gap = gap if kind == "flat" else draw.choice(("0", "0.01"))
     pair = (first, second) if draw.random() < 0.5 else (second, first)

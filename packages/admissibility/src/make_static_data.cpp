@@ -185,18 +185,11 @@ void DataBuilder::finish(double negligible)
   if (boundByConstants(stiffness, negligible))
     return;
   const Vector carried = liftedEnergies();
-  bool oscillates = false;
   for (std::size_t cell = 0; cell < carried.size(); ++cell) {
     double& bound = data_.oscillation[cell];
-    oscillates = oscillates || bound > 0.0;
     bound =
         std::pow(std::sqrt(carried[cell]) + bound / std::sqrt(stiffness[std::size_t(body_.laws.number(int(cell)))]), 2);
   }
-  if (oscillates && data_.dim == 3)
-    data_.caveat +=
-        fmt::format("the loads of {} are not polynomials that its stresses carry, and the constant of their "
-                    "oscillation is not proven for tetrahedra. ",
-                    body_.name);
 }
 
 } // namespace

@@ -1,6 +1,7 @@
 #include "oscillation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <utility>
 
@@ -54,23 +55,78 @@ double roundness(const Mesh& mesh, int cell)
   return mesh.dim * cellMeasure(mesh, cell) / surface / farthest;
 }
 
-/// K of |grad w|^2 <= K |eps(w)|^2 for w without mean rotation.
+/// K of |grad w|^2 <= K |eps(w)|^2 for w without mean rotation, in the plane.
 double kornConstant(const Mesh& mesh, int cell)
 {
   const double ratio = roundness(mesh, cell);
   const double inverseBeta2 = 2.0 / (ratio * ratio) * (1.0 + std::sqrt(std::max(0.0, 1.0 - ratio * ratio)));
-  return mesh.dim == 2 ? 1.0 + 2.0 * inverseBeta2 : 2.0 * (1.0 + 4.0 * inverseBeta2);
+  return 1.0 + 2.0 * inverseBeta2;
+}
+
+/// Squares for Kuhn's tetrahedron, rounded up from 0.6043 and 11.48 (test_oscillation_constants).
+constexpr double kuhnCell = 0.61, kuhnFacet = 11.5;
+
+/// A cell as the image of Kuhn's tetrahedron for one order of its vertices.
+struct KuhnMap
+{
+  double norm2, inverse2; ///< |F|^2, |F^-1|^2
+
+  KuhnMap(const Mesh& mesh, int cell, const std::array<int, 4>& order)
+  {
+    DenseMatrix square(3, 3), F(3, 3); // F maps the steps e1, e2, e3 from vertex to vertex
+    for (int step = 0; step < 3; ++step)
+      for (int k = 0; k < 3; ++k)
+        F(k, step) = mesh.point(mesh.cell(cell)[order[std::size_t(step) + 1]])[k] -
+                     mesh.point(mesh.cell(cell)[order[std::size_t(step)]])[k];
+    square = multiplyTransposed(F, F);
+    const Vector eigenvalues = symmetricEigenvalues(std::move(square));
+    norm2 = eigenvalues.back();
+    inverse2 = 1.0 / eigenvalues.front();
+  }
+};
+
+/// The least value over all orders of the vertices.
+template <class Value>
+double best(const Mesh& mesh, int cell, const Value& value)
+{
+  std::array<int, 4> order{0, 1, 2, 3};
+  double least = HUGE_VAL;
+  do
+    least = std::min(least, value(KuhnMap(mesh, cell, order), order));
+  while (std::next_permutation(order.begin(), order.end()));
+  return least;
+}
+
+double cellConstantInSpace(const Mesh& mesh, int cell)
+{
+  return std::sqrt(best(mesh, cell, [](const KuhnMap& map, const std::array<int, 4>&) {
+    return map.norm2 * map.norm2 * map.inverse2 * kuhnCell;
+  }));
+}
+
+double facetConstantInSpace(const Mesh& mesh, Facet facet)
+{
+  double normal[3];
+  const double area = facetNormal(mesh, facet, normal), det = 6.0 * cellMeasure(mesh, facet.cell);
+  return std::sqrt(best(mesh, facet.cell, [&](const KuhnMap& map, const std::array<int, 4>& order) {
+    const bool isOuter = order.front() == facet.local || order.back() == facet.local; // of area 1/2, others 1/sqrt(2)
+    return map.norm2 * map.norm2 * map.inverse2 * area / (isOuter ? 0.5 : std::sqrt(0.5)) / det * kuhnFacet;
+  }));
 }
 
 } // namespace
 
 double cellOscillationConstant(const Mesh& mesh, int cell)
 {
+  if (mesh.dim == 3)
+    return cellConstantInSpace(mesh, cell);
   return cellDiameter(mesh, cell) / M_PI * std::sqrt(kornConstant(mesh, cell));
 }
 
 double facetOscillationConstant(const Mesh& mesh, Facet facet)
 {
+  if (mesh.dim == 3)
+    return facetConstantInSpace(mesh, facet);
   double normal[3];
   const double poincare = cellDiameter(mesh, facet.cell) / M_PI, height = longestEdge(mesh, facet.cell, facet.local);
   const double ratio = facetNormal(mesh, facet, normal) / cellMeasure(mesh, facet.cell);

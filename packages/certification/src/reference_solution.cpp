@@ -78,8 +78,10 @@ std::optional<double> ratio(double bound, double error, double size)
 /// Limit of a reference's dofs; in space a factor takes more memory for each.
 std::int64_t affordableDofs(const Model& model, const ReferenceDepth& depth)
 {
-  constexpr int shareInSpace = 5;
-  return model.bodies.front().mesh.dim == 2 ? depth.maximumDofs : depth.maximumDofs / shareInSpace;
+  constexpr std::int64_t inPlane = 2000000, inSpace = 400000;
+  if (depth.maximumDofs > 0)
+    return depth.maximumDofs;
+  return model.bodies.front().mesh.dim == 2 ? inPlane : inSpace;
 }
 
 /// Nodes multiply by 2^dim with every refinement (a little less).

@@ -64,7 +64,7 @@ private:
 struct ReferenceDepth
 {
   int refinements = 3;          ///< halvings of every edge
-  std::int64_t maximumDofs = 0; ///< it goes less deep where it would have more
+  std::int64_t maximumDofs = 0; ///< it goes less deep where it would have more; 0: by the dimension
 };
 
 /// What a certificate says, to be judged: u^ per body, the admissible traction of sigma^, the measure (39).

@@ -86,8 +86,8 @@ public:
     if (dim != 3)
       return "Global is defined for solids; choose Star";
     if (degree(order) < order || degree(order) > highestDegree)
-      return fmt::format("Degree = {} does not suit displacements of order {} in 3 dimensions; it may be {}", degree_, order,
-                         order == highestDegree ? "2" : "1 or 2");
+      return fmt::format("Degree = {} does not suit displacements of order {} in 3 dimensions; it may be {}", degree_,
+                         order, order == highestDegree ? "2" : "1 or 2");
     if (optimise)
       return "the traction between bodies can be optimised in two dimensions only; choose the projected one";
     return {};

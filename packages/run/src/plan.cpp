@@ -91,7 +91,8 @@ void Plan::addCertificate(const RunSettings& settings)
   add(Stage::CertifyEquilibrium, options.checkEquilibrium, "Check Equilibrium", "Check Equilibrium is off");
   add(Stage::CertifyEstimators, !measures.empty(), fmt::format("{}", fmt::join(measures, ", ")), "only Reference");
   add(Stage::CertifyReference, options.wants(Estimator::Reference),
-      fmt::format("every edge halved {} times, at most {} dofs", options.refinements, options.maximumDofs),
+      fmt::format("every edge halved {} times", options.refinements) +
+          (options.maximumDofs > 0 ? fmt::format(", at most {} dofs", options.maximumDofs) : ""),
       "Estimators does not name Reference");
 }
 
