@@ -72,8 +72,7 @@ ListSpec interfaceSpec()
       ParamSpec::optional("Neumann Side", Kind::String, "Its side; required unless the body is Rigid."),
       {"Tied", false,
        "The sides are glued where they face each other, along the normal and along the side: no contact, the two "
-       "bodies "
-       "become one with a region each, called \"BODY + BODY\"."},
+       "bodies become one with a region each, called \"BODY + BODY\". Solids need sides with one mesh."},
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: "
                             "u1_N - u2_N <= g, in addition to what the geometry says."),

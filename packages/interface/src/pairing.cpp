@@ -156,12 +156,24 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
 
 } // namespace
 
-bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide)
+std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& firstSide, const Mesh& second,
+                                                const Side& secondSide)
 {
   const NodeMap firstMap = makeNodeMap(first, 1), secondMap = makeNodeMap(second, 1);
   const NodeCloud mine{firstMap, sideNodes(firstMap, firstSide)}, theirs{secondMap, sideNodes(secondMap, secondSide)};
   const double tolerance = sameNode * std::min(shortestFacet(first, firstSide), shortestFacet(second, secondSide));
-  return compare(mine, theirs).largestDistance() <= tolerance && compare(theirs, mine).largestDistance() <= tolerance;
+  const Comparison forward = compare(mine, theirs);
+  std::vector<std::pair<int, int>> pairs;
+  if (forward.largestDistance() > tolerance || compare(theirs, mine).largestDistance() > tolerance)
+    return pairs;
+  for (std::size_t i = 0; i < mine.nodes.size(); ++i)
+    pairs.emplace_back(mine.nodes[i], theirs.nodes[forward.nearest[i]]);
+  return pairs;
+}
+
+bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide)
+{
+  return !commonVertices(first, firstSide, second, secondSide).empty();
 }
 
 InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann)

@@ -3,13 +3,14 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "glue.hpp"
 #include "ndframe/interface/insertion.hpp"
+#include "ndframe/interface/interface_mesh.hpp"
 
 namespace ndframe
 {
@@ -32,38 +33,6 @@ std::string inPart(const std::string& part, const std::string& name)
 {
   return part + ": " + name;
 }
-
-/// Vertices of all parts, one after the other, that become one.
-class Glue
-{
-public:
-  explicit Glue(const std::vector<DerivedMesh>& parts)
-  {
-    for (const DerivedMesh& part : parts) {
-      first_.push_back(int(root_.size()));
-      root_.resize(root_.size() + std::size_t(part.mesh.numPoints()));
-    }
-    std::iota(root_.begin(), root_.end(), 0);
-  }
-
-  int number(int part, int vertex) const { return first_[std::size_t(part)] + vertex; }
-  int root(int number) const
-  {
-    while (root_[std::size_t(number)] != number)
-      number = root_[std::size_t(number)];
-    return number;
-  }
-  /// The one with the smaller number stays where it is.
-  void join(int a, int b)
-  {
-    a = root(a);
-    b = root(b);
-    root_[std::size_t(std::max(a, b))] = std::min(a, b);
-  }
-
-private:
-  std::vector<int> first_, root_;
-};
 
 class TiedMesh final : public MeshSource
 {
@@ -97,6 +66,8 @@ private:
   std::vector<FacingSides> facingSides(const std::vector<Mesh>& parts) const;
   void join(const Params& joint, const FacingSides& sides, const std::vector<DerivedMesh>& parts, Glue& glue,
             std::vector<std::set<std::pair<int, int>>>& inside) const;
+  void joinSolids(const Params& joint, const FacingSides& sides, const std::vector<DerivedMesh>& parts, Glue& glue,
+                  std::vector<std::set<std::pair<int, int>>>& inside) const;
   Mesh merged(const std::vector<DerivedMesh>& parts, const Glue& glue,
               const std::vector<std::set<std::pair<int, int>>>& inside) const;
 
@@ -129,14 +100,59 @@ std::vector<FacingSides> TiedMesh::facingSides(const std::vector<Mesh>& parts) c
     for (const auto& [key, mesh] : {std::pair("First Side", &first), std::pair("Second Side", &second)})
       if (const auto name = joint.get<std::string>(key); mesh->findSide(name) == nullptr)
         throw InputError(joint.mistake(key, fmt::format("there is no side \"{}\"; {}.", name, sideNames(*mesh))));
-    if (first.dim != 2 || second.dim != 2)
-      throw InputError(joint.mistake("", "parts are tied in the plane only."));
+    if (first.dim != second.dim)
+      throw InputError(joint.mistake(
+          "", fmt::format("a part of dimension {} cannot be tied to one of dimension {}.", first.dim, second.dim)));
+    if (first.dim == 3) { // as they are: nothing is cut
+      facing.push_back(std::move(sides));
+      continue;
+    }
     const double angle = joint.get<double>("Corner Angle");
     sides.map = std::make_shared<const SideMap>(SidePolygon(first, first.findSide(sides.firstSide)->facets, angle),
                                                 SidePolygon(second, second.findSide(sides.secondSide)->facets, angle));
     facing.push_back(std::move(sides));
   }
   return facing;
+}
+
+/// The same of solids, whose sides must have common vertices and triangles.
+void TiedMesh::joinSolids(const Params& joint, const FacingSides& sides, const std::vector<DerivedMesh>& parts,
+                          Glue& glue, std::vector<std::set<std::pair<int, int>>>& inside) const
+{
+  const Mesh &first = parts[std::size_t(sides.firstBody)].mesh, &second = parts[std::size_t(sides.secondBody)].mesh;
+  const Side &firstSide = *first.findSide(sides.firstSide), &secondSide = *second.findSide(sides.secondSide);
+  const auto common = commonVertices(first, firstSide, second, secondSide);
+  const auto mistake = [&](const char* what) {
+    return InputError(joint.mistake(
+        "", fmt::format("the {} of {}/{} and {}/{} are not the same; tied solids need sides with one mesh, as of one "
+                        "gmsh script whose volumes share the surface.",
+                        what, names_[std::size_t(sides.firstBody)], sides.firstSide,
+                        names_[std::size_t(sides.secondBody)], sides.secondSide)));
+  };
+  if (common.empty())
+    throw mistake("vertices");
+  std::map<int, int> partner;
+  for (const auto& [ours, theirs] : common) {
+    partner[theirs] = ours;
+    glue.join(glue.number(sides.firstBody, ours), glue.number(sides.secondBody, theirs));
+  }
+  std::set<std::array<int, 3>> triangles;
+  const auto add = [&](const Mesh& mesh, Facet facet, int body) {
+    std::array<int, 3> vertices{};
+    facetVertices(mesh, facet, vertices.data());
+    for (int& vertex : vertices)
+      vertex = body == sides.firstBody ? vertex : partner.at(vertex);
+    std::sort(vertices.begin(), vertices.end());
+    inside[std::size_t(body)].insert({facet.cell, facet.local});
+    return triangles.insert(vertices).second;
+  };
+  for (const Facet facet : firstSide.facets)
+    add(first, facet, sides.firstBody);
+  const std::size_t count = triangles.size();
+  for (const Facet facet : secondSide.facets)
+    add(second, facet, sides.secondBody);
+  if (triangles.size() != count || secondSide.facets.size() != count)
+    throw mistake("triangles");
 }
 
 /// The vertices of facets that face each other, and the facets, which no side has any more.
@@ -175,7 +191,7 @@ Mesh TiedMesh::merged(const std::vector<DerivedMesh>& parts, const Glue& glue,
                       const std::vector<std::set<std::pair<int, int>>>& inside) const
 {
   Mesh mesh;
-  mesh.dim = 2;
+  mesh.dim = parts.front().mesh.dim;
   std::map<int, int> vertex; // by root
   for (std::size_t p = 0; p < parts.size(); ++p) {
     const Mesh& part = parts[p].mesh;
@@ -183,7 +199,7 @@ Mesh TiedMesh::merged(const std::vector<DerivedMesh>& parts, const Glue& glue,
     for (const int v : part.cells) {
       const auto [found, isNew] = vertex.insert({glue.root(glue.number(int(p), v)), mesh.numPoints()});
       if (isNew)
-        mesh.points.insert(mesh.points.end(), part.point(v), part.point(v) + 2);
+        mesh.points.insert(mesh.points.end(), part.point(v), part.point(v) + mesh.dim);
       mesh.cells.push_back(found->second);
     }
     for (int cell = 0; cell < part.numCells(); ++cell) {
@@ -213,13 +229,20 @@ Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
   for (const auto& source : sources_)
     parts.push_back(source->readWith(scripts));
   const auto facing = facingSides(parts);
-  addSideEnds(parts, facing, std::vector<char>(parts.size(), 0));
-  std::vector<DerivedMesh> cut = insertion(parts, facing);
+  const bool isPlane = parts.front().dim == 2;
+  if (isPlane)
+    addSideEnds(parts, facing, std::vector<char>(parts.size(), 0));
+  std::vector<DerivedMesh> cut;
+  if (isPlane)
+    cut = insertion(parts, facing);
+  else
+    for (Mesh& part : parts)
+      cut.push_back({std::move(part), {}});
   Glue glue(cut);
   std::vector<std::set<std::pair<int, int>>> inside(parts.size()); // facets that have become inner ones
   const auto joints = list_.sub("Joints").subs();
   for (std::size_t j = 0; j < joints.size(); ++j)
-    join(joints[j], facing[j], cut, glue, inside);
+    isPlane ? join(joints[j], facing[j], cut, glue, inside) : joinSolids(joints[j], facing[j], cut, glue, inside);
   Mesh mesh = merged(cut, glue, inside);
   mesh.notes.push_back(fmt::format("tied parts: {}", fmt::join(names_, ", ")));
   const auto mistakes = checkMesh(mesh);
@@ -256,7 +279,8 @@ void registerTied(Registry<MeshSource>& registry)
   joints.isRequired = true;
   joints.each = std::make_shared<ListSpec>(joint);
   registry.add("Tied",
-               "Several meshes as one, glued at sides that need not match: what tied interfaces become. The cells of a "
+               "Several meshes as one, glued at sides (that need not match in the plane): what tied interfaces become. "
+               "The cells of a "
                "part are the group of its name, its sides are called \"PART: SIDE\".",
                {}, [&registry](const Params& list) { return std::make_unique<TiedMesh>(list, registry); },
                {parts, joints});

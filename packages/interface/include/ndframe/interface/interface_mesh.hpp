@@ -54,6 +54,10 @@ struct InterfaceMesh
   }
 };
 
+/// The vertices of two sides that lie on each other, first and second; empty unless each lies on one of the other side.
+std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& firstSide, const Mesh& second,
+                                                const Side& secondSide);
+
 /// Whether vertices of two sides lie on each other, each on one.
 bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide);
 
