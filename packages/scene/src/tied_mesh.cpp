@@ -122,15 +122,15 @@ void TiedMesh::joinSolids(const Params& joint, const FacingSides& sides, const s
   const Mesh &first = parts[std::size_t(sides.firstBody)].mesh, &second = parts[std::size_t(sides.secondBody)].mesh;
   const Side &firstSide = *first.findSide(sides.firstSide), &secondSide = *second.findSide(sides.secondSide);
   const auto common = commonVertices(first, firstSide, second, secondSide);
-  const auto mistake = [&](const char* what) {
-    return InputError(joint.mistake(
+  const auto refuse = [&](const char* what) {
+    throw InputError(joint.mistake(
         "", fmt::format("the {} of {}/{} and {}/{} are not the same; tied solids need sides with one mesh, as of one "
                         "gmsh script whose volumes share the surface.",
                         what, names_[std::size_t(sides.firstBody)], sides.firstSide,
                         names_[std::size_t(sides.secondBody)], sides.secondSide)));
   };
   if (common.empty())
-    throw mistake("vertices");
+    refuse("vertices");
   std::map<int, int> partner;
   for (const auto& [ours, theirs] : common) {
     partner[theirs] = ours;
@@ -152,7 +152,7 @@ void TiedMesh::joinSolids(const Params& joint, const FacingSides& sides, const s
   for (const Facet facet : secondSide.facets)
     add(second, facet, sides.secondBody);
   if (triangles.size() != count || secondSide.facets.size() != count)
-    throw mistake("triangles");
+    refuse("triangles");
 }
 
 /// The vertices of facets that face each other, and the facets, which no side has any more.
