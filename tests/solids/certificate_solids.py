@@ -63,7 +63,7 @@ def scene(draw, order):
         second.loads["side"] = pressure("back", "0.1")
     if draw.random() < 0.3:
         first.loads["weight"] = [("Type", "string", "Body Force"),
-                                 ("Z", "string", draw.choice(("-0.1", "-0.1*(1+x)", "-0.1*cos(5*y)")))]
+                                 ("Z", "string", draw.choice(("-0.1", "-0.1*(1+x)", "-0.1*cos(y)")))]
     gap = draw.choice(("0", "0", "0.01", "0.02*x", "0.05*(x^2+y^2)", "0.03*(1-cos(x+y))", "0.1*(x>0.3)"))
     gap = gap if kind == "flat" else draw.choice(("0", "0.01"))
     pair = (first, second) if draw.random() < 0.5 else (second, first)

@@ -224,7 +224,7 @@ ResidualSummary residuals(const Model& model, const CondensedModel& condensed, c
   for (const auto& node : contact) {
     opening = std::max(opening, std::abs(node.gap));
     complementarity = std::max(complementarity, std::abs(node.condition * node.nodalForce));
-    penetration = std::max(penetration, -node.gap);
+    penetration = std::max(penetration, -node.condition);
     tension = std::max(tension, node.nodalForce - roundOff);
   }
   result.complementarity = ratio(complementarity, force * opening);
