@@ -248,7 +248,7 @@ TEST(ElementRecovery, SaysWhatItIsNotDefinedFor)
   const auto recovery = test::makeRecovery("Element");
   EXPECT_EQ(recovery->degree(2), 2);
   EXPECT_THAT(recovery->refusal(2, 2, false), IsEmpty());
-  EXPECT_THAT(recovery->refusal(3, 2, false), HasSubstr("two dimensions only; choose Type Star"));
+  EXPECT_THAT(recovery->refusal(3, 2, false), HasSubstr("two dimensions only; choose Type Automatic"));
   EXPECT_THAT(recovery->refusal(2, 1, true), HasSubstr("Interface Traction/Type Projected"));
   EXPECT_THAT(test::makeRecovery("Element", {{"Degree", 1}})->refusal(2, 2, false),
               HasSubstr("Degree = 1 does not suit displacements of order 2; it may be 2 or 3"));

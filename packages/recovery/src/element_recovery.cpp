@@ -29,7 +29,7 @@ private:
 std::string ElementRecovery::refusal(int dim, int order, bool optimise) const
 {
   if (dim != 2)
-    return "element equilibration is defined in two dimensions only; choose Type Star";
+    return "element equilibration is defined in two dimensions only; choose Type Automatic";
   if (degree(order) < order || degree(order) > order + 1)
     return fmt::format("Degree = {} does not suit displacements of order {}; it may be {} or {}", degree_, order, order,
                        order + 1);
