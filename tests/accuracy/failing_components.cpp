@@ -65,6 +65,7 @@ public:
     return recovery_->recover(scene, fields, comm, ledger);
   }
   int degree(int order) const override { return recovery_->degree(order); }
+  bool optimises(int dim) const override { return recovery_->optimises(dim); }
   std::string refusal(int dim, int order, bool optimise) const override
   {
     return recovery_->refusal(dim, order, optimise);

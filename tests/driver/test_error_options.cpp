@@ -19,6 +19,12 @@ ErrorOptions optionsOf(Scene scene)
   return *readSettings(scene.params()).errors;
 }
 
+std::unique_ptr<StressRecovery> recovery(const std::string& type)
+{
+  Params deck = Scene("punch").set("Error Estimation/Recovery/Type=" + type).params();
+  return components().recoveries.build(deck.sub("Error Estimation").sub("Recovery"));
+}
+
 Plan planOf(const Scene& scene)
 {
   const Params deck = scene.params();
@@ -49,12 +55,14 @@ TEST(ErrorEstimation, EstimatesTheBoundAndItsPartsByDefault)
   const auto options = optionsOf(Scene("punch").set("Error Estimation/Mode=Strict"));
   EXPECT_THAT(options.estimators,
               UnorderedElementsAre(Estimator::Global, Estimator::Algorithm, Estimator::Discretization));
-  EXPECT_EQ(options.tractionIn(2), TractionType::Optimal);
-  EXPECT_EQ(options.tractionIn(3), TractionType::Projected);
+  EXPECT_EQ(options.tractionWith(*recovery("Automatic"), 2), TractionType::Optimal);
+  EXPECT_EQ(options.tractionWith(*recovery("Automatic"), 3), TractionType::Optimal);
+  EXPECT_EQ(options.tractionWith(*recovery("Star"), 3), TractionType::Projected);
+  EXPECT_EQ(options.tractionWith(*recovery("Element"), 2), TractionType::Projected);
   EXPECT_EQ(options.tractionMean, TractionMean::Previous);
   EXPECT_EQ(options.refinements, 3);
   EXPECT_EQ(options.maximumDofs, 0);
-  EXPECT_TRUE(options.optimises(2));
+  EXPECT_TRUE(options.optimises(*recovery("Automatic"), 2));
 }
 
 TEST(ErrorEstimation, EstimatesTheBoundAloneWithoutAnInterface)
@@ -62,14 +70,16 @@ TEST(ErrorEstimation, EstimatesTheBoundAloneWithoutAnInterface)
   const auto options = optionsOf(Scene("beam-3d").set("Error Estimation/Mode=Strict"));
   EXPECT_THAT(options.estimators, ElementsAre(Estimator::Global));
   EXPECT_FALSE(options.needsTraction());
-  EXPECT_FALSE(options.optimises(2));
+  EXPECT_FALSE(options.optimises(*recovery("Automatic"), 2));
   EXPECT_TRUE(options.recoversStress());
 }
 
 TEST(ErrorEstimation, OptimisesOnlyTheTractionOfTheBound)
 {
-  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Interface Traction/Type=Projected")).optimises(2));
-  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Estimators={Discretization}")).optimises(2));
+  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Interface Traction/Type=Projected"))
+                   .optimises(*recovery("Automatic"), 2));
+  EXPECT_FALSE(optionsOf(Scene("punch").set("Error Estimation/Estimators={Discretization}"))
+                   .optimises(*recovery("Automatic"), 2));
 }
 
 TEST(Plan, HasOneLineForACertificateThatTheDeckDoesNotAskFor)

@@ -228,7 +228,7 @@ TEST(StarRecovery, OffersTheOrderOfTheDisplacementsOrOneMore)
             "Degree = 1 does not suit displacements of order 2 in 2 dimensions; it may be 2 or 3");
   EXPECT_EQ(test::makeRecovery("Star", {{"Degree", 3}})->refusal(3, 2, false),
             "Degree = 3 does not suit displacements of order 2 in 3 dimensions; it may be 2");
-  EXPECT_THAT(test::makeRecovery("Star")->refusal(3, 2, true), testing::HasSubstr("choose the projected one"));
+  EXPECT_THAT(test::makeRecovery("Star")->refusal(3, 2, true), testing::HasSubstr("choose Type Global"));
 }
 
 } // namespace ndframe

@@ -79,7 +79,7 @@ void Certifier::admitTractions()
   if (options_.needsGlobalField()) {
     const bool updated = options_.tractionMean == TractionMean::Updated;
     global_.field = nearestField(meanTraction(scene_.coupling, updated),
-                                 options_.optimises(scene_.dim()) ? TractionSign::Coefficients : sign);
+                                 options_.optimises(recovery_, scene_.dim()) ? TractionSign::Coefficients : sign);
   }
   if (!wants(Estimator::Discretization))
     return;
@@ -127,7 +127,7 @@ void Certifier::solveIntermediateFields()
 SceneField Certifier::globalField() const
 {
   SceneField field = makeSceneField(global_.field);
-  field.optimise = options_.optimises(scene_.dim());
+  field.optimise = options_.optimises(recovery_, scene_.dim());
   if (field.optimise)
     field.opening = openings(scene_, global_.field.displacement, admissible_.gap);
   return field;
@@ -230,7 +230,7 @@ void Certifier::measure()
     summary.degree = scene_.degree;
   }
   if (options_.needsTraction())
-    summary.interfaceTraction = tractionTypeNames().name(options_.tractionIn(scene_.dim()));
+    summary.interfaceTraction = tractionTypeNames().name(options_.tractionWith(recovery_, scene_.dim()));
   if (wants(Estimator::Global))
     measureGlobal();
   if (wants(Estimator::Algorithm) || wants(Estimator::Split)) {

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ndframe/recovery/stress_recovery.hpp"
+
 namespace ndframe
 {
 namespace
@@ -71,16 +73,16 @@ bool ErrorOptions::recoversGlobalStress() const
   return wantsAny(*this, {Estimator::Global, Estimator::Split});
 }
 
-TractionType ErrorOptions::tractionIn(int dim) const
+TractionType ErrorOptions::tractionWith(const StressRecovery& component, int dim) const
 {
   if (tractionType != TractionType::Automatic)
     return tractionType;
-  return dim == 2 ? TractionType::Optimal : TractionType::Projected;
+  return component.optimises(dim) ? TractionType::Optimal : TractionType::Projected;
 }
 
-bool ErrorOptions::optimises(int dim) const
+bool ErrorOptions::optimises(const StressRecovery& component, int dim) const
 {
-  return touches && recoversGlobalStress() && tractionIn(dim) == TractionType::Optimal;
+  return touches && recoversGlobalStress() && tractionWith(component, dim) == TractionType::Optimal;
 }
 
 } // namespace ndframe

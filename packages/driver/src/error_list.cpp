@@ -18,11 +18,9 @@ ListSpec tractionSpec()
   list.doc = "The admissible traction: pressing everywhere, equal on both bodies, in balance with the loads.";
   list.params = {
       {"Type", std::string("Automatic"), tractionTypeNames().range(),
-       "Optimal: the one that makes the bound small, found by stars that span both bodies, in the plane. Projected: "
-       "the "
-       "one nearest to the computed tractions (section 5.3 of the paper). Automatic: Optimal in the plane, Projected "
-       "in "
-       "space."},
+       "Optimal: the one that makes the bound small, found by stars that span both bodies in the plane (Recovery/Type "
+       "Star), together with the stresses in space (Global). Projected: the one nearest to the computed tractions "
+       "(section 5.3 of the paper). Automatic: Optimal where the recovery can find it, else Projected."},
       {"Mean", std::string("Previous"), tractionMeanNames().range(),
        "Which traction of the Neumann side enters the mean of the two sides: Previous, with which its body is in "
        "equilibrium, or Updated, the one for the next sweep."}};

@@ -23,6 +23,7 @@ public:
     return chosen(scene.bodies.front()->mesh.dim).recover(scene, fields, comm, ledger);
   }
   int degree(int order) const override { return plane_->degree(order); }
+  bool optimises(int dim) const override { return chosen(dim).optimises(dim); }
   std::string refusal(int dim, int order, bool optimise) const override
   {
     return chosen(dim).refusal(dim, order, optimise);

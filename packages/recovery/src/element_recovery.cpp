@@ -18,6 +18,7 @@ public:
   explicit ElementRecovery(int degree) : degree_(degree) {}
 
   int degree(int order) const override { return degree_ == 0 ? order : degree_; }
+  bool optimises(int /*dim*/) const override { return false; }
   std::string refusal(int dim, int order, bool optimise) const override;
   std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
                                    Ledger& ledger) const override;

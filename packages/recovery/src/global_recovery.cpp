@@ -16,35 +16,100 @@ namespace
 
 constexpr int highestDegree = 2; ///< of stresses in space
 
-/// Corrections of one body, one per field.
-std::vector<StressCorrection> recoverBody(const BodyModel& model, const StaticData& data,
-                                          const std::vector<FieldInput>& fields, int steps)
+/// One recovery of all fields.
+class GlobalStages
 {
-  const StarBody body(model, data);
-  const StressFaces faces(body);
-  std::vector<StressCorrection> corrections(fields.size(), zeroCorrection(model.mesh, data.degree));
-  BodyCorrections pointers;
-  for (StressCorrection& correction : corrections)
-    pointers.push_back(&correction);
+public:
+  GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, int threads)
+      : scene_(scene), fields_(fields), steps_(steps), threads_(threads)
   {
-    const StarLoads loads(body, fields);
+    for (const SceneField& field : fields) {
+      stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
+      for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+        stresses_.back().corrections.push_back(zeroCorrection(scene.bodies[b]->mesh, scene.data[b].degree));
+    }
+  }
+
+  /// Bodies whose tractions may change together are recovered together, the others one by one.
+  std::vector<SceneStress> run()
+  {
+    std::vector<int> elastic, sizes;
+    for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
+      if (!scene_.bodies[b]->isRigid) {
+        elastic.push_back(int(b));
+        sizes.push_back(scene_.bodies[b]->numDofs());
+      }
+    if (std::any_of(fields_.begin(), fields_.end(), [](const SceneField& field) { return field.optimise; }))
+      recover(elastic, scene_.facets, threads_);
+    else
+      runLargestFirst(sizes, threads_, [&](int i) { recover({elastic[std::size_t(i)]}, {}, 1); });
+    return std::move(stresses_);
+  }
+
+private:
+  void recover(const std::vector<int>& bodies, const std::vector<ContactFacet>& contact, int threads)
+  {
+    std::vector<std::unique_ptr<StarBody>> stars(scene_.bodies.size());
+    std::vector<const StarBody*> pointers;
+    for (const int body : bodies)
+      stars[std::size_t(body)] =
+          std::make_unique<StarBody>(*scene_.bodies[std::size_t(body)], scene_.data[std::size_t(body)]);
+    for (const auto& star : stars)
+      pointers.push_back(star.get());
+    const StressCells cells(std::move(pointers));
+    const StressFaces faces(cells, contact);
+    runConcurrently(int(bodies.size()), threads, [&](int i) { balance(bodies[std::size_t(i)], faces); });
+    const StressDescent descent(faces, contact);
+    for (std::size_t f = 0; f < fields_.size(); ++f)
+      lower(f, descent);
+  }
+
+  void balance(int body, const StressFaces& faces)
+  {
+    const auto b = std::size_t(body);
+    std::vector<Vector> contact;
+    std::vector<FieldInput> inputs;
+    BodyCorrections corrections;
+    for (const SceneField& field : fields_)
+      contact.push_back(contactShares(scene_.facets, field.onDirichlet, field.onNeumann, body));
+    for (std::size_t f = 0; f < fields_.size(); ++f) {
+      inputs.push_back({fields_[f].displacement[b], &contact[f]});
+      corrections.push_back(&stresses_[f].corrections[b]);
+    }
+    const StarBody& stars = faces.cells().body(body);
+    const StarLoads loads(stars, inputs);
     const WrenchBalance balance(body, faces);
-    for (int vertex = 0; vertex < model.mesh.numPoints(); ++vertex) {
-      const Star star = body.star(vertex);
+    for (int vertex = 0; vertex < scene_.bodies[b]->mesh.numPoints(); ++vertex) {
+      const Star star = stars.star(vertex);
       StarFields x = loads.initial(star);
       const Vector left = balance.balance(star, x), force = loads.forces(star);
-      add(body, star, x, pointers);
-      for (std::size_t field = 0; field < fields.size(); ++field) {
-        corrections[field].imbalance = std::max(corrections[field].imbalance, left[field]);
-        corrections[field].force = std::max(corrections[field].force, force[field]);
+      add(stars, star, x, corrections);
+      for (std::size_t f = 0; f < fields_.size(); ++f) {
+        corrections[f]->imbalance = std::max(corrections[f]->imbalance, left[f]);
+        corrections[f]->force = std::max(corrections[f]->force, force[f]);
       }
     }
   }
-  const StressDescent descent(body, faces);
-  for (StressCorrection& correction : corrections)
-    descent.lower(correction, steps);
-  return corrections;
-}
+
+  void lower(std::size_t f, const StressDescent& descent)
+  {
+    DescentField field;
+    for (StressCorrection& correction : stresses_[f].corrections)
+      field.corrections.push_back(&correction);
+    if (fields_[f].optimise && steps_ > 0) {
+      field.traction = &stresses_[f].onDirichlet;
+      field.opening = &fields_[f].opening;
+    }
+    descent.lower(field, steps_);
+    if (field.traction != nullptr)
+      stresses_[f].onNeumann = stresses_[f].onDirichlet;
+  }
+
+  const RecoveryScene& scene_;
+  const std::vector<SceneField>& fields_;
+  int steps_, threads_;
+  std::vector<SceneStress> stresses_; ///< per field
+};
 
 class GlobalRecovery final : public StressRecovery
 {
@@ -54,42 +119,23 @@ public:
   std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
                                    Ledger& ledger) const override
   {
-    std::vector<SceneStress> stresses;
-    std::vector<int> sizes;
-    for (const SceneField& field : fields)
-      stresses.push_back({std::vector<StressCorrection>(scene.bodies.size()), field.onDirichlet, field.onNeumann});
-    for (const BodyModel* body : scene.bodies)
-      sizes.push_back(body->numDofs());
-    runLargestFirst(sizes, comm.size() > 1 ? 1 : numThreads(comm), [&](int number) {
-      const auto b = std::size_t(number);
-      const BodyModel& body = *scene.bodies[b];
-      std::vector<Vector> contact;
-      for (const SceneField& field : fields)
-        contact.push_back(contactShares(scene.facets, field.onDirichlet, field.onNeumann, number));
-      std::vector<FieldInput> inputs;
-      for (std::size_t f = 0; f < fields.size(); ++f)
-        inputs.push_back({fields[f].displacement[b], &contact[f]});
-      auto corrections =
-          body.isRigid ? std::vector<StressCorrection>(fields.size(), zeroCorrection(body.mesh, scene.data[b].degree))
-                       : recoverBody(body, scene.data[b], inputs, steps_);
-      for (std::size_t f = 0; f < fields.size(); ++f)
-        stresses[f].corrections[b] = std::move(corrections[f]);
-    });
+    GlobalStages stages(scene, fields, steps_, comm.size() > 1 ? 1 : numThreads(comm));
+    std::vector<SceneStress> stresses = stages.run();
     ledger.count("recovery steps", std::int64_t(steps_) * std::int64_t(fields.size()));
     return stresses;
   }
 
   int degree(int order) const override { return degree_ == 0 ? order : degree_; }
 
-  std::string refusal(int dim, int order, bool optimise) const override
+  bool optimises(int /*dim*/) const override { return true; }
+
+  std::string refusal(int dim, int order, bool /*optimise*/) const override
   {
     if (dim != 3)
       return "Global is defined for solids; choose Star";
     if (degree(order) < order || degree(order) > highestDegree)
       return fmt::format("Degree = {} does not suit displacements of order {} in 3 dimensions; it may be {}", degree_,
                          order, order == highestDegree ? "2" : "1 or 2");
-    if (optimise)
-      return "the traction between bodies can be optimised in two dimensions only; choose the projected one";
     return {};
   }
 

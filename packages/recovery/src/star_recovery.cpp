@@ -129,6 +129,8 @@ public:
 
   int degree(int order) const override { return degree_ == 0 ? order : degree_; }
 
+  bool optimises(int dim) const override { return dim == 2; }
+
   std::string refusal(int dim, int order, bool optimise) const override
   {
     const int highest = dim == 2 ? order + 1 : 2;
@@ -136,8 +138,9 @@ public:
       return fmt::format("Degree = {} does not suit displacements of order {} in {} dimensions; it may be {}", degree_,
                          order, dim,
                          order == highest ? fmt::format("{}", order) : fmt::format("{} or {}", order, highest));
-    if (optimise && dim == 3)
-      return "the traction between bodies can be optimised in two dimensions only; choose the projected one";
+    if (optimise && !optimises(dim))
+      return "stars choose the traction between bodies in two dimensions only; choose Type Global, or Interface "
+             "Traction/Type Projected";
     return {};
   }
 

@@ -42,18 +42,18 @@ void addProduct(const DenseMatrix& left, const DenseMatrix& W, int row, int col,
 
 } // namespace
 
-StressBlocks::StressBlocks(const StarBody& body, const StressFaces& faces)
-    : body_(&body), faces_(&faces), edgesOf_(std::size_t(body.model().mesh.numCells()))
+StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges)
+    : faces_(&faces), edges_(&edges), edgesOf_(std::size_t(faces.cells().size()))
 {
   const auto addBlock = [&](int size) {
     blocks_.emplace_back(size, size);
     begin_.push_back(begin_.back() + size);
   };
-  for (const StressFace& face : faces.faces())
+  for (const StressFace& face : faces.all())
     addBlock(face.own.cols());
-  for (std::size_t e = 0; e < faces.edges().size(); ++e) {
-    addBlock(faces.edges()[e].basis.cols());
-    for (const StressEdge::Step& step : faces.edges()[e].ring)
+  for (std::size_t e = 0; e < edges.size(); ++e) {
+    addBlock(edges[e].basis.cols());
+    for (const StressEdge::Step& step : edges[e].ring)
       if (step.cell >= 0)
         edgesOf_[std::size_t(step.cell)].push_back(int(e));
   }
@@ -61,40 +61,37 @@ StressBlocks::StressBlocks(const StarBody& body, const StressFaces& faces)
 
 void StressBlocks::add(int cell, const DenseMatrix& A)
 {
-  const Mesh& mesh = body_->model().mesh;
-  const CellMap map = cellMap(mesh, sortedCell(mesh, cell));
-  const int size = body_->facetData();
+  const StressCells& cells = faces_->cells();
+  const CellMap map = cellMap(cells.mesh(cell), cells.sorted(cell));
+  const int size = cells.facetData();
   std::array<int, 4> faces{}, begin{};
   int columns = 0;
   for (int facet = 0; facet < 4; ++facet) {
     const auto at = std::size_t(facet);
-    faces[at] = faces_->faceOf(cell, facet);
-    const StressFace& face = faces_->faces()[std::size_t(faces[at])];
+    faces[at] = faces_->of(cell, facet);
+    const StressFace& face = (*faces_)[faces[at]];
     begin[at] = columns;
     columns += face.carrier.cols();
-    const DenseMatrix own = pulledBack(map, face.own);
+    const DenseMatrix own = pulledBack(map, face.onSide(face.sideOf(cell), face.own));
     if (own.cols() > 0)
       addTo(blocks_[std::size_t(faces[at])], multiplyTransposed(own, multiply(partOf(A, facet * size, size), own)));
   }
-  DenseMatrix carriers(body_->reference().tractions, columns); // on this cell
+  DenseMatrix carriers(4 * size, columns); // on this cell
   for (int facet = 0; facet < 4; ++facet) {
-    const StressFace& face = faces_->faces()[std::size_t(faces[std::size_t(facet)])];
-    const double sign = face.cell[0] == cell ? 1.0 : -1.0;
-    const DenseMatrix own = pulledBack(map, face.carrier);
-    for (int j = 0; j < own.cols(); ++j)
-      for (int i = 0; i < size; ++i)
-        carriers(facet * size + i, begin[std::size_t(facet)] + j) = sign * own(i, j);
+    const StressFace& face = (*faces_)[faces[std::size_t(facet)]];
+    const DenseMatrix carrier = pulledBack(map, face.onSide(face.sideOf(cell), face.carrier));
+    for (int j = 0; j < carrier.cols(); ++j)
+      std::copy_n(carrier.col(j), size, carriers.col(begin[std::size_t(facet)] + j) + std::ptrdiff_t(facet) * size);
   }
   const DenseMatrix W = multiplyTransposed(carriers, multiply(partOf(A, 0, carriers.rows()), carriers));
   for (const int e : edgesOf_[std::size_t(cell)])
-    for (const StressEdge::Step& a : faces_->edges()[std::size_t(e)].ring)
-      for (const StressEdge::Step& b : faces_->edges()[std::size_t(e)].ring) {
+    for (const StressEdge::Step& a : (*edges_)[std::size_t(e)].ring)
+      for (const StressEdge::Step& b : (*edges_)[std::size_t(e)].ring) {
         const auto first = std::find(faces.begin(), faces.end(), a.face),
                    second = std::find(faces.begin(), faces.end(), b.face);
         if (first != faces.end() && second != faces.end())
           addProduct(a.through, W, begin[std::size_t(first - faces.begin())],
-                     begin[std::size_t(second - faces.begin())], b.through,
-                     blocks_[faces_->faces().size() + std::size_t(e)]);
+                     begin[std::size_t(second - faces.begin())], b.through, blocks_[std::size_t(faces_->size() + e)]);
       }
 }
 
@@ -115,11 +112,11 @@ void StressBlocks::invert()
   }
 }
 
-Vector StressBlocks::precondition(const Vector& gradient) const
+Vector StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held) const
 {
   Vector result(gradient.size(), 0.0);
   for (std::size_t b = 0; b < blocks_.size(); ++b) {
-    const int first = begin_[b], size = blocks_[b].rows();
+    const int first = begin_[b], size = held[b] != 0 ? 0 : blocks_[b].rows();
     for (int j = 0; j < size; ++j) {
       const double* column = blocks_[b].col(j);
       for (int i = 0; i < size; ++i)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "stress_faces.hpp"
+#include "stress_edges.hpp"
 
 namespace ndframe
 {
@@ -11,22 +11,25 @@ namespace ndframe
 class StressBlocks
 {
 public:
-  StressBlocks(const StarBody& body, const StressFaces& faces);
+  /// Both must outlive it.
+  StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges);
 
   int size() const { return begin_.back(); }
   /// The first unknown of a face or of an edge.
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
-  int ofEdge(std::size_t edge) const { return begin_[faces_->faces().size() + edge]; }
+  int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
   /// What a cell's matrix (reference axes) adds.
   void add(int cell, const DenseMatrix& A);
   /// To be called when all have been added.
   void invert();
-  Vector precondition(const Vector& gradient) const;
+  /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
+  Vector precondition(const Vector& gradient, const std::vector<char>& held) const;
+  int numBlocks() const { return int(blocks_.size()); }
 
 private:
-  const StarBody* body_;
   const StressFaces* faces_;
+  const std::vector<StressEdge>* edges_;
   std::vector<int> begin_{0};
   std::vector<std::vector<int>> edgesOf_; ///< per cell
   std::vector<DenseMatrix> blocks_;       ///< then their inverses

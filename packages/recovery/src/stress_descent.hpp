@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "ndframe/equilibrium/stress_correction.hpp"
 #include "stress_blocks.hpp"
 #include "stress_matrices.hpp"
@@ -7,34 +9,49 @@
 namespace ndframe
 {
 
+/// One field that a descent changes.
+struct DescentField
+{
+  std::vector<StressCorrection*> corrections; ///< per body of the cells; not read where there is none
+  /// Admissible tractions of the faces in contact that may change with the rest; null: they stay as they are.
+  ContactTraction* traction = nullptr;
+  const Vector* opening = nullptr; ///< SceneField::opening
+};
+
 /// Lowers the energy of equilibrated corrections by a few steps of conjugate gradients over all tractions that keep the
 /// balance: what is in balance by itself on every face, and wrenches around every edge.
 ///
-/// The energy is sum_E x_E^T A_E x_E, x_E = (T, G) the data of cell E. Matrices of the steps have single precision, the
+/// The energy is sum_E x_E^T A_E x_E, x_E = (T, G) the data of cell E, and with a traction t^ that may change
+/// + 2 int t^ (u~1_N - u~2_N - g). Its Bernstein coefficients stay <= 0: a step ends where one of them would become
+/// positive; facets that stop steps keep their traction from then on. Matrices of the steps have single precision, the
 /// tractions that are added double: whatever the steps are, cells stay in balance to round-off, and the energy falls.
 class StressDescent
 {
 public:
-  /// Finds all matrices: once for any number of corrections. body and faces must outlive it.
-  StressDescent(const StarBody& body, const StressFaces& faces);
+  /// Finds all matrices: once for any number of corrections. Cells of the faces and contact must outlive it.
+  StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact);
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
 
   /// Takes `steps` steps.
-  void lower(StressCorrection& correction, int steps) const;
+  void lower(const DescentField& field, int steps) const;
 
 private:
-  Vector gradientOf(const Vector& forces) const;
+  Vector gradientOf(const Vector& faceForces) const;
   Vector faceTractions(const Vector& unknowns) const;
-  Vector forcesOf(const Vector& tractions) const;
-  Vector startForces(const StressCorrection& correction) const;
-  int numFaces() const { return int(faces_->faces().size()); }
-  int facetData() const { return body_->facetData(); }
+  Vector cellForces(const Vector& tractions) const;
+  Vector startForces(const DescentField& field) const;
+  Vector faceForces(const Vector& cellForces) const;
+  void addOpening(const Vector& opening, Vector& faceForces) const;
+  std::vector<char> held(const std::vector<char>& facets) const;
+  void add(const Vector& tractions, const DescentField& field) const;
+  int facetData() const { return faces_->cells().facetData(); }
 
-  const StarBody* body_;
   const StressFaces* faces_;
+  const std::vector<ContactFacet>* contact_;
+  std::vector<StressEdge> edges_;
   StressBlocks blocks_;
-  StressMatrices matrices_;
+  std::vector<std::unique_ptr<StressMatrices>> matrices_; ///< per body
 };
 
 } // namespace ndframe

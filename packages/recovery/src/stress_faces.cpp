@@ -52,17 +52,55 @@ Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLengt
   return result;
 }
 
-StressFaces::StressFaces(const StarBody& body)
-    : body_(&body), faceOf_(std::size_t(body.model().mesh.numCells()) * 4, -1)
+void StressFace::toSide(std::size_t side, const double* T, int count, double* result) const
 {
-  NDFRAME_ASSERT(body.dim() == 3, "faces of solids");
-  addFaces();
-  addEdges();
+  const double sign = side == 0 ? 1.0 : -1.0;
+  if (side == 0 || turned.rows() == 0) {
+    for (int i = 0; i < count; ++i)
+      result[i] = sign * T[i];
+    return;
+  }
+  std::fill_n(result, count, 0.0);
+  for (int j = 0; j < turned.cols(); ++j)
+    for (int k = 0; k < turned.rows(); ++k)
+      for (int i = 0; i < 3; ++i)
+        result[3 * k + i] -= turned(k, j) * T[3 * j + i];
 }
 
-void StressFaces::addFaces()
+void StressFace::fromSide(std::size_t side, const double* forces, int count, double* sum) const
 {
-  const Mesh& mesh = body_->model().mesh;
+  const double sign = side == 0 ? 1.0 : -1.0;
+  if (side == 0 || turned.rows() == 0) {
+    for (int i = 0; i < count; ++i)
+      sum[i] += sign * forces[i];
+    return;
+  }
+  for (int j = 0; j < turned.cols(); ++j)
+    for (int k = 0; k < turned.rows(); ++k)
+      for (int i = 0; i < 3; ++i)
+        sum[3 * j + i] -= turned(k, j) * forces[3 * k + i];
+}
+
+DenseMatrix StressFace::onSide(std::size_t side, const DenseMatrix& columns) const
+{
+  DenseMatrix result(columns.rows(), columns.cols());
+  for (int j = 0; j < columns.cols(); ++j)
+    toSide(side, columns.col(j), columns.rows(), result.col(j));
+  return result;
+}
+
+StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactFacet>& contact)
+    : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1)
+{
+  for (int body = 0; body < cells.numBodies(); ++body)
+    if (cells.has(body))
+      addFaces(body);
+  joinContact(contact);
+}
+
+void StressFaces::addFaces(int body)
+{
+  const Mesh& mesh = cells_->body(body).model().mesh;
   const VertexTuples facets = allFacets(mesh, mesh.numPoints());
   for (int place = 0, end = 0; place < facets.size(); place = end) {
     end = facets.groupEnd(place);
@@ -71,24 +109,25 @@ void StressFaces::addFaces()
     for (int p = place; p < end; ++p) {
       const Facet facet{facets.at(p) / 4, facets.at(p) % 4};
       const auto side = std::size_t(p - place);
-      face.cell[side] = facet.cell;
+      face.cell[side] = cells_->number(body, facet.cell);
       face.facet[side] = sortedFacet(mesh, facet);
-      faceOf_[std::size_t(facet.cell) * 4 + std::size_t(face.facet[side])] = int(faces_.size());
     }
     const Vector arms = findGeometry(face);
     if (face.isInside())
       freeTractions(face, arms);
     else
       freeReactions(face, arms);
+    for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
+      faceOf_[std::size_t(face.cell[side]) * 4 + std::size_t(face.facet[side])] = size();
     faces_.push_back(std::move(face));
+    joined_.push_back(-1);
   }
 }
 
 /// Centre, size and arms; returns the arms of all modes.
 Vector StressFaces::findGeometry(StressFace& face) const
 {
-  const Mesh& mesh = body_->model().mesh;
-  const auto vertices = corners(mesh, sortedCell(mesh, face.cell[0]), face.facet[0]);
+  const auto vertices = corners(cells_->mesh(face.cell[0]), cells_->sorted(face.cell[0]), face.facet[0]);
   Direction e{}, f{};
   for (std::size_t i = 0; i < 3; ++i) {
     face.centre[i] = (vertices[0][i] + vertices[1][i] + vertices[2][i]) / 3.0;
@@ -98,7 +137,7 @@ Vector StressFaces::findGeometry(StressFace& face) const
   double normal[3] = {};
   addCross(e, f.data(), 0.5, normal);
   face.size = std::sqrt(std::hypot(normal[0], normal[1], normal[2]));
-  Vector arms = momentArms(body_->facetMeans(), vertices, face.centre.data(), 3);
+  Vector arms = momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
   for (std::size_t k = 0; k < 2; ++k)
     std::copy_n(arms.data() + 3 * (k + 1), 3, face.arms[k].begin());
   return arms;
@@ -106,7 +145,7 @@ Vector StressFaces::findGeometry(StressFace& face) const
 
 void StressFaces::freeTractions(StressFace& face, const Vector& arms) const
 {
-  FacetSplit split = splitFacet(3, arms, body_->facetModes(), face.size);
+  FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), face.size);
   face.own = std::move(split.modes);
   face.carrier = std::move(split.carrier);
   face.reach = DenseMatrix(6, 6);
@@ -117,19 +156,31 @@ void StressFaces::freeTractions(StressFace& face, const Vector& arms) const
 
 void StressFaces::freeReactions(StressFace& face, const Vector& arms) const
 {
-  const int boundary = body_->boundaryIndex(face.cell[0], face.facet[0]), modes = body_->facetModes();
-  const int directions = boundary < 0 ? 0 : body_->data().boundary[std::size_t(boundary)].supported;
-  if (directions == 0) {
-    face.own = face.carrier = DenseMatrix(body_->facetData(), 0);
+  const int body = cells_->bodyOf(face.cell[0]);
+  const StarBody& star = cells_->body(body);
+  const int boundary = star.boundaryIndex(face.cell[0] - cells_->number(body, 0), face.facet[0]);
+  if (boundary < 0) {
+    freeAlong(face, arms, nullptr, 0);
+    return;
+  }
+  const auto& data = star.data().boundary[std::size_t(boundary)];
+  freeAlong(face, arms, data.directions.data(), data.supported);
+}
+
+/// Tractions along some directions.
+void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count) const
+{
+  const int modes = cells_->any().facetModes(), data = cells_->facetData();
+  if (count == 0) {
+    face.own = face.carrier = DenseMatrix(data, 0);
     face.reach = DenseMatrix(6, 0);
     face.choose = DenseMatrix(0, 6);
     return;
   }
-  const auto& along = body_->data().boundary[std::size_t(boundary)].directions;
-  DenseMatrix reactions(body_->facetData(), directions * modes);
+  DenseMatrix reactions(data, count * modes);
   for (int mode = 0, column = 0; mode < modes; ++mode)
-    for (int d = 0; d < directions; ++d, ++column)
-      std::copy_n(along[std::size_t(d)].begin(), 3, reactions.col(column) + std::ptrdiff_t(3) * mode);
+    for (int d = 0; d < count; ++d, ++column)
+      std::copy_n(directions[d].begin(), 3, reactions.col(column) + std::ptrdiff_t(3) * mode);
   const DenseMatrix wrenches = multiply(wrenchMap(3, arms, modes, face.size), reactions);
   const DenseMatrix idle = nullSpace(wrenches, rigidTolerance), busy = nullSpace(transposed(idle), rigidTolerance);
   face.own = multiply(reactions, idle);
@@ -138,118 +189,58 @@ void StressFaces::freeReactions(StressFace& face, const Vector& arms) const
   face.choose = pseudoInverse(face.reach, rigidTolerance);
 }
 
-/// Edges by their vertices: which faces meet there.
-void StressFaces::addEdges()
+/// Contact facets become faces of two cells, with their normal tractions free, where both bodies have the same wrench
+/// of them and no support takes a part. The others keep the tractions that they have.
+void StressFaces::joinContact(const std::vector<ContactFacet>& contact)
 {
-  const Mesh& mesh = body_->model().mesh;
-  struct Part
-  {
-    std::array<int, 2> vertices;
-    int face;
-  };
-  std::vector<Part> parts;
-  for (int f = 0; f < int(faces_.size()); ++f) {
-    const StressFace& face = faces_[std::size_t(f)];
-    const SortedCell cell = sortedCell(mesh, face.cell[0]);
-    std::array<int, 3> v{};
-    for (int i = 0, n = 0; i < 4; ++i)
-      if (i != face.facet[0])
-        v[std::size_t(n++)] = cell.vertices[std::size_t(i)];
-    for (const auto& ends : {std::array{v[0], v[1]}, std::array{v[0], v[2]}, std::array{v[1], v[2]}})
-      parts.push_back({ends, f});
-  }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.vertices < b.vertices; });
-  for (std::size_t first = 0, last = 0; first < parts.size(); first = last) {
-    std::vector<int> around;
-    for (last = first; last < parts.size() && parts[last].vertices == parts[first].vertices; ++last)
-      around.push_back(parts[last].face);
-    addRing(parts[first].vertices, around);
-  }
-}
-
-/// Walks from face to face through the cells between them. Edges at which a body touches itself are left out.
-void StressFaces::addRing(const std::array<int, 2>& vertices, const std::vector<int>& around)
-{
-  const Mesh& mesh = body_->model().mesh;
-  const auto isOpen = [&](int f) { return !faces_[std::size_t(f)].isInside(); };
-  const auto open = std::find_if(around.begin(), around.end(), isOpen);
-  StressEdge edge;
-  edge.isClosed = open == around.end();
-  int face = edge.isClosed ? around.front() : *open, cell = faces_[std::size_t(face)].cell[0];
-  if (!edge.isClosed) // into the body: a traction on its only cell is the opposite of what leaves a cell before it
-    edge.ring.push_back({face, -1.0, -1});
-  for (std::size_t step = 0; step < around.size(); ++step) {
-    const auto next = std::find_if(around.begin(), around.end(), [&](int f) {
-      const auto& cells = faces_[std::size_t(f)].cell;
-      return f != face && (cells[0] == cell || cells[1] == cell);
-    });
-    if (next == around.end())
-      return;
-    face = *next;
-    const auto& cells = faces_[std::size_t(face)].cell;
-    edge.ring.push_back({face, cells[0] == cell ? 1.0 : -1.0, cell});
-    cell = cells[0] == cell ? cells[1] : cells[0];
-    if (cell < 0 || (edge.isClosed && face == around.front()))
-      break;
-  }
-  if (edge.ring.size() != around.size())
-    return;
-  const double *a = mesh.point(vertices[0]), *b = mesh.point(vertices[1]);
-  edge.length = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-  for (std::size_t i = 0; i < 3; ++i)
-    edge.middle[i] = 0.5 * (a[i] + b[i]);
-  edge.basis = circulating(edge);
-  if (edge.basis.cols() == 0)
-    return;
-  for (StressEdge::Step& taken : edge.ring)
-    taken.through = through(edge, taken);
-  edges_.push_back(std::move(edge));
-}
-
-DenseMatrix StressFaces::through(const StressEdge& edge, const StressEdge::Step& step) const
-{
-  const StressFace& face = faces_[std::size_t(step.face)];
-  DenseMatrix wrenches(6, edge.basis.cols());
-  for (int k = 0; k < wrenches.cols(); ++k) {
-    Wrench wrench{};
-    for (std::size_t i = 0; i < wrench.size(); ++i)
-      wrench[i] = step.sign * edge.basis(int(i), k);
-    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
-    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
-  }
-  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
-}
-
-/// The wrenches about an edge that the faces at both ends of its ring can take.
-DenseMatrix StressFaces::circulating(const StressEdge& edge) const
-{
-  DenseMatrix all(6, 6);
-  for (int i = 0; i < 6; ++i)
-    all(i, i) = 1.0;
-  if (edge.isClosed)
-    return all;
-  DenseMatrix refused(12, 6);
-  for (int end = 0; end < 2; ++end) {
-    const StressFace& face = faces_[std::size_t(end == 0 ? edge.ring.front().face : edge.ring.back().face)];
-    if (face.reach.cols() == 0)
-      return {6, 0};
-    const DenseMatrix taken = multiply(face.reach, face.choose);
-    for (int j = 0; j < 6; ++j) {
-      Wrench unit{};
-      unit[std::size_t(j)] = 1.0;
-      const Wrench there = movedWrench(unit, edge.middle, edge.length, face.centre, face.size);
-      for (int i = 0; i < 6; ++i) {
-        refused(end * 6 + i, j) = there[std::size_t(i)];
-        for (int k = 0; k < 6; ++k)
-          refused(end * 6 + i, j) -= taken(i, k) * there[std::size_t(k)];
-      }
+  for (std::size_t f = 0; f < contact.size(); ++f) {
+    const ContactFacet& facet = contact[f];
+    if (!cells_->has(facet.dirichletBody) || !cells_->has(facet.neumannBody) || facet.turns)
+      continue;
+    StressFace face;
+    const std::array<int, 2> bodies{facet.dirichletBody, facet.neumannBody};
+    const std::array<Facet, 2> sides{facet.dirichlet, facet.neumann};
+    bool isFree = true;
+    for (std::size_t side = 0; side < 2; ++side) {
+      face.cell[side] = cells_->number(bodies[side], sides[side].cell);
+      face.facet[side] = sortedFacet(cells_->body(bodies[side]).model().mesh, sides[side]);
+      isFree = isFree && faces_[std::size_t(within(face.cell[side], face.facet[side]))].reach.cols() == 0;
     }
+    face.contact = int(f);
+    face.theirs = facet.theirs;
+    if (facet.theirs != std::array{0, 1, 2})
+      face.turned = modesInOrder(3, cells_->any().data().degree, facet.theirs);
+    const Vector arms = findGeometry(face);
+    if (!isFree || !coincide(face, arms, facet.normal))
+      continue;
+    freeAlong(face, arms, &facet.normal, 1);
+    for (std::size_t side = 0; side < 2; ++side)
+      joined_[std::size_t(within(face.cell[side], face.facet[side]))] = size();
+    faces_.push_back(std::move(face));
+    joined_.push_back(-1);
   }
-  double largest = 0.0;
-  for (int j = 0; j < 6; ++j)
-    for (int i = 0; i < 12; ++i)
-      largest = std::max(largest, std::abs(refused(i, j)));
-  return largest <= rigidTolerance ? all : nullSpace(refused, rigidTolerance);
+}
+
+/// Whether equal normal tractions have the same wrench on the second cell, to round-off: its points may differ from the
+/// first one's along the normal only.
+bool StressFaces::coincide(const StressFace& face, const Vector& arms, const Direction& normal) const
+{
+  constexpr double roundOff = 1e-13;
+  const auto vertices = corners(cells_->mesh(face.cell[1]), cells_->sorted(face.cell[1]), face.facet[1]);
+  const Vector theirs = momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
+  for (std::size_t at = 0; at < arms.size(); at += 3) {
+    Direction apart{};
+    for (std::size_t i = 0; i < 3; ++i) {
+      apart[i] = (face.turned.rows() == 0 ? theirs[at + i] : 0.0) - arms[at + i];
+      for (int j = 0; j < face.turned.rows(); ++j)
+        apart[i] += face.turned(j, int(at / 3)) * theirs[std::size_t(j) * 3 + i];
+    }
+    const double along = dotProduct(apart, normal);
+    for (std::size_t i = 0; i < 3; ++i)
+      if (!(std::abs(apart[i] - along * normal[i]) <= roundOff * face.size))
+        return false;
+  }
+  return true;
 }
 
 } // namespace ndframe

@@ -3,8 +3,9 @@
 #include <array>
 #include <vector>
 
+#include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
-#include "star_body.hpp"
+#include "stress_cells.hpp"
 
 namespace ndframe
 {
@@ -12,13 +13,16 @@ namespace ndframe
 /// Force and moment over a length, about a point.
 using Wrench = std::array<double, 6>;
 
-/// A facet of a solid's cells, and the tractions that may be changed on it: T = own y + carrier r. `own` carries no
+/// A facet of the cells of solids, and the tractions that may be changed on it: T = own y + carrier r. `own` carries no
 /// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach = 1), on the
-/// boundary those along supported directions.
+/// boundary those along supported directions, between two bodies in contact those along the normal.
 struct StressFace
 {
-  std::array<int, 2> cell{-1, -1};  ///< the second is -1 on the boundary
-  std::array<int, 2> facet{-1, -1}; ///< its sorted number in each cell; T acts on the first, -T on the second
+  std::array<int, 2> cell{-1, -1};    ///< the second is -1 on the boundary
+  std::array<int, 2> facet{-1, -1};   ///< its sorted number in each cell; T acts on the first, -T on the second
+  int contact = -1;                   ///< number of the contact facet: the cells belong to two bodies
+  std::array<int, 3> theirs{0, 1, 2}; ///< there: ContactFacet::theirs
+  DenseMatrix turned{};               ///< and its modesInOrder(); empty where the order is the same
   Direction centre{};
   double size = 0.0;               ///< square root of the area: moments are divided by it
   std::array<Direction, 2> arms{}; ///< means of (x - centre) L_1, (x - centre) L_2
@@ -27,57 +31,58 @@ struct StressFace
   DenseMatrix reach;               ///< 6 x r, independent columns
   DenseMatrix choose;              ///< r x 6: the pseudo-inverse of reach
 
-  bool isInside() const { return cell[1] >= 0; }
+  bool isInside() const { return cell[1] >= 0 && contact < 0; }
+  bool isBoundary() const { return cell[1] < 0; }
+  std::size_t sideOf(int number) const { return cell[0] == number ? 0 : 1; }
   /// The wrench of tractions T about a point, moments over `length`.
   Wrench wrench(const double* T, const double* point, double length) const;
-};
-
-/// An edge around which wrenches may circulate: from cell to cell through the facets that meet there.
-struct StressEdge
-{
-  struct Step
-  {
-    int face;
-    double sign;           ///< of the traction on the face's first cell
-    int cell;              ///< the one that the step leaves
-    DenseMatrix through{}; ///< amounts of the face's carrier, sign included: its columns x unknowns of the edge
-  };
-  std::vector<Step> ring; ///< closed inside; at supported boundaries from one facet there to another
-  bool isClosed = true;
-  Direction middle{};
-  double length = 0.0;
-  DenseMatrix basis; ///< 6 x unknowns: the wrenches that may circulate, about the middle
+  /// T (`count` data) as the cell of one side feels it.
+  void toSide(std::size_t side, const double* T, int count, double* result) const;
+  /// The transposed map: adds what forces on that cell's data are as forces on T.
+  void fromSide(std::size_t side, const double* forces, int count, double* sum) const;
+  /// Columns of tractions by toSide().
+  DenseMatrix onSide(std::size_t side, const DenseMatrix& columns) const;
 };
 
 /// (F, M / from.length) about one point as (F, M' / to.length) about another.
 Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLength, const Direction& to,
                    double toLength);
 
-/// All faces and edges of a solid.
+/// All faces of solids. A contact facet whose two sides coincide is one face that both bodies share.
 class StressFaces
 {
 public:
-  explicit StressFaces(const StarBody& body);
+  /// contact: the facets whose normal tractions may change; bodies by their numbers in `cells`.
+  explicit StressFaces(const StressCells& cells, const std::vector<ContactFacet>& contact = {});
 
-  const std::vector<StressFace>& faces() const { return faces_; }
-  const std::vector<StressEdge>& edges() const { return edges_; }
+  const StressCells& cells() const { return *cells_; }
+  const std::vector<StressFace>& all() const { return faces_; }
+  int size() const { return int(faces_.size()); }
+  const StressFace& operator[](int face) const { return faces_[std::size_t(face)]; }
   /// The face of a cell's sorted facet.
-  int faceOf(int cell, int facet) const { return faceOf_[std::size_t(cell) * 4 + std::size_t(facet)]; }
+  int of(int cell, int facet) const
+  {
+    const int face = within(cell, facet);
+    return joined_[std::size_t(face)] < 0 ? face : joined_[std::size_t(face)];
+  }
+  /// The same without contact: as its body alone has it.
+  int within(int cell, int facet) const { return faceOf_[std::size_t(cell) * 4 + std::size_t(facet)]; }
+  /// A face of one body with another in its place.
+  bool isReplaced(int face) const { return joined_[std::size_t(face)] >= 0; }
 
 private:
-  void addFaces();
+  void addFaces(int body);
   Vector findGeometry(StressFace& face) const;
   void freeTractions(StressFace& face, const Vector& arms) const;
+  void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count) const;
   void freeReactions(StressFace& face, const Vector& arms) const;
-  void addEdges();
-  void addRing(const std::array<int, 2>& vertices, const std::vector<int>& around);
-  DenseMatrix circulating(const StressEdge& edge) const;
-  DenseMatrix through(const StressEdge& edge, const StressEdge::Step& step) const;
+  void joinContact(const std::vector<ContactFacet>& contact);
+  bool coincide(const StressFace& face, const Vector& arms, const Direction& normal) const;
 
-  const StarBody* body_;
+  const StressCells* cells_;
   std::vector<StressFace> faces_;
-  std::vector<StressEdge> edges_;
   std::vector<int> faceOf_;
+  std::vector<int> joined_; ///< per face the one in contact that replaces it, or -1
 };
 
 } // namespace ndframe

@@ -43,9 +43,10 @@ struct WrenchBalance::Flow
   DenseMatrix through; ///< 6 x r: reach about the star's vertex; empty inside
 };
 
-WrenchBalance::WrenchBalance(const StarBody& body, const StressFaces& faces) : body_(&body), faces_(&faces)
+WrenchBalance::WrenchBalance(int body, const StressFaces& faces)
+    : number_(body), body_(&faces.cells().body(body)), faces_(&faces)
 {
-  const Mesh& mesh = body.model().mesh;
+  const Mesh& mesh = body_->model().mesh;
   for (int c = 0; c < mesh.numCells(); ++c) {
     volumes_.push_back(cellMeasure(mesh, c));
     Direction centre{};
@@ -53,10 +54,15 @@ WrenchBalance::WrenchBalance(const StarBody& body, const StressFaces& faces) : b
       for (std::size_t i = 0; i < 3; ++i)
         centre[i] += 0.25 * mesh.point(mesh.cell(c)[v])[i];
     centres_.push_back(centre);
-    const Vector arms = momentArms(body.cellMeans(), corners(mesh, sortedCell(mesh, c), -1), centre.data(), 3);
-    for (std::size_t k = 0; k < std::size_t(body.loadModes()); ++k)
+    const Vector arms = momentArms(body_->cellMeans(), corners(mesh, sortedCell(mesh, c), -1), centre.data(), 3);
+    for (std::size_t k = 0; k < std::size_t(body_->loadModes()); ++k)
       loadArms_.push_back({arms[3 * k], arms[3 * k + 1], arms[3 * k + 2]});
   }
+}
+
+const StressFace& WrenchBalance::faceOf(int cell, int facet) const
+{
+  return (*faces_)[faces_->within(faces_->cells().number(number_, cell), facet)];
 }
 
 std::vector<WrenchBalance::Flow> WrenchBalance::flows(const Star& star, double size) const
@@ -64,9 +70,10 @@ std::vector<WrenchBalance::Flow> WrenchBalance::flows(const Star& star, double s
   const double* a = body_->model().mesh.point(star.vertex);
   std::vector<Flow> all;
   for (const Spoke& spoke : star.spokes) {
-    const StressFace& face =
-        faces_->faces()[std::size_t(faces_->faceOf(star.cells[std::size_t(spoke.cell[0])].cell, spoke.facet[0]))];
-    double volume = volumes_[std::size_t(face.cell[0])] + (face.isInside() ? volumes_[std::size_t(face.cell[1])] : 0.0);
+    const StressFace& face = faceOf(star.cells[std::size_t(spoke.cell[0])].cell, spoke.facet[0]);
+    double volume = 0.0;
+    for (std::size_t side = 0; side < (face.isInside() ? 2 : 1); ++side)
+      volume += volumes_[std::size_t(star.cells[std::size_t(spoke.cell[side])].cell)];
     Flow flow{&spoke, &face, std::pow(face.size, 4) / volume / size, {}};
     if (!face.isInside()) {
       flow.through = DenseMatrix(wrench, face.reach.cols());
@@ -95,8 +102,7 @@ DenseMatrix WrenchBalance::imbalance(const Star& star, const StarFields& x, doub
       double* sum = needed.col(field) + std::ptrdiff_t(c) * wrench;
       for (int facet = 0; facet < 4; ++facet)
         if (facet != cell.apex) {
-          const StressFace& face = faces_->faces()[std::size_t(faces_->faceOf(cell.cell, facet))];
-          const Wrench has = face.wrench(values + std::ptrdiff_t(facet) * facetData, a, size);
+          const Wrench has = faceOf(cell.cell, facet).wrench(values + std::ptrdiff_t(facet) * facetData, a, size);
           for (std::size_t i = 0; i < has.size(); ++i)
             sum[i] -= has[i];
         }

@@ -12,7 +12,8 @@ namespace ndframe
 class WrenchBalance
 {
 public:
-  WrenchBalance(const StarBody& body, const StressFaces& faces);
+  /// body: its number in faces.cells().
+  WrenchBalance(int body, const StressFaces& faces);
 
   /// x (StarLoads::initial) of a star: jumps are divided evenly between their two cells, then every cell is balanced.
   /// Per field the norm of the wrench that nothing takes (moments over the star's size).
@@ -24,12 +25,14 @@ private:
   std::vector<Flow> flows(const Star& star, double size) const;
   DenseMatrix imbalance(const Star& star, const StarFields& x, double size) const;
   static DenseMatrix freeMotions(const std::vector<Flow>& flows);
+  const StressFace& faceOf(int cell, int facet) const;
   static DenseMatrix conductances(int cells, const std::vector<Flow>& flows, const DenseMatrix& free, int components);
   static DenseMatrix potentials(int cells, const std::vector<Flow>& flows, const DenseMatrix& free,
                                 const DenseMatrix& needed);
   static Vector leftOver(const DenseMatrix& needed, const DenseMatrix& free);
   static Vector amounts(const Flow& flow, const double* potentials, const Direction& vertex, double size);
 
+  int number_;
   const StarBody* body_;
   const StressFaces* faces_;
   Vector volumes_;

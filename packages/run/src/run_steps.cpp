@@ -148,8 +148,8 @@ void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagn
   if (!errors || !errors->recoversStress())
     return;
   const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
-  const auto reason =
-      tools.components.recoveries.build(list)->refusal(nodes.dim, nodes.order, errors->optimises(nodes.dim));
+  const auto recovery = tools.components.recoveries.build(list);
+  const auto reason = recovery->refusal(nodes.dim, nodes.order, errors->optimises(*recovery, nodes.dim));
   if (!reason.empty())
     diagnostics.add(list.mistake("", reason + "."));
   if (errors->touches && errors->mode == ErrorMode::Paper && nodes.dim == 3 && nodes.order == 2)

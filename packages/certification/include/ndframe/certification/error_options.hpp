@@ -9,6 +9,8 @@
 namespace ndframe
 {
 
+class StressRecovery;
+
 /// What can be said about the error.
 enum class Estimator
 {
@@ -31,7 +33,7 @@ enum class ErrorMode
 /// The admissible traction: the one that makes the bound small, or the paper's projection of the computed one.
 enum class TractionType
 {
-  Automatic, ///< Optimal in the plane, Projected in space
+  Automatic, ///< Optimal where the recovery can choose the traction, else Projected
   Optimal,
   Projected
 };
@@ -69,8 +71,10 @@ struct ErrorOptions
   bool needsTraction() const;        ///< that or the tractions of the separate problems
   bool recoversGlobalStress() const; ///< the equilibrated stress of the bound
   bool recoversStress() const;       ///< that or the one of the separate problems
-  TractionType tractionIn(int dim) const; ///< Optimal or Projected
-  bool optimises(int dim) const;          ///< the recovery changes the traction
+  /// Optimal or Projected.
+  TractionType tractionWith(const StressRecovery& component, int dim) const;
+  /// The recovery changes the traction.
+  bool optimises(const StressRecovery& component, int dim) const;
 };
 
 } // namespace ndframe

@@ -54,6 +54,9 @@ public:
   /// Degree q of the stresses for displacements of order p.
   virtual int degree(int order) const = 0;
 
+  /// Whether it can choose tractions (SceneField::optimise) in this dimension.
+  virtual bool optimises(int dim) const = 0;
+
   /// Why it is not defined for bodies of this dimension and order, or cannot optimise tractions; empty when it can.
   virtual std::string refusal(int dim, int order, bool optimise) const = 0;
 

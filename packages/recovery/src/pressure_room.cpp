@@ -1,0 +1,123 @@
+#include "pressure_room.hpp"
+
+#include <algorithm>
+#include <limits>
+
+#include "ndframe/admissibility/quadratic_program.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// The change of a facet's moments, quadratic modes only, that brings all coefficients -B T below -least; zero where
+/// none does. It is as small as possible.
+Vector movedInside(const DenseMatrix& toBernstein, const Vector& moments, double least)
+{
+  constexpr int linear = 3; // modes that carry the wrench
+  const int modes = toBernstein.cols();
+  QuadraticProgram program{DenseMatrix(modes - linear, modes - linear), Vector(std::size_t(modes - linear), 0.0),
+                           DenseMatrix(toBernstein.rows(), modes - linear), Vector()};
+  const Vector b = multiply(toBernstein, moments);
+  for (int j = linear; j < modes; ++j) {
+    program.H(j - linear, j - linear) = 1.0;
+    for (int i = 0; i < toBernstein.rows(); ++i)
+      program.B(i, j - linear) = toBernstein(i, j);
+  }
+  for (const double value : b)
+    program.b.push_back(-least - value);
+  Vector change(std::size_t(modes), 0.0);
+  if (const auto found = minimise(program))
+    std::copy(found->x.begin(), found->x.end(), change.begin() + linear);
+  return change;
+}
+
+} // namespace
+
+Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+                      const ContactTraction& traction)
+{
+  const DenseMatrix toBernstein = bernsteinOfMoments(3, traction.degree);
+  Vector change(std::size_t(faces.size() * faces.cells().facetData()), 0.0);
+  for (int f = 0; f < faces.size(); ++f) {
+    if (faces[f].contact < 0)
+      continue;
+    const Vector moments = traction.moments(faces[f].contact);
+    const Vector b = multiply(toBernstein, moments);
+    const double largest = *std::max_element(b.begin(), b.end());
+    for (const double part : {0.3, 0.1, 0.03}) {
+      const double least = -part * moments[0];
+      if (-largest >= least || least <= 0.0)
+        break;
+      const Vector moved = movedInside(toBernstein, moments, least);
+      if (dot(moved, moved) == 0.0)
+        continue;
+      for (std::size_t k = 0; k < moved.size(); ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+          change[(std::size_t(f) * moved.size() + k) * 3 + i] =
+              moved[k] * contact[std::size_t(faces[f].contact)].normal[i];
+      break;
+    }
+  }
+  return change;
+}
+
+PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+                           const ContactTraction& traction)
+    : faces_(&faces), contact_(&contact), toBernstein_(bernsteinOfMoments(3, traction.degree)), held_(contact.size(), 0)
+{
+  constexpr double nothing = 1e-9; // of the largest: where bodies part
+  double largest = 0.0;
+  for (int f = 0; f < faces.size(); ++f) {
+    if (faces[f].contact < 0)
+      continue;
+    const auto facet = std::size_t(faces[f].contact);
+    Vector room = multiply(toBernstein_, traction.moments(int(facet)));
+    for (double& value : room) {
+      value = std::max(0.0, -value / contact[facet].measure);
+      largest = std::max(largest, value);
+    }
+    inContact_.push_back(f);
+    room_.push_back(std::move(room));
+  }
+  for (std::size_t i = 0; i < room_.size(); ++i)
+    if (*std::min_element(room_[i].begin(), room_[i].end()) <= nothing * largest)
+      held_[std::size_t(faces[inContact_[i]].contact)] = 1;
+}
+
+/// What tractions along the normal change the coefficients by.
+Vector PressureRoom::coefficients(int face, const Vector& tractions) const
+{
+  const ContactFacet& facet = (*contact_)[std::size_t((*faces_)[face].contact)];
+  const auto modes = std::size_t(toBernstein_.cols());
+  Vector moments(modes, 0.0);
+  for (std::size_t k = 0; k < modes; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      moments[k] += facet.normal[i] * tractions[(std::size_t(face) * modes + k) * 3 + i] / facet.measure;
+  return multiply(toBernstein_, moments);
+}
+
+double PressureRoom::move(const Vector& tractions, double length)
+{
+  constexpr double soon = 0.5, same = 1.0 + 1e-9;
+  double reached = length;
+  std::vector<Vector> changes;
+  std::vector<double> allowed(inContact_.size(), std::numeric_limits<double>::infinity());
+  for (std::size_t i = 0; i < inContact_.size(); ++i) {
+    changes.push_back(coefficients(inContact_[i], tractions));
+    for (std::size_t k = 0; k < changes[i].size(); ++k)
+      if (changes[i][k] * length > room_[i][k])
+        allowed[i] = std::min(allowed[i], room_[i][k] / changes[i][k]);
+    reached = std::min(reached, allowed[i]);
+  }
+  for (std::size_t i = 0; i < inContact_.size(); ++i) {
+    for (std::size_t k = 0; k < changes[i].size(); ++k)
+      room_[i][k] = std::max(0.0, room_[i][k] - reached * changes[i][k]);
+    if (allowed[i] < std::max(soon * length, same * reached))
+      held_[std::size_t((*faces_)[inContact_[i]].contact)] = 1;
+  }
+  return reached;
+}
+
+} // namespace ndframe

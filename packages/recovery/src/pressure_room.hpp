@@ -1,0 +1,39 @@
+#pragma once
+
+#include "stress_faces.hpp"
+
+namespace ndframe
+{
+
+/// Tractions per face (on its first cell), without wrench, that move the given ones away from zero: where a Bernstein
+/// coefficient is smaller than a part of the mean pressure on its facet, all become that large, or half of it, or ..;
+/// zero where nothing suits, as where bodies part.
+Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+                      const ContactTraction& traction);
+
+/// How far normal tractions may change before one of their Bernstein coefficients becomes positive.
+class PressureRoom
+{
+public:
+  /// traction: admissible, on the facets of `contact`. All must outlive it.
+  PressureRoom(const StressFaces& faces, const std::vector<ContactFacet>& contact, const ContactTraction& traction);
+
+  /// Per contact facet: nonzero where the traction stays as it is.
+  const std::vector<char>& held() const { return held_; }
+
+  /// Moves along tractions (per face, on its first cell) by `length` or as far as admissible; facets that allow less
+  /// than half of `length` are held from then on. Returns how far; less than `length` where facets were held.
+  double move(const Vector& tractions, double length);
+
+private:
+  Vector coefficients(int face, const Vector& tractions) const;
+
+  const StressFaces* faces_;
+  const std::vector<ContactFacet>* contact_;
+  DenseMatrix toBernstein_;
+  std::vector<int> inContact_; ///< faces
+  std::vector<char> held_;
+  std::vector<Vector> room_; ///< per entry of inContact_: minus the coefficients
+};
+
+} // namespace ndframe

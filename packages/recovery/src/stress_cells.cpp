@@ -1,0 +1,29 @@
+#include "stress_cells.hpp"
+
+#include <algorithm>
+
+namespace ndframe
+{
+
+StressCells::StressCells(std::vector<const StarBody*> bodies) : bodies_(std::move(bodies))
+{
+  for (const StarBody* body : bodies_) {
+    first_.push_back(first_.back() + (body == nullptr ? 0 : body->model().mesh.numCells()));
+    if (body != nullptr)
+      any_ = body;
+  }
+  NDFRAME_ASSERT(any_ != nullptr && any_->dim() == 3, "cells of solids");
+}
+
+int StressCells::bodyOf(int number) const
+{
+  return int(std::upper_bound(first_.begin(), first_.end(), number) - first_.begin()) - 1;
+}
+
+SortedCell StressCells::sorted(int number) const
+{
+  const int body = bodyOf(number);
+  return sortedCell(this->body(body).model().mesh, number - first_[std::size_t(body)]);
+}
+
+} // namespace ndframe

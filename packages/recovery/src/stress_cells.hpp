@@ -1,0 +1,38 @@
+#pragma once
+
+#include <utility>
+#include <vector>
+
+#include "star_body.hpp"
+
+namespace ndframe
+{
+
+/// The cells of all bodies whose tractions change together, numbered one body after the other.
+class StressCells
+{
+public:
+  /// bodies: those of a scene, null for the others. They must outlive this.
+  explicit StressCells(std::vector<const StarBody*> bodies);
+
+  int size() const { return first_.back(); }
+  int numBodies() const { return int(bodies_.size()); }
+  bool has(int body) const { return bodies_[std::size_t(body)] != nullptr; }
+  const StarBody& body(int number) const { return *bodies_[std::size_t(number)]; }
+  /// What all bodies share: dimension, degrees, bases.
+  const StarBody& any() const { return *any_; }
+  int facetData() const { return any_->facetData(); }
+
+  /// The number of a body's cell.
+  int number(int body, int cell) const { return first_[std::size_t(body)] + cell; }
+  int bodyOf(int number) const;
+  const Mesh& mesh(int number) const { return body(bodyOf(number)).model().mesh; }
+  SortedCell sorted(int number) const;
+
+private:
+  std::vector<const StarBody*> bodies_;
+  const StarBody* any_ = nullptr;
+  std::vector<int> first_{0}; ///< per body, and the end
+};
+
+} // namespace ndframe

@@ -1,0 +1,206 @@
+#include "stress_edges.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "ndframe/assembly/rigid_modes.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Vertices of all bodies; those that face each other in contact are one.
+class SharedVertices
+{
+public:
+  explicit SharedVertices(const StressFaces& faces) : cells_(&faces.cells())
+  {
+    for (int body = 0; body < cells_->numBodies(); ++body)
+      first_.push_back(first_.back() + (cells_->has(body) ? cells_->body(body).model().mesh.numPoints() : 0));
+    same_.resize(std::size_t(first_.back()));
+    std::iota(same_.begin(), same_.end(), 0);
+    for (const StressFace& face : faces.all())
+      if (face.contact >= 0) {
+        const auto first = vertices(face, 0), second = vertices(face, 1);
+        for (std::size_t place = 0; place < second.size(); ++place)
+          join(first[std::size_t(face.theirs[place])], second[place]);
+      }
+  }
+
+  /// Of one side of a face, ascending in its body.
+  std::array<int, 3> vertices(const StressFace& face, std::size_t side) const
+  {
+    const SortedCell cell = cells_->sorted(face.cell[side]);
+    const int first = first_[std::size_t(cells_->bodyOf(face.cell[side]))];
+    std::array<int, 3> result{};
+    for (int i = 0, n = 0; i < 4; ++i)
+      if (i != face.facet[side])
+        result[std::size_t(n++)] = first + cell.vertices[std::size_t(i)];
+    return result;
+  }
+
+  int representative(int vertex) const
+  {
+    while (same_[std::size_t(vertex)] != vertex)
+      vertex = same_[std::size_t(vertex)];
+    return vertex;
+  }
+
+  const double* point(int vertex) const
+  {
+    const auto body = std::size_t(std::upper_bound(first_.begin(), first_.end(), vertex) - first_.begin()) - 1;
+    return cells_->body(int(body)).model().mesh.point(vertex - first_[body]);
+  }
+
+private:
+  void join(int a, int b)
+  {
+    a = representative(a);
+    b = representative(b);
+    same_[std::size_t(std::max(a, b))] = std::min(a, b);
+  }
+
+  const StressCells* cells_;
+  std::vector<int> first_{0}, same_;
+};
+
+/// Finds what may circulate around edges.
+class Rings
+{
+public:
+  explicit Rings(const StressFaces& faces) : faces_(faces), vertices_(faces) {}
+
+  std::vector<StressEdge> find();
+
+private:
+  void add(const std::array<int, 2>& vertices, const std::vector<int>& around);
+  DenseMatrix circulating(const StressEdge& edge) const;
+  DenseMatrix through(const StressEdge& edge, const StressEdge::Step& step) const;
+
+  const StressFaces& faces_;
+  SharedVertices vertices_;
+  std::vector<StressEdge> edges_;
+};
+
+/// Edges by their vertices: which faces meet there.
+std::vector<StressEdge> Rings::find()
+{
+  struct Part
+  {
+    std::array<int, 2> vertices;
+    int face;
+  };
+  std::vector<Part> parts;
+  for (int f = 0; f < faces_.size(); ++f) {
+    if (faces_.isReplaced(f))
+      continue;
+    auto v = vertices_.vertices(faces_[f], 0);
+    for (int& vertex : v)
+      vertex = vertices_.representative(vertex);
+    for (const auto& [a, b] : {std::array{v[0], v[1]}, std::array{v[0], v[2]}, std::array{v[1], v[2]}})
+      parts.push_back({{std::min(a, b), std::max(a, b)}, f});
+  }
+  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.vertices < b.vertices; });
+  for (std::size_t first = 0, last = 0; first < parts.size(); first = last) {
+    std::vector<int> around;
+    for (last = first; last < parts.size() && parts[last].vertices == parts[first].vertices; ++last)
+      around.push_back(parts[last].face);
+    add(parts[first].vertices, around);
+  }
+  return std::move(edges_);
+}
+
+/// Walks from face to face through the cells between them.
+void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& around)
+{
+  const auto isOpen = [&](int f) { return faces_[f].isBoundary(); };
+  const auto open = std::find_if(around.begin(), around.end(), isOpen);
+  StressEdge edge;
+  edge.isClosed = open == around.end();
+  int face = edge.isClosed ? around.front() : *open, cell = faces_[face].cell[0];
+  if (!edge.isClosed) // into the body: a traction on its only cell is the opposite of what leaves a cell before it
+    edge.ring.push_back({face, -1.0, -1});
+  for (std::size_t step = 0; step < around.size(); ++step) {
+    const auto next = std::find_if(around.begin(), around.end(), [&](int f) {
+      const auto& cells = faces_[f].cell;
+      return f != face && (cells[0] == cell || cells[1] == cell);
+    });
+    if (next == around.end())
+      return;
+    face = *next;
+    const auto& cells = faces_[face].cell;
+    edge.ring.push_back({face, cells[0] == cell ? 1.0 : -1.0, cell});
+    cell = cells[0] == cell ? cells[1] : cells[0];
+    if (cell < 0 || (edge.isClosed && face == around.front()))
+      break;
+  }
+  if (edge.ring.size() != around.size())
+    return;
+  const double *a = vertices_.point(vertices[0]), *b = vertices_.point(vertices[1]);
+  edge.length = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  for (std::size_t i = 0; i < 3; ++i)
+    edge.middle[i] = 0.5 * (a[i] + b[i]);
+  edge.basis = circulating(edge);
+  if (edge.basis.cols() == 0)
+    return;
+  for (StressEdge::Step& taken : edge.ring)
+    taken.through = through(edge, taken);
+  edges_.push_back(std::move(edge));
+}
+
+DenseMatrix Rings::through(const StressEdge& edge, const StressEdge::Step& step) const
+{
+  const StressFace& face = faces_[step.face];
+  DenseMatrix wrenches(6, edge.basis.cols());
+  for (int k = 0; k < wrenches.cols(); ++k) {
+    Wrench wrench{};
+    for (std::size_t i = 0; i < wrench.size(); ++i)
+      wrench[i] = step.sign * edge.basis(int(i), k);
+    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
+    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
+  }
+  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
+}
+
+/// The wrenches about an edge that all faces of its ring can take.
+DenseMatrix Rings::circulating(const StressEdge& edge) const
+{
+  std::vector<const StressFace*> limited;
+  for (const StressEdge::Step& step : edge.ring)
+    if (!faces_[step.face].isInside())
+      limited.push_back(&faces_[step.face]);
+  DenseMatrix all(6, 6), refused(6 * int(limited.size()), 6);
+  for (int i = 0; i < 6; ++i)
+    all(i, i) = 1.0;
+  double largest = 0.0;
+  for (std::size_t f = 0; f < limited.size(); ++f) {
+    const StressFace& face = *limited[f];
+    if (face.reach.cols() == 0)
+      return {6, 0};
+    const DenseMatrix taken = multiply(face.reach, face.choose);
+    for (int j = 0; j < 6; ++j) {
+      Wrench unit{};
+      unit[std::size_t(j)] = 1.0;
+      const Wrench there = movedWrench(unit, edge.middle, edge.length, face.centre, face.size);
+      for (int i = 0; i < 6; ++i) {
+        double& rest = refused(int(f) * 6 + i, j);
+        rest = there[std::size_t(i)];
+        for (int k = 0; k < 6; ++k)
+          rest -= taken(i, k) * there[std::size_t(k)];
+        largest = std::max(largest, std::abs(rest));
+      }
+    }
+  }
+  return largest <= rigidTolerance ? all : nullSpace(refused, rigidTolerance);
+}
+
+} // namespace
+
+std::vector<StressEdge> stressEdges(const StressFaces& faces)
+{
+  return Rings(faces).find();
+}
+
+} // namespace ndframe

@@ -1,0 +1,29 @@
+#pragma once
+
+#include "stress_faces.hpp"
+
+namespace ndframe
+{
+
+/// An edge around which wrenches may circulate: from cell to cell through the faces that meet there, also from one body
+/// into another through faces in contact.
+struct StressEdge
+{
+  struct Step
+  {
+    int face;
+    double sign;           ///< of the traction on the face's first cell
+    int cell;              ///< the one that the step leaves
+    DenseMatrix through{}; ///< amounts of the face's carrier, sign included: its columns x unknowns of the edge
+  };
+  std::vector<Step> ring; ///< closed inside; at supported boundaries from one facet there to another
+  bool isClosed = true;
+  Direction middle{};
+  double length = 0.0;
+  DenseMatrix basis; ///< 6 x unknowns: the wrenches that may circulate, about the middle
+};
+
+/// All edges around which anything can circulate. Those at which a body touches itself are left out.
+std::vector<StressEdge> stressEdges(const StressFaces& faces);
+
+} // namespace ndframe
