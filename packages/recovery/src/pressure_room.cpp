@@ -11,11 +11,12 @@ namespace ndframe
 namespace
 {
 
+constexpr int linear = 3; ///< modes that carry the wrench
+
 /// The change of a facet's moments, quadratic modes only, that brings all coefficients -B T below -least; zero where
 /// none does. It is as small as possible.
 Vector movedInside(const DenseMatrix& toBernstein, const Vector& moments, double least)
 {
-  constexpr int linear = 3; // modes that carry the wrench
   const int modes = toBernstein.cols();
   QuadraticProgram program{DenseMatrix(modes - linear, modes - linear), Vector(std::size_t(modes - linear), 0.0),
                            DenseMatrix(toBernstein.rows(), modes - linear), Vector()};
@@ -39,7 +40,9 @@ Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>&
                       const ContactTraction& traction)
 {
   const DenseMatrix toBernstein = bernsteinOfMoments(3, traction.degree);
-  Vector change(std::size_t(faces.size() * faces.cells().facetData()), 0.0);
+  Vector change(std::size_t(faces.size()) * std::size_t(faces.cells().facetData()), 0.0);
+  if (toBernstein.cols() == linear)
+    return change;
   for (int f = 0; f < faces.size(); ++f) {
     if (faces[f].contact < 0)
       continue;

@@ -133,13 +133,14 @@ Vector StressDescent::startForces(const DescentField& field) const
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
 void StressDescent::addOpening(const Vector& opening, Vector& faceForces) const
 {
-  const int size = facetData();
+  const auto modes = std::size_t(facetData()) / 3;
   for (int f = 0; f < faces_->size(); ++f)
     if (const int number = (*faces_)[f].contact; number >= 0) {
       const ContactFacet& facet = (*contact_)[std::size_t(number)];
-      for (int i = 0; i < size; ++i)
-        faceForces[std::size_t(f * size + i)] +=
-            facet.normal[std::size_t(i % 3)] * opening[std::size_t(number * (size / 3) + i / 3)] / facet.measure;
+      for (std::size_t k = 0; k < modes; ++k)
+        for (std::size_t i = 0; i < 3; ++i)
+          faceForces[(std::size_t(f) * modes + k) * 3 + i] +=
+              facet.normal[i] * opening[std::size_t(number) * modes + k] / facet.measure;
     }
 }
 
@@ -197,6 +198,17 @@ void StressDescent::lower(const DescentField& field, int steps) const
   add(faceTractions(x), field);
 }
 
+/// Adds the normal part of a face's traction to a contact facet, in equal shares.
+void StressDescent::addNormal(std::size_t facet, const double* T, ContactTraction& traction) const
+{
+  const Direction& normal = (*contact_)[facet].normal;
+  const std::size_t modes = traction.numModes();
+  for (std::size_t vertex = 0; vertex < 3; ++vertex)
+    for (std::size_t k = 0; k < modes; ++k)
+      for (std::size_t i = 0; i < 3; ++i)
+        traction.shares[(facet * 3 + vertex) * modes + k] += normal[i] * T[3 * k + i] / 3.0;
+}
+
 /// Adds tractions of faces to a field.
 void StressDescent::add(const Vector& tractions, const DescentField& field) const
 {
@@ -214,13 +226,8 @@ void StressDescent::add(const Vector& tractions, const DescentField& field) cons
       for (int i = 0; i < size; ++i)
         sum[i] += T[std::size_t(i)];
     }
-    for (int i = 0; face.contact >= 0 && field.traction != nullptr && i < size; ++i) {
-      const ContactFacet& facet = (*contact_)[std::size_t(face.contact)];
-      const int modes = size / 3, mode = i / 3;
-      for (int vertex = 0; vertex < 3; ++vertex)
-        field.traction->shares[std::size_t((face.contact * 3 + vertex) * modes + mode)] +=
-            facet.normal[std::size_t(i % 3)] * change[i] / 3.0;
-    }
+    if (field.traction != nullptr && face.contact >= 0)
+      addNormal(std::size_t(face.contact), change, *field.traction);
   }
 }
 

@@ -45,6 +45,7 @@ private:
   void addOpening(const Vector& opening, Vector& faceForces) const;
   std::vector<char> held(const std::vector<char>& facets) const;
   void add(const Vector& tractions, const DescentField& field) const;
+  void addNormal(std::size_t facet, const double* T, ContactTraction& traction) const;
   int facetData() const { return faces_->cells().facetData(); }
 
   const StressFaces* faces_;
