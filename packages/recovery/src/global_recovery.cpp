@@ -59,9 +59,26 @@ private:
     const StressCells cells(std::move(pointers));
     const StressFaces faces(cells, contact);
     runConcurrently(int(bodies.size()), threads, [&](int i) { balance(bodies[std::size_t(i)], faces); });
-    const StressDescent descent(faces, contact);
+    StressDescent(faces, contact, descentFields()).lower(steps_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
-      lower(f, descent);
+      if (changes(f))
+        stresses_[f].onNeumann = stresses_[f].onDirichlet;
+  }
+
+  bool changes(std::size_t field) const { return fields_[field].optimise && steps_ > 0; }
+
+  std::vector<DescentField> descentFields()
+  {
+    std::vector<DescentField> all(fields_.size());
+    for (std::size_t f = 0; f < all.size(); ++f) {
+      for (StressCorrection& correction : stresses_[f].corrections)
+        all[f].corrections.push_back(&correction);
+      if (changes(f)) {
+        all[f].traction = &stresses_[f].onDirichlet;
+        all[f].opening = &fields_[f].opening;
+      }
+    }
+    return all;
   }
 
   void balance(int body, const StressFaces& faces)
@@ -89,20 +106,6 @@ private:
         corrections[f]->force = std::max(corrections[f]->force, force[f]);
       }
     }
-  }
-
-  void lower(std::size_t f, const StressDescent& descent)
-  {
-    DescentField field;
-    for (StressCorrection& correction : stresses_[f].corrections)
-      field.corrections.push_back(&correction);
-    if (fields_[f].optimise && steps_ > 0) {
-      field.traction = &stresses_[f].onDirichlet;
-      field.opening = &fields_[f].opening;
-    }
-    descent.lower(field, steps_);
-    if (field.traction != nullptr)
-      stresses_[f].onNeumann = stresses_[f].onDirichlet;
   }
 
   const RecoveryScene& scene_;

@@ -50,7 +50,7 @@ StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdg
     begin_.push_back(begin_.back() + size);
   };
   for (const StressFace& face : faces.all())
-    addBlock(face.own.cols());
+    addBlock(face.numOwn());
   for (std::size_t e = 0; e < edges.size(); ++e) {
     addBlock(edges[e].basis.cols());
     for (const StressEdge::Step& step : edges[e].ring)
@@ -59,11 +59,9 @@ StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdg
   }
 }
 
-void StressBlocks::add(int cell, const DenseMatrix& A)
+void StressBlocks::add(int cell, const CellMap& map, const DenseMatrix& A)
 {
-  const StressCells& cells = faces_->cells();
-  const CellMap map = cellMap(cells.mesh(cell), cells.sorted(cell));
-  const int size = cells.facetData();
+  const int size = faces_->cells().facetData();
   std::array<int, 4> faces{}, begin{};
   int columns = 0;
   for (int facet = 0; facet < 4; ++facet) {
@@ -72,7 +70,7 @@ void StressBlocks::add(int cell, const DenseMatrix& A)
     const StressFace& face = (*faces_)[faces[at]];
     begin[at] = columns;
     columns += face.carrier.cols();
-    const DenseMatrix own = pulledBack(map, face.onSide(face.sideOf(cell), face.own));
+    const DenseMatrix own = pulledBack(map, face.onSide(face.sideOf(cell), face.allOwn()));
     if (own.cols() > 0)
       addTo(blocks_[std::size_t(faces[at])], multiplyTransposed(own, multiply(partOf(A, facet * size, size), own)));
   }
@@ -81,18 +79,26 @@ void StressBlocks::add(int cell, const DenseMatrix& A)
     const StressFace& face = (*faces_)[faces[std::size_t(facet)]];
     const DenseMatrix carrier = pulledBack(map, face.onSide(face.sideOf(cell), face.carrier));
     for (int j = 0; j < carrier.cols(); ++j)
-      std::copy_n(carrier.col(j), size, carriers.col(begin[std::size_t(facet)] + j) + std::ptrdiff_t(facet) * size);
+      std::copy_n(carrier.col(j), carrier.rows(),
+                  carriers.col(begin[std::size_t(facet)] + j) + std::ptrdiff_t(facet) * size);
   }
   const DenseMatrix W = multiplyTransposed(carriers, multiply(partOf(A, 0, carriers.rows()), carriers));
   for (const int e : edgesOf_[std::size_t(cell)])
-    for (const StressEdge::Step& a : (*edges_)[std::size_t(e)].ring)
-      for (const StressEdge::Step& b : (*edges_)[std::size_t(e)].ring) {
-        const auto first = std::find(faces.begin(), faces.end(), a.face),
-                   second = std::find(faces.begin(), faces.end(), b.face);
-        if (first != faces.end() && second != faces.end())
-          addProduct(a.through, W, begin[std::size_t(first - faces.begin())],
-                     begin[std::size_t(second - faces.begin())], b.through, blocks_[std::size_t(faces_->size() + e)]);
-      }
+    addEdge(e, faces, begin, W);
+}
+
+/// The part of an edge's block by what the carriers of a cell's faces do to each other, W.
+void StressBlocks::addEdge(int e, const std::array<int, 4>& faces, const std::array<int, 4>& begin,
+                           const DenseMatrix& W)
+{
+  const StressEdge& edge = (*edges_)[std::size_t(e)];
+  std::vector<std::pair<DenseMatrix, int>> through; // and where the face's carriers begin
+  for (const StressEdge::Step& step : edge.ring)
+    if (const auto at = std::find(faces.begin(), faces.end(), step.face); at != faces.end())
+      through.emplace_back(throughMatrix(edge, step, (*faces_)[step.face]), begin[std::size_t(at - faces.begin())]);
+  for (const auto& [a, row] : through)
+    for (const auto& [b, col] : through)
+      addProduct(a, W, row, col, b, blocks_[std::size_t(faces_->size() + e)]);
 }
 
 void StressBlocks::invert()

@@ -19,8 +19,8 @@ public:
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
-  /// What a cell's matrix (reference axes) adds.
-  void add(int cell, const DenseMatrix& A);
+  /// What a cell's matrix (in the axes that `map` comes from) adds.
+  void add(int cell, const CellMap& map, const DenseMatrix& A);
   /// To be called when all have been added.
   void invert();
   /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
@@ -28,6 +28,8 @@ public:
   int numBlocks() const { return int(blocks_.size()); }
 
 private:
+  void addEdge(int edge, const std::array<int, 4>& faces, const std::array<int, 4>& begin, const DenseMatrix& W);
+
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;
   std::vector<int> begin_{0};

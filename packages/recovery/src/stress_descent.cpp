@@ -8,41 +8,66 @@
 namespace ndframe
 {
 
-StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact)
-    : faces_(&faces), contact_(&contact), edges_(stressEdges(faces)), blocks_(faces, edges_)
+StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+                             std::vector<DescentField> fields)
+    : faces_(&faces), contact_(&contact), fields_(std::move(fields)), edges_(stressEdges(faces)), blocks_(faces, edges_)
 {
   const StressCells& cells = faces.cells();
+  for (const DescentField& field : fields_) {
+    if (field.traction != nullptr)
+      add(interiorChange(faces, contact, *field.traction), field);
+    start_.emplace_back(std::size_t(cells.size()) * 4 * std::size_t(facetData()), 0.0);
+  }
   for (int body = 0; body < cells.numBodies(); ++body) {
-    const auto add = [&](int cell, const DenseMatrix& A) { blocks_.add(cells.number(body, cell), A); };
-    matrices_.push_back(cells.has(body) ? std::make_unique<StressMatrices>(cells.body(body), add) : nullptr);
+    const auto use = [&](int cell, const CellMap& map, const DenseMatrix& A) {
+      blocks_.add(cells.number(body, cell), map, A);
+      addStart(body, cell, map, A);
+    };
+    matrices_.push_back(cells.has(body) ? std::make_unique<StressMatrices>(cells.body(body), use) : nullptr);
   }
   blocks_.invert();
+}
+
+/// A_E x_E of all fields' corrections.
+void StressDescent::addStart(int body, int cell, const CellMap& map, const DenseMatrix& A)
+{
+  const ReferenceStress& reference = faces_->cells().any().reference();
+  const int tractions = reference.tractions, loads = reference.loads;
+  DenseMatrix x(tractions + loads, 1);
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    const StressCorrection& correction = *fields_[f].corrections[std::size_t(body)];
+    std::copy_n(correction.tractions.data() + std::ptrdiff_t(cell) * tractions, tractions, x.col(0));
+    std::copy_n(correction.loads.data() + std::ptrdiff_t(cell) * loads, loads, x.col(0) + tractions);
+    const DenseMatrix forces = multiply(A, pulledBack(map, x));
+    addPushed(map, forces.col(0), tractions,
+              start_[f].data() + std::ptrdiff_t(faces_->cells().number(body, cell)) * tractions);
+  }
 }
 
 /// T per face, on its first cell.
 Vector StressDescent::faceTractions(const Vector& unknowns) const
 {
-  const int size = facetData();
-  Vector tractions(std::size_t(faces_->size()) * std::size_t(size), 0.0);
-  const auto add = [&](int f, const DenseMatrix& columns, const double* amounts) {
-    double* T = tractions.data() + std::ptrdiff_t(f) * size;
-    for (int k = 0; k < columns.cols(); ++k)
-      for (int i = 0; i < size; ++i)
-        T[i] += columns(i, k) * amounts[k];
-  };
-  for (int f = 0; f < faces_->size(); ++f)
-    add(f, (*faces_)[f].own, unknowns.data() + blocks_.ofFace(f));
+  const auto size = std::size_t(facetData());
+  Vector tractions(std::size_t(faces_->size()) * size, 0.0);
   std::vector<Wrench> amounts(std::size_t(faces_->size()), Wrench{}); // of the carriers
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const StressEdge& edge = edges_[e];
-    const double* z = unknowns.data() + blocks_.ofEdge(e);
-    for (const StressEdge::Step& step : edge.ring)
-      for (int k = 0; k < step.through.cols(); ++k)
-        for (int i = 0; i < step.through.rows(); ++i)
-          amounts[std::size_t(step.face)][std::size_t(i)] += step.through(i, k) * z[k];
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const StressEdge::Step& step : edges_[e].ring)
+      addThrough(edges_[e], step, (*faces_)[step.face], unknowns.data() + blocks_.ofEdge(e),
+                 amounts[std::size_t(step.face)].data());
+  for (int f = 0; f < faces_->size(); ++f) {
+    const StressFace& face = (*faces_)[f];
+    double* T = tractions.data() + std::size_t(f) * size;
+    const auto add = [T](const DenseMatrix& columns, const double* factors) {
+      for (int k = 0; k < columns.cols(); ++k)
+        for (int i = 0; i < columns.rows(); ++i)
+          T[i] += columns(i, k) * factors[k];
+    };
+    const double* y = unknowns.data() + blocks_.ofFace(f);
+    add(face.own, y);
+    add(face.carrier, amounts[std::size_t(f)].data());
+    for (int k = 0; k < face.higher; ++k)
+      T[face.own.rows() + k] += y[face.own.cols() + k];
   }
-  for (int f = 0; f < faces_->size(); ++f)
-    add(f, (*faces_)[f].carrier, amounts[std::size_t(f)].data());
   return tractions;
 }
 
@@ -51,17 +76,18 @@ Vector StressDescent::cellForces(const Vector& tractions) const
 {
   const StressCells& cells = faces_->cells();
   const int size = facetData();
-  Vector forces(std::size_t(cells.size()) * 4 * std::size_t(size)), x(4 * std::size_t(size), 0.0);
+  Vector forces(std::size_t(cells.size()) * 4 * std::size_t(size)), T(StressMatrices::lanes * 4 * std::size_t(size));
   for (int body = 0; body < cells.numBodies(); ++body)
-    for (int c = 0; cells.has(body) && c < cells.body(body).model().mesh.numCells(); ++c) {
-      const int cell = cells.number(body, c);
-      for (int facet = 0; facet < 4; ++facet) {
-        const int f = faces_->of(cell, facet);
-        const StressFace& face = (*faces_)[f];
-        face.toSide(face.sideOf(cell), tractions.data() + std::ptrdiff_t(f) * size, size,
-                    x.data() + std::ptrdiff_t(facet) * size);
-      }
-      matrices_[std::size_t(body)]->multiply(c, x.data(), 4 * size, forces.data() + std::ptrdiff_t(4) * cell * size);
+    for (int batch = 0; cells.has(body) && batch < matrices_[std::size_t(body)]->numBatches(); ++batch) {
+      const int first = cells.number(body, batch * StressMatrices::lanes);
+      double* to = T.data();
+      for (int cell = first; cell < first + matrices_[std::size_t(body)]->sizeOf(batch); ++cell)
+        for (int facet = 0; facet < 4; ++facet, to += size) {
+          const int f = faces_->of(cell, facet);
+          const StressFace& face = (*faces_)[f];
+          face.toSide(face.sideOf(cell), tractions.data() + std::ptrdiff_t(f) * size, size, to);
+        }
+      matrices_[std::size_t(body)]->multiply(batch, T.data(), forces.data() + std::ptrdiff_t(4) * first * size);
     }
   return forces;
 }
@@ -83,51 +109,28 @@ Vector StressDescent::faceForces(const Vector& cellForces) const
 /// By the unknowns, from that by the faces' tractions.
 Vector StressDescent::gradientOf(const Vector& faceForces) const
 {
-  const int size = facetData();
-  Vector gradient(std::size_t(blocks_.size()), 0.0), ofCarriers;
-  std::vector<std::size_t> firstCarrier{0};
+  const auto size = std::size_t(facetData());
+  Vector gradient(std::size_t(blocks_.size()), 0.0);
+  std::vector<Wrench> ofCarriers(std::size_t(faces_->size()), Wrench{});
   for (int f = 0; f < faces_->size(); ++f) {
     const StressFace& face = (*faces_)[f];
-    const double* G = faceForces.data() + std::ptrdiff_t(f) * size;
-    for (int k = 0; k < face.own.cols(); ++k)
-      for (int i = 0; i < size; ++i)
-        gradient[std::size_t(blocks_.ofFace(f)) + std::size_t(k)] += face.own(i, k) * G[i];
-    for (int k = 0; k < face.carrier.cols(); ++k) {
-      ofCarriers.push_back(0.0);
-      for (int i = 0; i < size; ++i)
-        ofCarriers.back() += face.carrier(i, k) * G[i];
-    }
-    firstCarrier.push_back(ofCarriers.size());
+    const double* G = faceForces.data() + std::size_t(f) * size;
+    const auto add = [G](const DenseMatrix& columns, double* sums) {
+      for (int k = 0; k < columns.cols(); ++k)
+        for (int i = 0; i < columns.rows(); ++i)
+          sums[k] += columns(i, k) * G[i];
+    };
+    double* y = gradient.data() + blocks_.ofFace(f);
+    add(face.own, y);
+    add(face.carrier, ofCarriers[std::size_t(f)].data());
+    for (int k = 0; k < face.higher; ++k)
+      y[face.own.cols() + k] += G[face.own.rows() + k];
   }
-  for (std::size_t e = 0; e < edges_.size(); ++e) {
-    const StressEdge& edge = edges_[e];
-    double* of = gradient.data() + blocks_.ofEdge(e);
-    for (const StressEdge::Step& step : edge.ring) {
-      const double* amounts = ofCarriers.data() + firstCarrier[std::size_t(step.face)];
-      for (int k = 0; k < step.through.cols(); ++k)
-        for (int i = 0; i < step.through.rows(); ++i)
-          of[k] += step.through(i, k) * amounts[i];
-    }
-  }
+  for (std::size_t e = 0; e < edges_.size(); ++e)
+    for (const StressEdge::Step& step : edges_[e].ring)
+      addBack(edges_[e], step, (*faces_)[step.face], ofCarriers[std::size_t(step.face)].data(),
+              gradient.data() + blocks_.ofEdge(e));
   return gradient;
-}
-
-/// A_E x_E of a field's corrections.
-Vector StressDescent::startForces(const DescentField& field) const
-{
-  const StressCells& cells = faces_->cells();
-  const ReferenceStress& reference = cells.any().reference();
-  const int tractions = reference.tractions, loads = reference.loads;
-  Vector forces(std::size_t(cells.size()) * std::size_t(tractions), 0.0), x(std::size_t(tractions + loads), 0.0);
-  for (int body = 0; body < cells.numBodies(); ++body)
-    for (int c = 0; cells.has(body) && c < cells.body(body).model().mesh.numCells(); ++c) {
-      const StressCorrection& correction = *field.corrections[std::size_t(body)];
-      std::copy_n(correction.tractions.data() + std::ptrdiff_t(c) * tractions, tractions, x.begin());
-      std::copy_n(correction.loads.data() + std::ptrdiff_t(c) * loads, loads, x.begin() + tractions);
-      matrices_[std::size_t(body)]->multiply(c, x.data(), tractions + loads,
-                                             forces.data() + std::ptrdiff_t(cells.number(body, c)) * tractions);
-    }
-  return forces;
 }
 
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
@@ -161,19 +164,25 @@ std::vector<char> StressDescent::held(const std::vector<char>& facets) const
   return blocks;
 }
 
-void StressDescent::lower(const DescentField& field, int steps) const
+void StressDescent::lower(int steps)
+{
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    Vector forces = faceForces(start_[f]);
+    start_[f] = Vector();
+    if (fields_[f].traction != nullptr)
+      addOpening(*fields_[f].opening, forces);
+    Vector residual = gradientOf(forces);
+    for (double& value : residual)
+      value = -value;
+    lower(fields_[f], std::move(residual), steps);
+  }
+}
+
+void StressDescent::lower(const DescentField& field, Vector residual, int steps) const
 {
   std::optional<PressureRoom> room;
-  if (field.traction != nullptr) {
-    add(interiorChange(*faces_, *contact_, *field.traction), field);
+  if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction);
-  }
-  Vector residual = faceForces(startForces(field));
-  if (room)
-    addOpening(*field.opening, residual);
-  residual = gradientOf(residual);
-  for (double& value : residual)
-    value = -value;
   std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
   Vector z = blocks_.precondition(residual, still), p = z, x(residual.size(), 0.0);
   double rz = dot(residual, z);

@@ -15,7 +15,7 @@ struct DescentField
   std::vector<StressCorrection*> corrections; ///< per body of the cells; not read where there is none
   /// Admissible tractions of the faces in contact that may change with the rest; null: they stay as they are.
   ContactTraction* traction = nullptr;
-  const Vector* opening = nullptr; ///< SceneField::opening
+  const Vector* opening = nullptr; ///< SceneField::opening; with a traction
 };
 
 /// Lowers the energy of equilibrated corrections by a few steps of conjugate gradients over all tractions that keep the
@@ -28,19 +28,20 @@ struct DescentField
 class StressDescent
 {
 public:
-  /// Finds all matrices: once for any number of corrections. Cells of the faces and contact must outlive it.
-  StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact);
+  /// Finds all matrices. faces, contact and what the fields point to must outlive it.
+  StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact, std::vector<DescentField> fields);
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
 
-  /// Takes `steps` steps.
-  void lower(const DescentField& field, int steps) const;
+  /// Takes `steps` steps, every field for itself.
+  void lower(int steps);
 
 private:
+  void lower(const DescentField& field, Vector residual, int steps) const;
+  void addStart(int body, int cell, const CellMap& map, const DenseMatrix& A);
   Vector gradientOf(const Vector& faceForces) const;
   Vector faceTractions(const Vector& unknowns) const;
   Vector cellForces(const Vector& tractions) const;
-  Vector startForces(const DescentField& field) const;
   Vector faceForces(const Vector& cellForces) const;
   void addOpening(const Vector& opening, Vector& faceForces) const;
   std::vector<char> held(const std::vector<char>& facets) const;
@@ -50,6 +51,8 @@ private:
 
   const StressFaces* faces_;
   const std::vector<ContactFacet>* contact_;
+  std::vector<DescentField> fields_;
+  std::vector<Vector> start_; ///< per field A_E x_E, cell by cell
   std::vector<StressEdge> edges_;
   StressBlocks blocks_;
   std::vector<std::unique_ptr<StressMatrices>> matrices_; ///< per body

@@ -77,7 +77,6 @@ public:
 private:
   void add(const std::array<int, 2>& vertices, const std::vector<int>& around);
   DenseMatrix circulating(const StressEdge& edge) const;
-  DenseMatrix through(const StressEdge& edge, const StressEdge::Step& step) const;
 
   const StressFaces& faces_;
   SharedVertices vertices_;
@@ -146,22 +145,9 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
   if (edge.basis.cols() == 0)
     return;
   for (StressEdge::Step& taken : edge.ring)
-    taken.through = through(edge, taken);
+    if (edge.basis.cols() < wrenchSize(3) || !faces_[taken.face].isInside())
+      taken.through = throughMatrix(edge, taken, faces_[taken.face]);
   edges_.push_back(std::move(edge));
-}
-
-DenseMatrix Rings::through(const StressEdge& edge, const StressEdge::Step& step) const
-{
-  const StressFace& face = faces_[step.face];
-  DenseMatrix wrenches(6, edge.basis.cols());
-  for (int k = 0; k < wrenches.cols(); ++k) {
-    Wrench wrench{};
-    for (std::size_t i = 0; i < wrench.size(); ++i)
-      wrench[i] = step.sign * edge.basis(int(i), k);
-    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
-    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
-  }
-  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
 }
 
 /// The wrenches about an edge that all faces of its ring can take.
@@ -197,6 +183,55 @@ DenseMatrix Rings::circulating(const StressEdge& edge) const
 }
 
 } // namespace
+
+DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face)
+{
+  DenseMatrix wrenches(wrenchSize(3), edge.basis.cols());
+  for (int k = 0; k < wrenches.cols(); ++k) {
+    Wrench wrench{};
+    for (std::size_t i = 0; i < wrench.size(); ++i)
+      wrench[i] = step.sign * edge.basis(int(i), k);
+    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
+    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
+  }
+  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
+}
+
+void addThrough(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* z,
+                double* amounts)
+{
+  if (step.through.rows() > 0) {
+    for (int k = 0; k < step.through.cols(); ++k)
+      for (int i = 0; i < step.through.rows(); ++i)
+        amounts[i] += step.through(i, k) * z[k];
+    return;
+  }
+  Wrench wrench{};
+  std::copy_n(z, wrench.size(), wrench.begin());
+  wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
+  for (std::size_t i = 0; i < wrench.size(); ++i)
+    amounts[i] += step.sign * wrench[i];
+}
+
+void addBack(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* forces,
+             double* sum)
+{
+  if (step.through.rows() > 0) {
+    for (int k = 0; k < step.through.cols(); ++k)
+      for (int i = 0; i < step.through.rows(); ++i)
+        sum[k] += step.through(i, k) * forces[i];
+    return;
+  }
+  const double scale = step.sign / face.size, *M = forces + 3;
+  Direction arm{};
+  for (std::size_t i = 0; i < 3; ++i)
+    arm[i] = edge.middle[i] - face.centre[i];
+  for (std::size_t i = 0; i < 3; ++i) {
+    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+    sum[i] += step.sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
+    sum[3 + i] += scale * edge.length * M[i];
+  }
+}
 
 std::vector<StressEdge> stressEdges(const StressFaces& faces)
 {

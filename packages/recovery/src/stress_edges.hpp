@@ -14,7 +14,8 @@ struct StressEdge
     int face;
     double sign;           ///< of the traction on the face's first cell
     int cell;              ///< the one that the step leaves
-    DenseMatrix through{}; ///< amounts of the face's carrier, sign included: its columns x unknowns of the edge
+    DenseMatrix through{}; ///< amounts of the face's carrier, sign included: its columns x unknowns of the edge; empty
+                           ///< where all wrenches may circulate and the face takes them all
   };
   std::vector<Step> ring; ///< closed inside; at supported boundaries from one facet there to another
   bool isClosed = true;
@@ -22,6 +23,17 @@ struct StressEdge
   double length = 0.0;
   DenseMatrix basis; ///< 6 x unknowns: the wrenches that may circulate, about the middle
 };
+
+/// StressEdge::Step::through whether it is empty or not.
+DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face);
+
+/// amounts += through z of a step.
+void addThrough(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* z,
+                double* amounts);
+
+/// sum += through^T forces of a step, forces on the face's amounts.
+void addBack(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* forces,
+             double* sum);
 
 /// All edges around which anything can circulate. Those at which a body touches itself are left out.
 std::vector<StressEdge> stressEdges(const StressFaces& faces);

@@ -23,6 +23,14 @@ void addCross(const Direction& arm, const double* force, double factor, double* 
   moment[2] += factor * (arm[0] * force[1] - arm[1] * force[0]);
 }
 
+DenseMatrix upperLeft(const DenseMatrix& matrix, int rows, int cols)
+{
+  DenseMatrix part(rows, cols);
+  for (int j = 0; j < cols; ++j)
+    std::copy_n(matrix.col(j), rows, part.col(j));
+  return part;
+}
+
 DenseMatrix transposed(const DenseMatrix& matrix)
 {
   DenseMatrix result(matrix.cols(), matrix.rows());
@@ -89,6 +97,16 @@ DenseMatrix StressFace::onSide(std::size_t side, const DenseMatrix& columns) con
   return result;
 }
 
+DenseMatrix StressFace::allOwn() const
+{
+  DenseMatrix all(own.rows() + higher, numOwn());
+  for (int k = 0; k < own.cols(); ++k)
+    std::copy_n(own.col(k), own.rows(), all.col(k));
+  for (int k = 0; k < higher; ++k)
+    all(own.rows() + k, own.cols() + k) = 1.0;
+  return all;
+}
+
 StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactFacet>& contact)
     : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1)
 {
@@ -145,9 +163,11 @@ Vector StressFaces::findGeometry(StressFace& face) const
 
 void StressFaces::freeTractions(StressFace& face, const Vector& arms) const
 {
-  FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), face.size);
-  face.own = std::move(split.modes);
-  face.carrier = std::move(split.carrier);
+  const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), face.size);
+  constexpr int wrench = 6, linear = 9; // data of the modes that carry a wrench: splitFacet() uses no others
+  face.higher = cells_->facetData() - linear;
+  face.own = upperLeft(split.modes, linear, linear - wrench);
+  face.carrier = upperLeft(split.carrier, linear, wrench);
   face.reach = DenseMatrix(6, 6);
   for (int i = 0; i < 6; ++i)
     face.reach(i, i) = 1.0;

@@ -16,6 +16,7 @@ using Wrench = std::array<double, 6>;
 /// A facet of the cells of solids, and the tractions that may be changed on it: T = own y + carrier r. `own` carries no
 /// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach = 1), on the
 /// boundary those along supported directions, between two bodies in contact those along the normal.
+/// Rows that the matrices do not have are zero; inside, the last `higher` of y are the last data of T as they stand.
 struct StressFace
 {
   std::array<int, 2> cell{-1, -1};    ///< the second is -1 on the boundary
@@ -26,13 +27,17 @@ struct StressFace
   Direction centre{};
   double size = 0.0;               ///< square root of the area: moments are divided by it
   std::array<Direction, 2> arms{}; ///< means of (x - centre) L_1, (x - centre) L_2
-  DenseMatrix own;                 ///< facet data x columns
-  DenseMatrix carrier;             ///< facet data x r
-  DenseMatrix reach;               ///< 6 x r, independent columns
-  DenseMatrix choose;              ///< r x 6: the pseudo-inverse of reach
+  int higher = 0;
+  DenseMatrix own;     ///< rows x columns
+  DenseMatrix carrier; ///< rows x r
+  DenseMatrix reach;   ///< 6 x r, independent columns
+  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach
 
   bool isInside() const { return cell[1] >= 0 && contact < 0; }
   bool isBoundary() const { return cell[1] < 0; }
+  int numOwn() const { return own.cols() + higher; }
+  /// T of the unknowns y, facet data x numOwn().
+  DenseMatrix allOwn() const;
   std::size_t sideOf(int number) const { return cell[0] == number ? 0 : 1; }
   /// The wrench of tractions T about a point, moments over `length`.
   Wrench wrench(const double* T, const double* point, double length) const;

@@ -9,7 +9,34 @@ namespace ndframe
 namespace
 {
 
-constexpr int together = 64; ///< cells of one product
+constexpr int together = 64;     ///< cells of one product
+constexpr std::size_t most = 72; ///< tractions of a cell, degree 2
+
+typedef float Lanes __attribute__((vector_size(4 * StressMatrices::lanes), aligned(4), may_alias));
+
+#if defined(__x86_64__) && defined(__gnu_linux__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__)
+#define NDFRAME_EVERY_PROCESSOR __attribute__((target_clones("default", "arch=haswell", "arch=skylake-avx512")))
+#else
+#define NDFRAME_EVERY_PROCESSOR
+#endif
+
+/// y = A x, lane by lane, from the columns of A below its diagonal.
+NDFRAME_EVERY_PROCESSOR void symmetricProduct(const float* triangle, const float* x, float* y, std::size_t size)
+{
+  const auto* A = reinterpret_cast<const Lanes*>(triangle);
+  const auto* from = reinterpret_cast<const Lanes*>(x);
+  auto* to = reinterpret_cast<Lanes*>(y);
+  for (std::size_t j = 0; j < size; ++j) {
+    const Lanes here = from[j];
+    Lanes sum = to[j] + *A++ * here;
+    for (std::size_t i = j + 1; i < size; ++i) {
+      const Lanes entry = *A++;
+      to[i] += entry * here;
+      sum += entry * from[i];
+    }
+    to[j] = sum;
+  }
+}
 
 void pullBack(const CellMap& map, const double* vector, double* result)
 {
@@ -29,15 +56,25 @@ DenseMatrix pulledBack(const CellMap& map, const DenseMatrix& columns)
   return result;
 }
 
-StressMatrices::StressMatrices(const StarBody& body, const std::function<void(int, const DenseMatrix&)>& use)
-    : body_(&body)
+void addPushed(const CellMap& map, const double* forces, int count, double* sum)
 {
+  for (int at = 0; at < count; at += 3)
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[at + int(i)] +=
+          map.inverse[i] * forces[at] + map.inverse[3 + i] * forces[at + 1] + map.inverse[6 + i] * forces[at + 2];
+}
+
+StressMatrices::StressMatrices(const StarBody& body,
+                               const std::function<void(int, const CellMap&, const DenseMatrix&)>& use)
+    : tractions_(std::size_t(body.reference().tractions))
+{
+  NDFRAME_ASSERT(tractions_ <= most, "more data than a cell of degree 2 has");
   const Mesh& mesh = body.model().mesh;
   const ReferenceStress& reference = body.reference();
-  const int cells = mesh.numCells(), tractions = reference.tractions, data = reference.data();
-  const std::size_t size = std::size_t(tractions) * std::size_t(data);
+  const int cells = mesh.numCells();
   const CellForms forms(reference);
-  matrices_.resize(std::size_t(cells) * size);
+  maps_.reserve(std::size_t(cells));
+  triangles_.resize(std::size_t((cells + lanes - 1) / lanes) * lanes * tractions_ * (tractions_ + 1) / 2);
   for (int first = 0; first < cells; first += together) {
     DenseMatrix compliances(int(reference.energy.size()), std::min(together, cells - first));
     for (int c = 0; c < compliances.cols(); ++c) {
@@ -46,38 +83,47 @@ StressMatrices::StressMatrices(const StarBody& body, const std::function<void(in
       std::copy(entries.begin(), entries.end(), compliances.col(c));
     }
     forms.each(compliances, [&](int c, const DenseMatrix& A) {
-      float* matrix = matrices_.data() + std::size_t(first + c) * size;
-      for (int j = 0; j < data; ++j)
-        for (int i = 0; i < tractions; ++i)
-          *matrix++ = float(A(i, j));
-      use(first + c, A);
+      keep(first + c, A);
+      use(first + c, maps_[std::size_t(first + c)], A);
     });
   }
 }
 
-void StressMatrices::multiply(int cell, const double* x, int count, double* forces) const
+void StressMatrices::keep(int cell, const DenseMatrix& A)
 {
-  constexpr std::size_t mostData = 128;
-  const auto rows = std::size_t(body_->reference().tractions), data = std::size_t(body_->reference().data());
-  std::array<float, mostData> from{}, to{};
-  NDFRAME_ASSERT(data <= mostData, "more data than a cell of degree 2 has");
-  const CellMap& map = maps_[std::size_t(cell)];
-  for (std::size_t at = 0; at < std::size_t(count); at += 3) {
-    double local[3];
-    pullBack(map, x + at, local);
-    for (std::size_t i = 0; i < 3; ++i)
-      from[at + i] = float(local[i]);
+  const std::size_t triangle = tractions_ * (tractions_ + 1) / 2, batch = std::size_t(cell) / lanes;
+  float* entry = triangles_.data() + batch * triangle * lanes + std::size_t(cell) % lanes;
+  for (int j = 0; j < int(tractions_); ++j)
+    for (int i = j; i < int(tractions_); ++i, entry += lanes)
+      *entry = float(A(i, j));
+}
+
+int StressMatrices::sizeOf(int batch) const
+{
+  return std::min(lanes, int(maps_.size()) - batch * lanes);
+}
+
+void StressMatrices::multiply(int batch, const double* T, double* forces) const
+{
+  std::array<float, most * lanes> x{}, y{};
+  const auto count = std::size_t(sizeOf(batch));
+  const CellMap* maps = maps_.data() + std::size_t(batch) * lanes;
+  for (std::size_t lane = 0; lane < count; ++lane)
+    for (std::size_t at = 0; at < tractions_; at += 3) {
+      double local[3];
+      pullBack(maps[lane], T + lane * tractions_ + at, local);
+      for (std::size_t i = 0; i < 3; ++i)
+        x[(at + i) * lanes + lane] = float(local[i]);
+    }
+  symmetricProduct(triangles_.data() + std::size_t(batch) * lanes * tractions_ * (tractions_ + 1) / 2, x.data(),
+                   y.data(), tractions_);
+  std::fill_n(forces, count * tractions_, 0.0);
+  std::array<double, most> local{};
+  for (std::size_t lane = 0; lane < count; ++lane) {
+    for (std::size_t at = 0; at < tractions_; ++at)
+      local[at] = double(y[at * lanes + lane]);
+    addPushed(maps[lane], local.data(), int(tractions_), forces + lane * tractions_);
   }
-  const float* A = matrices_.data() + std::size_t(cell) * rows * data;
-  for (std::size_t j = 0; j < std::size_t(count); ++j, A += rows) {
-    const float factor = from[j];
-    for (std::size_t i = 0; i < rows; ++i)
-      to[i] += A[i] * factor;
-  }
-  for (std::size_t at = 0; at < rows; at += 3)
-    for (std::size_t i = 0; i < 3; ++i)
-      forces[at + i] = map.inverse[i] * double(to[at]) + map.inverse[3 + i] * double(to[at + 1]) +
-                       map.inverse[6 + i] * double(to[at + 2]);
 }
 
 } // namespace ndframe

@@ -241,10 +241,10 @@ Vector WrenchBalance::balance(const Star& star, StarFields& x) const
   for (const Flow& flow : all)
     for (int field = 0; field < x.cols(); ++field) {
       const Vector traction = multiply(flow.face->carrier, amounts(flow, p.col(field), vertex, size));
-      for (int i = 0; i < facetData; ++i) {
-        place(*flow.spoke, 0, field)[i] += traction[std::size_t(i)];
+      for (std::size_t i = 0; i < traction.size(); ++i) {
+        place(*flow.spoke, 0, field)[i] += traction[i];
         if (flow.face->isInside())
-          place(*flow.spoke, 1, field)[i] -= traction[std::size_t(i)];
+          place(*flow.spoke, 1, field)[i] -= traction[i];
       }
     }
   return leftOver(needed, free);
