@@ -123,6 +123,20 @@ Vector DenseCholesky::solveUpper(Vector b) const
   return solveTriangle(factor_, CblasTrans, std::move(b));
 }
 
+DenseMatrix DenseCholesky::inverse() const
+{
+  DenseMatrix result = factor_;
+  const int n = result.rows();
+  int info = 0;
+  if (n > 0)
+    dpotri_("L", &n, result.data(), &n, &info);
+  NDFRAME_ASSERT(info == 0, "pivots are positive");
+  for (int j = 0; j < n; ++j)
+    for (int i = 0; i < j; ++i)
+      result(i, j) = result(j, i);
+  return result;
+}
+
 DenseMatrix nullSpace(const DenseMatrix& A, double relativeTolerance)
 {
   const int m = A.rows(), n = A.cols(), lda = std::max(1, m), least = std::min(m, n);

@@ -1,6 +1,7 @@
 #include "stress_blocks.hpp"
 
 #include <algorithm>
+#include <array>
 
 #include "stress_matrices.hpp"
 
@@ -9,20 +10,38 @@ namespace ndframe
 namespace
 {
 
-/// A diagonal block of a square matrix.
-DenseMatrix partOf(const DenseMatrix& A, int first, int size)
+/// The rows of a column that are not zero.
+std::pair<int, int> support(const DenseMatrix& columns, int k)
 {
-  DenseMatrix part(size, size);
-  for (int j = 0; j < size; ++j)
-    std::copy_n(A.col(first + j) + first, size, part.col(j));
-  return part;
+  const double* column = columns.col(k);
+  int first = 0, last = columns.rows();
+  while (first < last && column[first] == 0.0)
+    ++first;
+  while (last > first && column[last - 1] == 0.0)
+    --last;
+  return {first, last};
 }
 
-void addTo(DenseMatrix& sum, const DenseMatrix& other)
+/// sum(toRow.., toCol..) += left^T A(row.., col..) right
+void addCongruence(const DenseMatrix& left, int row, const DenseMatrix& A, int col, const DenseMatrix& right,
+                   DenseMatrix& sum, int toRow, int toCol)
 {
-  for (int j = 0; j < sum.cols(); ++j)
-    for (int i = 0; i < sum.rows(); ++i)
-      sum(i, j) += other(i, j);
+  std::array<double, 18> product{}; // facet data at most
+  const int rows = left.rows();
+  for (int k = 0; k < right.cols(); ++k) {
+    std::fill_n(product.begin(), rows, 0.0);
+    const auto [first, last] = support(right, k);
+    for (int j = first; j < last; ++j) {
+      const double *entries = A.col(col + j) + row, factor = right(j, k);
+      for (int i = 0; i < rows; ++i)
+        product[std::size_t(i)] += entries[i] * factor;
+    }
+    for (int l = 0; l < left.cols(); ++l) {
+      const auto [begin, end] = support(left, l);
+      for (int i = begin; i < end; ++i)
+        sum(toRow + l, toCol + k) += left(i, l) * product[std::size_t(i)];
+    }
+  }
 }
 
 /// sum += left^T W(row.., col..) right
@@ -63,26 +82,24 @@ void StressBlocks::add(int cell, const CellMap& map, const DenseMatrix& A)
 {
   const int size = faces_->cells().facetData();
   std::array<int, 4> faces{}, begin{};
+  std::array<DenseMatrix, 4> carriers; // on this cell
   int columns = 0;
-  for (int facet = 0; facet < 4; ++facet) {
-    const auto at = std::size_t(facet);
-    faces[at] = faces_->of(cell, facet);
-    const StressFace& face = (*faces_)[faces[at]];
-    begin[at] = columns;
+  for (std::size_t facet = 0; facet < 4; ++facet) {
+    faces[facet] = faces_->of(cell, int(facet));
+    const StressFace& face = (*faces_)[faces[facet]];
+    begin[facet] = columns;
     columns += face.carrier.cols();
+    carriers[facet] = pulledBack(map, face.onSide(face.sideOf(cell), face.carrier));
     const DenseMatrix own = pulledBack(map, face.onSide(face.sideOf(cell), face.allOwn()));
-    if (own.cols() > 0)
-      addTo(blocks_[std::size_t(faces[at])], multiplyTransposed(own, multiply(partOf(A, facet * size, size), own)));
+    addCongruence(own, int(facet) * size, A, int(facet) * size, own, blocks_[std::size_t(faces[facet])], 0, 0);
   }
-  DenseMatrix carriers(4 * size, columns); // on this cell
-  for (int facet = 0; facet < 4; ++facet) {
-    const StressFace& face = (*faces_)[faces[std::size_t(facet)]];
-    const DenseMatrix carrier = pulledBack(map, face.onSide(face.sideOf(cell), face.carrier));
-    for (int j = 0; j < carrier.cols(); ++j)
-      std::copy_n(carrier.col(j), carrier.rows(),
-                  carriers.col(begin[std::size_t(facet)] + j) + std::ptrdiff_t(facet) * size);
-  }
-  const DenseMatrix W = multiplyTransposed(carriers, multiply(partOf(A, 0, carriers.rows()), carriers));
+  DenseMatrix W(columns, columns);
+  for (std::size_t g = 0; g < 4; ++g)
+    for (std::size_t f = 0; f <= g; ++f)
+      addCongruence(carriers[f], int(f) * size, A, int(g) * size, carriers[g], W, begin[f], begin[g]);
+  for (int j = 0; j < columns; ++j)
+    for (int i = 0; i < j; ++i)
+      W(j, i) = W(i, j);
   for (const int e : edgesOf_[std::size_t(cell)])
     addEdge(e, faces, begin, W);
 }
@@ -103,19 +120,8 @@ void StressBlocks::addEdge(int e, const std::array<int, 4>& faces, const std::ar
 
 void StressBlocks::invert()
 {
-  for (DenseMatrix& block : blocks_) {
-    const int size = block.rows();
-    if (size == 0)
-      continue;
-    const DenseCholesky factor(std::move(block));
-    block = DenseMatrix(size, size);
-    for (int j = 0; j < size; ++j) {
-      Vector unit(std::size_t(size), 0.0);
-      unit[std::size_t(j)] = 1.0;
-      const Vector column = factor.solve(std::move(unit));
-      std::copy(column.begin(), column.end(), block.col(j));
-    }
-  }
+  for (DenseMatrix& block : blocks_)
+    block = DenseCholesky(std::move(block)).inverse();
 }
 
 Vector StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held) const

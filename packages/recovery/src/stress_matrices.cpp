@@ -9,7 +9,7 @@ namespace ndframe
 namespace
 {
 
-constexpr int together = 64;     ///< cells of one product
+constexpr int together = 16;     ///< cells of one product
 constexpr std::size_t most = 72; ///< tractions of a cell, degree 2
 
 typedef float Lanes __attribute__((vector_size(4 * StressMatrices::lanes), aligned(4), may_alias));

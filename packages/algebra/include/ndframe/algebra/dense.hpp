@@ -56,6 +56,8 @@ public:
   /// L^-1 b and L^-T b, A = L L^T: half a solution each.
   Vector solveLower(Vector b) const;
   Vector solveUpper(Vector b) const;
+  /// A^-1.
+  DenseMatrix inverse() const;
   int size() const { return factor_.rows(); }
 
 private:
