@@ -20,7 +20,7 @@ class Solid:
     foot: str  # the side of contact
     young: float = 1.0
     poisson: float = 0.3
-    supports: dict = dataclasses.field(default_factory=dict)  # side -> Type
+    supports: dict = dataclasses.field(default_factory=dict)  # side -> Type, or name -> list of (key, type, value)
     loads: dict = dataclasses.field(default_factory=dict)  # name -> list of (key, type, value)
     shake: float = 0.0  # of the vertices inside, in parts of a cell
     seed: int = 0  # of numbering and shaking
@@ -67,7 +67,8 @@ class Solid:
     def deck(self):
         parameter = lambda key, kind, value: f'<Parameter name="{key}" type="{kind}" value="{value}"/>'
         listed = lambda name, entries: f'<ParameterList name="{name}">{"".join(entries)}</ParameterList>'
-        supports = [listed(side, [parameter("Type", "string", kind), parameter("Side", "string", side)])
+        given = lambda side, kind: kind if isinstance(kind, list) else [("Type", "string", kind), ("Side", "string", side)]
+        supports = [listed(side, [parameter(*entry) for entry in given(side, kind)])
                     for side, kind in self.supports.items()]
         loads = [listed(name, [parameter(*entry) for entry in load]) for name, load in self.loads.items()]
         return listed(self.name, [

@@ -166,7 +166,8 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
       const auto node = std::size_t(facet.nodes[i]);
       const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);
       const double share = shareOf(facet.dim, scene.order, i);
-      cost[node] -= share * std::min(2.0 * stiffness * std::max(0.0, open), most * facet.measure);
+      const double perSize = facet.dim == 2 ? 1.0 : std::sqrt(facet.measure); // measure / h
+      cost[node] -= share * std::min(2.0 * stiffness * perSize * std::max(0.0, open), most * facet.measure);
     }
   }
   return cost;
