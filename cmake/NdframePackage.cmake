@@ -1,8 +1,27 @@
-# ndframe_package(NAME SOURCES ... [DEPENDS packages ...] [LIBRARIES third-party targets ...] [PUBLIC_LIBRARIES ...])
+# A package that the program loads when it is needed. It sees the headers of its DEPENDS and links none of them, which
+# the linker proves.
+function(ndframe_module target)
+  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES" ${ARGN})
+  add_library(${target} MODULE ${ARG_SOURCES})
+  foreach(package ${ARG_DEPENDS})
+    target_include_directories(${target} PRIVATE $<TARGET_PROPERTY:ndframe_${package},INTERFACE_INCLUDE_DIRECTORIES>)
+  endforeach()
+  target_link_libraries(${target} PRIVATE ndframe_options ${ARG_LIBRARIES})
+  target_link_options(${target} PRIVATE LINKER:--no-undefined LINKER:--as-needed)
+  set_target_properties(${target} PROPERTIES OUTPUT_NAME ${target}-${PROJECT_VERSION}
+                                             LIBRARY_OUTPUT_DIRECTORY ${PROJECT_BINARY_DIR}/${NDFRAME_MODULE_DIR})
+  install(TARGETS ${target} LIBRARY DESTINATION ${NDFRAME_MODULE_DIR})
+endfunction()
+
+# ndframe_package(NAME [MODULE] SOURCES ... [DEPENDS packages ...] [LIBRARIES third-party targets ...] [PUBLIC_LIBRARIES ...])
 # One static library `ndframe_NAME` (installed as ndframe::NAME) with its headers in packages/NAME/include/ndframe/NAME.
 function(ndframe_package name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})
+  cmake_parse_arguments(ARG "MODULE" "" "SOURCES;DEPENDS;LIBRARIES;PUBLIC_LIBRARIES" ${ARGN})
   set(target ndframe_${name})
+  if(ARG_MODULE)
+    ndframe_module(${target} SOURCES ${ARG_SOURCES} DEPENDS ${ARG_DEPENDS} LIBRARIES ${ARG_LIBRARIES})
+    return()
+  endif()
   add_library(${target} STATIC ${ARG_SOURCES})
   add_library(ndframe::${name} ALIAS ${target})
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>

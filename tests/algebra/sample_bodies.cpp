@@ -1,6 +1,7 @@
 #include "algebra/sample_bodies.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <random>
 
@@ -181,7 +182,25 @@ SolverProblem SampleBody::problemWithoutKept(Support support) const
   SolverProblem problem = problemWith(matrix, {}, fixed);
   problem.nearNullSpace = rigidMotions;
   problem.nodePoints = points;
+  problem.edgeNodes = edgeNodes();
   return problem;
+}
+
+EdgeNodes SampleBody::edgeNodes() const
+{
+  EdgeNodes result;
+  if (std::any_of(cells.begin(), cells.end(), [](int c) { return c % 2 != 0; }))
+    return result;
+  const Grid grid{cells};
+  for (int node = 0; node < grid.numNodes(); ++node) {
+    std::vector<int> before = grid.index(node), after = before;
+    for (std::size_t i = 0; i < before.size(); ++i) {
+      after[i] += before[i] % 2;
+      before[i] -= before[i] % 2;
+    }
+    result.ends.push_back({grid.node(before), grid.node(after)});
+  }
+  return result;
 }
 
 SolverProblem SampleBody::problem(Support support) const
@@ -196,6 +215,50 @@ SolverProblem SampleBody::problem(Support support) const
       problem.kept.push_back(dof);
     }
   return problem;
+}
+
+void turnNodes(SampleBody& body, SolverProblem& problem, const std::vector<int>& chosen)
+{
+  const int dim = body.matrix.dim;
+  DenseMatrix Q(body.matrix.numDofs(), dim); // of all nodes, one above the other
+  for (int node = 0; node < body.matrix.numNodes; ++node) {
+    const bool isTurned = std::find(chosen.begin(), chosen.end(), node) != chosen.end();
+    const double angle = isTurned ? 0.3 + 0.1 * node : 0.0;
+    for (int i = 0; i < dim; ++i)
+      Q(node * dim + i, i) = i < 2 ? std::cos(angle) : 1.0;
+    Q(node * dim, 1) = std::sin(angle);
+    Q(node * dim + 1, 0) = -std::sin(angle);
+    if (isTurned) {
+      problem.edgeNodes.turned.push_back(node);
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          problem.edgeNodes.axes.push_back(Q(node * dim + i, j));
+    }
+  }
+  const auto turned = [&](const double* values, int node, int columns, int stride) {
+    DenseMatrix axes(dim, dim), block(dim, columns);
+    for (int i = 0; i < dim; ++i)
+      for (int j = 0; j < std::max(dim, columns); ++j) {
+        if (j < dim)
+          axes(i, j) = Q(node * dim + i, j);
+        if (j < columns)
+          block(i, j) = values[i * stride + j];
+      }
+    return multiply(axes, block);
+  };
+  BlockMatrix& K = body.matrix;
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (auto b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
+      double* const values = K.values.data() + b * dim * dim;
+      const DenseMatrix rows = turned(values, K.rows[r], dim, dim); // Q_i K_ij, column-major: its transpose row-major
+      const DenseMatrix both = turned(rows.data(), K.cols[std::size_t(b)], dim, dim); // Q_j (Q_i K_ij)^T
+      std::copy_n(both.data(), dim * dim, values); // column-major: (Q_i K_ij Q_j^T) row-major
+    }
+  for (int node = 0; node < K.numNodes; ++node)
+    for (int m = 0; m < problem.nearNullSpace.cols(); ++m) {
+      const DenseMatrix motion = turned(problem.nearNullSpace.col(m) + node * dim, node, 1, 1);
+      std::copy_n(motion.data(), dim, problem.nearNullSpace.col(m) + node * dim);
+    }
 }
 
 SolverProblem problemWith(const BlockMatrix& matrix, const std::vector<int>& kept, const std::vector<int>& fixed)

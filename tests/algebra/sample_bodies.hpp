@@ -31,10 +31,16 @@ struct SampleBody
   SolverProblem problem(Support support) const;
   /// Keeps nothing.
   SolverProblem problemWithoutKept(Support support) const;
+  /// With even numbers of cells every node but those of the grid twice as coarse lies half way between two of these:
+  /// as in second-order elements. Else all nodes are vertices.
+  EdgeNodes edgeNodes() const;
 };
 
 /// `stiffness` and `length` choose the units. Rows are dealt to the ranks in chunks of three nodes.
 SampleBody trussBody(std::vector<int> cells, const Comm& comm, double stiffness = 1.0, double length = 1.0);
+
+/// Gives the nodes that `chosen` names axes of their own: the same body in other components.
+void turnNodes(SampleBody& body, SolverProblem& problem, const std::vector<int>& chosen);
 
 /// Keeps `kept` of the matrix's dofs, in this order, and fixes `fixed`.
 SolverProblem problemWith(const BlockMatrix& matrix, const std::vector<int>& kept, const std::vector<int>& fixed);

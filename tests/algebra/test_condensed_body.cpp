@@ -192,6 +192,8 @@ INSTANTIATE_TEST_SUITE_P(AllSolvers, EverySolver,
                                          Case{"Mumps", {3, 2, 3}, test::Support::None, roundOff},
                                          Case{"Krylov", {12, 9}, test::Support::Clamp, krylovTolerance},
                                          Case{"Krylov", {3, 2, 3}, test::Support::None, krylovTolerance},
+                                         Case{"Multigrid", {12, 8}, test::Support::Clamp, krylovTolerance},
+                                         Case{"Multigrid", {4, 2, 4}, test::Support::None, krylovTolerance},
                                          Case{"Automatic", {7, 5}, test::Support::Guide, roundOff}),
                          [](const auto& oneCase) {
                            return std::string(oneCase.param.solver) +

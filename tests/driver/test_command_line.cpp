@@ -148,7 +148,7 @@ TEST_F(Program, PlansWithoutReadingAMesh)
   for (const char* line :
        {"  gmsh                skip   no .geo script: the library is not loaded\n",
         "  mpi                 skip   one process: MPI is not started\n",
-        "  krylov              skip   no linear solver Krylov: Tpetra is not loaded\n",
+        "  krylov              skip   neither Krylov nor Multigrid as linear solver: Tpetra is not loaded\n",
         "  couple              run    Monolithic\n",
         "  certificate         skip   the deck has no list Error Estimation\n",
         "  stress              skip   no Exodus file is written\n", "  read                run    2 bodies\n"})

@@ -31,7 +31,7 @@ class MemoryLimits(RoughWorld):
 
     def test_a_scene_that_cannot_fit_is_refused_before_it_is_assembled(self):
         done = self.run_command(*under(600, *cells(300)))
-        self.assert_refused(done, "dofs need about ", "(ulimit -v) are left: use coarser meshes, order 1, or Krylov",
+        self.assert_refused(done, "dofs need about ", "(ulimit -v) are left: use coarser meshes, order 1, or Multigrid",
                             "nothing was computed")
 
     def test_threads_find_their_memory(self):

@@ -19,7 +19,9 @@ GOOD_TREE = {
     "packages/mesh/CMakeLists.txt": "ndframe_package(mesh\n  SOURCES src/m.cpp\n  DEPENDS base # algebra\n  LIBRARIES x)\n",
     "packages/mesh/src/m.cpp": '#include <vector>\n#include "ndframe/base/a.hpp"\n',
     "packages/algebra/CMakeLists.txt": "ndframe_package(algebra SOURCES src/t.cpp DEPENDS base)\n",
-    "packages/algebra/src/krylov/t.cpp": "#include <Tpetra_CrsMatrix.hpp>\n#include <mpi.h>\n",
+    "packages/algebra/src/t.cpp": "#include <mpi.h>\n",
+    "packages/krylov/CMakeLists.txt": "ndframe_package(krylov MODULE\n  SOURCES src/k.cpp\n  DEPENDS algebra)\n",
+    "packages/krylov/src/k.cpp": "#include <Tpetra_CrsMatrix.hpp>\n",
     "apps/main.cpp": '#include "ndframe/base/a.hpp"\n\nint main() { return answer(); }\n',
 }
 

@@ -34,7 +34,7 @@ double neededMemory(const cholmod_factor& factor, int numKept)
   if (common.lnz > 0) // negative before the analysis has counted it
     size = fmt::format(": it takes {:.1f} GB, {:.1f} GB of it for the {} nodes on the interface", 8e-9 * common.lnz,
                        4e-9 * double(numKept) * numKept, numKept);
-  throw InputError(fmt::format("The Cholesky factor does not fit into memory{}{}; use Krylov as linear solver or a "
+  throw InputError(fmt::format("The Cholesky factor does not fit into memory{}{}; use Multigrid as linear solver or a "
                                "coarser mesh.",
                                size, more));
 }

@@ -3,7 +3,7 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "krylov_library.hpp"
+#include "ndframe/algebra/krylov_library.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe

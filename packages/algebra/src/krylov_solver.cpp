@@ -1,16 +1,13 @@
-#include <cmath>
-#include <numeric>
-
 #include <fmt/format.h>
 
+#include "krylov_body.hpp"
 #include "krylov_module.hpp"
 #include "library_list.hpp"
+#include "ndframe/algebra/linear_level.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "preconditioner_registry.hpp"
-#include "recycled_solutions.hpp"
 #include "solver_problem.hpp"
 #include "solvers.hpp"
-#include "split_body.hpp"
 
 namespace ndframe
 {
@@ -18,214 +15,55 @@ namespace ndframe
 namespace
 {
 
-struct KrylovOptions
-{
-  double tolerance;
-  int maxIterations;
-};
-
-double meanDiagonal(const BlockMatrix& K, const Comm& comm)
-{
-  const Vector d = diagonal(K, comm);
-  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
-}
-
-std::unique_ptr<ConjugateGradients> makeCg(const SolverProblem& problem, const Comm& comm,
-                                           const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
-{
-  startMpi();
-  try {
-    return krylovLibrary().conjugateGradients(problem, comm, meanDiagonal(*problem.matrix, comm), preconditioner,
-                                              belos);
-  } catch (const Teuchos::Exceptions::InvalidParameter& refusal) {
-    throw InputError(fmt::format("{} does not take its parameters: {}", preconditioner.name(), refusal.what()));
-  }
-}
-
-/// K on the dofs of one role, solved by conjugate gradients from a start that earlier solutions give.
-class KrylovSystem
-{
-public:
-  KrylovSystem(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-               const Preconditioner& preconditioner, const Teuchos::ParameterList& belos)
-      : matrix_(*problem.matrix), roles_(problem.roles), comm_(comm), ledger_(ledger), options_(options),
-        cg_(makeCg(problem, comm, preconditioner, belos))
-  {}
-
-  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first: CG follows a
-  /// residual of its own that drifts, so it is started again on what is left. Throws NotConverged and SingularBody.
-  Vector solve(const Vector& load, Vector u) const
-  {
-    Vector residual = interiorResidual(load, u);
-    const double initial = norm(residual);
-    u = sum(std::move(u), recycled_.start(residual));
-    const Vector start = u, missing = residual = interiorResidual(load, u);
-    double current = norm(residual);
-    int iterations = 0;
-    while (!(current <= options_.tolerance * initial)) {
-      if (iterations >= options_.maxIterations || !std::isfinite(current))
-        throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
-                                       "Iterations\" or use another preconditioner or a direct solver",
-                                       current / initial, options_.tolerance, iterations));
-      const double reduction = 0.5 * options_.tolerance * initial / current;
-      ConjugateGradients::Result step = cg_->solve(residual, reduction, options_.maxIterations - iterations);
-      comm_.sum(step.x);
-      for (std::size_t dof = 0; dof < u.size(); ++dof)
-        if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
-          u[dof] += step.x[dof];
-      iterations += std::max(step.iterations, 1);
-      residual = interiorResidual(load, u);
-      current = norm(residual);
-    }
-    if (iterations > 0)
-      recycled_.add(difference(u, start), difference(missing, residual));
-    ledger_.count("back-solves");
-    ledger_.count("Krylov solves");
-    ledger_.count("Krylov iterations", iterations);
-    return u;
-  }
-
-private:
-  static Vector sum(Vector a, const Vector& b)
-  {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] += b[i];
-    return a;
-  }
-  static Vector difference(Vector a, const Vector& b)
-  {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] -= b[i];
-    return a;
-  }
-
-  /// load - K u on the interior dofs, zero elsewhere.
-  Vector interiorResidual(const Vector& load, const Vector& u) const
-  {
-    Vector residual = multiply(matrix_, u, comm_);
-    for (std::size_t dof = 0; dof < residual.size(); ++dof)
-      residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
-    return residual;
-  }
-
-  const BlockMatrix& matrix_;
-  std::vector<DofRole> roles_;
-  Comm comm_;
-  Ledger& ledger_;
-  KrylovOptions options_;
-  std::unique_ptr<ConjugateGradients> cg_;
-  mutable RecycledSolutions recycled_;
-};
-
-/// The problem whose kept dofs are unknowns, but for the held ones.
-SolverProblem freeProblem(SolverProblem problem, const FreeMotions& motions)
-{
-  for (const int dof : problem.kept)
-    problem.roles[std::size_t(dof)] = DofRole::Interior;
-  for (const int held : motions.held)
-    problem.roles[std::size_t(problem.kept[std::size_t(held)])] = DofRole::Fixed;
-  problem.kept.clear();
-  return problem;
-}
-
-/// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
-/// dof.
-class KrylovBody final : public SplitBody
-{
-public:
-  KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-             std::shared_ptr<const Preconditioner> preconditioner, Teuchos::ParameterList belos)
-      : SplitBody(problem, comm, ledger), problem_(problem), options_(options),
-        preconditioner_(std::move(preconditioner)), belos_(std::move(belos)), interior_(makeSystem(problem))
-  {}
-
-  DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
-  {
-    checkShapes(load, kept);
-    DenseMatrix u(numDofs(), load.cols());
-    for (int j = 0; j < u.cols(); ++j) {
-      Vector start(std::size_t(numDofs()), 0.0);
-      for (int c = 0; c < numKept(); ++c)
-        start[std::size_t(kept_[std::size_t(c)])] = kept(c, j);
-      const Vector solution = interior_->solve(load.column(j), std::move(start));
-      std::copy(solution.begin(), solution.end(), u.col(j));
-    }
-    return u;
-  }
-
-  Vector solveNeumann(const Vector& force) const override
-  {
-    if (!free_)
-      free_ = makeSystem(freeProblem(problem_, motions_));
-    Vector load(std::size_t(numDofs()), 0.0), kept;
-    for (std::size_t c = 0; c < kept_.size(); ++c)
-      load[std::size_t(kept_[c])] = force[c];
-    const Vector u = free_->solve(load, Vector(load.size(), 0.0));
-    for (const int dof : kept_)
-      kept.push_back(u[std::size_t(dof)]);
-    return kept;
-  }
-
-  bool solvesNeumann() const override { return true; }
-
-  DenseMatrix schurComplement() const override
-  {
-    const int n = numKept();
-    DenseMatrix S(n, n);
-    for (int j = 0; j < n; ++j) {
-      Vector unit(std::size_t(n), 0.0);
-      unit[std::size_t(j)] = 1.0;
-      const Vector column = applySchur(unit);
-      std::copy(column.begin(), column.end(), S.col(j));
-    }
-    for (int j = 0; j < n; ++j) // symmetric but for the tolerance of the solves
-      for (int i = 0; i < j; ++i)
-        S(i, j) = S(j, i) = 0.5 * (S(i, j) + S(j, i));
-    return S;
-  }
-
-  bool hasCheapSchur() const override { return false; }
-
-  std::string description() const override
-  {
-    return fmt::format("Krylov, Belos CG, {}, tolerance {:.0e}", preconditioner_->name(), options_.tolerance);
-  }
-
-private:
-  std::unique_ptr<KrylovSystem> makeSystem(const SolverProblem& problem) const
-  {
-    return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, *preconditioner_, belos_);
-  }
-
-  SolverProblem problem_;
-  KrylovOptions options_;
-  std::shared_ptr<const Preconditioner> preconditioner_;
-  Teuchos::ParameterList belos_;
-  std::unique_ptr<KrylovSystem> interior_;
-  mutable std::unique_ptr<KrylovSystem> free_; ///< with the kept dofs as unknowns: set up when it is first needed
-};
-
+/// Conjugate gradients with a preconditioner of one of the libraries for all nodes ("Krylov"), or for the vertices,
+/// below Chebyshev's polynomials on all nodes ("Multigrid"). Where all nodes are vertices it is the first either way.
 class Krylov final : public LinearSolver
 {
 public:
-  Krylov(KrylovOptions options, std::unique_ptr<Preconditioner> preconditioner, const Teuchos::ParameterList& belos)
-      : options_(options), preconditioner_(std::move(preconditioner)), belos_(belos)
+  Krylov(std::string name, KrylovOptions options, std::unique_ptr<Preconditioner> preconditioner,
+         const Teuchos::ParameterList& belos)
+      : name_(std::move(name)), options_(options), preconditioner_(std::move(preconditioner)), belos_(belos),
+        hasTwoLevels_(name_ == "Multigrid")
   {}
 
   std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
   {
     checkProblem(problem, comm);
     const auto timer = ledger.time("factor");
-    return std::make_unique<KrylovBody>(problem, comm, ledger, options_, preconditioner_, belos_);
+    const bool twoLevels = hasTwoLevels_ && !problem.edgeNodes.ends.empty();
+    const auto make = [preconditioner = preconditioner_, belos = belos_,
+                       twoLevels](const SolverProblem& given, const Comm& ranks, double decoupledDiagonal) {
+      return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
+    };
+    return makeKrylovBody(problem, comm, ledger, options_, make,
+                          fmt::format("{}, Belos CG, {}{}", name_, twoLevels ? "Chebyshev and on the vertices " : "",
+                                      preconditioner_->name()));
   }
 
-  std::string name(int) const override { return "Krylov"; }
+  std::string name(int) const override { return name_; }
   bool needsMpi(int) const override { return true; } // Ifpack2 and MueLu call it even on one process
 
 private:
+  static std::unique_ptr<ConjugateGradients> makeCg(const SolverProblem& problem, const Comm& comm,
+                                                    double decoupledDiagonal, const Preconditioner& preconditioner,
+                                                    const Teuchos::ParameterList& belos, bool twoLevels)
+  {
+    const KrylovLibrary& library = krylovLibrary();
+    try {
+      if (!twoLevels)
+        return library.conjugateGradients(problem, comm, decoupledDiagonal, preconditioner, belos);
+      const LinearLevel level(problem, comm);
+      return library.twoLevels(problem, level, comm, decoupledDiagonal, preconditioner, belos);
+    } catch (const Teuchos::Exceptions::InvalidParameter& refusal) {
+      throw InputError(fmt::format("{} does not take its parameters: {}", preconditioner.name(), refusal.what()));
+    }
+  }
+
+  std::string name_;
   KrylovOptions options_;
   std::shared_ptr<const Preconditioner> preconditioner_;
   Teuchos::ParameterList belos_;
+  bool hasTwoLevels_;
 };
 
 std::vector<std::string> belosMistakes(const Teuchos::ParameterList& list)
@@ -234,23 +72,35 @@ std::vector<std::string> belosMistakes(const Teuchos::ParameterList& list)
                     {"Convergence Tolerance", "Maximum Iterations", "Output Stream"});
 }
 
-std::vector<ListSpec> krylovLists()
+ListSpec belosList()
 {
   ListSpec belos;
   belos.name = "Belos";
   belos.doc = "Parameters of Belos's pseudo-block conjugate gradients, e.g. \"Verbosity\".";
   belos.passThrough = belosMistakes;
+  return belos;
+}
+
+ListSpec preconditionerList()
+{
   ListSpec preconditioner;
   preconditioner.name = "Preconditioner";
   preconditioner.doc = "What makes the conjugate gradients converge.";
   preconditioner.choices = preconditioners().choices();
-  return {belos, preconditioner};
+  return preconditioner;
 }
 
-std::unique_ptr<LinearSolver> makeKrylov(const Params& params)
+std::vector<ParamSpec> iterationParameters()
+{
+  return {{"Tolerance", 1e-10, inOpenRange(0.0, 1.0), "True residual of a solve relative to its right-hand side."},
+          {"Maximum Iterations", 1000, atLeast(1.0), "Iterations of one solve."}};
+}
+
+std::unique_ptr<LinearSolver> makeKrylov(const std::string& name, const Params& params,
+                                         std::unique_ptr<Preconditioner> preconditioner)
 {
   const KrylovOptions options = {params.get<double>("Tolerance"), params.get<int>("Maximum Iterations")};
-  return std::make_unique<Krylov>(options, preconditioners().build(params.sub("Preconditioner")),
+  return std::make_unique<Krylov>(name, options, std::move(preconditioner),
                                   conformed(params.sub("Belos").teuchos(), krylovLibrary().validBelos()));
 }
 
@@ -258,11 +108,23 @@ std::unique_ptr<LinearSolver> makeKrylov(const Params& params)
 
 void registerKrylov(Registry<LinearSolver>& registry)
 {
+  registry.add("Krylov", "Preconditioned conjugate gradients, any number of ranks; memory grows only with the mesh.",
+               iterationParameters(),
+               [](const Params& params) {
+                 return makeKrylov("Krylov", params, preconditioners().build(params.sub("Preconditioner")));
+               },
+               {belosList(), preconditionerList()});
+}
+
+void registerMultigrid(Registry<LinearSolver>& registry)
+{
   registry.add(
-      "Krylov", "Preconditioned conjugate gradients, any number of ranks; memory grows only with the mesh.",
-      {{"Tolerance", 1e-10, inOpenRange(0.0, 1.0), "True residual of a solve relative to its right-hand side."},
-       {"Maximum Iterations", 1000, atLeast(1.0), "Iterations of one solve."}},
-      makeKrylov, krylovLists());
+      "Multigrid",
+      "Conjugate gradients preconditioned on two levels: Chebyshev's polynomials on all nodes, algebraic multigrid of "
+      "MueLu on the vertices (with order 1 these are all). Any number of ranks; for large solids.",
+      iterationParameters(),
+      [](const Params& params) { return makeKrylov("Multigrid", params, makeVertexMueLu(params.sub("MueLu"))); },
+      {belosList(), mueLuList()});
 }
 
 } // namespace ndframe

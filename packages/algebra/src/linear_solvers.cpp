@@ -35,6 +35,7 @@ void registerLinearSolvers(Registry<LinearSolver>& registry)
   registerAutomatic(registry);
   registerCholmod(registry);
   registerMumps(registry);
+  registerMultigrid(registry);
   registerKrylov(registry);
 }
 

@@ -27,7 +27,8 @@ constexpr double smallestPivot = 1e-12;
     throw SingularBody(failure.what(), -1);
   case MumpsFailure::Kind::Memory:
   case MumpsFailure::Kind::Workspace:
-    throw InputError(fmt::format("{}; use Krylov as linear solver, more machines or a coarser mesh.", failure.what()));
+    throw InputError(
+        fmt::format("{}; use Multigrid as linear solver, more machines or a coarser mesh.", failure.what()));
   case MumpsFailure::Kind::Other:
     break;
   }

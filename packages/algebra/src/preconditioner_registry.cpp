@@ -11,13 +11,6 @@ namespace
 
 void registerMueLu(Registry<Preconditioner>& registry)
 {
-  ListSpec list;
-  list.name = "MueLu";
-  list.doc = "Parameters of MueLu's own list, e.g. \"aggregation: drop tol\".";
-  list.passThrough = [](const Teuchos::ParameterList& given) {
-    return mistakesIn(given, krylovLibrary().validMueLu(), "MueLu",
-                      {"number of equations", "user data", "Nullspace", "Coordinates"});
-  };
   registry.add("MueLu",
                "Algebraic multigrid that knows the rigid motions; the number of iterations hardly grows with the mesh.",
                {},
@@ -25,7 +18,7 @@ void registerMueLu(Registry<Preconditioner>& registry)
                  const KrylovLibrary& library = krylovLibrary();
                  return library.mueLu(conformed(params.sub("MueLu").teuchos(), library.validMueLu()));
                },
-               {list});
+               {mueLuList()});
 }
 
 void registerIfpack2(Registry<Preconditioner>& registry)
@@ -47,6 +40,29 @@ void registerIfpack2(Registry<Preconditioner>& registry)
 }
 
 } // namespace
+
+ListSpec mueLuList()
+{
+  ListSpec list;
+  list.name = "MueLu";
+  list.doc = "Parameters of MueLu's own list, e.g. \"aggregation: drop tol\".";
+  list.passThrough = [](const Teuchos::ParameterList& given) {
+    return mistakesIn(given, krylovLibrary().validMueLu(), "MueLu",
+                      {"number of equations", "user data", "Nullspace", "Coordinates"});
+  };
+  return list;
+}
+
+std::unique_ptr<Preconditioner> makeVertexMueLu(const Params& params)
+{
+  const KrylovLibrary& library = krylovLibrary();
+  Teuchos::ParameterList list = conformed(params.teuchos(), library.validMueLu());
+  if (!list.isParameter("smoother: type")) {
+    list.set("smoother: type", "CHEBYSHEV");
+    list.sublist("smoother: params").set("chebyshev: degree", 4);
+  }
+  return library.mueLu(list);
+}
 
 Registry<Preconditioner> preconditioners()
 {

@@ -36,7 +36,9 @@ std::unique_ptr<LinearSolver> chooseSolver(const Params& deck, const Certificate
 {
   const Params asked = deck.sub("Linear Solver");
   const auto& solvers = components.linearSolvers;
-  return solvers.build(asked.get<std::string>("Type") == "Krylov" ? asked : defaultsOf(solvers.choices(), "Automatic"));
+  const std::string type = asked.get<std::string>("Type");
+  const bool isIterative = type == "Krylov" || type == "Multigrid"; // chosen for its memory
+  return solvers.build(isIterative ? asked : defaultsOf(solvers.choices(), "Automatic"));
 }
 
 /// The meshes with the vertices of paired sides at the same place: pairing compares distances with the shortest facet,

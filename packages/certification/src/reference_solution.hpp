@@ -11,7 +11,7 @@ namespace ndframe
 {
 
 /// The same scene on meshes with every edge halved several times, solved without iteration between the bodies
-/// (Monolithic) whatever the deck's coupling is; Automatic linear solver unless the deck asks for Krylov.
+/// (Monolithic) whatever the deck's coupling is; Automatic linear solver unless the deck asks for one that iterates.
 ///
 /// The coarse fields are fields of the fine meshes too, so differences are exact up to round-off. All is global axes;
 /// norms are energy norms over all bodies. Throws what a run throws: NotConverged, InputError (memory).

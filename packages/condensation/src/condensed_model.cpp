@@ -264,6 +264,14 @@ SolverProblem solverProblem(const BodyModel& body, const RigidBasis& rigid, cons
   problem.kept = system.dofs.keptDofs();
   problem.nearNullSpace = rigidModes(rigid, body.nodes, system.dofs.frames);
   problem.nodePoints = body.nodes.points;
+  problem.edgeNodes.ends = edgeEnds(body.nodes);
+  const Frames& frames = system.dofs.frames;
+  for (int node = 0; node < body.nodes.numNodes() && frames.anyTurned(); ++node)
+    if (frames.isTurned(node)) {
+      problem.edgeNodes.turned.push_back(node);
+      const int size = body.nodes.dim * body.nodes.dim;
+      problem.edgeNodes.axes.insert(problem.edgeNodes.axes.end(), frames.axes(node), frames.axes(node) + size);
+    }
   return problem;
 }
 

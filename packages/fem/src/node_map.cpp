@@ -56,6 +56,18 @@ NodeMap quadraticNodeMap(const Mesh& mesh)
   return map;
 }
 
+template <int dim>
+void findEdgeEnds(const NodeMap& map, std::vector<std::array<int, 2>>& ends)
+{
+  for (int c = 0; c < map.numCells(); ++c) {
+    const int* nodes = map.cell(c);
+    for (std::size_t e = 0; e < SimplexEdges<dim>::vertices.size(); ++e) {
+      const auto& edge = SimplexEdges<dim>::vertices[e];
+      ends[std::size_t(nodes[dim + 1 + int(e)])] = {nodes[edge[0]], nodes[edge[1]]};
+    }
+  }
+}
+
 /// Local node numbers of all facets of one element type.
 template <int dim, int order>
 constexpr auto facetTable()
@@ -86,6 +98,17 @@ NodeMap makeNodeMap(const Mesh& mesh, int order)
   if (order == 2)
     return mesh.dim == 2 ? quadraticNodeMap<2>(mesh) : quadraticNodeMap<3>(mesh);
   return NodeMap{mesh.dim, 1, mesh.dim + 1, mesh.dim, mesh.cells, mesh.points};
+}
+
+std::vector<std::array<int, 2>> edgeEnds(const NodeMap& map)
+{
+  if (map.order == 1)
+    return {};
+  std::vector<std::array<int, 2>> ends;
+  for (int node = 0; node < map.numNodes(); ++node)
+    ends.push_back({node, node});
+  map.dim == 2 ? findEdgeEnds<2>(map, ends) : findEdgeEnds<3>(map, ends);
+  return ends;
 }
 
 const int* facetLocalNodes(int dim, int order, int localFacet)

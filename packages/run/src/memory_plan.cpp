@@ -17,9 +17,15 @@ namespace
 /// Of the process before it has read anything.
 constexpr double atStart = 30e6;
 
+std::string linearSolverOf(const Params& deck)
+{
+  return deck.sub("Linear Solver").get<std::string>("Type");
+}
+
 bool isDirect(const Params& deck)
 {
-  return deck.sub("Linear Solver").get<std::string>("Type") != "Krylov";
+  const std::string type = linearSolverOf(deck);
+  return type != "Krylov" && type != "Multigrid";
 }
 
 /// Dofs of a box, from its bricks: vertices and edges of large grids. Nothing for other meshes.
@@ -64,7 +70,7 @@ std::string memoryPlan(const Params& deck)
 {
   const std::string left = fmt::format("{} left", memoryLeft().text());
   if (!isDirect(deck))
-    return fmt::format("not estimated for Krylov; {}", left);
+    return fmt::format("not estimated for {}; {}", linearSolverOf(deck), left);
   double bytes = atStart, dofs = 0.0;
   const int order = deck.sub("Discretization").get<int>("Order");
   for (const Params& body : deck.sub("Bodies").subs()) {
@@ -95,7 +101,7 @@ void checkMemory(const Model& model, const Params& deck, const Comm& comm, Diagn
       "", fmt::format("{} dofs need about {:.2g} GB of memory{}, and {} are left: use {}.", grouped(model.totalDofs()),
                       1e-9 * bytes, isInterface ? ", most of it for stored interface operators" : "", left.text(),
                       isInterface ? "Interface Operator/Type = Matrix Free or a coarser interface"
-                                  : "coarser meshes, order 1, or Krylov as linear solver")));
+                                  : "coarser meshes, order 1, or Multigrid as linear solver")));
 }
 
 } // namespace ndframe

@@ -43,8 +43,10 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");
-  add(Stage::Krylov, settings.linearSolver == "Krylov", "linear solver Krylov: Tpetra, Belos and their like are loaded",
-      "no linear solver Krylov: Tpetra is not loaded");
+  const std::string& type = settings.linearSolver;
+  add(Stage::Krylov, type == "Krylov" || type == "Multigrid",
+      fmt::format("linear solver {}: Tpetra, Belos and their like are loaded", type),
+      "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
   const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
   add(Stage::Read, true, counted(bodies, "body", "bodies") + again, {});

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -22,6 +23,15 @@ enum class DofRole : unsigned char
   Kept      ///< interface normal, kept in the condensed system (c)
 };
 
+/// Which nodes of second-order elements are vertices and which lie on edges: what interpolates linear functions.
+struct EdgeNodes
+{
+  /// Per node the ends of the edge that it is the middle of; a vertex is both of its ends. Empty: all are vertices.
+  std::vector<std::array<int, 2>> ends;
+  std::vector<int> turned;  ///< nodes whose components have axes of their own, ascending
+  std::vector<double> axes; ///< dim x dim for each of them, row k = axis of component k
+};
+
 /// One body's matrix with the roles of its dofs. The matrix must outlive the factor (it is not copied for products).
 struct SolverProblem
 {
@@ -30,6 +40,7 @@ struct SolverProblem
   std::vector<int> kept;          ///< the Kept dofs, in the order of the condensed system
   DenseMatrix nearNullSpace;      ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
   std::vector<double> nodePoints; ///< dim * numNodes coordinates
+  EdgeNodes edgeNodes;            ///< used by multigrid
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,
@@ -91,7 +102,7 @@ public:
   int dof; ///< -1 when the solver cannot tell
 };
 
-/// "Automatic" (Cholmod on one rank, Mumps on several), "Cholmod", "Mumps", "Krylov".
+/// "Automatic" (Cholmod on one rank, Mumps on several), "Cholmod", "Mumps", "Multigrid", "Krylov".
 void registerLinearSolvers(Registry<LinearSolver>& registry);
 
 } // namespace ndframe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "ndframe/mesh/mesh.hpp"
@@ -29,6 +30,9 @@ struct NodeMap
 
 /// order: 1 or 2.
 NodeMap makeNodeMap(const Mesh& mesh, int order);
+
+/// Per node of an order 2 map the ends of its edge; a vertex is both of its ends. Empty for order 1.
+std::vector<std::array<int, 2>> edgeEnds(const NodeMap& map);
 
 /// Local numbers of a facet's nodes: its vertices in increasing local number, then (order 2) its edges in the order
 /// 01, 12, 20 of these vertices. nodesPerFacet entries.

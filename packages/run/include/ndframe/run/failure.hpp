@@ -34,7 +34,7 @@ struct Failure
 /// What is said of a deck that the process has too little memory for.
 constexpr const char* needsMoreMemory =
     "this deck needs more memory than the process may take; use a coarser mesh, fewer threads (OMP_NUM_THREADS), more "
-    "ranks or a Krylov solver.";
+    "ranks or Multigrid as linear solver.";
 
 /// The exception that is being handled; to be called in a handler.
 Failure currentFailure();

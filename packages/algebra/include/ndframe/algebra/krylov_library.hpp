@@ -10,6 +10,7 @@
 namespace ndframe
 {
 
+struct LinearLevel;
 struct TpetraSystem;
 struct PreconditionerHandle;
 
@@ -22,11 +23,20 @@ public:
   virtual std::string name() const = 0;
 };
 
+/// What cycles on two levels cost since they were set up, the set-up included.
+struct CycleWork
+{
+  int products = 0; ///< of the matrix of all nodes
+  int cycles = 0;
+};
+
 /// Preconditioned conjugate gradients on the interior problem of a body. All functions are collective.
 class ConjugateGradients
 {
 public:
   virtual ~ConjugateGradients() = default;
+
+  virtual CycleWork work() const { return {}; }
 
   struct Result
   {
@@ -39,7 +49,7 @@ public:
   virtual Result solve(const Vector& b, double tolerance, int maxIterations) const = 0;
 };
 
-/// What Belos, Ifpack2 and MueLu do for us. The implementation lies in a module of its own (src/krylov), because the
+/// What Belos, Ifpack2 and MueLu do for us. The implementation is a module of its own (package krylov), because the
 /// dynamic linker takes longer for these libraries than a small scene takes. Only this header and those that it
 /// includes are common to module and program; the module calls no function of the program.
 ///
@@ -64,6 +74,13 @@ public:
                                                                  double decoupledDiagonal,
                                                                  const Preconditioner& preconditioner,
                                                                  const Teuchos::ParameterList& belos) const = 0;
+
+  /// The same, without a copy of the matrix and preconditioned on two levels: Chebyshev's polynomials on all nodes and
+  /// `coarse` on the vertices. `level` is not needed any more when this returns.
+  virtual std::unique_ptr<ConjugateGradients> twoLevels(const SolverProblem& problem, const LinearLevel& level,
+                                                        const Comm& comm, double decoupledDiagonal,
+                                                        const Preconditioner& coarse,
+                                                        const Teuchos::ParameterList& belos) const = 0;
 
   /// Ends Kokkos if it was started. Nothing that was made here may be alive.
   virtual void finish() const = 0;

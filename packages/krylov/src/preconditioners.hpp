@@ -1,6 +1,6 @@
 #pragma once
 
-#include "krylov_library.hpp"
+#include "ndframe/algebra/krylov_library.hpp"
 
 namespace ndframe
 {

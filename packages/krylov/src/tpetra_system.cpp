@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include <Teuchos_DefaultMpiComm.hpp>
+#include "tpetra_maps.hpp"
 
 namespace ndframe
 {
@@ -10,45 +10,7 @@ namespace ndframe
 namespace
 {
 
-using Global = TpetraMap::global_ordinal_type;
 using Local = TpetraMap::local_ordinal_type;
-
-Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm)
-{
-  // On one process too: Ifpack2 and MueLu take Teuchos's serial communicator for one of MPI.
-  return Teuchos::rcp(new Teuchos::MpiComm<int>(comm.size() > 1 ? MPI_Comm_f2c(comm.communicator()) : MPI_COMM_SELF));
-}
-
-/// `perNode` consecutive numbers for each node.
-Teuchos::RCP<const TpetraMap> mapOf(const std::vector<int>& nodes, int perNode,
-                                    const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
-{
-  std::vector<Global> numbers;
-  numbers.reserve(nodes.size() * std::size_t(perNode));
-  for (const int node : nodes)
-    for (int i = 0; i < perNode; ++i)
-      numbers.push_back(Global(node) * perNode + i);
-  const auto unknownTotal = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
-  return Teuchos::rcp(new TpetraMap(unknownTotal, Teuchos::arrayViewFromVector(numbers), 0, comm));
-}
-
-/// The nodes of this rank's columns: its own first, in the order of its rows, then those of other ranks.
-struct ColumnNodes
-{
-  explicit ColumnNodes(const BlockMatrix& K) : nodes(K.rows), local(std::size_t(K.numNodes), -1)
-  {
-    for (std::size_t r = 0; r < nodes.size(); ++r)
-      local[std::size_t(nodes[r])] = int(r);
-    for (const int node : K.cols)
-      if (local[std::size_t(node)] < 0) {
-        local[std::size_t(node)] = int(nodes.size());
-        nodes.push_back(node);
-      }
-  }
-
-  std::vector<int> nodes;
-  std::vector<int> local; ///< node -> column node of this rank, -1 for nodes that it does not see
-};
 
 struct LocalRows
 {
@@ -59,7 +21,7 @@ struct LocalRows
 
 /// Appends row `component` of block row r, restricted to interior columns, in ascending order of local columns
 /// (a Tpetra matrix with unsorted rows gives wrong results on several ranks).
-void appendRow(const SolverProblem& problem, const ColumnNodes& columns, std::size_t r, int component, LocalRows& rows)
+void appendRow(const SolverProblem& problem, const LocalNodes& columns, std::size_t r, int component, LocalRows& rows)
 {
   const BlockMatrix& K = *problem.matrix;
   std::vector<std::pair<Local, double>> row;
@@ -78,7 +40,7 @@ void appendRow(const SolverProblem& problem, const ColumnNodes& columns, std::si
   }
 }
 
-LocalRows interiorRows(const SolverProblem& problem, const ColumnNodes& columns, double decoupledDiagonal)
+LocalRows interiorRows(const SolverProblem& problem, const LocalNodes& columns, double decoupledDiagonal)
 {
   const BlockMatrix& K = *problem.matrix;
   LocalRows rows;
@@ -110,7 +72,7 @@ Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, double decou
                                       const Teuchos::RCP<const TpetraMap>& dofMap)
 {
   const BlockMatrix& K = *problem.matrix;
-  const ColumnNodes columns(K);
+  const LocalNodes columns = columnNodes(K);
   const LocalRows rows = interiorRows(problem, columns, decoupledDiagonal);
   using Graph = TpetraMatrix::local_graph_device_type;
   const auto matrix =

@@ -1,9 +1,10 @@
-#include "krylov_library.hpp"
+#include "ndframe/algebra/krylov_library.hpp"
 
 #include <Kokkos_Core.hpp>
 
 #include "belos_cg.hpp"
 #include "preconditioners.hpp"
+#include "two_level_cycle.hpp"
 
 namespace ndframe
 {
@@ -39,7 +40,22 @@ public:
                                                          const Teuchos::ParameterList& belos) const override
   {
     startKokkos();
-    return makeBelosCg(TpetraSystem(problem, comm, decoupledDiagonal), preconditioner, belos);
+    const TpetraSystem system(problem, comm, decoupledDiagonal);
+    return makeBelosCg({system.matrix, preconditioner.build(system)->apply}, belos);
+  }
+
+  std::unique_ptr<ConjugateGradients> twoLevels(const SolverProblem& problem, const LinearLevel& level,
+                                                const Comm& comm, double decoupledDiagonal,
+                                                const Preconditioner& coarse,
+                                                const Teuchos::ParameterList& belos) const override
+  {
+    startKokkos();
+    const auto matrix = Teuchos::rcp(new BlockOperator(problem, comm));
+    const TpetraSystem system(level.problem, comm, decoupledDiagonal);
+    const auto cycle =
+        Teuchos::rcp(new TwoLevelCycle(matrix, system, LinearTransfer(problem, level, system.dofMap), coarse));
+    const auto work = [matrix, cycle] { return CycleWork{matrix->products(), cycle->cycles()}; };
+    return makeBelosCg({matrix, cycle, work}, belos);
   }
 
   void finish() const override

@@ -31,15 +31,17 @@ Teuchos::ParameterList quietUnlessAsked(Teuchos::ParameterList list)
 class BelosCg final : public ConjugateGradients
 {
 public:
-  BelosCg(TpetraSystem system, const Preconditioner& preconditioner, const Teuchos::ParameterList& list)
-      : system_(std::move(system)), preconditioner_(preconditioner.build(system_)), list_(quietUnlessAsked(list))
+  BelosCg(PreconditionedMatrix system, const Teuchos::ParameterList& list)
+      : system_(std::move(system)), dofMap_(system_.matrix->getDomainMap()), list_(quietUnlessAsked(list))
   {}
+
+  CycleWork work() const override { return system_.work ? system_.work() : CycleWork(); }
 
   Result solve(const Vector& b, double tolerance, int maxIterations) const override
   {
-    const auto x = Teuchos::rcp(new TpetraVectors(system_.dofMap, 1));
+    const auto x = Teuchos::rcp(new TpetraVectors(dofMap_, 1));
     const auto problem = Teuchos::rcp(new Problem(system_.matrix, x, ownPart(b)));
-    problem->setLeftPrec(preconditioner_->apply);
+    problem->setLeftPrec(system_.preconditioner);
     problem->setProblem();
     const auto list = Teuchos::parameterList(list_);
     list->set("Convergence Tolerance", tolerance);
@@ -59,10 +61,10 @@ public:
 private:
   Teuchos::RCP<TpetraVectors> ownPart(const Vector& replicated) const
   {
-    const auto own = Teuchos::rcp(new TpetraVectors(system_.dofMap, 1));
+    const auto own = Teuchos::rcp(new TpetraVectors(dofMap_, 1));
     const auto values = own->getDataNonConst(0);
     for (Local i = 0; i < Local(values.size()); ++i)
-      values[i] = replicated[std::size_t(system_.dofMap->getGlobalElement(i))];
+      values[i] = replicated[std::size_t(dofMap_->getGlobalElement(i))];
     return own;
   }
 
@@ -71,21 +73,20 @@ private:
     Vector all(size, 0.0);
     const auto values = own.getData(0);
     for (Local i = 0; i < Local(values.size()); ++i)
-      all[std::size_t(system_.dofMap->getGlobalElement(i))] = values[i];
+      all[std::size_t(dofMap_->getGlobalElement(i))] = values[i];
     return all;
   }
 
-  TpetraSystem system_;
-  std::shared_ptr<PreconditionerHandle> preconditioner_;
+  PreconditionedMatrix system_;
+  Teuchos::RCP<const TpetraMap> dofMap_;
   Teuchos::ParameterList list_;
 };
 
 } // namespace
 
-std::unique_ptr<ConjugateGradients> makeBelosCg(TpetraSystem system, const Preconditioner& preconditioner,
-                                                const Teuchos::ParameterList& list)
+std::unique_ptr<ConjugateGradients> makeBelosCg(PreconditionedMatrix system, const Teuchos::ParameterList& list)
 {
-  return std::make_unique<BelosCg>(std::move(system), preconditioner, list);
+  return std::make_unique<BelosCg>(std::move(system), list);
 }
 
 const Teuchos::ParameterList& validBelosList()

@@ -1,0 +1,48 @@
+#pragma once
+
+#include <array>
+#include <memory>
+#include <vector>
+
+#include "ndframe/algebra/linear_solver.hpp"
+
+namespace ndframe
+{
+
+/// Linear functions in the nodes of second-order elements: u = P c with c at the vertices, components in the nodes' own
+/// axes Q (rows = axes). A vertex has u = c, the middle of an edge
+///
+///   u_m = Q_m (Q_a^T c_a + Q_b^T c_b) / 2.
+struct LinearInterpolation
+{
+  LinearInterpolation(const EdgeNodes& nodes, int dim);
+
+  /// The dim x dim blocks of both ends; null where each is half the identity.
+  const double* blocks(int node) const
+  {
+    const int place = turned.empty() ? -1 : turned[std::size_t(node)];
+    return place < 0 ? nullptr : turnedBlocks.data() + std::size_t(place) * 2 * std::size_t(dim) * std::size_t(dim);
+  }
+
+  int dim;
+  std::vector<std::array<int, 2>> ends; ///< per node, numbers of vertices among vertices; a vertex is both
+  std::vector<int> vertices;            ///< their nodes
+  std::vector<int> turned;              ///< per node its place in turnedBlocks, -1: none; empty: none at all
+  std::vector<double> turnedBlocks;
+};
+
+/// The coarse level of a body: P^T K P on the interior dofs of both levels, with all that a solver wants to know.
+struct LinearLevel
+{
+  /// Collective. A rank has the rows of its vertices.
+  LinearLevel(const SolverProblem& problem, const Comm& comm);
+
+  LinearInterpolation interpolation;
+  BlockMatrix matrix;
+  SolverProblem problem; ///< of `matrix`: this must stay where it is
+
+  LinearLevel(const LinearLevel&) = delete;
+  LinearLevel& operator=(const LinearLevel&) = delete;
+};
+
+} // namespace ndframe

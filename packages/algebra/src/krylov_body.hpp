@@ -1,0 +1,29 @@
+#pragma once
+
+#include <functional>
+#include <memory>
+
+#include "ndframe/algebra/krylov_library.hpp"
+#include "ndframe/algebra/linear_solver.hpp"
+
+namespace ndframe
+{
+
+struct KrylovOptions
+{
+  double tolerance;
+  int maxIterations;
+};
+
+/// Sets up conjugate gradients for a problem with its matrix; `decoupledDiagonal`: a typical entry of the diagonal.
+using MakeConjugateGradients = std::function<std::unique_ptr<ConjugateGradients>(
+    const SolverProblem& problem, const Comm& comm, double decoupledDiagonal)>;
+
+/// A body whose back-solves are runs of conjugate gradients. Nothing is factored; the Schur complement takes a run per
+/// kept dof. `description`: what the conjugate gradients are. Counts "Krylov solves" and "Krylov iterations", and where
+/// there are two levels "fine products", "multigrid cycles" and "multigrid set-ups".
+std::unique_ptr<CondensedBody> makeKrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger,
+                                              KrylovOptions options, MakeConjugateGradients makeCg,
+                                              std::string description);
+
+} // namespace ndframe

@@ -1,0 +1,260 @@
+#include "ndframe/algebra/linear_level.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "shared_rows.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// Q_m Q_a^T / 2, row-major; null axes are x, y, z.
+void addTurnedHalf(const double* middle, const double* end, int dim, std::vector<double>& blocks)
+{
+  for (int i = 0; i < dim; ++i)
+    for (int j = 0; j < dim; ++j) {
+      double cosine = 0.0;
+      for (int k = 0; k < dim; ++k)
+        cosine += (middle ? middle[i * dim + k] : double(i == k)) * (end ? end[j * dim + k] : double(j == k));
+      blocks.push_back(0.5 * cosine);
+    }
+}
+
+struct Block
+{
+  double values[9];
+};
+
+/// Part of a product: the rows of P^T K P that belong to own vertices.
+class GalerkinProduct
+{
+public:
+  GalerkinProduct(const SolverProblem& problem, const LinearInterpolation& interpolation)
+      : problem_(problem), P_(interpolation), dim_(interpolation.dim),
+        blockSize_(std::size_t(dim_) * std::size_t(dim_)), children_(P_.vertices.size()), place_(P_.vertices.size(), -1)
+  {
+    for (std::size_t node = 0; node < P_.ends.size(); ++node) {
+      const auto first = problem.roles.begin() + std::ptrdiff_t(node) * std::ptrdiff_t(dim_);
+      isFree_.push_back(std::all_of(first, first + dim_, [](DofRole role) { return role == DofRole::Interior; }));
+    }
+  }
+
+  /// Takes part with its rows, which must stay where they are.
+  void add(const BlockMatrix& rows)
+  {
+    for (std::size_t r = 0; r < rows.rows.size(); ++r) {
+      const auto& [a, b] = P_.ends[std::size_t(rows.rows[r])];
+      children_[std::size_t(a)].emplace_back(&rows, r);
+      if (a != b)
+        children_[std::size_t(b)].emplace_back(&rows, r);
+    }
+  }
+
+  BlockMatrix rowsOf(const std::vector<int>& vertices)
+  {
+    BlockMatrix result;
+    result.dim = dim_;
+    result.numNodes = int(P_.vertices.size());
+    result.rows = vertices;
+    result.rowPtr.push_back(0);
+    for (const int vertex : vertices) {
+      for (const auto& [rows, r] : children_[std::size_t(vertex)])
+        addProduct(*rows, r, vertex);
+      append(result);
+    }
+    return result;
+  }
+
+private:
+  /// Adds (P^T)_vertex,i K_ij P_jq for all j and q.
+  void addProduct(const BlockMatrix& K, std::size_t r, int vertex)
+  {
+    const int node = K.rows[r], size = dim_ * dim_;
+    Block block{};
+    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
+      const int other = K.cols[std::size_t(b)];
+      std::copy_n(K.values.data() + b * size, size, block.values);
+      if (!isFree_[std::size_t(node)] || !isFree_[std::size_t(other)])
+        mask(node, other, block);
+      turnRows(node, vertex, block);
+      const auto& ends = P_.ends[std::size_t(other)];
+      for (int end = 0; end < 2; ++end)
+        addColumns(other, end, block, accumulated(ends[std::size_t(end)]));
+    }
+  }
+
+  void mask(int node, int other, Block& block) const
+  {
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j)
+        if (!isInterior(node, i) || !isInterior(other, j))
+          block.values[i * dim_ + j] = 0.0;
+  }
+
+  bool isInterior(int node, int component) const
+  {
+    return problem_.roles[std::size_t(node) * std::size_t(dim_) + std::size_t(component)] == DofRole::Interior;
+  }
+
+  /// block := P_node,vertex^T block
+  void turnRows(int node, int vertex, Block& block) const
+  {
+    const auto& ends = P_.ends[std::size_t(node)];
+    const double* W = P_.blocks(node);
+    if (!W) {
+      const double share = ends[0] == ends[1] ? 1.0 : 0.5;
+      for (double& value : block.values)
+        value *= share;
+      return;
+    }
+    W += ends[0] == vertex ? 0 : dim_ * dim_;
+    const Block given = block;
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j) {
+        double sum = 0.0;
+        for (int k = 0; k < dim_; ++k)
+          sum += W[k * dim_ + i] * given.values[k * dim_ + j];
+        block.values[i * dim_ + j] = sum;
+      }
+  }
+
+  /// sum += block P_node,end; the halves of a vertex are two ends
+  void addColumns(int node, int end, const Block& block, double* sum) const
+  {
+    const double* W = P_.blocks(node);
+    if (!W) {
+      for (int k = 0; k < dim_ * dim_; ++k)
+        sum[k] += 0.5 * block.values[k];
+      return;
+    }
+    W += end * dim_ * dim_;
+    for (int i = 0; i < dim_; ++i)
+      for (int j = 0; j < dim_; ++j)
+        for (int k = 0; k < dim_; ++k)
+          sum[i * dim_ + j] += block.values[i * dim_ + k] * W[k * dim_ + j];
+  }
+
+  /// The block of the row that is being summed, zero when it is new.
+  double* accumulated(int vertex)
+  {
+    int& place = place_[std::size_t(vertex)];
+    if (place < 0) {
+      place = int(columns_.size());
+      columns_.push_back(vertex);
+      sums_.resize(sums_.size() + blockSize_, 0.0);
+    }
+    return sums_.data() + std::size_t(place) * blockSize_;
+  }
+
+  void append(BlockMatrix& result)
+  {
+    std::sort(columns_.begin(), columns_.end());
+    for (const int vertex : columns_) {
+      const double* block = accumulated(vertex);
+      result.cols.push_back(vertex);
+      result.values.insert(result.values.end(), block, block + dim_ * dim_);
+    }
+    result.rowPtr.push_back(result.numBlocks());
+    for (const int vertex : columns_)
+      place_[std::size_t(vertex)] = -1;
+    columns_.clear();
+    sums_.clear();
+  }
+
+  const SolverProblem& problem_;
+  const LinearInterpolation& P_;
+  int dim_;
+  std::size_t blockSize_;
+  std::vector<std::vector<std::pair<const BlockMatrix*, std::size_t>>> children_; ///< per vertex, rows that it is in
+  std::vector<char> isFree_; ///< per node, whether all its dofs are interior
+  std::vector<int> place_;   ///< per vertex, in the row that is being summed; -1: not there
+  std::vector<int> columns_;
+  std::vector<double> sums_;
+};
+
+/// The own rows that the owners of their ends need.
+RowReaders readersOf(const BlockMatrix& K, const LinearInterpolation& P, const Comm& comm)
+{
+  Vector owner(std::size_t(K.numNodes), 0.0);
+  for (const int node : K.rows)
+    owner[std::size_t(node)] = comm.rank();
+  comm.sum(owner);
+  RowReaders readers(std::size_t(comm.size()));
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (const int vertex : P.ends[std::size_t(K.rows[r])]) {
+      const int rank = int(owner[std::size_t(P.vertices[std::size_t(vertex)])]);
+      auto& rows = readers[std::size_t(rank)];
+      if (rank != comm.rank() && (rows.empty() || rows.back() != int(r)))
+        rows.push_back(int(r));
+    }
+  return readers;
+}
+
+BlockMatrix galerkinMatrix(const SolverProblem& problem, const LinearInterpolation& P, const Comm& comm)
+{
+  const BlockMatrix& K = *problem.matrix;
+  const BlockMatrix received = receivedRows(K, readersOf(K, P, comm), comm);
+  GalerkinProduct product(problem, P);
+  product.add(K);
+  product.add(received);
+  std::vector<int> own;
+  for (const int node : K.rows)
+    if (const auto& [a, b] = P.ends[std::size_t(node)]; a == b)
+      own.push_back(a);
+  return product.rowsOf(own);
+}
+
+} // namespace
+
+LinearInterpolation::LinearInterpolation(const EdgeNodes& nodes, int dimension) : dim(dimension), ends(nodes.ends)
+{
+  std::vector<int> number(ends.size(), -1);
+  for (std::size_t node = 0; node < ends.size(); ++node)
+    if (ends[node][0] == ends[node][1]) {
+      number[node] = int(vertices.size());
+      vertices.push_back(int(node));
+    }
+  const auto axesOf = [&](int node) -> const double* {
+    const auto found = std::lower_bound(nodes.turned.begin(), nodes.turned.end(), node);
+    return found == nodes.turned.end() || *found != node
+               ? nullptr
+               : nodes.axes.data() + (found - nodes.turned.begin()) * dim * dim;
+  };
+  turned.assign(nodes.turned.empty() ? 0 : ends.size(), -1);
+  for (std::size_t node = 0; node < turned.size(); ++node) {
+    const auto& [a, b] = ends[node];
+    const double *middle = axesOf(int(node)), *first = axesOf(a), *second = axesOf(b);
+    if (a == b || (!middle && !first && !second))
+      continue;
+    turned[node] = int(turnedBlocks.size()) / (2 * dim * dim);
+    addTurnedHalf(middle, first, dim, turnedBlocks);
+    addTurnedHalf(middle, second, dim, turnedBlocks);
+  }
+  for (auto& [a, b] : ends) {
+    a = number[std::size_t(a)];
+    b = number[std::size_t(b)];
+  }
+}
+
+LinearLevel::LinearLevel(const SolverProblem& fine, const Comm& comm)
+    : interpolation(fine.edgeNodes, fine.matrix->dim), matrix(galerkinMatrix(fine, interpolation, comm))
+{
+  const int dim = matrix.dim;
+  problem.matrix = &matrix;
+  problem.nearNullSpace = DenseMatrix(fine.nearNullSpace.cols() == 0 ? 0 : matrix.numDofs(), fine.nearNullSpace.cols());
+  for (std::size_t v = 0; v < interpolation.vertices.size(); ++v)
+    for (int i = 0; i < dim; ++i) {
+      const int dof = interpolation.vertices[v] * dim + i;
+      const bool isInterior = fine.roles[std::size_t(dof)] == DofRole::Interior;
+      problem.roles.push_back(isInterior ? DofRole::Interior : DofRole::Fixed);
+      for (int m = 0; m < problem.nearNullSpace.cols(); ++m)
+        problem.nearNullSpace(int(v) * dim + i, m) = fine.nearNullSpace(dof, m);
+      if (!fine.nodePoints.empty())
+        problem.nodePoints.push_back(fine.nodePoints[std::size_t(dof)]);
+    }
+}
+
+} // namespace ndframe

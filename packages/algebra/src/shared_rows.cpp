@@ -1,0 +1,99 @@
+#include "shared_rows.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "mpi_comm.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+template <class Value>
+MPI_Datatype mpiType();
+template <>
+MPI_Datatype mpiType<int>()
+{
+  return MPI_INT;
+}
+template <>
+MPI_Datatype mpiType<double>()
+{
+  return MPI_DOUBLE;
+}
+
+/// Every rank's piece for this one, one after the other.
+template <class Value>
+std::vector<Value> received(const std::vector<std::vector<Value>>& pieces, MPI_Comm comm)
+{
+  const std::size_t ranks = pieces.size();
+  std::vector<int> sent(ranks), taken(ranks), sentAt(ranks + 1, 0), takenAt(ranks + 1, 0);
+  std::vector<Value> all;
+  for (std::size_t rank = 0; rank < ranks; ++rank) {
+    sent[rank] = int(pieces[rank].size());
+    all.insert(all.end(), pieces[rank].begin(), pieces[rank].end());
+  }
+  MPI_Alltoall(sent.data(), 1, MPI_INT, taken.data(), 1, MPI_INT, comm);
+  std::partial_sum(sent.begin(), sent.end(), sentAt.begin() + 1);
+  std::partial_sum(taken.begin(), taken.end(), takenAt.begin() + 1);
+  std::vector<Value> result(std::size_t(takenAt.back()));
+  MPI_Alltoallv(all.data(), sent.data(), sentAt.data(), mpiType<Value>(), result.data(), taken.data(), takenAt.data(),
+                mpiType<Value>(), comm);
+  return result;
+}
+
+/// Rows as they come: node, number of columns, columns; their values beside.
+BlockMatrix unpacked(const std::vector<int>& pattern, const std::vector<double>& values, int dim, int numNodes)
+{
+  struct Place
+  {
+    int node;
+    std::size_t pattern, values;
+  };
+  std::vector<Place> places;
+  const auto blockSize = std::size_t(dim) * std::size_t(dim);
+  for (std::size_t p = 0, v = 0; p < pattern.size();
+       v += std::size_t(pattern[p + 1]) * blockSize, p += 2 + std::size_t(pattern[p + 1]))
+    places.push_back({pattern[p], p, v});
+  std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.node < b.node; });
+  BlockMatrix rows;
+  rows.dim = dim;
+  rows.numNodes = numNodes;
+  rows.rowPtr.push_back(0);
+  for (const Place& place : places) {
+    const auto count = std::size_t(pattern[place.pattern + 1]);
+    const auto cols = pattern.begin() + std::ptrdiff_t(place.pattern) + 2;
+    const auto blocks = values.begin() + std::ptrdiff_t(place.values);
+    rows.rows.push_back(place.node);
+    rows.cols.insert(rows.cols.end(), cols, cols + std::ptrdiff_t(count));
+    rows.values.insert(rows.values.end(), blocks, blocks + std::ptrdiff_t(count) * std::ptrdiff_t(blockSize));
+    rows.rowPtr.push_back(rows.numBlocks());
+  }
+  return rows;
+}
+
+} // namespace
+
+BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& rowsFor, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return unpacked({}, {}, K.dim, K.numNodes);
+  std::vector<std::vector<int>> patterns(rowsFor.size());
+  std::vector<std::vector<double>> values(rowsFor.size());
+  const int blockSize = K.dim * K.dim;
+  for (std::size_t rank = 0; rank < rowsFor.size(); ++rank)
+    for (const int row : rowsFor[rank]) {
+      const std::int64_t first = K.rowPtr[std::size_t(row)], last = K.rowPtr[std::size_t(row) + 1];
+      patterns[rank].push_back(K.rows[std::size_t(row)]);
+      patterns[rank].push_back(int(last - first));
+      patterns[rank].insert(patterns[rank].end(), K.cols.begin() + first, K.cols.begin() + last);
+      values[rank].insert(values[rank].end(), K.values.begin() + first * blockSize,
+                          K.values.begin() + last * blockSize);
+    }
+  const std::vector<int> pattern = received(patterns, mpiComm(comm));
+  return unpacked(pattern, received(values, mpiComm(comm)), K.dim, K.numNodes);
+}
+
+} // namespace ndframe

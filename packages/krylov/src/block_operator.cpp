@@ -1,0 +1,58 @@
+#include "block_operator.hpp"
+
+#include "tpetra_maps.hpp"
+
+namespace ndframe
+{
+
+BlockOperator::BlockOperator(const SolverProblem& problem, const Comm& comm)
+    : matrix_(*problem.matrix), dofMap_(mapOf(matrix_.rows, matrix_.dim, teuchosComm(comm)))
+{
+  for (const int node : matrix_.rows)
+    for (int i = 0; i < matrix_.dim; ++i)
+      interior_.push_back(problem.roles[std::size_t(node) * std::size_t(matrix_.dim) + std::size_t(i)] ==
+                          DofRole::Interior);
+  if (comm.size() == 1)
+    return;
+  LocalNodes local = columnNodes(matrix_);
+  columns_.reserve(matrix_.cols.size());
+  for (const int node : matrix_.cols)
+    columns_.push_back(local.number(node));
+  const auto seenMap = mapOf(local.nodes, matrix_.dim, dofMap_->getComm());
+  import_ = Teuchos::rcp(new Tpetra::Import<>(dofMap_, seenMap));
+  seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
+}
+
+Teuchos::ArrayRCP<const double> BlockOperator::seen(const TpetraVectors& x) const
+{
+  if (import_.is_null())
+    return x.getData(0);
+  seen_->doImport(x, *import_, Tpetra::INSERT);
+  return seen_->getData(0);
+}
+
+void BlockOperator::apply(const TpetraVectors& x, TpetraVectors& y, Teuchos::ETransp, double alpha, double beta) const
+{
+  for (std::size_t j = 0; j < x.getNumVectors(); ++j) {
+    const auto result = y.getDataNonConst(j);
+    double* const values = result.getRawPtr();
+    eachRow(*x.getVector(j), [&](std::size_t dof, double product) {
+      values[dof] = alpha * product + (beta == 0.0 ? 0.0 : beta * values[dof]);
+    });
+  }
+}
+
+std::vector<double> BlockOperator::inverseDiagonal() const
+{
+  std::vector<double> inverse(interior_.size(), 0.0);
+  const auto dim = std::size_t(matrix_.dim);
+  for (std::size_t r = 0; r < matrix_.rows.size(); ++r)
+    for (auto b = std::size_t(matrix_.rowPtr[r]); b < std::size_t(matrix_.rowPtr[r + 1]); ++b)
+      if (matrix_.cols[b] == matrix_.rows[r])
+        for (std::size_t i = 0; i < dim; ++i)
+          if (interior_[r * dim + i])
+            inverse[r * dim + i] = 1.0 / matrix_.values[(b * dim + i) * dim + i];
+  return inverse;
+}
+
+} // namespace ndframe

@@ -1,0 +1,109 @@
+#include "linear_transfer.hpp"
+
+#include <algorithm>
+
+#include "tpetra_maps.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+std::vector<std::size_t> heldDofs(const SolverProblem& problem)
+{
+  const BlockMatrix& K = *problem.matrix;
+  std::vector<std::size_t> held;
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (int i = 0; i < K.dim; ++i)
+      if (problem.roles[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)] != DofRole::Interior)
+        held.push_back(r * std::size_t(K.dim) + std::size_t(i));
+  return held;
+}
+
+} // namespace
+
+LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& level,
+                               Teuchos::RCP<const TpetraMap> coarseMap)
+    : dim_(fine.matrix->dim), held_(heldDofs(fine)), coarseHeld_(heldDofs(level.problem))
+{
+  const LinearInterpolation& P = level.interpolation;
+  LocalNodes vertices(level.matrix.rows, level.matrix.numNodes);
+  const auto blockSize = 2 * dim_ * dim_;
+  for (const int node : fine.matrix->rows) {
+    const auto& ends = P.ends[std::size_t(node)];
+    const int first = vertices.number(ends[0]);
+    ends_.push_back({first, vertices.number(ends[1])});
+    if (P.turned.empty())
+      continue;
+    const double* turned = P.blocks(node);
+    turned_.push_back(turned ? int(blocks_.size()) : -1);
+    if (turned)
+      blocks_.insert(blocks_.end(), turned, turned + blockSize);
+  }
+  const auto seenMap = mapOf(vertices.nodes, dim_, coarseMap->getComm());
+  import_ = Teuchos::rcp(new Tpetra::Import<>(coarseMap, seenMap));
+  seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
+}
+
+/// action(own node, end, its vertex, block of P; null: half the identity)
+template <class Action>
+void LinearTransfer::eachEnd(const Action& action) const
+{
+  for (std::size_t r = 0; r < ends_.size(); ++r) {
+    const double* blocks = turned_.empty() || turned_[r] < 0 ? nullptr : blocks_.data() + turned_[r];
+    action(r, std::size_t(ends_[r][0]), blocks);
+    action(r, std::size_t(ends_[r][1]), blocks ? blocks + dim_ * dim_ : nullptr);
+  }
+}
+
+void LinearTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
+{
+  seen_->putScalar(0.0);
+  {
+    const auto sums = seen_->getDataNonConst(0);
+    const auto dim = std::size_t(dim_);
+    eachEnd([&](std::size_t r, std::size_t vertex, const double* W) {
+      double* sum = sums.getRawPtr() + vertex * dim;
+      const double* value = fine + r * dim;
+      for (std::size_t i = 0; i < dim; ++i)
+        if (!W)
+          sum[i] += 0.5 * value[i];
+        else
+          for (std::size_t k = 0; k < dim; ++k)
+            sum[i] += W[k * dim + i] * value[k];
+    });
+  }
+  coarse.putScalar(0.0);
+  coarse.doExport(*seen_, *import_, Tpetra::ADD);
+  annul(coarse);
+}
+
+void LinearTransfer::toFine(TpetraVectors& coarse, double* fine)
+{
+  annul(coarse);
+  seen_->doImport(coarse, *import_, Tpetra::INSERT);
+  const auto values = seen_->getData(0);
+  const auto dim = std::size_t(dim_);
+  std::fill(fine, fine + ends_.size() * dim, 0.0);
+  eachEnd([&](std::size_t r, std::size_t vertex, const double* W) {
+    const double* value = values.getRawPtr() + vertex * dim;
+    for (std::size_t i = 0; i < dim; ++i)
+      if (!W)
+        fine[r * dim + i] += 0.5 * value[i];
+      else
+        for (std::size_t k = 0; k < dim; ++k)
+          fine[r * dim + i] += W[i * dim + k] * value[k];
+  });
+  for (const std::size_t dof : held_)
+    fine[dof] = 0.0;
+}
+
+void LinearTransfer::annul(TpetraVectors& coarse) const
+{
+  const auto values = coarse.getDataNonConst(0);
+  for (const std::size_t dof : coarseHeld_)
+    values[Teuchos::Ordinal(dof)] = 0.0;
+}
+
+} // namespace ndframe

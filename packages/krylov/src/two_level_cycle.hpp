@@ -1,0 +1,48 @@
+#pragma once
+
+#include "block_operator.hpp"
+#include "linear_transfer.hpp"
+#include "ndframe/algebra/krylov_library.hpp"
+
+namespace ndframe
+{
+
+/// One symmetric cycle on two levels as a preconditioner of K, x = B b:
+///
+///   x = p(b),   x += P C P^T (b - K x),   x += p(b - K x),
+///
+/// p a polynomial of D^-1 K (Chebyshev's on [lmax / 5, 1.1 lmax], `degree` terms), C an approximation of the inverse on
+/// the vertices. Takes 2 degree products. P and C only see interior dofs: a coarse preconditioner that keeps the rigid
+/// motions returns values in held dofs, too, and CG would then solve another problem.
+class TwoLevelCycle final : public TpetraOperator
+{
+public:
+  TwoLevelCycle(Teuchos::RCP<const BlockOperator> matrix, const TpetraSystem& coarseSystem, LinearTransfer transfer,
+                const Preconditioner& coarse);
+
+  Teuchos::RCP<const TpetraMap> getDomainMap() const override { return matrix_->getDomainMap(); }
+  Teuchos::RCP<const TpetraMap> getRangeMap() const override { return matrix_->getRangeMap(); }
+  /// alpha = 1, beta = 0 whatever is given.
+  void apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETransp mode, double alpha, double beta) const override;
+
+  int cycles() const { return cycles_; } ///< so far
+
+private:
+  void cycle(const double* b, double* x) const;
+  /// Further terms of the polynomial after the first: residual_ and step_ go along. The last residual only if wanted.
+  void smooth(double* x, bool wantsResidual) const;
+
+  static constexpr int degree = 2, lanczosSteps = 15;
+  static constexpr double smoothedShare = 5.0, margin = 1.1;
+
+  Teuchos::RCP<const BlockOperator> matrix_;
+  std::vector<double> inverseDiagonal_;
+  double centre_, halfWidth_; ///< of the interval
+  mutable LinearTransfer transfer_;
+  std::shared_ptr<PreconditionerHandle> coarse_;
+  mutable std::vector<double> residual_;
+  mutable Teuchos::RCP<TpetraVectors> step_, nextStep_, coarseLoad_, coarseSolution_;
+  mutable int cycles_ = 0;
+};
+
+} // namespace ndframe
