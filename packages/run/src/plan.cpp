@@ -30,6 +30,11 @@ std::string refinementOf(const AccuracyOptions& accuracy)
   return fmt::format("{} sizes, by {}", accuracy.marking, accuracy.refinement);
 }
 
+bool iterates(const std::string& linearSolver)
+{
+  return linearSolver == "Krylov" || linearSolver == "Multigrid";
+}
+
 } // namespace
 
 Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
@@ -43,9 +48,8 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");
-  const std::string& type = settings.linearSolver;
-  add(Stage::Krylov, type == "Krylov" || type == "Multigrid",
-      fmt::format("linear solver {}: Tpetra, Belos and their like are loaded", type),
+  add(Stage::Krylov, iterates(settings.linearSolver),
+      fmt::format("linear solver {}: Tpetra, Belos and their like are loaded", settings.linearSolver),
       "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
   const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
