@@ -76,6 +76,19 @@ TEST(Automatic, IsCholmodOnOneRankAndMumpsOnSeveral)
               testing::StartsWith(test::comm().size() == 1 ? "Cholmod" : "Mumps"));
 }
 
+TEST(Automatic, IsMultigridForLargeSolidsThatTouchNothing)
+{
+  const auto solver = test::makeSolver("Automatic");
+  const std::string small = test::comm().size() == 1 ? "Cholmod" : "Mumps";
+  const int ranks = test::comm().size(), many = 50000;
+  EXPECT_EQ(solver->name(BodyOutline{3, many, false, 0.3}, ranks), "Multigrid");
+  EXPECT_EQ(solver->name(BodyOutline{3, 10000, false, 0.3}, ranks), small);
+  EXPECT_EQ(solver->name(BodyOutline{2, many, false, 0.3}, ranks), small) << "in the plane factors are cheap";
+  EXPECT_EQ(solver->name(BodyOutline{3, many, true, 0.3}, ranks), small) << "contact takes S";
+  EXPECT_EQ(solver->name(BodyOutline{3, many, false, 0.49}, ranks), small);
+  EXPECT_EQ(test::makeSolver("Cholmod")->name(BodyOutline{3, many, false, 0.3}, ranks), "Cholmod");
+}
+
 TEST(LinearSolvers, UnknownTypeIsAnsweredWithTheKnownOnes)
 {
   const std::string text = test::complaint("Pardiso", "");

@@ -1,6 +1,8 @@
 #include "krylov_body.hpp"
 
 #include <cmath>
+#include <limits>
+#include <mutex>
 #include <numeric>
 
 #include <fmt/format.h>
@@ -21,6 +23,13 @@ double meanDiagonal(const BlockMatrix& K, const Comm& comm)
   return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
 }
 
+/// Bodies may be solved by several threads; the libraries are for one at a time.
+std::mutex& librariesInUse()
+{
+  static std::mutex mutex;
+  return mutex;
+}
+
 /// K on the dofs of one role, solved by conjugate gradients from a start that earlier solutions give.
 class KrylovSystem
 {
@@ -29,6 +38,7 @@ public:
                const MakeConjugateGradients& makeCg)
       : matrix_(*problem.matrix), roles_(problem.roles), comm_(comm), ledger_(ledger), options_(options)
   {
+    const std::lock_guard lock(librariesInUse());
     startMpi();
     cg_ = makeCg(problem, comm, meanDiagonal(matrix_, comm));
     if (cg_->work().products > 0)
@@ -36,17 +46,19 @@ public:
     countWork();
   }
 
-  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first: CG follows a
-  /// residual of its own that drifts, so it is started again on what is left. Throws NotConverged and SingularBody.
+  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first or round-off:
+  /// CG follows a residual of its own that drifts, so it is started again on what is left. Throws NotConverged and
+  /// SingularBody.
   Vector solve(const Vector& load, Vector u) const
   {
+    const std::lock_guard lock(librariesInUse());
     Vector residual = interiorResidual(load, u);
     const double initial = norm(residual);
     u = sum(std::move(u), recycled_.start(residual));
     const Vector start = u, missing = residual = interiorResidual(load, u);
-    double current = norm(residual);
+    double current = norm(residual), before = current;
     int iterations = 0;
-    while (!(current <= options_.tolerance * initial)) {
+    while (!(current <= options_.tolerance * initial || (2.0 * current > before && current <= roundOff(u)))) {
       if (iterations >= options_.maxIterations || !std::isfinite(current))
         throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
                                        "Iterations\" or use another preconditioner or a direct solver",
@@ -59,7 +71,7 @@ public:
           u[dof] += step.x[dof];
       iterations += std::max(step.iterations, 1);
       residual = interiorResidual(load, u);
-      current = norm(residual);
+      before = std::exchange(current, norm(residual));
     }
     if (iterations > 0)
       recycled_.add(difference(u, start), difference(missing, residual));
@@ -92,6 +104,23 @@ private:
     for (std::size_t dof = 0; dof < residual.size(); ++dof)
       residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
     return residual;
+  }
+
+  /// What computing K u may leave of the residual, whatever u is: unit round-off times |K| |u|, and something for the
+  /// length of the rows.
+  double roundOff(const Vector& u) const
+  {
+    const int dim = matrix_.dim;
+    Vector sizes(u.size(), 0.0);
+    const double* entry = matrix_.values.data();
+    for (std::size_t r = 0; r < matrix_.rows.size(); ++r)
+      for (std::int64_t b = matrix_.rowPtr[r]; b < matrix_.rowPtr[r + 1]; ++b)
+        for (int i = 0; i < dim; ++i)
+          for (int j = 0; j < dim; ++j)
+            sizes[std::size_t(matrix_.rows[r]) * std::size_t(dim) + std::size_t(i)] +=
+                std::abs(*entry++ * u[std::size_t(matrix_.cols[std::size_t(b)]) * std::size_t(dim) + std::size_t(j)]);
+    comm_.sum(sizes);
+    return 16.0 * std::numeric_limits<double>::epsilon() * norm(sizes);
   }
 
   /// What two levels took since the last call.

@@ -90,10 +90,13 @@ ListSpec preconditionerList()
   return preconditioner;
 }
 
+constexpr KrylovOptions defaults = {1e-10, 1000};
+
 std::vector<ParamSpec> iterationParameters()
 {
-  return {{"Tolerance", 1e-10, inOpenRange(0.0, 1.0), "True residual of a solve relative to its right-hand side."},
-          {"Maximum Iterations", 1000, atLeast(1.0), "Iterations of one solve."}};
+  return {{"Tolerance", defaults.tolerance, inOpenRange(0.0, 1.0),
+           "True residual of a solve relative to its right-hand side."},
+          {"Maximum Iterations", defaults.maxIterations, atLeast(1.0), "Iterations of one solve."}};
 }
 
 std::unique_ptr<LinearSolver> makeKrylov(const std::string& name, const Params& params,
@@ -105,6 +108,11 @@ std::unique_ptr<LinearSolver> makeKrylov(const std::string& name, const Params& 
 }
 
 } // namespace
+
+std::unique_ptr<LinearSolver> makeMultigrid()
+{
+  return std::make_unique<Krylov>("Multigrid", defaults, makeVertexMueLu({}), Teuchos::ParameterList());
+}
 
 void registerKrylov(Registry<LinearSolver>& registry)
 {
@@ -123,7 +131,9 @@ void registerMultigrid(Registry<LinearSolver>& registry)
       "Conjugate gradients preconditioned on two levels: Chebyshev's polynomials on all nodes, algebraic multigrid of "
       "MueLu on the vertices (with order 1 these are all). Any number of ranks; for large solids.",
       iterationParameters(),
-      [](const Params& params) { return makeKrylov("Multigrid", params, makeVertexMueLu(params.sub("MueLu"))); },
+      [](const Params& params) {
+        return makeKrylov("Multigrid", params, makeVertexMueLu(params.sub("MueLu").teuchos()));
+      },
       {belosList(), mueLuList()});
 }
 

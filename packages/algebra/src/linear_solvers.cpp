@@ -6,26 +6,45 @@ namespace ndframe
 namespace
 {
 
-/// The direct solver that is fastest for the number of ranks.
+/// Above so many dofs the factor of a solid costs more than a run of conjugate gradients with two levels and the start
+/// of its libraries. docs/performance.md has the measurements.
+constexpr int largeSolid = 40000;
+
+/// Where the volume hardly changes linear functions lock, and the level of the vertices is of no use.
+constexpr double nearlyIncompressible = 0.48;
+
+/// The solver that is fastest for the number of ranks and the body.
 class Automatic final : public LinearSolver
 {
 public:
   std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
   {
-    return choose(comm.size())->factor(problem, comm, ledger);
+    const BlockMatrix& K = *problem.matrix;
+    const BodyOutline body{K.dim, K.numDofs(), !problem.kept.empty(), problem.poissonRatio};
+    return choose(body, comm.size())->factor(problem, comm, ledger);
   }
+  std::string name(const BodyOutline& body, int ranks) const override { return choose(body, ranks)->name(ranks); }
   std::string name(int ranks) const override { return choose(ranks)->name(ranks); }
   bool needsMpi(int ranks) const override { return choose(ranks)->needsMpi(ranks); }
   bool allowsThreads(int ranks) const override { return choose(ranks)->allowsThreads(ranks); }
 
 private:
+  /// Contact takes S, which comes with a factor and else costs a run of conjugate gradients for each of its columns.
+  static std::unique_ptr<LinearSolver> choose(const BodyOutline& body, int ranks)
+  {
+    const bool isLarge = body.dim == 3 && body.dofs >= largeSolid;
+    return isLarge && !body.touches && body.poissonRatio <= nearlyIncompressible ? makeMultigrid() : choose(ranks);
+  }
   static std::unique_ptr<LinearSolver> choose(int ranks) { return ranks == 1 ? makeCholmod() : makeMumps(); }
 };
 
 void registerAutomatic(Registry<LinearSolver>& registry)
 {
-  registry.add("Automatic", "Cholmod on one rank, Mumps on several.", {},
-               [](const Params&) { return std::make_unique<Automatic>(); });
+  registry.add("Automatic",
+               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more that touch no "
+               "other body, unless "
+               "they are nearly incompressible (Poisson ratio above 0.48).",
+               {}, [](const Params&) { return std::make_unique<Automatic>(); });
 }
 
 } // namespace

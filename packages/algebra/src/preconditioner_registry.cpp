@@ -53,10 +53,10 @@ ListSpec mueLuList()
   return list;
 }
 
-std::unique_ptr<Preconditioner> makeVertexMueLu(const Params& params)
+std::unique_ptr<Preconditioner> makeVertexMueLu(const Teuchos::ParameterList& given)
 {
   const KrylovLibrary& library = krylovLibrary();
-  Teuchos::ParameterList list = conformed(params.teuchos(), library.validMueLu());
+  Teuchos::ParameterList list = conformed(given, library.validMueLu());
   if (!list.isParameter("smoother: type")) {
     list.set("smoother: type", "CHEBYSHEV");
     list.sublist("smoother: params").set("chebyshev: degree", 4);

@@ -13,6 +13,6 @@ ListSpec mueLuList();
 
 /// MueLu for the vertices of second-order elements: a smoother of degree 4, unless the list says otherwise. There it is
 /// cheap beside what is done on all nodes.
-std::unique_ptr<Preconditioner> makeVertexMueLu(const Params& params);
+std::unique_ptr<Preconditioner> makeVertexMueLu(const Teuchos::ParameterList& list);
 
 } // namespace ndframe

@@ -11,8 +11,9 @@ void registerMumps(Registry<LinearSolver>& registry);
 void registerMultigrid(Registry<LinearSolver>& registry);
 void registerKrylov(Registry<LinearSolver>& registry);
 
-/// The two that "Automatic" chooses from.
+/// Those that "Automatic" chooses from, with their defaults.
 std::unique_ptr<LinearSolver> makeCholmod();
 std::unique_ptr<LinearSolver> makeMumps();
+std::unique_ptr<LinearSolver> makeMultigrid();
 
 } // namespace ndframe

@@ -104,6 +104,14 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> 
   return system;
 }
 
+double BodyModel::poissonRatio() const
+{
+  double largest = 0.0;
+  for (const Elasticity& law : laws.all())
+    largest = std::max(largest, effectivePoisson(law));
+  return largest;
+}
+
 Vector BodySystem::effectiveLoad(const Comm& comm) const
 {
   if (std::all_of(dofs.prescribed.begin(), dofs.prescribed.end(), [](double value) { return value == 0.0; }))

@@ -264,6 +264,7 @@ SolverProblem solverProblem(const BodyModel& body, const RigidBasis& rigid, cons
   problem.kept = system.dofs.keptDofs();
   problem.nearNullSpace = rigidModes(rigid, body.nodes, system.dofs.frames);
   problem.nodePoints = body.nodes.points;
+  problem.poissonRatio = body.poissonRatio();
   problem.edgeNodes.ends = edgeEnds(body.nodes);
   const Frames& frames = system.dofs.frames;
   for (int node = 0; node < body.nodes.numNodes() && frames.anyTurned(); ++node)

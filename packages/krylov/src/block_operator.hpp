@@ -50,9 +50,12 @@ private:
       double sum[dim] = {};
       for (std::int64_t b = matrix_.rowPtr[r]; b < matrix_.rowPtr[r + 1]; ++b, ++column, entry += dim * dim) {
         const double* value = x + std::ptrdiff_t(*column) * dim;
-        for (int i = 0; i < dim; ++i)
-          for (int j = 0; j < dim; ++j)
-            sum[i] += entry[i * dim + j] * value[j];
+        for (int i = 0; i < dim; ++i) { // a block's part by itself: sums of all blocks would wait for each other
+          double part = entry[i * dim] * value[0];
+          for (int j = 1; j < dim; ++j)
+            part += entry[i * dim + j] * value[j];
+          sum[i] += part;
+        }
       }
       for (int i = 0; i < dim; ++i) {
         const std::size_t dof = r * dim + std::size_t(i);

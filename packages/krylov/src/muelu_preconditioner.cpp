@@ -60,7 +60,8 @@ private:
     if (isParallel && !list_.isParameter("coarse: type")) {
       list.set("coarse: max size", 200);
       list.set("coarse: type", "CHEBYSHEV");
-      list.sublist("coarse: params").set("chebyshev: degree", 10);
+      list.sublist("coarse: params").set("chebyshev: degree", 20);
+      list.sublist("coarse: params").set("chebyshev: ratio eigenvalue", 300.0);
     }
     list.setParameters(list_);
     return list;

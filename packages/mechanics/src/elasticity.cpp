@@ -26,6 +26,15 @@ const Names<Hypothesis>& hypothesisNames()
   return names;
 }
 
+double effectivePoisson(const Elasticity& law)
+{
+  double largest = 0.0;
+  for (int i = 0; i < law.dim; ++i)
+    for (int j = 0; j < i; ++j)
+      largest = std::max(largest, law(i, j) / (0.5 * (law(i, i) + law(j, j)) + law(i, j)));
+  return largest;
+}
+
 Elasticity reduceTo(Hypothesis hypothesis, const SpatialStiffness& C)
 {
   if (hypothesis == Hypothesis::ThreeDimensional)

@@ -17,6 +17,9 @@ namespace
 /// Of the process before it has read anything.
 constexpr double atStart = 30e6;
 
+/// A dof of a solid with its matrix, two levels and what is beside them.
+constexpr double multigridBytes = 1500.0;
+
 std::string linearSolverOf(const Params& deck)
 {
   return deck.sub("Linear Solver").get<std::string>("Type");
@@ -86,12 +89,16 @@ std::string memoryPlan(const Params& deck)
                      bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
 }
 
-void checkMemory(const Model& model, const Params& deck, const Comm& comm, Diagnostics& diagnostics)
+void checkMemory(const Model& model, const Params& deck, const LinearSolver& solver, const Comm& comm,
+                 Diagnostics& diagnostics)
 {
   const double ofInterfaces = memoryOfInterfaces(model, deck.sub("Interface Operator"));
   double bytes = ofInterfaces;
-  for (const auto& body : model.bodies)
-    bytes += memoryOfBody(double(body.numDofs()), body.mesh.dim);
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyOutline body = model.outline(int(b));
+    const bool iterates = solver.name(body, comm.size()) == "Multigrid"; // chosen by Automatic
+    bytes += iterates ? multigridBytes * body.dofs : memoryOfBody(body.dofs, body.dim);
+  }
   const MemoryLeft left = memoryLeft();
   const bool isTooLarge = isDirect(deck) && 0.5 * bytes > double(left.bytes);
   if (comm.sum(std::int64_t(isTooLarge)) == 0)

@@ -184,7 +184,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   checkHeld(model, deck, diagnostics);
   if (tools.settings.output.exodus)
     checkFieldNames(model, deck, diagnostics);
-  checkMemory(model, deck, tools.comm, diagnostics);
+  checkMemory(model, deck, *tools.solver, tools.comm, diagnostics);
   checkRecovery(model, tools, diagnostics);
   checkExpectationNames(outlineSummary(model, tools.settings, *tools.solver, 1), tools.settings, diagnostics);
   if (tools.settings.strictInput)

@@ -167,7 +167,7 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
     body.dofs = model.bodies[b].isRigid ? 0 : model.bodies[b].numDofs();
     body.elements = model.bodies[b].mesh.numCells();
     body.order = model.bodies[b].nodes.order;
-    body.solver = model.bodies[b].isRigid ? "-" : solver.name(ranks);
+    body.solver = model.bodies[b].isRigid ? "-" : solver.name(model.outline(int(b)), ranks);
     body.heldBy = heldBy(model, int(b));
     for (const auto& support : model.bodies[b].supports)
       body.supports.push_back({support->params().name(), support->description(), {}, {}, {}});

@@ -143,6 +143,15 @@ int Model::bodyIndex(const std::string& name) const
   return -1;
 }
 
+BodyOutline Model::outline(int body) const
+{
+  const BodyModel& model = bodies[std::size_t(body)];
+  const bool touches = std::any_of(interfaces.begin(), interfaces.end(), [body](const InterfaceMesh& interface) {
+    return interface.dirichletBody == body || interface.neumannBody == body;
+  });
+  return {model.mesh.dim, model.numDofs(), touches, model.isRigid ? 0.0 : model.poissonRatio()};
+}
+
 std::vector<int> Model::elasticBodies() const
 {
   std::vector<int> numbers;

@@ -1,5 +1,3 @@
-#include <algorithm>
-
 #include <fmt/format.h>
 
 #include "checks.hpp"
@@ -11,17 +9,6 @@ namespace
 {
 
 constexpr double largestPoisson = 0.45;
-
-/// nu of an isotropic law with the same D, lambda / (2 (lambda + mu)), the largest over the planes. Plane stress, where
-/// nothing locks, has nu / (1 + nu) < 1/3 there.
-double effectivePoisson(const Elasticity& law)
-{
-  double largest = 0.0;
-  for (int i = 0; i < law.dim; ++i)
-    for (int j = 0; j < i; ++j)
-      largest = std::max(largest, law(i, j) / (0.5 * (law(i, i) + law(j, j)) + law(i, j)));
-  return largest;
-}
 
 } // namespace
 

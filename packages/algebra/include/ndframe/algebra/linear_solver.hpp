@@ -41,6 +41,16 @@ struct SolverProblem
   DenseMatrix nearNullSpace;      ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
   std::vector<double> nodePoints; ///< dim * numNodes coordinates
   EdgeNodes edgeNodes;            ///< used by multigrid
+  double poissonRatio = 0.0;      ///< the largest of the body's materials, as of isotropic ones
+};
+
+/// What decides on the solver of a body before there is a matrix.
+struct BodyOutline
+{
+  int dim = 0;
+  int dofs = 0;
+  bool touches = false; ///< other bodies: it has kept dofs
+  double poissonRatio = 0.0;
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,
@@ -85,8 +95,10 @@ public:
   /// factor. Collective.
   virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm,
                                                 Ledger& ledger) const = 0;
-  /// The solver that factors a body on so many ranks.
+  /// The solver that factors bodies on so many ranks, where it does not depend on the body.
   virtual std::string name(int ranks) const = 0;
+  /// The solver that factors this body.
+  virtual std::string name(const BodyOutline& /*body*/, int ranks) const { return name(ranks); }
   /// True when it calls MPI on so many ranks; a single process starts MPI for nothing else.
   virtual bool needsMpi(int ranks) const = 0;
   /// True when threads may factor bodies at the same time.
@@ -102,7 +114,8 @@ public:
   int dof; ///< -1 when the solver cannot tell
 };
 
-/// "Automatic" (Cholmod on one rank, Mumps on several), "Cholmod", "Mumps", "Multigrid", "Krylov".
+/// "Automatic" (Cholmod on one rank, Mumps on several, Multigrid for large solids that touch nothing), "Cholmod",
+/// "Mumps", "Multigrid", "Krylov".
 void registerLinearSolvers(Registry<LinearSolver>& registry);
 
 } // namespace ndframe

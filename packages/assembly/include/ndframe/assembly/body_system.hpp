@@ -38,6 +38,7 @@ struct BodyModel
   /// The mesh without what other bodies cut into it: what is refined.
   const Mesh& uncut() const { return parents.empty() ? mesh : base; }
   int numDofs() const { return nodes.numNodes() * nodes.dim; }
+  double poissonRatio() const; ///< the largest of its materials, as of isotropic ones
   /// Side by name; null if the mesh has none of that name.
   const Side* side(const std::string& sideName) const { return mesh.findSide(sideName); }
 };

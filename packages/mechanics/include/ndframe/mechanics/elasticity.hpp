@@ -36,6 +36,10 @@ struct Elasticity
   double operator()(int i, int j) const { return D[std::size_t(i) * std::size_t(strains()) + std::size_t(j)]; }
 };
 
+/// nu of an isotropic law with the same D, lambda / (2 (lambda + mu)), the largest over the planes. Plane stress, where
+/// nothing locks, has nu / (1 + nu) < 1/3 there.
+double effectivePoisson(const Elasticity& law);
+
 /// Stiffness of the material in space, 6 x 6 row-major in the Voigt order above.
 using SpatialStiffness = std::array<double, 36>;
 

@@ -18,6 +18,7 @@ std::string memoryPlan(const Params& deck);
 
 /// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
 /// Collective.
-void checkMemory(const Model& model, const Params& deck, const Comm& comm, Diagnostics& diagnostics);
+void checkMemory(const Model& model, const Params& deck, const LinearSolver& solver, const Comm& comm,
+                 Diagnostics& diagnostics);
 
 } // namespace ndframe

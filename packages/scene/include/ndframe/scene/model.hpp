@@ -63,6 +63,7 @@ struct Model
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
   std::vector<int> elasticBodies() const;       ///< the numbers of the bodies that are not rigid
   std::vector<int> numDofs() const;             ///< per body
+  BodyOutline outline(int body) const;          ///< for the choice of its solver
   std::int64_t totalDofs() const;
 };
 

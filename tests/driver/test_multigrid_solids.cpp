@@ -1,0 +1,169 @@
+// Solids by conjugate gradients on two levels: the same answers as by a factorisation, and the work that they take.
+
+#include <algorithm>
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "driver/scene.hpp"
+
+using namespace ndframe;
+using namespace ndframe::test;
+
+namespace
+{
+
+void withoutCertificate(Scene& scene)
+{
+  auto& lists = scene.deck().lists;
+  lists.erase(
+      std::remove_if(lists.begin(), lists.end(), [](const auto& list) { return list.name == "Error Estimation"; }),
+      lists.end());
+}
+
+/// The turned block of two materials on rollers, without certificate.
+Scene block(const std::vector<const char*>& settings = {})
+{
+  Scene scene = Scene::fromFile(NDFRAME_BLOCK);
+  withoutCertificate(scene);
+  for (const char* setting : settings)
+    scene.set(setting);
+  return scene;
+}
+
+struct Variant
+{
+  const char* name;
+  std::vector<const char*> settings;
+  int mostIterations; ///< to 1e-11
+};
+
+void PrintTo(const Variant& variant, std::ostream* out)
+{
+  *out << variant.name;
+}
+
+class Block : public testing::TestWithParam<Variant>
+{};
+
+int iterations(const Outcome& outcome)
+{
+  return int(outcome.ledger->counted("Krylov iterations"));
+}
+
+} // namespace
+
+TEST_P(Block, HasTheDisplacementThatAFactorisationGives)
+{
+  const auto multigrid = block(GetParam().settings).set("Linear Solver/Tolerance=1e-11").run();
+  const auto cholmod = block(GetParam().settings).set("Linear Solver/Type=Cholmod").run();
+  EXPECT_LT(relativeDifference(displacement(multigrid.run, 0), displacement(cholmod.run, 0)), 1e-8);
+  EXPECT_NEAR(multigrid.run.summary.energy / cholmod.run.summary.energy, 1.0, 1e-10);
+  EXPECT_EQ(multigrid.ledger->counted("factorisations"), 0);
+  EXPECT_LE(iterations(multigrid), GetParam().mostIterations);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Variants, Block,
+    testing::Values(Variant{"AsItIs", {}, 60}, Variant{"Straight", {"Bodies/block/Mesh/Rotation=0"}, 60},
+                    Variant{"Linear", {"Discretization/Order=1"}, 60},
+                    Variant{"NearlyIncompressible", {"Bodies/block/Material/Poisson Ratio=0.45"}, 90},
+                    Variant{"JumpOfStiffness", {"Bodies/block/Regions/core/Material/Young Modulus=1e4"}, 90},
+                    Variant{"SoftCore", {"Bodies/block/Regions/core/Material/Young Modulus=1e-4"}, 90},
+                    Variant{"FlatCells",
+                            {"Bodies/block/Mesh/Upper={2.0, 1.0, 0.2}",
+                             "Bodies/block/Mesh/Parts/core/Upper={1.5, 0.5, 0.1}"},
+                            150}),
+    [](const auto& variant) { return std::string(variant.param.name); });
+
+TEST(MultigridSolids, HaveTheBoundThatAFactorisationGives)
+{
+  const auto multigrid = Scene::fromFile(NDFRAME_BLOCK).run();
+  const auto cholmod = Scene::fromFile(NDFRAME_BLOCK).set("Linear Solver/Type=Cholmod").run();
+  const ErrorSummary &found = *multigrid.run.summary.errors, &expected = *cholmod.run.summary.errors;
+  EXPECT_TRUE(found.guaranteed) << found.reason;
+  EXPECT_NEAR(found.global->absolute / expected.global->absolute, 1.0,
+              1e-6); // the recovery's steps have single precision
+}
+
+/// Loose tolerances: no bound is called guaranteed whose stress is not in equilibrium, and no run converged.
+TEST(MultigridSolids, AreNotTrustedWithALooseTolerance)
+{
+  for (const char* tolerance : {"1e-2", "1e-4", "1e-6"}) {
+    const auto loose = Scene::fromFile(NDFRAME_BLOCK).set(std::string("Linear Solver/Tolerance=") + tolerance).run();
+    const ErrorSummary& errors = *loose.run.summary.errors;
+    EXPECT_FALSE(errors.guaranteed) << tolerance;
+    EXPECT_THAT(errors.reason, testing::HasSubstr("solve more tightly")) << tolerance;
+  }
+  EXPECT_TRUE(Scene::fromFile(NDFRAME_BLOCK).set("Linear Solver/Tolerance=1e-10").run().run.summary.errors->guaranteed);
+}
+
+/// At every tolerance the bound, guaranteed or not, stays above the distance to a solution on a much finer mesh.
+TEST(MultigridSolids, HaveNoBoundBelowTheirErrorWithALooseTolerance)
+{
+  for (const char* tolerance : {"1e-1", "1e-3", "1e-5"}) {
+    Scene scene = Scene::fromFile(NDFRAME_BLOCK);
+    scene.set("Bodies/block/Mesh/Cells={4, 2, 2}").set("Error Estimation/Estimators={Global, Reference}");
+    scene.set("Error Estimation/Reference/Refinements=1").set(std::string("Linear Solver/Tolerance=") + tolerance);
+    const auto outcome = scene.run();
+    const auto& errors = *outcome.run.summary.errors;
+    EXPECT_GT(errors.global->absolute, errors.reference->displacement) << tolerance;
+  }
+}
+
+TEST(MultigridSolids, TakeHardlyMoreIterationsAndProductsOnAFinerMesh)
+{
+  const auto coarse = block({"Bodies/block/Mesh/Cells={4, 2, 2}"}).run(), middle = block().run();
+  const auto fine = block({"Bodies/block/Mesh/Cells={16, 8, 8}"}).run();
+  EXPECT_LE(iterations(middle), 1.5 * iterations(coarse));
+  EXPECT_LE(iterations(fine), 1.5 * iterations(middle));
+  EXPECT_LE(fine.ledger->counted("fine products"), 300);
+  EXPECT_EQ(fine.ledger->counted("multigrid set-ups"), 1);
+}
+
+TEST(MultigridSolids, DoNotDependOnUnits)
+{
+  const auto one = block().run(), other = block().changeUnits(1e-3, 2e11).run();
+  EXPECT_NEAR(iterations(other), iterations(one), 2);
+  Vector u = displacement(other.run, 0);
+  for (double& value : u)
+    value *= 1e3;
+  EXPECT_LT(relativeDifference(u, displacement(one.run, 0)), 1e-8);
+}
+
+/// A slender cantilever: what K u loses in round-off is more than the tolerance allows of the load.
+TEST(MultigridSolids, EndAtRoundOff)
+{
+  Scene scene("beam-3d");
+  scene.set("Bodies/beam/Mesh/Upper={100.0, 0.5, 0.25}").set("Bodies/beam/Mesh/Cells={60, 2, 1}");
+  scene.set("Bodies/beam/Loads/bending/X=0").set("Bodies/beam/Loads/bending/Y=1e-6");
+  const auto cholmod = Scene(scene).set("Linear Solver/Type=Cholmod").run();
+  const auto multigrid = scene.set("Linear Solver/Type=Multigrid").set("Linear Solver/Tolerance=1e-14").run();
+  EXPECT_LT(relativeDifference(displacement(multigrid.run, 0), displacement(cholmod.run, 0)), 1e-6);
+}
+
+/// Condensed, with a run a column, and by sweeps with Neumann problems.
+TEST(MultigridSolids, TouchAsFactoredOnesDo)
+{
+  Scene scene("contact-loss-3d");
+  withoutCertificate(scene);
+  for (const char* cells : {"Bodies/upper/Mesh/Cells={2, 2, 2}", "Bodies/lower/Mesh/Cells={4, 4, 2}"})
+    scene.set(cells);
+  for (const char* coupling : {"Coupling/Type=Monolithic", "Coupling/Type=Neumann-Dirichlet"}) {
+    const auto cholmod = Scene(scene).set(coupling).set("Linear Solver/Type=Cholmod").run();
+    const auto multigrid =
+        Scene(scene).set(coupling).set("Linear Solver/Type=Multigrid").set("Linear Solver/Tolerance=1e-12").run();
+    for (int body = 0; body < 2; ++body)
+      EXPECT_LT(relativeDifference(displacement(multigrid.run, body), displacement(cholmod.run, body)), 1e-8)
+          << coupling;
+    EXPECT_EQ(statuses(multigrid.run), statuses(cholmod.run)) << coupling;
+  }
+}
+
+TEST(Automatic, TakesMultigridForALargeSolid)
+{
+  Scene scene = block({"Bodies/block/Mesh/Cells={18, 11, 11}"});
+  const auto outcome = scene.set("Linear Solver/Type=Automatic").run();
+  EXPECT_EQ(outcome.run.summary.bodies.front().solver, "Multigrid");
+  EXPECT_EQ(outcome.ledger->counted("multigrid set-ups"), 1);
+}
