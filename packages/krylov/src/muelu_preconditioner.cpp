@@ -53,6 +53,7 @@ private:
     Teuchos::ParameterList list;
     list.set("verbosity", "none");
     list.set("multigrid algorithm", "sa");
+    list.set("sa: eigenvalue estimate num iterations", powerSteps); // the smoother takes this estimate, too
     if (!list_.isParameter("smoother: type")) {
       list.set("smoother: type", "CHEBYSHEV");
       list.sublist("smoother: params").set("chebyshev: degree", 2);
@@ -60,13 +61,18 @@ private:
     if (isParallel && !list_.isParameter("coarse: type")) {
       list.set("coarse: max size", 200);
       list.set("coarse: type", "CHEBYSHEV");
-      list.sublist("coarse: params").set("chebyshev: degree", 20);
-      list.sublist("coarse: params").set("chebyshev: ratio eigenvalue", 300.0);
+      Teuchos::ParameterList& params = list.sublist("coarse: params");
+      params.set("chebyshev: degree", 20);
+      params.set("chebyshev: ratio eigenvalue", 300.0);
+      params.set("chebyshev: eigenvalue max iterations", 2 * powerSteps);
     }
     list.setParameters(list_);
     return list;
   }
 
+  /// An estimate of the largest eigenvalue that is 15 % too low makes Chebyshev's polynomial indefinite; MueLu's ten
+  /// steps are not always enough.
+  static constexpr int powerSteps = 30;
   Teuchos::ParameterList list_;
 };
 
