@@ -11,6 +11,6 @@ install(FILES ${PROJECT_BINARY_DIR}/ndframeConfig.cmake ${PROJECT_BINARY_DIR}/nd
               cmake/NdframeThirdParty.cmake
         DESTINATION ${NDFRAME_CMAKE_DIR})
 
-# nddiff compares any two Exodus files; it looks for its modules in ../share/ndframe.
+# nddiff compares any two Exodus files; `ndframe report` makes pages. Both look for their modules in ../share/ndframe.
 install(PROGRAMS regression/nddiff DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY regression/harness DESTINATION ${CMAKE_INSTALL_DATADIR}/ndframe PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY regression/harness apps/ndreport DESTINATION ${NDFRAME_SHARE_DIR} PATTERN __pycache__ EXCLUDE)

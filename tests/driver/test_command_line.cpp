@@ -56,6 +56,14 @@ INSTANTIATE_TEST_SUITE_P(Decks, ShippedDeckRun, testing::ValuesIn(shippedDecks()
                            return name;
                          });
 
+TEST_F(Program, HelpKnowsTheReport)
+{
+  EXPECT_THAT(call({"--help"}).out, HasSubstr("report"));
+  const auto result = call({"--help", "report"});
+  EXPECT_EQ(result.exitCode, 0);
+  EXPECT_THAT(result.out, AllOf(StartsWith("ndframe report NAME"), HasSubstr("python3-jinja2")));
+}
+
 TEST_F(Program, WithoutADeckSaysHowToGiveOne)
 {
   const auto result = call({});

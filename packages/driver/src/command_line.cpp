@@ -37,6 +37,10 @@ void declareOptions(CLI::App& app, CommandLine& options)
   app.add_flag("--version", options.version, "The version.");
   app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
   app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
+  app.add_subcommand("report", "Write NAME.report.html, one page with everything that a run or a study has left "
+                               "(`ndframe report --help`).")
+      ->prefix_command()
+      ->set_help_flag();
 }
 
 const char* exitCodeText()

@@ -13,17 +13,18 @@
 #include <fmt/ranges.h>
 
 #include "accuracy_list.hpp"
+#include "answers.hpp"
 #include "command_line.hpp"
 #include "failures.hpp"
 #include "ndframe/algebra/launcher.hpp"
 #include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
-#include "ndframe/base/help.hpp"
 #include "ndframe/driver/deck_spec.hpp"
 #include "ndframe/driver/run_deck.hpp"
 #include "ndframe/driver/tied_deck.hpp"
 #include "ndframe/report/accuracy_screen.hpp"
 #include "ndframe/report/error_screen.hpp"
+#include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/report/screen.hpp"
 #include "ndframe/run/energy_comparison.hpp"
@@ -42,29 +43,6 @@ namespace
 
 /// What becomes of the files of a run that ends without a solution.
 constexpr const char* noSolution = "there is no solution: none is written, and files of an earlier one are removed";
-
-/// The questions that need no deck; true when one was asked.
-bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out)
-{
-  if (options.version)
-    out << "ndframe " << versionText() << "\n";
-  else if (options.help && options.help->empty())
-    out << app.help() << exitCodeText() << "\n"
-        << "`ndframe --help Coupling` explains a list of the deck, `ndframe --list` shows all components.\n";
-  else if (options.help)
-    out << helpText(makeDeckSpec(components), *options.help);
-  else if (options.list)
-    out << componentList(makeDeckSpec(components));
-  else if (options.reference)
-    out << referenceMarkdown(makeDeckSpec(components));
-  else if (options.dumpDefaults) {
-    Diagnostics diagnostics;
-    out << toXml(validate(parseDeck(defaultDeck(), "default"), makeDeckSpec(components), diagnostics));
-    diagnostics.throwIfAny();
-  } else
-    return false;
-  return true;
-}
 
 /// The deck with the settings and axes of the command line, not validated.
 DeckList readInput(const CommandLine& options, Diagnostics& diagnostics)
@@ -190,6 +168,7 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
     return ExitCode::Right;
   }
   checkOutput(settings, options.deck);
+  writeOnFirstRank(comm, [&] { checkReport(settings.output); });
   claimLibraryMemory();
   if (options.check) {
     Ledger ledger(&log);
@@ -248,6 +227,14 @@ std::optional<Comm> joinProcesses(int& argc, char**& argv)
   }
 }
 
+/// `ndframe report NAME`: the page of files that are there.
+ExitCode reportOn(const std::vector<std::string>& arguments, const Comm& comm)
+{
+  int code = 0;
+  writeOnFirstRank(comm, [&] { code = runReport(arguments); });
+  return code == 0 ? ExitCode::Right : (code == 1 ? ExitCode::Bug : ExitCode::UserInput);
+}
+
 /// All that the command line asks for.
 ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& extend, const Comm& comm,
               bool& computed)
@@ -256,6 +243,8 @@ ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& 
       options.quiet ? Verbosity::Quiet : (options.verbose ? Verbosity::Verbose : Verbosity::Normal);
   const Log log(std::cout, verbosity, comm.rank() == 0, showsLiveLines(comm));
   const auto components = makeComponents(extend);
+  if (const CLI::App* const wanted = app.get_subcommand("report"); wanted->parsed())
+    return reportOn(wanted->remaining(), comm);
   std::ostream nobody(nullptr);
   if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))
     return ExitCode::Right;

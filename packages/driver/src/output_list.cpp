@@ -36,6 +36,10 @@ ListSpec outputSpec()
       {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line a level."},
       {"All Levels", false,
        "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
+      {"Report", false,
+       "Write NAME.report.html: scene, verdict, pictures and tables of the files that are written, in one page without "
+       "links to other files; `ndframe report NAME` does it later. Needs Summary, and python3-netcdf4, "
+       "python3-matplotlib and python3-jinja2. A study gets one for its table."},
       {"Steps", std::string("Final"), stepsNames().range(),
        "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."},
       {"Equilibrated Stress", false,
@@ -69,6 +73,7 @@ OutputOptions outputOptions(const Params& deck)
   options.summary = list.get<bool>("Summary");
   options.contactTable = list.get<bool>("Contact Table");
   options.levelTable = list.get<bool>("Level Table");
+  options.report = list.get<bool>("Report");
   options.allLevels = list.get<bool>("All Levels");
   options.steps = stepsNames().value(list.get<std::string>("Steps"));
   options.equilibratedStress = list.get<bool>("Equilibrated Stress");

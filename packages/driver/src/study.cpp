@@ -11,6 +11,7 @@
 #include "ndframe/base/progress.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/report/accuracy_screen.hpp"
+#include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/summarize.hpp"
@@ -186,6 +187,8 @@ ExitCode StudyRunner::run(const Log& log, bool& computed)
   const double start = wallSeconds();
   const OutputOptions output = readSettings(study_.cases.front().deck).output;
   checkNameLength(output, study_.fileName);
+  if (study_.writesReport)
+    writeOnFirstRank(comm_, [&] { checkReport(output.place); });
   if (!study_.columns.empty())
     checkColumns();
   const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
@@ -203,6 +206,8 @@ ExitCode StudyRunner::run(const Log& log, bool& computed)
     writeRows(partial);
   }
   writeRows(stem + ".study.csv");
+  if (study_.writesReport)
+    writeOnFirstRank(comm_, [&] { writeReport(stem + ".study.csv"); });
   std::error_code ignored;
   if (comm_.rank() == 0)
     std::filesystem::remove(partial, ignored);

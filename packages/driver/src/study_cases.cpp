@@ -95,17 +95,25 @@ std::int64_t numCases(const Study& study, const DeckList& list, Diagnostics& dia
   return number > mostCases ? 0 : number;
 }
 
+/// An entry of the list Output; empty where the deck has none.
+std::string outputEntry(const DeckList& deck, const std::string& name)
+{
+  const DeckList* output = deck.findList("Output");
+  const DeckEntry* entry = output == nullptr ? nullptr : output->findEntry(name);
+  return entry == nullptr ? std::string() : entry->value;
+}
+
 /// As Output/Name says; else the deck's file without its ending.
 std::string fileNameOf(const DeckList& deck, const std::string& deckName)
 {
-  const DeckList* output = deck.findList("Output");
-  const DeckEntry* name = output == nullptr ? nullptr : output->findEntry("Name");
-  return name == nullptr || name->value.empty() ? std::filesystem::path(deckName).stem().string() : name->value;
+  const std::string name = outputEntry(deck, "Name");
+  return name.empty() ? std::filesystem::path(deckName).stem().string() : name;
 }
 
 /// A study is read in its table; files of the cases are written on demand.
 void setOutput(DeckList& deck, const Study& study, const std::string& caseName, Diagnostics& diagnostics)
 {
+  applySetting(deck, "Output/Report=false", diagnostics); // of the table
   if (study.writesFiles)
     applySetting(deck, "Output/Name=" + caseName, diagnostics);
   else
@@ -262,6 +270,7 @@ Study expandStudy(const DeckList& deck, const std::string& deckName, const ListS
   study.fileName = fileNameOf(base, deckName);
   study.columns = params.sub("Study").get<std::vector<std::string>>("Columns");
   study.writesFiles = params.sub("Study").get<bool>("Files");
+  study.writesReport = outputEntry(base, "Report") == "true";
   std::set<std::string> said;
   for (std::int64_t k = 0; k < number; ++k) {
     Diagnostics ofCase;

@@ -33,6 +33,7 @@ struct Study
   std::vector<StudyCase> cases;
   std::vector<std::string> columns; ///< paths of numbers of the summary
   bool writesFiles = false;         ///< of every case, as FILENAME.1.e, ...
+  bool writesReport = false;        ///< of the table
   std::string fileName;             ///< beginning of the names of all files
 };
 

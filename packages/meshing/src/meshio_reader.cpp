@@ -4,12 +4,8 @@
 #include <filesystem>
 #include <fstream>
 
-#include <fcntl.h>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/prctl.h>
-#include <sys/wait.h>
-#include <unistd.h>
 
 #include "child_process.hpp"
 #include "file_error.hpp"
@@ -17,6 +13,7 @@
 #include "gmsh_library.hpp"
 #include "mesh_sources.hpp"
 #include "meshio_script.hpp"
+#include "ndframe/base/python_script.hpp"
 #include "ndframe/base/scratch.hpp"
 #include "steady_file.hpp"
 
@@ -26,30 +23,8 @@ namespace ndframe
 namespace
 {
 
-constexpr const char* python = "/usr/bin/python3";
-constexpr int refused = 3, notStarted = 127;
+constexpr int refused = 3;
 constexpr int meshioSeconds = 300; ///< processor time; a hundred thousand cells take some seconds
-
-/// Runs the script and waits for it; it ends with this process, as a child of runInChild() does with its own.
-int runScript(const std::vector<std::string>& arguments)
-{
-  const pid_t script = fork();
-  if (script == 0) {
-    prctl(PR_SET_PDEATHSIG, SIGKILL);
-    if (const int nowhere = open("/dev/null", O_WRONLY); nowhere >= 0)
-      dup2(nowhere, STDOUT_FILENO);
-    std::vector<char*> words;
-    for (const std::string& argument : arguments)
-      words.push_back(const_cast<char*>(argument.c_str()));
-    words.push_back(nullptr);
-    execv(words.front(), words.data());
-    _exit(notStarted);
-  }
-  int status = 0;
-  while (script > 0 && waitpid(script, &status, 0) < 0 && errno == EINTR)
-    ;
-  return script > 0 && WIFEXITED(status) ? WEXITSTATUS(status) : -1;
-}
 
 /// The text of the .msh file that the script makes of a mesh.
 std::string convertedByMeshio(const std::string& path)
@@ -57,12 +32,13 @@ std::string convertedByMeshio(const std::string& path)
   const Scratch folder(makeScratchFolder());
   const auto in = [&](const char* name) { return (folder.path() / name).string(); };
   std::ofstream(in("script.py")) << meshioScript;
-  const std::vector<std::string> arguments{
-      python, "-I", in("script.py"), std::filesystem::absolute(path).string(), in("mesh.msh"), in("message")};
+  const std::vector<std::string> arguments{in("script.py"), std::filesystem::absolute(path).string(), in("mesh.msh"),
+                                           in("message")};
   const auto work = [&]() -> std::string {
-    const int code = runScript(arguments);
-    if (code == notStarted)
-      throw FileError(fmt::format("such files are read by meshio for Python, and {} cannot be started.", python));
+    const int code = runPython(arguments, true);
+    if (code == pythonNotStarted)
+      throw FileError(
+          fmt::format("such files are read by meshio for Python, and {} cannot be started.", pythonProgram));
     if (code == refused)
       throw FileError(readText(in("message")));
     if (code != 0)

@@ -8,6 +8,7 @@
 #include "ndframe/fem/quadrature.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_writer.hpp"
+#include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/run/interface_chains.hpp"
 #include "ndframe/run/run.hpp"
@@ -231,7 +232,8 @@ void removeSolution(const Plan& plan, const std::string& stem)
     removeEarlier(stem + contactEnding);
 }
 
-/// The files that Output asks for, written on one rank; the summary comes last because it tells what the others cost.
+/// The files that Output asks for, written on one rank; the summary comes after those whose cost it tells, the report
+/// after the summary, of which it is made.
 std::vector<std::string> writeFiles(Run& run, const OutputOptions& output, const std::string& deckName, Ledger& ledger)
 {
   const std::string stem = outputStem(output, deckName).string();
@@ -246,6 +248,10 @@ std::vector<std::string> writeFiles(Run& run, const OutputOptions& output, const
   if (output.summary) {
     written.push_back(stem + ".summary.json");
     writeTextAtomically(written.back(), toJson(run.summary));
+  }
+  if (output.report) {
+    written.push_back(stem + ".report.html");
+    writeReport(stem + ".summary.json");
   }
   return written;
 }

@@ -1,0 +1,231 @@
+"""Bodies of an Exodus file as triangles to be drawn: where they are, how far they move, what they carry."""
+
+import dataclasses
+import math
+
+import numpy
+
+# Facets of a tetrahedron, by its local vertices in an order that points outwards, and its node in the middle of two vertices.
+FACETS = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
+MIDDLE = {(0, 1): 4, (1, 2): 5, (0, 2): 6, (0, 3): 7, (1, 3): 8, (2, 3): 9}
+TRIANGLE_MIDDLE = {(0, 1): 3, (1, 2): 4, (0, 2): 5}
+
+
+@dataclasses.dataclass
+class Piece:
+    """What is drawn of one element block. In the plane its triangles are its cells, in space its outside.
+
+    `nodes` [triangles, 3 or 6]: vertices, then the nodes between them, numbers of the file; `owner`: their element in
+    the block. `body` is the body's number in the summary.
+    """
+
+    name: str
+    body: int
+    number: int
+    nodes: numpy.ndarray
+    owner: numpy.ndarray
+    rigid: bool
+
+    def parts(self):
+        """(small triangles [n, 3], their triangle, which of their three edges belong to the mesh [n, 3])."""
+        count = len(self.nodes)
+        if self.nodes.shape[1] == 3:
+            return self.nodes, numpy.arange(count), numpy.ones((count, 3), bool)
+        corners = ((0, 3, 5), (3, 1, 4), (5, 4, 2), (3, 4, 5))
+        # edge k lies opposite of vertex k
+        on_mesh = ((False, True, True), (True, False, True), (True, True, False), (False, False, False))
+        small = numpy.concatenate([self.nodes[:, c] for c in corners])
+        return small, numpy.tile(numpy.arange(count), 4), numpy.repeat(numpy.array(on_mesh), count, axis=0)
+
+
+class Bodies:
+    """Points, displacements and fields of the last step of a run."""
+
+    def __init__(self, results):
+        self.fields, self.names = results.fields, [body["name"] for body in results.summary["bodies"]]
+        self.decks = results.deck["Bodies"]
+        self.points = self.fields.points
+        self.dim = self.points.shape[1]
+        self.displacement = self.vector("disp_")
+        self.offset = self.vector("offset_")
+        self.pieces = [self.piece(name, block) for name, block in self.fields.blocks.items()]
+        self.contact = results.contact
+
+    def vector(self, prefix):
+        names = self.fields.variables("nodal")
+        if prefix + "x" not in names:
+            return None
+        return numpy.stack([self.nodal(prefix + axis) for axis in "xyz"[: self.dim]], axis=1)
+
+    def nodal(self, name):
+        return numpy.array(self.fields.values("nodal", name)[-1], float)
+
+    def element(self, name, piece):
+        """Values of the block's elements; None where there are none."""
+        if name not in self.fields.variables("element"):
+            return None
+        values = self.fields.values("element", name, piece.number)
+        return None if values is None else numpy.array(values[-1], float)
+
+    def piece(self, name, block):
+        body = self.body_of(name)
+        rigid = "Rigid" in self.decks.get(self.names[body], {})
+        if self.dim == 2:
+            return Piece(name, body, block.entity.number, oriented(self.points, block.nodes), numpy.arange(len(block.nodes)),
+                         rigid)
+        nodes, owner = outside(block.nodes)
+        return Piece(name, body, block.entity.number, nodes, owner, rigid)
+
+    def body_of(self, block):
+        fits = [i for i, name in enumerate(self.names) if block == name or block.startswith(name + ":")]
+        return max(fits, key=lambda i: len(self.names[i]))
+
+    def elastic(self):
+        return [piece for piece in self.pieces if not piece.rigid]
+
+    def facets(self, side_set):
+        """[facets, vertices] of a side set, by the file's node numbers; the vertices first, nodes between them left out."""
+        chosen, count = self.fields.side_sets[side_set], self.dim
+        local = {2: ((0, 1), (1, 2), (2, 0)), 3: ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1))}[count]
+        found = [self.fields.nodes_of(e)[list(local[s - 1])] for e, s in zip(chosen.elements, chosen.sides)]
+        return numpy.array(found, int).reshape(-1, count)
+
+    def facet_values(self, side_set, name):
+        """Values on a side set's facets, None where there are none."""
+        if side_set not in self.fields.side_sets or name not in self.fields.variables("side set"):
+            return None
+        values = self.fields.values("side set", name, self.fields.side_sets[side_set].entity.number)
+        return None if values is None else numpy.array(values[-1], float)
+
+    def size(self):
+        """Diagonal of the box around the elastic bodies."""
+        used = numpy.unique(numpy.concatenate([piece.nodes.ravel() for piece in self.elastic()]))
+        return float(numpy.linalg.norm(numpy.ptp(self.points[used], axis=0)))
+
+    def stress_at_nodes(self, piece):
+        """von Mises stress at the nodes: the file's, except where blocks meet and values of two materials were mixed."""
+        values = self.nodal("von_mises").copy()
+        shared = numpy.zeros(len(self.points), int)
+        for other in self.fields.blocks.values():
+            shared[numpy.unique(other.nodes)] += 1
+        own = self.fields.blocks[piece.name].nodes
+        border = numpy.unique(own)
+        border = border[shared[border] > 1]
+        if border.size and (cells := self.element("von_mises", piece)) is not None:
+            total, count = numpy.zeros(len(values)), numpy.zeros(len(values))
+            numpy.add.at(total, own, cells[:, None])
+            numpy.add.at(count, own, 1.0)
+            values[border] = total[border] / count[border]
+        return values
+
+    def moved(self, scale):
+        """Where the nodes are drawn with displacements `scale` times: bodies that touch are drawn touching.
+
+        A Gap that stands in the deck and not in the mesh is `offset`. Where displacements are enlarged together with it,
+        the openings are, too, and closed nodes meet; `scale.gaps` says so.
+        """
+        moved = self.points + scale.factor * self.displacement
+        if self.offset is not None:
+            moved += (scale.factor if scale.gaps else 1.0) * self.offset
+        return moved
+
+
+@dataclasses.dataclass(frozen=True)
+class Scale:
+    factor: float
+    gaps: bool  # openings are enlarged, too
+
+    def words(self):
+        if self.factor == 1.0:
+            return "displacements and gaps true to scale"
+        times = f"{self.factor:g} times" if self.factor >= 1.0 else f"multiplied by {self.factor:g}"
+        return f"displacements {'and gaps ' if self.gaps else ''}{times}"
+
+
+def choose_scale(bodies):
+    """Shows displacements, a twentieth of the scene, unless bodies that touch would be drawn overlapping or apart.
+
+    Between bodies that are drawn apart (distance g), closed nodes lie g (1 - factor) apart in the picture; a third of a
+    percent of the scene is not seen. Else everything stays true to scale.
+    """
+    size = bodies.size()
+    moved = numpy.unique(numpy.concatenate([piece.nodes.ravel() for piece in bodies.elastic()]))
+    if not bodies.displacement[moved].any():
+        return Scale(1.0, False)
+    if bodies.offset is not None:
+        largest = float(numpy.linalg.norm(bodies.displacement + bodies.offset, axis=1).max())
+        wanted = nice_below(0.06 * size / largest)
+        if wanted >= 1.0:
+            return Scale(wanted, wanted != 1.0)
+    largest = float(numpy.linalg.norm(bodies.displacement[moved], axis=1).max())
+    candidate = nice_below(0.06 * size / largest)
+    gaps = drawn_gaps(bodies)
+    while gaps.size and candidate > 1.0 and overlap(gaps, candidate) > 0.003 * size:
+        candidate = nice_below(candidate / 1.9)
+    if candidate < 1.0 and gaps.size and overlap(gaps, candidate) > 0.003 * size:
+        candidate = 1.0
+    return Scale(candidate if largest < 0.3 * size else min(candidate, 1.0), False)
+
+
+def drawn_gaps(bodies):
+    """[nodes, 2]: distance before and after loading, of all nodes of the interfaces."""
+    rows = [numpy.stack([numpy.array(t["gap"]) + t["u_dirichlet"] - numpy.array(t["u_neumann"]), t["gap"]], axis=1)
+            for t in bodies.contact.values()]
+    return numpy.concatenate(rows) if rows else numpy.zeros((0, 2))
+
+
+def overlap(gaps, factor):
+    """Largest error of a drawn opening: how deep bodies are drawn in each other, or how far apart where they touch."""
+    before, after = gaps.T
+    drawn = before + factor * (after - before)
+    closed = after <= 1e-9 * max(1e-300, float(numpy.abs(before).max()))
+    return float(max(numpy.max(-drawn, initial=0.0), numpy.max(numpy.abs(drawn[closed]), initial=0.0)))
+
+
+def nice_below(value):
+    """The largest of 1, 2, 5, 10, ... that is not above the value."""
+    power = 10.0 ** math.floor(math.log10(value))
+    return next(digit * power for digit in (5.0, 2.0, 1.0) if digit * power <= value * (1.0 + 1e-12))
+
+
+def oriented(points, nodes):
+    """Plane cells with their vertices counter-clockwise."""
+    if len(nodes) == 0:
+        return nodes
+    a, b, c = (points[nodes[:, k]] for k in range(3))
+    turned = (b - a)[:, 0] * (c - a)[:, 1] - (b - a)[:, 1] * (c - a)[:, 0] < 0.0
+    nodes = nodes.copy()
+    order = [0, 2, 1] + ([5, 4, 3] if nodes.shape[1] == 6 else [])
+    nodes[turned] = nodes[turned][:, order]
+    return nodes
+
+
+def outside(cells):
+    """(nodes [triangles, 3 or 6], cell) of the facets that one tetrahedron of the block has alone."""
+    triangles = []
+    for facet in FACETS:
+        columns = list(facet)
+        if cells.shape[1] == 10:
+            pairs = ((0, 1), (1, 2), (0, 2))
+            columns += [MIDDLE[tuple(sorted((facet[i], facet[j])))] for i, j in pairs]
+        triangles.append(cells[:, columns])
+    triangles = numpy.concatenate(triangles)
+    owner = numpy.tile(numpy.arange(len(cells)), len(FACETS))
+    _, first, count = numpy.unique(numpy.sort(triangles[:, :3], axis=1), axis=0, return_index=True, return_counts=True)
+    alone = numpy.sort(first[count == 1])
+    return triangles[alone], owner[alone]
+
+
+def boundary_edges(piece):
+    """[edges, 2 or 3] of a plane block's outline: two vertices, and the node between them."""
+    corners = ((0, 1), (1, 2), (0, 2))
+    columns = [[i, j] + ([TRIANGLE_MIDDLE[(i, j)]] if piece.nodes.shape[1] == 6 else []) for i, j in corners]
+    edges = numpy.concatenate([piece.nodes[:, c] for c in columns])
+    _, first, count = numpy.unique(numpy.sort(edges[:, :2], axis=1), axis=0, return_index=True, return_counts=True)
+    return edges[first[count == 1]]
+
+
+def mesh_edges(piece):
+    """All edges of a plane block once."""
+    edges = numpy.concatenate([piece.nodes[:, c] for c in ([0, 1], [1, 2], [0, 2])])
+    return numpy.unique(numpy.sort(edges, axis=1), axis=0)

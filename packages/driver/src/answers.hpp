@@ -1,0 +1,14 @@
+#pragma once
+
+#include <iosfwd>
+
+#include "command_line.hpp"
+#include "ndframe/driver/components.hpp"
+
+namespace ndframe
+{
+
+/// Answers the questions that need no deck (--help, --list, ...); true when one was asked.
+bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out);
+
+} // namespace ndframe
