@@ -8,6 +8,7 @@ import numpy
 # Facets of a tetrahedron, by its local vertices in an order that points outwards, and its node in the middle of two vertices.
 FACETS = ((0, 2, 1), (0, 1, 3), (1, 2, 3), (0, 3, 2))
 MIDDLE = {(0, 1): 4, (1, 2): 5, (0, 2): 6, (0, 3): 7, (1, 3): 8, (2, 3): 9}
+NOT_SEEN = 0.002  # of the scene's diagonal
 TRIANGLE_MIDDLE = {(0, 1): 3, (1, 2): 4, (0, 2): 5}
 
 
@@ -143,10 +144,10 @@ class Scale:
 
 
 def choose_scale(bodies):
-    """Shows displacements, a twentieth of the scene, unless bodies that touch would be drawn overlapping or apart.
+    """Shows displacements, about a twentieth of the scene, unless bodies that touch would be drawn overlapping or apart.
 
-    Between bodies that are drawn apart (distance g), closed nodes lie g (1 - factor) apart in the picture; a third of a
-    percent of the scene is not seen. Else everything stays true to scale.
+    Between bodies that are drawn apart (distance g), closed nodes lie g (1 - factor) apart in the picture; bodies that slip on
+    each other overlap by about the square of the factor. What is not seen is NOT_SEEN of the scene.
     """
     size = bodies.size()
     moved = numpy.unique(numpy.concatenate([piece.nodes.ravel() for piece in bodies.elastic()]))
@@ -158,13 +159,13 @@ def choose_scale(bodies):
         if wanted >= 1.0:
             return Scale(wanted, wanted != 1.0)
     largest = float(numpy.linalg.norm(bodies.displacement[moved], axis=1).max())
-    candidate = nice_below(0.06 * size / largest)
-    gaps = drawn_gaps(bodies)
-    while gaps.size and candidate > 1.0 and overlap(gaps, candidate) > 0.003 * size:
-        candidate = nice_below(candidate / 1.9)
-    if candidate < 1.0 and gaps.size and overlap(gaps, candidate) > 0.003 * size:
-        candidate = 1.0
-    return Scale(candidate if largest < 0.3 * size else min(candidate, 1.0), False)
+    factor, gaps = nice_below(0.06 * size / largest), drawn_gaps(bodies)
+    wrong = lambda: max(apart(gaps, factor), drawn_overlap(bodies, bodies.moved(Scale(factor, False)))) > NOT_SEEN * size
+    true_to_scale = apart(gaps, 0.0) > NOT_SEEN * size and largest < 0.3 * size
+    least = 1.0 if true_to_scale or factor >= 1.0 else 0.1 * factor
+    while factor > least and wrong():
+        factor = nice_below(factor / 1.9)
+    return Scale(max(factor, least), False)
 
 
 def drawn_gaps(bodies):
@@ -174,12 +175,38 @@ def drawn_gaps(bodies):
     return numpy.concatenate(rows) if rows else numpy.zeros((0, 2))
 
 
-def overlap(gaps, factor):
-    """Largest error of a drawn opening: how deep bodies are drawn in each other, or how far apart where they touch."""
+def apart(gaps, factor):
+    """How far apart, or how deep in each other, nodes that touch are drawn."""
     before, after = gaps.T
-    drawn = before + factor * (after - before)
-    closed = after <= 1e-9 * max(1e-300, float(numpy.abs(before).max()))
-    return float(max(numpy.max(-drawn, initial=0.0), numpy.max(numpy.abs(drawn[closed]), initial=0.0)))
+    closed = after <= 1e-9 * numpy.abs(before).max(initial=0.0)
+    return float(numpy.abs(before[closed] * (1.0 - factor)).max(initial=0.0))
+
+
+def drawn_overlap(bodies, points):
+    """How deep the sides of plane interfaces lie in each other when their nodes are drawn at these points."""
+    deepest = 0.0
+    names = [name[: -len(":dirichlet")] for name in bodies.fields.side_sets if name.endswith(":dirichlet")] if bodies.dim == 2 else []
+    for name in names:
+        sides = [points[bodies.facets(f"{name}:{side}")] for side in ("dirichlet", "neumann")]
+        for one, other in (sides, sides[::-1]):
+            some = one[:: max(1, len(one) // 500), 0]
+            deepest = max(deepest, depth_below(some, other))
+    return deepest
+
+
+def depth_below(nodes, facets):
+    """The largest distance of a node from its nearest facet against the facet's outward normal; ends do not count."""
+    along = facets[:, 1] - facets[:, 0]
+    lengths = numpy.maximum(numpy.linalg.norm(along, axis=1), 1e-300)
+    normals = numpy.stack([along[:, 1], -along[:, 0]], axis=1) / lengths[:, None]
+    difference = nodes[:, None] - facets[None, :, 0]
+    place = numpy.einsum("nfk,fk->nf", difference, along) / lengths**2
+    foot = facets[None, :, 0] + numpy.clip(place, 0.0, 1.0)[..., None] * along[None]
+    nearest = numpy.linalg.norm(nodes[:, None] - foot, axis=2).argmin(axis=1)
+    row = numpy.arange(len(nodes))
+    height = numpy.einsum("nk,nk->n", difference[row, nearest], normals[nearest])
+    above = (place[row, nearest] > 0.0) & (place[row, nearest] < 1.0)
+    return float(numpy.max(-height[above], initial=0.0))
 
 
 def nice_below(value):

@@ -12,15 +12,14 @@ import subprocess
 import sys
 import tempfile
 
-import matplotlib
-import netCDF4
-import numpy
-
-matplotlib.use("Agg")
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path[:0] = [str(ROOT / "apps"), str(ROOT / "regression")]
+from ndreport import fields, plane_view, style  # noqa: E402
+from ndreport.bodies import Bodies  # noqa: E402
+from ndreport.results import read_results  # noqa: E402
 import matplotlib.pyplot as plt  # noqa: E402
-from matplotlib.collections import PolyCollection  # noqa: E402
 
-DECKS = pathlib.Path(__file__).resolve().parents[2] / "decks"
+DECKS = ROOT / "decks"
 # scene: target of the curves, target of the mesh that is shown, cells of uniform meshes per body for one size
 SCENES = {
     "punch": (1e-4, 0.00455, {"punch": (1, 1), "foundation": (2, 1)}, (4, 8, 16, 32, 64, 128)),
@@ -57,34 +56,29 @@ def uniform(program, folder, scene, bodies, sizes):
 
 def draw_curves(curves, path):
     figure, axes = plt.subplots(1, 2, figsize=(11, 4.2), constrained_layout=True)
-    for colour, (scene, (refined, even)) in zip(("C0", "C1"), curves.items()):
+    for colour, (scene, (refined, even)) in zip(style.PAPER.series, curves.items()):
         for axis, column in zip(axes, (0, 1)):
-            for points, style, name in ((refined, "o-", "target"), (even, "s--", "uniform")):
-                axis.loglog([p[column] for p in points], [100 * p[2] for p in points], style, color=colour,
+            for points, dashes, name in ((refined, "o-", "target"), (even, "s--", "uniform")):
+                axis.loglog([p[column] for p in points], [100 * p[2] for p in points], dashes, color=colour,
                             markersize=4, linewidth=1, label=f"{scene}, {name}")
     for axis, label in zip(axes, ("degrees of freedom", "seconds, all levels so far")):
         axis.set(xlabel=label, ylabel="guaranteed bound, %")
         axis.grid(which="both", alpha=0.2)
     axes[0].legend(fontsize=8)
-    figure.savefig(path, dpi=100, metadata={"Software": None})
+    figure.savefig(path, dpi=100, facecolor="white", metadata={"Software": None})
 
 
-def draw_mesh(axes, path, title):
-    """The cells of an Exodus file, coloured by their contributions."""
-    data = netCDF4.Dataset(path)
-    names = ["".join(c.decode() for c in row.compressed()).strip("\0 ") for row in data["name_elem_var"][:]]
-    x, y = numpy.asarray(data["coordx"][:]), numpy.asarray(data["coordy"][:])
-    cells, eta = [], []
-    for block in range(1, len(data.dimensions["num_el_blk"]) + 1):
-        vertices = numpy.asarray(data[f"connect{block}"][:])[:, :3] - 1
-        cells += list(numpy.stack([x[vertices], y[vertices]], axis=2))
-        eta += list(numpy.asarray(data[f"vals_elem_var{names.index('eta_glob') + 1}eb{block}"][-1]))
-    values = numpy.log10(numpy.maximum(eta, max(eta) * 1e-3))
-    shown = PolyCollection(cells, array=values, edgecolors="k", linewidths=0.2, cmap="viridis")
-    axes.add_collection(shown)
+def draw_mesh(axes, stem, title):
+    """The cells of a run, coloured by their contributions."""
+    bodies = Bodies(read_results(str(stem)))
+    norm = fields.contribution_norm(bodies, "eta_glob")
+    for piece in bodies.elastic():
+        shown = plane_view.cell_field(axes, bodies.points, piece, bodies.element("eta_glob", piece), norm)
+    plane_view.mesh_lines(axes, bodies.points, bodies.elastic())
+    plane_view.outline(axes, bodies.points, bodies.elastic(), style.PAPER.text)
     axes.autoscale()
     axes.set(aspect="equal", title=title)
-    plt.colorbar(shown, ax=axes, label="log10 of the contribution", shrink=0.7)
+    plane_view.colour_bar(axes.figure, axes, shown, "contribution of an element to the error", "both")
 
 
 def main(program, pictures):
@@ -95,9 +89,11 @@ def main(program, pictures):
         for axis, (scene, (target, shown, bodies, sizes)) in zip(axes, SCENES.items()):
             curves[scene] = adaptive(program, folder, scene, target), uniform(program, folder, scene, bodies, sizes)
             adaptive(program, folder, scene, shown)
-            draw_mesh(axis, folder / f"{scene}.e", f"{scene}, {100 * shown:g} %")
+            draw_mesh(axis, folder / scene, f"{scene}, {100 * shown:g} %")
     draw_curves(curves, pictures / "accuracy.png")
-    figure.savefig(pictures / "accuracy-meshes.png", dpi=100, metadata={"Software": None})
+    figure.savefig(pictures / "accuracy-meshes.png", dpi=100, facecolor="white", metadata={"Software": None})
 
 
-main(sys.argv[1], pathlib.Path(sys.argv[2]))
+if __name__ == "__main__":
+    with style.looks(style.PAPER):
+        main(sys.argv[1], pathlib.Path(sys.argv[2]))
