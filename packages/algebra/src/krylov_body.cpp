@@ -163,8 +163,8 @@ class KrylovBody final : public SplitBody
 public:
   KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
              MakeConjugateGradients makeCg, std::string description)
-      : SplitBody(problem, comm, ledger), problem_(problem), options_(options), makeCg_(std::move(makeCg)),
-        description_(std::move(description)), interior_(makeSystem(problem))
+      : SplitBody(problem, comm, ledger), problem_(problem.kept.empty() ? SolverProblem() : problem), options_(options),
+        makeCg_(std::move(makeCg)), description_(std::move(description)), interior_(makeSystem(problem))
   {}
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
@@ -183,6 +183,8 @@ public:
 
   Vector solveNeumann(const Vector& force) const override
   {
+    if (kept_.empty())
+      return {};
     if (!free_)
       free_ = makeSystem(freeProblem(problem_, motions_));
     Vector load(std::size_t(numDofs()), 0.0), kept;
@@ -225,7 +227,7 @@ private:
     return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, makeCg_);
   }
 
-  SolverProblem problem_;
+  SolverProblem problem_; ///< for the Neumann problem; empty without kept dofs
   KrylovOptions options_;
   MakeConjugateGradients makeCg_;
   std::string description_;
