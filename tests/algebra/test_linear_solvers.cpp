@@ -3,6 +3,8 @@
 
 #include "algebra/sample_bodies.hpp"
 #include "common/test_main.hpp"
+#include "ndframe/algebra/neumann_solver.hpp"
+#include "solvers.hpp"
 
 namespace ndframe
 {
@@ -87,6 +89,25 @@ TEST(Automatic, IsMultigridForLargeSolidsThatTouchNothing)
   EXPECT_EQ(solver->name(BodyOutline{3, many, true, 0.3}, ranks), small) << "contact takes S";
   EXPECT_EQ(solver->name(BodyOutline{3, many, false, 0.49}, ranks), small);
   EXPECT_EQ(test::makeSolver("Cholmod")->name(BodyOutline{3, many, false, 0.3}, ranks), "Cholmod");
+}
+
+TEST(Automatic, HasASecondChoiceWhereTheFirstFails)
+{
+  const test::SampleBody body = test::trussBody({8, 8, 4}, test::comm());
+  const SolverProblem problem = body.problem(test::Support::Clamp);
+  const char* few = "<Parameter name=\"Maximum Iterations\" type=\"int\" value=\"2\"/>";
+  Ledger ledger;
+  const auto solver = makeWithSecondChoice(test::makeSolver("Multigrid", few), test::makeSolver("Mumps"));
+  const auto condensed = solver->factor(problem, test::comm(), ledger);
+  EXPECT_THAT(condensed->description(), testing::StartsWith("Multigrid"));
+  const DenseMatrix load(test::randomVector(problem.roles.size(), 1)), kept(int(problem.kept.size()), 1);
+  const Vector u = condensed->expand(load, kept).column(0);
+  const auto direct = test::makeSolver("Mumps")->factor(problem, test::comm(), ledger);
+  EXPECT_LT(test::relativeDifference(u, direct->expand(load, kept).column(0)), 1e-12);
+  EXPECT_THAT(condensed->description(), testing::StartsWith("Mumps"));
+  EXPECT_EQ(condensed->expand(load, kept).column(0), u);
+  EXPECT_EQ(ledger.counted("solvers given up"), 1);
+  EXPECT_EQ(neumannSolver(*condensed).solvesNeumann(), neumannSolver(*direct).solvesNeumann());
 }
 
 TEST(LinearSolvers, UnknownTypeIsAnsweredWithTheKnownOnes)

@@ -109,9 +109,10 @@ std::unique_ptr<LinearSolver> makeKrylov(const std::string& name, const Params& 
 
 } // namespace
 
-std::unique_ptr<LinearSolver> makeMultigrid()
+std::unique_ptr<LinearSolver> makeMultigrid(int maxIterations)
 {
-  return std::make_unique<Krylov>("Multigrid", defaults, makeVertexMueLu({}), Teuchos::ParameterList());
+  return std::make_unique<Krylov>("Multigrid", KrylovOptions{defaults.tolerance, maxIterations}, makeVertexMueLu({}),
+                                  Teuchos::ParameterList());
 }
 
 void registerKrylov(Registry<LinearSolver>& registry)

@@ -13,6 +13,9 @@ constexpr int largeSolid = 40000;
 /// Where the volume hardly changes linear functions lock, and the level of the vertices is of no use.
 constexpr double nearlyIncompressible = 0.48;
 
+/// More of them, as flat cells need, cost more than the factor, which is then taken after all.
+constexpr int mostIterations = 200;
+
 /// The solver that is fastest for the number of ranks and the body.
 class Automatic final : public LinearSolver
 {
@@ -33,7 +36,9 @@ private:
   static std::unique_ptr<LinearSolver> choose(const BodyOutline& body, int ranks)
   {
     const bool isLarge = body.dim == 3 && body.dofs >= largeSolid;
-    return isLarge && !body.touches && body.poissonRatio <= nearlyIncompressible ? makeMultigrid() : choose(ranks);
+    return isLarge && !body.touches && body.poissonRatio <= nearlyIncompressible
+               ? makeWithSecondChoice(makeMultigrid(mostIterations), choose(ranks))
+               : choose(ranks);
   }
   static std::unique_ptr<LinearSolver> choose(int ranks) { return ranks == 1 ? makeCholmod() : makeMumps(); }
 };
@@ -43,7 +48,9 @@ void registerAutomatic(Registry<LinearSolver>& registry)
   registry.add("Automatic",
                "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more that touch no "
                "other body, unless "
-               "they are nearly incompressible (Poisson ratio above 0.48).",
+               "they are nearly incompressible (Poisson ratio above 0.48); with a factor after all where that takes "
+               "more than 200 "
+               "iterations.",
                {}, [](const Params&) { return std::make_unique<Automatic>(); });
 }
 

@@ -1,0 +1,101 @@
+#include <type_traits>
+#include <utility>
+
+#include "ndframe/algebra/neumann_solver.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "solvers.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// A body by one solver, and by another from the solve on that the first one fails in.
+class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver
+{
+public:
+  BodyWithSecondChoice(std::unique_ptr<CondensedBody> first, std::shared_ptr<const LinearSolver> second,
+                       const SolverProblem& problem, const Comm& comm, Ledger& ledger)
+      : body_(std::move(first)), second_(std::move(second)), problem_(problem), comm_(comm), ledger_(ledger)
+  {}
+
+  DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
+  {
+    return either([&] { return body_->expand(load, kept); });
+  }
+  DenseMatrix reduce(const DenseMatrix& load) const override
+  {
+    return either([&] { return body_->reduce(load); });
+  }
+  Vector applySchur(const Vector& kept) const override
+  {
+    return either([&] { return body_->applySchur(kept); });
+  }
+  DenseMatrix schurComplement() const override
+  {
+    return either([&] { return body_->schurComplement(); });
+  }
+  Vector solveNeumann(const Vector& force) const override
+  {
+    return either([&] { return neumannSolver(*body_).solveNeumann(force); });
+  }
+
+  bool hasCheapSchur() const override { return body_->hasCheapSchur(); }
+  std::string description() const override { return body_->description(); }
+  bool solvesNeumann() const override { return neumannSolver(*body_).solvesNeumann(); }
+  const FreeMotions& freeMotions() const override { return neumannSolver(*body_).freeMotions(); }
+
+private:
+  template <class Solve>
+  std::invoke_result_t<Solve> either(const Solve& solve) const
+  {
+    if (!second_)
+      return solve();
+    try {
+      return solve();
+    } catch (const NotConverged&) {
+    } catch (const SingularBody&) {
+    }
+    body_.reset(); // its memory is needed
+    body_ = std::exchange(second_, nullptr)->factor(problem_, comm_, ledger_);
+    ledger_.count("solvers given up");
+    return solve();
+  }
+
+  mutable std::unique_ptr<CondensedBody> body_;
+  mutable std::shared_ptr<const LinearSolver> second_; ///< null once it is taken
+  SolverProblem problem_;
+  Comm comm_;
+  Ledger& ledger_;
+};
+
+class SolverWithSecondChoice final : public LinearSolver
+{
+public:
+  SolverWithSecondChoice(std::unique_ptr<LinearSolver> first, std::unique_ptr<LinearSolver> second)
+      : first_(std::move(first)), second_(std::move(second))
+  {}
+
+  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  {
+    return std::make_unique<BodyWithSecondChoice>(first_->factor(problem, comm, ledger), second_, problem, comm,
+                                                  ledger);
+  }
+  std::string name(int ranks) const override { return first_->name(ranks); }
+  bool needsMpi(int ranks) const override { return first_->needsMpi(ranks) || second_->needsMpi(ranks); }
+
+private:
+  std::unique_ptr<LinearSolver> first_;
+  std::shared_ptr<const LinearSolver> second_;
+};
+
+} // namespace
+
+std::unique_ptr<LinearSolver> makeWithSecondChoice(std::unique_ptr<LinearSolver> first,
+                                                   std::unique_ptr<LinearSolver> second)
+{
+  return std::make_unique<SolverWithSecondChoice>(std::move(first), std::move(second));
+}
+
+} // namespace ndframe
