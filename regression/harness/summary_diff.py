@@ -12,7 +12,7 @@ from .tolerance import EXACT, Tolerance, Tolerances
 IGNORE = Tolerance("ignore")
 # What differs from run to run and from machine to machine, or follows from that: round-off decides whether a stress is
 # settled.
-IGNORED = ("version", "ranks", "*/seconds", "*/peak_bytes", "*/total_seconds", "ledger/counts/bytes written",
+IGNORED = ("version", "build/*", "ranks", "*/seconds", "*/peak_bytes", "*/total_seconds", "ledger/counts/bytes written",
            "ledger/counts/settled stresses")
 SUMMARY_DEFAULTS = Tolerances(Tolerance("relative", 1e-9), [(pattern, IGNORE) for pattern in IGNORED])
 

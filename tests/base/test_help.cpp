@@ -60,6 +60,31 @@ TEST(Help, AnswersUnknownNamesWithTheNearest)
   EXPECT_THROW(helpText(sampleSpec(), "quite another thing"), InputError);
 }
 
+TEST(Help, TakesNamesInAnyCaseAndNumber)
+{
+  const std::string relaxation = helpText(sampleSpec(), "Relaxation");
+  for (const char* name : {"relaxation", "RELAXATIONS", "coupling/relaxation"})
+    EXPECT_EQ(helpText(sampleSpec(), name), relaxation) << name;
+  EXPECT_THAT(helpText(sampleSpec(), "bodies"), testing::StartsWith(helpText(sampleSpec(), "Bodies")));
+}
+
+TEST(Help, FindsParametersAndWordsOfTheDocumentation)
+{
+  const std::string theta = helpText(sampleSpec(), "theta");
+  EXPECT_THAT(theta, HasSubstr("Coupling/Relaxation, Type = Constant: Theta"));
+  EXPECT_THAT(theta, HasSubstr("Coupling/Relaxation, Type = Aitken: Initial Theta"));
+  EXPECT_THAT(helpText(sampleSpec(), "initial theta"), Not(HasSubstr("Constant")));
+  EXPECT_THAT(helpText(sampleSpec(), "residuals last"), HasSubstr("Coupling/Relaxation: Type = Aitken"));
+}
+
+TEST(Help, KnowsWhatIsNotInThisVersion)
+{
+  for (const char* word : {"friction", "Friction", "Friction Coefficient", "Time Steps"})
+    EXPECT_THAT(limitOf(word), HasSubstr("not in this version; nearest: ")) << word;
+  for (const char* word : {"", "Theta", "frictionless", "Time"})
+    EXPECT_EQ(limitOf(word), "") << word;
+}
+
 TEST(Help, KeepsToAHundredColumns)
 {
   ListSpec spec;

@@ -280,7 +280,10 @@ TEST_F(Program, ShowsItsVersion)
 {
   const auto result = call({"--version"});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.out, testing::MatchesRegex("ndframe [0-9]+\\.[0-9]+\\.[0-9]+\n"));
+  EXPECT_THAT(result.out,
+              testing::ContainsRegex("^ndframe [0-9]+\\.[0-9]+\\.[0-9]+\ncommit [0-9a-z]+, [A-Za-z]+ build, GNU"));
+  for (const char* library : {"\nTrilinos ", "\nCHOLMOD ", "\nOpen MPI "})
+    EXPECT_THAT(result.out, HasSubstr(library));
 }
 
 TEST_F(Program, DumpsDefaultsThatRunAndDumpToThemselves)

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "help_search.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "spec_text.hpp"
 #include "spec_view.hpp"
@@ -15,6 +16,9 @@ namespace ndframe
 
 namespace
 {
+
+/// Stands for the path of what has none; no word is the same.
+const std::string noPath = "//";
 
 std::string paramsText(const std::vector<ParamSpec>& params, std::size_t indent)
 {
@@ -73,6 +77,24 @@ bool matchesPath(const std::string& path, const std::string& name)
                     [](const std::string& part, const std::string& want) { return part == "*" || part == want; });
 }
 
+/// The lists and components whose path and name are wanted. A component goes by its name alone.
+template <class Wanted>
+std::string namedText(const ListSpec& deck, const Wanted& wanted)
+{
+  std::string text;
+  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "\n") + part; };
+  for (const auto& place : allLists(deck)) {
+    if (wanted(place.path, place.spec->name))
+      add(listText(place));
+    if (!place.spec->choices)
+      continue;
+    for (const auto& component : place.spec->choices->components)
+      if (wanted(noPath, component.name))
+        add(fmt::format("{}, Type = {}\n{}", place.path, component.name, componentBody(component, 2)));
+  }
+  return text;
+}
+
 std::string firstSentence(const std::string& doc)
 {
   const auto end = doc.find(". ");
@@ -83,21 +105,16 @@ std::string firstSentence(const std::string& doc)
 
 std::string helpText(const ListSpec& deck, const std::string& listName)
 {
-  std::string text;
   std::vector<std::string> known;
-  const auto add = [&](const std::string& part) { text += (text.empty() ? "" : "\n") + part; };
-  for (const auto& place : allLists(deck)) {
-    known.insert(known.end(), {place.path, place.spec->name});
-    if (matchesPath(place.path, listName) || (!listName.empty() && place.spec->name == listName))
-      add(listText(place));
-    if (!place.spec->choices)
-      continue;
-    for (const auto& component : place.spec->choices->components) {
-      known.push_back(component.name);
-      if (component.name == listName)
-        add(fmt::format("{}, Type = {}\n{}", place.path, component.name, componentBody(component, 2)));
-    }
-  }
+  std::string text = namedText(deck, [&](const std::string& path, const std::string& name) {
+    known.insert(known.end(), {path, name});
+    return (!listName.empty() && name == listName) || matchesPath(path, listName);
+  });
+  if (text.empty() && !listName.empty())
+    text = namedText(deck, [stem = helpStem(listName)](const std::string& path, const std::string& name) {
+      return helpStem(name) == stem || helpStem(path) == stem;
+    });
+  text += text.empty() ? searchHelp(deck, listName) : parametersNamed(deck, listName);
   if (!text.empty())
     return text;
   const std::string near = nearestName(listName, known);

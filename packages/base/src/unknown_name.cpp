@@ -91,6 +91,8 @@ std::string message(const ListContext& context, const Wording& wording, const st
   const std::string near = nearestName(name, wording.names(context.view));
   if (!near.empty())
     return refusal + "did you mean " + inQuotes(near) + "?";
+  if (const std::string limit = limitOf(name); !limit.empty())
+    return fmt::format("{} is {} docs/limits.md says what else is not.", inQuotes(name), limit);
   const auto places = placesOf(context, wording, name);
   if (!places.empty() && places.size() <= fewPlaces)
     return refusal + fmt::format("it belongs to {}.", fmt::join(places, ", "));

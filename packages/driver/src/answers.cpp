@@ -2,10 +2,14 @@
 
 #include <ostream>
 
+#include <fmt/format.h>
+
+#include "ndframe/base/build_info.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/help.hpp"
 #include "ndframe/driver/deck_spec.hpp"
 #include "ndframe/run/summarize.hpp"
+#include "shell_files.hpp"
 
 namespace ndframe
 {
@@ -24,21 +28,46 @@ constexpr const char* reportHelp =
     "file\n"
     "  or a package is missing. docs/results.md, Report, describes the page.\n";
 
+/// What --version says.
+std::string versionLines()
+{
+  const BuildInfo& build = buildInfo();
+  std::string text =
+      fmt::format("ndframe {}\ncommit {}, {} build, {}\n", versionText(), build.commit, build.type, build.compiler);
+  for (const auto& [name, version] : build.libraries)
+    text += fmt::format("{} {}\n", name, version);
+  return text;
+}
+
+/// What --help says of a word.
+std::string topicText(const std::string& word, const Components& components)
+{
+  const std::string limit = limitOf(word);
+  return limit.empty() ? helpText(makeDeckSpec(components), word)
+                       : fmt::format("{}: {}\ndocs/limits.md says what else is not.\n", word, limit);
+}
+
 } // namespace
 
 bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out)
 {
   if (options.version)
-    out << "ndframe " << versionText() << "\n";
+    out << versionLines();
+  else if (options.help && app.get_subcommand("report")->parsed()) // --help report
+    out << reportHelp;
   else if (options.help && options.help->empty())
     out << app.help() << exitCodeText() << "\n"
-        << "`ndframe --help Coupling` explains a list of the deck, `ndframe --list` shows all components.\n";
-  else if (options.help && *options.help == "report")
-    out << reportHelp;
+        << "`ndframe --help Coupling` explains a list of the deck, `ndframe --help \"maximum sweeps\"` finds a "
+           "parameter, "
+           "`ndframe --list` shows all components.\n";
   else if (options.help)
-    out << helpText(makeDeckSpec(components), *options.help);
+    out << topicText(*options.help, components);
   else if (options.list)
     out << componentList(makeDeckSpec(components));
+  else if (!options.completion.empty())
+    out << completionScript(options.completion, app, makeDeckSpec(components));
+  else if (options.manual)
+    out << manualPage(app);
   else if (options.reference)
     out << referenceMarkdown(makeDeckSpec(components));
   else if (options.dumpDefaults) {

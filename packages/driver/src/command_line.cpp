@@ -3,6 +3,31 @@
 namespace ndframe
 {
 
+namespace
+{
+
+/// What is answered without a deck.
+void declareQuestions(CLI::App& app, CommandLine& options)
+{
+  app.add_option_function<std::string>(
+         "-h,--help", [&options](const std::string& list) { options.help = list; },
+         "This text, or the documentation of a list or component of the deck; other words: where they are named.")
+      ->type_name("WORD")
+      ->expected(0, 1)
+      ->default_str("");
+  app.add_flag("--list", options.list, "All components by list.");
+  app.add_flag("--dump-defaults", options.dumpDefaults, "A deck that runs, with every parameter and its default.");
+  app.add_flag("--reference", options.reference, "The whole deck reference as Markdown (docs/reference.md).");
+  app.add_option(
+         "--completion", options.completion,
+         "A script that completes options, lists and parameters, for bash, zsh or fish; installed with ndframe.")
+      ->type_name("SHELL");
+  app.add_flag("--man", options.manual, "The manual page, in roff; installed with ndframe.");
+  app.add_flag("--version", options.version, "The version, commit, kind of build and libraries.");
+}
+
+} // namespace
+
 void declareOptions(CLI::App& app, CommandLine& options)
 {
   app.set_help_flag();
@@ -25,16 +50,7 @@ void declareOptions(CLI::App& app, CommandLine& options)
   app.add_flag(
       "--yardstick", options.yardstick,
       "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
-  app.add_option_function<std::string>(
-         "-h,--help", [&options](const std::string& list) { options.help = list; },
-         "This text, or the documentation of a list or component of the deck.")
-      ->type_name("LIST")
-      ->expected(0, 1)
-      ->default_str("");
-  app.add_flag("--list", options.list, "All components by list.");
-  app.add_flag("--dump-defaults", options.dumpDefaults, "A deck that runs, with every parameter and its default.");
-  app.add_flag("--reference", options.reference, "The whole deck reference as Markdown (docs/reference.md).");
-  app.add_flag("--version", options.version, "The version.");
+  declareQuestions(app, options);
   app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
   app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
   app.add_subcommand("report", "Write NAME.report.html, one page with everything that a run or a study has left "

@@ -243,7 +243,7 @@ ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& 
       options.quiet ? Verbosity::Quiet : (options.verbose ? Verbosity::Verbose : Verbosity::Normal);
   const Log log(std::cout, verbosity, comm.rank() == 0, showsLiveLines(comm));
   const auto components = makeComponents(extend);
-  if (const CLI::App* const wanted = app.get_subcommand("report"); wanted->parsed())
+  if (const CLI::App* const wanted = app.get_subcommand("report"); wanted->parsed() && !options.help)
     return reportOn(wanted->remaining(), comm);
   std::ostream nobody(nullptr);
   if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))

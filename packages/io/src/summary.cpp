@@ -181,9 +181,21 @@ void eraseSolution(Json& json)
     coupling["sweeps"] = nullptr;
 }
 
+Json buildJson(const BuildInfo& build)
+{
+  auto libraries = Json::object();
+  for (const auto& [name, version] : build.libraries)
+    libraries[name] = version;
+  return {{"commit", build.commit},
+          {"type", build.type},
+          {"compiler", build.compiler},
+          {"libraries", std::move(libraries)}};
+}
+
 Json summaryJson(const RunSummary& summary)
 {
   Json json{{"version", summary.version},
+            {"build", buildJson(summary.build)},
             {"title", summary.title},
             {"ranks", summary.ranks},
             {"per_unit_thickness", summary.perUnitThickness},

@@ -157,6 +157,7 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
 {
   RunSummary summary;
   summary.version = versionText();
+  summary.build = buildInfo();
   summary.title = settings.title;
   summary.deckJson = toJson(settings.deck);
   summary.ranks = ranks;

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/base/build_info.hpp"
 #include "ndframe/io/accuracy_summary.hpp"
 #include "ndframe/io/body_summary.hpp"
 #include "ndframe/io/error_summary.hpp"
@@ -111,6 +112,7 @@ struct ExpectationSummary
 struct RunSummary
 {
   std::string version;
+  BuildInfo build;
   std::string title;
   std::string deckJson; ///< the effective deck (base/params.hpp: toJson)
   int ranks = 1;

@@ -1,0 +1,65 @@
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <string_view>
+#include <vector>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/help.hpp"
+#include "text.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+struct Limit
+{
+  std::vector<std::string_view> words; ///< in lower case; what a user may ask for
+  std::string_view instead;
+};
+
+const std::array<Limit, 12>& limits()
+{
+  static const std::array<Limit, 12> all{{
+      {{"friction", "coulomb", "stick", "slip", "frictional"},
+       "Tied in an interface glues two sides along the normal and along the side"},
+      {{"adhesion", "cohesion", "glue"}, "Tied in an interface; contact forces never pull"},
+      {{"wear", "lubrication", "fluid"}, "a Gap as an expression stands for a worn side"},
+      {{"plasticity", "creep", "damage", "rubber", "hyperelastic", "nonlinear"},
+       "materials are linear elastic: `ndframe --help Material`"},
+      {{"buckling", "large displacements", "large rotations", "finite strain", "nlgeom"},
+       "strains above Strain Limit get a warning; contact is asked where the drawing says"},
+      {{"dynamics", "vibration", "impact", "modal", "eigenvalues", "frequency"}, "one static state"},
+      {{"time steps", "load steps", "load cases", "transient", "restart"},
+       "Study runs a list of values in one process and factors once: `ndframe --help Study`"},
+      {{"temperature", "thermal", "heat"},
+       "a Gap, a Displacement support or a rigid body's Displacement for what grows"},
+      {{"axisymmetry", "axisymmetric"}, "a quarter of the solid with two rollers"},
+      {{"shells", "beams", "springs", "bolts", "trusses", "plates", "membranes", "shell", "spring", "bolt", "truss"},
+       "bodies are meshes of triangles or tetrahedra; decks/flange.xml has a bolt as a body, preloaded by a moved "
+       "support"},
+      {{"self-contact", "self contact"}, "cut the body in two and tie the parts where they were cut"},
+      {{"gpu", "cuda"}, "threads and processes: OMP_NUM_THREADS, mpirun"},
+  }};
+  return all;
+}
+
+} // namespace
+
+std::string limitOf(const std::string& words)
+{
+  std::string low = words;
+  std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  std::vector<std::string> parts = split(low, " ");
+  parts.push_back(low);
+  for (const Limit& limit : limits())
+    for (const auto word : limit.words)
+      if (std::find(parts.begin(), parts.end(), word) != parts.end())
+        return fmt::format("not in this version; nearest: {}.", limit.instead);
+  return {};
+}
+
+} // namespace ndframe
