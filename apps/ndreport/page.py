@@ -9,7 +9,7 @@ from . import pictures, study_page, tables, words
 from .results import solved
 from .style import looks
 
-MOST_BODIES = 40  # that are described one by one
+MOST_BODIES, MOST_INTERFACES = 40, 12  # that are described one by one
 TEMPLATES = pathlib.Path(__file__).resolve().parent / "templates"
 
 
@@ -47,8 +47,8 @@ def interface_words(summary):
     """A sentence for each interface of the deck; many are counted."""
     found = [words.interface(name, entry) for name, entry in summary["deck"].get("Interfaces", {}).items()
              if isinstance(entry, dict) and "Dirichlet Body" in entry]
-    rest = len(found) - MOST_BODIES
-    return found if rest <= 0 else [*found[:MOST_BODIES], f"and {rest} more, see the deck below"]
+    rest = len(found) - MOST_INTERFACES
+    return found if rest <= 0 else [*found[:MOST_INTERFACES], f"and {rest} more, see the deck below"]
 
 
 def tiles(results):

@@ -94,20 +94,26 @@ def add_contact(found, results, bodies, name):
 
 
 def admissible_steps(bodies, name, table):
-    """[(start, end, value)] of the facets along the side, whose ends are found among the rows of the table."""
-    values = bodies.facet_values(f"{name}:dirichlet", "admissible_pressure")
-    if values is None:
-        return None
-    facets = bodies.points[bodies.facets(f"{name}:dirichlet")]
+    """[(start, end, value)] of the facets along the side whose nodes are the rows of the table; None without them."""
     rows = numpy.stack([table["x"], table["y"]], axis=1)
     lengths = curves.continued(table["arc_length"])
-    steps = []
+    for side in (f"{name}:dirichlet", f"{name}:neumann"):  # they lie apart where bodies are drawn apart
+        values = bodies.facet_values(side, "admissible_pressure")
+        steps = steps_along(bodies.points[bodies.facets(side)], values, rows, lengths) if values is not None else []
+        if values is not None and len(steps) == len(values):
+            return sorted(steps)
+    return None
+
+
+def steps_along(facets, values, rows, lengths):
+    """Facets with both ends among the rows: from where to where they go, and their values."""
+    steps, size = [], float(numpy.ptp(rows, axis=0).max())
     for ends, value in zip(facets, values):
         distance = numpy.linalg.norm(rows[None] - ends[:, None], axis=2)
         first, last = (int(i) for i in distance.argmin(axis=1))
-        if distance.min(axis=1).max() < 1e-6 * bodies.size() and first != last:
+        if distance.min(axis=1).max() < 1e-7 * size and first != last:
             steps.append((*sorted((float(lengths[first]), float(lengths[last]))), float(value)))
-    return sorted(steps) or None
+    return steps
 
 
 def add_levels(found, results):

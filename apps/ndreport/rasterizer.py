@@ -5,7 +5,7 @@ import dataclasses
 import numpy
 
 OVERSAMPLING = 2
-CHUNK = 3_000_000  # fragments at a time
+CHUNK = 150_000  # fragments at a time, so that they stay in the cache
 MESH_LINE, FEATURE_LINE = 0.30, 0.85  # darkness
 EDGE_COLOUR = numpy.array([0.07, 0.09, 0.12])
 

@@ -23,7 +23,7 @@ def forces(summary):
             continue
         parts = [("loads", body["load_force"], None, None)]
         parts += [(f"{s['name']} ({s['description']})", s["force"], s["moment"], s["centre"]) for s in body["supports"]]
-        parts += [(f"contact: {name}", force, None, None) for name, force in contact_forces(summary, body["name"])]
+        parts += [(f"interface {name}", force, None, None) for name, force in contact_forces(summary, body["name"])]
         for by, force, moment, centre in parts:
             rows.append([body["name"], by, vector(force, 6), vector(moment, 5) if moment else "", vector(centre) if centre else ""])
         rows.append([body["name"], "sum", rest(force for _, force, _, _ in parts), "", ""])

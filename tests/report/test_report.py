@@ -128,7 +128,8 @@ class Written(unittest.TestCase):
             self.assertIn("data:image/png", self.pages[name])
 
     def test_admissible_traction_bound_over_dofs_and_bracket_are_drawn(self):
-        self.assertIn("admissible pressure is the one of the error bound", self.captions("certificate"))
+        for name in ("certificate", "levels", "drawn"):
+            self.assertIn("admissible pressure is the one of the error bound", self.captions(name), name)
         self.assertNotIn("admissible", self.captions("without-bound"))
         self.assertIn("Bound of the error and its parts on every level", self.captions("levels"))
         self.assertIn("exact energy lies", self.captions("levels"))
@@ -139,6 +140,11 @@ class Written(unittest.TestCase):
             rests = re.findall(r"<td>sum</td><td[^>]*>0, but for ([\d.e−]+) of the largest", self.pages[name])
             self.assertGreaterEqual(len(rests), 2, name)
             self.assertLess(max(float(rest.replace("−", "-")) for rest in rests), 1e-9, name)
+
+    def test_the_program_and_its_libraries_are_named(self):
+        build, text = self.summary("levels")["build"], text_of(self.pages["levels"])
+        self.assertIn(f"commit {build['commit']} ", text)
+        self.assertIn(f"CHOLMOD {build['libraries']['CHOLMOD']}", text)
 
     def test_nothing_of_the_page_is_elsewhere(self):
         for name, page in self.pages.items():
