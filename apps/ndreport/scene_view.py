@@ -10,7 +10,7 @@ from . import plane_view, solid_view
 from .style import BODY_TINTS, PAGE
 
 SUPPORT, LOAD, CONTACT = "#5b6b7d", "#d1495b", "#1f9e89"
-HELD = "#93a2b5"  # sides of solids
+HELD = "#64748b"  # sides of solids
 KINDS = {"Clamp": "clamp", "Roller": "roller", "Displacement": "given displacement", "Hold": "hold", "Point": "point"}
 
 
@@ -174,8 +174,9 @@ def solid_scene(bodies, view, inks=PAGE):
         found = numpy.array([colour_at.get(tuple(key), own) for key in keys.tolist()])
         return numpy.repeat(found[facet][:, None], 3, axis=1)
 
-    figure, axes = solid_view.shown(solid_view.shaded(bodies, points, colour_of, view), view, extra=0.6)
-    solid_view.triad(axes, view, inks)
+    picture = solid_view.shaded(bodies, points, colour_of, view)
+    figure, axes = solid_view.shown(picture, extra=0.6)
+    solid_view.triad(axes, picture, view, inks)
     marks = body_patches(bodies)
     used = set(colour_at.values())
     for colour, label in ((CONTACT, "may touch"), (HELD, "held"), (LOAD, "loaded")):

@@ -73,8 +73,8 @@ def small_lines(dark, on_mesh, facet):
     return numpy.where(on_mesh, dark[facet], 0.0)
 
 
-def shown(picture, view, width=5.0, extra=0.9):
-    """A figure with the picture and the directions of the axes."""
+def shown(picture, width=5.0, extra=0.9):
+    """A figure with the picture."""
     left, right, bottom, top = picture.extent
     height = float(numpy.clip(width * (top - bottom) / (right - left), 1.5, 1.1 * width))
     figure, axes = pyplot.subplots(figsize=(width, height + extra))
@@ -84,9 +84,9 @@ def shown(picture, view, width=5.0, extra=0.9):
     return figure, axes
 
 
-def triad(axes, view, inks):
-    """Where x, y and z point, in the lower left corner."""
-    corner, length = numpy.array([0.06, 0.08]), 0.055
+def triad(axes, picture, view, inks):
+    """Where x, y and z point, in the emptiest corner."""
+    corner, length = emptiest_corner(picture), 0.055
     box = axes.get_window_extent()
     ratio = numpy.array([1.0, box.width / box.height])
     for name, direction in zip("xyz", numpy.eye(3)):
@@ -98,6 +98,15 @@ def triad(axes, view, inks):
         axes.annotate(name, corner + 1.45 * arrow, xycoords="axes fraction", ha="center", va="center", fontsize=8.5)
 
 
+def emptiest_corner(picture):
+    """Where the axes' directions hide least, as parts of the picture's width and height: the lower left one if it is empty."""
+    cover = picture.pixels[::-1, :, 3]
+    high, wide = (max(1, int(0.22 * size)) for size in cover.shape)
+    corners = {(0.07, 0.1): cover[:high, :wide], (0.07, 0.86): cover[-high:, :wide], (0.93, 0.1): cover[:high, -wide:],
+               (0.93, 0.86): cover[-high:, -wide:]}
+    return numpy.array(min(corners, key=lambda place: float(corners[place].mean())))
+
+
 def field_figure(bodies, points, values_of, norm, view, label, extend, inks):
     """`values_of(piece, small, facet)`: numbers [n, 3] at the corners."""
     colour_map = colormaps[FIELD_MAP]
@@ -107,8 +116,9 @@ def field_figure(bodies, points, values_of, norm, view, label, extend, inks):
             return numpy.broadcast_to(RIGID_COLOUR, (*small.shape, 3))
         return colour_map(norm(values_of(piece, small, facet)))[..., :3]
 
-    figure, axes = shown(shaded(bodies, points, colour_of, view), view)
-    triad(axes, view, inks)
+    picture = shaded(bodies, points, colour_of, view)
+    figure, axes = shown(picture)
+    triad(axes, picture, view, inks)
     colour_bar(figure, axes, ScalarMappable(norm, colour_map), label, extend)
     return figure
 

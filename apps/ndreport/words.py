@@ -114,7 +114,7 @@ def peak_pressure(summary, contact):
 def error_clause(summary):
     errors = summary["errors"]
     if errors is None:
-        return "how wrong this is was not asked for (list Error Estimation or Accuracy in the deck)"
+        return "the error was not estimated (lists Error Estimation and Accuracy of the deck)"
     bound = errors.get("global")
     if not bound:
         return "the estimators that the deck asks for give no bound"

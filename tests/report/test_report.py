@@ -81,7 +81,7 @@ class Written(unittest.TestCase):
     def test_a_run_without_estimate_claims_nothing(self):
         state, text = verdict_of(self.pages["without-bound"])
         self.assertEqual(state, "look")
-        self.assertIn("how wrong this is was not asked for", text)
+        self.assertIn("the error was not estimated", text)
         self.assertNotIn("guaranteed", text)
 
     def test_a_bound_that_is_not_guaranteed_says_why(self):
