@@ -14,6 +14,12 @@ run(${WORK}/prefix/bin/ndframe -q -i ${client}/../../../decks/patch.xml --set Ou
 if(NOT EXISTS ${WORK}/patch.report.html)
   message(FATAL_ERROR "the installed program has written no report")
 endif()
+foreach(file share/man/man1/ndframe.1 share/bash-completion/completions/ndframe share/zsh/vendor-completions/_ndframe
+             share/fish/vendor_completions.d/ndframe.fish)
+  if(NOT EXISTS ${WORK}/prefix/${file})
+    message(FATAL_ERROR "${file} is not installed")
+  endif()
+endforeach()
 run(${CMAKE_COMMAND} -S ${client} -B ${WORK}/build -G Ninja -D CMAKE_BUILD_TYPE=Release
     -D CMAKE_PREFIX_PATH=${WORK}/prefix)
 run(${CMAKE_COMMAND} --build ${WORK}/build)
