@@ -21,10 +21,16 @@ void withoutCertificate(Scene& scene)
       lists.end());
 }
 
-/// The turned block of two materials on rollers, without certificate.
+/// The turned block of two materials on rollers.
+Scene certifiedBlock()
+{
+  return Scene::fromFile(NDFRAME_BLOCK).set("Bodies/block/Mesh/Cells={8, 4, 4}");
+}
+
+/// Without certificate.
 Scene block(const std::vector<const char*>& settings = {})
 {
-  Scene scene = Scene::fromFile(NDFRAME_BLOCK);
+  Scene scene = certifiedBlock();
   withoutCertificate(scene);
   for (const char* setting : settings)
     scene.set(setting);
@@ -78,8 +84,8 @@ INSTANTIATE_TEST_SUITE_P(
 
 TEST(MultigridSolids, HaveTheBoundThatAFactorisationGives)
 {
-  const auto multigrid = Scene::fromFile(NDFRAME_BLOCK).run();
-  const auto cholmod = Scene::fromFile(NDFRAME_BLOCK).set("Linear Solver/Type=Cholmod").run();
+  const auto multigrid = certifiedBlock().run();
+  const auto cholmod = certifiedBlock().set("Linear Solver/Type=Cholmod").run();
   const ErrorSummary &found = *multigrid.run.summary.errors, &expected = *cholmod.run.summary.errors;
   EXPECT_TRUE(found.guaranteed) << found.reason;
   EXPECT_NEAR(found.global->absolute / expected.global->absolute, 1.0,
@@ -90,12 +96,12 @@ TEST(MultigridSolids, HaveTheBoundThatAFactorisationGives)
 TEST(MultigridSolids, AreNotTrustedWithALooseTolerance)
 {
   for (const char* tolerance : {"1e-2", "1e-4", "1e-6"}) {
-    const auto loose = Scene::fromFile(NDFRAME_BLOCK).set(std::string("Linear Solver/Tolerance=") + tolerance).run();
+    const auto loose = certifiedBlock().set(std::string("Linear Solver/Tolerance=") + tolerance).run();
     const ErrorSummary& errors = *loose.run.summary.errors;
     EXPECT_FALSE(errors.guaranteed) << tolerance;
     EXPECT_THAT(errors.reason, testing::HasSubstr("solve more tightly")) << tolerance;
   }
-  EXPECT_TRUE(Scene::fromFile(NDFRAME_BLOCK).set("Linear Solver/Tolerance=1e-10").run().run.summary.errors->guaranteed);
+  EXPECT_TRUE(certifiedBlock().set("Linear Solver/Tolerance=1e-10").run().run.summary.errors->guaranteed);
 }
 
 /// At every tolerance the bound, guaranteed or not, stays above the distance to a solution on a much finer mesh.
@@ -103,7 +109,7 @@ TEST(MultigridSolids, HaveNoBoundBelowTheirErrorWithALooseTolerance)
 {
   for (const char* tolerance : {"1e-1", "1e-3", "1e-5"}) {
     Scene scene = Scene::fromFile(NDFRAME_BLOCK);
-    scene.set("Bodies/block/Mesh/Cells={4, 2, 2}").set("Error Estimation/Estimators={Global, Reference}");
+    scene.set("Error Estimation/Estimators={Global, Reference}");
     scene.set("Error Estimation/Reference/Refinements=1").set(std::string("Linear Solver/Tolerance=") + tolerance);
     const auto outcome = scene.run();
     const auto& errors = *outcome.run.summary.errors;
@@ -140,6 +146,18 @@ TEST(MultigridSolids, EndAtRoundOff)
   const auto cholmod = Scene(scene).set("Linear Solver/Type=Cholmod").run();
   const auto multigrid = scene.set("Linear Solver/Type=Multigrid").set("Linear Solver/Tolerance=1e-14").run();
   EXPECT_LT(relativeDifference(displacement(multigrid.run, 0), displacement(cholmod.run, 0)), 1e-6);
+}
+
+/// Eigenvalues that belong to a few small cells make a preconditioner indefinite where they are missed: it happened on
+/// the last of these meshes, with 117 000 dofs.
+TEST(MultigridSolids, AreSolvedOnAdaptedMeshes)
+{
+  Scene scene("beam-3d");
+  scene.set("Bodies/beam/Loads/bending/X=y^3").set("Error Estimation/Estimators={Global}").set("Accuracy/Target=0.02");
+  const auto outcome = scene.set("Linear Solver/Type=Multigrid").run();
+  EXPECT_TRUE(outcome.run.summary.errors->guaranteed) << outcome.run.summary.errors->reason;
+  EXPECT_LE(outcome.run.summary.errors->global->relative, 0.02);
+  EXPECT_LE(iterations(outcome), 300);
 }
 
 /// Condensed, with a run a column, and by sweeps with Neumann problems.

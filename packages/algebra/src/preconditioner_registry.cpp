@@ -60,6 +60,7 @@ std::unique_ptr<Preconditioner> makeVertexMueLu(const Teuchos::ParameterList& gi
   if (!list.isParameter("smoother: type")) {
     list.set("smoother: type", "CHEBYSHEV");
     list.sublist("smoother: params").set("chebyshev: degree", 4);
+    list.sublist("smoother: params").set("chebyshev: boost factor", 1.5);
   }
   return library.mueLu(list);
 }

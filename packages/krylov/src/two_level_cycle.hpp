@@ -32,7 +32,7 @@ private:
   /// Further terms of the polynomial after the first: residual_ and step_ go along. The last residual only if wanted.
   void smooth(double* x, bool wantsResidual) const;
 
-  static constexpr int degree = 2, lanczosSteps = 15;
+  static constexpr int degree = 2, lanczosSteps = 20;
   static constexpr double smoothedShare = 5.0, margin = 1.1;
 
   Teuchos::RCP<const BlockOperator> matrix_;
