@@ -10,6 +10,9 @@ from harness.exodus import Exodus
 
 ENDINGS = (".summary.json", ".study.csv", ".study.partial.csv", ".contact.csv", ".levels.csv", ".report.html", ".e",
            ".xml")
+# What every summary has had; `build` came later.
+SUMMARY_KEYS = ("version", "title", "ranks", "per_unit_thickness", "deck", "bodies", "energy", "interfaces", "coupling", "residuals",
+                "warnings", "errors", "accuracy", "expectations", "ledger")
 
 
 class Missing(Exception):
@@ -74,7 +77,7 @@ def read_study(stem, path):
 def read_run(stem, path):
     try:
         summary = json.loads(path.read_text(encoding="utf-8"))
-        for key in ("version", "title", "bodies", "interfaces", "ledger"):
+        for key in SUMMARY_KEYS:
             summary[key]
         summary["deck"]["Bodies"]
     except (OSError, ValueError, KeyError, TypeError) as error:

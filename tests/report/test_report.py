@@ -226,6 +226,10 @@ class Written(unittest.TestCase):
         self.assertIn("cut.summary.json cannot be read as a summary of ndframe", self.refused("cut"))
         self.path("other.summary.json").write_text('{"version": 1}')
         self.assertIn("other.summary.json cannot be read as a summary of ndframe", self.refused("other"))
+        summary = self.summary("certificate")
+        del summary["residuals"]
+        self.path("older.summary.json").write_text(json.dumps(summary))
+        self.assertIn("cannot be read as a summary of ndframe (KeyError: 'residuals')", self.refused("older"))
         self.path("empty.study.csv").write_text("case,dofs\n")
         self.assertIn("is not the table of a study", self.refused("empty"))
         self.assertIn("usage: ndframe report", self.refused())
