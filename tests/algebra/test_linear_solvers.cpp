@@ -105,7 +105,8 @@ TEST(Automatic, HasASecondChoiceWhereTheFirstFails)
   const auto direct = test::makeSolver("Mumps")->factor(problem, test::comm(), ledger);
   EXPECT_LT(test::relativeDifference(u, direct->expand(load, kept).column(0)), 1e-12);
   EXPECT_THAT(condensed->description(), testing::StartsWith("Mumps"));
-  EXPECT_EQ(condensed->expand(load, kept).column(0), u);
+  // not the same bits: Mumps adds what ranks send in the order in which it comes
+  EXPECT_LT(test::relativeDifference(u, condensed->expand(load, kept).column(0)), 1e-12);
   EXPECT_EQ(ledger.counted("solvers given up"), 1);
   EXPECT_EQ(neumannSolver(*condensed).solvesNeumann(), neumannSolver(*direct).solvesNeumann());
 }
