@@ -71,7 +71,9 @@ std::vector<double> nodalShares(int dim, int order, int degree)
 class FeltShares
 {
 public:
-  FeltShares(const ContactTraction& traction, bool isNeumann) : traction_(traction), isNeumann_(isNeumann) {}
+  FeltShares(const ContactTraction& traction, bool isNeumann)
+      : traction_(traction), isNeumann_(isNeumann), inOrder_(traction.dim, traction.degree)
+  {}
 
   /// Adds the shares of facet f in global axes.
   void add(const ContactFacet& facet, std::size_t f, Vector& all)
@@ -87,7 +89,7 @@ public:
         all.insert(all.end(), own.begin(), own.end());
         continue;
       }
-      const DenseMatrix& modesOf = inOrder(facet);
+      const DenseMatrix& modesOf = inOrder_(facet.theirs);
       for (int k = 0; k < int(modes); ++k)
         for (std::size_t i = 0; i < dim; ++i) {
           all.push_back(0.0);
@@ -103,17 +105,9 @@ private:
     return facet.turns ? traction_.vectors[share * 2 + i] : traction_.shares[share] * facet.normal[i];
   }
 
-  const DenseMatrix& inOrder(const ContactFacet& facet)
-  {
-    const auto found = modes_.find(facet.theirs);
-    return found != modes_.end()
-               ? found->second
-               : modes_.emplace(facet.theirs, modesInOrder(facet.dim, traction_.degree, facet.theirs)).first->second;
-  }
-
   const ContactTraction& traction_;
   bool isNeumann_;
-  std::map<std::array<int, 3>, DenseMatrix> modes_;
+  OrderedModes inOrder_;
 };
 
 } // namespace
@@ -190,6 +184,13 @@ DenseMatrix modesInOrder(int dim, int degree, const std::array<int, 3>& theirs)
       if (std::abs(R(k, j) - std::round(R(k, j))) < roundOff)
         R(k, j) = std::round(R(k, j));
   return R;
+}
+
+const DenseMatrix& OrderedModes::operator()(const std::array<int, 3>& theirs)
+{
+  const auto found = found_.find(theirs);
+  return found != found_.end() ? found->second
+                               : found_.emplace(theirs, modesInOrder(dim_, degree_, theirs)).first->second;
 }
 
 double largestBernstein(const ContactTraction& traction, const std::vector<ContactFacet>& facets)

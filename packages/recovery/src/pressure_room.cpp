@@ -66,6 +66,14 @@ Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>&
   return change;
 }
 
+Vector normalMoments(const ContactFacet& facet, const double* T, std::size_t modes)
+{
+  Vector moments;
+  for (std::size_t k = 0; k < modes; ++k)
+    moments.push_back(facet.normal[0] * T[3 * k] + facet.normal[1] * T[3 * k + 1] + facet.normal[2] * T[3 * k + 2]);
+  return moments;
+}
+
 PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactFacet>& contact,
                            const ContactTraction& traction)
     : faces_(&faces), contact_(&contact), toBernstein_(bernsteinOfMoments(3, traction.degree)), held_(contact.size(), 0)
@@ -94,10 +102,9 @@ Vector PressureRoom::coefficients(int face, const Vector& tractions) const
 {
   const ContactFacet& facet = (*contact_)[std::size_t((*faces_)[face].contact)];
   const auto modes = std::size_t(toBernstein_.cols());
-  Vector moments(modes, 0.0);
-  for (std::size_t k = 0; k < modes; ++k)
-    for (std::size_t i = 0; i < 3; ++i)
-      moments[k] += facet.normal[i] * tractions[(std::size_t(face) * modes + k) * 3 + i] / facet.measure;
+  Vector moments = normalMoments(facet, tractions.data() + std::size_t(face) * modes * 3, modes);
+  for (double& moment : moments)
+    moment /= facet.measure;
   return multiply(toBernstein_, moments);
 }
 

@@ -11,6 +11,9 @@ namespace ndframe
 Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>& contact,
                       const ContactTraction& traction);
 
+/// The moments of a traction's normal part: modes of T . n_c.
+Vector normalMoments(const ContactFacet& facet, const double* T, std::size_t modes);
+
 /// How far normal tractions may change before one of their Bernstein coefficients becomes positive.
 class PressureRoom
 {

@@ -210,12 +210,10 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
 /// Adds the normal part of a face's traction to a contact facet, in equal shares.
 void StressDescent::addNormal(std::size_t facet, const double* T, ContactTraction& traction) const
 {
-  const Direction& normal = (*contact_)[facet].normal;
-  const std::size_t modes = traction.numModes();
+  const Vector moments = normalMoments((*contact_)[facet], T, traction.numModes());
   for (std::size_t vertex = 0; vertex < 3; ++vertex)
-    for (std::size_t k = 0; k < modes; ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        traction.shares[(facet * 3 + vertex) * modes + k] += normal[i] * T[3 * k + i] / 3.0;
+    for (std::size_t k = 0; k < moments.size(); ++k)
+      traction.shares[(facet * 3 + vertex) * moments.size() + k] += moments[k] / 3.0;
 }
 
 /// Adds tractions of faces to a field.

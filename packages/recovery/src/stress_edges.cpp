@@ -117,9 +117,9 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
   const auto isOpen = [&](int f) { return faces_[f].isBoundary(); };
   const auto open = std::find_if(around.begin(), around.end(), isOpen);
   StressEdge edge;
-  edge.isClosed = open == around.end();
-  int face = edge.isClosed ? around.front() : *open, cell = faces_[face].cell[0];
-  if (!edge.isClosed) // into the body: a traction on its only cell is the opposite of what leaves a cell before it
+  const bool isClosed = open == around.end();
+  int face = isClosed ? around.front() : *open, cell = faces_[face].cell[0];
+  if (!isClosed) // into the body: a traction on its only cell is the opposite of what leaves a cell before it
     edge.ring.push_back({face, -1.0, -1});
   for (std::size_t step = 0; step < around.size(); ++step) {
     const auto next = std::find_if(around.begin(), around.end(), [&](int f) {
@@ -132,7 +132,7 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
     const auto& cells = faces_[face].cell;
     edge.ring.push_back({face, cells[0] == cell ? 1.0 : -1.0, cell});
     cell = cells[0] == cell ? cells[1] : cells[0];
-    if (cell < 0 || (edge.isClosed && face == around.front()))
+    if (cell < 0 || (isClosed && face == around.front()))
       break;
   }
   if (edge.ring.size() != around.size())

@@ -18,7 +18,6 @@ struct StressEdge
                            ///< where all wrenches may circulate and the face takes them all
   };
   std::vector<Step> ring; ///< closed inside; at supported boundaries from one facet there to another
-  bool isClosed = true;
   Direction middle{};
   double length = 0.0;
   DenseMatrix basis; ///< 6 x unknowns: the wrenches that may circulate, about the middle

@@ -16,13 +16,6 @@ Direction difference(const Direction& a, const Direction& b)
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-void addCross(const Direction& arm, const double* force, double factor, double* moment)
-{
-  moment[0] += factor * (arm[1] * force[2] - arm[2] * force[1]);
-  moment[1] += factor * (arm[2] * force[0] - arm[0] * force[2]);
-  moment[2] += factor * (arm[0] * force[1] - arm[1] * force[0]);
-}
-
 DenseMatrix upperLeft(const DenseMatrix& matrix, int rows, int cols)
 {
   DenseMatrix part(rows, cols);
@@ -41,6 +34,13 @@ DenseMatrix transposed(const DenseMatrix& matrix)
 }
 
 } // namespace
+
+void addCross(const Direction& arm, const double* force, double factor, double* moment)
+{
+  moment[0] += factor * (arm[1] * force[2] - arm[2] * force[1]);
+  moment[1] += factor * (arm[2] * force[0] - arm[0] * force[2]);
+  moment[2] += factor * (arm[0] * force[1] - arm[1] * force[0]);
+}
 
 Wrench StressFace::wrench(const double* T, const double* point, double length) const
 {
@@ -213,6 +213,7 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
 /// of them and no support takes a part. The others keep the tractions that they have.
 void StressFaces::joinContact(const std::vector<ContactFacet>& contact)
 {
+  OrderedModes inOrder(3, cells_->any().data().degree);
   for (std::size_t f = 0; f < contact.size(); ++f) {
     const ContactFacet& facet = contact[f];
     if (!cells_->has(facet.dirichletBody) || !cells_->has(facet.neumannBody) || facet.turns)
@@ -229,7 +230,7 @@ void StressFaces::joinContact(const std::vector<ContactFacet>& contact)
     face.contact = int(f);
     face.theirs = facet.theirs;
     if (facet.theirs != std::array{0, 1, 2})
-      face.turned = modesInOrder(3, cells_->any().data().degree, facet.theirs);
+      face.turned = inOrder(facet.theirs);
     const Vector arms = findGeometry(face);
     if (!isFree || !coincide(face, arms, facet.normal))
       continue;

@@ -49,6 +49,9 @@ struct StressFace
   DenseMatrix onSide(std::size_t side, const DenseMatrix& columns) const;
 };
 
+/// moment += factor arm x force
+void addCross(const Direction& arm, const double* force, double factor, double* moment);
+
 /// (F, M / from.length) about one point as (F, M' / to.length) about another.
 Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLength, const Direction& to,
                    double toLength);

@@ -24,13 +24,6 @@ double largestArm(const Mesh& mesh, const Star& star)
   return largest;
 }
 
-void addCross(const Direction& arm, const double* force, double factor, double* moment)
-{
-  moment[0] += factor * (arm[1] * force[2] - arm[2] * force[1]);
-  moment[1] += factor * (arm[2] * force[0] - arm[0] * force[2]);
-  moment[2] += factor * (arm[0] * force[1] - arm[1] * force[0]);
-}
-
 } // namespace
 
 /// What flows through a spoke for potentials p_0, p_1 of its cells (p_1 = 0 at a support):

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "ndframe/admissibility/facet_functions.hpp"
@@ -60,6 +61,18 @@ DenseMatrix bernsteinOfMoments(int dim, int degree);
 /// How the moments of a function follow when the facet's vertices are taken in another order: L_k of the coordinates
 /// lambda_theirs(0), lambda_theirs(1), .. has the mean values R(k, j) with L_j. On edges 1 and -1.
 DenseMatrix modesInOrder(int dim, int degree, const std::array<int, 3>& theirs);
+
+/// modesInOrder() for the facets of a scene: every order is found once.
+class OrderedModes
+{
+public:
+  OrderedModes(int dim, int degree) : dim_(dim), degree_(degree) {}
+  const DenseMatrix& operator()(const std::array<int, 3>& theirs);
+
+private:
+  int dim_, degree_;
+  std::map<std::array<int, 3>, DenseMatrix> found_;
+};
 
 /// Largest Bernstein coefficient of t_N over all facets: not above 0 means t_N <= 0 everywhere.
 double largestBernstein(const ContactTraction& traction, const std::vector<ContactFacet>& facets);
