@@ -1,5 +1,7 @@
 #include "largest_eigenvalue.hpp"
 
+#include <Teuchos_LAPACK.hpp>
+
 #include <algorithm>
 #include <cmath>
 
@@ -9,37 +11,16 @@ namespace ndframe
 namespace
 {
 
-/// Symmetric, diagonal and what stands beside it.
-struct Tridiagonal
+/// Of a symmetric tridiagonal matrix: its diagonal and what stands beside it.
+double largestOf(std::vector<double> diagonal, std::vector<double> beside)
 {
-  std::vector<double> diagonal, beside;
-
-  /// How many eigenvalues are below x: sign changes of Sturm's sequence.
-  int below(double x) const
-  {
-    int count = 0;
-    double pivot = 1.0;
-    for (std::size_t i = 0; i < diagonal.size(); ++i) {
-      const double coupling = i == 0 ? 0.0 : beside[i - 1] * beside[i - 1];
-      pivot = diagonal[i] - x - coupling / (pivot == 0.0 ? 1e-300 : pivot);
-      count += pivot < 0.0;
-    }
-    return count;
-  }
-
-  double largest() const
-  {
-    double low = 0.0, high = 0.0;
-    for (std::size_t i = 0; i < diagonal.size(); ++i)
-      high = std::max(high, std::abs(diagonal[i]) + (i > 0 ? std::abs(beside[i - 1]) : 0.0) +
-                                (i < beside.size() ? std::abs(beside[i]) : 0.0));
-    for (int halving = 0; halving < 40; ++halving) {
-      const double middle = 0.5 * (low + high);
-      (below(middle) == int(diagonal.size()) ? high : low) = middle;
-    }
-    return high;
-  }
-};
+  const int n = int(diagonal.size());
+  int info = 0;
+  std::vector<double> work(std::size_t(std::max(1, 2 * n - 2)));
+  Teuchos::LAPACK<int, double>().STEQR('N', n, diagonal.data(), beside.data(), nullptr, 1, work.data(), &info);
+  TEUCHOS_TEST_FOR_EXCEPTION(info != 0, std::runtime_error, "the eigenvalues of a tridiagonal matrix were not found");
+  return diagonal.back();
+}
 
 /// Numbers in (-1, 1) that do not follow the mesh.
 double scattered(std::uint64_t number)
@@ -82,20 +63,20 @@ double largestEigenvalue(const BlockOperator& K, const std::vector<double>& inve
     if (scale[i] > 0.0)
       current.replaceLocalValue(int(i), 0, scattered(std::uint64_t(map->getGlobalElement(int(i)))));
   current.scale(1.0 / std::sqrt(dotOf(current, current)));
-  Tridiagonal T;
+  std::vector<double> diagonal, beside;
   for (int step = 0; step < steps; ++step) {
     applyScaled(K, scale, current, next, work);
-    T.diagonal.push_back(dotOf(current, next));
-    next.update(-T.diagonal.back(), current, step == 0 ? 0.0 : -T.beside.back(), previous, 1.0);
+    diagonal.push_back(dotOf(current, next));
+    next.update(-diagonal.back(), current, step == 0 ? 0.0 : -beside.back(), previous, 1.0);
     const double length = std::sqrt(dotOf(next, next));
-    if (step + 1 == steps || !(length > 1e-12 * T.diagonal.back()))
+    if (step + 1 == steps || !(length > 1e-12 * diagonal.back()))
       break;
-    T.beside.push_back(length);
+    beside.push_back(length);
     std::swap(previous, current);
     std::swap(current, next);
     current.scale(1.0 / length);
   }
-  return T.largest();
+  return largestOf(std::move(diagonal), std::move(beside));
 }
 
 } // namespace ndframe
