@@ -1,8 +1,10 @@
 """Runs of ndframe with a target, and what they leave."""
 
+import argparse
 import dataclasses
 import json
 import pathlib
+import statistics
 import subprocess
 import tempfile
 
@@ -56,3 +58,33 @@ class Program:
             tables = list(pathlib.Path(folder).glob("*.contact.csv"))
             contact = tables[0].read_text() if tables else None
         return Run(done.returncode, done.stdout + done.stderr, summary, contact)
+
+
+def sweep_options(description, **more):
+    """Command line of a sweep over random scenes, one a seed. more: further options, name -> (default, help)."""
+    parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)
+    parser.add_argument("ndframe")
+    parser.add_argument("--scenes", type=int, default=100)
+    parser.add_argument("--seed", type=int, default=0)
+    for name, (default, text) in more.items():
+        parser.add_argument(f"--{name}", type=type(default), default=default, help=text)
+    return parser.parse_args()
+
+
+def sweep(options, judge):
+    """judge(seed): (what is wrong or None, what it found, what it is about). Prints what is wrong as it comes; returns how
+    often, and (found, about) of all scenes."""
+    wrong, found = 0, []
+    for seed in range(options.seed, options.seed + options.scenes):
+        violation, value, about = judge(seed)
+        if violation:
+            wrong += 1
+            print(f"{about}: {violation}", flush=True)
+        found.append((value, about))
+    return wrong, found
+
+
+def print_sharpness(ratios, of=""):
+    """Of bounds over reference errors."""
+    print(f"bound / reference error{of}: {len(ratios)} converged runs, median {statistics.median(ratios):.3f}, "
+          f"{min(ratios):.3f} to {max(ratios):.3f}")

@@ -6,17 +6,15 @@ on cells half as large (more halvings where one is not enough to tell). A guaran
 so is a run that ends otherwise than it may. Prints the violations, and how sharp the bounds are.
 """
 
-import argparse
 import pathlib
 import random
-import statistics
 import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 import network_decks
 import network_sweep
-from runs import Program
+from runs import Program, print_sharpness, sweep, sweep_options
 
 ESTIMATES = ("Error Estimation/Estimators={Global, Discretization, Algorithm, Reference}",
              "Error Estimation/Check Equilibrium=true", "Output/Exodus=false", "Output/Contact Table=false")
@@ -63,22 +61,12 @@ def judge(program, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ndframe")
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=0)
-    options = parser.parse_args()
-    program, sharpness, wrong = Program(options.ndframe), [], 0
-    for seed in range(options.seed, options.seed + options.scenes):
-        violation, ratio, about = judge(program, seed)
-        if violation:
-            wrong += 1
-            print(f"{about}: {violation}", flush=True)
-        if ratio:
-            sharpness.append(ratio)
-    if sharpness:
-        print(f"bound / reference error of {len(sharpness)} converged runs: median {statistics.median(sharpness):.3f}, "
-              f"{min(sharpness):.3f} to {max(sharpness):.3f}")
+    options = sweep_options(__doc__)
+    program = Program(options.ndframe)
+    wrong, found = sweep(options, lambda seed: judge(program, seed))
+    ratios = [ratio for ratio, _ in found if ratio]
+    if ratios:
+        print_sharpness(ratios)
     print(f"{options.scenes} scenes, {wrong} wrong")
     sys.exit(1 if wrong else 0)
 

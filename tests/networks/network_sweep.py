@@ -6,7 +6,6 @@ exit code 3; what is not unique is solved, or ends saying that nothing presses t
 does otherwise; exit code 1 if there is one.
 """
 
-import argparse
 import collections
 import pathlib
 import random
@@ -15,7 +14,7 @@ import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 import network_decks
-from runs import Program
+from runs import Program, sweep_options
 
 SAME = 1e-9
 NOT_PRESSED = ("contact is undecided: nothing presses", "the load does not press the bodies together")
@@ -62,11 +61,7 @@ def outcome(program, deck):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ndframe")
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=0)
-    options = parser.parse_args()
+    options = sweep_options(__doc__)
     program, counts, wrong = Program(options.ndframe), collections.Counter(), 0
     for seed in range(options.seed, options.seed + options.scenes):
         arguments, deck = network(seed)

@@ -6,17 +6,15 @@ end or stopped anywhere. The error is that of a solution on cells half as large,
 violation; so is a run that ends otherwise than it may. Prints the violations, and how sharp the bounds are.
 """
 
-import argparse
 import math
 import pathlib
 import random
-import statistics
 import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 import side_scenes
-from runs import Program
+from runs import Program, print_sharpness, sweep, sweep_options
 
 ESTIMATES = ("Error Estimation/Estimators={Global, Discretization, Algorithm, Reference}",
              "Error Estimation/Check Equilibrium=true", "Output/Exodus=false", "Output/Contact Table=false")
@@ -137,22 +135,14 @@ def judge(program, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ndframe")
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=0)
-    options = parser.parse_args()
-    program, sharpness, wrong = Program(options.ndframe), {}, 0
-    for seed in range(options.seed, options.seed + options.scenes):
-        violation, ratio, about = judge(program, seed)
-        if violation:
-            wrong += 1
-            print(f"{about}: {violation}", flush=True)
+    options = sweep_options(__doc__)
+    program, sharpness = Program(options.ndframe), {}
+    wrong, found = sweep(options, lambda seed: judge(program, seed))
+    for ratio, about in found:
         if ratio:
             sharpness.setdefault(about.split(": ")[1].split(",")[0], []).append(ratio)
     for kind, ratios in sorted(sharpness.items()):
-        print(f"bound / reference error, {kind}: {len(ratios)} converged runs, median {statistics.median(ratios):.3f}, "
-              f"{min(ratios):.3f} to {max(ratios):.3f}")
+        print_sharpness(ratios, f", {kind}")
     print(f"{options.scenes} scenes, {wrong} wrong")
     sys.exit(1 if wrong else 0)
 

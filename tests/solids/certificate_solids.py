@@ -7,16 +7,14 @@ violation; so are a bound that is not guaranteed although the run ended well, a 
 a mean stress that is further from the reference than its bound. Prints the violations, and how sharp the bounds are.
 """
 
-import argparse
 import math
 import pathlib
 import random
-import statistics
 import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from runs import Program
+from runs import Program, print_sharpness, sweep, sweep_options
 from solid_scenes import Solid, pressure, write_scene
 
 EXACT = 1e-9  # of the solution: an error below is that of two exact solutions
@@ -119,23 +117,14 @@ def judge(program, seed, refinements):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ndframe")
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=0)
-    parser.add_argument("--refinements", type=int, default=1, help="of the reference")
-    options = parser.parse_args()
-    program, sharpness, violations = Program(options.ndframe), {}, 0
-    for seed in range(options.seed, options.seed + options.scenes):
-        violation, ratio, about = judge(program, seed, options.refinements)
-        if violation:
-            violations += 1
-            print(f"{about}: {violation}", flush=True)
+    options = sweep_options(__doc__, refinements=(1, "of the reference"))
+    program, sharpness = Program(options.ndframe), {}
+    violations, found = sweep(options, lambda seed: judge(program, seed, options.refinements))
+    for ratio, about in found:
         if ratio:
             sharpness.setdefault(", ".join(about.split(": ")[1].split(", ")[:2]), []).append(ratio)
     for kind, ratios in sorted(sharpness.items()):
-        print(f"bound / reference error, {kind}: {len(ratios)} converged runs, median {statistics.median(ratios):.3f}, "
-              f"{min(ratios):.3f} to {max(ratios):.3f}")
+        print_sharpness(ratios, f", {kind}")
     print(f"{options.scenes} scenes, {violations} wrong")
     sys.exit(1 if violations else 0)
 

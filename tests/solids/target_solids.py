@@ -5,7 +5,6 @@ The random scenes of certificate_solids.py with a target: it is reached with a g
 energy contradicts another's (exit code 3); shapes stay bounded and dofs grow from level to level.
 """
 
-import argparse
 import pathlib
 import random
 import sys
@@ -13,7 +12,7 @@ import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from certificate_solids import EXACT, scene
-from runs import Program
+from runs import Program, sweep, sweep_options
 from solid_scenes import write_scene
 
 WORST = 0.2  # of the first shape: longest-edge bisection keeps more
@@ -51,19 +50,10 @@ def judge(program, seed):
 
 
 def main():
-    parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("ndframe")
-    parser.add_argument("--scenes", type=int, default=100)
-    parser.add_argument("--seed", type=int, default=0)
-    options = parser.parse_args()
-    program, reached, violations = Program(options.ndframe, seconds=600), 0, 0
-    for seed in range(options.seed, options.seed + options.scenes):
-        violation, hit, about = judge(program, seed)
-        reached += bool(hit)
-        if violation:
-            violations += 1
-            print(f"{about}: {violation}", flush=True)
-    print(f"{options.scenes} scenes, {reached} targets reached, {violations} wrong")
+    options = sweep_options(__doc__)
+    program = Program(options.ndframe, seconds=600)
+    violations, found = sweep(options, lambda seed: judge(program, seed))
+    print(f"{options.scenes} scenes, {sum(bool(hit) for hit, _ in found)} targets reached, {violations} wrong")
     sys.exit(1 if violations else 0)
 
 
