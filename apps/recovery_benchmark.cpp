@@ -20,6 +20,7 @@
 #include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/equilibrium/reference_stress.hpp"
+#include "ndframe/iterative/linear_solvers.hpp"
 #include "ndframe/simd/batched_stars.hpp"
 
 using namespace ndframe;

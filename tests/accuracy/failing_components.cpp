@@ -1,4 +1,5 @@
 #include "failing_components.hpp"
+#include "ndframe/iterative/linear_solvers.hpp"
 
 #include <algorithm>
 

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "ndframe/base/deck.hpp"
+#include "ndframe/iterative/linear_solvers.hpp"
 
 namespace ndframe::test
 {

@@ -11,7 +11,8 @@ import cpp_text
 ARROWS = {
     "base": [],
     "algebra": ["base"],
-    "krylov": ["algebra"],
+    "iterative": ["algebra"],
+    "krylov": ["iterative"],
     "mesh": ["base"],
     "meshing": ["mesh"],
     "fem": ["mesh"],
@@ -33,7 +34,7 @@ ARROWS = {
     "run": ["certification"],
     "accuracy": ["run", "adaptivity"],
     "report": ["accuracy"],
-    "driver": ["report"],
+    "driver": ["report", "iterative"],
 }
 
 # Headers of libraries that only one folder may see. The first kind belongs to a module: nothing else may link it.

@@ -1,7 +1,11 @@
 #include "ndframe/algebra/block_matrix.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
 
+#include "ndframe/algebra/dense.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -51,6 +55,27 @@ Vector diagonal(const BlockMatrix& K, const Comm& comm)
   }
   comm.sum(d);
   return d;
+}
+
+double meanDiagonal(const BlockMatrix& K, const Comm& comm)
+{
+  const Vector d = diagonal(K, comm);
+  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
+}
+
+double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm)
+{
+  const int dim = K.dim;
+  Vector sizes(u.size(), 0.0);
+  const double* entry = K.values.data();
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
+      for (int i = 0; i < dim; ++i)
+        for (int j = 0; j < dim; ++j)
+          sizes[std::size_t(K.rows[r]) * std::size_t(dim) + std::size_t(i)] +=
+              std::abs(*entry++ * u[std::size_t(K.cols[std::size_t(b)]) * std::size_t(dim) + std::size_t(j)]);
+  comm.sum(sizes);
+  return 16.0 * std::numeric_limits<double>::epsilon() * norm(sizes);
 }
 
 } // namespace ndframe

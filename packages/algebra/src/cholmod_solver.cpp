@@ -6,12 +6,12 @@
 
 #include "cholmod_factor.hpp"
 #include "free_matrix.hpp"
+#include "ndframe/algebra/direct_solvers.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
+#include "ndframe/algebra/split_body.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ordering.hpp"
-#include "solver_problem.hpp"
-#include "solvers.hpp"
-#include "split_body.hpp"
 
 namespace ndframe
 {

@@ -6,7 +6,6 @@
 #include <fmt/format.h>
 #include <mpi.h>
 
-#include "krylov_module.hpp"
 #include "mpi_comm.hpp"
 #include "ndframe/algebra/launcher.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -28,6 +27,13 @@ void initMpi(int* argc, char*** argv)
   }
   int provided = 0;
   MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);
+}
+
+/// What needs MPI to be running when it ends.
+std::vector<void (*)()>& endsBefore()
+{
+  static std::vector<void (*)()> ends;
+  return ends;
 }
 
 int mpiCount(std::size_t n)
@@ -124,9 +130,15 @@ bool mpiIsRunning()
   return started != 0 && finished == 0;
 }
 
+void beforeMpiEnds(void (*end)())
+{
+  endsBefore().push_back(end);
+}
+
 void finishMpi()
 {
-  finishKrylov();
+  for (; !endsBefore().empty(); endsBefore().pop_back())
+    endsBefore().back()();
   if (mpiIsRunning())
     MPI_Finalize();
 }

@@ -1,7 +1,7 @@
 #pragma once
 
 #include "cholmod_factor.hpp"
-#include "solver_problem.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "mumps_instance.hpp"
-#include "solver_problem.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 
 namespace ndframe
 {

@@ -4,12 +4,12 @@
 
 #include "mumps_entries.hpp"
 #include "mumps_instance.hpp"
+#include "ndframe/algebra/direct_solvers.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
+#include "ndframe/algebra/split_body.hpp"
 #include "ndframe/algebra/symmetric_operator.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ordering.hpp"
-#include "solver_problem.hpp"
-#include "solvers.hpp"
-#include "split_body.hpp"
 
 namespace ndframe
 {

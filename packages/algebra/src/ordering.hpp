@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 #include "node_graph.hpp"
-#include "solver_problem.hpp"
 
 namespace ndframe
 {

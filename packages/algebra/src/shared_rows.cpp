@@ -1,4 +1,4 @@
-#include "shared_rows.hpp"
+#include "ndframe/algebra/shared_rows.hpp"
 
 #include <algorithm>
 #include <numeric>

@@ -1,4 +1,4 @@
-#include "solver_problem.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 
 #include <algorithm>
 #include <cmath>

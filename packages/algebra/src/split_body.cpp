@@ -1,9 +1,10 @@
-#include "split_body.hpp"
+#include "ndframe/algebra/split_body.hpp"
 
 #include <algorithm>
 
+#include "ndframe/algebra/joined_system.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "solver_problem.hpp"
 
 namespace ndframe
 {
@@ -55,6 +56,12 @@ const NeumannSolver& neumannSolver(const CondensedBody& body)
   const auto* solver = dynamic_cast<const NeumannSolver*>(&body);
   NDFRAME_ASSERT(solver != nullptr, "a condensed body has no Neumann solver");
   return *solver;
+}
+
+const WholeSolver* wholeSolver(const CondensedBody& body)
+{
+  const auto* solver = dynamic_cast<const WholeSolver*>(&body);
+  return solver != nullptr && solver->solvesWhole() ? solver : nullptr;
 }
 
 void SplitBody::checkShapes(const DenseMatrix& load, const DenseMatrix& kept) const

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
 
 namespace ndframe
@@ -93,6 +94,31 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
   return g;
 }
 
+/// The unknown fields by iterations on the whole body, from those that are there. False where it gives up.
+bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Vector>& forces,
+                const std::vector<std::size_t>& unknown, std::vector<Vector>& fields)
+{
+  const auto b = std::size_t(body);
+  const BodySystem& system = condensed.systems[b];
+  const WholeSolver& whole = *condensed.trace(body)->whole;
+  try {
+    for (const std::size_t f : unknown) {
+      Vector u = system.dofs.frames.toLocal(fields[f]);
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] -= system.dofs.prescribed[i];
+      u = whole.solveFree(loaded(system, condensed.loads[b], forces[f]), std::move(u));
+      for (std::size_t i = 0; i < u.size(); ++i)
+        u[i] += system.dofs.prescribed[i];
+      fields[f] = system.dofs.frames.toGlobal(u);
+    }
+    return true;
+  } catch (const NotConverged&) {
+    if (!whole.givesUp())
+      throw;
+    return false;
+  }
+}
+
 /// The body's displacements for several right-hand sides at once.
 std::vector<Vector> expandAll(const BodySystem& system, const CondensedBody& body, const DenseMatrix& loads,
                               const DenseMatrix& kept)
@@ -133,6 +159,8 @@ std::vector<Vector> intermediateFields(const Model& model, const CondensedModel&
     if (!areSame(system, forces[f], known))
       unknown.push_back(f);
   if (unknown.empty())
+    return fields;
+  if (trace.isSolvedWhole() && solveWhole(condensed, body, forces, unknown, fields))
     return fields;
   const Vector start = traceValues(system, trace, solved);
   const auto isFree = freeWhenHeld(trace.freeMotions);

@@ -119,9 +119,10 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const CertificateCompon
 
   Ledger ledger;
   const auto solver = chooseSolver(deck, components);
-  const auto representation =
-      components.interfaceOperators.build(defaultsOf(components.interfaceOperators.choices(), "Automatic"));
+  const Params operatorList = defaultsOf(components.interfaceOperators.choices(), "Automatic");
+  const auto representation = components.interfaceOperators.build(operatorList);
   const auto coupling = components.couplings.build(defaultsOf(components.couplings.choices(), "Monolithic"));
+  offerWhole(model_, *coupling, operatorList);
   CondensedModel condensed = condense(model_, *solver, *representation, comm, ledger);
   InterfaceState state;
   if (!model_.interfaces.empty())
@@ -139,7 +140,7 @@ bool ReferenceSolution::suits(const Model& coarse, int refinements) const
   const auto sameRoles = [](const InterfaceMesh& a, const InterfaceMesh& b) {
     return a.dirichletBody == b.dirichletBody;
   };
-  return refinements == refinements_ && coarse.recipe.sameModel(recipe_) && coarse.recipe.solver == recipe_.solver &&
+  return refinements == refinements_ && coarse.recipe.sameModel(recipe_) && coarse.recipe.sameSolver(recipe_) &&
          std::equal(coarse.interfaces.begin(), coarse.interfaces.end(), model_.interfaces.begin(),
                     model_.interfaces.end(), sameRoles);
 }

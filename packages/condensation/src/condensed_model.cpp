@@ -51,13 +51,14 @@ private:
   int dofs_;
 };
 
-std::unique_ptr<CondensedBody> factorBody(const BodyModel& body, const RigidBasis& rigid, const BodySystem& system,
+std::unique_ptr<CondensedBody> factorBody(const Model& model, int number, const BodySystem& system,
                                           const LinearSolver& solver, const Comm& comm, Ledger& ledger)
 {
+  const BodyModel& body = model.bodies[std::size_t(number)];
   if (body.isRigid)
     return std::make_unique<HeldBody>(body.numDofs());
   try {
-    return solver.factor(solverProblem(body, rigid, system), comm, ledger);
+    return solver.factor(solverProblem(model, number, system), comm, ledger);
   } catch (const SingularBody& failure) {
     const int node = failure.dof < 0 ? -1 : failure.dof / body.mesh.dim;
     throw InputError(
@@ -161,7 +162,7 @@ private:
     if (recipe_.bodies.empty())
       return kept;
     const BodyRecipe &before = recipe_.bodies[b], &now = model_.recipe.bodies[b];
-    kept.factor = before.mesh == now.mesh && before.matrix == now.matrix && recipe_.solver == model_.recipe.solver &&
+    kept.factor = before.mesh == now.mesh && before.matrix == now.matrix && recipe_.sameSolver(model_.recipe) &&
                   layouts_[b].splitsLike(result_.systems[b].dofs);
     const auto earlier = earlierTrace(b);
     kept.schur = kept.factor && recipe_.representation == model_.recipe.representation &&
@@ -202,7 +203,7 @@ private:
   void condenseBody(std::size_t b)
   {
     if (!kept_[b].factor)
-      result_.condensed[b] = factorBody(model_.bodies[b], model_.rigid[b], result_.systems[b], solver_, comm_, ledger_);
+      result_.condensed[b] = factorBody(model_, int(b), result_.systems[b], solver_, comm_, ledger_);
     if (traces_[b].map.size() > 0)
       condenseTrace(b);
   }
@@ -213,8 +214,17 @@ private:
     const auto earlier = earlierTrace(b);
     BodyTrace& trace = traces_[b];
     trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], trace.map, representation_);
-    trace.g =
-        kept_[b].load ? std::move(earlier->g) : traceLoad(*result_.condensed[b], trace.map, *trace.S, result_.loads[b]);
+    trace.load = &result_.loads[b];
+    trace.whole = wholeSolver(*result_.condensed[b]);
+    if (kept_[b].load) {
+      trace.g = std::move(earlier->g);
+      return;
+    }
+    trace.g = ReducedLoad([&body = *result_.condensed[b], map = trace.map, S = trace.S, &load = result_.loads[b]] {
+      return traceLoad(body, map, *S, load);
+    });
+    if (trace.whole == nullptr)
+      trace.g.size(); // finds it now, while other bodies are condensed beside
   }
 
   std::vector<BodyTrace>::iterator earlierTrace(std::size_t b)
@@ -254,26 +264,6 @@ std::vector<BodySystem> assembleSystems(const Model& model, const Comm& comm)
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     systems.push_back(assemble(model, b, layOut(model, b, traceNodes[b]), comm));
   return systems;
-}
-
-SolverProblem solverProblem(const BodyModel& body, const RigidBasis& rigid, const BodySystem& system)
-{
-  SolverProblem problem;
-  problem.matrix = &system.K;
-  problem.roles = system.dofs.roles;
-  problem.kept = system.dofs.keptDofs();
-  problem.nearNullSpace = rigidModes(rigid, body.nodes, system.dofs.frames);
-  problem.nodePoints = body.nodes.points;
-  problem.poissonRatio = body.poissonRatio();
-  problem.edgeNodes.ends = edgeEnds(body.nodes);
-  const Frames& frames = system.dofs.frames;
-  for (int node = 0; node < body.nodes.numNodes() && frames.anyTurned(); ++node)
-    if (frames.isTurned(node)) {
-      problem.edgeNodes.turned.push_back(node);
-      const int size = body.nodes.dim * body.nodes.dim;
-      problem.edgeNodes.axes.insert(problem.edgeNodes.axes.end(), frames.axes(node), frames.axes(node) + size);
-    }
-  return problem;
 }
 
 CondensedModel condense(const Model& model, const LinearSolver& solver, const InterfaceOperator& representation,

@@ -16,12 +16,6 @@ namespace
 /// Other roles must need less than this part of the sweeps: estimates that agree leave the deck's roles.
 constexpr double clearly = 0.9;
 
-void negate(Vector& values)
-{
-  for (double& value : values)
-    value = -value;
-}
-
 /// Makes the Neumann body of an interface the Dirichlet body; the interface's nodes keep their numbers.
 void exchange(Model& model, InterfaceMesh& interface)
 {
@@ -62,7 +56,7 @@ void exchange(BodyTrace& trace)
   for (char& side : trace.onDirichletSide)
     side = !side;
   NDFRAME_ASSERT(trace.dependents.empty(), "roles are for bodies without them");
-  negate(trace.g);
+  trace.g.negate();
   for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
     trace.freeMotions.data()[i] *= -1.0;
   trace.map.exchange();

@@ -56,6 +56,25 @@ void addMotions(Vector& u, const Vector& amplitudes, const Model& model, std::si
       u[i] += motion[i];
 }
 
+/// A body's displacements but for prescribed ones, n x states: those that the coupling found, or recovered from the
+/// trace.
+DenseMatrix solutions(const CondensedModel& condensed, int body, const std::vector<InterfaceState>& states)
+{
+  const auto b = std::size_t(body);
+  const BodyTrace* trace = condensed.trace(body);
+  const int steps = int(states.size());
+  DenseMatrix u(int(condensed.loads[b].size()), steps);
+  if (trace != nullptr && !states.front().fields.empty()) {
+    const auto place = std::size_t(trace - condensed.interface.bodies.data());
+    for (int s = 0; s < steps; ++s)
+      std::copy_n(states[std::size_t(s)].fields[place].begin(), u.rows(), u.col(s));
+    return u;
+  }
+  for (int s = 0; s < steps; ++s)
+    std::copy(condensed.loads[b].begin(), condensed.loads[b].end(), u.col(s));
+  return condensed.condensed[b]->expand(u, trace == nullptr ? DenseMatrix(0, steps) : keptMatrix(*trace, states));
+}
+
 double normalDisplacement(const Vector& displacement, int node, const Direction& normal, int dim)
 {
   double u = 0.0;
@@ -147,12 +166,7 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
   runLargestFirst(model.numDofs(), condensed.threads, [&](int body) {
     const auto b = std::size_t(body);
     const BodySystem& system = condensed.systems[b];
-    const BodyTrace* trace = condensed.trace(int(b));
-    DenseMatrix load(int(condensed.loads[b].size()), steps);
-    for (int s = 0; s < steps; ++s)
-      std::copy(condensed.loads[b].begin(), condensed.loads[b].end(), load.col(s));
-    const DenseMatrix u =
-        condensed.condensed[b]->expand(load, trace == nullptr ? DenseMatrix(0, steps) : keptMatrix(*trace, states));
+    const DenseMatrix u = solutions(condensed, body, states);
     for (int s = 0; s < steps; ++s) {
       Vector full = u.column(s);
       for (std::size_t i = 0; i < full.size(); ++i)

@@ -26,6 +26,7 @@ public:
   {
     return system.dim == 2 && system.bodies.size() <= 2 && haveRoles(system);
   }
+  bool solvesWhole(int dim) const override { return dim == 3 && together_->solvesWhole(dim); }
   bool needsSpectrum() const override { return sweeps_->needsSpectrum(); }
   std::optional<double> givenTheta() const override { return sweeps_->givenTheta(); }
 

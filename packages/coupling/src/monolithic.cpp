@@ -4,6 +4,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "network_problem.hpp"
 #include "sweep.hpp"
+#include "whole_problem.hpp"
 
 namespace ndframe
 {
@@ -16,22 +17,52 @@ class Monolithic final : public Coupling
 {
 public:
   Roles roles() const override { return Roles::None; }
+  bool solvesWhole(int) const override { return true; }
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
   {
-    InterfaceState state;
-    const UnilateralState status =
-        isNetwork(system) ? solveNetwork(system, start, ledger, state) : solvePair(system, start, ledger, state);
-    CouplingResult result =
-        settled(system, std::move(state), status,
-                system.bodies.size() > 2 ? "all bodies solved together" : "both bodies solved together");
+    CouplingResult result = settleWhole(system, start, ledger);
+    if (result.history.empty()) {
+      InterfaceState state;
+      const UnilateralState status =
+          isNetwork(system) ? solveNetwork(system, start, ledger, state) : solvePair(system, start, ledger, state);
+      result = settled(system, std::move(state), status, reasonFor(system));
+    }
     observe(result.history.back(), result.state);
     ledger.count("sweeps");
     return result;
   }
 
 private:
+  static const char* reasonFor(const InterfaceSystem& system)
+  {
+    return system.bodies.size() > 2 ? "all bodies solved together" : "both bodies solved together";
+  }
+
+  /// By iterations on whole bodies; no history where they are not solved so, or give it up.
+  static CouplingResult settleWhole(const InterfaceSystem& system, const CouplingStart& start, Ledger& ledger)
+  {
+    if (!areSolvedWhole(system))
+      return {};
+    try {
+      WholeProblem problem(system, ledger);
+      const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
+      InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
+      state.fields = problem.fields();
+      CouplingResult result = settled(system, std::move(state), status, reasonFor(system));
+      result.contactTolerance = problem.roundOff();
+      return result;
+    } catch (const NotConverged&) {
+      bool allGiveUp = true;
+      for (const BodyTrace& body : system.bodies)
+        allGiveUp = body.whole->givesUp() && allGiveUp;
+      if (!allGiveUp)
+        throw;
+      return {};
+    }
+  }
+
   static bool isNetwork(const InterfaceSystem& system)
   {
     const bool areStored = std::all_of(system.bodies.begin(), system.bodies.end(),

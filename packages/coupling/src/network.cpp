@@ -27,13 +27,12 @@ void addBody(Network& network, const BodyTrace& body)
         dependent.offset;
   }
   network.bodies.push_back(&body);
-  network.g.insert(network.g.end(), body.g.begin(), body.g.end());
   network.offsets.push_back(first + int(body.unknowns.size()));
 }
 
 } // namespace
 
-Network networkOf(const InterfaceSystem& system)
+Network unloadedNetworkOf(const InterfaceSystem& system)
 {
   const auto size = std::size_t(system.size());
   Network network;
@@ -51,6 +50,14 @@ Network networkOf(const InterfaceSystem& system)
     network.jump.push_back(std::move(row));
     network.bound.push_back(system.gap[i] + system.obstacle[i] - network.dirichletOffset[i] + network.neumannOffset[i]);
   }
+  return network;
+}
+
+Network networkOf(const InterfaceSystem& system)
+{
+  Network network = unloadedNetworkOf(system);
+  for (const BodyTrace* body : network.bodies)
+    network.g.insert(network.g.end(), body->g.begin(), body->g.end());
   return network;
 }
 

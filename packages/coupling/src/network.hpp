@@ -30,6 +30,8 @@ struct Network
 
 /// The system must outlive it.
 Network networkOf(const InterfaceSystem& system);
+/// The same without g, which may take a solve a body.
+Network unloadedNetworkOf(const InterfaceSystem& system);
 
 /// rows v + offset.
 Vector rowValues(const std::vector<SparseRow>& rows, const Vector& offset, const Vector& v);

@@ -42,9 +42,10 @@ bool hasOneRole(const InterfaceSystem& system, const BodyTrace& body)
 void append(RoleSystem& role, const BodyTrace& body, std::vector<SparseRow> P, const std::vector<char>& isJump,
             std::vector<CongruencePart>& parts)
 {
+  const Vector& g = body.g;
   for (std::size_t k = 0; k < P.size(); ++k)
     for (const auto& [i, coefficient] : P[k])
-      role.g[std::size_t(i)] += coefficient * body.g[k];
+      role.g[std::size_t(i)] += coefficient * g[k];
   appendMotions(role, body, isJump);
   parts.push_back({body.S, std::move(P)});
 }

@@ -1,4 +1,5 @@
 #include "ndframe/driver/components.hpp"
+#include "ndframe/iterative/linear_solvers.hpp"
 
 #include "ndframe/scene/tied_mesh.hpp"
 

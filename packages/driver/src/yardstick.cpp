@@ -27,7 +27,7 @@ std::vector<NamedYardstick> measureBodies(const Model& model)
   std::vector<NamedYardstick> bodies;
   Yardstick sum;
   for (std::size_t b = 0; b < systems.size(); ++b) {
-    const SolverProblem problem = solverProblem(model.bodies[b], model.rigid[b], systems[b]);
+    const SolverProblem problem = solverProblem(model, int(b), systems[b]);
     bodies.push_back({model.bodies[b].name, measureYardstick(problem, systems[b].load)});
     sum += bodies.back().yardstick;
   }

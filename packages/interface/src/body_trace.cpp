@@ -1,11 +1,39 @@
 #include "ndframe/interface/body_trace.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "ndframe/interface/congruence.hpp"
 
 namespace ndframe
 {
+
+namespace
+{
+
+Vector negative(Vector values)
+{
+  for (double& value : values)
+    value = -value;
+  return values;
+}
+
+} // namespace
+
+Vector& ReducedLoad::found() const
+{
+  if (const auto find = std::exchange(find_, nullptr))
+    values_ = find();
+  return values_;
+}
+
+void ReducedLoad::negate()
+{
+  if (find_)
+    find_ = [find = std::move(find_)] { return negative(find()); };
+  else
+    values_ = negative(std::move(values_));
+}
 
 std::shared_ptr<const SymmetricOperator> traceOperator(const CondensedBody& body, const TraceMap& map,
                                                        const InterfaceOperator& representation)

@@ -2,7 +2,7 @@
 
 #include <functional>
 
-#include "ndframe/algebra/krylov_library.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 #include "tpetra_system.hpp"
 
 namespace ndframe

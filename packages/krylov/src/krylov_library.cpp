@@ -1,8 +1,11 @@
-#include "ndframe/algebra/krylov_library.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 
 #include <Kokkos_Core.hpp>
 
 #include "belos_cg.hpp"
+#include "block_operator.hpp"
+#include "joined_gradients.hpp"
+#include "linear_transfer.hpp"
 #include "preconditioners.hpp"
 #include "two_level_cycle.hpp"
 
@@ -53,9 +56,18 @@ public:
     const auto matrix = Teuchos::rcp(new BlockOperator(problem, comm));
     const TpetraSystem system(level.problem, comm, decoupledDiagonal);
     const auto cycle =
-        Teuchos::rcp(new TwoLevelCycle(matrix, system, LinearTransfer(problem, level, system.dofMap), coarse));
+        Teuchos::rcp(new TwoLevelCycle(matrix, std::make_unique<LinearTransfer>(problem, level, system.dofMap)));
+    cycle->setCoarse(system, coarse);
     const auto work = [matrix, cycle] { return CycleWork{matrix->products(), cycle->cycles()}; };
     return makeBelosCg({matrix, cycle, work}, belos);
+  }
+
+  std::unique_ptr<JoinedGradients> joined(const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& comm,
+                                          std::shared_ptr<const Preconditioner> coarse,
+                                          const Teuchos::ParameterList& belos) const override
+  {
+    startKokkos();
+    return makeJoinedGradients(bodies, unknowns, comm, std::move(coarse), belos);
   }
 
   void finish() const override

@@ -36,7 +36,7 @@ double dotOf(const TpetraVectors& a, const TpetraVectors& b)
 }
 
 /// y := D^-1/2 K D^-1/2 x
-void applyScaled(const BlockOperator& K, const std::vector<double>& scale, const TpetraVectors& x, TpetraVectors& y,
+void applyScaled(const FineOperator& K, const std::vector<double>& scale, const TpetraVectors& x, TpetraVectors& y,
                  TpetraVectors& work)
 {
   {
@@ -47,12 +47,14 @@ void applyScaled(const BlockOperator& K, const std::vector<double>& scale, const
   }
   const auto result = y.getDataNonConst(0);
   double* const values = result.getRawPtr();
-  K.eachRow(work, [&](std::size_t i, double product) { values[i] = scale[i] * product; });
+  K.multiply(work, values);
+  for (std::size_t i = 0; i < scale.size(); ++i)
+    values[i] *= scale[i];
 }
 
 } // namespace
 
-double largestEigenvalue(const BlockOperator& K, const std::vector<double>& inverseDiagonal, int steps)
+double largestEigenvalue(const FineOperator& K, const std::vector<double>& inverseDiagonal, int steps)
 {
   std::vector<double> scale;
   for (const double inverse : inverseDiagonal)

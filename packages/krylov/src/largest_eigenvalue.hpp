@@ -1,6 +1,6 @@
 #pragma once
 
-#include "block_operator.hpp"
+#include "fine_level.hpp"
 
 namespace ndframe
 {
@@ -10,6 +10,6 @@ namespace ndframe
 ///
 /// As many steps of the power method are far less: in the worst case the relative error is 0.1 (log n / steps)^2 here
 /// and 0.9 log n / steps there (Kuczynski and Wozniakowski, 1992).
-double largestEigenvalue(const BlockOperator& K, const std::vector<double>& inverseDiagonal, int steps);
+double largestEigenvalue(const FineOperator& K, const std::vector<double>& inverseDiagonal, int steps);
 
 } // namespace ndframe

@@ -25,7 +25,8 @@ std::vector<std::size_t> heldDofs(const SolverProblem& problem)
 
 LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& level,
                                Teuchos::RCP<const TpetraMap> coarseMap)
-    : dim_(fine.matrix->dim), held_(heldDofs(fine)), coarseHeld_(heldDofs(level.problem))
+    : dim_(fine.matrix->dim), coarseMap_(std::move(coarseMap)), held_(heldDofs(fine)),
+      coarseHeld_(heldDofs(level.problem))
 {
   const LinearInterpolation& P = level.interpolation;
   LocalNodes vertices(level.matrix.rows, level.matrix.numNodes);
@@ -41,8 +42,8 @@ LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& lev
     if (turned)
       blocks_.insert(blocks_.end(), turned, turned + blockSize);
   }
-  const auto seenMap = mapOf(vertices.nodes, dim_, coarseMap->getComm());
-  import_ = Teuchos::rcp(new Tpetra::Import<>(coarseMap, seenMap));
+  const auto seenMap = mapOf(vertices.nodes, dim_, coarseMap_->getComm());
+  import_ = Teuchos::rcp(new Tpetra::Import<>(coarseMap_, seenMap));
   seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
 }
 

@@ -4,23 +4,23 @@
 
 #include <Tpetra_Import.hpp>
 
-#include "ndframe/algebra/linear_level.hpp"
-#include "tpetra_system.hpp"
+#include "fine_level.hpp"
+#include "ndframe/iterative/linear_level.hpp"
 
 namespace ndframe
 {
 
 /// P and P^T between the interior dofs of a body and those of its vertices, as this rank's nodes need them. Vectors are
 /// zero elsewhere.
-class LinearTransfer
+class LinearTransfer final : public FineTransfer
 {
 public:
   LinearTransfer(const SolverProblem& fine, const LinearLevel& level, Teuchos::RCP<const TpetraMap> coarseMap);
 
-  /// coarse = P^T fine
-  void toCoarse(const double* fine, TpetraVectors& coarse);
-  /// fine = P coarse; what does not belong to an interior dof is set to zero in `coarse`, too
-  void toFine(TpetraVectors& coarse, double* fine);
+  void toCoarse(const double* fine, TpetraVectors& coarse) override;
+  void toFine(TpetraVectors& coarse, double* fine) override;
+  const Teuchos::RCP<const TpetraMap>& coarseMap() const { return coarseMap_; }
+  std::size_t fineSize() const { return ends_.size() * std::size_t(dim_); } ///< dofs of this rank
 
 private:
   void annul(TpetraVectors& coarse) const;
@@ -28,6 +28,7 @@ private:
   void eachEnd(const Action& action) const;
 
   int dim_;
+  Teuchos::RCP<const TpetraMap> coarseMap_;
   std::vector<std::array<int, 2>> ends_; ///< per own node, vertices as this rank numbers them
   std::vector<int> turned_;              ///< per own node its place in blocks_, -1: none; empty: none at all
   std::vector<double> blocks_;

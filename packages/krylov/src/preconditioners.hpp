@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/algebra/krylov_library.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 
 namespace ndframe
 {

@@ -17,16 +17,22 @@ Teuchos::RCP<TpetraVectors> vectorOn(const Teuchos::RCP<const TpetraMap>& map)
 
 } // namespace
 
-TwoLevelCycle::TwoLevelCycle(Teuchos::RCP<const BlockOperator> matrix, const TpetraSystem& coarseSystem,
-                             LinearTransfer transfer, const Preconditioner& coarse)
+TwoLevelCycle::TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer)
     : matrix_(std::move(matrix)), inverseDiagonal_(matrix_->inverseDiagonal()), transfer_(std::move(transfer)),
-      coarse_(coarse.build(coarseSystem)), residual_(inverseDiagonal_.size()), step_(vectorOn(getDomainMap())),
-      nextStep_(vectorOn(getDomainMap())), coarseLoad_(vectorOn(coarseSystem.dofMap)),
-      coarseSolution_(vectorOn(coarseSystem.dofMap))
+      residual_(inverseDiagonal_.size()), product_(inverseDiagonal_.size()), step_(vectorOn(getDomainMap())),
+      nextStep_(vectorOn(getDomainMap()))
 {
   const double largest = largestEigenvalue(*matrix_, inverseDiagonal_, lanczosSteps);
   centre_ = 0.5 * largest * (margin + 1.0 / smoothedShare);
   halfWidth_ = 0.5 * largest * (margin - 1.0 / smoothedShare);
+}
+
+void TwoLevelCycle::setCoarse(const TpetraSystem& system, const Preconditioner& coarse)
+{
+  coarse_.reset(); // its memory is needed
+  coarse_ = coarse.build(system);
+  coarseLoad_ = vectorOn(system.dofMap);
+  coarseSolution_ = vectorOn(system.dofMap);
 }
 
 void TwoLevelCycle::apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETransp, double, double) const
@@ -49,19 +55,20 @@ void TwoLevelCycle::cycle(const double* b, double* x) const
     }
   }
   smooth(x, true);
-  transfer_.toCoarse(residual_.data(), *coarseLoad_);
+  transfer_->toCoarse(residual_.data(), *coarseLoad_);
   coarse_->apply->apply(*coarseLoad_, *coarseSolution_);
-  transfer_.toFine(*coarseSolution_, step_->getDataNonConst(0).getRawPtr());
+  transfer_->toFine(*coarseSolution_, step_->getDataNonConst(0).getRawPtr());
   {
     const auto correction = step_->getData(0);
     const auto first = nextStep_->getDataNonConst(0);
     const double* c = correction.getRawPtr();
     double* const d = first.getRawPtr();
-    matrix_->eachRow(*step_, [&](std::size_t i, double product) {
-      residual_[i] -= product;
+    matrix_->multiply(*step_, product_.data());
+    for (std::size_t i = 0; i < residual_.size(); ++i) {
+      residual_[i] -= product_[i];
       d[i] = inverseDiagonal_[i] * residual_[i] / centre_;
       x[i] += c[i] + d[i];
-    });
+    }
   }
   std::swap(step_, nextStep_);
   smooth(x, false);
@@ -79,16 +86,20 @@ void TwoLevelCycle::smooth(double* x, bool wantsResidual) const
       const auto next = nextStep_->getDataNonConst(0);
       const double* const d = last.getRawPtr();
       double* const e = next.getRawPtr();
-      matrix_->eachRow(*step_, [&](std::size_t i, double product) {
-        residual_[i] -= product;
+      matrix_->multiply(*step_, product_.data());
+      for (std::size_t i = 0; i < residual_.size(); ++i) {
+        residual_[i] -= product_[i];
         e[i] = along * d[i] + across * inverseDiagonal_[i] * residual_[i];
         x[i] += e[i];
-      });
+      }
     }
     std::swap(step_, nextStep_);
   }
-  if (wantsResidual)
-    matrix_->eachRow(*step_, [&](std::size_t i, double product) { residual_[i] -= product; });
+  if (!wantsResidual)
+    return;
+  matrix_->multiply(*step_, product_.data());
+  for (std::size_t i = 0; i < residual_.size(); ++i)
+    residual_[i] -= product_[i];
 }
 
 } // namespace ndframe

@@ -1,8 +1,7 @@
 #pragma once
 
-#include "block_operator.hpp"
-#include "linear_transfer.hpp"
-#include "ndframe/algebra/krylov_library.hpp"
+#include "fine_level.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 
 namespace ndframe
 {
@@ -12,13 +11,16 @@ namespace ndframe
 ///   x = p(b),   x += P C P^T (b - K x),   x += p(b - K x),
 ///
 /// p a polynomial of D^-1 K (Chebyshev's on [lmax / 5, 1.1 lmax], `degree` terms), C an approximation of the inverse on
-/// the vertices. Takes 2 degree products. P and C only see interior dofs: a coarse preconditioner that keeps the rigid
+/// the vertices. Takes 2 degree products. P and C only see unknowns: a coarse preconditioner that keeps the rigid
 /// motions returns values in held dofs, too, and CG would then solve another problem.
 class TwoLevelCycle final : public TpetraOperator
 {
 public:
-  TwoLevelCycle(Teuchos::RCP<const BlockOperator> matrix, const TpetraSystem& coarseSystem, LinearTransfer transfer,
-                const Preconditioner& coarse);
+  /// Takes the largest eigenvalue of the matrix as it is now.
+  TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer);
+  void setCoarse(const TpetraSystem& system, const Preconditioner& coarse);
+  /// The matrix has another diagonal, and no larger eigenvalue.
+  void takeDiagonal() { inverseDiagonal_ = matrix_->inverseDiagonal(); }
 
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return matrix_->getDomainMap(); }
   Teuchos::RCP<const TpetraMap> getRangeMap() const override { return matrix_->getRangeMap(); }
@@ -35,12 +37,12 @@ private:
   static constexpr int degree = 2, lanczosSteps = 20;
   static constexpr double smoothedShare = 5.0, margin = 1.1;
 
-  Teuchos::RCP<const BlockOperator> matrix_;
+  Teuchos::RCP<const FineOperator> matrix_;
   std::vector<double> inverseDiagonal_;
   double centre_, halfWidth_; ///< of the interval
-  mutable LinearTransfer transfer_;
+  std::unique_ptr<FineTransfer> transfer_;
   std::shared_ptr<PreconditionerHandle> coarse_;
-  mutable std::vector<double> residual_;
+  mutable std::vector<double> residual_, product_;
   mutable Teuchos::RCP<TpetraVectors> step_, nextStep_, coarseLoad_, coarseSolution_;
   mutable int cycles_ = 0;
 };

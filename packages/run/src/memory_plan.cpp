@@ -3,6 +3,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -92,13 +93,18 @@ std::string memoryPlan(const Params& deck)
 void checkMemory(const Model& model, const Params& deck, const LinearSolver& solver, const Comm& comm,
                  Diagnostics& diagnostics)
 {
-  const double ofInterfaces = memoryOfInterfaces(model, deck.sub("Interface Operator"));
+  double ofInterfaces = memoryOfInterfaces(model, deck.sub("Interface Operator"));
   double bytes = ofInterfaces;
+  bool areCondensed = false;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyOutline body = model.outline(int(b));
+    const double dofs = model.bodies[b].numDofs();
     const bool iterates = solver.name(body, comm.size()) == "Multigrid"; // chosen by Automatic
-    bytes += iterates ? multigridBytes * body.dofs : memoryOfBody(body.dofs, body.dim);
+    bytes += iterates ? multigridBytes * dofs : memoryOfBody(dofs, body.dim);
+    areCondensed = areCondensed || !iterates;
   }
+  if (!areCondensed)
+    bytes -= std::exchange(ofInterfaces, 0.0);
   const MemoryLeft left = memoryLeft();
   const bool isTooLarge = isDirect(deck) && 0.5 * bytes > double(left.bytes);
   if (comm.sum(std::int64_t(isTooLarge)) == 0)

@@ -130,27 +130,26 @@ void giveUp(Solved& solved, const std::string& reason, RunObserver& observer)
 void refuseSharedNodes(const Run& run, const RunTools& tools)
 {
   for (const BodyTrace& body : run.condensed.interface.bodies)
-    if (tools.coupling->needsRoles() && !body.dependents.empty())
-      throw InputError(
-          tools.deck.sub("Coupling")
-              .mistake(
-                  "Type",
-                  fmt::format("several interfaces of \"{}\" meet at a node, which Neumann-Dirichlet cannot solve; use "
-                              "Monolithic or FETI.",
-                              run.model.bodies[std::size_t(body.body)].name)));
+    if (tools.coupling->needsRoles() && !body.dependents.empty()) {
+      const std::string& name = run.model.bodies[std::size_t(body.body)].name;
+      throw InputError(tools.deck.sub("Coupling")
+                           .mistake("Type", "several interfaces of \"" + name +
+                                                "\" meet at a node, which Neumann-Dirichlet cannot solve; use "
+                                                "Monolithic or FETI."));
+    }
 }
 
 /// Refuses recoveries that are not defined for bodies of this dimension and order, or that cannot change tractions.
 void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagnostics)
 {
   const auto& errors = tools.settings.errors;
-  const auto& nodes = model.bodies.front().nodes;
   if (!errors || !errors->recoversStress())
     return;
+  const auto& nodes = model.bodies.front().nodes;
   const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
   const auto recovery = tools.components.recoveries.build(list);
-  const auto reason = recovery->refusal(nodes.dim, nodes.order, errors->optimises(*recovery, nodes.dim));
-  if (!reason.empty())
+  if (const auto reason = recovery->refusal(nodes.dim, nodes.order, errors->optimises(*recovery, nodes.dim));
+      !reason.empty())
     diagnostics.add(list.mistake("", reason + "."));
   if (errors->touches && errors->mode == ErrorMode::Paper && nodes.dim == 3 && nodes.order == 2)
     diagnostics.add(errors->place.mistake("Mode", "Paper asks for signs at the nodes, and in space the vertices of "
@@ -174,6 +173,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
     remeshModel(model, deck, tools.components, meshes, tools.ledger);
   else
     updateModel(model, deck, tools.components, tools.comm, tools.ledger);
+  offerWhole(model, *tools.coupling, deck.sub("Interface Operator"));
   const auto timer = timeStage(tools.ledger, Stage::Check);
   checkNumberRange(model, deck, diagnostics);
   diagnostics.throwIfAny(); // sums of such numbers mean nothing

@@ -145,11 +145,19 @@ int Model::bodyIndex(const std::string& name) const
 
 BodyOutline Model::outline(int body) const
 {
-  const BodyModel& model = bodies[std::size_t(body)];
-  const bool touches = std::any_of(interfaces.begin(), interfaces.end(), [body](const InterfaceMesh& interface) {
-    return interface.dirichletBody == body || interface.neumannBody == body;
-  });
-  return {model.mesh.dim, model.numDofs(), touches, model.isRigid ? 0.0 : model.poissonRatio()};
+  const auto touches = [&](int one) {
+    return std::any_of(interfaces.begin(), interfaces.end(), [one](const InterfaceMesh& interface) {
+      return interface.dirichletBody == one || interface.neumannBody == one;
+    });
+  };
+  BodyOutline outline{bodies[std::size_t(body)].mesh.dim, 0, 0, touches(body) && !solvesWhole, 0.0};
+  for (const int one : elasticBodies())
+    if (one == body || (solvesWhole && touches(body) && touches(one))) {
+      outline.dofs += bodies[std::size_t(one)].numDofs();
+      ++outline.bodies;
+      outline.poissonRatio = std::max(outline.poissonRatio, bodies[std::size_t(one)].poissonRatio());
+    }
+  return outline;
 }
 
 std::vector<int> Model::elasticBodies() const

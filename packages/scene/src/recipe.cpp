@@ -42,9 +42,14 @@ bool SceneRecipe::sameModel(const SceneRecipe& other) const
   return !bodies.empty() && bodies == other.bodies && interfaces == other.interfaces;
 }
 
+bool SceneRecipe::sameSolver(const SceneRecipe& other) const
+{
+  return solver == other.solver && solvesWhole == other.solvesWhole;
+}
+
 bool SceneRecipe::sameSystems(const SceneRecipe& other) const
 {
-  return sameModel(other) && solver == other.solver && representation == other.representation;
+  return sameModel(other) && sameSolver(other) && representation == other.representation;
 }
 
 SceneRecipe recipeOf(const Params& deck)

@@ -33,21 +33,6 @@ int countDifferences(const std::vector<char>& a, const std::vector<char>& b)
   return n;
 }
 
-/// Conditions whose status contradicts the solution: closed ones under tension, open ones that penetrate. Where nothing
-/// is closed, penetration has no tolerance: however weakly bodies touch, that they do is tried first.
-std::vector<int> violations(const StatusPass& pass, const std::vector<char>& constrained, const Vector& bound,
-                            const std::vector<char>& closed)
-{
-  const double noForce = pass.roundOff * std::max(largestEntry(pass.force), pass.load);
-  const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
-  const double noGap = isApart ? 0.0 : pass.roundOff * std::max(pass.displacement, largestEntry(bound));
-  std::vector<int> wrong;
-  for (std::size_t i = 0; i < closed.size(); ++i)
-    if (constrained[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))
-      wrong.push_back(int(i));
-  return wrong;
-}
-
 void solvePass(StatusSystem& system, const std::vector<char>& closed, double proximal, StatusPass& pass)
 {
   try {
@@ -92,6 +77,19 @@ private:
 
 } // namespace
 
+std::vector<int> violations(const StatusPass& pass, const std::vector<char>& constrained, const Vector& bound,
+                            const std::vector<char>& closed)
+{
+  const double noForce = pass.roundOff * std::max(largestEntry(pass.force), pass.load);
+  const bool isApart = std::none_of(closed.begin(), closed.end(), [](char status) { return status != 0; });
+  const double noGap = isApart ? 0.0 : pass.roundOff * std::max(pass.displacement, largestEntry(bound));
+  std::vector<int> wrong;
+  for (std::size_t i = 0; i < closed.size(); ++i)
+    if (constrained[i] && (closed[i] ? pass.force[i] > noForce : pass.u[i] - bound[i] > noGap))
+      wrong.push_back(int(i));
+  return wrong;
+}
+
 UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
                              std::vector<char> closed, Ledger& ledger)
 {
@@ -120,7 +118,7 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
       state.cycled = exchange.cycled();
       return state;
     }
-    if (held)
+    if (held && pass.isFinal)
       exchange.look(closed, wrong.size());
     exchange.apply(wrong, closed);
   }

@@ -33,5 +33,10 @@ Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm);
 
 /// The diagonal, replicated on all ranks.
 Vector diagonal(const BlockMatrix& K, const Comm& comm);
+double meanDiagonal(const BlockMatrix& K, const Comm& comm);
+
+/// What computing K u may leave of a residual, whatever u is, as a Euclidean norm: unit round-offs times |K| |u|, and
+/// something for the length of the rows.
+double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm);
 
 } // namespace ndframe

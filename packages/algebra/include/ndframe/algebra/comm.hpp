@@ -54,5 +54,7 @@ void startMpi();
 bool mpiIsRunning();
 /// Ends MPI and what needs it, if they were started; called once at the end of main.
 void finishMpi();
+/// What finishMpi() calls first.
+void beforeMpiEnds(void (*end)());
 
 } // namespace ndframe

@@ -32,6 +32,16 @@ struct EdgeNodes
   std::vector<double> axes; ///< dim x dim for each of them, row k = axis of component k
 };
 
+/// What decides on the solver of a body before there is a matrix.
+struct BodyOutline
+{
+  int dim = 0;
+  std::int64_t dofs = 0;     ///< of all bodies that are solved together with it
+  int bodies = 1;            ///< their number
+  bool isCondensed = false;  ///< its Schur complement is asked for
+  double poissonRatio = 0.0; ///< the largest of the materials, as of isotropic ones
+};
+
 /// One body's matrix with the roles of its dofs. The matrix must outlive the factor (it is not copied for products).
 struct SolverProblem
 {
@@ -41,16 +51,7 @@ struct SolverProblem
   DenseMatrix nearNullSpace;      ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
   std::vector<double> nodePoints; ///< dim * numNodes coordinates
   EdgeNodes edgeNodes;            ///< used by multigrid
-  double poissonRatio = 0.0;      ///< the largest of the body's materials, as of isotropic ones
-};
-
-/// What decides on the solver of a body before there is a matrix.
-struct BodyOutline
-{
-  int dim = 0;
-  int dofs = 0;
-  bool touches = false; ///< other bodies: it has kept dofs
-  double poissonRatio = 0.0;
+  BodyOutline outline;            ///< used where the solver is chosen
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,
@@ -113,9 +114,5 @@ public:
   SingularBody(const std::string& what, int singularDof) : std::runtime_error(what), dof(singularDof) {}
   int dof; ///< -1 when the solver cannot tell
 };
-
-/// "Automatic" (Cholmod on one rank, Mumps on several, Multigrid for large solids that touch nothing), "Cholmod",
-/// "Mumps", "Multigrid", "Krylov".
-void registerLinearSolvers(Registry<LinearSolver>& registry);
 
 } // namespace ndframe

@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/coupling/coupling.hpp"
 #include "ndframe/interface/body_trace.hpp"
 #include "ndframe/scene/model.hpp"
 
@@ -30,7 +31,11 @@ struct CondensedModel
 std::vector<BodySystem> assembleSystems(const Model& model, const Comm& comm);
 
 /// What a linear solver needs to know of a body; points to the system's matrix.
-SolverProblem solverProblem(const BodyModel& body, const RigidBasis& rigid, const BodySystem& system);
+SolverProblem solverProblem(const Model& model, int body, const BodySystem& system);
+
+/// Lets solvers be chosen that solve solids in contact whole, where the coupling takes that and the list of the
+/// interface operator, `representation`, leaves it open.
+void offerWhole(Model& model, const Coupling& coupling, const Params& representation);
 
 /// Told of every body that is factored, and how.
 using FactorObserver = std::function<void(const std::string& body, const std::string& description)>;

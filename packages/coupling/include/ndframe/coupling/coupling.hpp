@@ -22,6 +22,9 @@ struct InterfaceState
   Vector forceDirichlet, forceNeumann;       ///< C Lambda_dir, C Lambda_neu per unknown
   Vector tractionDirichlet, tractionNeumann; ///< Lambda per interface node (all nodes of the contact matrix)
   std::vector<char> closed;                  ///< status per unknown
+  /// The interiors too where the coupling found them, in the order of InterfaceSystem::bodies: u in the nodes' own axes,
+  /// zero on fixed dofs.
+  std::vector<Vector> fields;
 };
 
 /// One line of the history.
@@ -94,6 +97,9 @@ public:
   virtual bool needsRoles() const { return roles() != Roles::None; }
   /// Whether roles and the eigenvalues of sweeps mean anything to solve() of this system.
   virtual bool sweeps(const InterfaceSystem& system) const { return haveRoles(system); }
+  /// Whether solve() takes bodies of so many dimensions as they are, without their Schur complements, where their
+  /// solver offers it (WholeSolver).
+  virtual bool solvesWhole(int /*dim*/) const { return false; }
   /// Whether solve() finds the eigenvalues of the sweeps unless the start has them.
   virtual bool needsSpectrum() const { return false; }
   /// The relaxation factor of all sweeps, where the deck says it: what roles are chosen for.

@@ -1,9 +1,12 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
+#include "ndframe/algebra/joined_system.hpp"
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/interface/contact_basis.hpp"
@@ -24,6 +27,31 @@ struct DependentUnknown
   double offset;
 };
 
+/// A vector that may take a solve to find, and is found when it is first read. Not for several threads.
+class ReducedLoad
+{
+public:
+  ReducedLoad() = default;
+  ReducedLoad(Vector values) : values_(std::move(values)) {}
+  explicit ReducedLoad(std::function<Vector()> find) : find_(std::move(find)) {}
+
+  operator const Vector&() const { return found(); }
+  std::size_t size() const { return found().size(); }
+  double operator[](std::size_t i) const { return found()[i]; }
+  double& operator[](std::size_t i) { return found()[i]; }
+  auto begin() const { return std::as_const(found()).begin(); }
+  auto end() const { return std::as_const(found()).end(); }
+  auto begin() { return found().begin(); }
+  auto end() { return found().end(); }
+  void negate();
+
+private:
+  Vector& found() const;
+
+  mutable std::function<Vector()> find_; ///< null once it is found
+  mutable Vector values_;
+};
+
 /// A body as the interface sees it:  S u_N = g + r,  r the nodal forces along n_c that act on this body.
 struct BodyTrace
 {
@@ -32,10 +60,14 @@ struct BodyTrace
   std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there, or meets an obstacle
   std::shared_ptr<const SymmetricOperator> S;
   TraceMap map;                             ///< from the kept dofs to u_N
-  Vector g;                                 ///< reduced load, per value
+  ReducedLoad g;                            ///< per value
   std::vector<DependentUnknown> dependents; ///< where more unknowns meet than its nodes can follow one by one
+  const WholeSolver* whole = nullptr;       ///< of the body, null where it is none
+  const Vector* load = nullptr;             ///< its effective load
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames;
+
+  bool isSolvedWhole() const { return whole != nullptr && whole->solvesWhole(); }
 
   /// The contact forces on this body along n_c, per value of the trace, from those per unknown; those of dependents are
   /// shared out.

@@ -34,6 +34,7 @@ public:
 
   int size() const { return int(map_.rows.size()); }
   const std::vector<int>& dofs() const { return dofs_; }             ///< the kept dofs
+  const std::vector<SparseRow>& rows() const { return map_.rows; }   ///< A
   const std::vector<SparseRow>& inverse() const { return inverse_; } ///< A^-1
   const Vector& offset() const { return map_.offset; }               ///< b
   Vector values(const Vector& kept) const;                           ///< A s + b

@@ -30,10 +30,12 @@ struct SceneRecipe
   std::vector<BodyRecipe> bodies; ///< none: nothing is known, nothing is the same
   std::string interfaces;         ///< list Interfaces; those whose sides changed places since (giveOneRole)
   std::string solver;             ///< list Linear Solver
+  bool solvesWhole = false;       ///< Model::solvesWhole
   std::string representation;     ///< list Interface Operator
 
   /// The same meshes, materials, supports, loads and interfaces.
   bool sameModel(const SceneRecipe& other) const;
+  bool sameSolver(const SceneRecipe& other) const;
   /// The same model, solved in the same way.
   bool sameSystems(const SceneRecipe& other) const;
 };

@@ -30,9 +30,15 @@ struct StatusPass
   Vector u, force;                       ///< per condition
   double displacement = 0.0, load = 0.0; ///< the largest: what round-off is compared with
   double roundOff = statusRoundOff;      ///< larger where the solve is not exact
+  bool isFinal = true; ///< else it stopped early: what its statuses say is a step, and may come back
   /// What the proximal term carries of the load: the largest force.
   double unbalanced = std::numeric_limits<double>::infinity();
 };
+
+/// Conditions whose status contradicts the solution: closed ones under tension, open ones that penetrate. Where nothing
+/// is closed, penetration has no tolerance: however weakly bodies touch, that they do is tried first.
+std::vector<int> violations(const StatusPass& pass, const std::vector<char>& constrained, const Vector& bound,
+                            const std::vector<char>& closed);
 
 /// How far passes without enough contact go.
 struct ProximalLimits

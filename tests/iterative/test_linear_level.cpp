@@ -4,7 +4,7 @@
 
 #include "algebra/sample_bodies.hpp"
 #include "common/test_main.hpp"
-#include "ndframe/algebra/linear_level.hpp"
+#include "ndframe/iterative/linear_level.hpp"
 
 namespace ndframe
 {

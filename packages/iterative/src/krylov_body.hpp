@@ -3,8 +3,8 @@
 #include <functional>
 #include <memory>
 
-#include "ndframe/algebra/krylov_library.hpp"
 #include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 
 namespace ndframe
 {
@@ -19,11 +19,15 @@ struct KrylovOptions
 using MakeConjugateGradients = std::function<std::unique_ptr<ConjugateGradients>(
     const SolverProblem& problem, const Comm& comm, double decoupledDiagonal)>;
 
+/// Sets up conjugate gradients on several bodies; null where there are none.
+using MakeJoinedGradients = std::function<std::unique_ptr<JoinedGradients>(
+    const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& comm)>;
+
 /// A body whose back-solves are runs of conjugate gradients. Nothing is factored; the Schur complement takes a run per
 /// kept dof. `description`: what the conjugate gradients are. Counts "Krylov solves" and "Krylov iterations", and where
 /// there are two levels "fine products", "multigrid cycles" and "multigrid set-ups".
 std::unique_ptr<CondensedBody> makeKrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger,
                                               KrylovOptions options, MakeConjugateGradients makeCg,
-                                              std::string description);
+                                              MakeJoinedGradients makeJoined, std::string description);
 
 } // namespace ndframe

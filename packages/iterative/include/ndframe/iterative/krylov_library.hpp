@@ -5,7 +5,7 @@
 
 #include <Teuchos_ParameterList.hpp>
 
-#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/joined_system.hpp"
 
 namespace ndframe
 {
@@ -49,6 +49,31 @@ public:
   virtual Result solve(const Vector& b, double tolerance, int maxIterations) const = 0;
 };
 
+/// The unknowns of a joined system.
+struct JoinedUnknowns
+{
+  JoinedRows rows;
+  Vector diagonal; ///< per kept dof that of E^T K E + springs, zero where no unknown stands
+  Vector springs;  ///< per kept dof; empty: none
+};
+
+/// Several bodies, one after another, with kept dofs that follow unknowns.
+struct JoinedBodies
+{
+  std::vector<const SolverProblem*> problems; ///< kept dofs are interior ones
+  std::vector<const LinearLevel*> levels;     ///< of them
+  std::vector<int> kept, keptOnVertices;      ///< numbers of the kept dofs among all; -1: not at a vertex
+};
+
+/// Conjugate gradients on a joined system: b and x have all bodies' dofs, those of unknowns at their places.
+class JoinedGradients : public ConjugateGradients
+{
+public:
+  virtual void follow(const JoinedUnknowns& unknowns) = 0;
+  /// problem: that of all vertices; not needed any more when this returns.
+  virtual void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal) = 0;
+};
+
 /// What Belos, Ifpack2 and MueLu do for us. The implementation is a module of its own (package krylov), because the
 /// dynamic linker takes longer for these libraries than a small scene takes. Only this header and those that it
 /// includes are common to module and program; the module calls no function of the program.
@@ -81,6 +106,11 @@ public:
                                                         const Comm& comm, double decoupledDiagonal,
                                                         const Preconditioner& coarse,
                                                         const Teuchos::ParameterList& belos) const = 0;
+
+  /// unknowns: those whose operator has the largest eigenvalue. Needs setCoarse() before it solves.
+  virtual std::unique_ptr<JoinedGradients> joined(const JoinedBodies& bodies, const JoinedUnknowns& unknowns,
+                                                  const Comm& comm, std::shared_ptr<const Preconditioner> coarse,
+                                                  const Teuchos::ParameterList& belos) const = 0;
 
   /// Ends Kokkos if it was started. Nothing that was made here may be alive.
   virtual void finish() const = 0;

@@ -1,9 +1,10 @@
-#include "ndframe/algebra/linear_level.hpp"
+#include "ndframe/iterative/linear_level.hpp"
 
 #include <algorithm>
 #include <numeric>
 
-#include "shared_rows.hpp"
+#include "block_row_sum.hpp"
+#include "ndframe/algebra/shared_rows.hpp"
 
 namespace ndframe
 {
@@ -33,8 +34,8 @@ class GalerkinProduct
 {
 public:
   GalerkinProduct(const SolverProblem& problem, const LinearInterpolation& interpolation)
-      : problem_(problem), P_(interpolation), dim_(interpolation.dim),
-        blockSize_(std::size_t(dim_) * std::size_t(dim_)), children_(P_.vertices.size()), place_(P_.vertices.size(), -1)
+      : problem_(problem), P_(interpolation), dim_(interpolation.dim), children_(P_.vertices.size()),
+        sum_(dim_, int(P_.vertices.size()))
   {
     for (std::size_t node = 0; node < P_.ends.size(); ++node) {
       const auto first = problem.roles.begin() + std::ptrdiff_t(node) * std::ptrdiff_t(dim_);
@@ -53,19 +54,14 @@ public:
     }
   }
 
-  BlockMatrix rowsOf(const std::vector<int>& vertices)
+  BlockMatrix rowsOf(const std::vector<int>& vertices) &&
   {
-    BlockMatrix result;
-    result.dim = dim_;
-    result.numNodes = int(P_.vertices.size());
-    result.rows = vertices;
-    result.rowPtr.push_back(0);
     for (const int vertex : vertices) {
       for (const auto& [rows, r] : children_[std::size_t(vertex)])
         addProduct(*rows, r, vertex);
-      append(result);
+      sum_.end(vertex);
     }
-    return result;
+    return std::move(sum_).take();
   }
 
 private:
@@ -82,7 +78,7 @@ private:
       turnRows(node, vertex, block);
       const auto& ends = P_.ends[std::size_t(other)];
       for (int end = 0; end < 2; ++end)
-        addColumns(other, end, block, accumulated(ends[std::size_t(end)]));
+        addColumns(other, end, block, sum_.block(ends[std::size_t(end)]));
     }
   }
 
@@ -137,42 +133,12 @@ private:
           sum[i * dim_ + j] += block.values[i * dim_ + k] * W[k * dim_ + j];
   }
 
-  /// The block of the row that is being summed, zero when it is new.
-  double* accumulated(int vertex)
-  {
-    int& place = place_[std::size_t(vertex)];
-    if (place < 0) {
-      place = int(columns_.size());
-      columns_.push_back(vertex);
-      sums_.resize(sums_.size() + blockSize_, 0.0);
-    }
-    return sums_.data() + std::size_t(place) * blockSize_;
-  }
-
-  void append(BlockMatrix& result)
-  {
-    std::sort(columns_.begin(), columns_.end());
-    for (const int vertex : columns_) {
-      const double* block = accumulated(vertex);
-      result.cols.push_back(vertex);
-      result.values.insert(result.values.end(), block, block + dim_ * dim_);
-    }
-    result.rowPtr.push_back(result.numBlocks());
-    for (const int vertex : columns_)
-      place_[std::size_t(vertex)] = -1;
-    columns_.clear();
-    sums_.clear();
-  }
-
   const SolverProblem& problem_;
   const LinearInterpolation& P_;
   int dim_;
-  std::size_t blockSize_;
   std::vector<std::vector<std::pair<const BlockMatrix*, std::size_t>>> children_; ///< per vertex, rows that it is in
   std::vector<char> isFree_; ///< per node, whether all its dofs are interior
-  std::vector<int> place_;   ///< per vertex, in the row that is being summed; -1: not there
-  std::vector<int> columns_;
-  std::vector<double> sums_;
+  BlockRowSum sum_;
 };
 
 /// The own rows that the owners of their ends need.
@@ -204,7 +170,7 @@ BlockMatrix galerkinMatrix(const SolverProblem& problem, const LinearInterpolati
   for (const int node : K.rows)
     if (const auto& [a, b] = P.ends[std::size_t(node)]; a == b)
       own.push_back(a);
-  return product.rowsOf(own);
+  return std::move(product).rowsOf(own);
 }
 
 } // namespace

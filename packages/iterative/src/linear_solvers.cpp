@@ -1,3 +1,6 @@
+#include "ndframe/iterative/linear_solvers.hpp"
+
+#include "ndframe/algebra/direct_solvers.hpp"
 #include "solvers.hpp"
 
 namespace ndframe
@@ -9,6 +12,9 @@ namespace
 /// Above so many dofs the factor of a solid costs more than a run of conjugate gradients with two levels and the start
 /// of its libraries. docs/performance.md has the measurements.
 constexpr int largeSolid = 40000;
+
+/// The same of all bodies in contact: their statuses are found on the way.
+constexpr int largeContact = 100000;
 
 /// Where the volume hardly changes linear functions lock, and the level of the vertices is of no use.
 constexpr double nearlyIncompressible = 0.48;
@@ -22,9 +28,7 @@ class Automatic final : public LinearSolver
 public:
   std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
   {
-    const BlockMatrix& K = *problem.matrix;
-    const BodyOutline body{K.dim, K.numDofs(), !problem.kept.empty(), problem.poissonRatio};
-    return choose(body, comm.size())->factor(problem, comm, ledger);
+    return choose(problem.outline, comm.size())->factor(problem, comm, ledger);
   }
   std::string name(const BodyOutline& body, int ranks) const override { return choose(body, ranks)->name(ranks); }
   std::string name(int ranks) const override { return choose(ranks)->name(ranks); }
@@ -35,8 +39,8 @@ private:
   /// Contact takes S, which comes with a factor and else costs a run of conjugate gradients for each of its columns.
   static std::unique_ptr<LinearSolver> choose(const BodyOutline& body, int ranks)
   {
-    const bool isLarge = body.dim == 3 && body.dofs >= largeSolid;
-    return isLarge && !body.touches && body.poissonRatio <= nearlyIncompressible
+    const bool isLarge = body.dim == 3 && body.dofs >= (body.bodies == 1 ? largeSolid : largeContact);
+    return isLarge && !body.isCondensed && body.poissonRatio <= nearlyIncompressible
                ? makeWithSecondChoice(makeMultigrid(mostIterations), choose(ranks))
                : choose(ranks);
   }
@@ -46,11 +50,9 @@ private:
 void registerAutomatic(Registry<LinearSolver>& registry)
 {
   registry.add("Automatic",
-               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more that touch no "
-               "other body, unless "
-               "they are nearly incompressible (Poisson ratio above 0.48); with a factor after all where that takes "
-               "more than 200 "
-               "iterations.",
+               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more, of 100 000 "
+               "where bodies touch and Monolithic couples them, unless they are nearly incompressible (Poisson ratio "
+               "above 0.48); with a factor after all where that takes more than 200 iterations.",
                {}, [](const Params&) { return std::make_unique<Automatic>(); });
 }
 

@@ -78,17 +78,25 @@ TEST(Automatic, IsCholmodOnOneRankAndMumpsOnSeveral)
               testing::StartsWith(test::comm().size() == 1 ? "Cholmod" : "Mumps"));
 }
 
-TEST(Automatic, IsMultigridForLargeSolidsThatTouchNothing)
+TEST(Automatic, IsMultigridForLargeSolidsThatNeedNoSchurComplement)
 {
   const auto solver = test::makeSolver("Automatic");
-  const std::string small = test::comm().size() == 1 ? "Cholmod" : "Mumps";
-  const int ranks = test::comm().size(), many = 50000;
-  EXPECT_EQ(solver->name(BodyOutline{3, many, false, 0.3}, ranks), "Multigrid");
-  EXPECT_EQ(solver->name(BodyOutline{3, 10000, false, 0.3}, ranks), small);
-  EXPECT_EQ(solver->name(BodyOutline{2, many, false, 0.3}, ranks), small) << "in the plane factors are cheap";
-  EXPECT_EQ(solver->name(BodyOutline{3, many, true, 0.3}, ranks), small) << "contact takes S";
-  EXPECT_EQ(solver->name(BodyOutline{3, many, false, 0.49}, ranks), small);
-  EXPECT_EQ(test::makeSolver("Cholmod")->name(BodyOutline{3, many, false, 0.3}, ranks), "Cholmod");
+  const int ranks = test::comm().size();
+  const std::string factored = ranks == 1 ? "Cholmod" : "Mumps";
+  const BodyOutline large{3, 50000, 1, false, 0.3};
+  const auto changed = [&](const auto& change) {
+    BodyOutline outline = large;
+    change(outline);
+    return solver->name(outline, ranks);
+  };
+  EXPECT_EQ(solver->name(large, ranks), "Multigrid");
+  EXPECT_EQ(changed([](BodyOutline& body) { body.dofs = 10000; }), factored);
+  EXPECT_EQ(changed([](BodyOutline& body) { body.dim = 2; }), factored) << "in the plane factors are cheap";
+  EXPECT_EQ(changed([](BodyOutline& body) { body.isCondensed = true; }), factored);
+  EXPECT_EQ(changed([](BodyOutline& body) { body.poissonRatio = 0.49; }), factored);
+  EXPECT_EQ(changed([](BodyOutline& body) { body.bodies = 2; }), factored) << "statuses take solves of their own";
+  EXPECT_EQ(changed([](BodyOutline& body) { body.bodies = 2, body.dofs = 120000; }), "Multigrid");
+  EXPECT_EQ(test::makeSolver("Cholmod")->name(large, ranks), "Cholmod");
 }
 
 TEST(Automatic, HasASecondChoiceWhereTheFirstFails)

@@ -1,27 +1,21 @@
 #include "krylov_body.hpp"
 
-#include <cmath>
-#include <limits>
+#include <algorithm>
 #include <mutex>
-#include <numeric>
 
 #include <fmt/format.h>
 
+#include "joined_krylov.hpp"
+#include "ndframe/algebra/split_body.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "recycled_solutions.hpp"
-#include "split_body.hpp"
+#include "restarted_gradients.hpp"
 
 namespace ndframe
 {
 
 namespace
 {
-
-double meanDiagonal(const BlockMatrix& K, const Comm& comm)
-{
-  const Vector d = diagonal(K, comm);
-  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
-}
 
 /// Bodies may be solved by several threads; the libraries are for one at a time.
 std::mutex& librariesInUse()
@@ -46,33 +40,30 @@ public:
     countWork();
   }
 
-  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first or round-off:
-  /// CG follows a residual of its own that drifts, so it is started again on what is left. Throws NotConverged and
-  /// SingularBody.
-  Vector solve(const Vector& load, Vector u) const
+  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first, or beside
+  /// the reference if that is larger, or round-off. Throws NotConverged and SingularBody.
+  Vector solve(const Vector& load, Vector u, double reference = 0.0) const
   {
     const std::lock_guard lock(librariesInUse());
     Vector residual = interiorResidual(load, u);
-    const double initial = norm(residual);
+    const double initial = std::max(norm(residual), reference);
     u = sum(std::move(u), recycled_.start(residual));
     const Vector start = u, missing = residual = interiorResidual(load, u);
-    double current = norm(residual), before = current;
-    int iterations = 0;
-    while (!(current <= options_.tolerance * initial || (2.0 * current > before && current <= roundOff(u)))) {
-      if (iterations >= options_.maxIterations || !std::isfinite(current))
-        throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
-                                       "Iterations\" or use another preconditioner or a direct solver",
-                                       current / initial, options_.tolerance, iterations));
-      const double reduction = 0.5 * options_.tolerance * initial / current;
-      ConjugateGradients::Result step = cg_->solve(residual, reduction, options_.maxIterations - iterations);
-      comm_.sum(step.x);
-      for (std::size_t dof = 0; dof < u.size(); ++dof)
-        if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
-          u[dof] += step.x[dof];
-      iterations += std::max(step.iterations, 1);
-      residual = interiorResidual(load, u);
-      before = std::exchange(current, norm(residual));
-    }
+    const int iterations = restartedGradients(
+        options_.tolerance * initial, initial, options_.maxIterations, norm(residual),
+        [&](double reduction, int most) {
+          ConjugateGradients::Result step = cg_->solve(residual, reduction, most);
+          comm_.sum(step.x);
+          for (std::size_t dof = 0; dof < u.size(); ++dof)
+            if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
+              u[dof] += step.x[dof];
+          return step.iterations;
+        },
+        [&] {
+          residual = interiorResidual(load, u);
+          return norm(residual);
+        },
+        [&] { return productRoundOff(matrix_, u, comm_); });
     if (iterations > 0)
       recycled_.add(difference(u, start), difference(missing, residual));
     ledger_.count("back-solves");
@@ -106,23 +97,6 @@ private:
     return residual;
   }
 
-  /// What computing K u may leave of the residual, whatever u is: unit round-off times |K| |u|, and something for the
-  /// length of the rows.
-  double roundOff(const Vector& u) const
-  {
-    const int dim = matrix_.dim;
-    Vector sizes(u.size(), 0.0);
-    const double* entry = matrix_.values.data();
-    for (std::size_t r = 0; r < matrix_.rows.size(); ++r)
-      for (std::int64_t b = matrix_.rowPtr[r]; b < matrix_.rowPtr[r + 1]; ++b)
-        for (int i = 0; i < dim; ++i)
-          for (int j = 0; j < dim; ++j)
-            sizes[std::size_t(matrix_.rows[r]) * std::size_t(dim) + std::size_t(i)] +=
-                std::abs(*entry++ * u[std::size_t(matrix_.cols[std::size_t(b)]) * std::size_t(dim) + std::size_t(j)]);
-    comm_.sum(sizes);
-    return 16.0 * std::numeric_limits<double>::epsilon() * norm(sizes);
-  }
-
   /// What two levels took since the last call.
   void countWork() const
   {
@@ -145,27 +119,30 @@ private:
   mutable int residuals_ = 0; ///< products that are not counted yet
 };
 
-/// The problem whose kept dofs are unknowns, but for the held ones.
-SolverProblem freeProblem(SolverProblem problem, const FreeMotions& motions)
+/// The problem whose kept dofs are unknowns, too.
+SolverProblem freed(const SolverProblem& problem)
 {
-  for (const int dof : problem.kept)
-    problem.roles[std::size_t(dof)] = DofRole::Interior;
-  for (const int held : motions.held)
-    problem.roles[std::size_t(problem.kept[std::size_t(held)])] = DofRole::Fixed;
-  problem.kept.clear();
-  return problem;
+  if (problem.kept.empty())
+    return {};
+  SolverProblem result = problem;
+  for (const int dof : result.kept)
+    result.roles[std::size_t(dof)] = DofRole::Interior;
+  return result;
 }
 
 /// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
 /// dof.
-class KrylovBody final : public SplitBody
+class KrylovBody final : public SplitBody, public WholeSolver
 {
 public:
   KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-             MakeConjugateGradients makeCg, std::string description)
-      : SplitBody(problem, comm, ledger), problem_(problem.kept.empty() ? SolverProblem() : problem), options_(options),
-        makeCg_(std::move(makeCg)), description_(std::move(description)), interior_(makeSystem(problem))
-  {}
+             MakeConjugateGradients makeCg, MakeJoinedGradients makeJoined, std::string description)
+      : SplitBody(problem, comm, ledger), freed_(freed(problem)), options_(options), makeCg_(std::move(makeCg)),
+        makeJoined_(std::move(makeJoined)), description_(std::move(description))
+  {
+    if (kept_.empty())
+      interior_ = makeSystem(problem);
+  }
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
   {
@@ -175,7 +152,7 @@ public:
       Vector start(std::size_t(numDofs()), 0.0);
       for (int c = 0; c < numKept(); ++c)
         start[std::size_t(kept_[std::size_t(c)])] = kept(c, j);
-      const Vector solution = interior_->solve(load.column(j), std::move(start));
+      const Vector solution = interior().solve(load.column(j), std::move(start));
       std::copy(solution.begin(), solution.end(), u.col(j));
     }
     return u;
@@ -185,18 +162,44 @@ public:
   {
     if (kept_.empty())
       return {};
-    if (!free_)
-      free_ = makeSystem(freeProblem(problem_, motions_));
     Vector load(std::size_t(numDofs()), 0.0), kept;
     for (std::size_t c = 0; c < kept_.size(); ++c)
       load[std::size_t(kept_[c])] = force[c];
-    const Vector u = free_->solve(load, Vector(load.size(), 0.0));
+    const Vector u = solveFree(load, Vector(load.size(), 0.0));
     for (const int dof : kept_)
       kept.push_back(u[std::size_t(dof)]);
     return kept;
   }
 
   bool solvesNeumann() const override { return true; }
+
+  Vector solveFree(const Vector& load, Vector start) const override
+  {
+    if (!free_) {
+      SolverProblem held = freed_;
+      for (const int k : motions_.held)
+        held.roles[std::size_t(kept_[std::size_t(k)])] = DofRole::Fixed;
+      free_ = makeSystem(held);
+    }
+    Vector carried = load;
+    for (std::size_t dof = 0; dof < carried.size(); ++dof)
+      if (roles_[dof] == DofRole::Fixed)
+        carried[dof] = 0.0;
+    return free_->solve(load, std::move(start), norm(carried));
+  }
+
+  bool solvesWhole() const override { return makeJoined_ != nullptr; }
+  const SolverProblem& freedProblem() const override { return freed_; }
+
+  std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
+                                     const JoinedRows& open) const override
+  {
+    startMpi();
+    std::vector<const SolverProblem*> problems;
+    for (const WholeSolver* body : bodies)
+      problems.push_back(&body->freedProblem());
+    return makeJoinedKrylov(std::move(problems), open, comm_, ledger_, options_, makeJoined_);
+  }
 
   DenseMatrix schurComplement() const override
   {
@@ -227,11 +230,23 @@ private:
     return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, makeCg_);
   }
 
-  SolverProblem problem_; ///< for the Neumann problem; empty without kept dofs
+  /// Set up when it is first needed: where whole bodies are solved together nobody asks.
+  const KrylovSystem& interior() const
+  {
+    if (!interior_) {
+      SolverProblem split = freed_;
+      split.roles = roles_;
+      interior_ = makeSystem(split);
+    }
+    return *interior_;
+  }
+
+  SolverProblem freed_; ///< with the kept dofs as interior ones; empty where there are none
   KrylovOptions options_;
   MakeConjugateGradients makeCg_;
+  MakeJoinedGradients makeJoined_;
   std::string description_;
-  std::unique_ptr<KrylovSystem> interior_;
+  mutable std::unique_ptr<KrylovSystem> interior_;
   mutable std::unique_ptr<KrylovSystem> free_; ///< with the kept dofs as unknowns: set up when it is first needed
 };
 
@@ -239,9 +254,10 @@ private:
 
 std::unique_ptr<CondensedBody> makeKrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger,
                                               KrylovOptions options, MakeConjugateGradients makeCg,
-                                              std::string description)
+                                              MakeJoinedGradients makeJoined, std::string description)
 {
-  return std::make_unique<KrylovBody>(problem, comm, ledger, options, std::move(makeCg), std::move(description));
+  return std::make_unique<KrylovBody>(problem, comm, ledger, options, std::move(makeCg), std::move(makeJoined),
+                                      std::move(description));
 }
 
 } // namespace ndframe

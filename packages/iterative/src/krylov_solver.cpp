@@ -3,10 +3,10 @@
 #include "krylov_body.hpp"
 #include "krylov_module.hpp"
 #include "library_list.hpp"
-#include "ndframe/algebra/linear_level.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/iterative/linear_level.hpp"
 #include "preconditioner_registry.hpp"
-#include "solver_problem.hpp"
 #include "solvers.hpp"
 
 namespace ndframe
@@ -35,7 +35,13 @@ public:
                        twoLevels](const SolverProblem& given, const Comm& ranks, double decoupledDiagonal) {
       return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
     };
-    return makeKrylovBody(problem, comm, ledger, options_, make,
+    MakeJoinedGradients makeJoined;
+    if (twoLevels)
+      makeJoined = [preconditioner = preconditioner_,
+                    belos = belos_](const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& ranks) {
+        return krylovLibrary().joined(bodies, unknowns, ranks, preconditioner, belos);
+      };
+    return makeKrylovBody(problem, comm, ledger, options_, make, std::move(makeJoined),
                           fmt::format("{}, Belos CG, {}{}", name_, twoLevels ? "Chebyshev and on the vertices " : "",
                                       preconditioner_->name()));
   }

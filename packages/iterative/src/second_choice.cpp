@@ -1,6 +1,7 @@
 #include <type_traits>
 #include <utility>
 
+#include "ndframe/algebra/joined_system.hpp"
 #include "ndframe/algebra/neumann_solver.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "solvers.hpp"
@@ -12,7 +13,7 @@ namespace
 {
 
 /// A body by one solver, and by another from the solve on that the first one fails in.
-class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver
+class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver, public WholeSolver
 {
 public:
   BodyWithSecondChoice(std::unique_ptr<CondensedBody> first, std::shared_ptr<const LinearSolver> second,
@@ -46,6 +47,24 @@ public:
   bool solvesNeumann() const override { return neumannSolver(*body_).solvesNeumann(); }
   const FreeMotions& freeMotions() const override { return neumannSolver(*body_).freeMotions(); }
 
+  bool solvesWhole() const override { return wholeSolver(*body_) != nullptr; }
+  const SolverProblem& freedProblem() const override { return wholeSolver(*body_)->freedProblem(); }
+  std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
+                                     const JoinedRows& open) const override
+  {
+    return wholeSolver(*body_)->join(bodies, open);
+  }
+  Vector solveFree(const Vector& load, Vector start) const override
+  {
+    return wholeSolver(*body_)->solveFree(load, std::move(start));
+  }
+  bool givesUp() const override
+  {
+    if (second_)
+      takeSecond();
+    return wholeSolver(*body_) == nullptr;
+  }
+
 private:
   template <class Solve>
   std::invoke_result_t<Solve> either(const Solve& solve) const
@@ -57,10 +76,15 @@ private:
     } catch (const NotConverged&) {
     } catch (const SingularBody&) {
     }
+    takeSecond();
+    return solve();
+  }
+
+  void takeSecond() const
+  {
     body_.reset(); // its memory is needed
     body_ = std::exchange(second_, nullptr)->factor(problem_, comm_, ledger_);
     ledger_.count("solvers given up");
-    return solve();
   }
 
   mutable std::unique_ptr<CondensedBody> body_;

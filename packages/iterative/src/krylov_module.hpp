@@ -9,7 +9,4 @@ class KrylovLibrary;
 /// when their module cannot be loaded.
 const KrylovLibrary& krylovLibrary();
 
-/// Ends the libraries if they were loaded.
-void finishKrylov();
-
 } // namespace ndframe

@@ -3,8 +3,9 @@
 #include <dlfcn.h>
 #include <fmt/format.h>
 
-#include "ndframe/algebra/krylov_library.hpp"
+#include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 
 namespace ndframe
 {
@@ -32,15 +33,11 @@ const KrylovLibrary* load()
 
 const KrylovLibrary& krylovLibrary()
 {
-  if (!loadedLibrary)
+  if (!loadedLibrary) {
     loadedLibrary = load();
+    beforeMpiEnds([] { loadedLibrary->finish(); });
+  }
   return *loadedLibrary;
-}
-
-void finishKrylov()
-{
-  if (loadedLibrary)
-    loadedLibrary->finish();
 }
 
 } // namespace ndframe

@@ -1,0 +1,71 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/sparse_row.hpp"
+
+namespace ndframe
+{
+
+/// How the kept dofs of several bodies, one body after another, follow unknowns y that take the places of some of them:
+///
+///   kept_k = sum_p E_kp y_p,   y_p = sum_k L_pk kept_k,   L E = 1,   p the places.
+struct JoinedRows
+{
+  std::vector<SparseRow> kept;     ///< E, one row per kept dof
+  std::vector<SparseRow> unknowns; ///< L, one row per kept dof, empty where no unknown stands
+};
+
+/// The matrices of several bodies as one system on what is free of them and the unknowns that their kept dofs follow:
+///
+///   E^T (K + springs) E x = E^T (load - K u),   springs a multiple of the diagonal at the unknowns.
+///
+/// No matrix of the bodies is copied. Collective.
+class JoinedSystem
+{
+public:
+  virtual ~JoinedSystem() = default;
+
+  /// From now on. onVertices: the same for linear functions, whose kept dofs are those at vertices (empty rows
+  /// elsewhere): what the coarse level goes by, which is set up again only where these differ in many rows.
+  virtual void follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) = 0;
+
+  /// Improves u, per body and in the nodes' own axes, by E x until the residual of the equations above is at most
+  /// `tolerance` times the loads and the forces of the kept dofs on each other as they are at first, or round-off. The
+  /// springs pull towards the u that is given. Returns load - K u on all dofs that are not fixed. Throws NotConverged and SingularBody.
+  virtual std::vector<Vector> solve(const std::vector<Vector>& loads, std::vector<Vector>& u, double tolerance) = 0;
+
+  /// What the deck asks for.
+  virtual double tolerance() const = 0;
+};
+
+/// A body whose matrix is solved by iterations on all its dofs.
+class WholeSolver
+{
+public:
+  virtual ~WholeSolver() = default;
+
+  /// K u = load on all dofs that are not fixed but those that hold the body (FreeMotions::held of its NeumannSolver),
+  /// where u keeps the values of `start`, as it does on fixed dofs. There too if the load balances.
+  virtual Vector solveFree(const Vector& load, Vector start) const = 0;
+
+  /// False where the body is condensed, by a factor or by one of the solvers that cannot do the following.
+  virtual bool solvesWhole() const = 0;
+
+  /// These bodies, of which this is one, as one system. open: E and L where no kept dof follows one of another body.
+  virtual std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
+                                             const JoinedRows& open) const = 0;
+
+  /// With the kept dofs as interior ones.
+  virtual const SolverProblem& freedProblem() const = 0;
+
+  /// A joined system did not converge: whether the body has another solver and takes that from now on.
+  virtual bool givesUp() const { return false; }
+};
+
+/// What a body is besides, null where it does not solve whole bodies.
+const WholeSolver* wholeSolver(const CondensedBody& body);
+
+} // namespace ndframe

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "ndframe/algebra/joined_system.hpp"
+#include "ndframe/subdomain/status_method.hpp"
+#include "network.hpp"
+
+namespace ndframe
+{
+
+/// The contact of bodies that are solved by iterations on all their dofs: closed unknowns give away one entry of v each
+/// (ClosedRows), kept dofs follow what is left, and conjugate gradients solve all bodies at once, each time from where
+/// the statuses before left them. Nothing is condensed.
+///
+/// While statuses change a pass stops at a residual of 1e-2, and earlier ones at less than that the fewer they are; the
+/// first pass that contradicts none of its statuses goes on to the tolerance of the solver, as do all after it.
+///
+/// Source of the steps: the inexact semismooth Newton method (Hintermueller, Ito, Kunisch 2002, for exact ones).
+class WholeProblem final : public StatusSystem
+{
+public:
+  /// The system must outlive it, and all its bodies must be solved whole.
+  WholeProblem(const InterfaceSystem& system, Ledger& ledger);
+
+  bool holds(const std::vector<char>& closed) override;
+  void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
+  ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
+  const std::vector<std::string>& motions() const override { return motions_; }
+
+  const Network& network() const { return network_; }
+  const Vector& displacement() const { return v_; }             ///< of the last pass
+  const std::vector<Vector>& fields() const { return fields_; } ///< of the last pass, per body
+  /// What signs and gaps are compared with at the end.
+  double roundOff() const;
+
+private:
+  JoinedRows rowsFor(const ClosedRows& closed, bool onVertices) const;
+  ClosedRows closedOnVertices(const std::vector<char>& closed) const;
+  bool isAtVertex(std::size_t entry) const { return atVertex_[entry] != 0; }
+  void settle(double tolerance, StatusPass& pass);
+  void moveToStatuses();
+  Vector forcesOn(const std::vector<Vector>& rest) const;
+  void evaluate(const std::vector<Vector>& rest, StatusPass& pass) const;
+
+  Network network_;
+  Ledger& ledger_;
+  std::vector<std::string> motions_;
+  DenseMatrix approach_;       ///< of both sides per unknown under the free motions
+  std::vector<char> atVertex_; ///< per entry of v
+  std::vector<Vector> loads_, fields_;
+  Vector v_;
+  std::optional<ClosedRows> rows_;
+  std::unique_ptr<JoinedSystem> joined_;
+  double tolerance_;
+  int earlyPasses_ = 0;
+};
+
+/// Whether all bodies are.
+bool areSolvedWhole(const InterfaceSystem& system);
+
+} // namespace ndframe

@@ -1,0 +1,60 @@
+#pragma once
+
+#include <algorithm>
+
+#include "ndframe/algebra/block_matrix.hpp"
+
+namespace ndframe
+{
+
+/// One row of a block matrix after the other, each summed up in any order of its blocks.
+class BlockRowSum
+{
+public:
+  BlockRowSum(int dim, int numNodes) : size_(std::size_t(dim) * std::size_t(dim)), place_(std::size_t(numNodes), -1)
+  {
+    result_.dim = dim;
+    result_.numNodes = numNodes;
+    result_.rowPtr.push_back(0);
+  }
+
+  /// A block of the row that is being summed, zero when it is new. Valid until the next call.
+  double* block(int node)
+  {
+    int& place = place_[std::size_t(node)];
+    if (place < 0) {
+      place = int(columns_.size());
+      columns_.push_back(node);
+      sums_.resize(sums_.size() + size_, 0.0);
+    }
+    return sums_.data() + std::size_t(place) * size_;
+  }
+
+  /// The row is that of this node; the next one begins.
+  void end(int node)
+  {
+    std::sort(columns_.begin(), columns_.end());
+    for (const int column : columns_) {
+      const double* sum = block(column);
+      result_.cols.push_back(column);
+      result_.values.insert(result_.values.end(), sum, sum + size_);
+    }
+    result_.rows.push_back(node);
+    result_.rowPtr.push_back(result_.numBlocks());
+    for (const int column : columns_)
+      place_[std::size_t(column)] = -1;
+    columns_.clear();
+    sums_.clear();
+  }
+
+  BlockMatrix take() && { return std::move(result_); }
+
+private:
+  BlockMatrix result_;
+  std::size_t size_;
+  std::vector<int> place_; ///< per node, in the row that is being summed; -1: not there
+  std::vector<int> columns_;
+  std::vector<double> sums_;
+};
+
+} // namespace ndframe

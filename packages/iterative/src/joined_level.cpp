@@ -1,0 +1,209 @@
+#include "joined_level.hpp"
+
+#include <algorithm>
+
+#include "block_row_sum.hpp"
+#include "ndframe/algebra/shared_rows.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// Which dofs stand for others.
+class Followers
+{
+public:
+  Followers(const std::vector<int>& keptDofs, const JoinedRows& rows, int numDofs)
+      : keptDofs_(keptDofs), rows_(rows), keptOf_(std::size_t(numDofs), -1)
+  {
+    for (std::size_t k = 0; k < keptDofs.size(); ++k)
+      if (keptDofs[k] >= 0)
+        keptOf_[std::size_t(keptDofs[k])] = int(k);
+  }
+
+  bool isKept(int dof) const { return keptOf_[std::size_t(dof)] >= 0; }
+  /// Whether a kept dof is the place of an unknown.
+  bool isUnknown(int dof) const { return !rows_.unknowns[std::size_t(keptOf_[std::size_t(dof)])].empty(); }
+  /// take(place, share) for all unknowns that a dof follows; any other dof is its own.
+  template <class Take>
+  void each(int dof, const Take& take) const
+  {
+    const int kept = keptOf_[std::size_t(dof)];
+    if (kept < 0)
+      return take(dof, 1.0);
+    for (const auto& [place, share] : rows_.kept[std::size_t(kept)])
+      take(keptDofs_[std::size_t(place)], share);
+  }
+
+private:
+  const std::vector<int>& keptDofs_;
+  const JoinedRows& rows_;
+  std::vector<int> keptOf_; ///< per dof
+};
+
+/// Rows of E^T K E.
+class FollowingProduct
+{
+public:
+  FollowingProduct(const Followers& followers, int dim, int numNodes)
+      : followers_(followers), dim_(dim), sum_(dim, numNodes), parts_(std::size_t(numNodes))
+  {}
+
+  /// Takes part with its rows, which must stay where they are.
+  void add(const BlockMatrix& rows)
+  {
+    for (std::size_t r = 0; r < rows.rows.size(); ++r)
+      for (int i = 0; i < dim_; ++i)
+        followers_.each(rows.rows[r] * dim_ + i, [&](int place, double share) {
+          parts_[std::size_t(place / dim_)].push_back({&rows, r, i, place % dim_, share});
+        });
+  }
+
+  BlockMatrix rowsOf(const std::vector<int>& nodes) &&
+  {
+    for (const int node : nodes) {
+      sum_.block(node); // what is left of a row may be nothing
+      for (const Part& part : parts_[std::size_t(node)])
+        addPart(part);
+      sum_.end(node);
+    }
+    return std::move(sum_).take();
+  }
+
+private:
+  /// Row `component` of a block row, which counts in row `target` of the node.
+  struct Part
+  {
+    const BlockMatrix* rows;
+    std::size_t row;
+    int component, target;
+    double share;
+  };
+
+  void addPart(const Part& part)
+  {
+    const BlockMatrix& K = *part.rows;
+    for (std::int64_t b = K.rowPtr[part.row]; b < K.rowPtr[part.row + 1]; ++b) {
+      const double* row = K.values.data() + (b * dim_ + part.component) * dim_;
+      for (int j = 0; j < dim_; ++j)
+        followers_.each(K.cols[std::size_t(b)] * dim_ + j, [&](int place, double share) {
+          sum_.block(place / dim_)[part.target * dim_ + place % dim_] += part.share * share * row[j];
+        });
+    }
+  }
+
+  const Followers& followers_;
+  int dim_;
+  BlockRowSum sum_;
+  std::vector<std::vector<Part>> parts_; ///< per node
+};
+
+/// The own rows that other ranks need: those of kept dofs that follow an unknown there.
+RowReaders readersOf(const BlockMatrix& K, const Followers& followers, const Comm& comm)
+{
+  Vector owner(std::size_t(K.numNodes), 0.0);
+  for (const int node : K.rows)
+    owner[std::size_t(node)] = comm.rank();
+  comm.sum(owner);
+  RowReaders readers(std::size_t(comm.size()));
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (int i = 0; i < K.dim; ++i)
+      followers.each(K.rows[r] * K.dim + i, [&](int place, double) {
+        const int rank = int(owner[std::size_t(place / K.dim)]);
+        auto& rows = readers[std::size_t(rank)];
+        if (rank != comm.rank() && (rows.empty() || rows.back() != int(r)))
+          rows.push_back(int(r));
+      });
+  return readers;
+}
+
+BlockMatrix followingMatrix(const BlockMatrix& K, const Followers& followers, const Comm& comm)
+{
+  const BlockMatrix received = receivedRows(K, readersOf(K, followers, comm), comm);
+  FollowingProduct product(followers, K.dim, K.numNodes);
+  product.add(K);
+  product.add(received);
+  return std::move(product).rowsOf(K.rows);
+}
+
+/// The bodies' matrices as blocks of one.
+BlockMatrix stacked(const std::vector<std::unique_ptr<LinearLevel>>& levels)
+{
+  BlockMatrix result;
+  result.dim = levels.front()->matrix.dim;
+  result.rowPtr.push_back(0);
+  for (const auto& level : levels) {
+    const BlockMatrix& matrix = level->matrix;
+    for (const int node : matrix.rows)
+      result.rows.push_back(result.numNodes + node);
+    for (const int node : matrix.cols)
+      result.cols.push_back(result.numNodes + node);
+    const std::int64_t before = result.rowPtr.back();
+    for (std::size_t r = 1; r < matrix.rowPtr.size(); ++r)
+      result.rowPtr.push_back(before + matrix.rowPtr[r]);
+    result.values.insert(result.values.end(), matrix.values.begin(), matrix.values.end());
+    result.numNodes += matrix.numNodes;
+  }
+  return result;
+}
+
+/// The bodies' modes side by side; those of an unknown are its own.
+DenseMatrix stackedModes(const std::vector<std::unique_ptr<LinearLevel>>& levels, const std::vector<int>& keptDofs,
+                         const JoinedRows& rows, int numDofs)
+{
+  int modes = levels.front()->problem.nearNullSpace.cols();
+  for (const auto& level : levels)
+    modes = std::min(modes, level->problem.nearNullSpace.cols());
+  DenseMatrix given(modes == 0 ? 0 : numDofs, modes);
+  for (int m = 0, first = 0; m < modes; ++m, first = 0)
+    for (const auto& level : levels) {
+      const DenseMatrix& own = level->problem.nearNullSpace;
+      std::copy_n(own.col(m), own.rows(), given.col(m) + first);
+      first += own.rows();
+    }
+  DenseMatrix result = given;
+  for (std::size_t k = 0; k < keptDofs.size(); ++k)
+    for (int m = 0; m < modes && keptDofs[k] >= 0; ++m) {
+      double& value = result(keptDofs[k], m) = 0.0;
+      for (const auto& [other, share] : rows.unknowns[k])
+        value += share * given(keptDofs[std::size_t(other)], m);
+    }
+  return result;
+}
+
+void addSprings(BlockMatrix& matrix, const std::vector<int>& keptDofs, const Vector& springs)
+{
+  for (std::size_t k = 0; k < springs.size(); ++k) {
+    if (springs[k] == 0.0 || keptDofs[k] < 0)
+      continue;
+    const int node = keptDofs[k] / matrix.dim, component = keptDofs[k] % matrix.dim;
+    const auto row = std::lower_bound(matrix.rows.begin(), matrix.rows.end(), node);
+    if (row != matrix.rows.end() && *row == node)
+      matrix.block(int(row - matrix.rows.begin()), node)[component * (matrix.dim + 1)] += springs[k];
+  }
+}
+
+} // namespace
+
+JoinedLevel::JoinedLevel(const std::vector<std::unique_ptr<LinearLevel>>& levels, const std::vector<int>& keptDofs,
+                         const JoinedRows& rows, const Vector& springs, const Comm& comm)
+{
+  for (const auto& level : levels) {
+    problem.roles.insert(problem.roles.end(), level->problem.roles.begin(), level->problem.roles.end());
+    problem.nodePoints.insert(problem.nodePoints.end(), level->problem.nodePoints.begin(),
+                              level->problem.nodePoints.end());
+  }
+  const int numDofs = int(problem.roles.size());
+  const Followers followers(keptDofs, rows, numDofs);
+  for (int dof = 0; dof < numDofs; ++dof)
+    if (followers.isKept(dof) && !followers.isUnknown(dof))
+      problem.roles[std::size_t(dof)] = DofRole::Fixed;
+  problem.nearNullSpace = stackedModes(levels, keptDofs, rows, numDofs);
+  matrix = followingMatrix(stacked(levels), followers, comm);
+  addSprings(matrix, keptDofs, springs);
+  problem.matrix = &matrix;
+}
+
+} // namespace ndframe

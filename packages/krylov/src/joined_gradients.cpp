@@ -1,0 +1,105 @@
+#include "joined_gradients.hpp"
+
+#include "belos_cg.hpp"
+#include "joined_transfer.hpp"
+#include "tpetra_maps.hpp"
+#include "two_level_cycle.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+/// The nodes of this rank, those of one body after those of another.
+Teuchos::RCP<const TpetraMap> stackedMap(const std::vector<const BlockMatrix*>& matrices, const Comm& comm)
+{
+  std::vector<int> nodes;
+  int before = 0;
+  for (const BlockMatrix* matrix : matrices) {
+    for (const int node : matrix->rows)
+      nodes.push_back(before + node);
+    before += matrix->numNodes;
+  }
+  return mapOf(nodes, matrices.front()->dim, teuchosComm(comm));
+}
+
+Teuchos::RCP<const TpetraMap> fineMapOf(const JoinedBodies& bodies, const Comm& comm)
+{
+  std::vector<const BlockMatrix*> matrices;
+  for (const SolverProblem* problem : bodies.problems)
+    matrices.push_back(problem->matrix);
+  return stackedMap(matrices, comm);
+}
+
+Teuchos::RCP<const TpetraMap> coarseMapOf(const JoinedBodies& bodies, const Comm& comm)
+{
+  std::vector<const BlockMatrix*> matrices;
+  for (const LinearLevel* level : bodies.levels)
+    matrices.push_back(&level->matrix);
+  return stackedMap(matrices, comm);
+}
+
+std::unique_ptr<JoinedTransfer> transferOf(const JoinedBodies& bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
+                                           const Comm& comm)
+{
+  std::vector<LinearTransfer> transfers;
+  for (std::size_t b = 0; b < bodies.problems.size(); ++b)
+    transfers.emplace_back(*bodies.problems[b], *bodies.levels[b],
+                           mapOf(bodies.levels[b]->matrix.rows, bodies.levels[b]->matrix.dim, teuchosComm(comm)));
+  return std::make_unique<JoinedTransfer>(std::move(transfers), fineMap, bodies.kept, coarseMapOf(bodies, comm),
+                                          bodies.keptOnVertices);
+}
+
+class TwoLevelGradients final : public JoinedGradients
+{
+public:
+  TwoLevelGradients(const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& comm,
+                    std::shared_ptr<const Preconditioner> coarse, const Teuchos::ParameterList& belos)
+      : comm_(comm), coarse_(std::move(coarse)),
+        matrix_(Teuchos::rcp(new JoinedOperator(bodies.problems, fineMapOf(bodies, comm), bodies.kept, comm)))
+  {
+    matrix_->follow(unknowns);
+    auto transfer = transferOf(bodies, matrix_->getDomainMap(), comm);
+    transfer_ = transfer.get();
+    transfer_->follow(unknowns.rows.unknowns);
+    cycle_ = Teuchos::rcp(new TwoLevelCycle(matrix_, std::move(transfer)));
+    cg_ = makeBelosCg({matrix_, cycle_}, belos);
+  }
+
+  CycleWork work() const override { return {matrix_->products(), cycle_->cycles()}; }
+  Result solve(const Vector& b, double tolerance, int maxIterations) const override
+  {
+    return cg_->solve(b, tolerance, maxIterations);
+  }
+  void follow(const JoinedUnknowns& unknowns) override
+  {
+    matrix_->follow(unknowns);
+    transfer_->follow(unknowns.rows.unknowns);
+    cycle_->takeDiagonal();
+  }
+  void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal) override
+  {
+    cycle_->setCoarse(TpetraSystem(problem, comm_, decoupledDiagonal), *coarse_);
+    transfer_->followOnVertices(rows.kept);
+  }
+
+private:
+  Comm comm_;
+  std::shared_ptr<const Preconditioner> coarse_;
+  Teuchos::RCP<JoinedOperator> matrix_;
+  JoinedTransfer* transfer_; ///< of the cycle
+  Teuchos::RCP<TwoLevelCycle> cycle_;
+  std::unique_ptr<ConjugateGradients> cg_;
+};
+
+} // namespace
+
+std::unique_ptr<JoinedGradients> makeJoinedGradients(const JoinedBodies& bodies, const JoinedUnknowns& unknowns,
+                                                     const Comm& comm, std::shared_ptr<const Preconditioner> coarse,
+                                                     const Teuchos::ParameterList& belos)
+{
+  return std::make_unique<TwoLevelGradients>(bodies, unknowns, comm, std::move(coarse), belos);
+}
+
+} // namespace ndframe

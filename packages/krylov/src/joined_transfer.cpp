@@ -1,0 +1,52 @@
+#include "joined_transfer.hpp"
+
+#include <algorithm>
+
+namespace ndframe
+{
+
+JoinedTransfer::JoinedTransfer(std::vector<LinearTransfer> bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
+                               const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& coarseMap,
+                               const std::vector<int>& coarseKept)
+    : bodies_(std::move(bodies)), kept_(kept, fineMap), coarseKept_(coarseKept, coarseMap),
+      work_(fineMap->getNodeNumElements())
+{
+  std::size_t first = 0;
+  for (const LinearTransfer& body : bodies_) {
+    coarse_.push_back(Teuchos::rcp(new TpetraVectors(body.coarseMap(), 1)));
+    fineStarts_.push_back(first);
+    first += body.fineSize();
+  }
+}
+
+void JoinedTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
+{
+  std::copy_n(fine, work_.size(), work_.data());
+  kept_.replaceTransposed(unknowns_, work_.data());
+  const auto result = coarse.getDataNonConst(0);
+  double* all = result.getRawPtr();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b].toCoarse(work_.data() + fineStarts_[b], *coarse_[b]);
+    const auto own = coarse_[b]->getData(0);
+    all = std::copy_n(own.getRawPtr(), own.size(), all);
+  }
+  coarseKept_.replaceTransposed(coarseFollowers_, result.getRawPtr());
+}
+
+void JoinedTransfer::toFine(TpetraVectors& coarse, double* fine)
+{
+  const auto given = coarse.getDataNonConst(0);
+  coarseKept_.replace(coarseFollowers_, given.getRawPtr());
+  const double* all = given.getRawPtr();
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    {
+      const auto own = coarse_[b]->getDataNonConst(0);
+      std::copy_n(all, own.size(), own.getRawPtr());
+      all += own.size();
+    }
+    bodies_[b].toFine(*coarse_[b], fine + fineStarts_[b]);
+  }
+  kept_.replace(unknowns_, fine);
+}
+
+} // namespace ndframe

@@ -1,0 +1,32 @@
+#pragma once
+
+#include "joined_operator.hpp"
+#include "linear_transfer.hpp"
+
+namespace ndframe
+{
+
+/// P = L P_bodies E between the unknowns of several bodies and those at their vertices, which may follow other
+/// statuses: E there makes displacements of the coarse unknowns, L takes the fine unknowns from them.
+class JoinedTransfer final : public FineTransfer
+{
+public:
+  JoinedTransfer(std::vector<LinearTransfer> bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
+                 const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& coarseMap,
+                 const std::vector<int>& coarseKept);
+  void follow(const std::vector<SparseRow>& unknowns) { unknowns_ = unknowns; }
+  void followOnVertices(const std::vector<SparseRow>& kept) { coarseFollowers_ = kept; }
+
+  void toCoarse(const double* fine, TpetraVectors& coarse) override;
+  void toFine(TpetraVectors& coarse, double* fine) override;
+
+private:
+  std::vector<LinearTransfer> bodies_;
+  std::vector<Teuchos::RCP<TpetraVectors>> coarse_; ///< per body
+  KeptPlaces kept_, coarseKept_;
+  std::vector<SparseRow> unknowns_, coarseFollowers_;
+  std::vector<std::size_t> fineStarts_; ///< per body
+  std::vector<double> work_;
+};
+
+} // namespace ndframe
