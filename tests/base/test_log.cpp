@@ -17,10 +17,10 @@ std::string written(Verbosity verbosity, bool speaks, bool terminal)
   std::ostringstream stream;
   {
     const Log log(stream, verbosity, speaks, terminal);
-    log.startLive("factor");
+    log.beginStage("factor");
     log.line("line");
     log.detail("detail");
-    log.stopLive();
+    log.endStage("factor");
   }
   return stream.str();
 }
@@ -81,20 +81,56 @@ TEST(Log, DrawsALongStageOnATerminalAndErasesItBeforeTheNextLine)
   Terminal terminal;
   std::ostream stream(&terminal);
   {
-    const Log log(stream, Verbosity::Normal, true, true);
-    log.startLive("factor");
-    ASSERT_TRUE(terminal.waitFor("  factor ..."));
+    const Log log(stream, Verbosity::Normal, true, true, std::chrono::milliseconds(20));
+    log.beginStage("factor");
+    ASSERT_TRUE(terminal.waitFor("  factor ... 0 s"));
     log.line("done");
-    log.stopLive();
+    log.endStage("factor");
   }
-  EXPECT_EQ(terminal.text(), "  factor ...\r\x1b[Kdone\n");
+  const std::string all = terminal.text(), drawn = "\x1b[2m  factor ... 0 s\x1b[0m", erase = "\r\x1b[K";
+  EXPECT_EQ(all.rfind(drawn, 0), 0u) << all;
+  EXPECT_NE(all.find(erase + "done\n"), std::string::npos) << all;
+  EXPECT_NE(all.substr(all.size() - drawn.size()), drawn) << "the last one is erased, too: " << all;
+}
+
+TEST(Log, ErasesTheLineWhenAStageEnds)
+{
+  Terminal terminal;
+  std::ostream stream(&terminal);
+  const Log log(stream, Verbosity::Normal, true, true, std::chrono::milliseconds(20));
+  log.beginStage("factor");
+  ASSERT_TRUE(terminal.waitFor("  factor ... 0 s"));
+  log.endStage("factor");
+  const std::string erase = "\r\x1b[K", all = terminal.text();
+  EXPECT_EQ(all.substr(all.size() - erase.size()), erase);
+}
+
+TEST(Log, ShowsHowFarAStageIs)
+{
+  Terminal terminal;
+  std::ostream stream(&terminal);
+  const Log log(stream, Verbosity::Normal, true, false, std::chrono::milliseconds(20));
+  log.tell(Depth::Level, {"level", 2});
+  log.beginStage("couple");
+  log.tell(Depth::Step, Progress::falling("sweep", 3, "eps_tau", 0.5, 0.1));
+  EXPECT_TRUE(terminal.waitFor("  level 2, couple, sweep 3, eps_tau 0.5 (until 0.1) ... 0 s\n"));
+}
+
+TEST(Log, StaysSilentForEverWithoutPatience)
+{
+  Terminal pipe;
+  std::ostream stream(&pipe);
+  const Log log(stream, Verbosity::Normal, true, false, std::chrono::milliseconds(0));
+  log.beginStage("factor");
+  log.line("line");
+  EXPECT_EQ(pipe.text(), "line\n");
 }
 
 TEST(Log, CanBeSilent)
 {
   silentLog().line("nowhere");
-  silentLog().startLive("nowhere");
-  silentLog().stopLive();
+  silentLog().beginStage("nowhere");
+  silentLog().endStage("nowhere");
 }
 
 TEST(Log, SaysOnAPipeThatALongStageGoesOn)
@@ -103,9 +139,9 @@ TEST(Log, SaysOnAPipeThatALongStageGoesOn)
   std::ostream stream(&pipe);
   {
     const Log log(stream, Verbosity::Normal, true, false, std::chrono::milliseconds(20));
-    log.startLive("factor");
+    log.beginStage("factor");
     EXPECT_TRUE(pipe.waitFor("  factor ... 0 s\n  factor ... 0 s\n")) << "again and again";
-    log.stopLive();
+    log.endStage("factor");
     log.line("line");
   }
   EXPECT_EQ(pipe.text().find('\x1b'), std::string::npos);

@@ -316,7 +316,7 @@ TEST(ContradictingCertificates, OfTwoCasesOfAStudyAreBothWithdrawn)
     perModel = change;
     const Comm comm = Comm::single();
     bool computed = false;
-    const ExitCode code = StudyRunner(study, "punch.xml", withForgetful(), comm).run(silentLog(), computed);
+    const ExitCode code = StudyRunner(study, "punch.xml", withForgetful(), comm, silentLog()).run(computed);
     perModel = 0.0;
     EXPECT_EQ(code, change == 0.0 ? ExitCode::Right : ExitCode::NotConverged);
     std::istringstream table(contentsOf(folder.file("punch.study.csv")));

@@ -9,7 +9,8 @@ import cpp_text
 
 # A package may include what stands after its arrow and, transitively, what those may include.
 ARROWS = {
-    "base": [],
+    "live": [],
+    "base": ["live"],
     "algebra": ["base"],
     "iterative": ["algebra"],
     "krylov": ["iterative"],

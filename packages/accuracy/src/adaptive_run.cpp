@@ -137,6 +137,17 @@ private:
     run_.certificate.reset();
     run_.level = int(summary_.levels.size()) + 1;
     sweeps_ = 0;
+    tools_.ledger.tell(Depth::Level, progress());
+  }
+
+  /// The level that begins, and how small the bound was on the one before.
+  Progress progress() const
+  {
+    if (summary_.levels.empty())
+      return {"level", run_.level};
+    const LevelSummary& last = summary_.levels.back();
+    return Progress::falling("level", run_.level, "bound", options_.relative ? last.relative : last.bound,
+                             options_.target);
   }
 
   /// Sweeps until their part is small beside the mesh's, and the certificate of that state.

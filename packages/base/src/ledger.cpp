@@ -50,14 +50,14 @@ Ledger::Timer::Timer(Ledger& ledger, std::string name) : ledger_(ledger), name_(
   resetHighWaterMark();
   noteStage(name_);
   if (ledger_.live_)
-    ledger_.live_->startLive(name_);
+    ledger_.live_->beginStage(name_);
 }
 
 Ledger::Timer::~Timer()
 {
   const std::lock_guard<std::mutex> lock(ledger_.mutex_);
   if (ledger_.live_)
-    ledger_.live_->stopLive();
+    ledger_.live_->endStage(name_);
   noteStage({});
   auto& stages = ledger_.stages_;
   auto stage = std::find_if(stages.begin(), stages.end(), [&](const Stage& s) { return s.name == name_; });
@@ -71,6 +71,12 @@ void Ledger::count(const std::string& what, std::int64_t amount)
 {
   const std::lock_guard<std::mutex> lock(mutex_);
   counts_[what] += amount;
+}
+
+void Ledger::tell(Depth depth, const Progress& progress) const
+{
+  if (live_)
+    live_->tell(depth, progress);
 }
 
 void Ledger::restart()

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "body_progress.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/mesh/partition.hpp"
 #include "ndframe/scene/stage.hpp"
@@ -132,11 +133,13 @@ public:
     const std::vector<int> sizes = model_.numDofs();
     const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
     assembleWhatIsNew(largest); // before the others begin: it has to be ordered first, for only one can be at a time
+    BodyProgress progress(sizes, model_.bodies.front().mesh.dim, ledger_);
     runLargestFirst(sizes, result_.threads, [&](int body) {
       const auto b = std::size_t(body);
       if (b != largest)
         assembleWhatIsNew(b);
       condenseBody(b);
+      progress.isDone(b);
     });
     for (std::size_t b = 0; b < model_.bodies.size(); ++b) {
       if (kept_[b].factor)

@@ -40,9 +40,12 @@ Vector BalancingProblem::solveSet(Vector residual)
   Vector z = set_->preconditioned(residual), p = z;
   double square = dot(residual, z);
   for (int iteration = 0; iteration < mostIterations; ++iteration) {
-    if (square <= std::pow(tolerance_, 2) * (std::abs(dot(load, y)) + square))
+    const double size = std::abs(dot(load, y)) + square;
+    if (square <= std::pow(tolerance_, 2) * size)
       break;
     ledger_.count("Neumann-Neumann iterations");
+    ledger_.tell(Depth::Iteration, Progress::falling("iteration", iteration + 1, "error", std::sqrt(square),
+                                                     tolerance_ * std::sqrt(size)));
     const Vector Ap = set_->product(p);
     const double step = square / dot(p, Ap);
     add(y, step, p);

@@ -200,8 +200,11 @@ void FetiProblem::solve(const std::vector<char>& closed, double proximal, Status
   proximal = set_->projects() ? 0.0 : proximal;
   bodies_.factor(proximal);
   Iterate now = begun(proximal);
-  for (int iteration = 0; iteration < mostIterations && !isEnough(now, iteration, closed); ++iteration)
+  for (int iteration = 0; iteration < mostIterations && !isEnough(now, iteration, closed); ++iteration) {
+    ledger_.tell(Depth::Iteration, Progress::falling("iteration", iteration + 1, "error",
+                                                     std::sqrt(std::max(0.0, now.square)), stop_.tolerance * now.size));
     advance(now);
+  }
   amplitude_ = set_->projects() ? set_->amplitudes(rest(now.v), amplitude_) : bodies_.amplitudes(now.v);
   const Vector before = std::exchange(v_, set_->projects() ? moved(now.v, amplitude_) : now.v);
   error_ = std::max(std::sqrt(std::max(0.0, now.square)), penetration(v_));

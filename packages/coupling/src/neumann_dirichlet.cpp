@@ -73,13 +73,20 @@ public:
       result.state.tractionDirichlet = stepTraction;
       result.state.tractionNeumann = std::exchange(traction, relaxed.traction);
       report(system, result, step.status, relaxed, lastJump, iteration);
-      observe(result.history.back(), result.state);
-      ledger.count("sweeps");
+      announce(result, stopping, observe, ledger);
     } while (!stopping.ends(result, agree(result.state, norm(body1.g) + norm(body2.g))));
     return result;
   }
 
 private:
+  static void announce(const CouplingResult& result, const Stopping& stopping, const SweepObserver& observe,
+                       Ledger& ledger)
+  {
+    ledger.tell(Depth::Step, stopping.progress(result.history.back()));
+    observe(result.history.back(), result.state);
+    ledger.count("sweeps");
+  }
+
   /// The state but for the traction before the step, and the one after.
   static InterfaceState displacements(const DirichletStep& step, Vector strainedNeumann)
   {

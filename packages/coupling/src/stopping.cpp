@@ -107,6 +107,13 @@ bool Stopping::ends(CouplingResult& result, bool agree) const
   return !result.reason.empty();
 }
 
+Progress Stopping::progress(const SweepRecord& last) const
+{
+  return iterationError_ > 0.0
+             ? Progress::falling("sweep", last.sweep, "iteration", last.iterationError.value(), iterationError_)
+             : Progress::falling("sweep", last.sweep, "eps_tau", last.epsTau, tolerance_);
+}
+
 ListSpec Stopping::spec()
 {
   ListSpec list;

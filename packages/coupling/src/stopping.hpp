@@ -27,6 +27,9 @@ public:
   /// on the two sides cannot come closer.
   bool ends(CouplingResult& result, bool agree) const;
 
+  /// How far the iteration is after this sweep.
+  Progress progress(const SweepRecord& last) const;
+
   static ListSpec spec();
 
 private:

@@ -26,6 +26,23 @@ void declareQuestions(CLI::App& app, CommandLine& options)
   app.add_flag("--version", options.version, "The version, commit, kind of build and libraries.");
 }
 
+/// What is shown, and where.
+void declareScreen(CLI::App& app, CommandLine& options)
+{
+  app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
+  app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
+  app.add_option(
+         "--log", options.logFile,
+         "Write all that the screen shows to a file, too, with a line \"# TIME STAGE\" where a stage begins. With "
+         "-q the file gets what the screen would show without it.")
+      ->type_name("FILE");
+  app.add_option("--live", options.live,
+                 "How long the screen may stand still before a line says what goes on and how far; 0: for ever. By "
+                 "default 1 on a terminal, where the line is erased again, and 10 elsewhere.")
+      ->type_name("SECONDS")
+      ->check(CLI::Range(0.0, 1e6));
+}
+
 } // namespace
 
 void declareOptions(CLI::App& app, CommandLine& options)
@@ -51,8 +68,7 @@ void declareOptions(CLI::App& app, CommandLine& options)
       "--yardstick", options.yardstick,
       "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
   declareQuestions(app, options);
-  app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
-  app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
+  declareScreen(app, options);
   app.add_subcommand("report", "Write NAME.report.html, one page with everything that a run or a study has left "
                                "(`ndframe report --help`).")
       ->prefix_command()

@@ -16,7 +16,9 @@ struct CommandLine
   std::vector<std::string> settings;
   std::vector<std::string> axes;   ///< of a study
   std::optional<std::string> help; ///< list to explain; empty text: the command line itself
-  std::string completion;          ///< shell whose script is wanted
+  std::string logFile;
+  std::optional<double> live; ///< seconds
+  std::string completion;     ///< shell whose script is wanted
   bool manual = false;
   bool check = false, plan = false, list = false, dumpDefaults = false, reference = false, version = false;
   bool yardstick = false;

@@ -6,15 +6,22 @@
 #include <string_view>
 
 #include <fmt/format.h>
+#include <unistd.h>
+
+#include "ndframe/live/transcript.hpp"
+#include "screen_files.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
+constexpr const char *red = "\x1b[31m", *yellow = "\x1b[33m", *plain = "\x1b[0m";
+
 /// A failure that the other ranks may know nothing of: whoever has it speaks, and all processes end.
 ExitCode failAlone(const Comm& comm, ExitCode code, std::string_view text)
 {
+  transcribe(std::string(text));
   std::cerr << text << std::endl;
   comm.abort(int(code));
   return code;
@@ -61,7 +68,12 @@ ExitCode report(const Failure& failure, bool computed, const Comm& comm)
 
 void complain(const Comm& comm, const std::string& text)
 {
-  if (comm.rank() == 0)
+  if (comm.rank() != 0)
+    return;
+  transcribe(text);
+  if (mayDraw(STDERR_FILENO, comm))
+    std::cerr << (text.rfind("warning", 0) == 0 ? yellow : red) << text << plain << std::endl;
+  else
     std::cerr << text << std::endl;
 }
 

@@ -3,11 +3,9 @@
 #include <malloc.h>
 #include <unistd.h>
 
-#include <cstdlib>
 #include <iostream>
 #include <limits>
 #include <optional>
-#include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
@@ -32,6 +30,7 @@
 #include "ndframe/run/plan.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/run/warnings.hpp"
+#include "screen_files.hpp"
 #include "signals.hpp"
 #include "study.hpp"
 #include "yardstick.hpp"
@@ -147,8 +146,8 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
     return ExitCode::Right;
   }
   claimLibraryMemory();
-  StudyRunner runner(study, options.deck, components, comm);
-  return options.check ? runner.check(log) : runner.run(log, computed);
+  StudyRunner runner(study, options.deck, components, comm, log);
+  return options.check ? runner.check() : runner.run(computed);
 }
 
 ExitCode runInput(const CommandLine& options, const Components& components, const Comm& comm, const Log& log,
@@ -194,26 +193,6 @@ void keepFreedMemory()
   mallopt(M_TRIM_THRESHOLD, std::numeric_limits<int>::max());
 }
 
-/// The code of a run whose screen could not be written.
-ExitCode checkScreen(ExitCode code, const Comm& comm)
-{
-  const char* const reason = lostOutput();
-  if (reason == nullptr || comm.rank() != 0)
-    return code;
-  std::cerr << "cannot write to the standard output: " << reason << std::endl;
-  return code == ExitCode::Right ? ExitCode::UserInput : code;
-}
-
-/// True where a line that is drawn and erased again disturbs nobody: on a terminal that knows how to, and not below a
-/// launcher, which gives its processes terminals and writes what they say to files.
-bool showsLiveLines(const Comm& comm)
-{
-  const char *const noColour = std::getenv("NO_COLOR"), *const terminal = std::getenv("TERM");
-  const bool isPlain =
-      (noColour != nullptr && *noColour != '\0') || terminal == nullptr || std::string_view(terminal) == "dumb";
-  return comm.size() == 1 && !launcherOfThisProcess().present && !isPlain && isatty(STDOUT_FILENO) != 0;
-}
-
 /// The processes of this run; none where they cannot be joined, which the first of them says.
 std::optional<Comm> joinProcesses(int& argc, char**& argv)
 {
@@ -241,10 +220,11 @@ ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& 
 {
   const Verbosity verbosity =
       options.quiet ? Verbosity::Quiet : (options.verbose ? Verbosity::Verbose : Verbosity::Normal);
-  const Log log(std::cout, verbosity, comm.rank() == 0, showsLiveLines(comm));
+  const Log log(std::cout, verbosity, comm.rank() == 0, mayDraw(STDOUT_FILENO, comm), patienceOf(options));
   const auto components = makeComponents(extend);
   if (const CLI::App* const wanted = app.get_subcommand("report"); wanted->parsed() && !options.help)
     return reportOn(wanted->remaining(), comm);
+  beginTranscript(options, comm);
   std::ostream nobody(nullptr);
   if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))
     return ExitCode::Right;

@@ -19,6 +19,7 @@
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/base/progress.hpp"
 #include "ndframe/base/scratch.hpp"
+#include "ndframe/live/transcript.hpp"
 
 namespace ndframe
 {
@@ -50,7 +51,8 @@ void speakLast(int number)
   const std::string cause = number == SIGINT    ? "interrupted by Ctrl-C (SIGINT)"
                             : number == SIGTERM ? "ended by SIGTERM"
                                                 : "ended by SIGHUP, the terminal has gone";
-  const std::string text = newLine + lastWords(cause) + "\n";
+  const std::string words = lastWords(cause), text = newLine + words + "\n";
+  transcribe(words);
   if (write(STDERR_FILENO, text.data(), text.size()) < 0)
     return; // nobody reads it
 }

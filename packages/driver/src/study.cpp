@@ -65,8 +65,8 @@ std::string caseName(std::size_t number)
 } // namespace
 
 StudyRunner::StudyRunner(const Study& study, const std::string& deckName, const Components& components,
-                         const Comm& comm)
-    : study_(study), deckName_(deckName), components_(components), comm_(comm)
+                         const Comm& comm, const Log& log)
+    : study_(study), deckName_(deckName), components_(components), comm_(comm), log_(log), ledger_(&log)
 {}
 
 /// Refuses columns that no case has. Reads the meshes of the first case, which it then need not read.
@@ -143,7 +143,8 @@ StudyRow StudyRunner::runCase(std::size_t index)
   row.number = index + 1;
   row.values = given.values;
   ledger_.restart();
-  const double start = wallSeconds();
+  const double start = wallSeconds(), share = double(index) / double(study_.cases.size());
+  ledger_.tell(Depth::Case, Progress::part("case", std::int64_t(row.number), std::int64_t(study_.cases.size()), share));
   try {
     row.code = solve(given, row);
   } catch (...) {
@@ -165,7 +166,7 @@ void StudyRunner::writeRows(const std::string& path) const
   writeOnFirstRank(comm_, [&] { writeTextAtomically(path, studyCsv(study_, rows_)); });
 }
 
-ExitCode StudyRunner::check(const Log& log)
+ExitCode StudyRunner::check()
 {
   Diagnostics mistakes;
   for (const auto& given : study_.cases) {
@@ -178,11 +179,11 @@ ExitCode StudyRunner::check(const Log& log)
   }
   mistakes.throwIfAny();
   checkColumns();
-  log.line(fmt::format("  all {} cases are right; nothing was solved.", study_.cases.size()));
+  log_.line(fmt::format("  all {} cases are right; nothing was solved.", study_.cases.size()));
   return ExitCode::Right;
 }
 
-ExitCode StudyRunner::run(const Log& log, bool& computed)
+ExitCode StudyRunner::run(bool& computed)
 {
   const double start = wallSeconds();
   const OutputOptions output = readSettings(study_.cases.front().deck).output;
@@ -196,13 +197,13 @@ ExitCode StudyRunner::run(const Log& log, bool& computed)
   writeRows(partial); // a folder that cannot be written in shows before anything is computed
   computed = true;
   ExitCode code = ExitCode::Right;
-  log.line(studyTitle(study_));
+  log_.line(studyTitle(study_));
   for (std::size_t i = 0; i < study_.cases.size(); ++i) {
     rows_.push_back(runCase(i));
     code = graver(code, rows_.back().code);
-    log.line(studyLine(study_, rows_.back()));
+    log_.line(studyLine(study_, rows_.back()));
     if (!rows_.back().reason.empty())
-      log.line("        " + rows_.back().reason);
+      log_.line("        " + rows_.back().reason);
     writeRows(partial);
   }
   writeRows(stem + ".study.csv");
@@ -212,8 +213,8 @@ ExitCode StudyRunner::run(const Log& log, bool& computed)
   if (comm_.rank() == 0)
     std::filesystem::remove(partial, ignored);
   noteRemoved(partial);
-  log.line(fmt::format("\n  {}\n  wrote {}.study.csv   {:.2f} s, {:.0f} MB", studyTotal(rows_), stem,
-                       wallSeconds() - start, double(peakMemory()) / 1e6));
+  log_.line(fmt::format("\n  {}\n  wrote {}.study.csv   {:.2f} s, {:.0f} MB", studyTotal(rows_), stem,
+                        wallSeconds() - start, double(peakMemory()) / 1e6));
   return code;
 }
 

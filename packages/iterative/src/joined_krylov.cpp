@@ -102,9 +102,9 @@ public:
     };
     const double first = residual(), reference = appliedForce(loads, rest);
     const int iterations = restartedGradients(
-        tolerance * reference, reference, options_.maxIterations, first,
-        [&](double reduction, int most) {
-          ConjugateGradients::Result step = gradients_->solve(right, reduction, most);
+        tolerance * reference, reference, options_.maxIterations, first, ledger_,
+        [&](double reduction, int most, const auto& watch) {
+          ConjugateGradients::Result step = gradients_->solve(right, reduction, most, watch);
           comm_.sum(step.x);
           add(step.x, u);
           return step.iterations;

@@ -50,9 +50,9 @@ public:
     u = sum(std::move(u), recycled_.start(residual));
     const Vector start = u, missing = residual = interiorResidual(load, u);
     const int iterations = restartedGradients(
-        options_.tolerance * initial, initial, options_.maxIterations, norm(residual),
-        [&](double reduction, int most) {
-          ConjugateGradients::Result step = cg_->solve(residual, reduction, most);
+        options_.tolerance * initial, initial, options_.maxIterations, norm(residual), ledger_,
+        [&](double reduction, int most, const auto& watch) {
+          ConjugateGradients::Result step = cg_->solve(residual, reduction, most, watch);
           comm_.sum(step.x);
           for (std::size_t dof = 0; dof < u.size(); ++dof)
             if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/ledger.hpp"
 
 namespace ndframe
 {
@@ -14,15 +15,15 @@ namespace ndframe
 /// Conjugate gradients until the true residual is at most `goal`, or round-off: CG follows a residual of its own that
 /// drifts, so it is started again on what is left.
 ///
-///   current                          the norm of the true residual now
-///   advance(reduction, iterations)   one run of CG; the iterations it took
-///   residual()                       the norm of the true residual after it
-///   roundOff()                       what is left of the residual by rounding
+///   current                                 the norm of the true residual now
+///   advance(reduction, iterations, watch)   one run of CG; the iterations it took
+///   residual()                              the norm of the true residual after it
+///   roundOff()                              what is left of the residual by rounding
 ///
-/// Returns the iterations. Throws NotConverged.
+/// Tells the ledger how far it is. Returns the iterations. Throws NotConverged.
 template <class Advance, class Residual, class RoundOff>
-int restartedGradients(double goal, double reference, int maxIterations, double current, const Advance& advance,
-                       const Residual& residual, const RoundOff& roundOff)
+int restartedGradients(double goal, double reference, int maxIterations, double current, const Ledger& ledger,
+                       const Advance& advance, const Residual& residual, const RoundOff& roundOff)
 {
   double before = current;
   int iterations = 0;
@@ -31,7 +32,11 @@ int restartedGradients(double goal, double reference, int maxIterations, double 
       throw NotConverged(fmt::format("Krylov: relative residual {:.2e} > {:.2e} after {} iterations; raise \"Maximum "
                                      "Iterations\" or use another preconditioner or a direct solver",
                                      current / reference, goal / reference, iterations));
-    iterations += std::max(advance(0.5 * goal / current, maxIterations - iterations), 1);
+    const auto watch = [&, share = current / reference](int iteration, double left) {
+      ledger.tell(Depth::Iteration,
+                  Progress::falling("iteration", iterations + iteration, "residual", left * share, goal / reference));
+    };
+    iterations += std::max(advance(0.5 * goal / current, maxIterations - iterations, watch), 1);
     before = std::exchange(current, residual());
   }
   return iterations;

@@ -28,6 +28,41 @@ Teuchos::ParameterList quietUnlessAsked(Teuchos::ParameterList list)
   return list;
 }
 
+/// A preconditioner that tells how large the residuals are that it gets: Belos has nobody else who sees them all.
+class WatchedPreconditioner final : public TpetraOperator
+{
+public:
+  WatchedPreconditioner(Teuchos::RCP<const TpetraOperator> inner, const ConjugateGradients::Watch& watch)
+      : inner_(std::move(inner)), watch_(watch)
+  {}
+
+  void apply(const TpetraVectors& X, TpetraVectors& Y, Teuchos::ETransp mode, double alpha, double beta) const override
+  {
+    if (applied_ % between == 0)
+      look(X);
+    ++applied_;
+    inner_->apply(X, Y, mode, alpha, beta);
+  }
+
+  Teuchos::RCP<const TpetraMap> getDomainMap() const override { return inner_->getDomainMap(); }
+  Teuchos::RCP<const TpetraMap> getRangeMap() const override { return inner_->getRangeMap(); }
+
+private:
+  static constexpr int between = 10; ///< a norm takes all ranks
+
+  void look(const TpetraVectors& residual) const
+  {
+    const double size = residual.getVector(0)->norm2();
+    first_ = applied_ == 0 ? size : first_;
+    watch_(applied_ + 1, first_ > 0.0 ? size / first_ : 0.0);
+  }
+
+  Teuchos::RCP<const TpetraOperator> inner_;
+  const ConjugateGradients::Watch& watch_;
+  mutable int applied_ = 0;
+  mutable double first_ = 0.0;
+};
+
 class BelosCg final : public ConjugateGradients
 {
 public:
@@ -37,11 +72,11 @@ public:
 
   CycleWork work() const override { return system_.work ? system_.work() : CycleWork(); }
 
-  Result solve(const Vector& b, double tolerance, int maxIterations) const override
+  Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const override
   {
     const auto x = Teuchos::rcp(new TpetraVectors(dofMap_, 1));
     const auto problem = Teuchos::rcp(new Problem(system_.matrix, x, ownPart(b)));
-    problem->setLeftPrec(system_.preconditioner);
+    problem->setLeftPrec(Teuchos::rcp(new WatchedPreconditioner(system_.preconditioner, watch)));
     problem->setProblem();
     const auto list = Teuchos::parameterList(list_);
     list->set("Convergence Tolerance", tolerance);

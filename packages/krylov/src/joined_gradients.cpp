@@ -68,9 +68,9 @@ public:
   }
 
   CycleWork work() const override { return {matrix_->products(), cycle_->cycles()}; }
-  Result solve(const Vector& b, double tolerance, int maxIterations) const override
+  Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const override
   {
-    return cg_->solve(b, tolerance, maxIterations);
+    return cg_->solve(b, tolerance, maxIterations, watch);
   }
   void follow(const JoinedUnknowns& unknowns) override
   {

@@ -1,6 +1,9 @@
 #include "global_recovery.hpp"
 
 #include <algorithm>
+#include <atomic>
+#include <functional>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -20,8 +23,10 @@ constexpr int highestDegree = 2; ///< of stresses in space
 class GlobalStages
 {
 public:
-  GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, int threads)
-      : scene_(scene), fields_(fields), steps_(steps), threads_(threads)
+  /// onStep: called after every step of one field, of several threads at once.
+  GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, int threads,
+               std::function<void()> onStep)
+      : scene_(scene), fields_(fields), steps_(steps), threads_(threads), onStep_(std::move(onStep))
   {
     for (const SceneField& field : fields) {
       stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
@@ -59,7 +64,7 @@ private:
     const StressCells cells(std::move(pointers));
     const StressFaces faces(cells, contact);
     runConcurrently(int(bodies.size()), threads, [&](int i) { balance(bodies[std::size_t(i)], faces); });
-    StressDescent(faces, contact, descentFields()).lower(steps_);
+    StressDescent(faces, contact, descentFields()).lower(steps_, onStep_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
         stresses_[f].onNeumann = stresses_[f].onDirichlet;
@@ -111,6 +116,7 @@ private:
   const RecoveryScene& scene_;
   const std::vector<SceneField>& fields_;
   int steps_, threads_;
+  std::function<void()> onStep_;
   std::vector<SceneStress> stresses_; ///< per field
 };
 
@@ -122,7 +128,9 @@ public:
   std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
                                    Ledger& ledger) const override
   {
-    GlobalStages stages(scene, fields, steps_, comm.size() > 1 ? 1 : numThreads(comm));
+    std::atomic<std::int64_t> step = 0;
+    const auto onStep = [&] { ledger.tell(Depth::Step, {"step", ++step}); };
+    GlobalStages stages(scene, fields, steps_, comm.size() > 1 ? 1 : numThreads(comm), onStep);
     std::vector<SceneStress> stresses = stages.run();
     ledger.count("recovery steps", std::int64_t(steps_) * std::int64_t(fields.size()));
     return stresses;

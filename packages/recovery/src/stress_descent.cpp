@@ -164,7 +164,7 @@ std::vector<char> StressDescent::held(const std::vector<char>& facets) const
   return blocks;
 }
 
-void StressDescent::lower(int steps)
+void StressDescent::lower(int steps, const std::function<void()>& onStep)
 {
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     Vector forces = faceForces(start_[f]);
@@ -174,11 +174,12 @@ void StressDescent::lower(int steps)
     Vector residual = gradientOf(forces);
     for (double& value : residual)
       value = -value;
-    lower(fields_[f], std::move(residual), steps);
+    lower(fields_[f], std::move(residual), steps, onStep);
   }
 }
 
-void StressDescent::lower(const DescentField& field, Vector residual, int steps) const
+void StressDescent::lower(const DescentField& field, Vector residual, int steps,
+                          const std::function<void()>& onStep) const
 {
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
@@ -203,6 +204,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + kept * p[i];
     rz = next;
+    onStep();
   }
   add(faceTractions(x), field);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "ndframe/equilibrium/stress_correction.hpp"
@@ -33,11 +34,11 @@ public:
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
 
-  /// Takes `steps` steps, every field for itself.
-  void lower(int steps);
+  /// Takes `steps` steps, every field for itself; calls `onStep` after each.
+  void lower(int steps, const std::function<void()>& onStep);
 
 private:
-  void lower(const DescentField& field, Vector residual, int steps) const;
+  void lower(const DescentField& field, Vector residual, int steps, const std::function<void()>& onStep) const;
   void addStart(int body, int cell, const CellMap& map, const DenseMatrix& A);
   Vector gradientOf(const Vector& faceForces) const;
   Vector faceTractions(const Vector& unknowns) const;

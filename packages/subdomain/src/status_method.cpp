@@ -105,6 +105,7 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
     if (proximal > limits.passes)
       throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
                                      joined(system.motions())));
+    ledger.tell(Depth::Pass, {"status pass", state.passes + 1});
     solvePass(system, closed, held ? 0.0 : std::max(limits.weight, std::pow(proximalDecay, proximal)), pass);
     ++state.passes;
     ledger.count("status passes");

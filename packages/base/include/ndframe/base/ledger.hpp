@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/live/progress_state.hpp"
+
 namespace ndframe
 {
 
@@ -41,10 +43,12 @@ public:
     double start_;
   };
 
-  /// With a log given, a terminal shows a live line for every stage that lasts longer than a second.
+  /// With a log given, its live line shows the stages and how far they are.
   explicit Ledger(const Log* live = nullptr) : live_(live) {}
 
   void count(const std::string& what, std::int64_t amount = 1);
+  /// How far something is: shown, not kept. Costs a lock.
+  void tell(Depth depth, const Progress& progress) const;
   /// Forgets all counts and stages: another run begins, and factors of the last one may go on counting here.
   void restart();
   /// 0 for what never happened.

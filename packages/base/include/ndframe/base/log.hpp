@@ -2,8 +2,11 @@
 
 #include <chrono>
 #include <memory>
+#include <optional>
 #include <ostream>
 #include <string>
+
+#include "ndframe/live/progress_state.hpp"
 
 namespace ndframe
 {
@@ -15,36 +18,41 @@ enum class Verbosity
   Verbose
 };
 
-/// The screen. Only the rank that is told to speaks. No state other than the live line of a terminal.
+class LiveLine;
+
+/// The screen, and the file of --log (transcript.hpp). Only the rank that is told to speaks. No state other than the
+/// live line of a terminal.
 class Log
 {
 public:
-  /// `terminal`: the stream is a terminal, so a live line may be drawn (and erased) on it. `patience`: how long a stage
-  /// is silent on anything else before a line says that it goes on.
+  /// `terminal`: the stream is a terminal, so a live line may be drawn (and erased) on it. `patience`: how long it may
+  /// be silent before a line says what goes on, 1 s on a terminal and 10 s elsewhere without it; 0: for ever.
   Log(std::ostream& stream, Verbosity verbosity, bool speaks, bool terminal,
-      std::chrono::milliseconds patience = std::chrono::seconds(10));
+      std::optional<std::chrono::milliseconds> patience = {});
   ~Log();
   Log(const Log&) = delete;
   Log& operator=(const Log&) = delete;
 
   /// Header, sweeps, tables: everything a normal run prints. `text` is one or several lines without the last newline.
+  /// With Quiet only the file gets it.
   void line(const std::string& text) const;
   /// Details, only with -v.
   void detail(const std::string& text) const;
 
-  /// Until stopLive(): draws "  <what> ..." on a terminal once a second has passed; on a pipe or in a file one line
-  /// "  <what> ... 10 s" after each 10, 20, 40, ... s without any other.
-  void startLive(const std::string& what) const;
-  void stopLive() const;
+  /// Until endStage(), a live line "  <stage>, <how far> ... 12 s" may be shown (live_line.hpp); the seconds are those
+  /// of this log.
+  void beginStage(const std::string& stage) const;
+  void endStage(const std::string& stage) const;
+  /// How far something is, for the live line.
+  void tell(Depth depth, const Progress& progress) const;
 
 private:
-  class Live;
   void print(const std::string& text) const;
 
   std::ostream& stream_;
   Verbosity verbosity_;
   bool speaks_;
-  std::unique_ptr<Live> live_; ///< null if nothing is to be said
+  std::unique_ptr<LiveLine> live_; ///< null if nothing is to be said
 };
 
 /// A sink for tests and library use.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 
@@ -44,9 +45,13 @@ public:
     int iterations; ///< of this call
   };
 
+  /// Called every ten iterations, on all ranks alike; residual: CG's own, relative to the right-hand side. Does not
+  /// throw.
+  using Watch = std::function<void(int iteration, double residual)>;
+
   /// K_ii x_i = b_i from x = 0 until CG's own residual is below `tolerance` |b_i|, or maxIterations. `b` is replicated,
   /// zero outside the interior. Throws SingularBody when CG meets a direction without energy.
-  virtual Result solve(const Vector& b, double tolerance, int maxIterations) const = 0;
+  virtual Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const = 0;
 };
 
 /// The unknowns of a joined system.
@@ -76,7 +81,7 @@ public:
 
 /// What Belos, Ifpack2 and MueLu do for us. The implementation is a module of its own (package krylov), because the
 /// dynamic linker takes longer for these libraries than a small scene takes. Only this header and those that it
-/// includes are common to module and program; the module calls no function of the program.
+/// includes are common to module and program; the module calls no function of the program but those it is handed.
 ///
 /// The valid lists hold all keys that a library knows, with their defaults.
 class KrylovLibrary
