@@ -38,6 +38,29 @@ AccuracySummary sampleAccuracy()
   return {"Displacement", 0.06, true, true, "", {first, second}, 2};
 }
 
+/// A point, a line and a side, in the plane.
+std::vector<ProbeSummary> sampleProbes()
+{
+  PointSummary point;
+  point.point = {1.0, 0.5};
+  point.displacement = {0.25, -0.125};
+  point.stress = {-1.0, -2.0, -0.75, 0.5, 0.0, 0.0};
+  point.vonMises = 1.5;
+  PointSummary touching = point;
+  touching.contactPressure = 1.75;
+  touching.contactGap = 0.0;
+  ProbeSummary tip, line, side;
+  tip.name = "tip";
+  line.name = "a line, with a comma";
+  side.name = "base";
+  tip.body = line.body = side.body = "punch";
+  line.isLine = true;
+  tip.points = {point};
+  line.points = {point, touching};
+  side.side = SideSummary{"bottom", 2.0, {0.0, -0.25}, {0.5, 1.0}, {-0.125}, {1.0, -1.0}};
+  return {tip, line, side};
+}
+
 } // namespace
 
 RunSummary singleBodySummary()
@@ -96,6 +119,7 @@ RunSummary contactSummary()
   interface.largestPressure = 1.75;
   interface.largestPenetration = 3.1e-17;
   summary.interfaces = {interface};
+  summary.probes = sampleProbes();
   const SweepSummary first{1, 2.0, 0.5, 1, 2, 60, 1, -1.0, 0.0, 0.0, "first"};
   const SweepSummary second{2, std::numeric_limits<double>::quiet_NaN(), 0.5, 0, 1, 60, 1, -1.0, -0.5, 0.0, ""};
   summary.coupling = CouplingSummary{"Neumann-Dirichlet", 2, true, "eps_tau 0.091 < 0.1", {first, second}, {}};

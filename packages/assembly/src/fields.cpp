@@ -13,22 +13,11 @@ namespace
 template <int dim, int order>
 std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, const Vector& displacement)
 {
-  constexpr int strains = dim == 2 ? 3 : 6;
   std::vector<std::array<double, 6>> all(std::size_t(body.mesh.numCells()));
-  double centroid[dim + 1], strain[strains], stress[strains];
+  double centroid[dim + 1];
   std::fill(centroid, centroid + dim + 1, 1.0 / (dim + 1));
-  for (int c = 0; c < body.mesh.numCells(); ++c) {
-    const CellField<dim, order> cell(body, displacement, c);
-    cell.evaluate(centroid, strain, stress);
-    if constexpr (dim == 3)
-      std::copy_n(stress, 6, all[std::size_t(c)].begin());
-    else {
-      double outOfPlane = 0.0;
-      for (std::size_t i = 0; i < 3; ++i)
-        outOfPlane += cell.law.outOfPlane[i] * strain[i];
-      all[std::size_t(c)] = {stress[0], stress[1], outOfPlane, stress[2], 0.0, 0.0};
-    }
-  }
+  for (int c = 0; c < body.mesh.numCells(); ++c)
+    all[std::size_t(c)] = CellField<dim, order>(body, displacement, c).fullStress(centroid);
   return all;
 }
 

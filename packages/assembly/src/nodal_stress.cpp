@@ -28,22 +28,11 @@ void nodeCoordinates(double* lambda)
         lambda[(Basis::vertices + e) * (dim + 1) + end] = 0.5;
 }
 
-template <int dim>
-std::array<double, 6> fullStress(const Elasticity& law, const double* strain, const double* stress)
-{
-  if constexpr (dim == 3)
-    return {stress[0], stress[1], stress[2], stress[3], stress[4], stress[5]};
-  double outOfPlane = 0.0;
-  for (std::size_t i = 0; i < 3; ++i)
-    outOfPlane += law.outOfPlane[i] * strain[i];
-  return {stress[0], stress[1], outOfPlane, stress[2], 0.0, 0.0};
-}
-
 template <int dim, int order>
 std::vector<std::array<double, 6>> averageAtNodes(const BodyModel& body, const Vector& displacement)
 {
-  constexpr int nodes = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
-  double lambda[nodes * (dim + 1)], strain[strains], stress[strains];
+  constexpr int nodes = Lagrange<dim, order>::nodes;
+  double lambda[nodes * (dim + 1)];
   nodeCoordinates<dim, order>(lambda);
   std::vector<std::array<double, 6>> sum(std::size_t(body.nodes.numNodes()));
   Vector weight(sum.size(), 0.0);
@@ -51,8 +40,7 @@ std::vector<std::array<double, 6>> averageAtNodes(const BodyModel& body, const V
     const CellField<dim, order> cell(body, displacement, c);
     const double measure = cellMeasure(body.mesh, c);
     for (int a = 0; a < nodes; ++a) {
-      cell.evaluate(lambda + a * (dim + 1), strain, stress);
-      const auto value = fullStress<dim>(cell.law, strain, stress);
+      const auto value = cell.fullStress(lambda + a * (dim + 1));
       const auto node = std::size_t(body.nodes.cell(c)[a]);
       weight[node] += measure;
       for (std::size_t i = 0; i < value.size(); ++i)

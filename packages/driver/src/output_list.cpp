@@ -1,6 +1,7 @@
 #include "output_list.hpp"
 
 #include "ndframe/base/list_specs.hpp"
+#include "probe_list.hpp"
 
 namespace ndframe
 {
@@ -48,6 +49,7 @@ ListSpec outputSpec()
       {"Mean Stress", false,
        "Add the mean of the computed and the equilibrated stress to NAME.e (mean_stress_xx, ...): its error is bounded "
        "by about half of the bound (needs the estimator Global)."}};
+  list.lists = {probesSpec()};
   return list;
 }
 
@@ -78,6 +80,8 @@ OutputOptions outputOptions(const Params& deck)
   options.steps = stepsNames().value(list.get<std::string>("Steps"));
   options.equilibratedStress = list.get<bool>("Equilibrated Stress");
   options.meanStress = list.get<bool>("Mean Stress");
+  options.probes = probesOf(list);
+  options.probeTable = !options.probes.empty() && list.sub("Probes").get<bool>("Table");
   return options;
 }
 

@@ -119,6 +119,9 @@ void setOutput(DeckList& deck, const Study& study, const std::string& caseName, 
   else
     for (const char* file : {"Exodus", "Summary", "Contact Table", "Level Table", "All Levels"})
       applySetting(deck, fmt::format("Output/{}=false", file), diagnostics);
+  const DeckList* const output = deck.findList("Output");
+  if (!study.writesFiles && output->findList("Probes") != nullptr)
+    applySetting(deck, "Output/Probes/Table=false", diagnostics);
 }
 
 /// The values of the case with this number, axis by axis.

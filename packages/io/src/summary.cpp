@@ -175,6 +175,8 @@ void eraseSolution(Json& json)
                             "contact_area", "end_points", "end_brackets", "largest_pressure", "largest_penetration"})
       if (interface.contains(key))
         interface[key] = nullptr;
+  if (json.contains("probes"))
+    json["probes"] = nullptr;
   for (auto& residual : json["residuals"])
     residual = nullptr;
   if (auto& coupling = json["coupling"]; coupling.is_object() && coupling["history"].empty())
@@ -210,6 +212,8 @@ Json summaryJson(const RunSummary& summary)
             {"accuracy", accuracyJson(summary.accuracy)},
             {"expectations", arrayOf(summary.expectations, expectationJson)},
             {"ledger", ledgerJson(summary)}};
+  if (!summary.probes.empty())
+    json["probes"] = probesJson(summary.probes);
   if (!summary.solved)
     eraseSolution(json);
   return json;

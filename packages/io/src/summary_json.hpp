@@ -16,6 +16,9 @@ Json errorsJson(const std::optional<ErrorSummary>& errors);
 Json energyJson(const std::optional<EnergySummary>& energy);
 Json bracketOrNull(const std::optional<NumberBracket>& bracket);
 
+/// The probes of a deck that has some.
+Json probesJson(const std::vector<ProbeSummary>& probes);
+
 /// The levels of a run with a target; null for a run without one.
 Json accuracyJson(const std::optional<AccuracySummary>& accuracy);
 

@@ -23,7 +23,8 @@ namespace
 {
 
 constexpr std::array<const char*, 3> axisNames{"x", "y", "z"};
-constexpr const char *fieldsEnding = ".e", *contactEnding = ".contact.csv", *levelsEnding = ".levels.csv";
+constexpr const char *fieldsEnding = ".e", *contactEnding = ".contact.csv", *levelsEnding = ".levels.csv",
+                     *probesEnding = ".probes.csv";
 
 /// A vector as the variables PREFIXx, PREFIXy(, PREFIXz).
 std::vector<NamedField> vectorFields(const std::string& prefix, const Vector& values, std::size_t dim)
@@ -219,13 +220,20 @@ std::vector<std::string> writeSolution(const Run& run, const OutputOptions& outp
                    writeTextAtomically(written.back(), contactCsv(sortedAlong(run.model.interfaces, run.solved.contact),
                                                                   run.model.bodies.front().mesh.dim)));
     }
+    if (output.probeTable) {
+      written.push_back(stem + probesEnding);
+      ledger.count("bytes written", writeTextAtomically(written.back(), probesCsv(run.summary.probes,
+                                                                                  run.model.bodies.front().mesh.dim)));
+    }
   }
   return written;
 }
 
 /// An earlier run's solution must not stand beside the summary of a run that has none.
-void removeSolution(const Plan& plan, const std::string& stem)
+void removeSolution(const Plan& plan, const OutputOptions& output, const std::string& stem)
 {
+  if (output.probeTable)
+    removeEarlier(stem + probesEnding);
   if (plan.runs(Stage::Stress))
     removeEarlier(stem + fieldsEnding);
   if (plan.runs(Stage::ContactTable))
@@ -241,7 +249,7 @@ std::vector<std::string> writeFiles(Run& run, const OutputOptions& output, const
   if (run.summary.solved)
     written = writeSolution(run, output, stem, deckName, ledger);
   else
-    removeSolution(run.plan, stem);
+    removeSolution(run.plan, output, stem);
   if (run.summary.accuracy)
     writeLevels(run, output, stem, ledger, written);
   copyLedger(run.summary, ledger, run.startSeconds);

@@ -50,8 +50,8 @@ void checkNameLength(const OutputOptions& output, const std::string& name)
 void checkOutput(const RunSettings& settings, const std::string& deckName)
 {
   const OutputOptions& output = settings.output;
-  const bool writes =
-      output.exodus || output.summary || output.contactTable || (settings.accuracy && output.levelTable);
+  const bool writes = output.exodus || output.summary || output.contactTable || output.probeTable ||
+                      (settings.accuracy && output.levelTable);
   if (!writes)
     return;
   std::filesystem::path folder = absoluteFolder(output);

@@ -5,6 +5,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/run/summarize.hpp"
+#include "probes.hpp"
 
 namespace ndframe
 {
@@ -93,8 +94,11 @@ bool isQuantity(const std::string& path, const RunSummary& outline, const RunSet
   return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, settings), ofFirst(path));
 }
 
-void checkExpectationNames(const RunSummary& outline, const RunSettings& settings, Diagnostics& diagnostics)
+void checkWantedNumbers(const Model& model, const RunSettings& settings, const LinearSolver& solver,
+                        Diagnostics& diagnostics)
 {
+  checkProbes(model, settings.output.probes, diagnostics);
+  const RunSummary outline = outlineSummary(model, settings, solver, 1);
   for (const Expectation& expectation : settings.expectations) {
     const std::string& quantity = expectation.quantity;
     if (!isQuantity(quantity, outline, settings))

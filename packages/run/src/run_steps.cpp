@@ -186,7 +186,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
     checkFieldNames(model, deck, diagnostics);
   checkMemory(model, deck, *tools.solver, tools.comm, diagnostics);
   checkRecovery(model, tools, diagnostics);
-  checkExpectationNames(outlineSummary(model, tools.settings, *tools.solver, 1), tools.settings, diagnostics);
+  checkWantedNumbers(model, tools.settings, *tools.solver, diagnostics);
   if (tools.settings.strictInput)
     refuseWarnings(model, tools.settings, diagnostics);
   diagnostics.throwIfAny();

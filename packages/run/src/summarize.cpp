@@ -7,6 +7,7 @@
 #include "ndframe/run/contact_ends.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/warnings.hpp"
+#include "probes.hpp"
 
 namespace ndframe
 {
@@ -183,6 +184,7 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
     outline.nodes = interface.numNodes();
     summary.interfaces.push_back(std::move(outline));
   }
+  summary.probes = outlineProbes(model, settings.output.probes);
   if (!model.interfaces.empty()) {
     summary.coupling.emplace();
     summary.coupling->type = settings.coupling;
@@ -215,6 +217,7 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
     return;
   completeBodies(run, comm);
   completeInterfaces(run);
+  run.summary.probes = sampleProbes(run, settings.output.probes);
   addWarnings(run.summary, answerWarnings(run, settings.deck));
   run.summary.residuals =
       residuals(run.model, run.condensed, run.solved.coupling.state, run.solved.fields, run.solved.contact, comm);

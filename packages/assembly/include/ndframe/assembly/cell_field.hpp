@@ -1,5 +1,7 @@
 #pragma once
 
+#include <array>
+
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/mechanics/kernels.hpp"
 
@@ -27,6 +29,19 @@ struct CellField
   void evaluate(const double* lambda, double* strain, double* stress) const
   {
     stressAt<dim, order>(points, law, lambda, u, strain, stress);
+  }
+
+  /// The stress as (xx, yy, zz, xy, yz, xz).
+  std::array<double, 6> fullStress(const double* lambda) const
+  {
+    double strain[strains], stress[strains];
+    evaluate(lambda, strain, stress);
+    if constexpr (dim == 3)
+      return {stress[0], stress[1], stress[2], stress[3], stress[4], stress[5]};
+    double outOfPlane = 0.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      outOfPlane += law.outOfPlane[i] * strain[i];
+    return {stress[0], stress[1], outOfPlane, stress[2], 0.0, 0.0};
   }
 };
 

@@ -10,6 +10,7 @@
 #include "ndframe/io/accuracy_summary.hpp"
 #include "ndframe/io/body_summary.hpp"
 #include "ndframe/io/error_summary.hpp"
+#include "ndframe/io/probe_summary.hpp"
 
 namespace ndframe
 {
@@ -121,6 +122,7 @@ struct RunSummary
   std::vector<BodySummary> bodies;
   double energy = 0.0; ///< sum over bodies
   std::vector<InterfaceSummary> interfaces;
+  std::vector<ProbeSummary> probes;        ///< none: the deck has none
   std::optional<CouplingSummary> coupling; ///< absent without interfaces
   ResidualSummary residuals;
   std::vector<WarningSummary> warnings;

@@ -1,8 +1,10 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "ndframe/base/list_place.hpp"
+#include "ndframe/run/probe_options.hpp"
 
 namespace ndframe
 {
@@ -26,6 +28,8 @@ struct OutputOptions
   bool allLevels = false; ///< every level of a run with a target
   StepsWritten steps = StepsWritten::Final;
   bool equilibratedStress = false, meanStress = false; ///< in NAME.e
+  std::vector<ProbeOptions> probes;                    ///< in the summary
+  bool probeTable = false;                             ///< and in NAME.probes.csv
 };
 
 } // namespace ndframe

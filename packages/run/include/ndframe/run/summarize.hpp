@@ -30,7 +30,9 @@ void checkExpectations(RunSummary& summary, const std::vector<Expectation>& expe
 /// True when `path` names a number of the summary that this deck will give. `outline`: outlineSummary.
 bool isQuantity(const std::string& path, const RunSummary& outline, const RunSettings& settings);
 
-/// Refuses expectations that name a quantity that this deck does not have.
-void checkExpectationNames(const RunSummary& outline, const RunSettings& settings, Diagnostics& diagnostics);
+/// Refuses probes of places that the model does not have, and expectations of quantities that the summary will not
+/// have.
+void checkWantedNumbers(const Model& model, const RunSettings& settings, const LinearSolver& solver,
+                        Diagnostics& diagnostics);
 
 } // namespace ndframe

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <array>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace ndframe
+{
+
+/// A solution at one point of a body.
+struct PointSummary
+{
+  std::vector<double> point, displacement; ///< dim each
+  std::array<double, 6> stress{};          ///< (xx, yy, zz, xy, yz, xz)
+  double vonMises = 0.0;
+  std::optional<double> contactPressure, contactGap; ///< where the point lies on an interface
+};
+
+/// Integrals over a side of a body.
+struct SideSummary
+{
+  std::string side;
+  double measure = 0.0;             ///< length or area
+  std::vector<double> displacement; ///< mean
+  std::vector<double> force;        ///< int sigma_h n dS
+  std::vector<double> moment;       ///< about `about`: about z in the plane, about x, y, z in space
+  std::vector<double> about;
+};
+
+/// What one entry of Output/Probes found: a point, the points of a line, or a side.
+struct ProbeSummary
+{
+  std::string name, body;
+  bool isLine = false;
+  std::vector<PointSummary> points; ///< one unless it is a line; none of a side
+  std::optional<SideSummary> side;
+};
+
+/// NAME.probes.csv: a line of names, then one line a point or side. Columns that say nothing of a probe are empty.
+/// 17 significant digits. 2-D files have no z components, and one moment.
+std::string probesCsv(const std::vector<ProbeSummary>& probes, int dim);
+
+} // namespace ndframe
