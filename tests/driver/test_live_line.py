@@ -128,6 +128,18 @@ class Pipe(Folder):
         self.assertRegex(text, r"(?m)^  case 1 of 4, 0 %, \w+, bodies done \d of 2, \d+ % ")
         self.assertRegex(text, r"(?m)^  case [234] of 4, \d+ % \(about \d+ s left\), ")
 
+    def test_says_how_far_levels_are(self):
+        _, text = on_pipe(PUNCH, *self.output, "--live", "0.005", "--set", "Accuracy/Target=0.001")
+        self.assertRegex(text, r"(?m)^  level \d+, bound \d\.\d+ \(until 0\.001\), [a-z ]+ ")
+
+    def test_says_how_far_iterations_and_certificates_of_solids_are(self):
+        block = str(DECKS.parent / "regression/cases/multigrid/multigrid.xml")
+        code, text = on_pipe(block, *self.output, "--live", "0.01", "--set", "Bodies/block/Mesh/Cells={10, 10, 10}")
+        self.assertEqual(code, 0, text)
+        self.assertRegex(text, r"(?m)^  recover, iteration \d+, residual \S+ \(until 1e-12, about \d+ s left\) \.\.\. \d+ s$")
+        for part in ("cell", "step"):
+            self.assertRegex(text, rf"(?m)^  certify recovery, {part} \d+ of \d+, \d+ % ")
+
     def test_a_wrong_patience_is_refused(self):
         for wrong in ("-1", "soon"):
             code, text = on_pipe(PUNCH, "--live", wrong)

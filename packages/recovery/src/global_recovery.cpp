@@ -2,8 +2,6 @@
 
 #include <algorithm>
 #include <atomic>
-#include <functional>
-#include <utility>
 
 #include <fmt/format.h>
 
@@ -19,14 +17,44 @@ namespace
 
 constexpr int highestDegree = 2; ///< of stresses in space
 
+/// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken. Any
+/// thread may say so.
+class RecoveryProgress
+{
+public:
+  RecoveryProgress(const RecoveryScene& scene, std::size_t descents, int steps, Ledger& ledger)
+      : ledger_(ledger), steps_(std::int64_t(descents) * steps)
+  {
+    for (const BodyModel* body : scene.bodies)
+      if (!body->isRigid) {
+        stars_ += body->mesh.numPoints();
+        cells_ += body->mesh.numCells();
+      }
+  }
+
+  void starIsBalanced() { tell("star", ++balanced_, stars_); }
+  void cellIsRead() { tell("cell", ++read_, cells_); }
+  void stepIsTaken() { tell("step", ++taken_, steps_); }
+
+private:
+  void tell(const char* name, std::int64_t number, std::int64_t of)
+  {
+    ledger_.tell(Depth::Step, Progress::part(name, number, of, double(number) / double(of)));
+  }
+
+  Ledger& ledger_;
+  std::int64_t stars_ = 0, cells_ = 0, steps_;
+  std::atomic<std::int64_t> balanced_ = 0, read_ = 0, taken_ = 0;
+};
+
 /// One recovery of all fields.
 class GlobalStages
 {
 public:
-  /// onStep: called after every step of one field, of several threads at once.
   GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, int threads,
-               std::function<void()> onStep)
-      : scene_(scene), fields_(fields), steps_(steps), threads_(threads), onStep_(std::move(onStep))
+               Ledger& ledger)
+      : scene_(scene), fields_(fields), steps_(steps), threads_(threads),
+        progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, ledger)
   {
     for (const SceneField& field : fields) {
       stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
@@ -44,7 +72,7 @@ public:
         elastic.push_back(int(b));
         sizes.push_back(scene_.bodies[b]->numDofs());
       }
-    if (std::any_of(fields_.begin(), fields_.end(), [](const SceneField& field) { return field.optimise; }))
+    if (optimises())
       recover(elastic, scene_.facets, threads_);
     else
       runLargestFirst(sizes, threads_, [&](int i) { recover({elastic[std::size_t(i)]}, {}, 1); });
@@ -64,10 +92,22 @@ private:
     const StressCells cells(std::move(pointers));
     const StressFaces faces(cells, contact);
     runConcurrently(int(bodies.size()), threads, [&](int i) { balance(bodies[std::size_t(i)], faces); });
-    StressDescent(faces, contact, descentFields()).lower(steps_, onStep_);
+    const DescentWatch watch{[this] { progress_.cellIsRead(); }, [this] { progress_.stepIsTaken(); }};
+    StressDescent(faces, contact, descentFields(), watch).lower(steps_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
         stresses_[f].onNeumann = stresses_[f].onDirichlet;
+  }
+
+  bool optimises() const
+  {
+    return std::any_of(fields_.begin(), fields_.end(), [](const SceneField& field) { return field.optimise; });
+  }
+
+  std::size_t numElastic() const
+  {
+    return std::size_t(std::count_if(scene_.bodies.begin(), scene_.bodies.end(),
+                                     [](const BodyModel* body) { return !body->isRigid; }));
   }
 
   bool changes(std::size_t field) const { return fields_[field].optimise && steps_ > 0; }
@@ -110,13 +150,14 @@ private:
         corrections[f]->imbalance = std::max(corrections[f]->imbalance, left[f]);
         corrections[f]->force = std::max(corrections[f]->force, force[f]);
       }
+      progress_.starIsBalanced();
     }
   }
 
   const RecoveryScene& scene_;
   const std::vector<SceneField>& fields_;
   int steps_, threads_;
-  std::function<void()> onStep_;
+  RecoveryProgress progress_;
   std::vector<SceneStress> stresses_; ///< per field
 };
 
@@ -128,9 +169,7 @@ public:
   std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
                                    Ledger& ledger) const override
   {
-    std::atomic<std::int64_t> step = 0;
-    const auto onStep = [&] { ledger.tell(Depth::Step, {"step", ++step}); };
-    GlobalStages stages(scene, fields, steps_, comm.size() > 1 ? 1 : numThreads(comm), onStep);
+    GlobalStages stages(scene, fields, steps_, comm.size() > 1 ? 1 : numThreads(comm), ledger);
     std::vector<SceneStress> stresses = stages.run();
     ledger.count("recovery steps", std::int64_t(steps_) * std::int64_t(fields.size()));
     return stresses;

@@ -9,8 +9,9 @@ namespace ndframe
 {
 
 StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact,
-                             std::vector<DescentField> fields)
-    : faces_(&faces), contact_(&contact), fields_(std::move(fields)), edges_(stressEdges(faces)), blocks_(faces, edges_)
+                             std::vector<DescentField> fields, const DescentWatch& watch)
+    : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), edges_(stressEdges(faces)),
+      blocks_(faces, edges_)
 {
   const StressCells& cells = faces.cells();
   for (const DescentField& field : fields_) {
@@ -22,6 +23,7 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
     const auto use = [&](int cell, const CellMap& map, const DenseMatrix& A) {
       blocks_.add(cells.number(body, cell), map, A);
       addStart(body, cell, map, A);
+      watch_.cellIsRead();
     };
     matrices_.push_back(cells.has(body) ? std::make_unique<StressMatrices>(cells.body(body), use) : nullptr);
   }
@@ -164,7 +166,7 @@ std::vector<char> StressDescent::held(const std::vector<char>& facets) const
   return blocks;
 }
 
-void StressDescent::lower(int steps, const std::function<void()>& onStep)
+void StressDescent::lower(int steps)
 {
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     Vector forces = faceForces(start_[f]);
@@ -174,12 +176,11 @@ void StressDescent::lower(int steps, const std::function<void()>& onStep)
     Vector residual = gradientOf(forces);
     for (double& value : residual)
       value = -value;
-    lower(fields_[f], std::move(residual), steps, onStep);
+    lower(fields_[f], std::move(residual), steps);
   }
 }
 
-void StressDescent::lower(const DescentField& field, Vector residual, int steps,
-                          const std::function<void()>& onStep) const
+void StressDescent::lower(const DescentField& field, Vector residual, int steps) const
 {
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
@@ -204,7 +205,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps,
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + kept * p[i];
     rz = next;
-    onStep();
+    watch_.stepIsTaken();
   }
   add(faceTractions(x), field);
 }

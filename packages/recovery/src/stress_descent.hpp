@@ -19,6 +19,12 @@ struct DescentField
   const Vector* opening = nullptr; ///< SceneField::opening; with a traction
 };
 
+/// Who wants to know how far a descent is.
+struct DescentWatch
+{
+  std::function<void()> cellIsRead, stepIsTaken;
+};
+
 /// Lowers the energy of equilibrated corrections by a few steps of conjugate gradients over all tractions that keep the
 /// balance: what is in balance by itself on every face, and wrenches around every edge.
 ///
@@ -29,16 +35,17 @@ struct DescentField
 class StressDescent
 {
 public:
-  /// Finds all matrices. faces, contact and what the fields point to must outlive it.
-  StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact, std::vector<DescentField> fields);
+  /// Finds all matrices. faces, contact, watch and what the fields point to must outlive it.
+  StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact, std::vector<DescentField> fields,
+                const DescentWatch& watch);
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
 
-  /// Takes `steps` steps, every field for itself; calls `onStep` after each.
-  void lower(int steps, const std::function<void()>& onStep);
+  /// Takes `steps` steps, every field for itself.
+  void lower(int steps);
 
 private:
-  void lower(const DescentField& field, Vector residual, int steps, const std::function<void()>& onStep) const;
+  void lower(const DescentField& field, Vector residual, int steps) const;
   void addStart(int body, int cell, const CellMap& map, const DenseMatrix& A);
   Vector gradientOf(const Vector& faceForces) const;
   Vector faceTractions(const Vector& unknowns) const;
@@ -53,6 +60,7 @@ private:
   const StressFaces* faces_;
   const std::vector<ContactFacet>* contact_;
   std::vector<DescentField> fields_;
+  const DescentWatch& watch_;
   std::vector<Vector> start_; ///< per field A_E x_E, cell by cell
   std::vector<StressEdge> edges_;
   StressBlocks blocks_;
