@@ -13,4 +13,10 @@ install(FILES ${PROJECT_BINARY_DIR}/ndframeConfig.cmake ${PROJECT_BINARY_DIR}/nd
 
 # nddiff compares any two Exodus files; `ndframe report` makes pages. Both look for their modules in ../share/ndframe.
 install(PROGRAMS regression/nddiff DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY regression/harness apps/ndreport DESTINATION ${NDFRAME_SHARE_DIR} PATTERN __pycache__ EXCLUDE)
+install(DIRECTORY regression/harness apps/ndreport python/ndframe DESTINATION ${NDFRAME_SHARE_DIR} PATTERN __pycache__ EXCLUDE)
+# Where Debian's Python looks below the prefix /usr; it finds `import ndframe` there.
+set(NDFRAME_PYTHON_DIR lib/python3/dist-packages)
+file(RELATIVE_PATH NDFRAME_PYTHON_LINK /prefix/${NDFRAME_PYTHON_DIR} /prefix/${NDFRAME_SHARE_DIR}/ndframe)
+file(MAKE_DIRECTORY ${PROJECT_BINARY_DIR}/python_link)
+file(CREATE_LINK ${NDFRAME_PYTHON_LINK} ${PROJECT_BINARY_DIR}/python_link/ndframe SYMBOLIC)
+install(FILES ${PROJECT_BINARY_DIR}/python_link/ndframe DESTINATION ${NDFRAME_PYTHON_DIR})

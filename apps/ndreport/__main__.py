@@ -29,9 +29,9 @@ def main(arguments):
 
 
 def homes():
-    """Folders of the packages ndreport and harness: one when they are installed, two in the sources."""
+    """Folders of the packages ndreport and ndframe: one when they are installed, two in the sources."""
     here = pathlib.Path(__file__).resolve().parent
-    return [folder for folder in (here.parent, here.parents[1] / "regression") if folder.is_dir()]
+    return [folder for folder in (here.parent, here.parents[1] / "python") if folder.is_dir()]
 
 
 if __name__ == "__main__":

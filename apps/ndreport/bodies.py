@@ -3,6 +3,7 @@
 import dataclasses
 import math
 
+import ndframe
 import numpy
 
 # Facets of a tetrahedron, by its local vertices in an order that points outwards, and its node in the middle of two vertices.
@@ -22,7 +23,6 @@ class Piece:
 
     name: str
     body: int
-    number: int
     nodes: numpy.ndarray
     owner: numpy.ndarray
     rigid: bool
@@ -47,35 +47,25 @@ class Bodies:
         self.decks = results.deck["Bodies"]
         self.points = self.fields.points
         self.dim = self.points.shape[1]
-        self.displacement = self.vector("disp_")
-        self.offset = self.vector("offset_")
-        self.pieces = [self.piece(name, block) for name, block in self.fields.blocks.items()]
+        self.displacement = self.fields.displacement
+        self.offset = self.fields.vector("offset") if "offset_x" in self.fields.names("nodal") else None
+        self.pieces = [self.piece(name) for name in self.fields.blocks]
         self.contact = results.contact
-
-    def vector(self, prefix):
-        names = self.fields.variables("nodal")
-        if prefix + "x" not in names:
-            return None
-        return numpy.stack([self.nodal(prefix + axis) for axis in "xyz"[: self.dim]], axis=1)
-
-    def nodal(self, name):
-        return numpy.array(self.fields.values("nodal", name)[-1], float)
 
     def element(self, name, piece):
         """Values of the block's elements; None where there are none."""
-        if name not in self.fields.variables("element"):
+        try:
+            return self.fields.element(name, piece.name)
+        except ndframe.ReadError:
             return None
-        values = self.fields.values("element", name, piece.number)
-        return None if values is None else numpy.array(values[-1], float)
 
-    def piece(self, name, block):
-        body = self.body_of(name)
+    def piece(self, name):
+        body, cells = self.body_of(name), self.fields.nodes(name)
         rigid = "Rigid" in self.decks.get(self.names[body], {})
         if self.dim == 2:
-            return Piece(name, body, block.entity.number, oriented(self.points, block.nodes), numpy.arange(len(block.nodes)),
-                         rigid)
-        nodes, owner = outside(block.nodes)
-        return Piece(name, body, block.entity.number, nodes, owner, rigid)
+            return Piece(name, body, oriented(self.points, cells), numpy.arange(len(cells)), rigid)
+        nodes, owner = outside(cells)
+        return Piece(name, body, nodes, owner, rigid)
 
     def body_of(self, block):
         fits = [i for i, name in enumerate(self.names) if block == name or block.startswith(name + ":")]
@@ -84,19 +74,12 @@ class Bodies:
     def elastic(self):
         return [piece for piece in self.pieces if not piece.rigid]
 
-    def facets(self, side_set):
-        """[facets, vertices] of a side set, by the file's node numbers; the vertices first, nodes between them left out."""
-        chosen, count = self.fields.side_sets[side_set], self.dim
-        local = {2: ((0, 1), (1, 2), (2, 0)), 3: ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1))}[count]
-        found = [self.fields.nodes_of(e)[list(local[s - 1])] for e, s in zip(chosen.elements, chosen.sides)]
-        return numpy.array(found, int).reshape(-1, count)
-
-    def facet_values(self, side_set, name):
-        """Values on a side set's facets, None where there are none."""
-        if side_set not in self.fields.side_sets or name not in self.fields.variables("side set"):
+    def facet_values(self, side, name):
+        """Values on a side's facets, None where there are none."""
+        try:
+            return self.fields.on_facets(name, side)
+        except ndframe.ReadError:
             return None
-        values = self.fields.values("side set", name, self.fields.side_sets[side_set].entity.number)
-        return None if values is None else numpy.array(values[-1], float)
 
     def size(self):
         """Diagonal of the box around the elastic bodies."""
@@ -105,11 +88,11 @@ class Bodies:
 
     def stress_at_nodes(self, piece):
         """von Mises stress at the nodes: the file's, except where blocks meet and values of two materials were mixed."""
-        values = self.nodal("von_mises").copy()
+        values = self.fields.nodal("von_mises")
         shared = numpy.zeros(len(self.points), int)
-        for other in self.fields.blocks.values():
-            shared[numpy.unique(other.nodes)] += 1
-        own = self.fields.blocks[piece.name].nodes
+        for block in self.fields.blocks:
+            shared[numpy.unique(self.fields.nodes(block))] += 1
+        own = self.fields.nodes(piece.name)
         border = numpy.unique(own)
         border = border[shared[border] > 1]
         if border.size and (cells := self.element("von_mises", piece)) is not None:
@@ -185,9 +168,9 @@ def apart(gaps, factor):
 def drawn_overlap(bodies, points):
     """How deep the sides of plane interfaces lie in each other when their nodes are drawn at these points."""
     deepest = 0.0
-    names = [name[: -len(":dirichlet")] for name in bodies.fields.side_sets if name.endswith(":dirichlet")] if bodies.dim == 2 else []
+    names = [name[: -len(":dirichlet")] for name in bodies.fields.sides if name.endswith(":dirichlet")] if bodies.dim == 2 else []
     for name in names:
-        sides = [points[bodies.facets(f"{name}:{side}")] for side in ("dirichlet", "neumann")]
+        sides = [points[bodies.fields.facets(f"{name}:{side}")] for side in ("dirichlet", "neumann")]
         for one, other in (sides, sides[::-1]):
             some = one[:: max(1, len(one) // 500), 0]
             deepest = max(deepest, depth_below(some, other))

@@ -6,7 +6,9 @@ import pathlib
 import sys
 import tempfile
 
-from .results import Missing, read_results
+import ndframe
+
+from .results import read_results
 
 
 def parse(arguments):
@@ -41,7 +43,7 @@ def run(arguments):
         from .page import page  # loads matplotlib, which a wrong name need not wait for
         path = options.output or pathlib.Path(f"{results.stem}.report.html")
         write_whole(path, page(results))
-    except Missing as error:
+    except ndframe.ReadError as error:
         print(f"ndframe report: {error}", file=sys.stderr)
         return 2
     except OSError as error:

@@ -6,7 +6,7 @@ from matplotlib import colors
 
 def cell_sizes(bodies, piece):
     """Areas or volumes of a block's elements, without their constant factor."""
-    vertices = bodies.points[bodies.fields.blocks[piece.name].nodes[:, : bodies.dim + 1]]
+    vertices = bodies.points[bodies.fields.nodes(piece.name)[:, : bodies.dim + 1]]
     return numpy.abs(numpy.linalg.det(vertices[:, 1:] - vertices[:, :1]))
 
 
@@ -15,7 +15,7 @@ def stress_norm(bodies):
     values, sizes, peak = [], [], (-1.0, None)
     for piece in bodies.elastic():
         nodal = bodies.stress_at_nodes(piece)
-        nodes = bodies.fields.blocks[piece.name].nodes
+        nodes = bodies.fields.nodes(piece.name)
         values.append(nodal[nodes[:, : bodies.dim + 1]].mean(axis=1))
         sizes.append(cell_sizes(bodies, piece))
         own = numpy.unique(nodes)
@@ -51,4 +51,4 @@ def contribution_norm(bodies, name):
 
 
 def contribution_name(bodies):
-    return next((name for name in ("eta_glob", "eta_dis", "eta_nda") if name in bodies.fields.variables("element")), None)
+    return next((name for name in ("eta_glob", "eta_dis", "eta_nda") if name in bodies.fields.names("element")), None)

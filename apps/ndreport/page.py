@@ -4,6 +4,7 @@ import datetime
 import pathlib
 
 import jinja2
+import ndframe
 
 from . import pictures, study_page, tables, words
 from .results import solved
@@ -37,7 +38,7 @@ def content(results):
         "more_bodies": max(0, len(summary["bodies"]) - MOST_BODIES),
         "interfaces": interface_words(summary),
         "pictures": found, "tables": all_tables(results), "sweeps_text": sweeps_text(summary), "solved": solved(summary),
-        "deck": words.deck_text(summary["deck"]), "version": summary["version"], "build": summary.get("build") or {},
+        "deck": ndframe.deck_text(summary["deck"]), "version": summary["version"], "build": summary.get("build") or {},
         "ranks": summary["ranks"], "files": results.files, "gaps": results.gaps, "warnings": summary["warnings"],
         "guarantee": guarantee(summary),
     }

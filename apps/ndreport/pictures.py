@@ -99,7 +99,7 @@ def admissible_steps(bodies, name, table):
     lengths = curves.continued(table["arc_length"])
     for side in (f"{name}:dirichlet", f"{name}:neumann"):  # they lie apart where bodies are drawn apart
         values = bodies.facet_values(side, "admissible_pressure")
-        steps = steps_along(bodies.points[bodies.facets(side)], values, rows, lengths) if values is not None else []
+        steps = steps_along(bodies.points[bodies.fields.facets(side)], values, rows, lengths) if values is not None else []
         if values is not None and len(steps) == len(values):
             return sorted(steps)
     return None

@@ -19,12 +19,12 @@ def sides_of(bodies, what):
     for body in bodies.names:
         for entry in bodies.decks.get(body, {}).get(what, {}).values():
             side = f"{body}:{entry.get('Side', '')}"
-            if side in bodies.fields.side_sets:
+            if side in bodies.fields.sides:
                 yield entry, side
 
 
 def interfaces(bodies):
-    return [name[: -len(":dirichlet")] for name in bodies.fields.side_sets if name.endswith(":dirichlet")]
+    return [name[: -len(":dirichlet")] for name in bodies.fields.sides if name.endswith(":dirichlet")]
 
 
 def tint(body):
@@ -71,7 +71,7 @@ def plane_interfaces(axes, bodies, points):
     names = interfaces(bodies)
     for name in names:
         for side in ("dirichlet", "neumann"):
-            axes.add_collection(LineCollection(points[bodies.facets(f"{name}:{side}")], colors=CONTACT, linewidths=2.6))
+            axes.add_collection(LineCollection(points[bodies.fields.facets(f"{name}:{side}")], colors=CONTACT, linewidths=2.6))
     return [Line2D([], [], color=CONTACT, linewidth=2.6, label="may touch")] if names else []
 
 
@@ -98,7 +98,7 @@ def plane_supports(axes, bodies, points, size):
     """Clamps as hatching, rollers as circles, the others as squares, outside of the body."""
     marks = {}
     for entry, side in sides_of(bodies, "Supports"):
-        facets, kind = bodies.facets(side), entry["Type"]
+        facets, kind = bodies.fields.facets(side), entry["Type"]
         axes.add_collection(LineCollection(points[facets], colors=SUPPORT, linewidths=1.8))
         places, normals = spaced(points, facets, 0.03 * size)
         if kind == "Clamp":
@@ -118,7 +118,7 @@ def plane_loads(axes, bodies, points, size):
     """Arrows that say where and in which sense; lengths mean nothing."""
     found = False
     for entry, side in sides_of(bodies, "Loads"):
-        places, normals = spaced(points, bodies.facets(side), 0.06 * size)
+        places, normals = spaced(points, bodies.fields.facets(side), 0.06 * size)
         direction = direction_of(entry, places, normals)
         arrows(axes, places, direction, 0.075 * size, pulls=(direction * normals).sum(axis=1).mean() > 0.0)
         found = True
@@ -163,7 +163,7 @@ def solid_scene(bodies, view, inks=PAGE):
     points = bodies.points
     names, apart = interfaces(bodies), len(bodies.names) == 2
     if apart and names:
-        moved = numpy.unique(bodies.fields.blocks[block_of(bodies, names[0])].nodes)
+        moved = numpy.unique(bodies.fields.nodes(block_of(bodies, names[0])))
         points = points.copy()
         points[moved] -= 0.2 * bodies.size() * solid_view.outward(bodies, f"{names[0]}:dirichlet")
     colour_at = facet_colours(bodies)
@@ -189,9 +189,9 @@ def solid_scene(bodies, view, inks=PAGE):
 
 def block_of(bodies, interface):
     """The first block of the interface's Dirichlet body."""
-    element = bodies.fields.side_sets[f"{interface}:dirichlet"].elements[0]
-    block = bodies.fields.block_of(element)
-    return next(name for name, other in bodies.fields.blocks.items() if other is block)
+    element = bodies.fields.file.side_sets[f"{interface}:dirichlet"].elements[0]
+    block = bodies.fields.file.block_of(element)
+    return next(name for name, other in bodies.fields.file.blocks.items() if other is block)
 
 
 def facet_colours(bodies):
@@ -201,6 +201,6 @@ def facet_colours(bodies):
     entries += [(HELD, side) for _, side in sides_of(bodies, "Supports")]
     entries += [(CONTACT, f"{name}:{side}") for name in interfaces(bodies) for side in ("dirichlet", "neumann")]
     for colour, side in entries:
-        for facet in numpy.sort(bodies.facets(side), axis=1).tolist():
+        for facet in numpy.sort(bodies.fields.facets(side), axis=1).tolist():
             found[tuple(facet)] = colors.to_rgb(colour)
     return found

@@ -18,7 +18,7 @@ def views(bodies):
     for piece in bodies.elastic():
         for support in bodies.decks[bodies.names[piece.body]]["Supports"].values():
             side = f"{bodies.names[piece.body]}:{support.get('Side', '')}"
-            if support["Type"] == "Roller" and side in bodies.fields.side_sets:
+            if support["Type"] == "Roller" and side in bodies.fields.sides:
                 direction += outward(bodies, side)
     direction[2] = 0.0
     if numpy.linalg.norm(direction) < 0.5:
@@ -35,7 +35,7 @@ def views(bodies):
 
 def outward(bodies, side_set):
     """Mean normal of a side, out of its body."""
-    corners = bodies.points[bodies.facets(side_set)]
+    corners = bodies.points[bodies.fields.facets(side_set)]
     normal = numpy.cross(corners[:, 1] - corners[:, 0], corners[:, 2] - corners[:, 0]).sum(axis=0)
     return normal / max(1e-300, float(numpy.linalg.norm(normal)))
 
@@ -142,9 +142,9 @@ def contribution_picture(bodies, scale, name, norm, view, inks=PAGE):
 def contact_maps(bodies, interface, inks=PAGE):
     """Pressure, admissible pressure and gap of an interface as maps in its mean plane; None without the side."""
     side = f"{interface}:dirichlet"
-    if side not in bodies.fields.side_sets:
+    if side not in bodies.fields.sides:
         return None
-    facets = bodies.facets(side)
+    facets = bodies.fields.facets(side)
     flat, labels = in_plane(bodies, facets, side)
     box = pressed_box(flat, bodies.facet_values(side, "contact_pressure"))
     rows = [(name, values) for name, key in (("contact pressure", "contact_pressure"),

@@ -1,6 +1,10 @@
 """A scene as files: gmsh meshes and a deck for ndframe."""
 
-from xml.sax.saxutils import quoteattr
+import pathlib
+import sys
+
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "python"))
+from ndframe import deck_text  # noqa: E402
 
 
 def write_mesh(mesh, path):
@@ -50,25 +54,8 @@ def deck_of(scene, method):
             "Interfaces": {"contact": contact}, "Discretization": {"Order": scene.order}, **method}
 
 
-def to_xml(name, values, indent=""):
-    """Teuchos XML of nested dictionaries of str, int, float, bool and lists of str or int."""
-    kinds = {str: "string", int: "int", float: "double", bool: "bool"}
-    lines = [f"{indent}<ParameterList name={quoteattr(name)}>"]
-    for key, value in values.items():
-        if isinstance(value, dict):
-            lines.append(to_xml(key, value, indent + "  "))
-            continue
-        kind, text = kinds.get(type(value)), str(value)
-        if isinstance(value, list):
-            kind, text = f"Array({kinds[type(value[0])]})", "{" + ", ".join(map(str, value)) + "}"
-        elif isinstance(value, bool):
-            text = text.lower()
-        lines.append(f"{indent}  <Parameter name={quoteattr(key)} type=\"{kind}\" value={quoteattr(text)}/>")
-    return "\n".join(lines + [f"{indent}</ParameterList>"])
-
-
 def write_scene(scene, method, folder):
     """Meshes and deck.xml in `folder`."""
     write_mesh(scene.upper.mesh, folder / "upper.msh")
     write_mesh(scene.lower.mesh, folder / "lower.msh")
-    (folder / "deck.xml").write_text(to_xml("stress", deck_of(scene, method)) + "\n")
+    (folder / "deck.xml").write_text(deck_text(deck_of(scene, method), "stress") + "\n")

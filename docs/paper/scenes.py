@@ -7,16 +7,17 @@ of cells cut by alternating diagonals. The decks table1.xml, ... are studies of 
 import csv
 import dataclasses
 import functools
-import json
 import pathlib
 import subprocess
+import sys
 import tempfile
 import xml.etree.ElementTree
 
-import netCDF4
 import numpy
 
 HERE = pathlib.Path(__file__).resolve().parent
+sys.path.append(str(HERE.parents[1] / "python"))
+from ndframe import run as run_deck  # noqa: E402
 
 
 def call(ndframe, deck, folder, *arguments):
@@ -38,23 +39,19 @@ def study(ndframe, table, *arguments):
 
 
 class Run:
-    """What one run of the program leaves: the summary, the Exodus file and the contact table."""
+    """What one run of the program leaves: the summary, the fields and the table of the one interface, in order of x."""
 
-    def __init__(self, ndframe, deck, entries):
+    def __init__(self, program, deck, entries):
         with tempfile.TemporaryDirectory() as folder:
-            call(ndframe, deck, folder, *settings(entries))
-            files = pathlib.Path(folder)
-            self.summary = json.loads(next(files.glob("*.summary.json")).read_text())
-            self.exodus = netCDF4.Dataset("memory", memory=next(files.glob("*.e")).read_bytes())
-            self.contact = numpy.genfromtxt(next(files.glob("*.contact.csv")), delimiter=",", names=True, dtype=None, encoding=None)
+            run = run_deck(deck, dict(entry.split("=", 1) for entry in entries), folder=folder, program=program)
+            self.summary, self.fields, (table,) = run.summary, run.fields, run.contact.values()
+        order = numpy.argsort(table["x"])
+        self.contact = {column: values[order] for column, values in table.items()}
 
     def bodies(self, name):
         """For every body: coordinates, triangles by their corners, and the element field `name`."""
-        names = [b"".join(row.compressed()).decode() for row in self.exodus["name_elem_var"][:]]
-        points = numpy.stack([self.exodus[f"coord{axis}"][:].data for axis in "xy"])
-        for block in range(1, len(self.summary["bodies"]) + 1):
-            values = self.exodus[f"vals_elem_var{names.index(name) + 1}eb{block}"][-1].data
-            yield points, self.exodus[f"connect{block}"][:, :3].data - 1, values
+        for block in self.fields.blocks:
+            yield self.fields.points.T, self.fields.triangles(block), self.fields.element(name, block)
 
 
 @dataclasses.dataclass(frozen=True)

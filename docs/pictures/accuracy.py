@@ -5,15 +5,13 @@
 
 Needs python3-netcdf4 and python3-matplotlib. Takes half a minute; seconds want a quiet machine.
 """
-import csv
-import json
 import pathlib
-import subprocess
 import sys
 import tempfile
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
-sys.path[:0] = [str(ROOT / "apps"), str(ROOT / "regression")]
+sys.path[:0] = [str(ROOT / "apps"), str(ROOT / "python")]
+import ndframe  # noqa: E402
 from ndreport import fields, plane_view, style  # noqa: E402
 from ndreport.bodies import Bodies  # noqa: E402
 from ndreport.results import read_results  # noqa: E402
@@ -27,30 +25,22 @@ SCENES = {
 }
 
 
-def run(program, folder, scene, *settings):
-    command = [program, "-q", "-i", str(DECKS / f"{scene}.xml"), "--set", f"Output/Directory={folder}"]
-    for setting in settings:
-        command += ["--set", setting]
-    done = subprocess.run(command, stderr=subprocess.PIPE, text=True)
-    if done.returncode not in (0, 4):  # expectations of the deck are about its own mesh
-        sys.exit(f"{' '.join(command)} ended with {done.returncode}: {done.stderr}")
-    return json.loads((folder / f"{scene}.summary.json").read_text())
+def run(program, folder, scene, settings):
+    codes = (0, 4)  # expectations of the deck are about its own mesh
+    return ndframe.run(DECKS / f"{scene}.xml", settings, folder=folder, program=program, codes=codes)
 
 
 def adaptive(program, folder, scene, target):
-    run(program, folder, scene, f"Accuracy/Target={target}")
-    with open(folder / f"{scene}.levels.csv", newline="") as file:
-        return [tuple(float(row[key]) for key in ("dofs", "seconds", "relative")) for row in csv.DictReader(file)]
+    levels = run(program, folder, scene, {"Accuracy/Target": target}).levels
+    return list(zip(levels["dofs"], levels["seconds"], levels["relative"]))
 
 
 def uniform(program, folder, scene, bodies, sizes):
     points = []
     for size in sizes:
-        cells = [f"Bodies/{body}/Mesh/Cells={{{x * size}, {y * size}}}" for body, (x, y) in bodies.items()]
-        summary = run(program, folder, scene, *cells, "Error Estimation/Estimators={Global}",
-                      "Coupling/Stopping/Tolerance=1e-4")
-        dofs = sum(body["dofs"] for body in summary["bodies"])
-        points.append((dofs, summary["ledger"]["total_seconds"], summary["errors"]["global"]["relative"]))
+        cells = {f"Bodies/{body}/Mesh/Cells": [x * size, y * size] for body, (x, y) in bodies.items()}
+        done = run(program, folder, scene, cells | {"Error Estimation/Estimators": ["Global"], "Coupling/Stopping/Tolerance": 1e-4})
+        points.append((done.dofs, done.summary["ledger"]["total_seconds"], done.bound.relative))
     return points
 
 

@@ -4,8 +4,8 @@ import re
 import threading
 
 import numpy
+from ndframe.exodus import VARIABLES, Exodus
 
-from .exodus import VARIABLES, Exodus
 from .mesh_match import MeshMatch, largest, place
 from .report import Report
 from .tolerance import Tolerance, Tolerances
@@ -18,7 +18,7 @@ NETCDF = threading.Lock()
 
 
 def diff_exodus(gold_path, new_path, tolerances=EXODUS_DEFAULTS):
-    """The report of all differences; raises UsageError for files that cannot be read."""
+    """The report of all differences; raises ReadError for files that cannot be read."""
     report = Report()
     with NETCDF, Exodus(gold_path) as gold, Exodus(new_path) as new:
         for what in ("block", "side set", "node set"):

@@ -4,7 +4,7 @@ import argparse
 import sys
 
 from .contact_diff import diff_contact
-from .errors import UsageError
+from .errors import Error
 from .exodus_diff import EXODUS_DEFAULTS, diff_exodus
 from .summary_diff import IGNORED, SUMMARY_DEFAULTS, diff_summary
 from .tolerance import RULES, parse_rule, read_toml, tables_of
@@ -68,7 +68,7 @@ def main(arguments=None):
             rule = parse_rule(text)
             rules = {kind: [*entries, rule] for kind, entries in rules.items()}
         report = differ(options.gold, options.new, rules)
-    except UsageError as error:
+    except Error as error:
         print(f"nddiff: {error}", file=sys.stderr)
         return 2
     if not options.quiet:

@@ -14,7 +14,7 @@ import time
 
 from .bless import bless
 from .case import read_cases
-from .errors import UsageError
+from .errors import Error, UsageError
 from .junit import write_junit
 from .run_case import Runner
 from .tolerance import read_toml, tables_of
@@ -139,6 +139,6 @@ def main(root, arguments=None):
     """`root`: the folder with cases/ and tolerances.toml."""
     try:
         return carry_out(parse(arguments, root), root)
-    except UsageError as error:
+    except Error as error:
         print(f"ndregress: {error}", file=sys.stderr)
         return 2

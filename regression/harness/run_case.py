@@ -9,7 +9,7 @@ import subprocess
 import time
 
 from .case import GOLD_FILES, REQUIRED_FILES
-from .errors import UsageError
+from .errors import Error
 from .nddiff import differ
 
 # MPI may run as root, as in containers; threads would only disturb runs side by side.
@@ -121,7 +121,7 @@ class Runner:
     def _difference(gold, new, rules):
         try:
             report = differ(gold, new, rules)
-        except UsageError as error:  # the run left a file that cannot be read
+        except Error as error:  # the run left a file that cannot be read
             return [str(error)]
         return [] if report.same() else [f"{gold.name} and {new.name} differ:\n{report.text()}"]
 

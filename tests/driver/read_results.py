@@ -9,13 +9,15 @@ import subprocess
 import sys
 import tempfile
 import unittest
-import xml.sax.saxutils
 
 import jsonschema
 import netCDF4
 import numpy
 
 NDFRAME, DECKS, SCHEMA = sys.argv[1:4]
+sys.path.insert(0, str(pathlib.Path(DECKS).parent / "python"))
+from ndframe import deck_text  # noqa: E402
+
 SIDE_VERTICES = numpy.array([(0, 1), (1, 2), (2, 0)])
 
 
@@ -57,21 +59,6 @@ class Run:
 
 def shipped(name):
     return str(pathlib.Path(DECKS) / f"{name}.xml")
-
-
-def as_deck(name, node):
-    """The JSON deck of a summary as Teuchos XML."""
-    quoted = xml.sax.saxutils.quoteattr
-    if isinstance(node, dict):
-        inside = "".join(as_deck(key, value) for key, value in node.items())
-        return f"<ParameterList name={quoted(name)}>{inside}</ParameterList>\n"
-    kinds = {bool: "bool", int: "int", float: "double", str: "string"}
-    if isinstance(node, list):
-        kind = f"Array({kinds[type(node[0])] if node else 'string'})"
-        value = "{" + ", ".join(map(str, node)) + "}"
-    else:
-        kind, value = kinds[type(node)], str(node).lower() if isinstance(node, bool) else str(node)
-    return f"<Parameter name={quoted(name)} type={quoted(kind)} value={quoted(value)}/>\n"
 
 
 def results(summary):
@@ -268,7 +255,7 @@ class Summary(unittest.TestCase):
         for name, run in self.runs.items():
             with self.subTest(deck=name), tempfile.TemporaryDirectory() as folder:
                 deck = pathlib.Path(folder) / f"{name}.xml"
-                deck.write_text(as_deck(name, run.summary["deck"]))
+                deck.write_text(deck_text(run.summary["deck"], name))
                 self.assertEqual(results(Run(str(deck)).summary), results(run.summary))
 
     def test_has_every_number_of_the_certificate(self):

@@ -12,8 +12,8 @@ import numpy
 
 sys.dont_write_bytecode = True
 PROGRAM, DECKS, MPIEXEC = pathlib.Path(sys.argv.pop(1)), pathlib.Path(sys.argv.pop(1)), sys.argv.pop(1)
-sys.path.insert(0, str(DECKS.parent / "apps/ndstress"))
-from decks import to_xml  # noqa: E402
+sys.path.insert(0, str(DECKS.parent / "python"))
+from ndframe import deck_text  # noqa: E402
 
 E, NU = 2.0, 0.3
 COMPLIANCE = (1 + NU) * (1 - 2 * NU) / E  # plane strain, equal pressure from all sides: strain = - COMPLIANCE p
@@ -50,7 +50,7 @@ class Holds(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def call(self, scene, *arguments, ranks=1):
-        (self.folder / "scene.xml").write_text(to_xml("scene", scene))
+        (self.folder / "scene.xml").write_text(deck_text(scene, "scene"))
         command = [PROGRAM, "-i", "scene.xml", *arguments]
         if ranks > 1:
             command = [MPIEXEC, "--oversubscribe", "-np", str(ranks), *command]

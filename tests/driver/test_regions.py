@@ -12,8 +12,8 @@ import numpy
 
 sys.dont_write_bytecode = True
 PROGRAM, DECKS, MPIEXEC = pathlib.Path(sys.argv.pop(1)).resolve(), pathlib.Path(sys.argv.pop(1)).resolve(), sys.argv.pop(1)
-sys.path.insert(0, str(DECKS.parent / "apps/ndstress"))
-from decks import to_xml  # noqa: E402
+sys.path.insert(0, str(DECKS.parent / "python"))
+from ndframe import deck_text  # noqa: E402
 
 STRESS = {"Hypothesis": "Plane Stress"}
 ROLLERS = {"west": {"Type": "Roller", "Side": "left"}, "south": {"Type": "Roller", "Side": "bottom"}}
@@ -48,7 +48,7 @@ class Regions(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def call(self, scene, *settings, ranks=1):
-        (self.folder / "scene.xml").write_text(to_xml("scene", scene))
+        (self.folder / "scene.xml").write_text(deck_text(scene, "scene"))
         command = [PROGRAM, "-i", "scene.xml", *(part for setting in settings for part in ("--set", setting))]
         if ranks > 1:
             command = [MPIEXEC, "--oversubscribe", "-np", str(ranks), *command]
@@ -150,7 +150,7 @@ class Regions(unittest.TestCase):
     def test_certificates_of_other_regions_are_of_other_scenes(self):
         parts = {"core": part((0.5, 0.25), (1.0, 0.75))}
         bar = body(parts, {"core": material(1000.0, 0.2)}, material(1.0, 0.3))
-        (self.folder / "scene.xml").write_text(to_xml("scene", {"Bodies": {"bar": bar}, **CERTIFICATE}))
+        (self.folder / "scene.xml").write_text(deck_text({"Bodies": {"bar": bar}, **CERTIFICATE}, "scene"))
         command = [PROGRAM, "-i", "scene.xml", "--study", "Bodies/bar/Mesh/Parts/core/Upper={1, 0.75}; {1.5, 0.75}"]
         done = subprocess.run(command, cwd=self.folder, text=True, capture_output=True, timeout=120)
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)  # 3: they would contradict each other

@@ -12,8 +12,8 @@ import numpy
 
 sys.dont_write_bytecode = True
 PROGRAM, DECKS = (pathlib.Path(sys.argv.pop(1)).resolve() for _ in range(2))
-sys.path.insert(0, str(DECKS.parent / "apps/ndstress"))
-from decks import to_xml  # noqa: E402
+sys.path.insert(0, str(DECKS.parent / "python"))
+from ndframe import deck_text  # noqa: E402
 
 # A bar of 2 by 1 in series: E = 1 in the left half, 4 in the right, pulled by 1.
 ENERGY = 1.0 + 0.25
@@ -68,7 +68,7 @@ class Meshio(unittest.TestCase):
         self.folder = pathlib.Path(folder.name)
 
     def call(self, scene, **options):
-        (self.folder / "scene.xml").write_text(to_xml("scene", scene))
+        (self.folder / "scene.xml").write_text(deck_text(scene, "scene"))
         return subprocess.run([PROGRAM, "-i", "scene.xml"], cwd=self.folder, text=True, capture_output=True, timeout=120,
                               **options)
 

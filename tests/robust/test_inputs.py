@@ -12,8 +12,8 @@ import netCDF4
 
 from robust import DECKS, PROGRAM, RoughWorld, main, on_ranks
 
-sys.path.insert(0, str(DECKS.parent / "apps/ndstress"))
-from decks import to_xml  # noqa: E402
+sys.path.insert(0, str(DECKS.parent / "python"))
+from ndframe import deck_text  # noqa: E402
 
 # One body, so that a result belongs to one state of the file.
 BODY = {"Material": {"Young Modulus": 1.0, "Poisson Ratio": 0.3},
@@ -80,7 +80,7 @@ class Meshes(RoughWorld):
         """The deck of a mesh file, and the file's path."""
         reader, choice, source = READERS[name]
         mesh = {"Type": reader, "File": name, choice: ["foundation"]}
-        (self.folder / "one.xml").write_text(to_xml("one", {"Bodies": {"block": {"Mesh": mesh, **BODY}}}))
+        (self.folder / "one.xml").write_text(deck_text({"Bodies": {"block": {"Mesh": mesh, **BODY}}}, "one"))
         shutil.copy(DECKS / "meshes" / source, self.folder / name)
         return self.folder / name
 
@@ -116,7 +116,7 @@ class Meshes(RoughWorld):
 
     def test_a_script_without_end_is_ended(self):
         mesh = {"Type": "Gmsh", "File": "loop.geo", "Maximum Seconds": 1}
-        (self.folder / "one.xml").write_text(to_xml("one", {"Bodies": {"block": {"Mesh": mesh, **BODY}}}))
+        (self.folder / "one.xml").write_text(deck_text({"Bodies": {"block": {"Mesh": mesh, **BODY}}}, "one"))
         (self.folder / "loop.geo").write_text("For i In {0:1e9}\n  x = i;\nEndFor\n")
         for command in ((PROGRAM, "-i", "one.xml"), on_ranks(2, PROGRAM, "-i", "one.xml")):
             self.assert_refused(self.run_command(*command), "loop.geo: gmsh did not come to an end within 1 s")

@@ -8,8 +8,8 @@ import sys
 
 from robust import DECKS, PROGRAM, PUNCH, RESULTS, SECONDS, RoughWorld, main, on_ranks
 
-sys.path.insert(0, str(DECKS.parent / "apps/ndstress"))
-from decks import to_xml  # noqa: E402
+sys.path.insert(0, str(DECKS.parent / "python"))
+from ndframe import deck_text  # noqa: E402
 
 ERASE = "\x1b[K"
 SQUARE = """\
@@ -53,7 +53,7 @@ class Terminals(RoughWorld):
         body = {"Mesh": {"Type": "Gmsh", "File": "slow.geo", "Allow Commands": True},
                 "Material": {"Young Modulus": 1.0, "Poisson Ratio": 0.3},
                 "Supports": {"ground": {"Type": "Clamp", "Side": "bottom"}}}
-        (self.folder / "slow.xml").write_text(to_xml("slow", {"Bodies": {"block": body}}))
+        (self.folder / "slow.xml").write_text(deck_text({"Bodies": {"block": body}}, "slow"))
 
     def on_terminal(self, *command, **variables):
         """What a terminal shows of a command."""

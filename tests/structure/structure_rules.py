@@ -93,7 +93,7 @@ class Tree:
 
     def __init__(self, root):
         self.root = pathlib.Path(root)
-        files = [p for top in ("packages", "apps", "tests", "cmake") for p in sorted((self.root / top).rglob("*"))]
+        files = [p for top in ("packages", "apps", "python", "tests", "cmake") for p in sorted((self.root / top).rglob("*"))]
         self.texts = [SourceFile(self.root, p) for p in files if p.is_file() and p.suffix in TEXT_SUFFIXES]
         self.code = [f for f in self.texts if f.path.suffix in CODE_SUFFIXES]
         self.product_code = [f for f in self.code if not f.name.startswith("tests/")]

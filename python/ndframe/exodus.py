@@ -5,7 +5,7 @@ import dataclasses
 import netCDF4
 import numpy
 
-from .errors import UsageError
+from .errors import ReadError
 
 # Kind of variable -> name of its names, name of its values; of those with parts also their truth table.
 VARIABLES = {
@@ -62,14 +62,14 @@ class Exodus:
         try:
             self.data = netCDF4.Dataset(path)
         except OSError as error:
-            raise UsageError(f"{path}: cannot be read as Exodus (netCDF): {error.strerror or error}") from None
+            raise ReadError(f"{path}: cannot be read as Exodus (netCDF): {error.strerror or error}") from None
         self.data.set_auto_mask(False)
         if "num_dim" not in self.data.dimensions:
-            raise UsageError(f"{path}: is netCDF, but not Exodus (no dimension num_dim)")
+            raise ReadError(f"{path}: is netCDF, but not Exodus (no dimension num_dim)")
         try:
             self._read_mesh()
         except (IndexError, ValueError) as error:  # a variable is not there, or not as large as it must be
-            raise UsageError(f"{path}: is no whole Exodus file: {error}") from None
+            raise ReadError(f"{path}: is no whole Exodus file: {error}") from None
 
     def _read_mesh(self):
         self.points = self._points()

@@ -1,0 +1,201 @@
+"""The files of a run or of a study."""
+
+from __future__ import annotations
+
+import dataclasses
+import functools
+import json
+import os
+import pathlib
+from typing import Any
+
+import numpy
+
+from .errors import ReadError, unknown
+from .fields import Fields
+from .tables import Columns, columns, read_contact, read_rows
+
+ENDINGS = (".summary.json", ".study.csv", ".study.partial.csv", ".contact.csv", ".levels.csv", ".report.html", ".e", ".xml")
+# What every summary has had; `build` came later.
+SUMMARY_KEYS = ("version", "title", "ranks", "per_unit_thickness", "deck", "bodies", "energy", "interfaces", "coupling", "residuals",
+                "warnings", "errors", "accuracy", "expectations", "ledger")
+
+
+@dataclasses.dataclass(frozen=True)
+class Bound:
+    """The error in energy, sqrt(a(u - u_h, u - u_h)): `absolute` in the energy norm, `relative` over the norm of the computed
+    displacement (NaN where there is none). Nothing is bounded where `guaranteed` is false: `reason` says why."""
+
+    absolute: float
+    relative: float
+    guaranteed: bool
+    reason: str
+
+
+@dataclasses.dataclass(frozen=True)
+class Run:
+    """What a run left. Units are those of the deck; in plane scenes forces and energies are those of a slice of thickness 1.
+
+    `stem`: folder and NAME, with which the names of all its files begin; `summary`: NAME.summary.json as it stands
+    (docs/summary.schema.json); `code`: exit code, None for a run that was not started here; `screen`: what it said. Files are read when
+    they are asked for; ReadError says which is missing or damaged.
+    """
+
+    stem: str
+    summary: dict[str, Any]
+    code: int | None = None
+    screen: str = ""
+
+    @property
+    def name(self) -> str:
+        return pathlib.Path(self.stem).name
+
+    @property
+    def title(self) -> str:
+        return self.summary["title"]
+
+    @property
+    def deck(self) -> dict[str, Any]:
+        """The deck with all defaults; deck_text() makes XML of it."""
+        return self.summary["deck"]
+
+    @property
+    def solved(self) -> bool:
+        """False when the run ended without a solution (exit code 3): numbers of the summary are None."""
+        return self.summary["energy"] is not None
+
+    @property
+    def dofs(self) -> int:
+        """Degrees of freedom of all bodies, supports included."""
+        return sum(body["dofs"] for body in self.summary["bodies"])
+
+    @property
+    def energy(self) -> float:
+        """a(u, u), twice the strain energy; NaN without a solution."""
+        return _number(self.summary["energy"])
+
+    @property
+    def bound(self) -> Bound | None:
+        """None if the deck asks for no bound (lists Error Estimation, Accuracy)."""
+        found = (self.summary["errors"] or {}).get("global")
+        return found and Bound(_number(found["absolute"]), _number(found["relative"]), found["guaranteed"], found["reason"])
+
+    @property
+    def energy_bracket(self) -> tuple[float, float] | None:
+        """(lower, upper) of a(u, u) / 2 - L(u) of the exact solution, guaranteed; None without a guaranteed bound."""
+        found = (self.summary["errors"] or {}).get("energy_bracket")
+        return found and (found["lower"], found["upper"])
+
+    @property
+    def bodies(self) -> dict[str, dict[str, Any]]:
+        """Entries `bodies` of the summary by name: dofs, energy, supports, largest_displacement, ..."""
+        return {body["name"]: body for body in self.summary["bodies"]}
+
+    @property
+    def interfaces(self) -> dict[str, dict[str, Any]]:
+        """Entries `interfaces` of the summary by name: contact_force, largest_pressure, closed_nodes, ..."""
+        return {interface["name"]: interface for interface in self.summary["interfaces"]}
+
+    @property
+    def levels(self) -> Columns:
+        """Column -> [levels]: dofs, bound, relative, mesh, iteration, seconds, ...; empty without the list Accuracy."""
+        accuracy = self.summary["accuracy"]
+        return columns(accuracy["levels"] if accuracy else [])
+
+    @property
+    def sweeps(self) -> Columns:
+        """Column -> [sweeps]: eps_tau, theta, closed, open, ...; empty without interfaces."""
+        coupling = self.summary["coupling"]
+        return columns(coupling["history"] if coupling else [])
+
+    @functools.cached_property
+    def contact(self) -> dict[str, Columns]:
+        """Interface -> column -> [nodes], from NAME.contact.csv: x, y, pressure, gap, arc_length (plane scenes), ..."""
+        path = pathlib.Path(f"{self.stem}.contact.csv")
+        if not path.exists():
+            raise ReadError(f"there is no {path.name}" + ("." if self.interfaces else "; the scene has no interface."))
+        return read_contact(path)
+
+    @functools.cached_property
+    def fields(self) -> Fields:
+        """Mesh and fields, from NAME.e."""
+        path = pathlib.Path(f"{self.stem}.e")
+        if not path.exists():
+            why = "Output/Exodus is false" if self.deck.get("Output", {}).get("Exodus") is False else "the file is missing"
+            raise ReadError(f"there is no {path.name} ({why}).")
+        fields = Fields(path)
+        if not all(any(block == body or block.startswith(body + ":") for body in self.bodies) for block in fields.blocks):
+            raise ReadError(f"{path.name} belongs to another run: its bodies are not those of the summary.")
+        return fields
+
+
+@dataclasses.dataclass(frozen=True)
+class Study:
+    """The table of a study. `rows`: one a case, as texts by column; `complete`: false for one that was interrupted."""
+
+    stem: str
+    rows: list[dict[str, str]]
+    complete: bool = True
+    code: int | None = None
+    screen: str = ""
+
+    def column(self, name: str) -> numpy.ndarray:
+        """[cases] of one column: float, NaN where it is empty; texts where it is not all numbers."""
+        if name not in self.rows[0]:
+            raise unknown(self.stem, "column", name, self.rows[0])
+        texts = [row[name] for row in self.rows]
+        try:
+            return numpy.array([float(text) if text else numpy.nan for text in texts])
+        except ValueError:
+            return numpy.array(texts)
+
+
+def read(name: str | os.PathLike[str]) -> Run | Study:
+    """The results of NAME: "punch", "results/punch", or one of its files.
+
+    A study where only that is there, or where NAME ends like its table. Raises ReadError where there is neither a summary nor a table,
+    or where it is damaged.
+    """
+    name = os.fspath(name)
+    stem = stem_of(name)
+    summary, study = pathlib.Path(f"{stem}.summary.json"), pathlib.Path(f"{stem}.study.csv")
+    partial = pathlib.Path(f"{stem}.study.partial.csv")
+    if not study.exists() and not summary.exists() and partial.exists():
+        study = partial
+    if study.exists() and (".study." in name or not summary.exists()):
+        return read_study(stem, study)
+    if not summary.exists():
+        raise ReadError(f"there is no {summary} and no {stem}.study.csv; run the deck first, in this folder or with the folder in NAME "
+                        "(Output/Summary must not be false).")
+    return read_run(stem, summary)
+
+
+def stem_of(name: str) -> str:
+    """What comes before the ending. The results of a deck elsewhere are looked for in the working directory."""
+    ending = next((e for e in ENDINGS if name.endswith(e) and len(name) > len(e)), "")
+    stem = name[: len(name) - len(ending)]
+    beside = any(pathlib.Path(f"{stem}{e}").exists() for e in (".summary.json", ".study.csv", ".study.partial.csv"))
+    return pathlib.Path(stem).name if ending == ".xml" and not beside else stem
+
+
+def read_run(stem: str, path: pathlib.Path) -> Run:
+    try:
+        summary = json.loads(path.read_text(encoding="utf-8"))
+        for key in SUMMARY_KEYS:
+            summary[key]
+        summary["deck"]["Bodies"]
+    except (OSError, ValueError, KeyError, TypeError) as error:
+        raise ReadError(f"{path} cannot be read as a summary of ndframe ({type(error).__name__}: {error}); run the deck "
+                        "again.") from None
+    return Run(stem, summary)
+
+
+def read_study(stem: str, path: pathlib.Path) -> Study:
+    rows = read_rows(path)
+    if not rows or "case" not in rows[0] or "dofs" not in rows[0]:
+        raise ReadError(f"{path} is not the table of a study, or it has no row yet.")
+    return Study(stem, rows, "partial" not in path.name)
+
+
+def _number(value: float | None) -> float:
+    return float("nan") if value is None else value
