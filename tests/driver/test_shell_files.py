@@ -51,6 +51,13 @@ COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _ndframe; printf '%s\\n' "${COMPREPLY
             self.assertEqual(self.completed("-i", "", folder=folder)[0], "a.xml")
             self.assertEqual(self.completed("report", "", folder=folder), ["a.summary.json", "b.study.csv"])
             self.assertEqual(self.completed("rep", folder=folder), ["report"])
+            self.assertEqual(self.completed("ne", folder=folder), ["new"])
+            (pathlib.Path(folder) / "a.geo").touch()
+            self.assertEqual(self.completed("new", "from-geo", "", folder=folder), ["a.geo"])
+
+    def test_templates(self):
+        self.assertEqual(self.completed("new", ""), ["two-bodies", "hertz", "obstacle", "from-geo"])
+        self.assertEqual(self.completed("new", "o"), ["obstacle"])
 
     def test_other_shells_take_their_scripts(self):
         for shell in ("zsh", "fish"):

@@ -43,6 +43,20 @@ void declareScreen(CLI::App& app, CommandLine& options)
       ->check(CLI::Range(0.0, 1e6));
 }
 
+void declareNew(CLI::App& app, CommandLine& options)
+{
+  CLI::App& one = *app.add_subcommand("new", "Write a commented deck that runs, to begin with.");
+  one.set_help_flag();
+  one.add_flag_callback(
+      "-h,--help", [&options] { options.help = ""; }, "This text.");
+  one.add_option("template", options.newDeck.name, "Which one, see below.")->type_name("TEMPLATE");
+  one.add_option("file", options.newDeck.drawing, "For from-geo: a drawing or mesh of gmsh, .geo or .msh.")
+      ->type_name("FILE");
+  one.add_option("-o,--output", options.newDeck.output, "Instead of TEMPLATE.xml, or of the drawing's name with .xml.")
+      ->type_name("DECK");
+  one.add_flag("-f,--force", options.newDeck.replace, "Replace a file that is there already.");
+}
+
 } // namespace
 
 void declareOptions(CLI::App& app, CommandLine& options)
@@ -69,6 +83,7 @@ void declareOptions(CLI::App& app, CommandLine& options)
       "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
   declareQuestions(app, options);
   declareScreen(app, options);
+  declareNew(app, options);
   app.add_subcommand("report", "Write NAME.report.html, one page with everything that a run or a study has left "
                                "(`ndframe report --help`).")
       ->prefix_command()

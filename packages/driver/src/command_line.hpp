@@ -6,6 +6,8 @@
 
 #include <CLI/CLI.hpp>
 
+#include "new_deck.hpp"
+
 namespace ndframe
 {
 
@@ -18,6 +20,7 @@ struct CommandLine
   std::optional<std::string> help; ///< list to explain; empty text: the command line itself
   std::string logFile;
   std::optional<double> live; ///< seconds
+  NewDeck newDeck;            ///< of `ndframe new`
   std::string completion;     ///< shell whose script is wanted
   bool manual = false;
   bool check = false, plan = false, list = false, dumpDefaults = false, reference = false, version = false;

@@ -7,6 +7,7 @@
 
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/help.hpp"
+#include "new_deck.hpp"
 #include "shell_files.hpp"
 
 namespace ndframe
@@ -82,18 +83,20 @@ _ndframe() {{
     --completion) _ndframe_lines $'bash\nzsh\nfish' "$word" ;;
     --set|--study) compopt -o nospace 2>/dev/null; _ndframe_lines "$paths" "$word" ;;
     report) COMPREPLY=($(compgen -f -X '!*.summary.json' -- "$word") $(compgen -f -X '!*.study.csv' -- "$word")) ;;
+    new) _ndframe_lines '{}' "$word" ;;
+    from-geo) COMPREPLY=($(compgen -f -X '!*.geo' -- "$word") $(compgen -f -X '!*.msh' -- "$word")) ;;
     *)
       if [[ $word == -* ]]; then
         _ndframe_lines "$options" "$word"
       else
-        COMPREPLY=($(compgen -f -X '!*.xml' -- "$word") $(compgen -d -S / -- "$word") $(compgen -W report -- "$word"))
+        COMPREPLY=($(compgen -f -X '!*.xml' -- "$word") $(compgen -d -S / -- "$word") $(compgen -W "new report" -- "$word"))
         [[ ${{COMPREPLY[0]}} == */ ]] && compopt -o nospace 2>/dev/null
       fi ;;
   esac
 }}
 complete -F _ndframe ndframe
 )sh",
-                     lines(allNames(words)), lines(words.helpNames), lines(words.paths));
+                     lines(allNames(words)), lines(words.helpNames), lines(words.paths), lines(templateNames()));
 }
 
 std::string zshArgument(const CLI::Option& option)
@@ -130,13 +133,16 @@ _ndframe() {{
   if [[ ${{words[2]}} == report ]]; then
     _files -g "*.(summary.json|study.csv)"
     return
+  elif [[ ${{words[2]}} == new ]]; then
+    (( CURRENT == 3 )) && compadd {} || _files -g "*.(geo|msh)"
+    return
   fi
   _arguments \
-{}    '1: :{{ compadd report; _files -g "*.xml" }}'
+{}    '1: :{{ compadd new report; _files -g "*.xml" }}'
 }}
 _ndframe "$@"
 )sh",
-                     lines(words.helpNames), lines(words.paths), arguments);
+                     lines(words.helpNames), lines(words.paths), fmt::join(templateNames(), " "), arguments);
 }
 
 std::string fishOption(const CLI::Option& option)
@@ -157,7 +163,8 @@ std::string fishOption(const CLI::Option& option)
 
 std::string fish(const Words& words)
 {
-  std::string text = fmt::format(R"sh(# fish completion of ndframe, written by `ndframe --completion fish`
+  std::string text =
+      fmt::format(R"sh(# fish completion of ndframe, written by `ndframe --completion fish`
 function __ndframe_names
   printf '%s\n' '{}'
 end
@@ -165,9 +172,12 @@ function __ndframe_paths
   printf '%s\n' '{}'
 end
 complete -c ndframe -n __fish_use_subcommand -a report -d 'Write one page of what a run has left'
+complete -c ndframe -n __fish_use_subcommand -a new -d 'Write a commented deck to begin with'
+complete -c ndframe -n '__fish_seen_subcommand_from new' -x -a '{}'
+complete -c ndframe -n '__fish_seen_subcommand_from from-geo' -a "(__fish_complete_suffix .geo) (__fish_complete_suffix .msh)"
 complete -c ndframe -n __fish_use_subcommand -k -a "(__fish_complete_suffix .xml)"
 )sh",
-                                 fmt::join(words.helpNames, "' '"), fmt::join(words.paths, "' '"));
+                  fmt::join(words.helpNames, "' '"), fmt::join(words.paths, "' '"), fmt::join(templateNames(), " "));
   for (const CLI::Option* option : words.options)
     text += fishOption(*option);
   return text;
@@ -187,6 +197,7 @@ std::string completionScript(const std::string& shell, const CLI::App& app, cons
     if (!option->get_snames().empty() || !option->get_lnames().empty())
       words.options.push_back(option);
   words.helpNames = listAndComponentNames(deck);
+  words.helpNames.emplace_back("new");
   words.helpNames.emplace_back("report");
   for (const auto& path : parameterPaths(deck))
     words.paths.push_back(path + "=");

@@ -214,6 +214,15 @@ ExitCode reportOn(const std::vector<std::string>& arguments, const Comm& comm)
   return code == 0 ? ExitCode::Right : (code == 1 ? ExitCode::Bug : ExitCode::UserInput);
 }
 
+/// `ndframe new TEMPLATE`: a deck to begin with.
+ExitCode writeNew(const CommandLine& options, const Components& components, const Comm& comm, const Log& log)
+{
+  std::string written;
+  writeOnFirstRank(comm, [&] { written = writeNewDeck(options.newDeck, components); });
+  log.line(fmt::format("  wrote {}; run it: ndframe {}", written, written));
+  return ExitCode::Right;
+}
+
 /// All that the command line asks for.
 ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& extend, const Comm& comm,
               bool& computed)
@@ -224,6 +233,8 @@ ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& 
   const auto components = makeComponents(extend);
   if (const CLI::App* const wanted = app.get_subcommand("report"); wanted->parsed() && !options.help)
     return reportOn(wanted->remaining(), comm);
+  if (app.get_subcommand("new")->parsed() && !options.help)
+    return writeNew(options, *components, comm, log);
   beginTranscript(options, comm);
   std::ostream nobody(nullptr);
   if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))

@@ -49,6 +49,15 @@ constexpr const char* report =
     "the "
     "files' names, or one of the files. Exit codes: 0 written, 2 a file or a package of Python is missing.";
 
+std::string newText()
+{
+  return fmt::format(
+      "writes a commented deck that runs, to begin with: {}. from-geo takes a drawing or mesh of gmsh, whose "
+      "physical groups are the bodies and sides. A file that is there already is replaced only with --force. "
+      "Exit codes: 0 written, 2 not.",
+      fmt::join(templateNames(), ", "));
+}
+
 constexpr const char* environment = R"(.TP
 \fBOMP_NUM_THREADS\fR
 Threads of a process. Without it: all processors for a process that runs alone, one for each of several.
@@ -74,12 +83,13 @@ std::string manualPage(const CLI::App& app)
       ".TH NDFRAME 1 \"\" \"ndframe {}\" \"User Commands\"\n"
       ".SH NAME\nndframe \\- certified unilateral contact between elastic bodies\n"
       ".SH SYNOPSIS\n.B ndframe\n[\\fIOPTIONS\\fR] [\\fB\\-i\\fR] \\fIDECK\\fR\n.br\n"
+      ".B ndframe new\n\\fITEMPLATE\\fR [\\fIFILE\\fR] [\\fB\\-\\-output\\fR \\fIDECK\\fR] [\\fB\\-\\-force\\fR]\n.br\n"
       ".B ndframe report\n\\fINAME\\fR [\\fB\\-\\-output\\fR \\fIFILE\\fR]\n"
-      ".SH DESCRIPTION\n.B ndframe\n{}\n.PP\n.B ndframe report\n{}\n"
+      ".SH DESCRIPTION\n.B ndframe\n{}\n.PP\n.B ndframe new\n{}\n.PP\n.B ndframe report\n{}\n"
       ".SH OPTIONS\n{}.SH EXIT STATUS\n{}.SH ENVIRONMENT\n{}"
       ".SH SEE ALSO\nThe options \\fB\\-\\-help\\fR \\fIWORD\\fR and \\fB\\-\\-reference\\fR document the "
       "deck.\n",
-      versionText(), roff(description), roff(report), options, roff(exitCodes), environment);
+      versionText(), roff(description), roff(newText()), roff(report), options, roff(exitCodes), environment);
 }
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include "gmsh_converter.hpp"
 #include "gmsh_library.hpp"
 #include "mesh_sources.hpp"
+#include "ndframe/meshing/gmsh_groups.hpp"
 #include "steady_file.hpp"
 
 namespace ndframe
@@ -17,6 +18,21 @@ namespace
 /// A mesh made by gmsh.
 class Gmsh final : public MeshSource
 {
+  /// What `use` makes of the file's contents.
+  template <class Use>
+  auto fromFile(ScriptMeshes& scripts, const Use& use) const
+  {
+    try {
+      const SteadyFile steady(path_);
+      const std::string file = readText(path_);
+      MshFile msh = parseMsh(isScript() ? scripts.find(way(), [this] { return meshed(); }) : file);
+      steady.requireUnchanged();
+      return use(std::move(msh));
+    } catch (const FileError& error) {
+      throw InputError(params_.mistake("File", fmt::format("{}: {}", path_, error.what())));
+    }
+  }
+
 public:
   explicit Gmsh(const Params& params) : params_(params), path_(params.file("File"))
   {
@@ -34,15 +50,12 @@ public:
 
   Mesh readWith(ScriptMeshes& scripts) const override
   {
-    try {
-      const SteadyFile steady(path_);
-      const std::string file = readText(path_);
-      MshFile msh = parseMsh(isScript() ? scripts.find(way(), [this] { return meshed(); }) : file);
-      steady.requireUnchanged();
-      return meshFromMsh(std::move(msh), regions());
-    } catch (const FileError& error) {
-      throw InputError(params_.mistake("File", fmt::format("{}: {}", path_, error.what())));
-    }
+    return fromFile(scripts, [this](MshFile&& msh) { return meshFromMsh(std::move(msh), regions()); });
+  }
+
+  std::vector<std::string> cellGroups(ScriptMeshes& scripts) const
+  {
+    return fromFile(scripts, [](MshFile&& msh) { return cellGroupsOf(msh); });
   }
 
   MeshScript script() const override
@@ -98,6 +111,11 @@ void registerGmsh(Registry<MeshSource>& registry)
         "tries. "
         "Scripts that are meshed again (Refinement Remesh) may only if all of them may."}},
       [](const Params& params) { return std::make_unique<Gmsh>(params); });
+}
+
+std::vector<std::string> gmshCellGroups(const Params& mesh, ScriptMeshes& scripts)
+{
+  return Gmsh(mesh).cellGroups(scripts);
 }
 
 } // namespace ndframe

@@ -38,6 +38,16 @@ bool hasGroup(const MshBlock& block, const std::set<int>& groups)
   return std::any_of(block.groups.begin(), block.groups.end(), [&](int tag) { return groups.count(tag) > 0; });
 }
 
+/// Tags of the physical groups of a dimension that have elements.
+std::set<int> groupsOf(const MshFile& file, int dim)
+{
+  std::set<int> tags;
+  for (const MshBlock& block : file.blocks)
+    if (typeOf(block).dim == dim)
+      tags.insert(block.groups.begin(), block.groups.end());
+  return tags;
+}
+
 /// Turns the contents of a .msh file into a mesh.
 class GmshConverter
 {
@@ -50,9 +60,6 @@ private:
   void addCells();
   void addSides();
   void noteEmptyGroups();
-  /// Tags of the physical groups of a dimension that have elements.
-  std::set<int> groupsOf(int dim) const;
-  std::vector<std::string> regionNames() const;
   std::set<int> selectedRegions() const;
   std::vector<Facet> facetsOf(int tag, const std::string& name, const VertexTuples& facets) const;
 
@@ -89,34 +96,17 @@ Mesh GmshConverter::convert()
     return builder_.finish();
   } catch (const FileError& error) {
     throw FileError(error.what() +
-                    choiceHint(regions_.empty() ? regionNames() : std::vector<std::string>{}, "Regions"));
+                    choiceHint(regions_.empty() ? cellGroupsOf(file_) : std::vector<std::string>{}, "Regions"));
   }
-}
-
-std::set<int> GmshConverter::groupsOf(int dim) const
-{
-  std::set<int> tags;
-  for (const MshBlock& block : file_.blocks)
-    if (typeOf(block).dim == dim)
-      tags.insert(block.groups.begin(), block.groups.end());
-  return tags;
-}
-
-std::vector<std::string> GmshConverter::regionNames() const
-{
-  std::vector<std::string> names;
-  for (const int tag : groupsOf(dim_))
-    names.push_back(groupName(file_, dim_, tag));
-  return names;
 }
 
 std::set<int> GmshConverter::selectedRegions() const
 {
-  std::set<int> all = groupsOf(dim_);
+  std::set<int> all = groupsOf(file_, dim_);
   if (regions_.empty())
     return all;
   std::set<int> selected;
-  const std::vector<std::string> names = regionNames();
+  const std::vector<std::string> names = cellGroupsOf(file_);
   for (const int tag : all)
     if (std::find(regions_.begin(), regions_.end(), groupName(file_, dim_, tag)) != regions_.end())
       selected.insert(tag);
@@ -172,7 +162,7 @@ std::vector<Facet> GmshConverter::facetsOf(int tag, const std::string& name, con
 void GmshConverter::addSides()
 {
   const VertexTuples facets = allFacets(builder_.cells(), builder_.numNodes());
-  for (const int tag : groupsOf(dim_ - 1)) {
+  for (const int tag : groupsOf(file_, dim_ - 1)) {
     const std::string name = groupName(file_, dim_ - 1, tag);
     std::vector<Facet> side = facetsOf(tag, name, facets);
     if (!side.empty()) // with regions chosen, the sides of the others are left out
@@ -183,11 +173,20 @@ void GmshConverter::addSides()
 void GmshConverter::noteEmptyGroups()
 {
   for (const MshGroup& group : file_.groups)
-    if (group.dim >= dim_ - 1 && groupsOf(group.dim).count(group.tag) == 0)
+    if (group.dim >= dim_ - 1 && groupsOf(file_, group.dim).count(group.tag) == 0)
       builder_.addNote(fmt::format("The physical group \"{}\" has no elements and is left out.", group.name));
 }
 
 } // namespace
+
+std::vector<std::string> cellGroupsOf(const MshFile& file)
+{
+  const int dim = dimensionOf(file);
+  std::vector<std::string> names;
+  for (const int tag : groupsOf(file, dim))
+    names.push_back(groupName(file, dim, tag));
+  return names;
+}
 
 std::string gmshGroupName(const std::string& name, int tag)
 {

@@ -1,0 +1,126 @@
+#include "drawn_deck.hpp"
+
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "guessed_scene.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+std::string sideNames(const DrawnBody& body)
+{
+  std::vector<std::string> names;
+  for (const DrawnSide& side : body.sides)
+    names.push_back(side.name);
+  return names.empty() ? "none is named" : fmt::format("{}", fmt::join(names, ", "));
+}
+
+void writeBody(const DrawnScene& scene, std::size_t index, const std::string& drawing, const GuessedScene& guessed,
+               DeckWriter& deck)
+{
+  const DrawnBody& body = scene.bodies[index];
+  deck.comment(fmt::format("Sides: {}.", sideNames(body)));
+  deck.open(body.name);
+  deck.open("Mesh");
+  deck.text("Type", "Gmsh");
+  deck.text("File", drawing);
+  if (!body.isWholeFile)
+    deck.entry("Regions", "Array(string)", "{" + body.name + "}");
+  deck.close();
+  deck.open("Material");
+  deck.comment("To be set: stresses come in the units of Young's modulus, lengths in those of the drawing.");
+  deck.entry("Young Modulus", "double", "1.0");
+  deck.entry("Poisson Ratio", "double", "0.3");
+  deck.text("Hypothesis", scene.dim == 2 ? "Plane Strain" : "Three Dimensional");
+  deck.close();
+  guessed.write(index, deck);
+  deck.close();
+}
+
+void writeInterfaces(const DrawnScene& scene, DeckWriter& deck)
+{
+  if (scene.contacts.empty())
+    return;
+  deck.emptyLine();
+  deck.open("Interfaces");
+  deck.comment("Sides that face each other, without friction. Tied = true (bool) glues two sides.");
+  for (const DrawnContact& contact : scene.contacts) {
+    const std::string &first = scene.bodies[contact.first].name, &second = scene.bodies[contact.second].name;
+    deck.open(fmt::format("{} {} - {} {}", first, contact.firstSide, second, contact.secondSide));
+    deck.text("Dirichlet Body", first);
+    deck.text("Dirichlet Side", contact.firstSide);
+    deck.text("Neumann Body", second);
+    deck.text("Neumann Side", contact.secondSide);
+    deck.close();
+  }
+  deck.close();
+}
+
+void writeGoal(const DrawnScene& scene, DeckWriter& deck)
+{
+  deck.emptyLine();
+  if (scene.dim == 2) {
+    deck.comment("The error that you accept, guaranteed: meshes are refined until the bound is below it.");
+    deck.open("Accuracy");
+    deck.entry("Target", "double", "0.05");
+  } else {
+    deck.comment(
+        "How wrong the answer is. A list Accuracy with Target = 0.05 refines the meshes until 5 % are reached.");
+    deck.open("Error Estimation");
+    deck.entry("Estimators", "Array(string)", "{Global}");
+  }
+  deck.close();
+}
+
+/// As the deck names the file: from its own folder.
+std::string namedFrom(const std::string& output, const std::string& drawing)
+{
+  namespace fs = std::filesystem;
+  if (fs::path(drawing).is_absolute())
+    return drawing;
+  return fs::proximate(fs::absolute(drawing), fs::absolute(output).parent_path()).string();
+}
+
+/// Mistakes have their place in the drawing, not in a deck that is not there yet.
+DrawnScene read(const std::string& drawing, const std::string& output, const Components& components)
+{
+  try {
+    return readDrawing(drawing, output, components);
+  } catch (const InputError& error) {
+    throw InputError(error.list().front().message);
+  }
+}
+
+} // namespace
+
+std::string drawnDeck(const std::string& drawing, const std::string& output, const Components& components)
+{
+  const std::string file = namedFrom(output, drawing);
+  const DrawnScene scene = read(file, output, components);
+  const GuessedScene guessed(scene);
+  const std::string name = std::filesystem::path(output).stem().string();
+  DeckWriter deck;
+  deck.comment(fmt::format("What is drawn in {}. Run it: ndframe {}.xml, and see the results: ndframe report {}.", file,
+                           name, name));
+  deck.comment("Look at what is guessed and set the materials; `ndframe -h Supports` explains a list of the deck.");
+  deck.open(name);
+  deck.text("Title", name);
+  deck.emptyLine();
+  deck.open("Bodies");
+  for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+    writeBody(scene, body, file, guessed, deck);
+  deck.close();
+  writeInterfaces(scene, deck);
+  writeGoal(scene, deck);
+  deck.close();
+  return deck.written();
+}
+
+} // namespace ndframe

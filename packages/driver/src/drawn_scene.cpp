@@ -1,0 +1,208 @@
+#include "drawn_scene.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "ndframe/base/deck.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/driver/deck_spec.hpp"
+#include "ndframe/interface/facing_search.hpp"
+#include "ndframe/meshing/gmsh_groups.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+constexpr double partOfScene = 0.01; ///< sides that are so far apart face each other
+constexpr double cornerAngle = 35.0; ///< as in a deck without the key
+
+DrawnSide measured(const Mesh& mesh, const Side& side)
+{
+  DrawnSide drawn{side.name, {}, {}, 0.0};
+  for (const Facet& facet : side.facets) {
+    Vector3 normal{};
+    const double measure = facetNormal(mesh, facet, normal.data());
+    const auto centre = facetCentre(mesh, facet);
+    for (std::size_t i = 0; i < 3; ++i) {
+      drawn.centre[i] += measure * centre[i];
+      drawn.normal[i] += measure * normal[i];
+    }
+    drawn.measure += measure;
+  }
+  for (std::size_t i = 0; i < 3; ++i) {
+    drawn.centre[i] /= drawn.measure;
+    drawn.normal[i] /= drawn.measure;
+  }
+  return drawn;
+}
+
+Vector3 centreOf(const Mesh& mesh)
+{
+  Vector3 sum{};
+  double total = 0.0;
+  for (int c = 0; c < mesh.numCells(); ++c) {
+    const double measure = cellMeasure(mesh, c);
+    const auto centre = cellCentre(mesh, c);
+    for (std::size_t i = 0; i < 3; ++i)
+      sum[i] += measure * centre[i];
+    total += measure;
+  }
+  for (double& x : sum)
+    x /= total;
+  return sum;
+}
+
+/// Reads the bodies of a file as a deck would.
+class DrawingReader
+{
+public:
+  DrawingReader(const std::string& drawing, const std::string& deckFile, const Components& components)
+      : drawing_(drawing), deckFile_(deckFile), components_(components)
+  {}
+
+  std::vector<DrawnBody> bodies()
+  {
+    const auto groups = gmshCellGroups(meshList({}), scripts_);
+    std::vector<DrawnBody> bodies;
+    for (const std::string& group : groups)
+      bodies.push_back(body(group, {group}));
+    if (bodies.empty())
+      bodies.push_back(body("body", {}));
+    return bodies;
+  }
+
+private:
+  Params meshList(const std::vector<std::string>& regions) const
+  {
+    DeckList mesh{"Mesh",
+                  deckFile_,
+                  0,
+                  {{"Type", "string", "Gmsh", deckFile_, 0}, {"File", "string", drawing_, deckFile_, 0}},
+                  {}};
+    for (const std::string& region : regions)
+      mesh.entries.push_back({"Regions", "Array(string)", "{" + region + "}", deckFile_, 0});
+    DeckList material{
+        "Material",
+        deckFile_,
+        0,
+        {{"Young Modulus", "double", "1.0", deckFile_, 0}, {"Poisson Ratio", "double", "0.3", deckFile_, 0}},
+        {}};
+    DeckList body{"body", deckFile_, 0, {}, {std::move(mesh), std::move(material)}};
+    DeckList bodies{"Bodies", deckFile_, 0, {}, {std::move(body)}};
+    Diagnostics diagnostics;
+    const Params deck = validate({{}, deckFile_, 0, {}, {std::move(bodies)}}, makeDeckSpec(components_), diagnostics);
+    diagnostics.throwIfAny();
+    return deck.sub("Bodies").sub("body").sub("Mesh");
+  }
+
+  DrawnBody body(const std::string& name, const std::vector<std::string>& regions)
+  {
+    Mesh mesh = components_.meshSources.build(meshList(regions))->readWith(scripts_);
+    std::vector<DrawnSide> sides;
+    for (const Side& side : mesh.sides)
+      sides.push_back(measured(mesh, side));
+    const Vector3 centre = centreOf(mesh);
+    return {name, regions.empty(), std::move(mesh), centre, std::move(sides)};
+  }
+
+  const std::string drawing_, deckFile_;
+  const Components& components_;
+  Ledger nobody_;
+  ScriptMeshes scripts_{nobody_};
+};
+
+std::vector<SearchedBody> searched(const DrawnScene& scene)
+{
+  std::vector<SearchedBody> bodies;
+  for (const DrawnBody& body : scene.bodies)
+    bodies.push_back({&body.mesh, {}, {}});
+  return bodies;
+}
+
+std::vector<DrawnContact> planeContacts(const DrawnScene& scene)
+{
+  const auto bodies = searched(scene);
+  const double distance = partOfScene * scene.extent;
+  std::vector<DrawnContact> contacts;
+  for (const FacingPair& pair : searchFacing(bodies, distance, cornerAngle).pairs)
+    contacts.push_back({std::size_t(pair.firstBody), std::size_t(pair.secondBody), pair.firstSide, pair.secondSide,
+                        std::max(0.0, pair.smallest)});
+  if (!contacts.empty() || scene.bodies.size() == 1)
+    return contacts;
+  const auto nearest = nearestSides(bodies);
+  const std::string hint =
+      nearest ? fmt::format("the nearest are \"{}\" of \"{}\" and \"{}\" of \"{}\", {:.4g} apart; name "
+                            "sides that are to touch as Physical Curve",
+                            nearest->firstSide, scene.bodies[std::size_t(nearest->firstBody)].name, nearest->secondSide,
+                            scene.bodies[std::size_t(nearest->secondBody)].name, nearest->distance)
+              : "name sides as Physical Curve";
+  throw InputError(
+      fmt::format("no two named sides of different bodies face each other within {:.4g}: {}.", distance, hint));
+}
+
+/// Sides that two bodies have by one name and at one place: there meshes of solids have the same nodes.
+std::vector<DrawnContact> solidContacts(const DrawnScene& scene)
+{
+  std::vector<DrawnContact> contacts;
+  const auto isSame = [&](const DrawnSide& one, const DrawnSide& other) {
+    double apart = std::abs(one.measure - other.measure) / one.measure;
+    for (std::size_t i = 0; i < 3; ++i)
+      apart = std::max(apart, std::abs(one.centre[i] - other.centre[i]) / scene.extent);
+    return one.name == other.name && apart < 1e-9;
+  };
+  for (std::size_t a = 0; a < scene.bodies.size(); ++a)
+    for (std::size_t b = a + 1; b < scene.bodies.size(); ++b)
+      for (const DrawnSide& one : scene.bodies[a].sides)
+        for (const DrawnSide& other : scene.bodies[b].sides)
+          if (isSame(one, other))
+            contacts.push_back({a, b, one.name, other.name, 0.0});
+  if (contacts.empty() && scene.bodies.size() > 1)
+    throw InputError(
+        "no two volumes share a named surface: sides of solids that touch must have the same nodes. Join the "
+        "volumes (BooleanFragments) and name the surface between them as Physical Surface.");
+  return contacts;
+}
+
+void markSides(DrawnScene& scene)
+{
+  const auto side = [&](std::size_t body, const std::string& name) -> DrawnSide& {
+    auto& sides = scene.bodies[body].sides;
+    return *std::find_if(sides.begin(), sides.end(), [&](const DrawnSide& s) { return s.name == name; });
+  };
+  for (const DrawnContact& contact : scene.contacts) {
+    side(contact.first, contact.firstSide).touches = true;
+    side(contact.second, contact.secondSide).touches = true;
+  }
+  std::map<std::string, std::vector<DrawnSide*>> byName;
+  for (DrawnBody& body : scene.bodies)
+    for (DrawnSide& one : body.sides)
+      if (!one.touches && one.isFlat())
+        byName[one.name].push_back(&one);
+  for (auto& [name, sides] : byName)
+    for (DrawnSide* one : sides)
+      one->isSymmetry = sides.size() > 1 && dot(one->normal, sides.front()->normal) > 1.0 - 1e-9;
+}
+
+} // namespace
+
+double dot(const Vector3& a, const Vector3& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
+}
+
+DrawnScene readDrawing(const std::string& drawing, const std::string& deckFile, const Components& components)
+{
+  DrawnScene scene{2, 0.0, DrawingReader(drawing, deckFile, components).bodies(), {}};
+  scene.dim = scene.bodies.front().mesh.dim;
+  scene.extent = extentOf(searched(scene));
+  scene.contacts = scene.dim == 2 ? planeContacts(scene) : solidContacts(scene);
+  markSides(scene);
+  return scene;
+}
+
+} // namespace ndframe

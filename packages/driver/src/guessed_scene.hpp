@@ -1,0 +1,39 @@
+#pragma once
+
+#include "deck_writer.hpp"
+#include "drawn_scene.hpp"
+
+namespace ndframe
+{
+
+/// Supports and loads, which no drawing says: enough for a scene that has a solution, each with a comment.
+///
+/// The lowest body with a free side is clamped there, away from what it touches. A body that touches others in one
+/// direction is moved against them by its free side; without one, or where what it touches is all around it, a body
+/// force presses it. A body between others is left to them. Limit: bodies without a moved side may still be turned or
+/// pulled off by their force, which the run says.
+class GuessedScene
+{
+public:
+  /// The scene must live as long. Throws InputError where no side is left to hold a body.
+  explicit GuessedScene(const DrawnScene& scene);
+
+  /// The lists Supports and Loads of a body.
+  void write(std::size_t body, DeckWriter& deck) const;
+
+private:
+  Vector3 down() const;
+  Vector3 path(std::size_t body, const Vector3& push) const;
+  void writeBase(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const;
+  void writePressed(const DrawnBody& body, const DrawnSide* held, DeckWriter& deck) const;
+  void writeDriven(const DrawnBody& body, const DrawnSide& side, const Vector3& path, DeckWriter& deck) const;
+  void writeHeld(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const;
+  void writeBodyForce(const Vector3& direction, DeckWriter& deck) const;
+  void writeComponents(const Vector3& vector, DeckWriter& deck) const;
+  std::size_t numNeighbours(std::size_t body) const;
+
+  const DrawnScene& scene_;
+  std::size_t base_;
+};
+
+} // namespace ndframe

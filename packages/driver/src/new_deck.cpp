@@ -1,0 +1,94 @@
+#include "new_deck.hpp"
+
+#include <algorithm>
+#include <filesystem>
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "deck_templates.hpp"
+#include "drawn_deck.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/help.hpp"
+#include "ndframe/io/atomic_file.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+namespace fs = std::filesystem;
+
+constexpr const char* fromDrawing = "from-geo";
+constexpr const char* drawnText = "the bodies of a gmsh file (.geo or .msh), with sides, contacts, supports and loads "
+                                  "as far as the drawing tells";
+
+/// The text of a template that needs no drawing.
+std::string plainText(const NewDeck& wanted)
+{
+  for (const DeckTemplate& one : deckTemplates())
+    if (one.name == wanted.name)
+      return one.text;
+  const auto known = templateNames();
+  const std::string near = nearestName(wanted.name, known);
+  if (wanted.name.empty())
+    throw InputError(fmt::format("say which deck: ndframe new {}.", fmt::join(known, "|")));
+  throw InputError(fmt::format("there is no template \"{}\"{}; there are {}.", wanted.name,
+                               near.empty() ? "" : fmt::format("; did you mean \"{}\"", near), fmt::join(known, ", ")));
+}
+
+void checkDrawing(const NewDeck& wanted)
+{
+  const std::string ending = fs::path(wanted.drawing).extension().string();
+  if (wanted.drawing.empty())
+    throw InputError("from-geo needs a file: ndframe new from-geo FILE.geo (or FILE.msh).");
+  if (ending != ".geo" && ending != ".msh")
+    throw InputError(fmt::format("{}: from-geo reads .geo and .msh files of gmsh.", wanted.drawing));
+  if (!fs::exists(wanted.drawing))
+    throw InputError(fmt::format("{}: there is no such file.", wanted.drawing));
+}
+
+fs::path outputOf(const NewDeck& wanted)
+{
+  if (!wanted.output.empty())
+    return wanted.output;
+  return wanted.drawing.empty() ? wanted.name + ".xml" : fs::path(wanted.drawing).stem().string() + ".xml";
+}
+
+} // namespace
+
+std::vector<std::string> templateNames()
+{
+  std::vector<std::string> names;
+  for (const DeckTemplate& one : deckTemplates())
+    names.emplace_back(one.name);
+  names.emplace_back(fromDrawing);
+  return names;
+}
+
+std::string templateHelp()
+{
+  std::string text = "\nTemplates:\n";
+  for (const DeckTemplate& one : deckTemplates())
+    text += fmt::format("  {:<12} {}\n", one.name, one.what);
+  return text + fmt::format("  {:<12} {}\n", fromDrawing, drawnText);
+}
+
+std::string writeNewDeck(const NewDeck& wanted, const Components& components)
+{
+  const bool isDrawn = wanted.name == fromDrawing;
+  const std::string plain = isDrawn ? "" : plainText(wanted);
+  if (isDrawn)
+    checkDrawing(wanted);
+  else if (!wanted.drawing.empty())
+    throw InputError(fmt::format("{} takes no file; from-geo does.", wanted.name));
+  const fs::path output = outputOf(wanted);
+  if (!wanted.replace && fs::exists(output))
+    throw InputError(fmt::format("{} is there already; name another file with --output, or say --force to replace it.",
+                                 output.string()));
+  writeTextAtomically(output.string(), isDrawn ? drawnDeck(wanted.drawing, output.string(), components) : plain);
+  return output.string();
+}
+
+} // namespace ndframe

@@ -1,0 +1,166 @@
+"""`ndframe new`, decks to begin with: test_new.py NDFRAME DECKS."""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+import xml.etree.ElementTree
+
+PROGRAM, DECKS = (pathlib.Path(sys.argv.pop(1)).resolve() for _ in range(2))
+TEMPLATES = ("two-bodies", "hertz", "obstacle", "from-geo")
+
+# A block above a plate, {gap} apart; the plate is meshed more coarsely.
+TWO_BODIES = """
+Point(1) = {{0, 0, 0, 0.5}}; Point(2) = {{2, 0, 0, 0.5}}; Point(3) = {{2, 1, 0, 0.5}}; Point(4) = {{0, 1, 0, 0.5}};
+Line(1) = {{1, 2}}; Line(2) = {{2, 3}}; Line(3) = {{3, 4}}; Line(4) = {{4, 1}};
+Curve Loop(1) = {{1, 2, 3, 4}}; Plane Surface(1) = {{1}};
+h = {gap};
+Point(11) = {{0.5, 1 + h, 0, 0.3}}; Point(12) = {{1.5, 1 + h, 0, 0.3}}; Point(13) = {{1.5, 2, 0, 0.3}}; Point(14) = {{0.5, 2, 0, 0.3}};
+Line(11) = {{11, 12}}; Line(12) = {{12, 13}}; Line(13) = {{13, 14}}; Line(14) = {{14, 11}};
+Curve Loop(11) = {{11, 12, 13, 14}}; Plane Surface(11) = {{11}};
+Physical Surface("plate") = {{1}}; Physical Surface("block") = {{11}};
+Physical Curve("below") = {{1}}; Physical Curve("table") = {{3}};
+Physical Curve("sole") = {{11}}; Physical Curve("head") = {{13}};
+"""
+ONE_BODY = """
+Point(1) = {0, 0, 0, 0.5}; Point(2) = {1, 0, 0, 0.5}; Point(3) = {1, 1, 0, 0.5}; Point(4) = {0, 1, 0, 0.5};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
+Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
+"""
+SIDES = 'Physical Curve("below") = {1}; Physical Curve("above") = {3};\n'
+BODY = 'Physical Surface("plate & <co>") = {1};\n'
+
+
+class New(unittest.TestCase):
+    def setUp(self):
+        holder = tempfile.TemporaryDirectory()
+        self.addCleanup(holder.cleanup)
+        self.folder = pathlib.Path(holder.name)
+
+    def call(self, *arguments):
+        return subprocess.run([PROGRAM, *map(str, arguments)], cwd=self.folder, text=True, capture_output=True, timeout=120)
+
+    def write(self, *arguments):
+        done = self.call("new", *arguments)
+        self.assertEqual((done.returncode, done.stderr), (0, ""))
+        return done.stdout
+
+    def refused(self, words, *arguments):
+        done = self.call("new", *arguments)
+        self.assertEqual((done.returncode, done.stdout), (2, ""))
+        self.assertIn(words, done.stderr)
+
+    def run_certified(self, name):
+        """The summary of a run with exit code 0, a guaranteed bound and no warning."""
+        done = self.call(f"{name}.xml")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        summary = json.loads((self.folder / f"{pathlib.Path(name).name}.summary.json").read_text())
+        self.assertTrue(summary["errors"]["global"]["guaranteed"])
+        self.assertGreater(summary["energy"], 0.0)
+        self.assertEqual(summary["warnings"], [])
+        return summary
+
+    def drawn(self, text, name="scene"):
+        (self.folder / f"{name}.geo").write_text(text)
+        self.write("from-geo", f"{name}.geo")
+        return xml.etree.ElementTree.parse(self.folder / f"{name}.xml").getroot()
+
+    def test_every_template_runs_and_is_certified(self):
+        for name in TEMPLATES[:-1]:
+            self.assertEqual(self.write(name), f"  wrote {name}.xml; run it: ndframe {name}.xml\n")
+            self.assertGreater((self.folder / f"{name}.xml").read_text().count("<!--"), 4)
+            summary = self.run_certified(name)
+            self.assertTrue(summary["accuracy"]["reached"])
+            self.assertGreater(summary["interfaces"][0]["contact_force"], 0.0)
+
+    def test_two_drawn_bodies(self):
+        deck = self.drawn(TWO_BODIES.format(gap=0.01))
+        interface = deck.find("*[@name='Interfaces']/*")
+        self.assertEqual(interface.get("name"), "plate table - block sole")
+        self.assertIn("Sides: below, table.", (self.folder / "scene.xml").read_text())
+        summary = self.run_certified("scene")
+        self.assertEqual([body["name"] for body in summary["bodies"]], ["plate", "block"])
+        self.assertGreater(summary["interfaces"][0]["contact_force"], 0.0)  # the gap of the drawing is closed
+        self.assertEqual(summary["bodies"][0]["supports"][0]["description"], "clamp at below")
+
+    def test_planes_of_symmetry_and_a_body_without_a_free_side(self):
+        (self.folder / "bearing.geo").write_text((DECKS / "meshes/bearing.geo").read_text())
+        self.write("from-geo", "bearing.geo")
+        held = {b["name"]: [s["description"] for s in b["supports"]] for b in self.run_certified("bearing")["bodies"]}
+        self.assertEqual(held, {"housing": ["roller at middle", "clamp at ground"], "pin": ["roller at middle"]})
+
+    def test_one_body(self):
+        for names in (SIDES + BODY, SIDES):
+            deck = self.drawn(ONE_BODY + names, "alone")
+            self.assertIsNone(deck.find("*[@name='Interfaces']"))
+            given = [entry.get("value") for entry in deck.iter("Parameter") if entry.get("name") == "Side"]
+            self.assertEqual(given, ["below", "above"])
+            self.run_certified("alone")
+            (self.folder / "alone.xml").unlink()
+
+    def test_solids(self):
+        self.write("from-geo", DECKS / "meshes/stamp.geo")
+        text = (self.folder / "stamp.xml").read_text()
+        self.assertIn('name="plate disc - stamp disc"', text)
+        self.assertEqual(text.count('value="Roller"'), 4)
+        self.assertEqual(self.call("--check", "stamp.xml").returncode, 0)
+
+    def test_files_are_named_from_the_folder_of_the_deck(self):
+        (self.folder / "decks").mkdir()
+        (self.folder / "meshes").mkdir()
+        (self.folder / "meshes/two.geo").write_text(TWO_BODIES.format(gap=0))
+        self.write("from-geo", "meshes/two.geo", "--output", "decks/two.xml")
+        self.assertIn('value="../meshes/two.geo"', (self.folder / "decks/two.xml").read_text())
+        self.run_certified("decks/two")
+
+    def test_a_mesh(self):
+        self.write("from-geo", DECKS / "meshes/punch-foundation.msh", "-o", "mesh.xml")
+        self.run_certified("mesh")
+
+    def test_nothing_is_replaced_without_a_word(self):
+        (self.folder / "hertz.xml").write_text("mine")
+        self.refused("hertz.xml is there already; name another file with --output, or say --force to replace it.", "hertz")
+        self.assertEqual((self.folder / "hertz.xml").read_text(), "mine")
+        self.write("hertz", "--output", "other.xml")
+        self.write("hertz", "--force")
+        self.assertEqual((self.folder / "hertz.xml").read_text(), (self.folder / "other.xml").read_text())
+
+    def test_mistakes(self):
+        all_names = "two-bodies, hertz, obstacle, from-geo"
+        self.refused(f'there is no template "herz"; did you mean "hertz"; there are {all_names}.', "herz")
+        self.refused(f'there is no template "bolt"; there are {all_names}.', "bolt")
+        self.refused("say which deck: ndframe new two-bodies|hertz|obstacle|from-geo.")
+        self.refused("from-geo needs a file: ndframe new from-geo FILE.geo", "from-geo")
+        self.refused("no.geo: there is no such file", "from-geo", "no.geo")
+        self.refused("body.stl: from-geo reads .geo and .msh files of gmsh", "from-geo", "body.stl")
+        self.refused("hertz takes no file; from-geo does", "hertz", "a.geo")
+        self.refused("nowhere/hertz.xml", "hertz", "--output", "nowhere/hertz.xml")
+        self.assertEqual(list(self.folder.iterdir()), [])
+
+    def test_drawings_without_a_scene(self):
+        nearest = ('no two named sides of different bodies face each other within 0.02828: the nearest are "table" of "plate" and "sole" of '
+                   '"block", 0.5 apart')
+        cases = {"apart": (TWO_BODIES.format(gap=0.5), nearest),
+                 "nameless": (ONE_BODY + 'Physical Surface("a") = {1};', "every named side touches another body or is a plane of symmetry"),
+                 "empty": ("// nothing", "empty.geo: "),
+                 "wrong": ("Point(1) = {0, 0", "wrong.geo: gmsh cannot read the script")}
+        for name, (text, words) in cases.items():
+            (self.folder / f"{name}.geo").write_text(text)
+            self.refused(words, "from-geo", f"{name}.geo")
+            self.assertNotIn(f"{name}.xml", self.call("new", "from-geo", f"{name}.geo").stderr)
+            self.assertFalse((self.folder / f"{name}.xml").exists())
+
+    def test_help_names_all_templates(self):
+        for arguments in (("new", "--help"), ("--help", "new")):
+            text = self.call(*arguments).stdout
+            self.assertEqual([name for name in TEMPLATES if not re.search(rf"^  {name} ", text, re.MULTILINE)], [])
+            self.assertIn("--force", text)
+        self.assertIn("new", self.call("--help").stdout.split("Subcommands:")[1])
+        self.assertIn("from\\-geo", self.call("--man").stdout)
+
+
+if __name__ == "__main__":
+    unittest.main()
