@@ -34,8 +34,9 @@ class Bootstrap(unittest.TestCase):
         self.clone, self.tools = self.folder / "a clone", self.folder / "tools"
         for path in (self.clone, self.tools):
             path.mkdir()
-        for name in ("bootstrap", "packages.txt"):
-            shutil.copy(ROOT / name, self.clone)
+        (self.clone / "docs/site").mkdir(parents=True)
+        for name in ("bootstrap", "packages.txt", "docs/site/packages.txt"):
+            shutil.copy(ROOT / name, self.clone / name)
         for name in REAL_TOOLS:
             (self.tools / name).symlink_to(shutil.which(name))
         for name, text in STAND_INS.items():
@@ -99,6 +100,16 @@ class Bootstrap(unittest.TestCase):
         self.assertTrue(self.notes()[-1].endswith(" ndframe"))
         self.assertEqual(run.stdout, f"{[str(self.clone / 'build/release/bin/ndframe'), 'my folder']}\n")
         self.assertEqual(run.returncode, 1)
+
+    def test_docs_install_their_own_packages_and_build_no_program(self):
+        self.write_program(self.clone / "docs/site/build.py", "import sys; print(sys.argv[1:]); sys.exit(1)")
+        self.install(["python3-sphinx", "python3-myst-parser", "furo"])
+        run = self.call("docs", "my folder")
+        if os.geteuid() == 0:
+            self.assertEqual(self.notes(), ["apt-get update", "apt-get install -y --no-install-recommends doxygen fonts-lmodern"])
+            self.assertEqual((run.stdout, run.returncode), ("['my folder']\n", 1))
+        else:
+            self.assertIn("apt-get install -y --no-install-recommends doxygen fonts-lmodern", run.stderr)
 
     def test_second_run_is_silent_and_only_asks_ninja(self):
         self.call("run")

@@ -1,0 +1,65 @@
+#!/usr/bin/python3
+"""Builds the documentation site without a network: build.py [FOLDER] [--without-api]; FOLDER: build/docs of the clone.
+
+The pages are docs/**/*.md by Sphinx with MyST (docs/site/conf.py), formulas as MathML; FOLDER/html/api are the public headers by Doxygen.
+Warnings are errors. Needs the packages of docs/site/packages.txt; `./bootstrap docs` installs them.
+"""
+
+import argparse
+import pathlib
+import re
+import shutil
+import subprocess
+import sys
+
+HERE = pathlib.Path(__file__).resolve().parent
+ROOT = HERE.parents[1]
+
+
+def parse():
+    parser = argparse.ArgumentParser(description="Builds the documentation site.")
+    parser.add_argument("folder", nargs="?", type=pathlib.Path, default=ROOT / "build/docs", help="for the site (build/docs)")
+    parser.add_argument("--without-api", action="store_true", help="leave out the pages of the headers")
+    return parser.parse_args()
+
+
+def pages(folder):
+    """folder/html, made anew: pages that were renamed do not stay."""
+    shutil.rmtree(folder / "html", ignore_errors=True)
+    command = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-b", "html", "-c", HERE, "-d", folder / "doctrees",
+               ROOT / "docs", folder / "html"]
+    return subprocess.run(command).returncode
+
+
+def api(folder):
+    """folder/html/api."""
+    settings = (HERE / "Doxyfile").read_text()
+    inputs = " ".join(f'"{path}"' for path in sorted((ROOT / "packages").glob("*/include")))
+    settings += f'INPUT = {inputs}\nSTRIP_FROM_PATH = {inputs}\nOUTPUT_DIRECTORY = "{folder / "html"}"\nHTML_OUTPUT = api\n'
+    return subprocess.run(["doxygen", "-"], input=settings, text=True).returncode
+
+
+def drop_dead_links(folder):
+    """Doxygen links to a list of nested classes, which it leaves out where all of them are private."""
+    for path in folder.glob("*.html"):
+        text = path.read_text()
+        if '"#nested-classes"' in text and 'name="nested-classes"' not in text:
+            path.write_text(re.sub(r'<a href="#nested-classes">Classes</a>( &#124;)?', "", text))
+
+
+def main():
+    options = parse()
+    missing = [name for name in ("doxygen",) if not options.without_api and shutil.which(name) is None]
+    if missing:
+        sys.exit("docs: doxygen is missing; ./bootstrap docs installs what is needed, and --without-api leaves it out")
+    options.folder.mkdir(parents=True, exist_ok=True)
+    folder = options.folder.resolve()
+    failed = pages(folder) or (0 if options.without_api else api(folder))
+    drop_dead_links(folder / "html/api")
+    if not failed:
+        print(f"  wrote {folder / 'html' / 'index.html'}")
+    return failed
+
+
+if __name__ == "__main__":
+    sys.exit(main())
