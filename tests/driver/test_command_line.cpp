@@ -68,8 +68,9 @@ TEST_F(Program, WithoutADeckSaysHowToGiveOne)
 {
   const auto result = call({});
   EXPECT_EQ(result.exitCode, 2);
-  EXPECT_EQ(result.err, "no deck was given; run `ndframe -i decks/punch.xml`, or `ndframe --help`.\n"
-                        "1 error; nothing was computed.\n");
+  EXPECT_EQ(result.err,
+            "no deck was given; `ndframe new two-bodies` writes one to begin with, `ndframe --help` says more.\n"
+            "1 error; nothing was computed.\n");
 }
 
 TEST_F(Program, RefusesDecksThatCannotBeRead)

@@ -71,7 +71,7 @@ COMP_WORDS=("$@"); COMP_CWORD=$(($# - 1)); _ndframe; printf '%s\\n' "${COMPREPLY
     def test_another_shell_is_refused(self):
         done = subprocess.run([PROGRAM, "--completion", "csh"], text=True, capture_output=True)
         self.assertEqual(done.returncode, 2)
-        self.assertIn('"csh" is none of bash, zsh, fish', done.stderr)
+        self.assertIn('there is no script for "csh"; there are bash, zsh and fish.', done.stderr)
 
 
 class ManualPage(unittest.TestCase):

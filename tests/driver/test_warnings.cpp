@@ -1,4 +1,4 @@
-// Scenes that are not forbidden but hardly meant: each is warned of, and those that look like them are not.
+// Scenes that are allowed but probably a mistake: each is warned of, and those that look like them are not.
 
 #include <gmock/gmock.h>
 

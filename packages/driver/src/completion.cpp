@@ -191,7 +191,7 @@ std::string completionScript(const std::string& shell, const CLI::App& app, cons
       {"bash", bash}, {"zsh", zsh}, {"fish", fish}};
   const auto found = shells.find(shell);
   if (found == shells.end())
-    throw InputError(fmt::format("--completion: \"{}\" is none of bash, zsh, fish.", shell));
+    throw InputError(fmt::format("--completion: there is no script for \"{}\"; there are bash, zsh and fish.", shell));
   Words words;
   for (const CLI::Option* option : app.get_options())
     if (!option->get_snames().empty() || !option->get_lnames().empty())

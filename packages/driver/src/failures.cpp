@@ -18,7 +18,7 @@ namespace
 
 constexpr const char *red = "\x1b[31m", *yellow = "\x1b[33m", *plain = "\x1b[0m";
 
-/// A failure that the other ranks may know nothing of: whoever has it speaks, and all processes end.
+/// A failure that the other ranks may know nothing of: the rank that has it prints it, and all processes end.
 ExitCode failAlone(const Comm& comm, ExitCode code, std::string_view text)
 {
   transcribe(std::string(text));

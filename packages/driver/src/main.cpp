@@ -47,7 +47,8 @@ constexpr const char* noSolution = "there is no solution: none is written, and f
 DeckList readInput(const CommandLine& options, Diagnostics& diagnostics)
 {
   if (options.deck.empty())
-    throw InputError("no deck was given; run `ndframe -i decks/punch.xml`, or `ndframe --help`.");
+    throw InputError(
+        "no deck was given; `ndframe new two-bodies` writes one to begin with, `ndframe --help` says more.");
   DeckList deck = readDeck(options.deck);
   for (const auto& setting : options.settings)
     applySetting(deck, setting, diagnostics);

@@ -39,7 +39,8 @@ struct ConnectedBodies
 };
 
 /// The connected parts of the network of bodies with the spectra of the roles they have; the extreme eigenvalues come
-/// from some Lanczos steps, each as dear as a linear sweep ("role steps" in the ledger), and are good to some percent.
+/// from some Lanczos steps, each as expensive as a linear sweep ("role steps" in the ledger), and are good to some
+/// percent.
 std::vector<ConnectedBodies> roleSpectra(const InterfaceSystem& system, Ledger& ledger);
 
 /// The eigenvalues of all parts together, for a theta that all have in common.

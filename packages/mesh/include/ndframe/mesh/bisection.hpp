@@ -25,11 +25,11 @@ namespace ndframe
 /// it either. So no cell is ever worse shaped than the worst of the four of all first cells, that is, than 0.6 times
 /// the worst first shape (worstShape). Half squares have the best four shapes of all and are never changed.
 ///
-/// The closure marks edges: whoever has a marked edge marks its refinement edge, until nothing changes. It ends for any
-/// choice of refinement edges; where nothing is mended, after any number of calls there are O(halvings asked for) more
-/// triangles (Karkulik, Pavlicek and Praetorius 2013). The meshes are bisected as one mesh in which twins are the same
-/// edge; each keeps its own coordinates, a new point being the middle of its two parents. Facets of sides and
-/// interfaces, and edges between cells of different groups, are halved and never swapped.
+/// The closure marks edges: a cell that has a marked edge also marks its refinement edge, until nothing changes. It
+/// ends for any choice of refinement edges; where nothing is mended, after any number of calls there are O(halvings
+/// asked for) more triangles (Karkulik, Pavlicek and Praetorius 2013). The meshes are bisected as one mesh in which
+/// twins are the same edge; each keeps its own coordinates, a new point being the middle of its two parents. Facets of
+/// sides and interfaces, and edges between cells of different groups, are halved and never swapped.
 ///
 /// Limits: two dimensions, straight edges. Cells of which nothing was asked stay stretched. A body's mesh does not
 /// depend on the order of the bodies. One call costs O(cells) a halving asked for at most.

@@ -18,10 +18,10 @@ namespace ndframe
 /// number. So the triangles of a facet are the same seen from both its cells, and the forest of all descendants is
 /// fixed by the first meshes: what refine() makes is the smallest conforming part of it that has what was asked for.
 ///
-/// The closure halves whoever has a halved edge. It ends: the edges that are halved for an edge's sake are none shorter
-/// than it, every new edge is at most 0.87 times (a median of triangles) the one whose halving made it, and a mesh has
-/// finitely many edges above a length. The meshes are bisected as one mesh in which the vertices of twins are the same;
-/// each keeps its own coordinates, a new point being the middle of its two parents.
+/// The closure halves every cell that has a halved edge. It ends: the edges that are halved for an edge's sake are none
+/// shorter than it, every new edge is at most 0.87 times (a median of triangles) the one whose halving made it, and a
+/// mesh has finitely many edges above a length. The meshes are bisected as one mesh in which the vertices of twins are
+/// the same; each keeps its own coordinates, a new point being the middle of its two parents.
 ///
 /// Shapes: stretched cells become rounder on average, for their long edges go first. The descendants of Kuhn's
 /// tetrahedra in a cube have three shapes, the worst as good as the first (0.756, tetrahedronShape). That the shapes of

@@ -6,7 +6,7 @@
 namespace ndframe
 {
 
-/// What is not forbidden but hardly meant. With the deck's Strict Input it is an error.
+/// What is allowed but probably a mistake. With the deck's Strict Input it is an error.
 struct Warning
 {
   std::string kind; ///< of the check, e.g. "large strain"
