@@ -30,6 +30,13 @@ Point(1) = {0, 0, 0, 0.5}; Point(2) = {1, 0, 0, 0.5}; Point(3) = {1, 1, 0, 0.5};
 Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1};
 Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1};
 """
+ALL_TOUCH = TWO_BODIES.format(gap=0).replace('Physical Curve("below") = {1};', "").replace('Physical Curve("head") = {13};', "")
+# A disc that lies on a plate: nothing but contact carries it.
+ROLL = """
+SetFactory("OpenCASCADE"); Rectangle(1) = {0, 0, 0, 4, 1}; Disk(2) = {2, 1.5, 0, 0.5}; Mesh.MeshSizeMax = 0.3;
+Physical Surface("plate") = {1}; Physical Surface("roll") = {2};
+Physical Curve("top") = {3}; Physical Curve("bottom") = {1}; Physical Curve("rim") = {5};
+"""
 SIDES = 'Physical Curve("below") = {1}; Physical Curve("above") = {3};\n'
 BODY = 'Physical Surface("plate & <co>") = {1};\n'
 
@@ -92,6 +99,11 @@ class New(unittest.TestCase):
         held = {b["name"]: [s["description"] for s in b["supports"]] for b in self.run_certified("bearing")["bodies"]}
         self.assertEqual(held, {"housing": ["roller at middle", "clamp at ground"], "pin": ["roller at middle"]})
 
+    def test_a_body_on_another_one(self):
+        self.drawn(ROLL, "roll")
+        force = self.run_certified("roll")["interfaces"][0]["contact_force"]
+        self.assertGreater(force, 0.0)
+
     def test_one_body(self):
         for names in (SIDES + BODY, SIDES):
             deck = self.drawn(ONE_BODY + names, "alone")
@@ -144,7 +156,8 @@ class New(unittest.TestCase):
         nearest = ('no two named sides of different bodies face each other within 0.02828: the nearest are "table" of "plate" and "sole" of '
                    '"block", 0.5 apart')
         cases = {"apart": (TWO_BODIES.format(gap=0.5), nearest),
-                 "nameless": (ONE_BODY + 'Physical Surface("a") = {1};', "every named side touches another body or is a plane of symmetry"),
+                 "nameless": (ONE_BODY, 'no side has a name: give the curves that are held, loaded or may touch names, Physical Curve("table")'),
+                 "all touch": (ALL_TOUCH, "every named side touches another body or is a plane of symmetry: name one more"),
                  "empty": ("// nothing", "empty.geo: "),
                  "wrong": ("Point(1) = {0, 0", "wrong.geo: gmsh cannot read the script")}
         for name, (text, words) in cases.items():

@@ -200,6 +200,12 @@ DrawnScene readDrawing(const std::string& drawing, const std::string& deckFile, 
   DrawnScene scene{2, 0.0, DrawingReader(drawing, deckFile, components).bodies(), {}};
   scene.dim = scene.bodies.front().mesh.dim;
   scene.extent = extentOf(searched(scene));
+  if (std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const DrawnBody& body) { return body.sides.empty(); }))
+    throw InputError(fmt::format(
+        "no side has a name: give the {} that are held, loaded or may touch names, Physical {}(\"table\") = "
+        "{{3}}; in gmsh, and the bodies, Physical {}(\"block\") = {{1}};.",
+        scene.dim == 2 ? "curves" : "surfaces", scene.dim == 2 ? "Curve" : "Surface",
+        scene.dim == 2 ? "Surface" : "Volume"));
   scene.contacts = scene.dim == 2 ? planeContacts(scene) : solidContacts(scene);
   markSides(scene);
   return scene;

@@ -193,20 +193,21 @@ void GuessedScene::writeBodyForce(const Vector3& direction, DeckWriter& deck) co
   deck.close();
 }
 
-/// A body that contact and planes of symmetry carry.
+/// A body that contact and planes of symmetry carry. Where these leave motions along the contact, Hold takes them.
 void GuessedScene::writeHeld(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const
 {
-  const bool isLoaded = length(push) > 0.0;
+  const auto planes =
+      std::count_if(body.sides.begin(), body.sides.end(), [](const auto& side) { return side.isSymmetry; });
   deck.open("Supports");
   writeSymmetry(body, deck);
-  if (!isLoaded) {
+  if (planes < scene_.dim - 1) {
     deck.comment("Carries no force: takes the mean motion to be zero that neither supports nor contact hold.");
     deck.open("hold");
     deck.text("Type", "Hold");
     deck.close();
   }
   deck.close();
-  if (!isLoaded)
+  if (length(push) == 0.0)
     return;
   deck.open("Loads");
   writeBodyForce(push, deck);
