@@ -37,6 +37,14 @@ SetFactory("OpenCASCADE"); Rectangle(1) = {0, 0, 0, 4, 1}; Disk(2) = {2, 1.5, 0,
 Physical Surface("plate") = {1}; Physical Surface("roll") = {2};
 Physical Curve("top") = {3}; Physical Curve("bottom") = {1}; Physical Curve("rim") = {5};
 """
+# A pad between a base and a beam.
+STACK = """
+SetFactory("OpenCASCADE"); Mesh.MeshSizeMax = 0.4;
+Rectangle(1) = {0, 0, 0, 3, 1}; Rectangle(2) = {0.5, 1, 0, 1, 0.5}; Rectangle(3) = {0, 1.5, 0, 2, 0.7};
+Physical Surface("base") = {1}; Physical Surface("pad") = {2}; Physical Surface("beam") = {3};
+Physical Curve("foot") = {1}; Physical Curve("base top") = {3}; Physical Curve("pad bottom") = {5};
+Physical Curve("pad top") = {7}; Physical Curve("beam bottom") = {9}; Physical Curve("beam top") = {11};
+"""
 SIDES = 'Physical Curve("below") = {1}; Physical Curve("above") = {3};\n'
 BODY = 'Physical Surface("plate & <co>") = {1};\n'
 
@@ -103,6 +111,14 @@ class New(unittest.TestCase):
         self.drawn(ROLL, "roll")
         force = self.run_certified("roll")["interfaces"][0]["contact_force"]
         self.assertGreater(force, 0.0)
+
+    def test_a_body_between_others_carries_what_passes_through_it(self):
+        self.drawn(STACK, "stack")
+        summary = self.run_certified("stack")
+        self.assertEqual([s["description"] for b in summary["bodies"] for s in b["supports"] if "hold" not in s["name"]],
+                         ["clamp at foot", "displacement at beam top"])
+        below, above = (interface["contact_force"] for interface in summary["interfaces"])
+        self.assertAlmostEqual(below, above, delta=1e-6 * above)
 
     def test_one_body(self):
         for names in (SIDES + BODY, SIDES):
