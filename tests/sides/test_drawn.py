@@ -54,6 +54,18 @@ class Drawn(unittest.TestCase):
             self.assertTrue(run.accuracy["reached"])
             self.assertTrue(run.summary["errors"]["global"]["guaranteed"])
 
+    def test_numbers_of_the_exact_solution_are_named_only_where_no_gap_does_work(self):
+        for name, opens in (("hertz-drawn", True), ("bearing", True), ("rigid-cylinder", True), ("rings", False), ("automatic", False)):
+            summary = PROGRAM.run(DECKS / f"{name}.xml", "Error Estimation/Estimators={Global}", "Strain Limit=1").summary
+            bracket, error = summary["errors"]["energy_bracket"], summary["errors"]["global"]
+            self.assertTrue(error["guaranteed"], name)
+            self.assertEqual((bracket["work"] is None, bracket["drive"] is None or not opens), (opens, True), name)
+            # a(u, u) = L(u) + int t g; without a gap the bracket of the work holds a(u, u), to the error of that of u_h
+            if not opens:
+                slack = 2.0 * error["absolute"] * summary["energy"] ** 0.5 + error["absolute"] ** 2 + 1e-12 * summary["energy"]
+                self.assertLess(bracket["work"]["lower"] - slack, summary["energy"], name)
+                self.assertGreater(bracket["work"]["upper"] + slack, summary["energy"], name)
+
     def test_bodies_of_one_script_share_one_run_of_gmsh(self):
         deck = DECKS / "hertz-drawn.xml"
         meshed = lambda *settings: PROGRAM.run(deck, *settings).summary["ledger"]["counts"]["scripts meshed"]

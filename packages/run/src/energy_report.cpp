@@ -20,10 +20,12 @@ NumberBracket times(double factor, NumberBracket bracket)
   return {std::min(a, b), std::max(a, b)};
 }
 
+/// No gap, neither of the deck nor of the drawing.
 bool isGapless(const Model& model)
 {
   return std::all_of(model.interfaces.begin(), model.interfaces.end(), [&](const InterfaceMesh& interface) {
-    return interface.gapFunction.tree->isConstant() &&
+    return std::all_of(interface.drawnGap.begin(), interface.drawnGap.end(), [](double gap) { return gap == 0.0; }) &&
+           interface.gapFunction.tree->isConstant() &&
            valueAt(interface.gapFunction, interface.dim, interface.point(0)) == 0.0;
   });
 }
