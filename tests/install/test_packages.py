@@ -11,7 +11,8 @@ import tempfile
 import unittest
 
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
-CAN_BUILD_SITE = shutil.which("doxygen") and all(importlib.util.find_spec(name) for name in ("sphinx", "myst_parser", "furo"))
+CAN_BUILD_SITE = shutil.which("doxygen") and all(importlib.util.find_spec(name) for name in ("sphinx", "myst_parser", "furo")) \
+    and pathlib.Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf").exists()
 
 
 def call(*command, **more):
