@@ -175,6 +175,8 @@ class New(unittest.TestCase):
                  "nameless": (ONE_BODY, 'no side has a name: give the curves that are held, loaded or may touch names, Physical Curve("table")'),
                  "all touch": (ALL_TOUCH, "every named side touches another body or is a plane of symmetry: name one more"),
                  "empty": ("// nothing", "empty.geo: "),
+                 "unended": (ONE_BODY + SIDES.rstrip(), "unended.geo: the last line has several statements and no line feed, and gmsh would read only the "
+                                                        "first of them; end the file with a line feed."),
                  "wrong": ("Point(1) = {0, 0", "wrong.geo: gmsh cannot read the script")}
         for name, (text, words) in cases.items():
             (self.folder / f"{name}.geo").write_text(text)

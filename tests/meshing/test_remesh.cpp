@@ -157,7 +157,7 @@ TEST(Remesh, SizesOfTheScriptGiveWay)
         "MeshSize {1, 2} = 0.02; Mesh 2;"})
   {
     SCOPED_TRACE(own);
-    EXPECT_NEAR(remeshed(sceneFrom(plate + own), length)[0].numCells(), plain, 0.03 * plain);
+    EXPECT_NEAR(remeshed(sceneFrom(plate + own + "\n"), length)[0].numCells(), plain, 0.03 * plain);
   }
 }
 

@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -15,6 +16,16 @@ namespace ndframe
 namespace
 {
 
+/// gmsh reads one statement of a last line that has no line feed and leaves out the others without a word.
+void refuseLostStatements(const std::string& script)
+{
+  const auto begin = script.find_last_of('\n') + 1; // 0 where there is none
+  if (std::count(script.begin() + std::ptrdiff_t(begin), script.end(), ';') > 1)
+    throw FileError(
+        "the last line has several statements and no line feed, and gmsh would read only the first of them; "
+        "end the file with a line feed.");
+}
+
 /// A mesh made by gmsh.
 class Gmsh final : public MeshSource
 {
@@ -25,6 +36,8 @@ class Gmsh final : public MeshSource
     try {
       const SteadyFile steady(path_);
       const std::string file = readText(path_);
+      if (isScript())
+        refuseLostStatements(file);
       MshFile msh = parseMsh(isScript() ? scripts.find(way(), [this] { return meshed(); }) : file);
       steady.requireUnchanged();
       return use(std::move(msh));
