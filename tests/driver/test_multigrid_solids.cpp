@@ -6,6 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "driver/scene.hpp"
+#include "ndframe/algebra/direct_solvers.hpp"
+#include "solvers.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -160,21 +162,112 @@ TEST(MultigridSolids, AreSolvedOnAdaptedMeshes)
   EXPECT_LE(iterations(outcome), 300);
 }
 
-/// Condensed, with a run a column, and by sweeps with Neumann problems.
-TEST(MultigridSolids, TouchAsFactoredOnesDo)
+namespace
+{
+
+/// A plate that lifts at its far corner, without certificate.
+Scene liftingPlate(const std::vector<const char*>& settings = {})
 {
   Scene scene("contact-loss-3d");
   withoutCertificate(scene);
-  for (const char* cells : {"Bodies/upper/Mesh/Cells={2, 2, 2}", "Bodies/lower/Mesh/Cells={4, 4, 2}"})
-    scene.set(cells);
-  for (const char* coupling : {"Coupling/Type=Monolithic", "Coupling/Type=Neumann-Dirichlet"}) {
-    const auto cholmod = Scene(scene).set(coupling).set("Linear Solver/Type=Cholmod").run();
-    const auto multigrid =
-        Scene(scene).set(coupling).set("Linear Solver/Type=Multigrid").set("Linear Solver/Tolerance=1e-12").run();
+  scene.set("Bodies/upper/Mesh/Cells={4, 4, 2}").set("Bodies/lower/Mesh/Cells={8, 8, 4}");
+  for (const char* setting : settings)
+    scene.set(setting);
+  return scene.set("Linear Solver/Type=Multigrid");
+}
+
+} // namespace
+
+class Plate : public testing::TestWithParam<Variant>
+{};
+
+TEST_P(Plate, TouchesAsAFactoredOneDoesWithoutAFactor)
+{
+  const auto multigrid = liftingPlate(GetParam().settings).set("Linear Solver/Tolerance=1e-12").run();
+  const auto cholmod = liftingPlate(GetParam().settings).set("Linear Solver/Type=Cholmod").run();
+  for (int body = 0; body < 2; ++body)
+    EXPECT_LT(relativeDifference(displacement(multigrid.run, body), displacement(cholmod.run, body)), 1e-8);
+  EXPECT_EQ(statuses(multigrid.run), statuses(cholmod.run));
+  EXPECT_LT(relativeDifference(traction(multigrid.run), traction(cholmod.run)), 1e-6);
+  EXPECT_EQ(multigrid.ledger->counted("factorisations"), 0);
+  EXPECT_LE(iterations(multigrid), GetParam().mostIterations);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Variants, Plate,
+    testing::Values(Variant{"AsItIs", {}, 70},
+                    Variant{"UnderAStampSoStiffThatItIsRigid", {"Bodies/upper/Material/Young Modulus=1e5"}, 400},
+                    Variant{"OnStone", {"Bodies/lower/Material/Young Modulus=1e5"}, 200},
+                    Variant{"WithAGap", {"Interfaces/contact/Gap=0.05*(x^2+y^2)"}, 100},
+                    Variant{"TheOtherWayRound",
+                            {"Interfaces/contact/Dirichlet Body=lower", "Interfaces/contact/Dirichlet Side=contact",
+                             "Interfaces/contact/Neumann Body=upper", "Interfaces/contact/Neumann Side=bottom"},
+                            70},
+                    Variant{"Apart", {"Interfaces/contact/Gap=1", "Bodies/upper/Supports/symmetry x/Type=Clamp"}, 60}),
+    [](const auto& variant) { return std::string(variant.param.name); });
+
+/// Statuses from which a body floats are left by a vanishing pull towards where it was.
+TEST(MultigridSolids, TouchFromStatusesThatHoldNothing)
+{
+  const auto outcome = liftingPlate().run();
+  const InterfaceSystem& system = outcome.run.condensed.interface;
+  const auto coupling =
+      components().couplings.build(liftingPlate().set("Coupling/Type=Monolithic").params().sub("Coupling"));
+  CouplingStart start;
+  start.closed.assign(std::size_t(system.size()), 0);
+  const auto result = coupling->solve(
+      system, [](const SweepRecord&, const InterfaceState&) {}, *outcome.ledger, start);
+  EXPECT_EQ(result.state.closed, outcome.run.solved.coupling.state.closed);
+  EXPECT_LT(relativeDifference(result.state.tractionDirichlet, outcome.run.solved.coupling.state.tractionDirichlet),
+            1e-5);
+}
+
+/// The coarse level is set up again for many changed statuses only, and iterations do not grow with the mesh.
+TEST(MultigridSolids, TouchWithHardlyMoreIterationsOnAFinerMesh)
+{
+  const auto coarse = liftingPlate().run();
+  const auto fine = liftingPlate({"Bodies/upper/Mesh/Cells={8, 8, 4}", "Bodies/lower/Mesh/Cells={16, 16, 8}"}).run();
+  EXPECT_LE(iterations(fine), 1.5 * iterations(coarse));
+  EXPECT_LE(fine.ledger->counted("multigrid set-ups"), fine.ledger->counted("status passes"));
+  EXPECT_LE(fine.ledger->counted("fine products"), 400);
+}
+
+TEST(MultigridSolids, SayThatTheyDidNotConvergeInContact)
+{
+  const auto outcome = liftingPlate({"Linear Solver/Maximum Iterations=3"}).run();
+  EXPECT_FALSE(outcome.run.solved.coupling.converged);
+  EXPECT_THAT(outcome.run.solved.coupling.reason, testing::HasSubstr("raise \"Maximum Iterations\""));
+}
+
+/// As Automatic does where iterations take too long.
+TEST(MultigridSolids, AreFactoredInContactAfterAllWhereTheyHaveASecondChoice)
+{
+  const auto outcome = liftingPlate().run();
+  const Params deck = liftingPlate().set("Coupling/Type=Monolithic").params();
+  const auto coupling = components().couplings.build(deck.sub("Coupling"));
+  const auto representation = components().interfaceOperators.build(deck.sub("Interface Operator"));
+  const auto solver = makeWithSecondChoice(makeMultigrid(3), makeCholmod());
+  Ledger ledger;
+  const CondensedModel condensed = condense(outcome.run.model, *solver, *representation, Comm::single(), ledger);
+  const auto result = coupling->solve(
+      condensed.interface, [](const SweepRecord&, const InterfaceState&) {}, ledger);
+  EXPECT_EQ(ledger.counted("solvers given up"), 2);
+  EXPECT_EQ(result.state.closed, outcome.run.solved.coupling.state.closed);
+  EXPECT_LT(relativeDifference(result.state.tractionDirichlet, outcome.run.solved.coupling.state.tractionDirichlet),
+            1e-6);
+}
+
+/// Condensed, with a run a column, and by sweeps with Neumann problems.
+TEST(MultigridSolids, AreCondensedWhereTheDeckOrTheCouplingWantsIt)
+{
+  for (const char* way : {"Interface Operator/Type=Condensed", "Coupling/Type=Neumann-Dirichlet"}) {
+    const std::vector<const char*> small = {"Bodies/upper/Mesh/Cells={2, 2, 2}", "Bodies/lower/Mesh/Cells={4, 4, 2}",
+                                            way};
+    const auto cholmod = liftingPlate(small).set("Linear Solver/Type=Cholmod").run();
+    const auto multigrid = liftingPlate(small).set("Linear Solver/Tolerance=1e-12").run();
     for (int body = 0; body < 2; ++body)
-      EXPECT_LT(relativeDifference(displacement(multigrid.run, body), displacement(cholmod.run, body)), 1e-8)
-          << coupling;
-    EXPECT_EQ(statuses(multigrid.run), statuses(cholmod.run)) << coupling;
+      EXPECT_LT(relativeDifference(displacement(multigrid.run, body), displacement(cholmod.run, body)), 1e-8) << way;
+    EXPECT_EQ(statuses(multigrid.run), statuses(cholmod.run)) << way;
   }
 }
 

@@ -218,7 +218,7 @@ private:
     BodyTrace& trace = traces_[b];
     trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], trace.map, representation_);
     trace.load = &result_.loads[b];
-    trace.whole = wholeSolver(*result_.condensed[b]);
+    trace.whole = model_.solvesWhole ? wholeSolver(*result_.condensed[b]) : nullptr;
     if (kept_[b].load) {
       trace.g = std::move(earlier->g);
       return;
