@@ -95,7 +95,7 @@ TEST(Automatic, IsMultigridForLargeSolidsThatNeedNoSchurComplement)
   EXPECT_EQ(changed([](BodyOutline& body) { body.isCondensed = true; }), factored);
   EXPECT_EQ(changed([](BodyOutline& body) { body.poissonRatio = 0.49; }), factored);
   EXPECT_EQ(changed([](BodyOutline& body) { body.bodies = 2; }), factored) << "statuses take solves of their own";
-  EXPECT_EQ(changed([](BodyOutline& body) { body.bodies = 2, body.dofs = 120000; }), "Multigrid");
+  EXPECT_EQ(changed([](BodyOutline& body) { body.bodies = 2, body.dofs = 70000; }), "Multigrid");
   EXPECT_EQ(test::makeSolver("Cholmod")->name(large, ranks), "Cholmod");
 }
 

@@ -14,7 +14,7 @@ namespace
 constexpr int largeSolid = 40000;
 
 /// The same of all bodies in contact: their statuses are found on the way.
-constexpr int largeContact = 100000;
+constexpr int largeContact = 60000;
 
 /// Where the volume hardly changes linear functions lock, and the level of the vertices is of no use.
 constexpr double nearlyIncompressible = 0.48;
@@ -50,7 +50,7 @@ private:
 void registerAutomatic(Registry<LinearSolver>& registry)
 {
   registry.add("Automatic",
-               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more, of 100 000 "
+               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more, of 60 000 "
                "where bodies touch and Monolithic couples them, unless they are nearly incompressible (Poisson ratio "
                "above 0.48); with a factor after all where that takes more than 200 iterations.",
                {}, [](const Params&) { return std::make_unique<Automatic>(); });

@@ -1,5 +1,6 @@
 #include "block_operator.hpp"
 
+#include "block_product.hpp"
 #include "tpetra_maps.hpp"
 
 namespace ndframe
@@ -43,38 +44,14 @@ Teuchos::ArrayRCP<const double> BlockOperator::seen(const TpetraVectors& x) cons
   return seen_->getData(0);
 }
 
-template <int dim>
-void BlockOperator::multiplyRows(const double* x, double* y) const
-{
-  const double* entry = matrix_.values.data();
-  const int* column = columns_.empty() ? matrix_.cols.data() : columns_.data();
-  const char* interior = interior_.data();
-  const std::size_t rows = matrix_.rows.size();
-  for (std::size_t r = 0; r < rows; ++r) {
-    double sum[dim] = {};
-    for (std::int64_t b = matrix_.rowPtr[r]; b < matrix_.rowPtr[r + 1]; ++b, ++column, entry += dim * dim) {
-      const double* value = x + std::ptrdiff_t(*column) * dim;
-      for (int i = 0; i < dim; ++i) { // a block's part by itself: sums of all blocks would wait for each other
-        double part = entry[i * dim] * value[0];
-        for (int j = 1; j < dim; ++j)
-          part += entry[i * dim + j] * value[j];
-        sum[i] += part;
-      }
-    }
-    for (int i = 0; i < dim; ++i) {
-      const std::size_t dof = r * dim + std::size_t(i);
-      y[dof] = interior[dof] ? sum[i] : 0.0;
-    }
-  }
-}
-
 void BlockOperator::multiply(const TpetraVectors& x, double* y) const
 {
   const auto values = seen(x);
-  if (matrix_.dim == 2)
-    multiplyRows<2>(values.getRawPtr(), y);
-  else
-    multiplyRows<3>(values.getRawPtr(), y);
+  multiplyBlocks(matrix_, columns_.empty() ? matrix_.cols.data() : columns_.data(), values.getRawPtr(),
+                 std::size_t(values.size()), y);
+  for (std::size_t dof = 0; dof < interior_.size(); ++dof)
+    if (!interior_[dof])
+      y[dof] = 0.0;
   ++products_;
 }
 

@@ -21,8 +21,6 @@ public:
 private:
   /// x with the values of other ranks that the rows need.
   Teuchos::ArrayRCP<const double> seen(const TpetraVectors& x) const;
-  template <int dim>
-  void multiplyRows(const double* x, double* y) const;
 
   const BlockMatrix& matrix_;
   Teuchos::RCP<const TpetraMap> dofMap_;

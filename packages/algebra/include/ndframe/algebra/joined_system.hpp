@@ -34,7 +34,8 @@ public:
 
   /// Improves u, per body and in the nodes' own axes, by E x until the residual of the equations above is at most
   /// `tolerance` times the loads and the forces of the kept dofs on each other as they are at first, or round-off. The
-  /// springs pull towards the u that is given. Returns load - K u on all dofs that are not fixed. Throws NotConverged and SingularBody.
+  /// springs pull towards the u that is given. Returns load - K u on all dofs that are not fixed. Throws NotConverged
+  /// and SingularBody.
   virtual std::vector<Vector> solve(const std::vector<Vector>& loads, std::vector<Vector>& u, double tolerance) = 0;
 
   /// What the deck asks for.

@@ -22,8 +22,8 @@ struct InterfaceState
   Vector forceDirichlet, forceNeumann;       ///< C Lambda_dir, C Lambda_neu per unknown
   Vector tractionDirichlet, tractionNeumann; ///< Lambda per interface node (all nodes of the contact matrix)
   std::vector<char> closed;                  ///< status per unknown
-  /// The interiors too where the coupling found them, in the order of InterfaceSystem::bodies: u in the nodes' own axes,
-  /// zero on fixed dofs.
+  /// The interiors too where the coupling found them, in the order of InterfaceSystem::bodies: u in the nodes' own
+  /// axes, zero on fixed dofs.
   std::vector<Vector> fields;
 };
 

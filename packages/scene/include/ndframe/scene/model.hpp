@@ -54,7 +54,7 @@ struct Model
   std::vector<InterfaceMesh> interfaces;
   ContactConditions conditions = ContactConditions::Nodal;
   bool solvesWhole = false; ///< whether bodies in contact may be solved by iterations on all of them together
-  SceneRecipe recipe; ///< what it was made from; empty when it is not to be reused
+  SceneRecipe recipe;       ///< what it was made from; empty when it is not to be reused
 
   /// The Dirichlet and the Neumann side of an interface node.
   std::array<NodeSide, 2> sidesAt(const InterfaceMesh& interface, int node) const;

@@ -30,7 +30,7 @@ struct StatusPass
   Vector u, force;                       ///< per condition
   double displacement = 0.0, load = 0.0; ///< the largest: what round-off is compared with
   double roundOff = statusRoundOff;      ///< larger where the solve is not exact
-  bool isFinal = true; ///< else it stopped early: what its statuses say is a step, and may come back
+  bool isFinal = true;                   ///< else it stopped early: what its statuses say is a step, and may come back
   /// What the proximal term carries of the load: the largest force.
   double unbalanced = std::numeric_limits<double>::infinity();
 };
