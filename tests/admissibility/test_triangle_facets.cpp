@@ -11,6 +11,7 @@
 #include "assembly/sample_body.hpp"
 #include "fem/sample_meshes.hpp"
 #include "ndframe/admissibility/admissible_traction.hpp"
+#include "ndframe/admissibility/contact_moments.hpp"
 #include "ndframe/admissibility/gap_bound.hpp"
 #include "ndframe/admissibility/jump_coefficients.hpp"
 #include "ndframe/equilibrium/moment_basis.hpp"
@@ -271,6 +272,71 @@ TEST_P(TriangleFacets, TheGapIsBoundedFromBelow)
     else
       EXPECT_LE(most, 0.5) << text;
   }
+}
+
+/// Unit moments on one facet of a scene, zero elsewhere.
+ContactTraction tractionOn(const Floor& floor, std::size_t facet, std::size_t mode)
+{
+  ContactTraction traction;
+  traction.degree = 2;
+  traction.dim = 3;
+  const std::size_t modes = traction.numModes();
+  traction.shares.assign(floor.facets.size() * 3 * modes, 0.0);
+  for (std::size_t vertex = 0; vertex < 3; ++vertex)
+    traction.shares[(facet * 3 + vertex) * modes + mode] = 1.0 / 3.0;
+  return traction;
+}
+
+/// int g L_k / |f| on a facet from many points.
+std::array<double, 6> fineMoments(const Floor& floor, const ExpressionTree& gap, std::size_t facet)
+{
+  const MomentBasis basis = facetBasis(3, 2);
+  constexpr int n = 150;
+  std::array<double, 6> sums{};
+  double L[6];
+  for (int i = 0; i < n; ++i)
+    for (int j = 0; i + j < n; ++j)
+      for (const double third : {1.0 / 3.0, 2.0 / 3.0}) {
+        if (third > 0.5 && i + j > n - 2)
+          continue;
+        const double lambda[3] = {(i + third) / n, (j + third) / n, 1.0 - (i + j + 2.0 * third) / n};
+        double point[3] = {}, value = 0.0;
+        for (std::size_t a = 0; a < 3; ++a)
+          for (std::size_t k = 0; k < 3; ++k)
+            point[k] += lambda[a] * floor.facets[facet].points[a][k];
+        gap.values(point, 1, &value);
+        basis.values(lambda, L);
+        for (std::size_t k = 0; k < 6; ++k)
+          sums[k] += value * L[k] / (double(n) * n);
+      }
+  return sums;
+}
+
+TEST_P(TriangleFacets, AKinkAlongACurveIsChargedWhereTheTractionPresses)
+{
+  const auto kink = std::make_shared<const ExpressionTree>("max(0.1, sqrt(max(0.01, 0.3 - x^2 - y^2)))");
+  const GapBound bound = boundGap({&floor.body}, floor.facets, 2, {{int(floor.facets.size()), {kink, {}}}});
+  EXPECT_EQ(bound.caveat, "");
+  ASSERT_EQ(bound.unsure.size(), floor.facets.size());
+  int unsure = 0, certain = 0;
+  for (std::size_t f = 0; f < floor.facets.size(); ++f) {
+    (bound.unsure[f] > 0.0 ? unsure : certain) += 1;
+    const auto moments = fineMoments(floor, *kink, f);
+    for (std::size_t mode = 0; mode < 6; ++mode) {
+      const ContactTraction traction = tractionOn(floor, f, mode);
+      Vector charge(floor.facets.size(), 0.0);
+      addUnsureGap(floor.facets, traction, bound.unsure, charge);
+      const double work = std::abs(moments[mode] - bound.moments[f * 6 + mode] / floor.facets[f].measure);
+      EXPECT_LE(2.0 * work, charge[f] + 6e-5) << f << " " << mode; // what the many points are wrong by
+      for (std::size_t other = 0; other < charge.size(); ++other)
+        EXPECT_TRUE(other == f || charge[other] == 0.0);
+      EXPECT_EQ(charge[f] > 0.0, bound.unsure[f] > 0.0);
+    }
+  }
+  EXPECT_GT(unsure, 0);
+  EXPECT_GT(certain, 0);
+  const auto smooth = std::make_shared<const ExpressionTree>("1 - cos(2*x + y)");
+  EXPECT_TRUE(boundGap({&floor.body}, floor.facets, 2, {{int(floor.facets.size()), {smooth, {}}}}).unsure.empty());
 }
 
 } // namespace ndframe

@@ -143,6 +143,17 @@ Vector contactContributions(const std::vector<ContactFacet>& facets, const Conta
   return contributions;
 }
 
+void addUnsureGap(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& unsure,
+                  Vector& contributions)
+{
+  if (unsure.empty())
+    return;
+  const DenseMatrix bernstein = bernsteinOfMoments(facets.front().dim, traction.degree);
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    if (unsure[f] > 0.0)
+      contributions[f] += 2.0 * unsure[f] * largestEntry(multiply(bernstein, traction.moments(int(f))));
+}
+
 std::vector<std::vector<int>> facetsOfBodies(const std::vector<ContactFacet>& facets, int numBodies)
 {
   std::vector<std::vector<int>> ofBodies;

@@ -204,11 +204,15 @@ GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector
       int vertices[3];
       facetVertices(body.mesh, facets[f].dirichlet, vertices);
       doubt.add(samples, body.mesh, dim - 1, vertices);
+      const bool isCharged = !samples.areCertain() && std::isfinite(samples.uncertainty);
+      bound.unsure.push_back(isCharged ? samples.uncertainty * samples.scale : 0.0);
     }
-    if (doubt)
+    if (doubt && !std::isfinite(doubt.uncertainty))
       bound.caveat += fmt::format("the integrals of the gap are not certain near {} ({}). ", doubt.place, doubt.size());
     first = end;
   }
+  if (largestEntry(bound.unsure) == 0.0)
+    bound.unsure.clear();
   return bound;
 }
 

@@ -133,9 +133,11 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
     distances[b] = cellDistances(*scene.bodies[b], recovered.stress.corrections[b], isZero(v) ? nullptr : &v);
   });
   Vector contact;
-  if (!scene.facets.empty())
+  if (!scene.facets.empty()) {
     contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
                                    openings(scene, admissible.displacement.displacement, admissible.gap));
+    addUnsureGap(scene.facets, recovered.stress.onDirichlet, admissible.gap.unsure, contact);
+  }
   ErrorMeasure measure = assembleMeasure(std::move(distances), scene.facets, contact, admissible.oscillation);
   measure.prescribed = admissible.prescribed;
   measure.projection = admissible.displacement.charge;

@@ -23,6 +23,9 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
 
 /// Per facet 2 int t_N w dS from the moments of w: the contact term of (42), not negative for admissible t_N, w <= 0.
 Vector contactContributions(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& w);
+/// Adds 2 |f| unsure_f max |t| >= 2 |int t dg| for what the gap is uncertain by on a facet (GapBound::unsure).
+void addUnsureGap(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& unsure,
+                  Vector& contributions);
 
 /// Per contact facet and mode: int f L_k dS of the function with the given values at the interface nodes.
 Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree);

@@ -13,10 +13,10 @@ namespace ndframe
 /// tractions.
 struct GapBound
 {
-  Vector bernstein; ///< per facet, Bernstein coefficients of g_h <= g in the order of JumpCoefficients
-  Vector moments;   ///< per facet and mode: int g L_k of the true gap
-  std::string
-      caveat; ///< why g_h <= g or the moments are not certain (a gap too rough to be resolved); empty when they are
+  Vector bernstein;   ///< per facet, Bernstein coefficients of g_h <= g in the order of JumpCoefficients
+  Vector moments;     ///< per facet and mode: int g L_k of the true gap
+  std::string caveat; ///< why g_h <= g or the moments are not known at all; empty when they are
+  Vector unsure{};    ///< per facet: what mean values of g P are uncertain by for |P| <= 1, a length; or empty: 0
 };
 
 /// The gap of the next `numFacets` facets of a list.
@@ -31,7 +31,8 @@ struct FacetGap
 /// g_h is the interpolant at the nodes, lowered until g_h <= g: by kappa t (1 - t) on edges of order 2 (the values at
 /// the vertices stay), and by the constant that is then missing. g is enclosed on pieces of the facet
 /// (adaptive_samples.hpp): it is a polynomial, bounded by its Bernstein coefficients, and an error that is bounded.
-/// Gaps that are polynomials of the order are kept as they are.
+/// Gaps that are polynomials of the order are kept as they are. A gap too rough to be resolved (a kink along a curve)
+/// leaves its moments uncertain.
 GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets, int degree,
                   const std::vector<FacetGap>& gaps);
 
