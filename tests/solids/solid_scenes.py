@@ -79,16 +79,40 @@ class Solid:
             listed("Supports", supports), listed("Loads", loads)])
 
 
+@dataclasses.dataclass
+class Rigid:
+    """A rigid body: the Type of its list Rigid, and what the list says besides: numbers, vectors, truths, expressions."""
+    kind: str
+    entries: dict
+    name: str = "ground"
+    foot = None
+
+    def write(self, folder):
+        pass
+
+    def deck(self):
+        def parameter(key, value):
+            if isinstance(value, (tuple, list)):
+                return f'<Parameter name="{key}" type="Array(double)" value="{{{", ".join(map(repr, value))}}}"/>'
+            kind = {bool: "bool", float: "double", str: "string"}[type(value)]
+            return f'<Parameter name="{key}" type="{kind}" value="{str(value).lower() if kind == "bool" else value}"/>'
+
+        entries = "".join(parameter(key, value) for key, value in {"Type": self.kind, **self.entries}.items())
+        return f'<ParameterList name="{self.name}"><ParameterList name="Rigid">{entries}</ParameterList></ParameterList>'
+
+
 def pressure(side, value):
     return [("Type", "string", "Pressure"), ("Side", "string", side), ("Value", "string", value)]
 
 
 def write_scene(folder, first, second, settings=()):
-    """Writes meshes and deck of two solids; `first` is the Dirichlet body. Returns the deck's path."""
+    """Writes meshes and deck of two solids; `first` is the Dirichlet body, `second` may be rigid. Returns the deck's path."""
     for solid in (first, second):
         solid.write(folder)
     entries = [("Dirichlet Body", "string", first.name), ("Dirichlet Side", "string", first.foot),
-               ("Neumann Body", "string", second.name), ("Neumann Side", "string", second.foot), *settings]
+               ("Neumann Body", "string", second.name), *settings]
+    if second.foot:
+        entries.append(("Neumann Side", "string", second.foot))
     contact = "".join(f'<Parameter name="{key}" type="{kind}" value="{value}"/>' for key, kind, value in entries)
     path = pathlib.Path(folder) / "solids.xml"
     path.write_text(f'<ParameterList name="solids"><ParameterList name="Bodies">{first.deck()}{second.deck()}'

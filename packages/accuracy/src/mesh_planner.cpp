@@ -86,7 +86,9 @@ std::vector<FacetTwin> twinsOf(const Model& model)
   std::vector<FacetTwin> twins;
   const std::vector<int> place = placesOf(model);
   for (const auto& interface : model.interfaces)
-    for (std::size_t f = 0; f < interface.dirichletFacets.size() && !interface.map; ++f)
+    for (std::size_t f = 0; f < interface.dirichletFacets.size() && !interface.map &&
+                            !model.bodies[std::size_t(interface.neumannBody)].isRigid;
+         ++f)
       twins.push_back({place[std::size_t(interface.dirichletBody)],
                        uncutFacet(model.bodies[std::size_t(interface.dirichletBody)], interface.dirichletFacets[f]),
                        place[std::size_t(interface.neumannBody)],

@@ -110,10 +110,7 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
         "", fmt::format("no part of {}/{} faces {}/{}: along n_c, the outward normal of the first, there is nothing of "
                         "the second that looks back; name the sides that face each other.",
                         dirichlet.name, first.name, neumann.name, second.name)));
-  InterfaceMesh interface;
-  interface.name = definition.name();
-  interface.dim = 2;
-  interface.order = dirichlet.nodes.order;
+  InterfaceMesh interface = emptyInterface(definition, dirichlet);
   addFacingNodes(interface, *map, pieces, dirichlet.nodes, neumann.nodes);
   std::vector<Facet> facets;
   for (const FacingPiece& piece : pieces) {

@@ -136,6 +136,13 @@ bool matchFacets(InterfaceMesh& interface, const BodyModel& neumann, const Side&
   return byNodes.size() == interface.measures.size();
 }
 
+Diagnostic otherFacets(const Params& definition, const std::string& names)
+{
+  return definition.mistake("", fmt::format("the sides do not match ({}): they share their nodes but are cut into "
+                                            "different facets.",
+                                            names));
+}
+
 void refuseSameSide(const Params& definition, const InterfaceMesh& interface, const BodyModel& dirichlet,
                     const BodyModel& neumann)
 {
@@ -152,6 +159,14 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
                   pointText(interface.point(interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())]),
                             interface.dim))));
   }
+}
+
+/// A rigid body may have the normal.
+void setNormal(InterfaceMesh& interface, const ObstacleSurface* surface)
+{
+  for (auto* normals : {&interface.normals, &interface.facetNormals})
+    if (surface != nullptr && surface->normal)
+      std::fill(normals->begin(), normals->end(), *surface->normal);
 }
 
 } // namespace
@@ -176,18 +191,19 @@ bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, co
   return !commonVertices(first, firstSide, second, secondSide).empty();
 }
 
-InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann)
+InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+                        const ObstacleSurface* surface)
 {
-  const Side& first = findSide(definition, "Dirichlet Side", dirichlet);
+  Side first = findSide(definition, "Dirichlet Side", dirichlet);
+  if (surface != nullptr)
+    first.facets = surface->facets;
   const Side& second = findSide(definition, "Neumann Side", neumann);
-  InterfaceMesh interface;
-  interface.name = definition.name();
-  interface.dim = dirichlet.mesh.dim;
-  interface.order = dirichlet.nodes.order;
+  InterfaceMesh interface = emptyInterface(definition, dirichlet);
   const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
   const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
   interface.dirichletNodes = mine.nodes;
   addSideFacets(interface, dirichlet.mesh, dirichlet.nodes, first.facets);
+  setNormal(interface, surface);
 
   const std::string names = fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
   const double tolerance =
@@ -203,14 +219,11 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
     interface.points.insert(interface.points.end(), x, x + interface.dim);
   }
   if (!matchFacets(interface, neumann, second))
-    throw InputError(
-        definition.mistake("", fmt::format("the sides do not match ({}): they share their nodes but are cut into "
-                                           "different facets.",
-                                           names)));
+    throw InputError(otherFacets(definition, names));
   refuseSameSide(definition, interface, dirichlet, neumann);
   if (interface.dim == 2)
     turnNormals(interface, dirichlet.mesh, definition.get<double>("Corner Angle"));
-  evaluateGap(definition, interface);
+  evaluateGap(definition, interface, surface != nullptr ? surface->gap : std::string());
   return interface;
 }
 

@@ -24,6 +24,15 @@ const Side& findSide(const Params& definition, const char* key, const BodyModel&
   return *side;
 }
 
+InterfaceMesh emptyInterface(const Params& definition, const BodyModel& body)
+{
+  InterfaceMesh interface;
+  interface.name = definition.name();
+  interface.dim = body.mesh.dim;
+  interface.order = body.nodes.order;
+  return interface;
+}
+
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets)
 {
   if (interface.dirichletNodes.empty())
@@ -65,7 +74,8 @@ void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::
   const Expression given = definition.expression("Gap");
   const Expression gap = more.empty() ? given : Expression(fmt::format("({})+({})", given.text(), more));
   interface.gapFunction = sampledFunction(definition, "Gap", gap.text());
-  double deepest = 0.0;
+  constexpr double roundOff = 1e-13; // of coordinates, in formulas of obstacles
+  double deepest = more.empty() ? 0.0 : -roundOff * largestEntry(interface.points);
   int where = -1;
   for (int i = 0; i < interface.numNodes(); ++i) {
     const double* x = interface.point(i);

@@ -8,6 +8,9 @@ namespace ndframe
 /// The side that a key of an interface's definition names; InputError if the body has none of that name.
 const Side& findSide(const Params& definition, const char* key, const BodyModel& body);
 
+/// An interface of bodies like this one, still without facets.
+InterfaceMesh emptyInterface(const Params& definition, const BodyModel& body);
+
 /// Fills in what an interface has of its first side alone: dirichletNodes (ascending), facets, and addNormals().
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets);
 

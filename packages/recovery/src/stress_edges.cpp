@@ -22,7 +22,7 @@ public:
     same_.resize(std::size_t(first_.back()));
     std::iota(same_.begin(), same_.end(), 0);
     for (const StressFace& face : faces.all())
-      if (face.contact >= 0) {
+      if (face.contact >= 0 && !face.isBoundary()) {
         const auto first = vertices(face, 0), second = vertices(face, 1);
         for (std::size_t place = 0; place < second.size(); ++place)
           join(first[std::size_t(face.theirs[place])], second[place]);

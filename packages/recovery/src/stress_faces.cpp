@@ -209,33 +209,34 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
   face.choose = pseudoInverse(face.reach, rigidTolerance);
 }
 
-/// Contact facets become faces of two cells, with their normal tractions free, where both bodies have the same wrench
-/// of them and no support takes a part. The others keep the tractions that they have.
+/// Contact facets become faces with their normal tractions free: of two cells where both bodies have the same wrench of
+/// them, of one cell at a rigid body; where supports take a part they keep the tractions that they have.
 void StressFaces::joinContact(const std::vector<ContactFacet>& contact)
 {
   OrderedModes inOrder(3, cells_->any().data().degree);
   for (std::size_t f = 0; f < contact.size(); ++f) {
     const ContactFacet& facet = contact[f];
-    if (!cells_->has(facet.dirichletBody) || !cells_->has(facet.neumannBody) || facet.turns)
+    if (!cells_->has(facet.dirichletBody) || facet.turns)
       continue;
     StressFace face;
     const std::array<int, 2> bodies{facet.dirichletBody, facet.neumannBody};
     const std::array<Facet, 2> sides{facet.dirichlet, facet.neumann};
+    const std::size_t count = cells_->has(facet.neumannBody) ? 2 : 1;
     bool isFree = true;
-    for (std::size_t side = 0; side < 2; ++side) {
+    for (std::size_t side = 0; side < count; ++side) {
       face.cell[side] = cells_->number(bodies[side], sides[side].cell);
       face.facet[side] = sortedFacet(cells_->body(bodies[side]).model().mesh, sides[side]);
       isFree = isFree && faces_[std::size_t(within(face.cell[side], face.facet[side]))].reach.cols() == 0;
     }
     face.contact = int(f);
     face.theirs = facet.theirs;
-    if (facet.theirs != std::array{0, 1, 2})
+    if (count == 2 && facet.theirs != std::array{0, 1, 2})
       face.turned = inOrder(facet.theirs);
     const Vector arms = findGeometry(face);
-    if (!isFree || !coincide(face, arms, facet.normal))
+    if (!isFree || (count == 2 && !coincide(face, arms, facet.normal)))
       continue;
     freeAlong(face, arms, &facet.normal, 1);
-    for (std::size_t side = 0; side < 2; ++side)
+    for (std::size_t side = 0; side < count; ++side)
       joined_[std::size_t(within(face.cell[side], face.facet[side]))] = size();
     faces_.push_back(std::move(face));
     joined_.push_back(-1);

@@ -19,9 +19,10 @@ using Wrench = std::array<double, 6>;
 /// Rows that the matrices do not have are zero; inside, the last `higher` of y are the last data of T as they stand.
 struct StressFace
 {
-  std::array<int, 2> cell{-1, -1};    ///< the second is -1 on the boundary
-  std::array<int, 2> facet{-1, -1};   ///< its sorted number in each cell; T acts on the first, -T on the second
-  int contact = -1;                   ///< number of the contact facet: the cells belong to two bodies
+  std::array<int, 2> cell{-1, -1};  ///< the second is -1 on the boundary and at rigid bodies
+  std::array<int, 2> facet{-1, -1}; ///< its sorted number in each cell; T acts on the first, -T on the second
+  int contact =
+      -1; ///< number of the contact facet: the cells belong to two bodies, or there is one that touches a rigid body
   std::array<int, 3> theirs{0, 1, 2}; ///< there: ContactFacet::theirs
   DenseMatrix turned{};               ///< and its modesInOrder(); empty where the order is the same
   Direction centre{};
@@ -56,7 +57,8 @@ void addCross(const Direction& arm, const double* force, double factor, double* 
 Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLength, const Direction& to,
                    double toLength);
 
-/// All faces of solids. A contact facet whose two sides coincide is one face that both bodies share.
+/// All faces of solids. A contact facet whose two sides coincide is one face that both bodies share; at a rigid body it
+/// is a boundary face whose normal traction may change.
 class StressFaces
 {
 public:

@@ -69,8 +69,9 @@ void addInterface(Model& model, const Params& definition, const SidePairing& pai
   if (dirichlet.mesh.dim != neumann.mesh.dim)
     throw InputError(definition.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
                                                         dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
-  InterfaceMesh interface = pairing.map ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
-                                        : pairSides(definition, dirichlet, neumann);
+  InterfaceMesh interface =
+      pairing.map ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
+                  : pairSides(definition, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
   if (!interface.map)
     keepNormals(interface, earlier);
   interface.dirichletBody = interface.firstBody = first;

@@ -58,6 +58,27 @@ bool suits(const std::shared_ptr<const SideMap>& map, const Mesh& mesh, const Si
   return map && map->first().locate(mesh, side.facets.front()).edge >= 0;
 }
 
+Diagnostic facesNothing(const Params& definition, const std::string& side)
+{
+  return definition.mistake("",
+                            fmt::format("no part of side \"{}\" faces the rigid body: along the side's outward normal "
+                                        "there is nothing of it that looks back.",
+                                        side));
+}
+
+/// The pairing of a solid's side with a rigid body, which gets its layer unless it has one.
+SidePairing surfacePairing(Mesh& rigid, bool isMeshed, const Params& definition, const Obstacle& obstacle,
+                           const Mesh& first, const Side& side)
+{
+  SidePairing pairing;
+  pairing.surface = obstacle.facing(first, side.facets);
+  if (pairing.surface->facets.empty())
+    throw InputError(facesNothing(definition, side.name));
+  if (!isMeshed)
+    addLayer(rigid, definition.name(), first, *pairing.surface);
+  return pairing;
+}
+
 /// The same for a side that faces a rigid body; the body gets its strip unless it has one.
 SidePairing obstaclePairing(const Sides& scene, const Params& definition, const Params& rigid, bool isMeshed,
                             const FacingSides& sides)
@@ -67,9 +88,10 @@ SidePairing obstaclePairing(const Sides& scene, const Params& definition, const 
   if (ours == nullptr)
     throw InputError(definition.mistake(
         "Dirichlet Side", fmt::format("there is no side \"{}\"; {}.", sides.firstSide, sideNames(first))));
-  if (first.dim != 2)
-    throw InputError(definition.mistake("", "rigid bodies are available in the plane only."));
   const auto obstacle = scene.components.obstacles.build(rigid);
+  if (first.dim == 3)
+    return surfacePairing(scene.meshes[std::size_t(sides.secondBody)].mesh, isMeshed, definition, *obstacle, first,
+                          *ours);
   auto map = earlierMap(definition.name(), scene.earlier);
   if (!suits(map, first, *ours)) {
     SidePolygon side(first, ours->facets, definition.get<double>("Corner Angle"));
@@ -77,13 +99,10 @@ SidePairing obstaclePairing(const Sides& scene, const Params& definition, const 
     map = std::make_shared<const SideMap>(std::move(side), std::move(outline));
   }
   if (map->segments().empty())
-    throw InputError(definition.mistake(
-        "", fmt::format("no part of side \"{}\" faces the rigid body: along the side's outward normal there is nothing "
-                        "of it that looks back.",
-                        sides.firstSide)));
+    throw InputError(facesNothing(definition, sides.firstSide));
   if (!isMeshed)
     addStrip(scene.meshes[std::size_t(sides.secondBody)].mesh, definition.name(), *map, first, ours->facets);
-  return {map, obstacle->facing(map->first()).gap};
+  return {map, obstacle->facing(map->first()).gap, {}};
 }
 
 /// A rigid body is the second one, has no sides of its own and touches something.

@@ -2,6 +2,7 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 
 #include "ndframe/scene/model.hpp"
 
@@ -19,8 +20,9 @@ struct CutMesh : GivenMesh
 /// Which points of an interface face each other, if that takes more than sides that match.
 struct SidePairing
 {
-  std::shared_ptr<const SideMap> map; ///< null where the sides match as they are
-  std::string gap;                    ///< what a rigid body adds to the gap (ObstacleOutline)
+  std::shared_ptr<const SideMap> map;     ///< null where the sides match as they are
+  std::string gap;                        ///< what a rigid body adds to the gap (ObstacleOutline)
+  std::optional<ObstacleSurface> surface; ///< of a rigid body that a solid touches
 };
 
 /// Cuts the meshes of plane bodies where interfaces have sides that do not match (insertion), and makes those of rigid

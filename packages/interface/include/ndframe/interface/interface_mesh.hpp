@@ -7,7 +7,7 @@
 #include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/base/params.hpp"
-#include "ndframe/interface/side_map.hpp"
+#include "ndframe/interface/obstacle.hpp"
 
 namespace ndframe
 {
@@ -66,7 +66,10 @@ bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, co
 /// Throws InputError when a side does not exist; when the sides do not match (how many nodes, the largest distance and
 /// where); when the bodies overlap (both on the same side of the interface, one side inside the other body, or a
 /// negative gap: where and how much); when they are apart (the opening belongs into Gap).
-InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann);
+///
+/// surface: the second body is rigid and lies on these facets (addLayer).
+InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+                        const ObstacleSurface* surface = nullptr);
 
 /// The same for sides whose meshes match along a map (insertion.hpp). more: what a rigid body adds to the gap
 /// (ObstacleOutline::gap).

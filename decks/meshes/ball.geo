@@ -1,0 +1,21 @@
+// A quarter of the lower half of a ball of radius 1 that touches z = 0.
+SetFactory("OpenCASCADE");
+Sphere(1) = {0, 0, 1, 1, -Pi/2, 0, Pi/2};
+Field[1] = Ball;
+Field[1].Radius = 0.25;
+Field[1].VIn = 0.05;
+Field[1].VOut = 0.25;
+Field[1].Thickness = 0.7;
+Background Field = 1;
+Mesh.MeshSizeExtendFromBoundary = 0;
+Physical Volume("ball") = {1};
+e = 1e-4;
+top() = Surface In BoundingBox {-e, -e, 1 - e, 1 + e, 1 + e, 1 + e};
+Physical Surface("top") = {top()};
+x() = Surface In BoundingBox {-e, -e, -e, e, 1 + e, 1 + e};
+Physical Surface("x") = {x()};
+y() = Surface In BoundingBox {-e, -e, -e, 1 + e, e, 1 + e};
+Physical Surface("y") = {y()};
+all() = Boundary{ Volume{1}; };
+all() -= {top(), x(), y()};
+Physical Surface("round") = {all()};
