@@ -7,7 +7,8 @@ from .errors import UsageError
 from .tolerance import read_toml, tables_of
 
 # Gold file -> how its counterpart in the outputs ends.
-REQUIRED_FILES = {"gold.e": ".e", "gold.summary.json": ".summary.json", "gold.study.csv": ".study.csv"}
+REQUIRED_FILES = {"gold.e": ".e", "gold.summary.json": ".summary.json", "gold.study.csv": ".study.csv",
+                  "gold.cases.csv": ".cases.csv"}
 # What a case may leave out: an empty gold.contact.csv, blessed, begins to compare the contact table.
 GOLD_FILES = REQUIRED_FILES | {"gold.contact.csv": ".contact.csv"}
 

@@ -9,7 +9,8 @@ from .exodus_diff import EXODUS_DEFAULTS, diff_exodus
 from .summary_diff import IGNORED, SUMMARY_DEFAULTS, diff_summary
 from .tolerance import RULES, parse_rule, read_toml, tables_of
 
-DESCRIPTION = "Compares two Exodus files, NAME.summary.json, NAME.study.csv or NAME.contact.csv of ndframe."
+DESCRIPTION = ("Compares two Exodus files, NAME.summary.json, NAME.study.csv, NAME.cases.csv or NAME.contact.csv of "
+               "ndframe.")
 
 EPILOG = f"""\
 Exodus files: blocks, side sets, node sets (by their names; ids, statuses and truth tables too), steps, coordinates and

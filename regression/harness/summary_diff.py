@@ -1,4 +1,4 @@
-"""Two summaries (NAME.summary.json), or two tables of studies (NAME.study.csv), compared leaf by leaf."""
+"""Two summaries (NAME.summary.json), or two tables (NAME.study.csv, NAME.cases.csv), compared leaf by leaf."""
 
 import csv
 import json
@@ -14,7 +14,9 @@ IGNORE = Tolerance("ignore")
 # settled.
 IGNORED = ("version", "build/*", "ranks", "*/seconds", "*/peak_bytes", "*/total_seconds", "ledger/counts/bytes written",
            "ledger/counts/settled stresses")
-SUMMARY_DEFAULTS = Tolerances(Tolerance("relative", 1e-9), [(pattern, IGNORE) for pattern in IGNORED])
+OF_A_CASE = "cases/*/results/"  # a summary of its own
+SUMMARY_DEFAULTS = Tolerances(Tolerance("relative", 1e-9),
+                              [(prefix + pattern, IGNORE) for pattern in IGNORED for prefix in ("", OF_A_CASE)])
 
 
 def diff_summary(gold_path, new_path, tolerances=SUMMARY_DEFAULTS):

@@ -1,4 +1,4 @@
-"""A study gives the same table on 1, 2 and 3 processes: compare_study_ranks.py MPIEXEC NDFRAME DECK."""
+"""A study, or load cases, give the same table on 1, 2 and 3 processes: compare_study_ranks.py MPIEXEC NDFRAME DECK [SETTING...]."""
 
 import csv
 import pathlib
@@ -6,18 +6,19 @@ import subprocess
 import sys
 import tempfile
 
-MPIEXEC, NDFRAME, DECK = sys.argv[1:]
+MPIEXEC, NDFRAME, DECK, *SETTINGS = sys.argv[1:]
 # What a run measures of itself.
 OF_THE_PROCESS = {"seconds", "peak_bytes"}
 
 
 def table_on(ranks):
     with tempfile.TemporaryDirectory() as folder:
-        command = [MPIEXEC, "--oversubscribe", "-np", str(ranks), NDFRAME, "-i", DECK]
+        command = [MPIEXEC, "--oversubscribe", "-np", str(ranks), NDFRAME, "-i", DECK,
+                   *(part for setting in SETTINGS for part in ("--set", setting))]
         done = subprocess.run(command, cwd=folder, capture_output=True, text=True)
         assert done.returncode == 0, f"{ranks} ranks: exit code {done.returncode}\n{done.stdout}{done.stderr}"
         assert done.stdout.count("wrote ") == 1, f"one rank speaks:\n{done.stdout}"
-        (path,) = pathlib.Path(folder).iterdir()
+        (path,) = [path for path in pathlib.Path(folder).iterdir() if path.name.endswith((".study.csv", ".cases.csv"))]
         with open(path, newline="") as rows:
             return list(csv.DictReader(rows))
 

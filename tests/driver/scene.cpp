@@ -59,9 +59,13 @@ std::string shippedDeck(const std::string& name)
 std::vector<std::string> shippedDecks()
 {
   std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(NDFRAME_DECKS))
-    if (entry.path().extension() == ".xml" && readDeck(entry.path().string()).findList("Study") == nullptr)
+  for (const auto& entry : std::filesystem::directory_iterator(NDFRAME_DECKS)) {
+    if (entry.path().extension() != ".xml")
+      continue;
+    const DeckList deck = readDeck(entry.path().string());
+    if (deck.findList("Study") == nullptr && deck.findList("Load Cases") == nullptr)
       names.push_back(entry.path().stem().string());
+  }
   std::sort(names.begin(), names.end());
   return names;
 }

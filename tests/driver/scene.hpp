@@ -17,7 +17,7 @@ const Components& components();
 /// Path of decks/NAME.xml.
 std::string shippedDeck(const std::string& name);
 
-/// All decks that are shipped, by name, but studies: those are not one run.
+/// All decks that are shipped, by name, but studies and load cases: those are not one run.
 std::vector<std::string> shippedDecks();
 
 /// A run with the ledger that its factors count in.

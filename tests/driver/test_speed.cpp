@@ -144,6 +144,6 @@ TEST(Yardstick, MeasuresNoStudy)
 {
   const auto result = runProgram({"--yardstick", "-i", shippedDeck("study")}, testing::TempDir());
   EXPECT_EQ(result.exitCode, 2);
-  EXPECT_NE(result.err.find("--yardstick measures one scene; run it without a study."), std::string::npos)
+  EXPECT_NE(result.err.find("--yardstick measures one scene; run it without a study or load cases."), std::string::npos)
       << result.err;
 }

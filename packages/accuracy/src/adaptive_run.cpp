@@ -6,10 +6,10 @@
 #include <fmt/format.h>
 
 #include "accuracy_limits.hpp"
-#include "level_contact.hpp"
 #include "ndframe/accuracy/first_meshes.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/condensation/roles.hpp"
+#include "ndframe/run/contact_start.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/failure.hpp"
 #include "ndframe/run/run_steps.hpp"

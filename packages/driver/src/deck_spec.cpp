@@ -3,6 +3,7 @@
 #include "accuracy_list.hpp"
 #include "automatic_list.hpp"
 #include "error_list.hpp"
+#include "load_cases.hpp"
 #include "ndframe/base/list_specs.hpp"
 #include "ndframe/run/warnings.hpp"
 #include "output_list.hpp"
@@ -125,6 +126,7 @@ ListSpec makeDeckSpec(const Components& components)
                 accuracySpec(components),
                 outputSpec(),
                 makeNamed("Expect", "Numbers checked at the end of the run.", expectationSpec()),
+                loadCasesSpec(),
                 studySpec()};
   return deck;
 }

@@ -14,6 +14,7 @@
 #include "answers.hpp"
 #include "command_line.hpp"
 #include "failures.hpp"
+#include "load_cases.hpp"
 #include "ndframe/algebra/launcher.hpp"
 #include "ndframe/algebra/library_memory.hpp"
 #include "ndframe/base/deck.hpp"
@@ -133,15 +134,17 @@ void greet(const RunSettings& settings, const CommandLine& options, const Log& l
   log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), settings.title, options.deck));
 }
 
+/// Runs the cases of a list Study or Load Cases.
 ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Components& components, const Comm& comm,
                   const Log& log, Diagnostics& diagnostics, bool& computed)
 {
-  const Study study = expandStudy(deck, options.deck, makeDeckSpec(components), diagnostics);
+  const auto expand = deck.findList("Load Cases") != nullptr ? expandLoadCases : expandStudy;
+  const Study study = expand(deck, options.deck, makeDeckSpec(components), diagnostics);
   diagnostics.throwIfAny();
   const RunSettings first = readSettings(study.cases.front().deck);
   greet(first, options, log);
   if (options.yardstick)
-    throw InputError("--yardstick measures one scene; run it without a study.");
+    throw InputError("--yardstick measures one scene; run it without a study or load cases.");
   if (options.plan) {
     log.line(planText(first, components, comm) + "\n\n" + studyPlan(study));
     return ExitCode::Right;
@@ -156,7 +159,7 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
 {
   Diagnostics diagnostics;
   DeckList input = readInput(options, diagnostics);
-  if (input.findList("Study") != nullptr)
+  if (input.findList("Study") != nullptr || input.findList("Load Cases") != nullptr)
     return runStudy(input, options, components, comm, log, diagnostics, computed);
   completeAccuracyDeck(input, diagnostics);
   const Params deck = validateScene(input, makeDeckSpec(components), diagnostics);

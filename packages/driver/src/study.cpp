@@ -6,6 +6,7 @@
 #include <utility>
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include "failures.hpp"
 #include "ndframe/base/progress.hpp"
@@ -13,9 +14,11 @@
 #include "ndframe/report/accuracy_screen.hpp"
 #include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
+#include "ndframe/run/contact_start.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/run/warnings.hpp"
+#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -57,9 +60,9 @@ std::string reasonOf(const std::string& failure, const RunSummary& summary)
   return target.empty() || expectations.empty() ? target + expectations : target + "; " + expectations;
 }
 
-std::string caseName(std::size_t number)
+std::string caseName(const std::string& name)
 {
-  return fmt::format("case {}", number);
+  return "case " + name;
 }
 
 } // namespace
@@ -86,7 +89,7 @@ void StudyRunner::checkColumns()
       return isQuantity(column, outlineSummary(reusable_.model, settings, *solver, 1), settings);
     });
     if (!known)
-      diagnostics.add({deckName_, 0, "Study",
+      diagnostics.add({deckName_, 0, study_.list(),
                        fmt::format("Columns: \"{}\" is no number of a case's summary; examples are \"energy\", "
                                    "\"residuals/equilibrium\".",
                                    column)});
@@ -96,31 +99,54 @@ void StudyRunner::checkColumns()
 
 ExitCode StudyRunner::solve(const StudyCase& given, StudyRow& row)
 {
-  reusable_.energies.begin(caseName(row.number));
+  reusable_.energies.begin(caseName(row.name));
   const RunSettings settings = readSettings(given.deck);
   Run run = runDeck(settings, components_, comm_, ledger_, silentLog(), std::move(reusable_),
                     levelWriter(settings.output, deckName_, comm_, ledger_));
   const ExitCode code = codeOf(run);
-  writeResults(run, settings.output, deckName_, comm_, ledger_);
+  write(run, settings, row);
   copyLedger(run.summary, ledger_, run.startSeconds);
   for (const auto& warning : run.summary.warnings)
-    complain(comm_, fmt::format("case {}: {}", row.number, warningText(warning)));
+    complain(comm_, fmt::format("{}: {}", caseName(row.name), warningText(warning)));
   if (code == ExitCode::Warned)
     row.reason = run.summary.warnings.front().message;
   row.summary = std::move(run.summary);
   if (run.contradiction)
     withdraw(*run.contradiction);
-  reusable_ = handOn(run);
+  handOnFrom(run);
   if (code != ExitCode::Warned)
     row.reason = reasonOf(run.failure, *row.summary);
   return code;
+}
+
+/// The files of a case that has its own; else its part of those that all share.
+void StudyRunner::write(Run& run, const RunSettings& settings, const StudyRow& row)
+{
+  if (!shared_) {
+    writeResults(run, settings.output, deckName_, comm_, ledger_);
+  } else if (run.summary.solved) {
+    const auto timer = timeStage(ledger_, Stage::Stress);
+    writeOnFirstRank(comm_, [&] { shared_->add(run, int(row.number), row.name); });
+  }
+}
+
+/// What the next case may take over. From load case to load case contact goes on with its statuses; after one without a
+/// solution it begins as the deck says. Sweeps begin with the deck's traction: another one would stand in the answer as
+/// far as their tolerance lets it, and where contact opens altogether it goes away but slowly.
+void StudyRunner::handOnFrom(Run& run)
+{
+  CarriedContact contact;
+  if (shared_ && !run.solved.states.empty())
+    contact = contactOf(run, {});
+  reusable_ = handOn(run);
+  reusable_.contact = std::move(contact);
 }
 
 /// An earlier case that the present one contradicts is not guaranteed either.
 void StudyRunner::withdraw(const Contradiction& contradiction)
 {
   for (StudyRow& row : rows_) {
-    const std::string name = caseName(row.number);
+    const std::string name = caseName(row.name);
     if (contradiction.earlier != name && contradiction.earlier.rfind(name + ",", 0) != 0)
       continue;
     row.code = graver(row.code, ExitCode::NotConverged);
@@ -141,6 +167,7 @@ StudyRow StudyRunner::runCase(std::size_t index)
   const StudyCase& given = study_.cases[index];
   StudyRow row;
   row.number = index + 1;
+  row.name = given.name;
   row.values = given.values;
   ledger_.restart();
   const double start = wallSeconds(), share = double(index) / double(study_.cases.size());
@@ -183,37 +210,77 @@ ExitCode StudyRunner::check()
   return ExitCode::Right;
 }
 
-ExitCode StudyRunner::run(bool& computed)
+/// All cases, one line of the screen each.
+void StudyRunner::runCases(const std::string& partial, ExitCode& gravest)
 {
-  const double start = wallSeconds();
-  const OutputOptions output = readSettings(study_.cases.front().deck).output;
-  checkNameLength(output, study_.fileName);
-  if (study_.writesReport)
-    writeOnFirstRank(comm_, [&] { checkReport(output.place); });
-  if (!study_.columns.empty())
-    checkColumns();
-  const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
-  const std::string partial = stem + ".study.partial.csv";
-  writeRows(partial); // a folder that cannot be written in shows before anything is computed
-  computed = true;
-  ExitCode code = ExitCode::Right;
   log_.line(studyTitle(study_));
   for (std::size_t i = 0; i < study_.cases.size(); ++i) {
     rows_.push_back(runCase(i));
-    code = graver(code, rows_.back().code);
+    gravest = graver(gravest, rows_.back().code);
     log_.line(studyLine(study_, rows_.back()));
     if (!rows_.back().reason.empty())
       log_.line("        " + rows_.back().reason);
     writeRows(partial);
   }
-  writeRows(stem + ".study.csv");
+}
+
+CasesSummary StudyRunner::casesSummary() const
+{
+  CasesSummary summary{versionText(), study_.loads->title, study_.loads->deckJson, {}};
+  for (const StudyRow& row : rows_) {
+    CaseSummary one{row.name, {}, int(row.code), row.reason, row.seconds, row.summary};
+    for (std::size_t p = 1; p < row.values.size(); ++p) // behind the name
+      one.factors.emplace_back(study_.axes.front().parameters[p].path, std::stod(row.values[p]));
+    summary.cases.push_back(std::move(one));
+  }
+  return summary;
+}
+
+/// What load cases have together besides their table; returns the names.
+std::vector<std::string> StudyRunner::writeShared(const OutputOptions& output)
+{
+  std::vector<std::string> written;
+  writeOnFirstRank(comm_, [&] {
+    if (shared_)
+      written = shared_->write();
+    if (study_.loads && study_.loads->writesSummary) {
+      const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
+      written.push_back(stem + ".summary.json");
+      writeTextAtomically(written.back(), toJson(casesSummary()));
+    }
+  });
+  return written;
+}
+
+ExitCode StudyRunner::run(bool& computed)
+{
+  const double start = wallSeconds();
+  const OutputOptions output = readSettings(study_.cases.front().deck).output;
+  for (const StudyCase& one : study_.cases)
+    checkNameLength(output, study_.fileName + (study_.loads && study_.writesFiles ? "." + one.name : ""));
   if (study_.writesReport)
-    writeOnFirstRank(comm_, [&] { writeReport(stem + ".study.csv"); });
+    writeOnFirstRank(comm_, [&] { checkReport(output.place); });
+  if (!study_.columns.empty())
+    checkColumns();
+  if (study_.loads && study_.loads->sharesFiles)
+    shared_.emplace(output, deckName_);
+  const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
+  const std::string partial = stem + study_.tableEnding() + ".partial.csv",
+                    table = stem + study_.tableEnding() + ".csv";
+  writeRows(partial); // a folder that cannot be written in shows before anything is computed
+  computed = true;
+  ExitCode code = ExitCode::Right;
+  runCases(partial, code);
+  std::vector<std::string> written = writeShared(output);
+  writeRows(table);
+  written.push_back(table);
+  if (study_.writesReport)
+    writeOnFirstRank(comm_, [&] { writeReport(table); });
   std::error_code ignored;
   if (comm_.rank() == 0)
     std::filesystem::remove(partial, ignored);
   noteRemoved(partial);
-  log_.line(fmt::format("\n  {}\n  wrote {}.study.csv   {:.2f} s, {:.0f} MB", studyTotal(rows_), stem,
+  log_.line(fmt::format("\n  {}\n  wrote {}   {:.2f} s, {:.0f} MB", studyTotal(rows_), fmt::join(written, ", "),
                         wallSeconds() - start, double(peakMemory()) / 1e6));
   return code;
 }

@@ -2,13 +2,12 @@
 
 #include <algorithm>
 #include <cstdint>
-#include <filesystem>
 #include <set>
 
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include "accuracy_list.hpp"
+#include "deck_texts.hpp"
 #include "ndframe/driver/tied_deck.hpp"
 
 namespace ndframe
@@ -18,31 +17,6 @@ namespace
 
 /// Nobody waits for more; a larger grid is a slip.
 constexpr std::int64_t mostCases = 10000;
-
-std::string trimmed(const std::string& text)
-{
-  const auto first = text.find_first_not_of(" \t\r\n"), last = text.find_last_not_of(" \t\r\n");
-  return first == std::string::npos ? std::string() : text.substr(first, last - first + 1);
-}
-
-/// The trimmed parts between separators.
-std::vector<std::string> partsOf(const std::string& text, const std::string& separator)
-{
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (auto end = text.find(separator); end != std::string::npos; end = text.find(separator, begin)) {
-    parts.push_back(trimmed(text.substr(begin, end - begin)));
-    begin = end + separator.size();
-  }
-  parts.push_back(trimmed(text.substr(begin)));
-  return parts;
-}
-
-/// A path without the blanks that settings may have around names.
-std::string plainPath(const std::string& path)
-{
-  return fmt::format("{}", fmt::join(partsOf(path, "/"), "/"));
-}
 
 template <class Items>
 auto findNamed(Items& items, const std::string& name)
@@ -95,21 +69,6 @@ std::int64_t numCases(const Study& study, const DeckList& list, Diagnostics& dia
   return number > mostCases ? 0 : number;
 }
 
-/// An entry of the list Output; empty where the deck has none.
-std::string outputEntry(const DeckList& deck, const std::string& name)
-{
-  const DeckList* output = deck.findList("Output");
-  const DeckEntry* entry = output == nullptr ? nullptr : output->findEntry(name);
-  return entry == nullptr ? std::string() : entry->value;
-}
-
-/// As Output/Name says; else the deck's file without its ending.
-std::string fileNameOf(const DeckList& deck, const std::string& deckName)
-{
-  const std::string name = outputEntry(deck, "Name");
-  return name.empty() ? std::filesystem::path(deckName).stem().string() : name;
-}
-
 /// A study is read in its table; files of the cases are written on demand.
 void setOutput(DeckList& deck, const Study& study, const std::string& caseName, Diagnostics& diagnostics)
 {
@@ -149,7 +108,7 @@ StudyCase makeCase(const Study& study, DeckList deck, std::int64_t number, const
   }
   setOutput(deck, study, fmt::format("{}.{}", study.fileName, number + 1), diagnostics);
   completeAccuracyDeck(deck, diagnostics);
-  return {std::move(values), validateScene(deck, spec, diagnostics)};
+  return {fmt::format("{}", number + 1), std::move(values), validateScene(deck, spec, diagnostics)};
 }
 
 /// Replaces the values of a parameter that an axis of the deck moves already; false if none does.

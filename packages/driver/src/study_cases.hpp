@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -22,11 +23,22 @@ struct StudyAxis
 /// One point of the grid: the values of all parameters that vary, axis by axis, and the deck with them.
 struct StudyCase
 {
+  std::string name; ///< what messages call it: its number from 1, or the name of a load case
   std::vector<std::string> values;
   Params deck;
 };
 
-/// The list Study of a deck, expanded into a grid; the last axis is the fastest.
+/// What a list Load Cases says besides the cases.
+struct LoadCases
+{
+  bool sharesFiles = true; ///< the cases are the steps of one file; else each has its own, as NAME.CASE.e
+  bool writesSummary = true;
+  std::string title;
+  std::string deckJson; ///< the effective deck with the list
+};
+
+/// The list Study of a deck, expanded into a grid; the last axis is the fastest. Or its list Load Cases: one axis,
+/// whose parameters are the name of the case and the factors.
 struct Study
 {
   std::vector<StudyAxis> axes;
@@ -35,6 +47,10 @@ struct Study
   bool writesFiles = false;         ///< of every case, as FILENAME.1.e, ...
   bool writesReport = false;        ///< of the table
   std::string fileName;             ///< beginning of the names of all files
+  std::optional<LoadCases> loads;   ///< absent for a list Study
+
+  const char* list() const { return loads ? "Load Cases" : "Study"; }
+  const char* tableEnding() const { return loads ? ".cases" : ".study"; } ///< before .csv
 };
 
 /// The list Study.

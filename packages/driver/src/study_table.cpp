@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "load_columns.hpp"
 #include "ndframe/io/csv.hpp"
 #include "ndframe/scene/recipe.hpp"
 
@@ -95,9 +96,22 @@ const std::vector<Column>& everyTimeColumns()
   return columns;
 }
 
-std::vector<Column> columnsOf(const Study& study)
+Number largest(double (*of)(const RunSummary&))
+{
+  return [of](const StudyRow& row) {
+    return row.summary && row.summary->solved ? std::optional(of(*row.summary)) : std::nullopt;
+  };
+}
+
+std::vector<Column> columnsOf(const Study& study, const std::vector<StudyRow>& rows)
 {
   std::vector<Column> columns = everyTimeColumns();
+  if (study.loads) {
+    columns.push_back({"largest_displacement", largest(largestDisplacement)});
+    columns.push_back({"largest_pressure", largest(largestPressure)});
+    for (const auto& path : forcePaths(rows))
+      columns.push_back({path, ofSummary(path)});
+  }
   for (const auto& path : study.columns)
     columns.push_back({path, ofSummary(path)});
   return columns;
@@ -118,15 +132,23 @@ struct ScreenColumn
   Number number;
 };
 
-const std::vector<ScreenColumn>& screenColumns()
+const std::vector<ScreenColumn>& screenColumns(const Study& study)
 {
+  static const std::vector<ScreenColumn> ofLoads{{"energy", 15, "{:.7g}", ofSummary("energy")},
+                                                 {"displacement", 14, "{:.4g}", largest(largestDisplacement)},
+                                                 {"pressure", 11, "{:.4g}", largest(largestPressure)},
+                                                 {"sweeps", 7, "{:.0f}", ofSummary("coupling/sweeps")},
+                                                 {"bound", 11, "{:.4g}", ofSummary("errors/global/absolute")},
+                                                 {"guaranteed", 11, "{:.0f}", ofSummary("errors/global/guaranteed")},
+                                                 {"factored", 9, "{:.0f}", count("factorisations")},
+                                                 {"reused", 7, "{:.0f}", count("factors reused")}};
   static const std::vector<ScreenColumn> columns{{"dofs", 9, "{:.0f}", dofs},
                                                  {"energy", 13, "{:.7g}", ofSummary("energy")},
                                                  {"sweeps", 7, "{:.0f}", ofSummary("coupling/sweeps")},
                                                  {"bound", 10, "{:.4g}", ofSummary("errors/global/absolute")},
                                                  {"factored", 9, "{:.0f}", count("factorisations")},
                                                  {"reused", 7, "{:.0f}", count("factors reused")}};
-  return columns;
+  return study.loads ? ofLoads : columns;
 }
 
 /// The last name of the path that the axis is called by, or is.
@@ -170,7 +192,7 @@ std::string whatChanges(const SceneRecipe& before, const SceneRecipe& now)
 
 std::string studyCsv(const Study& study, const std::vector<StudyRow>& rows)
 {
-  const auto columns = columnsOf(study);
+  const auto columns = columnsOf(study, rows);
   std::vector<std::string> names{"case"};
   for (const auto& axis : study.axes)
     for (const auto& parameter : axis.parameters)
@@ -197,7 +219,7 @@ std::string studyTitle(const Study& study)
   std::string line = "  case";
   for (const auto& axis : study.axes)
     line += fmt::format("{:>{}}", shortName(axis), widthOf(axis));
-  for (const auto& column : screenColumns())
+  for (const auto& column : screenColumns(study))
     line += fmt::format("{:>{}}", column.name, column.width);
   return line + "   seconds";
 }
@@ -210,7 +232,7 @@ std::string studyLine(const Study& study, const StudyRow& row)
     line += fmt::format("{:>{}}", row.values[value], widthOf(axis));
     value += axis.parameters.size();
   }
-  for (const auto& column : screenColumns()) {
+  for (const auto& column : screenColumns(study)) {
     const auto number = column.number(row);
     line += fmt::format("{:>{}}", number ? fmt::format(fmt::runtime(column.format), *number) : "-", column.width);
   }
@@ -230,8 +252,9 @@ std::string studyPlan(const Study& study)
                              : whatChanges(recipeOf(study.cases[stride - 1].deck), recipeOf(study.cases[stride].deck));
     text += fmt::format("  {:<19} {}\n", shortName(axis), changes);
   }
-  return text + fmt::format("  {:<19} {}.study.csv, one row a case{}", "table", study.fileName,
-                            study.writesFiles ? "; and the files of every case" : "");
+  text += fmt::format("  {:<19} {}{}.csv, one row a case{}", "table", study.fileName, study.tableEnding(),
+                      study.writesFiles ? "; and the files of every case" : "");
+  return text + (study.loads && study.loads->sharesFiles ? "; the other files hold all cases" : "");
 }
 
 std::string studyTotal(const std::vector<StudyRow>& rows)

@@ -11,10 +11,11 @@
 namespace ndframe
 {
 
-/// What a case of a study left.
+/// What a case of a study left, or a load case.
 struct StudyRow
 {
   std::size_t number = 0; ///< from 1
+  std::string name;       ///< of the case: its number, or that of a load case
   std::vector<std::string> values;
   std::optional<RunSummary> summary; ///< absent when nothing could be computed
   ExitCode code = ExitCode::Right;
@@ -22,9 +23,10 @@ struct StudyRow
   double seconds = 0.0;
 };
 
-/// NAME.study.csv: a line of names, then one line a case: its number, the values of the parameters that vary, results,
-/// work, exit code and reason. A field with a comma, a quote or a line end stands in quotes; numbers that a case does
-/// not have are empty.
+/// NAME.study.csv or NAME.cases.csv: a line of names, then one line a case: its number, the values of the parameters
+/// that vary, results, work, exit code and reason. A field with a comma, a quote or a line end stands in quotes;
+/// numbers that a case does not have are empty. Load cases have largest displacement and pressure, contact forces and
+/// reactions, too.
 std::string studyCsv(const Study& study, const std::vector<StudyRow>& rows);
 
 /// The screen's table: the line of names, and one line a case.

@@ -194,31 +194,6 @@ Json buildJson(const BuildInfo& build)
           {"libraries", std::move(libraries)}};
 }
 
-Json summaryJson(const RunSummary& summary)
-{
-  Json json{{"version", summary.version},
-            {"build", buildJson(summary.build)},
-            {"title", summary.title},
-            {"ranks", summary.ranks},
-            {"per_unit_thickness", summary.perUnitThickness},
-            {"deck", deckJson(summary.deckJson)},
-            {"bodies", arrayOf(summary.bodies, bodyJson)},
-            {"energy", summary.energy},
-            {"interfaces", arrayOf(summary.interfaces, interfaceJson)},
-            {"coupling", couplingJson(summary.coupling)},
-            {"residuals", residualsJson(summary.residuals)},
-            {"warnings", arrayOf(summary.warnings, warningJson)},
-            {"errors", errorsJson(summary.errors)},
-            {"accuracy", accuracyJson(summary.accuracy)},
-            {"expectations", arrayOf(summary.expectations, expectationJson)},
-            {"ledger", ledgerJson(summary)}};
-  if (!summary.probes.empty())
-    json["probes"] = probesJson(summary.probes);
-  if (!summary.solved)
-    eraseSolution(json);
-  return json;
-}
-
 const Json* entryByIndex(const Json& array, const std::string& text)
 {
   if (text.empty() || text.size() > 9 || text.find_first_not_of("0123456789") != std::string::npos)
@@ -254,6 +229,31 @@ std::optional<double> numberOf(const Json& node)
 }
 
 } // namespace
+
+Json summaryJson(const RunSummary& summary)
+{
+  Json json{{"version", summary.version},
+            {"build", buildJson(summary.build)},
+            {"title", summary.title},
+            {"ranks", summary.ranks},
+            {"per_unit_thickness", summary.perUnitThickness},
+            {"deck", deckJson(summary.deckJson)},
+            {"bodies", arrayOf(summary.bodies, bodyJson)},
+            {"energy", summary.energy},
+            {"interfaces", arrayOf(summary.interfaces, interfaceJson)},
+            {"coupling", couplingJson(summary.coupling)},
+            {"residuals", residualsJson(summary.residuals)},
+            {"warnings", arrayOf(summary.warnings, warningJson)},
+            {"errors", errorsJson(summary.errors)},
+            {"accuracy", accuracyJson(summary.accuracy)},
+            {"expectations", arrayOf(summary.expectations, expectationJson)},
+            {"ledger", ledgerJson(summary)}};
+  if (!summary.probes.empty())
+    json["probes"] = probesJson(summary.probes);
+  if (!summary.solved)
+    eraseSolution(json);
+  return json;
+}
 
 std::string toJson(const RunSummary& summary)
 {

@@ -9,6 +9,9 @@ namespace ndframe
 
 using Json = nlohmann::ordered_json;
 
+/// All of a summary.
+Json summaryJson(const RunSummary& summary);
+
 /// The certificate; null without one. What was not computed is null.
 Json errorsJson(const std::optional<ErrorSummary>& errors);
 

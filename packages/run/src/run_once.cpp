@@ -2,6 +2,7 @@
 
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/condensation/roles.hpp"
+#include "ndframe/run/contact_start.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/scene/stage.hpp"
 
@@ -11,7 +12,7 @@ namespace
 {
 
 /// The whole run, starting with what stands in it of an earlier one.
-void compute(Run& run, const RunTools& tools, RunObserver& observer)
+void compute(Run& run, const RunTools& tools, RunObserver& observer, const CarriedContact& contact)
 {
   const SerialBlas serial;
   run.plan = Plan(tools.settings, *tools.solver, tools.comm.size());
@@ -22,7 +23,7 @@ void compute(Run& run, const RunTools& tools, RunObserver& observer)
   attempt(run, observer, [&] {
     condenseRun(run, tools, observer);
     findRoles(run, tools, observer);
-    solveRun(run, tools, observer);
+    solveRun(run, tools, observer, startLike(run, contact));
     if (run.plan.runs(Stage::Certificate))
       certifyRun(run, tools);
   });
@@ -45,7 +46,7 @@ Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous)
   run.reference = std::move(previous.reference);
   run.energies = std::move(previous.energies);
   try {
-    compute(run, tools, observer);
+    compute(run, tools, observer, previous.contact);
   } catch (...) {
     previous = handOn(run);
     throw;

@@ -9,6 +9,7 @@
 #include "ndframe/certification/certificate.hpp"
 #include "ndframe/certification/energy_records.hpp"
 #include "ndframe/condensation/solution.hpp"
+#include "ndframe/interface/contact_transfer.hpp"
 #include "ndframe/run/plan.hpp"
 
 namespace ndframe
@@ -62,6 +63,7 @@ struct Reusable
   CondensedModel condensed;
   std::shared_ptr<const ReferenceSolution> reference = nullptr;
   EnergyRecords energies = {};
+  CarriedContact contact = {}; ///< what the next run's iteration begins with; empty: as its deck says
 };
 
 /// Takes out of a run what the next one may take over; the answer stays.

@@ -1,4 +1,4 @@
-#include "level_contact.hpp"
+#include "ndframe/run/contact_start.hpp"
 
 #include "ndframe/interface/traction_transfer.hpp"
 
@@ -33,6 +33,18 @@ CouplingStart startFrom(const Run& run, const CarriedContact& contact)
   if (!contact.closed.empty())
     start.closed = statusesOfUnknowns(run.condensed.interface, contact.closed);
   return start;
+}
+
+CouplingStart startLike(const Run& run, const CarriedContact& contact)
+{
+  const auto numNodes = [](const std::vector<InterfaceMesh>& interfaces) {
+    std::vector<int> numbers;
+    for (const auto& interface : interfaces)
+      numbers.push_back(interface.numNodes());
+    return numbers;
+  };
+  const bool fits = !contact.closed.empty() && numNodes(contact.interfaces) == numNodes(run.model.interfaces);
+  return fits ? startFrom(run, contact) : CouplingStart();
 }
 
 } // namespace ndframe

@@ -17,4 +17,7 @@ CarriedContact contactOf(const Run& run, Vector traction);
 /// Begins with tractions and statuses on the run's own meshes; an empty start without interfaces.
 CouplingStart startFrom(const Run& run, const CarriedContact& contact);
 
+/// The same with the contact of another run; an empty start where its interfaces have other nodes.
+CouplingStart startLike(const Run& run, const CarriedContact& contact);
+
 } // namespace ndframe
