@@ -13,10 +13,12 @@ from .results import read_results
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="ndframe report", description="Writes NAME.report.html, one file with all "
-                                     "that a run or a study has left: scene, verdict, pictures, tables, deck.")
+                                     "that a run, its load cases or a study has left: scene, verdict, pictures, tables, deck.")
     parser.add_argument("name", metavar="NAME", help="beginning of the run's file names, or one of its files: punch, "
                         "results/punch, punch.summary.json, certificate.study.csv")
     parser.add_argument("-o", "--output", metavar="FILE", type=pathlib.Path, help="instead of NAME.report.html")
+    parser.add_argument("-c", "--case", metavar="CASE", help="of a run with load cases the report of this one, NAME.CASE.report.html; "
+                        "without it, of all of them")
     parser.add_argument("-q", "--quiet", action="store_true", help="do not say what was written")
     return parser.parse_args(arguments)
 
@@ -39,7 +41,7 @@ def write_whole(path, text):
 def run(arguments):
     options = parse(arguments)
     try:
-        results = read_results(options.name)
+        results = read_results(options.name, options.case)
         from .page import page  # loads matplotlib, which a wrong name need not wait for
         path = options.output or pathlib.Path(f"{results.stem}.report.html")
         write_whole(path, page(results))

@@ -1,14 +1,18 @@
 """The report of a study: its table, and the trend of every quantity over the parameters."""
 
-from . import curves, words
+from . import curves, pictures, words
+from .results import shown_case
 from .style import svg
 
 # Columns of NAME.study.csv in the order of the pictures, and how they are called there.
 QUANTITIES = {"energy": "energy a(u,u)", "bound": "bound of the error", "bound_relative": "bound, of the solution",
               "mesh_part": "mesh part of the error", "iteration_part": "iteration part of the error",
               "reference_error": "error against the reference", "effectivity": "bound over error", "sweeps": "sweeps",
-              "dofs": "degrees of freedom", "seconds": "seconds", "peak_bytes": "peak memory, MB"}
+              "dofs": "degrees of freedom", "largest_displacement": "largest displacement",
+              "largest_pressure": "largest contact pressure", "seconds": "seconds", "peak_bytes": "peak memory, MB"}
 BOUNDS = ("bound", "bound_relative", "mesh_part")
+# Pictures of a load case, and what they are called.
+SECTIONS = {"scene": "Scene", "fields": "Bodies", "contact": "Contact", "errors": "What every element adds to the error"}
 WORK = ("eps_tau", "converged", "guaranteed", "exit_code", "factorisations", "factors_reused", "meshes_reused",
         "references_reused", "back_solves", "reason")
 
@@ -16,14 +20,30 @@ WORK = ("eps_tau", "converged", "guaranteed", "exit_code", "factorisations", "fa
 def content(results):
     rows, columns = results.study, list(results.study[0])
     axes = columns[1 : columns.index("dofs")]
-    groups = together(rows, axes)
+    groups = [axes] if results.cases else together(rows, axes)  # load cases are one axis, whatever their factors
     failed = [row for row in rows if (row["exit_code"] or "0") != "0"]
     return {
-        "title": results.name, "name": results.name, "state": "wrong" if failed else "right",
+        "title": title(results), "name": results.name, "shown": shown(results), "state": "wrong" if failed else "right",
         "verdict": verdict(rows, failed, groups), "pictures": trends(rows, columns, axes, groups),
         "table": (*table(rows, columns, axes), 0), "failed": [(row["case"], row["reason"]) for row in failed], "gaps": results.gaps,
         "files": results.files, "axes": [(words.joined(group), words.count(len(different(rows, group[0])), "value")) for group in groups],
     }
+
+
+def title(results):
+    return (results.cases.summary["title"] if results.cases else "") or results.name
+
+
+def shown(results):
+    """(section of a run's page, pictures) of the last load case; of a study nothing."""
+    found = shown_case(results.cases) if results.cases else None
+    if not found:
+        return []
+    name, run = found
+    sections = pictures.of_run(run)
+    results.gaps += run.gaps
+    results.files += [file for file in run.files if file not in results.files]
+    return [(f"{called}, case {name}", sections[key]) for key, called in SECTIONS.items() if sections[key]]
 
 
 def different(rows, column):
@@ -47,7 +67,7 @@ def together(rows, axes):
 
 
 def verdict(rows, failed, groups):
-    names = words.joined(short(group[0]) + (" (and what moves with it)" if len(group) > 1 else "") for group in groups)
+    names = "factors of loads" if groups[0][0] == "name" else words.joined(short(group[0]) + (" (and what moves with it)" if len(group) > 1 else "") for group in groups)
     text = f"{words.count(len(rows), 'case')} over {names}"
     energies = [number(row["energy"]) for row in rows if number(row["energy"]) is not None]
     if energies and min(energies) != max(energies):
@@ -84,7 +104,7 @@ def trends(rows, columns, axes, groups):
     values = different(rows, across)
     numeric = all(number(value) is not None for value in values)
     found = []
-    extra = [c for c in columns[columns.index("dofs") :] if c not in QUANTITIES and c not in WORK]
+    extra = [c for c in columns[columns.index("dofs") :] if c not in QUANTITIES and c not in WORK and "/supports/" not in c]
     for column in [*QUANTITIES, *extra]:
         series = series_of(rows, column, across, others, None if numeric else values)
         numbers = {y for _, _, ys, _ in series for y in ys}

@@ -16,8 +16,8 @@ from .deck import deck_text
 from .errors import Error, ReadError, RunError
 from .exodus import Exodus
 from .fields import Fields
-from .program import find_program, run, run_study
-from .results import Bound, Run, Study, read
+from .program import find_program, run, run_cases, run_study
+from .results import Bound, Case, LoadCases, Run, Study, read
 
-__all__ = ["Bound", "Error", "Exodus", "Fields", "ReadError", "Run", "RunError", "Study", "deck_text", "find_program", "read", "run",
-           "run_study"]
+__all__ = ["Bound", "Case", "Error", "Exodus", "Fields", "LoadCases", "ReadError", "Run", "RunError", "Study", "deck_text",
+           "find_program", "read", "run", "run_cases", "run_study"]

@@ -19,11 +19,12 @@ class Fields:
 
     A body is one block of elements, called like the body; with Regions each of them is a block `BODY:REGION` of its own. A side of
     an interface is called `INTERFACE:dirichlet` or `INTERFACE:neumann`, any other `BODY:SIDE`. Steps are sweeps if the deck says
-    Output/Steps = All Sweeps, else there is one; -1 is the last. Raises ReadError for files that are damaged and for unknown names.
+    Output/Steps = All Sweeps, load cases if it has some, else there is one; -1 is the last, and of the fields of a load case its own:
+    `last`. Raises ReadError for files that are damaged and for unknown names.
     """
 
-    def __init__(self, path: str | os.PathLike[str]):
-        self.path = pathlib.Path(path)
+    def __init__(self, path: str | os.PathLike[str], last: int = -1):
+        self.path, self.last = pathlib.Path(path), last
         if not self.path.exists():
             raise ReadError(f"{path}: there is no such file; run the deck with Output/Exodus = true.")
         self.file = Exodus(str(path))
@@ -41,7 +42,7 @@ class Fields:
 
     @property
     def steps(self) -> numpy.ndarray:
-        """Number of the sweep of each step, [steps]."""
+        """Number of the sweep, or of the load case, of each step, [steps]."""
         return self.file.times
 
     @property
@@ -121,6 +122,7 @@ class Fields:
         return values
 
     def _step(self, values, step):
+        step = self.last if step == -1 else step
         if not -len(values) <= step < len(values):
             raise ReadError(f"{self.path}: there is no step {step}; there {'is 1' if len(values) == 1 else f'are {len(values)}'}, "
                             "from 0, and -1 is the last.")

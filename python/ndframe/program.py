@@ -13,10 +13,15 @@ from typing import Any
 
 from .deck import Value, deck_text, output_stem, value_text
 from .errors import Error, ReadError, RunError
-from .results import Run, Study, read
+from .results import LoadCases, Run, Study, read
 
 Deck = str | os.PathLike[str] | Mapping[str, Any]
 Settings = Mapping[str, Value]
+
+
+# What was run, where another function was called for it.
+MEANT = {Run: "neither the deck nor the call has load cases or an axis of a study; use run()",
+         LoadCases: "the deck has a list Load Cases, which run_cases() runs", Study: "the deck has a list Study, which run_study() runs"}
 
 
 def find_program() -> str:
@@ -42,6 +47,22 @@ def run(deck: Deck, settings: Settings | None = None, *, folder: str | os.PathLi
     of processes. codes: exit codes that are no error; others raise RunError, whose `results` has the Run where one was written.
     """
     return _finish(_call(deck, settings or {}, {}, pathlib.Path(folder), ranks, program), codes, Run)
+
+
+def run_cases(deck: Deck, cases: Mapping[str, Mapping[str, float]] | None = None, settings: Settings | None = None, *,
+              folder: str | os.PathLike[str] = ".", ranks: int = 1, program: str | os.PathLike[str] | None = None,
+              codes: Sequence[int] = (0,)) -> LoadCases:
+    """Runs a deck for several states of its loads in one process: {"half": {"Bodies/punch/Loads/press": 0.5}, ...}.
+
+    Factors that a case does not name are 1. Without `cases` those of the deck's list Load Cases; the rest is as in run(), the code is
+    the gravest of all cases.
+    """
+    given: dict[str, Value] = dict(settings or {})
+    if cases:
+        given["Load Cases/Names"] = list(cases)
+        for path in dict.fromkeys(path for factors in cases.values() for path in factors):
+            given[f"Load Cases/Factors/{path}"] = [float(factors.get(path, 1.0)) for factors in cases.values()]
+    return _finish(_call(deck, given, {}, pathlib.Path(folder), ranks, program), codes, LoadCases)
 
 
 def run_study(deck: Deck, axes: Mapping[str, Sequence[Value]] | None = None, settings: Settings | None = None, *,
@@ -107,6 +128,5 @@ def _finish(call: _Call, codes: Sequence[int], wanted: type) -> Any:
         raise RunError(f"ndframe ended with exit code {call.code}:\n{call.errors.strip()}\n{shlex.join(call.command)}", call.code,
                        call.errors, results)
     if not isinstance(results, wanted):
-        raise ReadError(f"{call.stem}: the deck has a list Study, which run_study() runs." if wanted is Run
-                        else f"{call.stem}: neither the deck nor the call has an axis of a study; use run().")
+        raise ReadError(f"{call.stem}: {MEANT[type(results)]}.")
     return results

@@ -1,4 +1,4 @@
-"""The files of a run or of a study."""
+"""The files of a run, of load cases or of a study."""
 
 from __future__ import annotations
 
@@ -15,7 +15,8 @@ from .errors import ReadError, unknown
 from .fields import Fields
 from .tables import Columns, columns, read_contact, read_rows
 
-ENDINGS = (".summary.json", ".study.csv", ".study.partial.csv", ".contact.csv", ".levels.csv", ".report.html", ".e", ".xml")
+TABLES = (".study.csv", ".study.partial.csv", ".cases.csv", ".cases.partial.csv")
+ENDINGS = (".summary.json", *TABLES, ".contact.csv", ".levels.csv", ".report.html", ".e", ".xml")
 # What every summary has had; `build` came later.
 SUMMARY_KEYS = ("version", "title", "ranks", "per_unit_thickness", "deck", "bodies", "energy", "interfaces", "coupling", "residuals",
                 "warnings", "errors", "accuracy", "expectations", "ledger")
@@ -114,7 +115,7 @@ class Run:
         path = pathlib.Path(f"{self.stem}.contact.csv")
         if not path.exists():
             raise ReadError(f"there is no {path.name}" + ("." if self.interfaces else "; the scene has no interface."))
-        return read_contact(path)
+        return self._contact_in(path)
 
     @functools.cached_property
     def fields(self) -> Fields:
@@ -123,10 +124,74 @@ class Run:
         if not path.exists():
             why = "Output/Exodus is false" if self.deck.get("Output", {}).get("Exodus") is False else "the file is missing"
             raise ReadError(f"there is no {path.name} ({why}).")
-        fields = Fields(path)
+        fields = self._fields_in(path)
         if not all(any(block == body or block.startswith(body + ":") for body in self.bodies) for block in fields.blocks):
             raise ReadError(f"{path.name} belongs to another run: its bodies are not those of the summary.")
         return fields
+
+    def _contact_in(self, path: pathlib.Path) -> dict[str, Columns]:
+        return read_contact(path)
+
+    def _fields_in(self, path: pathlib.Path) -> Fields:
+        return Fields(path)
+
+
+@dataclasses.dataclass(frozen=True)
+class Case(Run):
+    """A load case: a run whose files are those of all cases. `case`: its name; `number`: from 1, the time of its step."""
+
+    case: str = ""
+    number: int = 0
+
+    @property
+    def name(self) -> str:
+        return f"{pathlib.Path(self.stem).name}.{self.case}"
+
+    def _contact_in(self, path: pathlib.Path) -> dict[str, Columns]:
+        return read_contact(path, self.case)
+
+    def _fields_in(self, path: pathlib.Path) -> Fields:
+        steps = list(Fields(path).steps)
+        if self.number not in steps:
+            raise ReadError(f'{path.name} has no step of the case "{self.case}".')
+        return Fields(path, steps.index(self.number))
+
+
+@dataclasses.dataclass(frozen=True)
+class LoadCases:
+    """What a deck with the list Load Cases left: `cases["half"]` is a Run. `rows` of the table: one a case, as texts by column."""
+
+    stem: str
+    summary: dict[str, Any]
+    code: int | None = None
+    screen: str = ""
+
+    @property
+    def names(self) -> list[str]:
+        """In the order in which they were solved."""
+        return [case["name"] for case in self.summary["cases"]]
+
+    def entry(self, name: str) -> dict[str, Any]:
+        """The case in the summary: factors, exit_code, reason, seconds, results."""
+        if name not in self.names:
+            raise unknown(self.stem, "load case", name, self.names)
+        return self.summary["cases"][self.names.index(name)]
+
+    def __getitem__(self, name: str) -> Run:
+        results = self.entry(name)["results"]
+        if results is None:
+            raise ReadError(f'{self.stem}: nothing was computed of the case "{name}": {self.entry(name)["reason"]}')
+        if results["accuracy"]:  # it has files of its own
+            return Run(f"{self.stem}.{name}", results, self.entry(name)["exit_code"])
+        return Case(self.stem, results, self.entry(name)["exit_code"], "", name, self.names.index(name) + 1)
+
+    @functools.cached_property
+    def rows(self) -> list[dict[str, str]]:
+        return read_rows(pathlib.Path(f"{self.stem}.cases.csv"))
+
+    def column(self, name: str) -> numpy.ndarray:
+        """[cases] of one column of NAME.cases.csv, as of a study."""
+        return Study(self.stem, self.rows).column(name)
 
 
 @dataclasses.dataclass(frozen=True)
@@ -150,20 +215,19 @@ class Study:
             return numpy.array(texts)
 
 
-def read(name: str | os.PathLike[str]) -> Run | Study:
+def read(name: str | os.PathLike[str]) -> Run | LoadCases | Study:
     """The results of NAME: "punch", "results/punch", or one of its files.
 
-    A study where only that is there, or where NAME ends like its table. Raises ReadError where there is neither a summary nor a table,
-    or where it is damaged.
+    A study where only that is there, or where NAME ends like its table; the table of load cases that were interrupted is one, too.
+    Raises ReadError where there is neither a summary nor a table, or where it is damaged.
     """
     name = os.fspath(name)
     stem = stem_of(name)
-    summary, study = pathlib.Path(f"{stem}.summary.json"), pathlib.Path(f"{stem}.study.csv")
-    partial = pathlib.Path(f"{stem}.study.partial.csv")
-    if not study.exists() and not summary.exists() and partial.exists():
-        study = partial
-    if study.exists() and (".study." in name or not summary.exists()):
-        return read_study(stem, study)
+    summary = pathlib.Path(f"{stem}.summary.json")
+    tables = [path for ending in TABLES if (path := pathlib.Path(f"{stem}{ending}")).exists()]
+    of_study = bool(tables) and tables[0].name.endswith(".study.csv")
+    if tables and (not summary.exists() or of_study and ".study." in name):
+        return read_study(stem, tables[0])
     if not summary.exists():
         raise ReadError(f"there is no {summary} and no {stem}.study.csv; run the deck first, in this folder or with the folder in NAME "
                         "(Output/Summary must not be false).")
@@ -174,20 +238,21 @@ def stem_of(name: str) -> str:
     """What comes before the ending. The results of a deck elsewhere are looked for in the working directory."""
     ending = next((e for e in ENDINGS if name.endswith(e) and len(name) > len(e)), "")
     stem = name[: len(name) - len(ending)]
-    beside = any(pathlib.Path(f"{stem}{e}").exists() for e in (".summary.json", ".study.csv", ".study.partial.csv"))
+    beside = any(pathlib.Path(f"{stem}{e}").exists() for e in (".summary.json", *TABLES))
     return pathlib.Path(stem).name if ending == ".xml" and not beside else stem
 
 
-def read_run(stem: str, path: pathlib.Path) -> Run:
+def read_run(stem: str, path: pathlib.Path) -> Run | LoadCases:
     try:
         summary = json.loads(path.read_text(encoding="utf-8"))
-        for key in SUMMARY_KEYS:
-            summary[key]
+        for results in [case["results"] for case in summary["cases"]] if "cases" in summary else [summary]:
+            for key in () if results is None else SUMMARY_KEYS:
+                results[key]
         summary["deck"]["Bodies"]
     except (OSError, ValueError, KeyError, TypeError) as error:
         raise ReadError(f"{path} cannot be read as a summary of ndframe ({type(error).__name__}: {error}); run the deck "
                         "again.") from None
-    return Run(stem, summary)
+    return LoadCases(stem, summary) if "cases" in summary else Run(stem, summary)
 
 
 def read_study(stem: str, path: pathlib.Path) -> Study:

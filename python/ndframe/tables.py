@@ -41,11 +41,13 @@ def read_rows(path: pathlib.Path) -> list[dict[str, str]]:
         raise ReadError(f"{path}: is not a table: {error}.") from None
 
 
-def read_contact(path: pathlib.Path) -> dict[str, Columns]:
-    """NAME.contact.csv: interface -> column -> [nodes] floats."""
+def read_contact(path: pathlib.Path, case: str | None = None) -> dict[str, Columns]:
+    """NAME.contact.csv: interface -> column -> [nodes] floats; of load cases the rows of one of them."""
     tables: dict[str, dict[str, list[float]]] = {}
     try:
         for row in read_rows(path):
+            if case is not None and row.pop("case") != case:
+                continue
             table = tables.setdefault(row.pop("interface"), {})
             for name, value in row.items():
                 table.setdefault(name, []).append(float(value))

@@ -234,6 +234,17 @@ class LoadCases(unittest.TestCase):
             of_case = [float(row["pressure"]) for row in contact if row["case"] == name]
             self.assertEqual(max(of_case), case["results"]["interfaces"][0]["largest_pressure"])
 
+    def test_results_of_a_case_follow_the_schema_of_a_summary(self):
+        import jsonschema
+
+        schema = json.loads((DECKS.parent / "docs/summary.schema.json").read_text())
+        self.call("load-cases")
+        whole = self.summary("load-cases")
+        self.assertEqual(list(whole), ["version", "title", "deck", "cases"])
+        for case in whole["cases"]:
+            self.assertEqual(list(case), ["name", "factors", "exit_code", "reason", "seconds", "results"])
+            jsonschema.validate(case["results"], schema)
+
     def test_a_deck_of_a_case_runs_alone(self):
         """The summary of a case has its deck, with the loads multiplied."""
         from ndframe import deck_text

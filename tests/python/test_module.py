@@ -156,6 +156,40 @@ class Runs(unittest.TestCase):
         with self.assertRaisesRegex(ndframe.ReadError, 'there is no column "energi".*Did you mean "energy"'):
             study.column("energi")
 
+    def test_load_cases(self):
+        press, folder = "Bodies/punch/Loads/press", FOLDER / "cases"
+        cases = ndframe.run_cases(DECKS / "punch.xml", {"half": {press: 0.5}, "lift": {press: -1}, "all": {}}, COARSE | {"Expect/the punch "
+                                  "is in equilibrium/Quantity": "cases/all/interfaces/contact/contact_force"}, folder=folder,
+                                  program=PROGRAM, codes=(0, 3))
+        self.assertEqual((cases.names, cases.code), (["half", "lift", "all"], 3))
+        self.assertEqual(cases.entry("half")["factors"], {press: 0.5})
+        numpy.testing.assert_array_equal(cases.column(press), [0.5, -1.0, 1.0])
+        half, whole = cases["half"], cases["all"]
+        self.assertEqual((half.name, half.code, cases["lift"].solved), ("punch.half", 0, False))
+        numpy.testing.assert_allclose(cases.column("energy"), [half.energy, numpy.nan, whole.energy])
+        self.assertEqual(whole.energy, PUNCH.energy)
+        # Contact is homogeneous: each has its own rows and its own step of the files that they share.
+        for name in ("pressure", "u_dirichlet"):
+            numpy.testing.assert_allclose(2.0 * half.contact["contact"][name], whole.contact["contact"][name], atol=1e-12)
+        numpy.testing.assert_array_equal(whole.contact["contact"]["pressure"], PUNCH.contact["contact"]["pressure"])
+        numpy.testing.assert_allclose(2.0 * half.fields.displacement, whole.fields.displacement, atol=1e-11)
+        numpy.testing.assert_allclose(2.0 * half.fields.element("von_mises", "punch"), PUNCH.fields.element("von_mises", "punch"), rtol=1e-9)
+        numpy.testing.assert_array_equal(half.fields.steps, [1.0, 3.0])
+        with self.assertRaisesRegex(ndframe.ReadError, 'has no step of the case "lift"'):
+            cases["lift"].fields
+        with self.assertRaisesRegex(ndframe.ReadError, 'there is no load case "hlf".*Did you mean "half"'):
+            cases["hlf"]
+        for name in ("punch", "punch.cases.csv", "punch.e"):
+            self.assertEqual(ndframe.read(folder / name).summary, cases.summary)
+
+    def test_load_cases_to_a_target_have_files_of_their_own(self):
+        cases = ndframe.run_cases(DECKS / "load-cases.xml", None, {"Accuracy/Target": 0.05}, folder=FOLDER / "target", program=PROGRAM)
+        full = cases["full"]
+        self.assertEqual(full.stem, str(FOLDER / "target/load-cases.full"))
+        self.assertEqual(full.energy, ndframe.read(full.stem).energy)
+        self.assertLess(full.bound.relative, 0.05)
+        self.assertGreater(full.fields.displacement.size, 0)
+
     def test_every_function_is_typed_and_explained(self):
         for name in ndframe.__all__:
             thing = getattr(ndframe, name)
@@ -215,8 +249,10 @@ class Refuses(unittest.TestCase):
 
     def test_studies_and_runs_are_told_apart(self):
         self.assert_says("the deck has a list Study, which run_study() runs", run, "study")
-        self.assert_says("neither the deck nor the call has an axis of a study; use run()", ndframe.run_study, DECKS / "patch.xml",
-                         folder=FOLDER, program=PROGRAM)
+        for call in (ndframe.run_study, ndframe.run_cases):
+            self.assert_says("neither the deck nor the call has load cases or an axis of a study; use run()", call, DECKS / "patch.xml",
+                             folder=FOLDER, program=PROGRAM)
+        self.assert_says("the deck has a list Load Cases, which run_cases() runs", run, "load-cases")
 
     def test_values_that_no_deck_has(self):
         self.assert_says("cannot stand in a deck", ndframe.deck_text, {"Title": {1, 2}}, kind=ndframe.Error)

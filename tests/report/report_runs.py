@@ -15,6 +15,7 @@ RUNS = {
     "hidden-fields": ("punch", ["Output/Exodus=false"], (0,)),
     "no-solution": ("punch", ["Bodies/punch/Loads/press/Value=-1"], (3,)),
     "study": ("study", [], (0,)),
+    "cases": ("load-cases", ["Load Cases/Factors/Bodies/upper/Loads/press={0.1, -0.5, 1, 1}"], (3,)),
 }
 
 

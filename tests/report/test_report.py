@@ -179,6 +179,31 @@ class Written(unittest.TestCase):
         rows = re.search(r"<h2>Cases</h2>.*?<tbody>(.*?)</tbody>", self.pages["study"], re.DOTALL)[1]
         self.assertEqual(rows.count("<tr"), 6)
 
+    def test_load_cases_show_their_trends_and_the_last_one(self):
+        page = self.pages["cases"]
+        state, text = verdict_of(page)
+        self.assertEqual(state, "wrong")
+        self.assertIn("4 cases over factors of loads", text)
+        self.assertIn("1 case did not end with exit code 0", text)
+        self.assertIn("A punch under four loads", page)
+        self.assertIn("pulls off upper along +y", page)
+        for label in ("energy a(u,u) over name", "largest contact pressure over name", "interfaces/contact/contact_force over name"):
+            self.assertIn(f'aria-label="{label}', page)
+        for section in ("Bodies, case with weight", "Contact, case with weight"):
+            self.assertIn(f"<h2>{section}</h2>", page)
+        rows = re.search(r"<h2>Cases</h2>.*?<tbody>(.*?)</tbody>", page, re.DOTALL)[1]
+        self.assertEqual(rows.count("<tr"), 4)
+
+    def test_one_load_case_has_the_page_of_a_run(self):
+        done = self.runs.call("report", "cases", "--case", "full")
+        self.assertEqual(done.returncode, 0, done.stderr)
+        page = self.path("cases.full.report.html").read_text()
+        self.assertIn("0.5", page)
+        for section in ("Bodies", "Contact", "How wrong is it?"):
+            self.assertRegex(page, f"<h2[^>]*>{re.escape(section)}</h2>")
+        self.assertIn('there is no load case "ful"; ', self.runs.call("report", "cases", "--case", "ful").stderr)
+        self.assertIn("certificate has no load cases", self.runs.call("report", "certificate", "--case", "full").stderr)
+
     def test_a_case_that_failed_is_named(self):
         lines = self.path("study.study.csv").read_text().splitlines()
         heads, cells = lines[0].split(","), re.findall(r'"[^"]*"|[^,]*', lines[1])
