@@ -50,13 +50,19 @@ def read(path):
             rows = list(csv.DictReader(file))
             if any(None in row for row in rows):
                 raise ValueError("a row is longer than the head")
-            interfaces = [row.pop("interface") for row in rows]
+            interfaces = [label(row) for row in rows]
             columns = {name: numpy.array([float(row[name]) for row in rows]) for name in rows[0]}
             return ContactTable(interfaces, columns | {axis: columns[axis] for axis in POSITION[:2]})
     except OSError as error:
         raise UsageError(f"{path}: {error.strerror}") from None
     except (IndexError, KeyError, TypeError, ValueError, csv.Error):  # no rows, or not such rows
         raise UsageError(f"{path}: is not a contact table") from None
+
+
+def label(row):
+    """The interface; of load cases with the case before it."""
+    case = [row.pop("case")] if "case" in row else []
+    return ", ".join([*case, row.pop("interface")])
 
 
 def match_rows(gold, new, tolerance, report):

@@ -47,10 +47,11 @@ def read(path):
 
 
 def table(file):
-    """case -> column -> number, text or, where the case has no such number, None; a table without cases counts rows."""
+    """case -> column -> number, text or, where the case has no such number, None; a table without cases, or with several probes
+    of each, counts rows."""
     found = {}
     for number, row in enumerate(csv.DictReader(file), 1):
-        case = row.pop("case", str(number))
+        case = str(number) if "probe" in row else row.pop("case", str(number))
         if case in found:
             raise ValueError(f"it has two rows of the case {case}")
         found[case] = {name: value_of(text) for name, text in row.items()}

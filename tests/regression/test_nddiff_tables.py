@@ -40,6 +40,17 @@ class Summaries(Comparison):
             new["ledger"]["stages"][0].update(seconds=0.2, peak_bytes=6)
         self.assert_success(*self.pair(change))
 
+    def test_summaries_of_load_cases_are_compared_as_if_they_stood_alone(self):
+        def of_cases(summary):
+            return {"cases": [{"name": "half", "seconds": 0.1, "results": summary}]}
+
+        gold, new = self.pair(lambda copy: copy.update(version="0.2.0", ranks=3))
+        for path in (gold, new):
+            path.write_text(json.dumps(of_cases(json.loads(path.read_text()))))
+        self.assert_success(gold, new)
+        new.write_text(new.read_text().replace('"energy": 0.9', '"energy": 0.91'))
+        self.assert_failure("cases/half/results/bodies/punch/energy", gold, new)
+
     def test_a_number_differs_by_its_path(self):
         pair = self.pair(lambda new: new["bodies"][0].update(energy=0.9 + 1e-8))
         self.assert_failure("bodies/punch/energy", *pair)
@@ -111,6 +122,13 @@ class StudyTables(Comparison):
             (self.folder / "new.csv").write_text(new)
             self.assert_failure(words, self.folder / "gold.csv", self.folder / "new.csv")
 
+    def test_probes_of_load_cases_are_compared_row_by_row(self):
+        gold, new = self.folder / "gold.probes.csv", self.folder / "new.probes.csv"
+        gold.write_text("case,probe,u_x\nhalf,a,1\nhalf,b,2\n")
+        new.write_text("case,probe,u_x\nhalf,a,1\nhalf,b,3\n")
+        self.assert_success(gold, gold)
+        self.assert_failure("2/u_x", gold, new)
+
     def test_a_case_that_stands_there_twice_is_refused(self):
         self.assert_refused("two rows of the case 1", *self.pair("\n2,", "\n1,"))
 
@@ -141,6 +159,16 @@ class ContactTables(Comparison):
                 changed = [*cells[:column], repr(float(cells[column]) + 1e-6), *cells[column + 1:]]
                 rows = [*self.ROWS[:i], ",".join(changed), *self.ROWS[i + 1:]]
                 self.assert_failure([f"{cells[0]}, row {i + 1} at ({cells[1]}, {cells[2]})"], *self.pair(*rows))
+
+    def test_rows_of_load_cases_are_those_of_their_case(self):
+        def table(name, *rows):
+            path = self.folder / f"{name}.contact.csv"
+            path.write_text("\n".join(["case,interface,x,y,pressure", *rows, ""]))
+            return path
+
+        rows = ["half,left,0,1,0.5", "half,left,1,1,0.25", "all,left,0,1,1.0", "all,left,1,1,0.5"]
+        self.assert_success(table("gold", *rows), table("new", *reversed(rows)))
+        self.assert_failure("all, left, row 3 at (0, 1)", table("gold", *rows), table("new", *rows[:2], "all,left,0,1,1.1", rows[3]))
 
     def test_rows_and_columns_must_be_the_same(self):
         less, more = self.ROWS[1:], [*self.ROWS, "right,2,1,0,0,0,0,0,0,0"]
