@@ -7,6 +7,7 @@ from matplotlib.lines import Line2D
 from matplotlib.patches import Patch
 
 from . import plane_view, solid_view
+from .bodies import Scale
 from .style import BODY_TINTS, PAGE
 
 SUPPORT, LOAD, CONTACT = "#5b6b7d", "#d1495b", "#1f9e89"
@@ -160,11 +161,10 @@ def arrows(axes, places, direction, length, pulls):
 
 def solid_scene(bodies, view, inks=PAGE):
     """Bodies shaded, their sides coloured by what acts there; two bodies with one interface are drawn apart."""
-    points = bodies.points
+    points = bodies.moved(Scale(0.0, gaps=False))
     names, apart = interfaces(bodies), len(bodies.names) == 2
     if apart and names:
         moved = numpy.unique(bodies.fields.nodes(block_of(bodies, names[0])))
-        points = points.copy()
         points[moved] -= 0.2 * bodies.size() * solid_view.outward(bodies, f"{names[0]}:dirichlet")
     colour_at = facet_colours(bodies)
 

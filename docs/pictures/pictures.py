@@ -25,6 +25,7 @@ SCENES = {
     "bearing": ("bearing", {"Accuracy/Target": 0.01}, "stress"),
     "rigid-cylinder": ("rigid-cylinder", {"Accuracy/Target": 0.005}, "stress"),
     "flange": ("flange", {"Accuracy/Target": 0.02}, "stress"),
+    "ball": ("rigid-plane-3d", {}, "solid"),
     "solids": ("contact-loss-3d", {"Accuracy/Target": 0.03}, "solid"),
 }
 
