@@ -6,7 +6,7 @@ import pathlib
 import jinja2
 import ndframe
 
-from . import pictures, study_page, tables, words
+from . import pictures, probes, study_page, tables, words
 from .results import solved
 from .style import looks
 
@@ -91,6 +91,9 @@ def all_tables(results):
     found["work"] = tables.work(summary)
     if solved(summary):
         found["forces"] = tables.forces(summary)
+        for name, (heads, rows) in (("points", probes.of_points(summary)), ("sides", probes.of_sides(summary))):
+            if rows:
+                found[name] = heads, rows
     if summary["interfaces"] and solved(summary):
         found["interfaces"] = tables.interfaces(summary)
     if summary["errors"]:

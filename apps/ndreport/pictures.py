@@ -2,7 +2,7 @@
 
 import numpy
 
-from . import curves, fields, plane_view, scene_view, solid_view
+from . import curves, fields, plane_view, probes, scene_view, solid_view
 from .bodies import Bodies, choose_scale
 from .results import solved
 from .style import svg
@@ -13,7 +13,7 @@ MOST_INTERFACES, MOST_ZOOMS = 12, 2
 
 def of_run(results):
     """{section: [(svg, caption, wide)]}."""
-    found = {"scene": [], "fields": [], "errors": [], "contact": [], "sweeps": [], "levels": []}
+    found = {"scene": [], "fields": [], "errors": [], "contact": [], "probes": [], "sweeps": [], "levels": []}
     summary = results.summary
     bodies = Bodies(results) if results.fields and solved(summary) else None
     if bodies:
@@ -23,6 +23,7 @@ def of_run(results):
         results.gaps.append(f"pictures of the {len(touching) - MOST_INTERFACES} interfaces with the smallest forces")
     for interface in touching[:MOST_INTERFACES]:
         add_contact(found, results, bodies, interface["name"])
+    add_probes(found, results)
     history = summary["coupling"]["history"] if summary["coupling"] else []
     if len(history) > 1 and sum(s["eps_tau"] is not None and s["eps_tau"] > 0.0 for s in history) > 1:
         tolerance = summary["deck"].get("Coupling", {}).get("Stopping", {}).get("Tolerance")
@@ -30,6 +31,14 @@ def of_run(results):
         add(found["sweeps"], curves.sweeps(history, tolerance if stopped_by_it else None), "Stopping quantity after every sweep.")
     add_levels(found, results)
     return found
+
+
+def add_probes(found, results):
+    lines, more = probes.of_lines(results.summary) if solved(results.summary) else ([], 0)
+    for probe in lines:
+        add(found["probes"], probes.along_line(probe), probes.caption(probe))
+    if more:
+        results.gaps.append(f"curves of {more} more lines of probes")
 
 
 def add(section, figure, caption, wide=False):

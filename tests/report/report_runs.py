@@ -4,12 +4,16 @@ import pathlib
 import subprocess
 
 SMALL = ["Bodies/upper/Mesh/Cells={3, 3, 2}", "Bodies/lower/Mesh/Cells={6, 6, 3}"]
+PROBES = [f"Output/Probes/{setting}" for setting in (
+    "corner/Body=punch", "corner/At={1.0, 1.0}", "sole/Body=punch", "sole/From={0.0, 0.0}", "sole/To={1.0, 0.0}", "sole/Points=21",
+    "ground/Body=foundation", "ground/Side=bottom")]
 # name: (deck, settings, exit codes that are right here); settings may miss what the deck expects of its own mesh
 RUNS = {
     "certificate": ("certificate", ["Error Estimation/Reference/Refinements=1"], (0, 4)),
     "levels": ("punch", ["Accuracy/Target=0.05"], (0, 4)),
     "solid": ("contact-loss-3d", [*SMALL, "Error Estimation/Mode=Strict"], (0, 4)),
     "without-bound": ("patch", [], (0,)),
+    "probes": ("punch", PROBES, (0,)),
     "drawn": ("bearing", ["Accuracy/Target=0.05"], (0, 4)),
     "assembly": ("flange", [], (0, 4)),
     "hidden-fields": ("punch", ["Output/Exodus=false"], (0,)),

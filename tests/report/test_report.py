@@ -68,6 +68,17 @@ class Written(unittest.TestCase):
             heads = re.findall(r"<h[23]>(.*?)</h[23]>", self.pages[name])
             self.assertEqual([title for title in TITLES if title not in heads], [], name)
 
+    def test_probes_have_tables_and_curves(self):
+        found = {probe["name"]: probe for probe in self.summary("probes")["probes"]}
+        text = text_of(self.pages["probes"])
+        self.assertIn("sole: punch from (0, 0) to (1, 0).", self.captions("probes"))
+        corner, ground = found["corner"], found["ground"]
+        row = f"corner punch (1, 1) ({corner['displacement'][0]:.4g}, {corner['displacement'][1]:.4g})".replace("-", "\u2212")
+        self.assertIn(row, text)
+        self.assertIn(f"ground foundation: bottom {ground['measure']:.4g} ", text)
+        self.assertIn("Probes", re.findall(r"<h2>(.*?)</h2>", self.pages["probes"]))
+        self.assertNotIn("Probes", re.findall(r"<h2>(.*?)</h2>", self.pages["certificate"]))
+
     def test_the_verdict_says_peak_bound_and_what_helps(self):
         state, text = verdict_of(self.pages["certificate"])
         errors, contact = self.summary("certificate")["errors"], self.summary("certificate")["interfaces"][0]

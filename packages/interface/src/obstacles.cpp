@@ -49,11 +49,12 @@ public:
     if (list_.list().isGiven("Extent"))
       throw InputError(list_.mistake(
           "Extent", "Extent counts along a line; a plane that solids touch is without end: cut their sides."));
+    constexpr double roundOff = 1e-9; // a facet at 60 degrees faces it on every mesh
     ObstacleSurface surface{{}, plus({}, -1.0, normal), {}};
     for (const Facet facet : facets) {
       Direction own{};
       facetNormal(mesh, facet, own.data());
-      if (dotProduct(own, normal) < -facingCosine)
+      if (dotProduct(own, normal) < roundOff - facingCosine)
         surface.facets.push_back(facet);
     }
     const char* names[] = {"x", "y", "z"};
