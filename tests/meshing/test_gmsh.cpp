@@ -149,6 +149,17 @@ TEST(Gmsh, TurnsNegativeElementsAround)
   }
 }
 
+TEST(Gmsh, WhatIsRoundOffBesideTheSizeIsZero)
+{
+  const std::string cells = "$Elements\n2\n1 2 2 1 1 1 2 3\n2 2 2 1 1 1 3 4\n$EndElements\n";
+  const std::string nodes = "$Nodes\n4\n1 6.1e-17 -3e-33 0\n2 1 1e-15 0\n3 1 1 0\n4 -9e-17 1 0\n$EndNodes\n";
+  EXPECT_THAT(fromText(header22 + nodes + cells).points, ElementsAre(0, 0, 1, 1e-15, 1, 1, 0, 1));
+  const std::string small =
+      "$Nodes\n4\n1 6.1e-17 -3e-33 0\n2 1e-3 1e-15 0\n3 1e-3 1e-3 0\n4 -9e-17 1e-3 0\n$EndNodes\n";
+  EXPECT_THAT(fromText(header22 + small + cells).points,
+              ElementsAre(6.1e-17, 0, 1e-3, 1e-15, 1e-3, 1e-3, -9e-17, 1e-3));
+}
+
 TEST(Gmsh, DropsPointsThatNoCellUses)
 {
   const Mesh mesh = fromText(std::string(header22) + squareNodes + "$Elements\n1\n1 2 2 0 1 1 2 4\n$EndElements\n");
