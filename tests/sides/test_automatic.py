@@ -15,7 +15,8 @@ sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from runs import Program
 
 SAME = 1e-10
-WRITTEN = ("stack", "chain", "ring", "wall", "drawn-punch", "bearing", "hertz-drawn")
+SOLIDS = ("contact-loss-3d", "punch-3d", "stamp-3d")  # whose sides have the same nodes
+WRITTEN = ("stack", "chain", "ring", "wall", "drawn-punch", "bearing", "hertz-drawn", *SOLIDS)
 
 
 def without(name, deck):
@@ -35,6 +36,17 @@ def pair(name, first, second, more=""):
     sides = "".join(entry(key, value) for key, value in zip(
         ("Dirichlet Body", "Dirichlet Side", "Neumann Body", "Neumann Side"), (*first, *second)))
     return f'<ParameterList name="{name}">{sides}{more}</ParameterList>'
+
+
+def box(name, low, high, cells, **held):
+    """A solid with rollers on two sides and what else holds it."""
+    listed = lambda called, *entries: f'<ParameterList name="{called}">{"".join(entries)}</ParameterList>'
+    mesh = [entry(key, value, f"Array({kind})") for key, value, kind in
+            (("Lower", low, "double"), ("Upper", high, "double"), ("Cells", cells, "int"))]
+    material = [entry("Young Modulus", "1", "double"), entry("Poisson Ratio", "0.3", "double"), entry("Hypothesis", "Three Dimensional")]
+    supports = [listed(side, entry("Type", kind), entry("Side", side))
+                for side, kind in {"left": "Roller", "front": "Roller", **held}.items()]
+    return listed(name, listed("Mesh", entry("Type", "Box"), *mesh), listed("Material", *material), listed("Supports", *supports))
 
 
 class Automatic(unittest.TestCase):
@@ -68,6 +80,27 @@ class Automatic(unittest.TestCase):
                                                     (one["Neumann Body"], one["Neumann Side"])))
                                          for one in summary["deck"]["Interfaces"].values()}
                 self.assertEqual(pairs(found), pairs(written))
+
+    def test_solids_that_do_not_match_are_told(self):
+        deck = self.write("punch-3d", automatic(entry("Distance", "0.1", "double")))
+        self.assertIn("Distance means nothing in space", self.run_deck(deck, code=2).screen)
+        deck = self.write("punch-3d", automatic())
+        self.assertIn("sides that have the same nodes", self.run_deck(deck).screen)
+        moved = deck.read_text().replace("{1.0, 1.0, 1.0}", "{1.0, 1.0, 1.1}").replace("{0.0, 0.0, 0.0}", "{0.0, 0.0, 0.1}")
+        deck.write_text(moved)
+        self.assertIn("no two named sides of different bodies have the same nodes", self.run_deck(deck, code=2).screen)
+
+    def test_facets_of_solids_without_a_partner_are_warned_of(self):
+        bodies = "".join((box("lower", "{0, 0, -1}", "{2, 1, 0}", "{4, 2, 2}", bottom="Roller"),
+                          box("short", "{0, 0, 0}", "{1, 1, 1}", "{2, 2, 2}", back="Clamp"),
+                          box("upper", "{0, 0, 1}", "{1, 1, 2}", "{2, 2, 2}")))
+        deck = self.folder / "boxes.xml"
+        deck.write_text(f'<ParameterList name="boxes"><ParameterList name="Bodies">{bodies}</ParameterList>{automatic()}</ParameterList>')
+        done = self.run_deck(deck)
+        self.assertEqual(list(done.summary["deck"]["Interfaces"]), ["short top - upper bottom"])
+        warnings = [one["message"] for one in done.summary["warnings"] if one["kind"] == "unnamed facets"]
+        self.assertEqual(len(warnings), 1, done.screen)
+        self.assertRegex(warnings[0], r'facets of "lower" near \(.*, .*, 0\) belong to no named side.* and face "short"')
 
     def test_the_text_on_the_screen_is_a_deck_of_the_same_scene(self):
         found = self.run_deck(self.write("bearing", automatic(entry("Corner Angle", "30", "double"))))

@@ -26,18 +26,19 @@ ListSpec automaticSpec(const ListSpec& interface)
 {
   ListSpec list = makeList(
       "Automatic",
-      "Finds the named sides of different bodies that face each other in the plane and makes an interface of every "
-      "two, as if the deck had it. The screen says what was found, as a table and as text of a deck (of more than "
+      "Finds the named sides of different bodies that face each other in the plane, in space those that have the same "
+      "nodes, and makes an interface of every two, as if the deck had it. The screen says what was found, as a table "
+      "and as text of a deck (of more than "
       "ten with -v). The body that the deck names first is the Dirichlet body. What other lists of Interfaces say "
       "of two sides counts instead. Of sides that share facets those count that other lists name, then the parts "
       "of a side that make all of it, then the longer ones. Not found: contact of a body with itself, sides behind "
-      "other bodies, facets without a named side (a warning), rigid bodies. Bodies in space: name the sides.");
+      "other bodies, facets without a named side (a warning), rigid bodies.");
   list.onlyIfGiven = true;
   list.params = {ParamSpec::optional(distance, Kind::Double, atLeast(0.0),
                                      "Largest opening of sides that face each other: along the normals of the first "
                                      "one, on some of its length, where they enclose less than 25 degrees. 0: sides "
                                      "that touch, but for what chords of curves are apart. Without it: 1 % of the "
-                                     "diagonal of the box around all bodies."),
+                                     "diagonal of the box around all bodies. In the plane only."),
                  {leaveOut, std::vector<std::string>{}, "Sides that face nothing, as \"BODY/SIDE\"."}};
   for (const ParamSpec& param : interface.params)
     if (!isOfOnePair(param))

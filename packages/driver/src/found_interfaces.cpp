@@ -29,10 +29,13 @@ public:
       : deck_(deck), automatic_(deck.sub("Interfaces").sub("Automatic")), model_(model)
   {
     for (const BodyModel& body : model.bodies) {
-      if (body.uncut().dim == 3)
-        throw InputError(automatic_.mistake("", "sides are found in the plane only; name them in interfaces."));
       bodies_.push_back({body.isRigid ? &none_ : &body.uncut(), {}, {}});
+      dim_ = std::max(dim_, body.uncut().dim);
     }
+    if (dim_ == 3 && automatic_.has("Distance"))
+      throw InputError(automatic_.mistake("Distance",
+                                          "Distance means nothing in space, where sides are found that have "
+                                          "the same nodes; remove it."));
     for (const Params& given : givenInterfaces())
       for (const auto& [body, side] : sidesOf(given))
         prefer(body, side);
@@ -42,7 +45,8 @@ public:
 
   void find()
   {
-    FacingSearch search = searchFacing(bodies_, distance_, automatic_.get<double>("Corner Angle"));
+    FacingSearch search =
+        dim_ == 3 ? searchMatching(bodies_) : searchFacing(bodies_, distance_, automatic_.get<double>("Corner Angle"));
     unnamed_ = std::move(search.unnamed);
     std::set<std::string> names;
     for (const Params& given : givenInterfaces())
@@ -55,7 +59,8 @@ public:
   }
 
   const std::vector<FoundInterface>& found() const { return found_; }
-  double distance() const { return distance_; }
+  /// The table of them.
+  std::string text() const { return dim_ == 3 ? matchingText(found_) : foundText(found_, distance_); }
 
   /// As the deck would have them.
   std::vector<Params> interfaces(const ListSpec& deckSpec) const
@@ -98,7 +103,7 @@ public:
           "",
           fmt::format("facets of \"{}\" near {} belong to no named side, or to one that shares facets with another, "
                       "and face \"{}\": no interface was made of them. Name them in the mesh.",
-                      nameOf(part.body), pointText(part.place.data(), 2), nameOf(part.other))));
+                      nameOf(part.body), pointText(part.place.data(), dim_), nameOf(part.other))));
     return warnings;
   }
 
@@ -162,6 +167,10 @@ private:
 
   void refuseNothing() const
   {
+    if (dim_ == 3)
+      throw InputError(automatic_.mistake("",
+                                          "no two named sides of different bodies have the same nodes; mesh the bodies "
+                                          "in one gmsh script with common faces, or lay boxes on one grid."));
     const auto refuse = [&](const std::string& hint) {
       throw InputError(
           automatic_.mistake("", fmt::format("no two named sides of different bodies face each other within {:.4g}: {}",
@@ -183,6 +192,7 @@ private:
   const Model& model_;
   const Mesh none_; ///< of a rigid body
   std::vector<SearchedBody> bodies_;
+  int dim_ = 2;
   double distance_ = 0.0;
   std::vector<FoundInterface> found_;
   std::vector<UnnamedFacing> unnamed_;
@@ -211,7 +221,7 @@ RunSettings withFoundInterfaces(const RunSettings& settings, const Components& c
   const std::vector<Params> found = finder.interfaces(makeDeckSpec(components));
   std::vector<Params> all = finder.givenInterfaces();
   all.insert(all.end(), found.begin(), found.end());
-  log.line(foundText(finder.found(), finder.distance()) + "\n");
+  log.line(finder.text() + "\n");
   if (found.size() <= fewInterfaces && !found.empty())
     log.line(deckText(found));
   else if (!found.empty())

@@ -22,7 +22,7 @@ struct FacingPair
 {
   int firstBody, secondBody;
   std::string firstSide, secondSide;
-  double length = 0.0;                  ///< of the first side
+  double length = 0.0;                  ///< of the first side; an area in space
   double smallest = 0.0, largest = 0.0; ///< opening along the first side's normals; negative where polygons overlap
 };
 
@@ -51,6 +51,11 @@ struct FacingSearch
 /// Limits: two dimensions; a body does not face itself; what lies behind another body is not seen.
 /// Costs boxes of sides times sides, then edges times edges of sides that are near each other.
 FacingSearch searchFacing(const std::vector<SearchedBody>& bodies, double distance, double cornerAngle);
+
+/// Which named sides of different solids have the same nodes; `length` is their area, the opening zero. A side that
+/// shares facets with one that has a partner already, or with a preferred one, counts no more. unnamed: facets that lie
+/// on each other and are in no pair.
+FacingSearch searchMatching(const std::vector<SearchedBody>& bodies);
 
 /// Two named sides of different bodies, and how near they come.
 struct NearestSides

@@ -11,11 +11,14 @@ struct FoundInterface
 {
   std::string name;
   std::string firstBody, firstSide, secondBody, secondSide;
-  double length = 0.0;                  ///< of the first side's part that faces the second one
+  double length = 0.0;                  ///< of the first side's part that faces the second one; an area in space
   double smallest = 0.0, largest = 0.0; ///< opening there
 };
 
 /// The table of what was found within a distance.
 std::string foundText(const std::vector<FoundInterface>& found, double distance);
+
+/// The same of solids, whose sides have the same nodes.
+std::string matchingText(const std::vector<FoundInterface>& found);
 
 } // namespace ndframe
