@@ -73,6 +73,19 @@ class RigidSolids(unittest.TestCase):
             bounds = [run.summary["errors"]["global"]["absolute"] for run in runs]
             self.assertLess(bounds[1], bounds[0])  # at the clamp the traction stays, at the rigid body it changes
 
+    def test_nearly_flat_ones_are_planes(self):
+        settings = ("Error Estimation/Estimators={Global}",)
+        key = lambda run: run.summary["errors"]["global"]["relative"]
+        flat = self.solved(block(), FLOOR, *settings)
+        centres = [(-radius, radius, False) for radius in (1e8, 1e11, 1e14)] + [(1e8 - 3e-8, 1e8, True)]  # clear of its edges
+        for kind, axis in (("Sphere", {}), ("Cylinder", {"Axis": (0.6, 0.8, 0.0)})):
+            for centre, radius, hollow in centres:
+                bent = self.solved(block(), Rigid(kind, {"Centre": (0.3, 0.2, centre), "Radius": radius, "Hollow": hollow,
+                                                         **axis}), *settings)
+                self.assertTrue(bent.summary["errors"]["global"]["guaranteed"], (kind, radius, hollow))
+                self.same(bent, flat, tolerance=1e-6)
+                self.same(bent, flat, key, 1e-4)
+
     def test_one_obstacle_has_many_names(self):
         slanted = "0.1*x-0.05*y+0.06"
         ways = [

@@ -7,7 +7,7 @@ namespace ndframe
 
 Direction difference(const Direction& a, const Direction& b)
 {
-  return {a[0] - b[0], a[1] - b[1], 0.0};
+  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
 double cross(const Direction& a, const Direction& b)

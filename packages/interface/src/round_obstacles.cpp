@@ -23,6 +23,27 @@ double signOf(const Params& list)
   return list.get<bool>("Hollow") ? -1.0 : 1.0;
 }
 
+/// p - x along a direction, as an expression.
+std::string along(const Direction& direction, const Direction& p, int dim)
+{
+  std::string sum;
+  for (std::size_t k = 0; k < std::size_t(dim); ++k)
+    sum += fmt::format("{}{:.17g}*({:.17g}-{})", k > 0 ? "+" : "", direction[k], p[k], "xyz"[k]);
+  return "(" + sum + ")";
+}
+
+/// to + sign (R - sqrt(R^2 - s)) as an expression that does not cancel, however large R is; `to`: the distance of the
+/// plane that touches at s = 0, s >= 0: the square of the distance from there. Where s is above `most` it goes on flat.
+std::string distance(const std::string& to, double radius, double sign, const std::string& s,
+                     std::optional<double> most = std::nullopt)
+{
+  const double square = radius * radius;
+  const std::string left = fmt::format("{:.17g}-({})", square, s);
+  return fmt::format("{}{}{}/({:.17g}+sqrt({}))", to, sign > 0.0 ? "+" : "-",
+                     most ? fmt::format("min({:.17g},{})", *most, s) : fmt::format("({})", s), radius,
+                     most ? fmt::format("max({:.17g},{})", square - *most, left) : left);
+}
+
 /// A circle in the plane, full or hollow. On a straight side the distance along n is known everywhere and no polygon
 /// comes in; a curved side sees an arc between the points that its vertices face.
 class Circle
@@ -33,11 +54,11 @@ public:
   /// Where the ray from x along the unit vector n meets it; none where it is too oblique to face it.
   std::optional<Direction> hit(const Direction& x, const Direction& n) const
   {
-    const Direction to = difference(centre_, x);
-    const double ahead = dotProduct(to, n), across = cross(to, n);
-    if (std::abs(across) > reachOf(radius_) || (sign_ > 0.0 && ahead <= 0.0))
+    const Direction to = difference(nearest(n), x);
+    const double across = cross(to, n);
+    if (std::abs(across) > reachOf(radius_) || !isAhead(x, n))
       return std::nullopt;
-    return plus(x, ahead - sign_ * std::sqrt(radius_ * radius_ - across * across), n);
+    return plus(x, dotProduct(to, n) + sign_ * riseAt(across), n);
   }
 
   std::optional<SideEdge> arcFacing(const SideEdge& edge) const
@@ -46,9 +67,7 @@ public:
     if (!first || !last)
       return std::nullopt;
     SideEdge arc = edgeBetween(*last, *first);
-    const Direction middle = difference(arc.at(0.5), centre_);
-    const double depth = radius_ - std::sqrt(dotProduct(middle, middle));
-    arc.bulge = plus({}, depth, unit(middle));
+    arc.bulge = plus({}, riseAt(arc.length() / 2.0), unit(difference(arc.at(0.5), centre_)));
     return arc;
   }
 
@@ -58,23 +77,28 @@ public:
     const Direction along = unit(difference(edge.ends[1], edge.ends[0])), n = edge.normals[0];
     const double centre = dotProduct(difference(centre_, edge.ends[0]), along), reach = reachOf(radius_);
     const double low = std::max(0.0, centre - reach), high = std::min(edge.length(), centre + reach);
-    if (low >= high || (sign_ > 0.0 && dotProduct(difference(centre_, edge.ends[0]), n) <= 0.0))
+    if (low >= high || !isAhead(edge.ends[0], n))
       return std::nullopt;
     return edgeBetween(plus(edge.ends[0], high, along), plus(edge.ends[0], low, along));
   }
 
-  /// n . (c - x) - sqrt(R^2 - (t . (c - x))^2), plus for a hollow one.
+  /// Along the outward normal of a straight edge.
   std::string distanceFrom(const SideEdge& edge) const
   {
-    const Direction n = edge.normals[0];
-    const auto part = [this](double x, double y) {
-      return fmt::format("({:.17g}*({:.17g}-x)+{:.17g}*({:.17g}-y))", x, centre_[0], y, centre_[1]);
-    };
-    return fmt::format("{}{}sqrt({:.17g}-{}^2)", part(n[0], n[1]), sign_ > 0.0 ? "-" : "+", radius_ * radius_,
-                       part(-n[1], n[0]));
+    const Direction n = edge.normals[0], p = nearest(n);
+    return distance(along(n, p, 2), radius_, sign_, fmt::format("{}^2", along({-n[1], n[0]}, p, 2)));
   }
 
 private:
+  /// The point where it looks against n.
+  Direction nearest(const Direction& n) const { return plus(centre_, -sign_ * radius_, n); }
+  bool isAhead(const Direction& x, const Direction& n) const
+  {
+    return sign_ < 0.0 || dotProduct(difference(centre_, x), n) > 0.0;
+  }
+  /// R - sqrt(R^2 - s^2)
+  double riseAt(double s) const { return s * s / (radius_ + std::sqrt(radius_ * radius_ - s * s)); }
+
   Direction centre_;
   double radius_, sign_;
 };
@@ -108,26 +132,19 @@ std::optional<Direction> flatNormal(const Mesh& mesh, const std::vector<Facet>& 
   return first;
 }
 
-/// c - x along a direction, as an expression.
-std::string along(const Direction& direction, const Direction& centre)
-{
-  return fmt::format("({:.17g}*({:.17g}-x)+{:.17g}*({:.17g}-y)+{:.17g}*({:.17g}-z))", direction[0], centre[0],
-                     direction[1], centre[1], direction[2], centre[2]);
-}
-
 /// A sphere, or a cylinder with its axis, as a flat side with outward normal n sees it. With P the projection across
 /// the axis (a sphere's: all), q = |P n|^2 and unit vectors t across n and the axis, its distance along n is
 ///
-///   (P n . (c - x)) / q - sqrt((R^2 - sum (t . (c - x))^2) / q),      plus for a hollow one.
+///   (P n . (p - x)) / q + s / (R + sqrt(R^2 - s)) / sqrt(q),  p = c - R P n / sqrt(q),  s = sum (t . (p - x))^2,
 ///
-/// Where the surface turns away by more than 60 degrees it goes on flat, so that all of the side has a gap.
+/// which is (P n . (c - x)) / q - sqrt((R^2 - s) / q) without its cancellation; minus and plus exchanged for a hollow
+/// one. Where the surface turns away by more than 60 degrees it goes on flat, so that all of the side has a gap.
 class RoundSurface
 {
 public:
   RoundSurface(const Direction& centre, double radius, double sign, const std::optional<Direction>& axis,
                const Direction& n)
-      : centre_(centre), radius_(radius), sign_(sign), ahead_(axis ? plus(n, -dotProduct(n, *axis), *axis) : n),
-        squared_(dotProduct(ahead_, ahead_))
+      : centre_(centre), radius_(radius), sign_(sign), ahead_(axis ? plus(n, -dotProduct(n, *axis), *axis) : n)
   {
     if (axis)
       across_ = {unit(crossProduct(*axis, ahead_))};
@@ -143,46 +160,48 @@ public:
 
   bool faces(const double* x) const
   {
-    return sign_ < 0.0 || dotProduct(plus(centre_, -1.0, {x[0], x[1], x[2]}), ahead_) > 0.0;
+    return sign_ < 0.0 || dotProduct(difference(centre_, {x[0], x[1], x[2]}), ahead_) > 0.0;
   }
 
+  /// All lengths times sqrt(q) on the way.
   std::string gapOf(const Mesh& mesh, const std::vector<Facet>& facets) const
   {
-    const double least = radius_ * radius_ - reachOf(radius_) * reachOf(radius_);
-    std::string square = fmt::format("{:.17g}", radius_ * radius_);
+    const double q = dotProduct(ahead_, ahead_), reach = reachOf(radius_) * reachOf(radius_);
+    const Direction forward = unit(ahead_), p = plus(centre_, -sign_ * radius_, forward);
+    std::string s;
     for (const Direction& t : across_)
-      square += fmt::format("-{}^2", along(t, centre_));
-    if (lowestSquare(mesh, facets) < least)
-      square = fmt::format("max({:.17g},{})", least, square);
-    return fmt::format("{}/{:.17g}{}sqrt(({})/{:.17g})", along(ahead_, centre_), squared_, sign_ > 0.0 ? "-" : "+",
-                       square, squared_);
+      s += (s.empty() ? "" : "+") + fmt::format("{}^2", along(t, p, 3));
+    const bool reachesBeyond = largestSquare(mesh, facets, p) > reach;
+    return fmt::format(
+        "({})/{:.17g}",
+        distance(along(forward, p, 3), radius_, sign_, s, reachesBeyond ? std::optional(reach) : std::nullopt),
+        std::sqrt(q));
   }
 
 private:
-  /// Of R^2 - sum (t . (c - x))^2: concave, so at a vertex.
-  double lowestSquare(const Mesh& mesh, const std::vector<Facet>& facets) const
+  /// Of the squares of the distances across: convex, so at a vertex.
+  double largestSquare(const Mesh& mesh, const std::vector<Facet>& facets, const Direction& p) const
   {
-    double lowest = radius_ * radius_;
+    double largest = 0.0;
     for (const Facet facet : facets) {
       int vertices[3];
       facetVertices(mesh, facet, vertices);
       for (const int vertex : vertices) {
         const double* x = mesh.point(vertex);
-        double square = radius_ * radius_;
+        double square = 0.0;
         for (const Direction& t : across_) {
-          const double at = dotProduct(plus(centre_, -1.0, {x[0], x[1], x[2]}), t);
-          square -= at * at;
+          const double at = dotProduct(difference(p, {x[0], x[1], x[2]}), t);
+          square += at * at;
         }
-        lowest = std::min(lowest, square);
+        largest = std::max(largest, square);
       }
     }
-    return lowest;
+    return largest;
   }
 
   Direction centre_;
   double radius_, sign_;
   Direction ahead_; ///< P n
-  double squared_;  ///< q
   std::vector<Direction> across_;
 };
 
