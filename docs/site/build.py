@@ -6,6 +6,7 @@ Warnings are errors. Needs the packages of docs/site/packages.txt; `./bootstrap 
 """
 
 import argparse
+import importlib.util
 import pathlib
 import re
 import shutil
@@ -14,6 +15,7 @@ import sys
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
+FONT = pathlib.Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf")  # Debian: fonts-lmodern
 
 
 def parse():
@@ -21,6 +23,13 @@ def parse():
     parser.add_argument("folder", nargs="?", type=pathlib.Path, default=ROOT / "build/docs", help="for the site (build/docs)")
     parser.add_argument("--without-api", action="store_true", help="leave out the pages of the headers")
     return parser.parse_args()
+
+
+def missing(without_api=False):
+    """What the site needs and this machine has not."""
+    modules = [name for name in ("sphinx", "myst_parser", "furo") if importlib.util.find_spec(name) is None]
+    font = [] if FONT.exists() else [str(FONT)]
+    return modules + font + ([] if without_api or shutil.which("doxygen") else ["doxygen"])
 
 
 def pages(folder):
@@ -49,9 +58,8 @@ def drop_dead_links(folder):
 
 def main():
     options = parse()
-    missing = [name for name in ("doxygen",) if not options.without_api and shutil.which(name) is None]
-    if missing:
-        sys.exit("docs: doxygen is missing; ./bootstrap docs installs what is needed, and --without-api leaves it out")
+    if lacking := missing(options.without_api):
+        sys.exit(f"docs: {', '.join(lacking)} not found; ./bootstrap docs installs what is needed, and --without-api leaves doxygen out")
     options.folder.mkdir(parents=True, exist_ok=True)
     folder = options.folder.resolve()
     failed = pages(folder) or (0 if options.without_api else api(folder))

@@ -7,6 +7,7 @@ import sys
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
 sys.path.insert(0, str(HERE))
+from build import FONT
 
 project = "ndframe"
 release = re.search(r"project\(ndframe VERSION ([\d.]+)", (ROOT / "CMakeLists.txt").read_text())[1]
@@ -20,7 +21,6 @@ exclude_patterns = ["site", "paper/page.md"]
 html_theme = "furo"
 html_title = f"ndframe {release}"
 html_theme_options = {"navigation_with_keys": True}
-FONT = pathlib.Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf")  # Debian: fonts-lmodern
 html_static_path = [str(HERE / "static"), str(FONT)]
 html_css_files = ["site.css"]
 html_copy_source = False

@@ -1,9 +1,7 @@
 """Builds the documentation site and follows its links: test_site.py SOURCES. Exit code 77 without what docs/site/packages.txt names."""
 
 import html.parser
-import importlib.util
 import pathlib
-import shutil
 import subprocess
 import sys
 import tempfile
@@ -12,8 +10,10 @@ import urllib.parse
 
 sys.dont_write_bytecode = True
 SOURCES = pathlib.Path(sys.argv.pop(1)).resolve()
+sys.path.append(str(SOURCES / "docs/site"))
+import build
+
 SKIPPED = 77
-FONT = pathlib.Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf")
 LOADS = {("a", "href"), ("link", "href"), ("img", "src"), ("script", "src"), ("source", "src"), ("iframe", "src")}
 # Links to these are text on a page; everything that a browser loads by itself has to be in the folder.
 CREDITS = ("https://www.sphinx-doc.org/", "https://pradyunsg.me", "https://github.com/pradyunsg/furo", "https://www.doxygen.org/")
@@ -91,8 +91,7 @@ class Links(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    if any(importlib.util.find_spec(module) is None for module in ("sphinx", "myst_parser", "furo")) or not FONT.exists() \
-            or shutil.which("doxygen") is None:
+    if build.missing():
         print("the packages of docs/site/packages.txt are not installed")
         sys.exit(SKIPPED)
     unittest.main()

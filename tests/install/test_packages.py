@@ -1,6 +1,5 @@
 """The Debian packages, unpacked: test_packages.py BUILD. They are not installed; that needs root and apt."""
 
-import importlib.util
 import os
 import pathlib
 import re
@@ -11,8 +10,10 @@ import tempfile
 import unittest
 
 BUILD = pathlib.Path(sys.argv.pop(1)).resolve()
-CAN_BUILD_SITE = shutil.which("doxygen") and all(importlib.util.find_spec(name) for name in ("sphinx", "myst_parser", "furo")) \
-    and pathlib.Path("/usr/share/texmf/fonts/opentype/public/lm-math/latinmodern-math.otf").exists()
+sys.path.append(str(pathlib.Path(__file__).resolve().parents[2] / "docs/site"))
+import build
+
+CAN_BUILD_SITE = not build.missing()
 
 
 def call(*command, **more):

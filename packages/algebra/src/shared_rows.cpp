@@ -74,12 +74,31 @@ BlockMatrix unpacked(const std::vector<int>& pattern, const std::vector<double>&
   return rows;
 }
 
+/// Per rank the places in K.rows that it needs.
+std::vector<std::vector<int>> rowsPerRank(const BlockMatrix& K, const RowReaders& readers, const Comm& comm)
+{
+  Vector owner(std::size_t(K.numNodes), 0.0);
+  for (const int node : K.rows)
+    owner[std::size_t(node)] = comm.rank();
+  comm.sum(owner);
+  std::vector<std::vector<int>> result(std::size_t(comm.size()));
+  for (std::size_t r = 0; r < K.rows.size(); ++r)
+    for (const int node : readers(K.rows[r])) {
+      const int rank = int(owner[std::size_t(node)]);
+      auto& rows = result[std::size_t(rank)];
+      if (rank != comm.rank() && (rows.empty() || rows.back() != int(r)))
+        rows.push_back(int(r));
+    }
+  return result;
+}
+
 } // namespace
 
-BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& rowsFor, const Comm& comm)
+BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& readers, const Comm& comm)
 {
   if (comm.size() == 1)
     return unpacked({}, {}, K.dim, K.numNodes);
+  const auto rowsFor = rowsPerRank(K, readers, comm);
   std::vector<std::vector<int>> patterns(rowsFor.size());
   std::vector<std::vector<double>> values(rowsFor.size());
   const int blockSize = K.dim * K.dim;

@@ -46,7 +46,7 @@ private:
     if (!areSolvedWhole(system))
       return {};
     try {
-      WholeProblem problem(system, ledger);
+      WholeProblem problem(system);
       const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
       InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
       state.fields = problem.fields();

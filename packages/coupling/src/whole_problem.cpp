@@ -49,10 +49,9 @@ bool areSolvedWhole(const InterfaceSystem& system)
                      [](const BodyTrace& body) { return body.isSolvedWhole(); });
 }
 
-WholeProblem::WholeProblem(const InterfaceSystem& system, Ledger& ledger)
-    : network_(unloadedNetworkOf(system)), ledger_(ledger), motions_(motionNames(network_)),
-      approach_(approachOf(network_)), atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0),
-      tolerance_(early)
+WholeProblem::WholeProblem(const InterfaceSystem& system)
+    : network_(unloadedNetworkOf(system)), motions_(motionNames(network_)), approach_(approachOf(network_)),
+      atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0), tolerance_(early)
 {
   std::vector<const WholeSolver*> solvers;
   for (const BodyTrace* body : network_.bodies) {

@@ -22,7 +22,7 @@ class WholeProblem final : public StatusSystem
 {
 public:
   /// The system must outlive it, and all its bodies must be solved whole.
-  WholeProblem(const InterfaceSystem& system, Ledger& ledger);
+  explicit WholeProblem(const InterfaceSystem& system);
 
   bool holds(const std::vector<char>& closed) override;
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
@@ -45,7 +45,6 @@ private:
   void evaluate(const std::vector<Vector>& rest, StatusPass& pass) const;
 
   Network network_;
-  Ledger& ledger_;
   std::vector<std::string> motions_;
   DenseMatrix approach_;       ///< of both sides per unknown under the free motions
   std::vector<char> atVertex_; ///< per entry of v

@@ -7,14 +7,12 @@
 #include "ndframe/interface/facing_search.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/mesh/boundary.hpp"
+#include "side_facets.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Points are one when they are closer than this, relative to a facet.
-constexpr double samePoint = 1e-5;
 
 struct Box
 {
@@ -90,9 +88,9 @@ public:
   {
     for (const Side& side : mesh().sides) {
       boxes_.push_back(boxOf(mesh(), side.facets));
-      if (isOneOf(body.preferred, side.name))
+      if (body.prefers(side))
         take(side, preferred_);
-      if (isOneOf(body.leftOut, side.name))
+      if (body.leavesOut(side))
         take(side, taken_);
     }
   }
@@ -104,9 +102,9 @@ public:
   /// False for a side that is left out, or shares facets with one that has a partner or that counts instead.
   bool isFree(const Side& side) const
   {
-    if (side.facets.empty() || isOneOf(body_.leftOut, side.name))
+    if (side.facets.empty() || body_.leavesOut(side))
       return false;
-    const bool counts = isOneOf(body_.preferred, side.name);
+    const bool counts = body_.prefers(side);
     return std::none_of(side.facets.begin(), side.facets.end(), [&](const Facet& facet) {
       const std::pair key{facet.cell, facet.local};
       return taken_.count(key) > 0 || (!counts && preferred_.count(key) > 0);
@@ -116,10 +114,6 @@ public:
   FacetCloud rest() const { return {mesh(), taken_}; }
 
 private:
-  static bool isOneOf(const std::vector<std::string>& names, const std::string& name)
-  {
-    return std::find(names.begin(), names.end(), name) != names.end();
-  }
   static void take(const Side& side, std::set<std::pair<int, int>>& facets)
   {
     for (const Facet facet : side.facets)

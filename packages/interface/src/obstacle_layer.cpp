@@ -76,15 +76,9 @@ double depthOf(const Mesh& mesh, const ObstacleSurface& surface, const std::map<
 /// A tetrahedron with positive measure; the first three vertices stay together.
 void addCell(Mesh& mesh, std::array<int, 4> v)
 {
-  const double *a = mesh.point(v[0]), *b = mesh.point(v[1]), *c = mesh.point(v[2]), *d = mesh.point(v[3]);
-  double det = 0.0;
-  for (int i = 0; i < 3; ++i) {
-    const int j = (i + 1) % 3, k = (i + 2) % 3;
-    det += (b[i] - a[i]) * ((c[j] - a[j]) * (d[k] - a[k]) - (c[k] - a[k]) * (d[j] - a[j]));
-  }
-  if (det < 0.0)
-    std::swap(v[0], v[1]);
-  mesh.cells.insert(mesh.cells.end(), v.begin(), v.end());
+  const auto first = mesh.cells.insert(mesh.cells.end(), v.begin(), v.end());
+  if (cellMeasure(mesh, mesh.numCells() - 1) < 0.0)
+    std::swap(first[0], first[1]);
 }
 
 } // namespace

@@ -15,8 +15,6 @@ namespace ndframe
 namespace
 {
 
-/// Nodes of the two sides are one point when they are closer than this, relative to the shortest facet.
-constexpr double sameNode = 1e-5;
 /// Two nodes face each other when their distance lies along the normal, up to this cosine.
 constexpr double facing = 0.999;
 
@@ -176,7 +174,7 @@ std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& f
 {
   const NodeMap firstMap = makeNodeMap(first, 1), secondMap = makeNodeMap(second, 1);
   const NodeCloud mine{firstMap, sideNodes(firstMap, firstSide)}, theirs{secondMap, sideNodes(secondMap, secondSide)};
-  const double tolerance = sameNode * std::min(shortestFacet(first, firstSide), shortestFacet(second, secondSide));
+  const double tolerance = samePoint * std::min(shortestFacet(first, firstSide), shortestFacet(second, secondSide));
   const Comparison forward = compare(mine, theirs);
   std::vector<std::pair<int, int>> pairs;
   if (forward.largestDistance() > tolerance || compare(theirs, mine).largestDistance() > tolerance)
@@ -207,7 +205,7 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
 
   const std::string names = fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
   const double tolerance =
-      sameNode * std::min(shortestFacet(dirichlet.mesh, first), shortestFacet(neumann.mesh, second));
+      samePoint * std::min(shortestFacet(dirichlet.mesh, first), shortestFacet(neumann.mesh, second));
   const Comparison forward = compare(mine, theirs);
   if (forward.largestDistance() > tolerance)
     refuseOffset(definition, forward, interface.normals, names);

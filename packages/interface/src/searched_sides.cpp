@@ -16,11 +16,6 @@ constexpr double roundOff = 1e-6;
 
 using FacetSet = std::set<std::pair<int, int>>;
 
-bool isOneOf(const std::vector<std::string>& names, const std::string& name)
-{
-  return std::find(names.begin(), names.end(), name) != names.end();
-}
-
 double lengthOf(const Mesh& mesh, const Side& side)
 {
   double sum = 0.0, normal[3];
@@ -66,7 +61,7 @@ std::vector<const Side*> inOrderOfChoice(const SearchedBody& body)
   std::vector<std::pair<double, const Side*>> sides;
   for (std::size_t s = 0; s < facets.size(); ++s) {
     const Side& side = body.mesh->sides[s];
-    if (isOneOf(body.preferred, side.name))
+    if (body.prefers(side))
       sides.emplace_back(HUGE_VAL, &side);
     else if (!isMadeOfParts(s, facets))
       sides.emplace_back(lengthOf(*body.mesh, side), &side);
@@ -102,7 +97,7 @@ void addParts(std::vector<SearchedPart>& parts, const SearchedBody& body, int nu
   };
   std::vector<Facet> hidden;
   for (const Side& side : body.mesh->sides)
-    if (isOneOf(body.leftOut, side.name))
+    if (body.leavesOut(side))
       hidden.insert(hidden.end(), side.facets.begin(), side.facets.end());
   take(PartKind::LeftOut, {}, hidden);
   for (const Side* side : inOrderOfChoice(body))

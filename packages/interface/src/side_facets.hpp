@@ -5,6 +5,9 @@
 namespace ndframe
 {
 
+/// Points of two sides are one when they are closer than this, relative to the shortest facet.
+constexpr double samePoint = 1e-5;
+
 /// The side that a key of an interface's definition names; InputError if the body has none of that name.
 const Side& findSide(const Params& definition, const char* key, const BodyModel& body);
 

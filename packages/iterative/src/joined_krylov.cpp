@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cycle_count.hpp"
 #include "joined_level.hpp"
 #include "restarted_gradients.hpp"
 
@@ -112,7 +113,7 @@ public:
         residual, [&] { return roundOff(u); });
     ledger_.count("Krylov solves");
     ledger_.count("Krylov iterations", iterations);
-    countWork();
+    work_.enter(gradients_->work(), ledger_);
     return rest;
   }
 
@@ -166,7 +167,7 @@ private:
       for (std::size_t i = 0; i < rest.back().size(); ++i)
         rest.back()[i] = problems_[b]->roles[i] == DofRole::Fixed ? 0.0 : loads[b][i] - rest.back()[i];
     }
-    ++residuals_;
+    work_.addResidual();
     return rest;
   }
 
@@ -230,14 +231,6 @@ private:
     return std::sqrt(squares);
   }
 
-  void countWork() const
-  {
-    const CycleWork now = gradients_->work();
-    ledger_.count("fine products", now.products - counted_.products + std::exchange(residuals_, 0));
-    ledger_.count("multigrid cycles", now.cycles - counted_.cycles);
-    counted_ = now;
-  }
-
   std::vector<const SolverProblem*> problems_;
   Comm comm_;
   Ledger& ledger_;
@@ -249,8 +242,7 @@ private:
   JoinedRows rows_, coarseRows_;
   double coarseSprings_ = 0.0;
   Vector springs_; ///< per kept dof; empty: none
-  mutable CycleWork counted_;
-  mutable int residuals_ = 0; ///< products that are not counted yet
+  mutable CycleCount work_;
 };
 
 } // namespace

@@ -100,28 +100,15 @@ private:
   std::vector<std::vector<Part>> parts_; ///< per node
 };
 
-/// The own rows that other ranks need: those of kept dofs that follow an unknown there.
-RowReaders readersOf(const BlockMatrix& K, const Followers& followers, const Comm& comm)
-{
-  Vector owner(std::size_t(K.numNodes), 0.0);
-  for (const int node : K.rows)
-    owner[std::size_t(node)] = comm.rank();
-  comm.sum(owner);
-  RowReaders readers(std::size_t(comm.size()));
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (int i = 0; i < K.dim; ++i)
-      followers.each(K.rows[r] * K.dim + i, [&](int place, double) {
-        const int rank = int(owner[std::size_t(place / K.dim)]);
-        auto& rows = readers[std::size_t(rank)];
-        if (rank != comm.rank() && (rows.empty() || rows.back() != int(r)))
-          rows.push_back(int(r));
-      });
-  return readers;
-}
-
 BlockMatrix followingMatrix(const BlockMatrix& K, const Followers& followers, const Comm& comm)
 {
-  const BlockMatrix received = receivedRows(K, readersOf(K, followers, comm), comm);
+  const auto placesOf = [&](int node) {
+    std::vector<int> nodes;
+    for (int i = 0; i < K.dim; ++i)
+      followers.each(node * K.dim + i, [&](int place, double) { nodes.push_back(place / K.dim); });
+    return nodes;
+  };
+  const BlockMatrix received = receivedRows(K, placesOf, comm);
   FollowingProduct product(followers, K.dim, K.numNodes);
   product.add(K);
   product.add(received);

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "cycle_count.hpp"
 #include "joined_krylov.hpp"
 #include "ndframe/algebra/split_body.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -37,7 +38,7 @@ public:
     cg_ = makeCg(problem, comm, meanDiagonal(matrix_, comm));
     if (cg_->work().products > 0)
       ledger_.count("multigrid set-ups");
-    countWork();
+    work_.enter(cg_->work(), ledger_);
   }
 
   /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first, or beside
@@ -69,7 +70,7 @@ public:
     ledger_.count("back-solves");
     ledger_.count("Krylov solves");
     ledger_.count("Krylov iterations", iterations);
-    countWork();
+    work_.enter(cg_->work(), ledger_);
     return u;
   }
 
@@ -91,21 +92,10 @@ private:
   Vector interiorResidual(const Vector& load, const Vector& u) const
   {
     Vector residual = multiply(matrix_, u, comm_);
-    ++residuals_;
+    work_.addResidual();
     for (std::size_t dof = 0; dof < residual.size(); ++dof)
       residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
     return residual;
-  }
-
-  /// What two levels took since the last call.
-  void countWork() const
-  {
-    const CycleWork now = cg_->work();
-    if (now.products == 0)
-      return;
-    ledger_.count("fine products", now.products - counted_.products + std::exchange(residuals_, 0));
-    ledger_.count("multigrid cycles", now.cycles - counted_.cycles);
-    counted_ = now;
   }
 
   const BlockMatrix& matrix_;
@@ -115,8 +105,7 @@ private:
   KrylovOptions options_;
   std::unique_ptr<ConjugateGradients> cg_;
   mutable RecycledSolutions recycled_;
-  mutable CycleWork counted_;
-  mutable int residuals_ = 0; ///< products that are not counted yet
+  mutable CycleCount work_;
 };
 
 /// The problem whose kept dofs are unknowns, too.

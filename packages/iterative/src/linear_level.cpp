@@ -141,28 +141,14 @@ private:
   BlockRowSum sum_;
 };
 
-/// The own rows that the owners of their ends need.
-RowReaders readersOf(const BlockMatrix& K, const LinearInterpolation& P, const Comm& comm)
-{
-  Vector owner(std::size_t(K.numNodes), 0.0);
-  for (const int node : K.rows)
-    owner[std::size_t(node)] = comm.rank();
-  comm.sum(owner);
-  RowReaders readers(std::size_t(comm.size()));
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (const int vertex : P.ends[std::size_t(K.rows[r])]) {
-      const int rank = int(owner[std::size_t(P.vertices[std::size_t(vertex)])]);
-      auto& rows = readers[std::size_t(rank)];
-      if (rank != comm.rank() && (rows.empty() || rows.back() != int(r)))
-        rows.push_back(int(r));
-    }
-  return readers;
-}
-
 BlockMatrix galerkinMatrix(const SolverProblem& problem, const LinearInterpolation& P, const Comm& comm)
 {
   const BlockMatrix& K = *problem.matrix;
-  const BlockMatrix received = receivedRows(K, readersOf(K, P, comm), comm);
+  const auto endsOf = [&P](int node) {
+    const auto& [a, b] = P.ends[std::size_t(node)];
+    return std::vector<int>{P.vertices[std::size_t(a)], P.vertices[std::size_t(b)]};
+  };
+  const BlockMatrix received = receivedRows(K, endsOf, comm);
   GalerkinProduct product(problem, P);
   product.add(K);
   product.add(received);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <vector>
 
 #include "ndframe/algebra/block_matrix.hpp"
@@ -7,11 +8,11 @@
 namespace ndframe
 {
 
-/// Per rank the rows (places in K.rows) that it needs of this one.
-using RowReaders = std::vector<std::vector<int>>;
+/// Per node, other nodes whose ranks need its row; any order, repetitions allowed.
+using RowReaders = std::function<std::vector<int>(int node)>;
 
-/// Rows of K that other ranks hand to this one; `rowsFor`: what this one hands to each of them.
-/// Columns stay global. `rows` of the result ascend. Collective.
-BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& rowsFor, const Comm& comm);
+/// Rows of K that other ranks hand to this one, which has the row of one of their readers. Columns stay global. `rows`
+/// of the result ascend. Collective.
+BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& readers, const Comm& comm);
 
 } // namespace ndframe

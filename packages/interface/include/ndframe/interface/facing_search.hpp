@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <vector>
@@ -15,6 +16,15 @@ struct SearchedBody
   const Mesh* mesh;
   std::vector<std::string> preferred; ///< sides that are taken before others that share facets with them
   std::vector<std::string> leftOut;   ///< sides that face nothing
+
+  bool prefers(const Side& side) const { return isOneOf(preferred, side.name); }
+  bool leavesOut(const Side& side) const { return isOneOf(leftOut, side.name); }
+
+private:
+  static bool isOneOf(const std::vector<std::string>& names, const std::string& name)
+  {
+    return std::find(names.begin(), names.end(), name) != names.end();
+  }
 };
 
 /// A side of a body and one of a later body, and what of the first one faces the second.

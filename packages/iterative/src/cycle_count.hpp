@@ -1,0 +1,32 @@
+#pragma once
+
+#include <utility>
+
+#include "ndframe/base/ledger.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
+
+namespace ndframe
+{
+
+/// What conjugate gradients on two levels take, with the products for residuals outside of them, in the ledger.
+class CycleCount
+{
+public:
+  void addResidual() { ++residuals_; }
+
+  /// `now`: all that they took since they were set up. Products for residuals count only where there are two levels.
+  void enter(const CycleWork& now, Ledger& ledger)
+  {
+    if (now.products == 0)
+      return;
+    ledger.count("fine products", now.products - entered_.products + std::exchange(residuals_, 0));
+    ledger.count("multigrid cycles", now.cycles - entered_.cycles);
+    entered_ = now;
+  }
+
+private:
+  CycleWork entered_;
+  int residuals_ = 0;
+};
+
+} // namespace ndframe
