@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "circle.hpp"
 #include "obstacle_list.hpp"
 #include "rays.hpp"
 
@@ -12,96 +13,10 @@ namespace ndframe
 namespace
 {
 
-/// How far from the axis, or the centre, a surface still faces a flat side, relative to its radius.
-double reachOf(double radius)
-{
-  return std::sqrt(1.0 - facingCosine * facingCosine) * radius;
-}
-
 double signOf(const Params& list)
 {
   return list.get<bool>("Hollow") ? -1.0 : 1.0;
 }
-
-/// p - x along a direction, as an expression.
-std::string along(const Direction& direction, const Direction& p, int dim)
-{
-  std::string sum;
-  for (std::size_t k = 0; k < std::size_t(dim); ++k)
-    sum += fmt::format("{}{:.17g}*({:.17g}-{})", k > 0 ? "+" : "", direction[k], p[k], "xyz"[k]);
-  return "(" + sum + ")";
-}
-
-/// to + sign (R - sqrt(R^2 - s)) as an expression that does not cancel, however large R is; `to`: the distance of the
-/// plane that touches at s = 0, s >= 0: the square of the distance from there. Where s is above `most` it goes on flat.
-std::string distance(const std::string& to, double radius, double sign, const std::string& s,
-                     std::optional<double> most = std::nullopt)
-{
-  const double square = radius * radius;
-  const std::string left = fmt::format("{:.17g}-({})", square, s);
-  return fmt::format("{}{}{}/({:.17g}+sqrt({}))", to, sign > 0.0 ? "+" : "-",
-                     most ? fmt::format("min({:.17g},{})", *most, s) : fmt::format("({})", s), radius,
-                     most ? fmt::format("max({:.17g},{})", square - *most, left) : left);
-}
-
-/// A circle in the plane, full or hollow. On a straight side the distance along n is known everywhere and no polygon
-/// comes in; a curved side sees an arc between the points that its vertices face.
-class Circle
-{
-public:
-  Circle(const Direction& centre, double radius, double sign) : centre_(centre), radius_(radius), sign_(sign) {}
-
-  /// Where the ray from x along the unit vector n meets it; none where it is too oblique to face it.
-  std::optional<Direction> hit(const Direction& x, const Direction& n) const
-  {
-    const Direction to = difference(nearest(n), x);
-    const double across = cross(to, n);
-    if (std::abs(across) > reachOf(radius_) || !isAhead(x, n))
-      return std::nullopt;
-    return plus(x, dotProduct(to, n) + sign_ * riseAt(across), n);
-  }
-
-  std::optional<SideEdge> arcFacing(const SideEdge& edge) const
-  {
-    const auto first = hit(edge.ends[0], unit(edge.normals[0])), last = hit(edge.ends[1], unit(edge.normals[1]));
-    if (!first || !last)
-      return std::nullopt;
-    SideEdge arc = edgeBetween(*last, *first);
-    arc.bulge = plus({}, riseAt(arc.length() / 2.0), unit(difference(arc.at(0.5), centre_)));
-    return arc;
-  }
-
-  /// The part of a straight edge that it faces, seen from the other side.
-  std::optional<SideEdge> lineFacing(const SideEdge& edge) const
-  {
-    const Direction along = unit(difference(edge.ends[1], edge.ends[0])), n = edge.normals[0];
-    const double centre = dotProduct(difference(centre_, edge.ends[0]), along), reach = reachOf(radius_);
-    const double low = std::max(0.0, centre - reach), high = std::min(edge.length(), centre + reach);
-    if (low >= high || !isAhead(edge.ends[0], n))
-      return std::nullopt;
-    return edgeBetween(plus(edge.ends[0], high, along), plus(edge.ends[0], low, along));
-  }
-
-  /// Along the outward normal of a straight edge.
-  std::string distanceFrom(const SideEdge& edge) const
-  {
-    const Direction n = edge.normals[0], p = nearest(n);
-    return distance(along(n, p, 2), radius_, sign_, fmt::format("{}^2", along({-n[1], n[0]}, p, 2)));
-  }
-
-private:
-  /// The point where it looks against n.
-  Direction nearest(const Direction& n) const { return plus(centre_, -sign_ * radius_, n); }
-  bool isAhead(const Direction& x, const Direction& n) const
-  {
-    return sign_ < 0.0 || dotProduct(difference(centre_, x), n) > 0.0;
-  }
-  /// R - sqrt(R^2 - s^2)
-  double riseAt(double s) const { return s * s / (radius_ + std::sqrt(radius_ * radius_ - s * s)); }
-
-  Direction centre_;
-  double radius_, sign_;
-};
 
 Direction crossProduct(const Direction& a, const Direction& b)
 {
