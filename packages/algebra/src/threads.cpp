@@ -57,6 +57,14 @@ void runLargestFirst(const std::vector<int>& sizes, int threads, const std::func
   runConcurrently(int(order.size()), threads, [&](int i) { task(order[std::size_t(i)]); });
 }
 
+void runInRanges(int count, int threads, const std::function<void(int, int)>& task)
+{
+  constexpr int perThread = 4; // where one is held up, others take what is left
+  const int ranges = threads == 1 ? 1 : std::max(1, std::min(count, perThread * threads));
+  const auto begin = [&](int range) { return int(std::int64_t(count) * range / ranges); };
+  runConcurrently(ranges, threads, [&](int range) { task(begin(range), begin(range + 1)); });
+}
+
 void runConcurrently(int count, int threads, const std::function<void(int)>& task)
 {
   const int workers = std::min(count, threads) <= 1 ? 1 : claimBlasBuffers(std::min(count, threads));

@@ -15,20 +15,21 @@ namespace ndframe
 namespace
 {
 
-constexpr int highestDegree = 2; ///< of stresses in space
+constexpr int highestDegree = 2;    ///< of stresses in space
+constexpr int starsTogether = 1024; ///< that are kept until they are added in order
 
 /// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken. Any
 /// thread may say so.
 class RecoveryProgress
 {
 public:
-  RecoveryProgress(const RecoveryScene& scene, std::size_t descents, int steps, Ledger& ledger)
+  RecoveryProgress(const RecoveryScene& scene, std::size_t descents, int steps, const Comm& comm, Ledger& ledger)
       : ledger_(ledger), steps_(std::int64_t(descents) * steps)
   {
     for (const BodyModel* body : scene.bodies)
       if (!body->isRigid) {
         stars_ += body->mesh.numPoints();
-        cells_ += body->mesh.numCells();
+        cells_ += body->mesh.numCells() / comm.size(); // of this rank
       }
   }
 
@@ -51,10 +52,10 @@ private:
 class GlobalStages
 {
 public:
-  GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, int threads,
+  GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, const Comm& comm,
                Ledger& ledger)
-      : scene_(scene), fields_(fields), steps_(steps), threads_(threads),
-        progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, ledger)
+      : scene_(scene), fields_(fields), steps_(steps), comm_(comm), threads_(numThreads(comm)),
+        progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, comm, ledger)
   {
     for (const SceneField& field : fields) {
       stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
@@ -66,21 +67,20 @@ public:
   /// Bodies whose tractions may change together are recovered together, the others one by one.
   std::vector<SceneStress> run()
   {
-    std::vector<int> elastic, sizes;
+    std::vector<int> elastic;
     for (std::size_t b = 0; b < scene_.bodies.size(); ++b)
-      if (!scene_.bodies[b]->isRigid) {
+      if (!scene_.bodies[b]->isRigid)
         elastic.push_back(int(b));
-        sizes.push_back(scene_.bodies[b]->numDofs());
-      }
     if (optimises())
-      recover(elastic, scene_.facets, threads_);
+      recover(elastic, scene_.facets);
     else
-      runLargestFirst(sizes, threads_, [&](int i) { recover({elastic[std::size_t(i)]}, {}, 1); });
+      for (const int body : elastic)
+        recover({body}, {});
     return std::move(stresses_);
   }
 
 private:
-  void recover(const std::vector<int>& bodies, const std::vector<ContactFacet>& contact, int threads)
+  void recover(const std::vector<int>& bodies, const std::vector<ContactFacet>& contact)
   {
     std::vector<std::unique_ptr<StarBody>> stars(scene_.bodies.size());
     std::vector<const StarBody*> pointers;
@@ -91,9 +91,10 @@ private:
       pointers.push_back(star.get());
     const StressCells cells(std::move(pointers));
     const StressFaces faces(cells, contact);
-    runConcurrently(int(bodies.size()), threads, [&](int i) { balance(bodies[std::size_t(i)], faces); });
+    for (const int body : bodies)
+      balance(body, faces);
     const DescentWatch watch{[this] { progress_.cellIsRead(); }, [this] { progress_.stepIsTaken(); }};
-    StressDescent(faces, contact, descentFields(), watch).lower(steps_);
+    StressDescent(faces, contact, descentFields(), watch, comm_, threads_).lower(steps_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
         stresses_[f].onNeumann = stresses_[f].onDirichlet;
@@ -141,22 +142,51 @@ private:
     const StarBody& stars = faces.cells().body(body);
     const StarLoads loads(stars, inputs);
     const WrenchBalance balance(body, faces);
-    for (int vertex = 0; vertex < scene_.bodies[b]->mesh.numPoints(); ++vertex) {
-      const Star star = stars.star(vertex);
-      StarFields x = loads.initial(star);
-      const Vector left = balance.balance(star, x), force = loads.forces(star);
-      add(stars, star, x, corrections);
-      for (std::size_t f = 0; f < fields_.size(); ++f) {
-        corrections[f]->imbalance = std::max(corrections[f]->imbalance, left[f]);
-        corrections[f]->force = std::max(corrections[f]->force, force[f]);
-      }
-      progress_.starIsBalanced();
+    const int vertices = scene_.bodies[b]->mesh.numPoints();
+    for (int first = 0, last = 0; first < vertices; first = last) {
+      last = std::min(first + starsTogether, vertices);
+      std::vector<BalancedStar> balanced(std::size_t(last - first));
+      runInRanges(last - first, threads_, [&](int from, int to) {
+        for (int i = from; i < to; ++i) {
+          balanced[std::size_t(i)] = balancedStar(stars.star(first + i), loads, balance);
+          progress_.starIsBalanced();
+        }
+      });
+      for (const BalancedStar& star : balanced)
+        addTo(stars, star, corrections);
+    }
+  }
+
+  struct BalancedStar
+  {
+    Star star;
+    StarFields x;
+    Vector left, force; ///< per field
+  };
+
+  static BalancedStar balancedStar(Star star, const StarLoads& loads, const WrenchBalance& balance)
+  {
+    BalancedStar result{std::move(star), {}, {}, {}};
+    result.x = loads.initial(result.star);
+    result.left = balance.balance(result.star, result.x);
+    result.force = loads.forces(result.star);
+    return result;
+  }
+
+  static void addTo(const StarBody& stars, const BalancedStar& star, const BodyCorrections& corrections)
+  {
+    add(stars, star.star, star.x, corrections);
+    for (std::size_t f = 0; f < corrections.size(); ++f) {
+      corrections[f]->imbalance = std::max(corrections[f]->imbalance, star.left[f]);
+      corrections[f]->force = std::max(corrections[f]->force, star.force[f]);
     }
   }
 
   const RecoveryScene& scene_;
   const std::vector<SceneField>& fields_;
-  int steps_, threads_;
+  int steps_;
+  const Comm& comm_;
+  int threads_;
   RecoveryProgress progress_;
   std::vector<SceneStress> stresses_; ///< per field
 };
@@ -169,7 +199,7 @@ public:
   std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields, const Comm& comm,
                                    Ledger& ledger) const override
   {
-    GlobalStages stages(scene, fields, steps_, comm.size() > 1 ? 1 : numThreads(comm), ledger);
+    GlobalStages stages(scene, fields, steps_, comm, ledger);
     std::vector<SceneStress> stresses = stages.run();
     ledger.count("recovery steps", std::int64_t(steps_) * std::int64_t(fields.size()));
     return stresses;

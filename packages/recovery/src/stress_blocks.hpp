@@ -19,22 +19,28 @@ public:
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
-  /// What a cell's matrix (in the axes that `map` comes from) adds.
-  void add(int cell, const CellMap& map, const DenseMatrix& A);
-  /// To be called when all have been added.
-  void invert();
+  /// What a cell's matrix (in the axes that `map` comes from) adds to the blocks of its faces and edges.
+  Vector parts(int cell, const CellMap& map, const DenseMatrix& A) const;
+  void add(int cell, const Vector& parts);
+  /// To be called when the ranks have added what is theirs. Collective.
+  void invert(const Comm& comm, int threads);
   /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
-  Vector precondition(const Vector& gradient, const std::vector<char>& held) const;
-  int numBlocks() const { return int(blocks_.size()); }
+  Vector precondition(const Vector& gradient, const std::vector<char>& held, int threads) const;
+  int numBlocks() const { return int(begin_.size()) - 1; }
 
 private:
-  void addEdge(int edge, const std::array<int, 4>& faces, const std::array<int, 4>& begin, const DenseMatrix& W);
+  int sizeOf(int block) const { return begin_[std::size_t(block) + 1] - begin_[std::size_t(block)]; }
+  template <class Take>
+  void eachBlock(int cell, const Take& take) const;
+  void addEdge(int edge, const std::array<int, 4>& faces, const std::array<int, 4>& begin, const DenseMatrix& W,
+               double* sum) const;
 
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;
   std::vector<int> begin_{0};
   std::vector<std::vector<int>> edgesOf_; ///< per cell
-  std::vector<DenseMatrix> blocks_;       ///< then their inverses
+  std::vector<std::size_t> at_{0};        ///< per block, in what follows: column by column
+  Vector blocks_;                         ///< then their inverses
 };
 
 } // namespace ndframe

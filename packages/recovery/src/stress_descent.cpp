@@ -3,15 +3,16 @@
 #include <algorithm>
 #include <optional>
 
+#include "ndframe/algebra/threads.hpp"
 #include "pressure_room.hpp"
 
 namespace ndframe
 {
 
 StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact,
-                             std::vector<DescentField> fields, const DescentWatch& watch)
-    : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), edges_(stressEdges(faces)),
-      blocks_(faces, edges_)
+                             std::vector<DescentField> fields, const DescentWatch& watch, const Comm& comm, int threads)
+    : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), comm_(comm), threads_(threads),
+      edges_(stressEdges(faces)), rings_(faces.size(), edges_), blocks_(faces, edges_)
 {
   const StressCells& cells = faces.cells();
   for (const DescentField& field : fields_) {
@@ -20,14 +21,35 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
     start_.emplace_back(std::size_t(cells.size()) * 4 * std::size_t(facetData()), 0.0);
   }
   for (int body = 0; body < cells.numBodies(); ++body) {
+    matrices_.push_back(nullptr);
+    if (cells.has(body))
+      findMatrices(body);
+  }
+  blocks_.invert(comm, threads);
+}
+
+/// Those of this rank.
+void StressDescent::findMatrices(int body)
+{
+  constexpr int together = 32; // batches whose parts of blocks are kept until they are added in order
+  const StressCells& cells = faces_->cells();
+  const std::int64_t batches = StressMatrices::numBatches(cells.body(body));
+  matrices_.back() = std::make_unique<StressMatrices>(cells.body(body), int(batches * comm_.rank() / comm_.size()),
+                                                      int(batches * (comm_.rank() + 1) / comm_.size()));
+  StressMatrices& matrices = *matrices_.back();
+  for (int first = matrices.first(), last = first; first < matrices.last(); first = last) {
+    last = std::min(first + together, matrices.last());
+    std::array<Vector, std::size_t(together) * StressMatrices::lanes> parts;
+    const int begin = first * StressMatrices::lanes;
     const auto use = [&](int cell, const CellMap& map, const DenseMatrix& A) {
-      blocks_.add(cells.number(body, cell), map, A);
+      parts[std::size_t(cell - begin)] = blocks_.parts(cells.number(body, cell), map, A);
       addStart(body, cell, map, A);
       watch_.cellIsRead();
     };
-    matrices_.push_back(cells.has(body) ? std::make_unique<StressMatrices>(cells.body(body), use) : nullptr);
+    runInRanges(last - first, threads_, [&](int from, int to) { matrices.find(first + from, first + to, use); });
+    for (std::size_t c = 0; c < parts.size() && !parts[c].empty(); ++c)
+      blocks_.add(cells.number(body, begin + int(c)), parts[c]);
   }
-  blocks_.invert();
 }
 
 /// A_E x_E of all fields' corrections.
@@ -51,45 +73,59 @@ Vector StressDescent::faceTractions(const Vector& unknowns) const
 {
   const auto size = std::size_t(facetData());
   Vector tractions(std::size_t(faces_->size()) * size, 0.0);
-  std::vector<Wrench> amounts(std::size_t(faces_->size()), Wrench{}); // of the carriers
-  for (std::size_t e = 0; e < edges_.size(); ++e)
-    for (const StressEdge::Step& step : edges_[e].ring)
-      addThrough(edges_[e], step, (*faces_)[step.face], unknowns.data() + blocks_.ofEdge(e),
-                 amounts[std::size_t(step.face)].data());
-  for (int f = 0; f < faces_->size(); ++f) {
-    const StressFace& face = (*faces_)[f];
-    double* T = tractions.data() + std::size_t(f) * size;
-    const auto add = [T](const DenseMatrix& columns, const double* factors) {
-      for (int k = 0; k < columns.cols(); ++k)
-        for (int i = 0; i < columns.rows(); ++i)
-          T[i] += columns(i, k) * factors[k];
-    };
-    const double* y = unknowns.data() + blocks_.ofFace(f);
-    add(face.own, y);
-    add(face.carrier, amounts[std::size_t(f)].data());
-    for (int k = 0; k < face.higher; ++k)
-      T[face.own.rows() + k] += y[face.own.cols() + k];
-  }
+  runInRanges(faces_->size(), threads_, [&](int first, int last) {
+    for (int f = first; f < last; ++f)
+      addTractions(f, unknowns, tractions.data() + std::size_t(f) * size);
+  });
   return tractions;
 }
 
-/// A_E times the cells' tractions, per cell.
+void StressDescent::addTractions(int f, const Vector& unknowns, double* T) const
+{
+  const StressFace& face = (*faces_)[f];
+  Wrench amounts{}; // of the carriers
+  for (const FaceRings::Place* place = rings_.begin(f); place != rings_.end(f); ++place) {
+    const StressEdge& edge = edges_[std::size_t(place->edge)];
+    addThrough(edge, edge.ring[std::size_t(place->step)], face,
+               unknowns.data() + blocks_.ofEdge(std::size_t(place->edge)), amounts.data());
+  }
+  const auto add = [T](const DenseMatrix& columns, const double* factors) {
+    for (int k = 0; k < columns.cols(); ++k)
+      for (int i = 0; i < columns.rows(); ++i)
+        T[i] += columns(i, k) * factors[k];
+  };
+  const double* y = unknowns.data() + blocks_.ofFace(f);
+  add(face.own, y);
+  add(face.carrier, amounts.data());
+  for (int k = 0; k < face.higher; ++k)
+    T[face.own.rows() + k] += y[face.own.cols() + k];
+}
+
+/// A_E times the cells' tractions, per cell; zero at those of other ranks.
 Vector StressDescent::cellForces(const Vector& tractions) const
 {
   const StressCells& cells = faces_->cells();
   const int size = facetData();
-  Vector forces(std::size_t(cells.size()) * 4 * std::size_t(size)), T(StressMatrices::lanes * 4 * std::size_t(size));
+  Vector forces(std::size_t(cells.size()) * 4 * std::size_t(size));
+  const auto multiply = [&](int body, int batch) {
+    const int first = cells.number(body, batch * StressMatrices::lanes);
+    std::array<double, 72 * StressMatrices::lanes> T{}; // of degree 2
+    double* to = T.data();
+    for (int cell = first; cell < first + matrices_[std::size_t(body)]->sizeOf(batch); ++cell)
+      for (int facet = 0; facet < 4; ++facet, to += size) {
+        const int f = faces_->of(cell, facet);
+        const StressFace& face = (*faces_)[f];
+        face.toSide(face.sideOf(cell), tractions.data() + std::ptrdiff_t(f) * size, size, to);
+      }
+    matrices_[std::size_t(body)]->multiply(batch, T.data(), forces.data() + std::ptrdiff_t(4) * first * size);
+  };
   for (int body = 0; body < cells.numBodies(); ++body)
-    for (int batch = 0; cells.has(body) && batch < matrices_[std::size_t(body)]->numBatches(); ++batch) {
-      const int first = cells.number(body, batch * StressMatrices::lanes);
-      double* to = T.data();
-      for (int cell = first; cell < first + matrices_[std::size_t(body)]->sizeOf(batch); ++cell)
-        for (int facet = 0; facet < 4; ++facet, to += size) {
-          const int f = faces_->of(cell, facet);
-          const StressFace& face = (*faces_)[f];
-          face.toSide(face.sideOf(cell), tractions.data() + std::ptrdiff_t(f) * size, size, to);
-        }
-      matrices_[std::size_t(body)]->multiply(batch, T.data(), forces.data() + std::ptrdiff_t(4) * first * size);
+    if (cells.has(body)) {
+      const int begin = matrices_[std::size_t(body)]->first(), count = matrices_[std::size_t(body)]->last() - begin;
+      runInRanges(count, threads_, [&](int first, int last) {
+        for (int batch = begin + first; batch < begin + last; ++batch)
+          multiply(body, batch);
+      });
     }
   return forces;
 }
@@ -99,22 +135,24 @@ Vector StressDescent::faceForces(const Vector& cellForces) const
 {
   const int size = facetData();
   Vector result(std::size_t(faces_->size()) * std::size_t(size), 0.0);
-  for (int f = 0; f < faces_->size(); ++f) {
-    const StressFace& face = (*faces_)[f];
-    for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
-      face.fromSide(side, cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size, size,
-                    result.data() + std::ptrdiff_t(f) * size);
-  }
+  runInRanges(faces_->size(), threads_, [&](int first, int last) {
+    for (int f = first; f < last; ++f) {
+      const StressFace& face = (*faces_)[f];
+      for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
+        face.fromSide(side, cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size, size,
+                      result.data() + std::ptrdiff_t(f) * size);
+    }
+  });
   return result;
 }
 
-/// By the unknowns, from that by the faces' tractions.
+/// By the unknowns, from what all ranks have of that by the faces' tractions.
 Vector StressDescent::gradientOf(const Vector& faceForces) const
 {
   const auto size = std::size_t(facetData());
   Vector gradient(std::size_t(blocks_.size()), 0.0);
   std::vector<Wrench> ofCarriers(std::size_t(faces_->size()), Wrench{});
-  for (int f = 0; f < faces_->size(); ++f) {
+  const auto ofFace = [&](int f) {
     const StressFace& face = (*faces_)[f];
     const double* G = faceForces.data() + std::size_t(f) * size;
     const auto add = [G](const DenseMatrix& columns, double* sums) {
@@ -127,11 +165,21 @@ Vector StressDescent::gradientOf(const Vector& faceForces) const
     add(face.carrier, ofCarriers[std::size_t(f)].data());
     for (int k = 0; k < face.higher; ++k)
       y[face.own.cols() + k] += G[face.own.rows() + k];
-  }
-  for (std::size_t e = 0; e < edges_.size(); ++e)
+  };
+  const auto ofEdge = [&](std::size_t e) {
     for (const StressEdge::Step& step : edges_[e].ring)
       addBack(edges_[e], step, (*faces_)[step.face], ofCarriers[std::size_t(step.face)].data(),
               gradient.data() + blocks_.ofEdge(e));
+  };
+  const auto each = [&](int count, const auto& task) {
+    runInRanges(count, threads_, [&task](int first, int last) {
+      for (int i = first; i < last; ++i)
+        task(std::size_t(i));
+    });
+  };
+  each(faces_->size(), [&](std::size_t f) { ofFace(int(f)); });
+  each(int(edges_.size()), ofEdge);
+  comm_.sum(gradient);
   return gradient;
 }
 
@@ -171,7 +219,7 @@ void StressDescent::lower(int steps)
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     Vector forces = faceForces(start_[f]);
     start_[f] = Vector();
-    if (fields_[f].traction != nullptr)
+    if (fields_[f].traction != nullptr && comm_.rank() == 0) // the ranks' forces are added up
       addOpening(*fields_[f].opening, forces);
     Vector residual = gradientOf(forces);
     for (double& value : residual)
@@ -186,7 +234,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
   if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction);
   std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
-  Vector z = blocks_.precondition(residual, still), p = z, x(residual.size(), 0.0);
+  Vector z = blocks_.precondition(residual, still, threads_), p = z, x(residual.size(), 0.0);
   double rz = dot(residual, z);
   for (int step = 0; step < steps && rz > 0.0; ++step) {
     const Vector tractions = faceTractions(p), Ap = gradientOf(faceForces(cellForces(tractions)));
@@ -200,7 +248,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
     }
     if (length < wanted)
       still = held(room->held());
-    z = blocks_.precondition(residual, still);
+    z = blocks_.precondition(residual, still, threads_);
     const double next = dot(residual, z), kept = length < wanted ? 0.0 : next / rz;
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + kept * p[i];

@@ -19,7 +19,7 @@ struct DescentField
   const Vector* opening = nullptr; ///< SceneField::opening; with a traction
 };
 
-/// Who wants to know how far a descent is.
+/// Who wants to know how far a descent is; any thread may tell.
 struct DescentWatch
 {
   std::function<void()> cellIsRead, stepIsTaken;
@@ -35,9 +35,10 @@ struct DescentWatch
 class StressDescent
 {
 public:
-  /// Finds all matrices. faces, contact, watch and what the fields point to must outlive it.
+  /// Finds all matrices: every rank those of its share of the cells. faces, contact, watch and what the fields point to
+  /// must outlive it. Collective, as are all functions.
   StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact, std::vector<DescentField> fields,
-                const DescentWatch& watch);
+                const DescentWatch& watch, const Comm& comm, int threads);
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
 
@@ -46,9 +47,11 @@ public:
 
 private:
   void lower(const DescentField& field, Vector residual, int steps) const;
+  void findMatrices(int body);
   void addStart(int body, int cell, const CellMap& map, const DenseMatrix& A);
   Vector gradientOf(const Vector& faceForces) const;
   Vector faceTractions(const Vector& unknowns) const;
+  void addTractions(int face, const Vector& unknowns, double* T) const;
   Vector cellForces(const Vector& tractions) const;
   Vector faceForces(const Vector& cellForces) const;
   void addOpening(const Vector& opening, Vector& faceForces) const;
@@ -61,8 +64,11 @@ private:
   const std::vector<ContactFacet>* contact_;
   std::vector<DescentField> fields_;
   const DescentWatch& watch_;
-  std::vector<Vector> start_; ///< per field A_E x_E, cell by cell
+  const Comm& comm_;
+  int threads_;
+  std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at those of other ranks
   std::vector<StressEdge> edges_;
+  FaceRings rings_;
   StressBlocks blocks_;
   std::vector<std::unique_ptr<StressMatrices>> matrices_; ///< per body
 };

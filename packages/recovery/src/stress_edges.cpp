@@ -233,6 +233,19 @@ void addBack(const StressEdge& edge, const StressEdge::Step& step, const StressF
   }
 }
 
+FaceRings::FaceRings(int faces, const std::vector<StressEdge>& edges) : first_(std::size_t(faces) + 1, 0)
+{
+  for (const StressEdge& edge : edges)
+    for (const StressEdge::Step& step : edge.ring)
+      ++first_[std::size_t(step.face) + 1];
+  std::partial_sum(first_.begin(), first_.end(), first_.begin());
+  places_.resize(first_.back());
+  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
+  for (std::size_t e = 0; e < edges.size(); ++e)
+    for (std::size_t s = 0; s < edges[e].ring.size(); ++s)
+      places_[next[std::size_t(edges[e].ring[s].face)]++] = {int(e), int(s)};
+}
+
 std::vector<StressEdge> stressEdges(const StressFaces& faces)
 {
   return Rings(faces).find();

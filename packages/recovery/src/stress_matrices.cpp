@@ -2,14 +2,11 @@
 
 #include <algorithm>
 
-#include "ndframe/equilibrium/cell_forms.hpp"
-
 namespace ndframe
 {
 namespace
 {
 
-constexpr int together = 16;     ///< cells of one product
 constexpr std::size_t most = 72; ///< tractions of a cell, degree 2
 
 typedef float Lanes __attribute__((vector_size(4 * StressMatrices::lanes), aligned(4), may_alias));
@@ -64,50 +61,50 @@ void addPushed(const CellMap& map, const double* forces, int count, double* sum)
           map.inverse[i] * forces[at] + map.inverse[3 + i] * forces[at + 1] + map.inverse[6 + i] * forces[at + 2];
 }
 
-StressMatrices::StressMatrices(const StarBody& body,
-                               const std::function<void(int, const CellMap&, const DenseMatrix&)>& use)
-    : tractions_(std::size_t(body.reference().tractions))
+StressMatrices::StressMatrices(const StarBody& body, int first, int last)
+    : body_(&body), first_(first), last_(last), tractions_(std::size_t(body.reference().tractions)),
+      forms_(body.reference()), maps_(std::size_t(last - first) * lanes),
+      triangles_(std::size_t(last - first) * batchSize())
 {
   NDFRAME_ASSERT(tractions_ <= most, "more data than a cell of degree 2 has");
-  const Mesh& mesh = body.model().mesh;
-  const ReferenceStress& reference = body.reference();
-  const int cells = mesh.numCells();
-  const CellForms forms(reference);
-  maps_.reserve(std::size_t(cells));
-  triangles_.resize(std::size_t((cells + lanes - 1) / lanes) * lanes * tractions_ * (tractions_ + 1) / 2);
-  for (int first = 0; first < cells; first += together) {
-    DenseMatrix compliances(int(reference.energy.size()), std::min(together, cells - first));
+}
+
+void StressMatrices::find(int first, int last, const std::function<void(int, const CellMap&, const DenseMatrix&)>& use)
+{
+  const Mesh& mesh = body_->model().mesh;
+  for (int batch = first; batch < last; ++batch) {
+    const int begin = batch * lanes;
+    CellMap* maps = maps_.data() + std::size_t(begin - first_ * lanes);
+    DenseMatrix compliances(int(body_->reference().energy.size()), sizeOf(batch));
     for (int c = 0; c < compliances.cols(); ++c) {
-      maps_.push_back(cellMap(mesh, sortedCell(mesh, first + c)));
-      const auto entries = pulledBackCompliance(maps_.back(), body.model().laws(first + c));
+      maps[c] = cellMap(mesh, sortedCell(mesh, begin + c));
+      const auto entries = pulledBackCompliance(maps[c], body_->model().laws(begin + c));
       std::copy(entries.begin(), entries.end(), compliances.col(c));
     }
-    forms.each(compliances, [&](int c, const DenseMatrix& A) {
-      keep(first + c, A);
-      use(first + c, maps_[std::size_t(first + c)], A);
+    forms_.each(compliances, [&](int c, const DenseMatrix& A) {
+      keep(A, triangles(batch) + c);
+      use(begin + c, maps[c], A);
     });
   }
 }
 
-void StressMatrices::keep(int cell, const DenseMatrix& A)
+void StressMatrices::keep(const DenseMatrix& A, float* lane) const
 {
-  const std::size_t triangle = tractions_ * (tractions_ + 1) / 2, batch = std::size_t(cell) / lanes;
-  float* entry = triangles_.data() + batch * triangle * lanes + std::size_t(cell) % lanes;
   for (int j = 0; j < int(tractions_); ++j)
-    for (int i = j; i < int(tractions_); ++i, entry += lanes)
-      *entry = float(A(i, j));
+    for (int i = j; i < int(tractions_); ++i, lane += lanes)
+      *lane = float(A(i, j));
 }
 
 int StressMatrices::sizeOf(int batch) const
 {
-  return std::min(lanes, int(maps_.size()) - batch * lanes);
+  return std::min(lanes, body_->model().mesh.numCells() - batch * lanes);
 }
 
 void StressMatrices::multiply(int batch, const double* T, double* forces) const
 {
   std::array<float, most * lanes> x{}, y{};
   const auto count = std::size_t(sizeOf(batch));
-  const CellMap* maps = maps_.data() + std::size_t(batch) * lanes;
+  const CellMap* maps = maps_.data() + std::size_t(batch - first_) * lanes;
   for (std::size_t lane = 0; lane < count; ++lane)
     for (std::size_t at = 0; at < tractions_; at += 3) {
       double local[3];
@@ -115,8 +112,7 @@ void StressMatrices::multiply(int batch, const double* T, double* forces) const
       for (std::size_t i = 0; i < 3; ++i)
         x[(at + i) * lanes + lane] = float(local[i]);
     }
-  symmetricProduct(triangles_.data() + std::size_t(batch) * lanes * tractions_ * (tractions_ + 1) / 2, x.data(),
-                   y.data(), tractions_);
+  symmetricProduct(triangles_.data() + std::size_t(batch - first_) * batchSize(), x.data(), y.data(), tractions_);
   std::fill_n(forces, count * tractions_, 0.0);
   std::array<double, most> local{};
   for (std::size_t lane = 0; lane < count; ++lane) {

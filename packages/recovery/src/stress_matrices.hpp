@@ -3,34 +3,44 @@
 #include <functional>
 #include <vector>
 
+#include "ndframe/equilibrium/cell_forms.hpp"
 #include "star_body.hpp"
 
 namespace ndframe
 {
 
-/// The energy matrices A_E of a solid's cells (CellForm::condensed) as functions of the tractions alone, kept in single
-/// precision, in the axes of the reference cell and as triangles, 16 cells side by side.
+/// The energy matrices A_E of some of a solid's cells (CellForm::condensed) as functions of the tractions alone, kept
+/// in single precision, in the axes of the reference cell and as triangles, 16 cells side by side. Cells go by batches:
+/// those of a batch are lanes * batch .. lanes * batch + its size.
 class StressMatrices
 {
 public:
   /// Cells that are multiplied together.
   static constexpr int lanes = 16;
 
-  /// use(cell, map, A): sees every matrix once as it is found, double precision, reference axes, symmetric, over
-  /// tractions and loads.
-  StressMatrices(const StarBody& body,
-                 const std::function<void(int cell, const CellMap& map, const DenseMatrix& A)>& use);
+  /// Of the batches first .. last, still to be found.
+  StressMatrices(const StarBody& body, int first, int last);
 
-  int numBatches() const { return (int(maps_.size()) + lanes - 1) / lanes; }
-  /// The cells of a batch: lanes * batch .. lanes * batch + its size.
+  /// Finds those of some batches; batches may be found at the same time. use(cell, map, A): sees every matrix once,
+  /// double precision, reference axes, symmetric, over tractions and loads.
+  void find(int first, int last, const std::function<void(int cell, const CellMap& map, const DenseMatrix& A)>& use);
+
+  static int numBatches(const StarBody& body) { return (body.model().mesh.numCells() + lanes - 1) / lanes; }
+  int first() const { return first_; }
+  int last() const { return last_; }
   int sizeOf(int batch) const;
   /// forces = A_E T for the cells of a batch; both cell by cell, global axes, double precision.
   void multiply(int batch, const double* T, double* forces) const;
 
 private:
-  void keep(int cell, const DenseMatrix& A);
+  float* triangles(int batch) { return triangles_.data() + std::size_t(batch - first_) * batchSize(); }
+  std::size_t batchSize() const { return lanes * tractions_ * (tractions_ + 1) / 2; }
+  void keep(const DenseMatrix& A, float* lane) const;
 
+  const StarBody* body_;
+  int first_, last_;
   std::size_t tractions_;
+  CellForms forms_;
   std::vector<CellMap> maps_;
   std::vector<float> triangles_; ///< per batch, column by column below the diagonal, lane by lane
 };
