@@ -76,7 +76,7 @@ nlohmann::json yardstickOf(const std::string& deck, const std::vector<std::strin
 
 TEST(Speed, ThreadsDoNotChangeABit)
 {
-  for (const char* deck : {"punch", "contact-loss", "certificate", "beam-3d"}) {
+  for (const char* deck : {"punch", "contact-loss", "certificate", "beam-3d", "punch-3d"}) {
     const Scene scene(deck);
     const auto one = withThreads("1", scene);
     for (const char* threads : {"2", "3", "2"}) {

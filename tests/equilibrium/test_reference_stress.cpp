@@ -6,6 +6,8 @@
 #include "equilibrium/sample_stress.hpp"
 #include "fem/sample_meshes.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
+#include "ndframe/equilibrium/cell_forms.hpp"
 #include "ndframe/equilibrium/equilibrated_stress.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
@@ -100,6 +102,35 @@ TEST(ReferenceStress, HasTheNumbersOfTheTheory)
     EXPECT_EQ(tables.energy.size(), dim == 2 ? 6u : 21u);
     EXPECT_EQ(tables.energy[0].cols(), tables.data() + tables.bubbles);
     EXPECT_EQ(tables.coefficients, tables.lift.rows());
+  }
+}
+
+TEST(ReferenceStress, ManyCellsSideBySideHaveTheMatricesOfEach)
+{
+  for (const int degree : {1, 2}) {
+    const ReferenceStress& reference = referenceStress(3, degree);
+    const Elasticity law = test::sampleLaws(3)[0];
+    test::Random random(3);
+    std::vector<DenseMatrix> expected;
+    Vector compliances(reference.energy.size() * CellForms::lanes), work;
+    for (std::size_t lane = 0; lane < CellForms::lanes; ++lane) {
+      Mesh mesh = referenceCell(3);
+      const Vector moves = random.vector(mesh.points.size());
+      for (std::size_t i = 0; i < moves.size(); ++i)
+        mesh.points[i] = (mesh.points[i] + 0.1 * moves[i]) * (i % 3 == 2 && lane % 2 == 1 ? 0.01 : 1.0); // slivers, too
+      const CellMap map = cellMap(mesh, sortedCell(mesh, 0));
+      expected.push_back(CellForm(reference, map, law).condensed());
+      const auto own = pulledBackCompliance(map, law);
+      for (std::size_t m = 0; m < own.size(); ++m)
+        compliances[m * CellForms::lanes + lane] = own[m];
+    }
+    const double* entry = CellForms(reference).condensed(compliances.data(), work);
+    for (int j = 0; j < reference.data(); ++j)
+      for (int i = j; i < reference.data(); ++i, entry += CellForms::lanes)
+        for (std::size_t lane = 0; lane < CellForms::lanes; ++lane) {
+          const DenseMatrix& A = expected[lane];
+          EXPECT_NEAR(entry[lane], A(i, j), 1e-10 * std::sqrt(A(i, i) * A(j, j)));
+        }
   }
 }
 

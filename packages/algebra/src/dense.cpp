@@ -11,14 +11,6 @@
 namespace ndframe
 {
 
-void subtractSquare(const DenseMatrix& Y, DenseMatrix& A)
-{
-  NDFRAME_ASSERT(A.rows() == Y.rows() && A.cols() == Y.rows(), "shapes do not match");
-  if (Y.rows() > 0 && Y.cols() > 0)
-    cblas_dgemm(CblasColMajor, CblasNoTrans, CblasTrans, Y.rows(), Y.rows(), Y.cols(), -1.0, Y.data(), Y.rows(),
-                Y.data(), Y.rows(), 1.0, A.data(), A.rows());
-}
-
 Vector multiplySymmetric(const DenseMatrix& A, const Vector& x)
 {
   NDFRAME_ASSERT(A.rows() == A.cols() && A.cols() == int(x.size()), "shapes do not match");

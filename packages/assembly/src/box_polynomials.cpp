@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ndframe/base/lanes.hpp"
+
 namespace ndframe
 {
 namespace
@@ -53,14 +55,9 @@ double growth(int degree)
 constexpr int packs = 4, lanes = 4 * packs;
 using Pack = double __attribute__((vector_size(4 * sizeof(double))));
 
-#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define NDFRAME_FASTEST __attribute__((target_clones("arch=haswell", "default")))
-#else
-#define NDFRAME_FASTEST
-#endif
-
 /// Horner's scheme in both coordinates.
-NDFRAME_FASTEST void evaluate(const double* coefficients, int degree, const Pack* x, const Pack* y, Pack* result)
+NDFRAME_EVERY_PROCESSOR void evaluate(const double* coefficients, int degree, const Pack* x, const Pack* y,
+                                      Pack* result)
 {
   const double* row = coefficients + std::size_t(degree + 1) * std::size_t(degree + 2) / 2;
   Pack sum[packs] = {};

@@ -270,7 +270,7 @@ Certificate certify(const Params& deck, const ErrorOptions& options, const Certi
 {
   const auto recovery = components.recoveries.build(deck.sub("Error Estimation").sub("Recovery"));
   const int order = model.bodies.front().nodes.order;
-  const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order));
+  const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order), comm);
   return Certifier(deck, options, scene, *recovery, comm, ledger).run(components, reference);
 }
 

@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "element_distances.hpp"
 #include "intermediate_fields.hpp"
 #include "ndframe/admissibility/contact_moments.hpp"
 #include "ndframe/admissibility/contact_oscillation.hpp"
@@ -33,11 +34,6 @@ Vector difference(Vector a, const Vector& b)
   for (std::size_t i = 0; i < a.size(); ++i)
     a[i] -= b[i];
   return a;
-}
-
-bool isZero(const Vector& v)
-{
-  return std::all_of(v.begin(), v.end(), [](double value) { return value == 0.0; });
 }
 
 /// Of the forces at a node, relative to the largest; 0 without any. The computed solution's energy over its
@@ -81,9 +77,27 @@ double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recov
     Vector v = recovered.field.displacement[b];
     for (std::size_t i = 0; i < v.size(); ++i)
       v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
-    squares.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], &v));
+    squares.push_back(elementDistances(scene, b, recovered.stress.corrections[b], v));
   }
   return 0.5 * totalOf(squares);
+}
+
+ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
+                           const AdmissibleScene& admissible, ElementDistances& distances)
+{
+  Vector contact;
+  if (!scene.facets.empty()) {
+    contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
+                                   openings(scene, admissible.displacement.displacement, admissible.gap));
+    addUnsureGap(scene.facets, recovered.stress.onDirichlet, admissible.gap.unsure, contact);
+  }
+  ErrorMeasure measure = assembleMeasure(distances.to(admissible.displacement.displacement), scene.facets, contact,
+                                         admissible.oscillation);
+  measure.prescribed = admissible.prescribed;
+  measure.projection = admissible.displacement.charge;
+  if (measure.projection > 0.0)
+    measure.aside = distanceFromMean(scene, recovered, admissible);
+  return measure;
 }
 
 } // namespace
@@ -122,28 +136,8 @@ void addContactOscillation(const CertifiedScene& scene, const RecoveredField& re
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
                            const AdmissibleScene& admissible)
 {
-  std::vector<Vector> distances(scene.bodies.size());
-  runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
-    const auto b = std::size_t(body);
-    if (scene.bodies[b]->isRigid) {
-      distances[b].assign(std::size_t(scene.bodies[b]->mesh.numCells()), 0.0);
-      return;
-    }
-    const Vector v = difference(recovered.field.displacement[b], admissible.displacement.displacement[b]);
-    distances[b] = cellDistances(*scene.bodies[b], recovered.stress.corrections[b], isZero(v) ? nullptr : &v);
-  });
-  Vector contact;
-  if (!scene.facets.empty()) {
-    contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
-                                   openings(scene, admissible.displacement.displacement, admissible.gap));
-    addUnsureGap(scene.facets, recovered.stress.onDirichlet, admissible.gap.unsure, contact);
-  }
-  ErrorMeasure measure = assembleMeasure(std::move(distances), scene.facets, contact, admissible.oscillation);
-  measure.prescribed = admissible.prescribed;
-  measure.projection = admissible.displacement.charge;
-  if (measure.projection > 0.0)
-    measure.aside = distanceFromMean(scene, recovered, admissible);
-  return measure;
+  ElementDistances distances(scene, recovered);
+  return measureStress(scene, recovered, admissible, distances);
 }
 
 ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateField& field)
@@ -239,7 +233,8 @@ ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovere
 {
   AdmissibleScene asSolved = admissible;
   asSolved.displacement = {scene.solved, 0.0, 0, {}};
-  ErrorMeasure measure = measureStress(scene, recovered, asSolved);
+  ElementDistances distances(scene, recovered);
+  ErrorMeasure measure = measureStress(scene, recovered, asSolved, distances);
   if (admissible.displacement.moved == 0 && measure.contact <= seen * measure.elements * measure.elements)
     return measure; // u^ is u_h
   BoundOfDisplacement bound{measure.elements, 0.5 * measure.contact, {}, {}};
@@ -254,7 +249,7 @@ ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovere
   }
   tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, admissible.gap, scene.solved, bound,
                       admissible.displacement);
-  return measureStress(scene, recovered, admissible);
+  return measureStress(scene, recovered, admissible, distances);
 }
 
 std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const RecoveredField& recovered,

@@ -66,9 +66,9 @@ void Guarantee::accept(const std::string& caveat)
 }
 
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
-                         const std::vector<BodyFields>& fields, int degree)
+                         const std::vector<BodyFields>& fields, int degree, const Comm& comm)
 {
-  CertifiedScene scene{model, condensed, coupling, {}, {}, contactFacets(model), 0, degree, 0.0};
+  CertifiedScene scene{model, condensed, coupling, {}, {}, contactFacets(model), 0, degree, 0.0, comm};
   double total = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     scene.bodies.push_back(&model.bodies[b]);

@@ -25,6 +25,7 @@ struct CertifiedScene
   int order = 0;                    ///< of the displacements
   int degree = 0;                   ///< of the stresses and tractions
   double norm = 0.0;                ///< sqrt(sum a(u_h, u_h))
+  Comm comm = Comm::single();
 
   int dim() const { return bodies.front()->mesh.dim; }
 };
@@ -51,7 +52,7 @@ private:
 };
 
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
-                         const std::vector<BodyFields>& fields, int degree);
+                         const std::vector<BodyFields>& fields, int degree, const Comm& comm);
 
 /// What the recovery has to know of the scene: data of the bodies, facets.
 RecoveryScene makeRecoveryScene(const CertifiedScene& scene);

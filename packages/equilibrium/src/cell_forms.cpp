@@ -11,53 +11,21 @@ namespace ndframe
 CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
 {
   const int data = reference.data(), size = data + reference.bubbles;
-  ofBubbles_ = DenseMatrix(reference.bubbles * data + reference.bubbles * (reference.bubbles + 1) / 2,
-                           int(reference.energy.size()));
-  table_ = DenseMatrix(size * (size + 1) / 2, int(reference.energy.size()));
-  for (int m = 0; m < table_.cols(); ++m) {
-    double* entry = table_.col(m);
-    for (int j = 0; j < size; ++j)
-      for (int i = j; i < size; ++i)
-        *entry++ = reference.energy[std::size_t(m)](i, j);
-    entry = ofBubbles_.col(m);
-    for (int j = 0; j < size; ++j)
-      for (int i = std::max(j, data); i < size; ++i)
-        *entry++ = reference.energy[std::size_t(m)](i, j);
-  }
-}
-
-/// packed: the lower triangle of [dd bd^T; bd bb]. With bb = L L^T the bubbles leave dd - Y^T Y, Y = L^-1 bd.
-void CellForms::condense(const double* packed, DenseMatrix& A) const
-{
-  const int data = reference_.data(), bubbles = reference_.bubbles;
-  DenseMatrix Y(data, bubbles), L(bubbles, bubbles); // Y by rows of bd
-  for (int j = 0; j < data; ++j) {
+  const auto add = [&](int i, int j) {
+    for (const DenseMatrix& energy : reference.energy)
+      table_.push_back(energy(i, j));
+  };
+  for (int j = 0; j < data; ++j)
     for (int i = j; i < data; ++i)
-      A(i, j) = A(j, i) = *packed++;
-    for (int b = 0; b < bubbles; ++b)
-      Y(j, b) = *packed++;
-  }
-  for (int j = 0; j < bubbles; ++j)
-    for (int i = j; i < bubbles; ++i)
-      L(i, j) = *packed++;
-  for (int b = 0; b < bubbles; ++b) {
-    double* row = Y.col(b);
-    for (int k = 0; k < b; ++k) {
-      const double factor = L(b, k);
-      const double* done = Y.col(k);
-      for (int i = 0; i < data; ++i)
-        row[i] -= factor * done[i];
-      for (int i = b; i < bubbles; ++i)
-        L(i, b) -= factor * L(i, k);
-    }
-    NDFRAME_ASSERT(L(b, b) > 0.0, "the energy of bubbles is positive");
-    const double pivot = 1.0 / std::sqrt(L(b, b));
-    for (int i = b; i < bubbles; ++i)
-      L(i, b) *= pivot;
-    for (int i = 0; i < data; ++i)
-      row[i] *= pivot;
-  }
-  subtractSquare(Y, A);
+      add(i, j);
+  for (int j = 0; j < size; ++j)
+    for (int i = std::max(j, data); i < size; ++i)
+      add(i, j);
+  const std::size_t terms = reference.energy.size(), own = std::size_t(data) * std::size_t(data + 1) / 2;
+  ofBubbles_ = DenseMatrix(int(table_.size() / terms - own), int(terms));
+  for (int m = 0; m < ofBubbles_.cols(); ++m)
+    for (int i = 0; i < ofBubbles_.rows(); ++i)
+      ofBubbles_(i, m) = table_[(own + std::size_t(i)) * terms + std::size_t(m)];
 }
 
 /// bubbles = - bb^-1 bd data.
@@ -104,16 +72,6 @@ DenseMatrix CellForms::coefficients(const DenseMatrix& compliances, const DenseM
     for (int i = 0; i < result.rows(); ++i)
       result(i, cell) += inside(i, cell);
   return result;
-}
-
-void CellForms::each(const DenseMatrix& compliances, const std::function<void(int, const DenseMatrix&)>& use) const
-{
-  const DenseMatrix packed = multiply(table_, compliances);
-  DenseMatrix A(reference_.data(), reference_.data());
-  for (int cell = 0; cell < packed.cols(); ++cell) {
-    condense(packed.col(cell), A);
-    use(cell, A);
-  }
 }
 
 } // namespace ndframe

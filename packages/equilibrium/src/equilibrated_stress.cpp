@@ -78,20 +78,20 @@ SplitStress equilibratedStress(const BodyModel& body, const Vector& displacement
 }
 
 void visitStresses(const BodyModel& body, const Vector* displacement, const StressCorrection& correction,
-                   const std::function<void(int, const SplitStress&)>& visit)
+                   const std::vector<int>& cells, const std::function<void(int, const SplitStress&)>& visit)
 {
-  constexpr int together = 64;
+  constexpr int together = visitedTogether;
   const ReferenceStress& reference = referenceStress(body.mesh.dim, correction.degree);
   const CellForms forms(reference);
-  for (int first = 0; first < body.mesh.numCells(); first += together) {
-    const int count = std::min(together, body.mesh.numCells() - first);
+  for (int first = 0; first < int(cells.size()); first += together) {
+    const int *cell = cells.data() + first, count = std::min(together, int(cells.size()) - first);
     DenseMatrix compliances(int(reference.energy.size()), count), data(reference.data(), count);
     std::vector<SplitStress> stresses;
     for (int c = 0; c < count; ++c) {
-      stresses.push_back(zeroStress(body, reference, first + c));
-      const auto entries = pulledBackCompliance(stresses.back().map, body.laws(first + c));
+      stresses.push_back(zeroStress(body, reference, cell[c]));
+      const auto entries = pulledBackCompliance(stresses.back().map, body.laws(cell[c]));
       std::copy(entries.begin(), entries.end(), compliances.col(c));
-      const Vector pulled = pullBack(reference, stresses.back().map, correction, first + c);
+      const Vector pulled = pullBack(reference, stresses.back().map, correction, cell[c]);
       std::copy(pulled.begin(), pulled.end(), data.col(c));
     }
     const DenseMatrix coefficients = forms.coefficients(compliances, data);
@@ -99,8 +99,8 @@ void visitStresses(const BodyModel& body, const Vector* displacement, const Stre
       SplitStress& stress = stresses[std::size_t(c)];
       stress.coefficients = coefficients.column(c);
       if (displacement != nullptr)
-        addElasticStress(body, *displacement, first + c, stress);
-      visit(first + c, stress);
+        addElasticStress(body, *displacement, cell[c], stress);
+      visit(cell[c], stress);
     }
   }
 }

@@ -4,56 +4,23 @@
 #include <array>
 
 #include "ndframe/algebra/threads.hpp"
-#include "stress_matrices.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// The rows of a column that are not zero.
-std::pair<int, int> support(const DenseMatrix& columns, int k)
+/// sum += left^T W right, column by column; the part of W where the faces' carriers are.
+void addProduct(const ThroughMatrix& left, const DenseMatrix& W, int row, int col, const ThroughMatrix& right,
+                double* sum)
 {
-  const double* column = columns.col(k);
-  int first = 0, last = columns.rows();
-  while (first < last && column[first] == 0.0)
-    ++first;
-  while (last > first && column[last - 1] == 0.0)
-    --last;
-  return {first, last};
-}
-
-/// sum += left^T A(row.., col..) right, column by column; columns of the sum are `rows` apart.
-void addCongruence(const DenseMatrix& left, int row, const DenseMatrix& A, int col, const DenseMatrix& right,
-                   double* sum, int rows)
-{
-  std::array<double, 18> product{}; // facet data at most
-  for (int k = 0; k < right.cols(); ++k, sum += rows) {
-    std::fill_n(product.begin(), left.rows(), 0.0);
-    const auto [first, last] = support(right, k);
-    for (int j = first; j < last; ++j) {
-      const double *entries = A.col(col + j) + row, factor = right(j, k);
-      for (int i = 0; i < left.rows(); ++i)
-        product[std::size_t(i)] += entries[i] * factor;
-    }
-    for (int l = 0; l < left.cols(); ++l) {
-      const auto [begin, end] = support(left, l);
-      for (int i = begin; i < end; ++i)
-        sum[l] += left(i, l) * product[std::size_t(i)];
-    }
-  }
-}
-
-/// sum += left^T W(row.., col..) right, column by column.
-void addProduct(const DenseMatrix& left, const DenseMatrix& W, int row, int col, const DenseMatrix& right, double* sum)
-{
-  for (int j = 0; j < right.cols(); ++j, sum += left.cols()) {
+  for (int j = 0; j < right.cols; ++j, sum += left.cols) {
     double w[6] = {};
-    for (int k = 0; k < right.rows(); ++k)
-      for (int i = 0; i < left.rows(); ++i)
+    for (int k = 0; k < right.rows; ++k)
+      for (int i = 0; i < left.rows; ++i)
         w[i] += W(row + i, col + k) * right(k, j);
-    for (int l = 0; l < left.cols(); ++l)
-      for (int i = 0; i < left.rows(); ++i)
+    for (int l = 0; l < left.cols; ++l)
+      for (int i = 0; i < left.rows; ++i)
         sum[l] += left(i, l) * w[i];
   }
 }
@@ -88,36 +55,30 @@ void StressBlocks::eachBlock(int cell, const Take& take) const
     take(faces_->size() + e);
 }
 
-Vector StressBlocks::parts(int cell, const CellMap& map, const DenseMatrix& A) const
+std::vector<Vector> StressBlocks::parts(int first, const CellMatrices& matrices, CellBlocks& blocks) const
 {
-  std::size_t entries = 0;
-  eachBlock(cell, [&](int block) { entries += std::size_t(sizeOf(block)) * std::size_t(sizeOf(block)); });
-  Vector result(entries, 0.0);
-  double* part = result.data();
-  const int size = faces_->cells().facetData();
-  std::array<int, 4> faces{}, begin{};
-  std::array<DenseMatrix, 4> carriers; // on this cell
-  int columns = 0;
-  for (std::size_t facet = 0; facet < 4; ++facet) {
-    faces[facet] = faces_->of(cell, int(facet));
-    const StressFace& face = (*faces_)[faces[facet]];
-    begin[facet] = columns;
-    columns += face.carrier.cols();
-    carriers[facet] = pulledBack(map, face.onSide(face.sideOf(cell), face.carrier));
-    const DenseMatrix own = pulledBack(map, face.onSide(face.sideOf(cell), face.allOwn()));
-    addCongruence(own, int(facet) * size, A, int(facet) * size, own, part, own.cols());
-    part += std::ptrdiff_t(own.cols()) * own.cols();
-  }
-  DenseMatrix W(columns, columns);
-  for (std::size_t g = 0; g < 4; ++g)
-    for (std::size_t f = 0; f <= g; ++f)
-      addCongruence(carriers[f], int(f) * size, A, int(g) * size, carriers[g], W.col(begin[g]) + begin[f], columns);
-  for (int j = 0; j < columns; ++j)
-    for (int i = 0; i < j; ++i)
-      W(j, i) = W(i, j);
-  for (const int e : edgesOf_[std::size_t(cell)]) {
-    addEdge(e, faces, begin, W, part);
-    part += std::ptrdiff_t(sizeOf(faces_->size() + e)) * sizeOf(faces_->size() + e);
+  blocks.clear();
+  for (int lane = 0; lane < matrices.count; ++lane)
+    for (int facet = 0; facet < 4; ++facet) {
+      const StressFace& face = (*faces_)[faces_->of(first + lane, facet)];
+      blocks.put(lane, facet, face, face.sideOf(first + lane));
+    }
+  blocks.compute(matrices);
+  std::vector<Vector> result(std::size_t(matrices.count));
+  for (int lane = 0; lane < matrices.count; ++lane) {
+    Vector& parts = result[std::size_t(lane)];
+    const int cell = first + lane;
+    std::size_t entries = 0;
+    eachBlock(cell, [&](int block) { entries += std::size_t(sizeOf(block)) * std::size_t(sizeOf(block)); });
+    parts.reserve(entries);
+    for (int facet = 0; facet < 4; ++facet)
+      blocks.addOwn(lane, facet, sizeOf(faces_->of(cell, facet)), parts);
+    const DenseMatrix W = blocks.ofCarriers(lane);
+    for (const int e : edgesOf_[std::size_t(cell)]) {
+      const std::size_t begin = parts.size(), size = std::size_t(sizeOf(faces_->size() + e));
+      parts.resize(begin + size * size, 0.0);
+      addEdge(e, cell, W, parts.data() + begin);
+    }
   }
   return result;
 }
@@ -132,17 +93,21 @@ void StressBlocks::add(int cell, const Vector& parts)
 }
 
 /// The part of an edge's block by what the carriers of a cell's faces do to each other, W.
-void StressBlocks::addEdge(int e, const std::array<int, 4>& faces, const std::array<int, 4>& begin,
-                           const DenseMatrix& W, double* sum) const
+void StressBlocks::addEdge(int e, int cell, const DenseMatrix& W, double* sum) const
 {
   const StressEdge& edge = (*edges_)[std::size_t(e)];
-  std::vector<std::pair<DenseMatrix, int>> through; // and where the face's carriers begin
+  std::array<ThroughMatrix, 4> through; // and where the face's carriers begin
+  std::array<int, 4> begin{};
+  std::size_t count = 0;
   for (const StressEdge::Step& step : edge.ring)
-    if (const auto at = std::find(faces.begin(), faces.end(), step.face); at != faces.end())
-      through.emplace_back(throughMatrix(edge, step, (*faces_)[step.face]), begin[std::size_t(at - faces.begin())]);
-  for (const auto& [a, row] : through)
-    for (const auto& [b, col] : through)
-      addProduct(a, W, row, col, b, sum);
+    for (int facet = 0; facet < 4; ++facet)
+      if (faces_->of(cell, facet) == step.face) {
+        through[count] = ThroughMatrix(edge, step, (*faces_)[step.face]);
+        begin[count++] = facet * CellBlocks::mostCarriers;
+      }
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b)
+      addProduct(through[a], W, begin[a], begin[b], through[b], sum);
 }
 
 void StressBlocks::invert(const Comm& comm, int threads)

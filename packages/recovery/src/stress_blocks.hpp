@@ -1,6 +1,8 @@
 #pragma once
 
+#include "cell_blocks.hpp"
 #include "stress_edges.hpp"
+#include "stress_matrices.hpp"
 
 namespace ndframe
 {
@@ -19,8 +21,9 @@ public:
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
-  /// What a cell's matrix (in the axes that `map` comes from) adds to the blocks of its faces and edges.
-  Vector parts(int cell, const CellMap& map, const DenseMatrix& A) const;
+  /// What cells' matrices add to the blocks of their faces and edges, per cell. `first`: the number of the first cell;
+  /// `work`: of the calling thread.
+  std::vector<Vector> parts(int first, const CellMatrices& matrices, CellBlocks& work) const;
   void add(int cell, const Vector& parts);
   /// To be called when the ranks have added what is theirs. Collective.
   void invert(const Comm& comm, int threads);
@@ -32,8 +35,7 @@ private:
   int sizeOf(int block) const { return begin_[std::size_t(block) + 1] - begin_[std::size_t(block)]; }
   template <class Take>
   void eachBlock(int cell, const Take& take) const;
-  void addEdge(int edge, const std::array<int, 4>& faces, const std::array<int, 4>& begin, const DenseMatrix& W,
-               double* sum) const;
+  void addEdge(int edge, int cell, const DenseMatrix& W, double* sum) const;
 
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;

@@ -12,7 +12,7 @@ namespace ndframe
 StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact,
                              std::vector<DescentField> fields, const DescentWatch& watch, const Comm& comm, int threads)
     : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), comm_(comm), threads_(threads),
-      edges_(stressEdges(faces)), rings_(faces.size(), edges_), blocks_(faces, edges_)
+      edges_(stressEdges(faces)), blocks_(faces, edges_), unknowns_(faces, edges_, blocks_)
 {
   const StressCells& cells = faces.cells();
   for (const DescentField& field : fields_) {
@@ -41,64 +41,49 @@ void StressDescent::findMatrices(int body)
     last = std::min(first + together, matrices.last());
     std::array<Vector, std::size_t(together) * StressMatrices::lanes> parts;
     const int begin = first * StressMatrices::lanes;
-    const auto use = [&](int cell, const CellMap& map, const DenseMatrix& A) {
-      parts[std::size_t(cell - begin)] = blocks_.parts(cells.number(body, cell), map, A);
-      addStart(body, cell, map, A);
-      watch_.cellIsRead();
-    };
-    runInRanges(last - first, threads_, [&](int from, int to) { matrices.find(first + from, first + to, use); });
+    runInRanges(last - first, threads_, [&](int from, int to) {
+      CellBlocks work(facetData());
+      matrices.find(first + from, first + to, [&](const CellMatrices& found) {
+        auto own = blocks_.parts(cells.number(body, found.cell), found, work);
+        std::move(own.begin(), own.end(), parts.begin() + (found.cell - begin));
+        addStart(body, found);
+        for (int c = 0; c < found.count; ++c)
+          watch_.cellIsRead();
+      });
+    });
     for (std::size_t c = 0; c < parts.size() && !parts[c].empty(); ++c)
       blocks_.add(cells.number(body, begin + int(c)), parts[c]);
   }
 }
 
 /// A_E x_E of all fields' corrections.
-void StressDescent::addStart(int body, int cell, const CellMap& map, const DenseMatrix& A)
+void StressDescent::addStart(int body, const CellMatrices& found)
 {
-  const ReferenceStress& reference = faces_->cells().any().reference();
-  const int tractions = reference.tractions, loads = reference.loads;
-  DenseMatrix x(tractions + loads, 1);
+  constexpr std::size_t lanes = CellForms::lanes;
+  const int tractions = faces_->cells().any().reference().tractions, size = found.size, loads = size - tractions;
+  Vector x(std::size_t(size) * lanes), forces, own(x.size() / lanes);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     const StressCorrection& correction = *fields_[f].corrections[std::size_t(body)];
-    std::copy_n(correction.tractions.data() + std::ptrdiff_t(cell) * tractions, tractions, x.col(0));
-    std::copy_n(correction.loads.data() + std::ptrdiff_t(cell) * loads, loads, x.col(0) + tractions);
-    const DenseMatrix forces = multiply(A, pulledBack(map, x));
-    addPushed(map, forces.col(0), tractions,
-              start_[f].data() + std::ptrdiff_t(faces_->cells().number(body, cell)) * tractions);
+    for (int c = 0; c < found.count; ++c) {
+      const std::ptrdiff_t cell = found.cell + c;
+      std::copy_n(correction.tractions.data() + cell * tractions, tractions, own.data());
+      std::copy_n(correction.loads.data() + cell * loads, loads, own.data() + tractions);
+      for (int at = 0; at < size; at += 3) {
+        double local[3];
+        pullBack(found.maps[c], own.data() + at, local);
+        for (int i = 0; i < 3; ++i)
+          x[std::size_t(at + i) * lanes + std::size_t(c)] = local[i];
+      }
+    }
+    forces.assign(x.size(), 0.0);
+    found.multiply(x.data(), forces.data());
+    for (int c = 0; c < found.count; ++c) {
+      for (int i = 0; i < tractions; ++i)
+        own[std::size_t(i)] = forces[std::size_t(i) * lanes + std::size_t(c)];
+      addPushed(found.maps[c], own.data(), tractions,
+                start_[f].data() + std::ptrdiff_t(faces_->cells().number(body, found.cell + c)) * tractions);
+    }
   }
-}
-
-/// T per face, on its first cell.
-Vector StressDescent::faceTractions(const Vector& unknowns) const
-{
-  const auto size = std::size_t(facetData());
-  Vector tractions(std::size_t(faces_->size()) * size, 0.0);
-  runInRanges(faces_->size(), threads_, [&](int first, int last) {
-    for (int f = first; f < last; ++f)
-      addTractions(f, unknowns, tractions.data() + std::size_t(f) * size);
-  });
-  return tractions;
-}
-
-void StressDescent::addTractions(int f, const Vector& unknowns, double* T) const
-{
-  const StressFace& face = (*faces_)[f];
-  Wrench amounts{}; // of the carriers
-  for (const FaceRings::Place* place = rings_.begin(f); place != rings_.end(f); ++place) {
-    const StressEdge& edge = edges_[std::size_t(place->edge)];
-    addThrough(edge, edge.ring[std::size_t(place->step)], face,
-               unknowns.data() + blocks_.ofEdge(std::size_t(place->edge)), amounts.data());
-  }
-  const auto add = [T](const DenseMatrix& columns, const double* factors) {
-    for (int k = 0; k < columns.cols(); ++k)
-      for (int i = 0; i < columns.rows(); ++i)
-        T[i] += columns(i, k) * factors[k];
-  };
-  const double* y = unknowns.data() + blocks_.ofFace(f);
-  add(face.own, y);
-  add(face.carrier, amounts.data());
-  for (int k = 0; k < face.higher; ++k)
-    T[face.own.rows() + k] += y[face.own.cols() + k];
 }
 
 /// A_E times the cells' tractions, per cell; zero at those of other ranks.
@@ -149,36 +134,7 @@ Vector StressDescent::faceForces(const Vector& cellForces) const
 /// By the unknowns, from what all ranks have of that by the faces' tractions.
 Vector StressDescent::gradientOf(const Vector& faceForces) const
 {
-  const auto size = std::size_t(facetData());
-  Vector gradient(std::size_t(blocks_.size()), 0.0);
-  std::vector<Wrench> ofCarriers(std::size_t(faces_->size()), Wrench{});
-  const auto ofFace = [&](int f) {
-    const StressFace& face = (*faces_)[f];
-    const double* G = faceForces.data() + std::size_t(f) * size;
-    const auto add = [G](const DenseMatrix& columns, double* sums) {
-      for (int k = 0; k < columns.cols(); ++k)
-        for (int i = 0; i < columns.rows(); ++i)
-          sums[k] += columns(i, k) * G[i];
-    };
-    double* y = gradient.data() + blocks_.ofFace(f);
-    add(face.own, y);
-    add(face.carrier, ofCarriers[std::size_t(f)].data());
-    for (int k = 0; k < face.higher; ++k)
-      y[face.own.cols() + k] += G[face.own.rows() + k];
-  };
-  const auto ofEdge = [&](std::size_t e) {
-    for (const StressEdge::Step& step : edges_[e].ring)
-      addBack(edges_[e], step, (*faces_)[step.face], ofCarriers[std::size_t(step.face)].data(),
-              gradient.data() + blocks_.ofEdge(e));
-  };
-  const auto each = [&](int count, const auto& task) {
-    runInRanges(count, threads_, [&task](int first, int last) {
-      for (int i = first; i < last; ++i)
-        task(std::size_t(i));
-    });
-  };
-  each(faces_->size(), [&](std::size_t f) { ofFace(int(f)); });
-  each(int(edges_.size()), ofEdge);
+  Vector gradient = unknowns_.gradient(faceForces, threads_);
   comm_.sum(gradient);
   return gradient;
 }
@@ -237,7 +193,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
   Vector z = blocks_.precondition(residual, still, threads_), p = z, x(residual.size(), 0.0);
   double rz = dot(residual, z);
   for (int step = 0; step < steps && rz > 0.0; ++step) {
-    const Vector tractions = faceTractions(p), Ap = gradientOf(faceForces(cellForces(tractions)));
+    const Vector tractions = unknowns_.tractions(p, threads_), Ap = gradientOf(faceForces(cellForces(tractions)));
     const double curvature = dot(p, Ap);
     if (!(curvature > 0.0))
       break;
@@ -255,7 +211,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
     rz = next;
     watch_.stepIsTaken();
   }
-  add(faceTractions(x), field);
+  add(unknowns_.tractions(x, threads_), field);
 }
 
 /// Adds the normal part of a face's traction to a contact facet, in equal shares.

@@ -4,8 +4,8 @@
 #include <memory>
 
 #include "ndframe/equilibrium/stress_correction.hpp"
-#include "stress_blocks.hpp"
 #include "stress_matrices.hpp"
+#include "stress_unknowns.hpp"
 
 namespace ndframe
 {
@@ -48,10 +48,8 @@ public:
 private:
   void lower(const DescentField& field, Vector residual, int steps) const;
   void findMatrices(int body);
-  void addStart(int body, int cell, const CellMap& map, const DenseMatrix& A);
+  void addStart(int body, const CellMatrices& found);
   Vector gradientOf(const Vector& faceForces) const;
-  Vector faceTractions(const Vector& unknowns) const;
-  void addTractions(int face, const Vector& unknowns, double* T) const;
   Vector cellForces(const Vector& tractions) const;
   Vector faceForces(const Vector& cellForces) const;
   void addOpening(const Vector& opening, Vector& faceForces) const;
@@ -68,8 +66,8 @@ private:
   int threads_;
   std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at those of other ranks
   std::vector<StressEdge> edges_;
-  FaceRings rings_;
   StressBlocks blocks_;
+  StressUnknowns unknowns_;
   std::vector<std::unique_ptr<StressMatrices>> matrices_; ///< per body
 };
 

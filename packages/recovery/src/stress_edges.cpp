@@ -66,6 +66,20 @@ private:
   std::vector<int> first_{0}, same_;
 };
 
+/// What a step is to do on a face.
+DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face)
+{
+  DenseMatrix wrenches(wrenchSize(3), edge.basis.cols());
+  for (int k = 0; k < wrenches.cols(); ++k) {
+    Wrench wrench{};
+    for (std::size_t i = 0; i < wrench.size(); ++i)
+      wrench[i] = step.sign * edge.basis(int(i), k);
+    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
+    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
+  }
+  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
+}
+
 /// Finds what may circulate around edges.
 class Rings
 {
@@ -184,17 +198,22 @@ DenseMatrix Rings::circulating(const StressEdge& edge) const
 
 } // namespace
 
-DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face)
+ThroughMatrix::ThroughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face)
 {
-  DenseMatrix wrenches(wrenchSize(3), edge.basis.cols());
-  for (int k = 0; k < wrenches.cols(); ++k) {
-    Wrench wrench{};
-    for (std::size_t i = 0; i < wrench.size(); ++i)
-      wrench[i] = step.sign * edge.basis(int(i), k);
-    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
-    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
+  if (step.through.rows() > 0) {
+    rows = step.through.rows();
+    cols = step.through.cols();
+    for (int k = 0; k < cols; ++k)
+      std::copy_n(step.through.col(k), rows, values.begin() + std::ptrdiff_t(6) * k);
+    return;
   }
-  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
+  rows = cols = wrenchSize(3);
+  for (std::size_t k = 0; k < 6; ++k) {
+    Wrench wrench{};
+    wrench[k] = step.sign;
+    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
+    std::copy(wrench.begin(), wrench.end(), values.begin() + std::ptrdiff_t(6) * std::ptrdiff_t(k));
+  }
 }
 
 void addThrough(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* z,

@@ -24,7 +24,16 @@ struct StressEdge
 };
 
 /// StressEdge::Step::through whether it is empty or not.
-DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face);
+struct ThroughMatrix
+{
+  ThroughMatrix() = default;
+  ThroughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face);
+
+  double operator()(int i, int j) const { return values[std::size_t(i) + 6 * std::size_t(j)]; }
+
+  int rows = 0, cols = 0;
+  std::array<double, 36> values{}; ///< 6 x 6 at most
+};
 
 /// amounts += through z of a step.
 void addThrough(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* z,

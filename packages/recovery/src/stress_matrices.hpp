@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <vector>
 
 #include "ndframe/equilibrium/cell_forms.hpp"
@@ -8,6 +9,24 @@
 
 namespace ndframe
 {
+
+/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells with successive numbers, double precision,
+/// reference axes, over tractions and loads.
+struct CellMatrices
+{
+  int cell, count;
+  const CellMap* maps;
+  const double* triangle; ///< below the diagonal, column by column, per entry CellForms::lanes cells
+  int size;
+
+  /// i >= j
+  const double* entry(int i, int j) const
+  {
+    return triangle + (std::ptrdiff_t(j) * size - std::ptrdiff_t(j) * (j - 1) / 2 + i - j) * CellForms::lanes;
+  }
+  /// forces += A x for all cells; both lane by lane, of `size` numbers.
+  void multiply(const double* x, double* forces) const;
+};
 
 /// The energy matrices A_E of some of a solid's cells (CellForm::condensed) as functions of the tractions alone, kept
 /// in single precision, in the axes of the reference cell and as triangles, 16 cells side by side. Cells go by batches:
@@ -21,9 +40,8 @@ public:
   /// Of the batches first .. last, still to be found.
   StressMatrices(const StarBody& body, int first, int last);
 
-  /// Finds those of some batches; batches may be found at the same time. use(cell, map, A): sees every matrix once,
-  /// double precision, reference axes, symmetric, over tractions and loads.
-  void find(int first, int last, const std::function<void(int cell, const CellMap& map, const DenseMatrix& A)>& use);
+  /// Finds those of some batches; batches may be found at the same time. use(): sees every matrix once.
+  void find(int first, int last, const std::function<void(const CellMatrices&)>& use);
 
   static int numBatches(const StarBody& body) { return (body.model().mesh.numCells() + lanes - 1) / lanes; }
   int first() const { return first_; }
@@ -33,20 +51,20 @@ public:
   void multiply(int batch, const double* T, double* forces) const;
 
 private:
-  float* triangles(int batch) { return triangles_.data() + std::size_t(batch - first_) * batchSize(); }
+  float* triangles(int batch) { return triangles_.get() + std::size_t(batch - first_) * batchSize(); }
   std::size_t batchSize() const { return lanes * tractions_ * (tractions_ + 1) / 2; }
-  void keep(const DenseMatrix& A, float* lane) const;
+  void keep(const CellMatrices& found);
 
   const StarBody* body_;
   int first_, last_;
   std::size_t tractions_;
   CellForms forms_;
   std::vector<CellMap> maps_;
-  std::vector<float> triangles_; ///< per batch, column by column below the diagonal, lane by lane
+  std::unique_ptr<float[]> triangles_; ///< per batch, column by column below the diagonal, lane by lane
 };
 
-/// The columns as the reference cell sees them: F^-1 applied to every vector.
-DenseMatrix pulledBack(const CellMap& map, const DenseMatrix& columns);
+/// F^-1 applied to a vector: what the reference cell sees of it.
+void pullBack(const CellMap& map, const double* vector, double* result);
 /// sum += F^-T applied to every vector of forces there: what they are in global axes.
 void addPushed(const CellMap& map, const double* forces, int count, double* sum);
 

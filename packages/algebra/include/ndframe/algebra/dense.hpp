@@ -38,8 +38,6 @@ Vector multiplySymmetric(const DenseMatrix& A, const Vector& x);
 /// A x and A^T x, BLAS dgemv.
 Vector multiply(const DenseMatrix& A, const Vector& x);
 Vector multiplyTransposed(const DenseMatrix& A, const Vector& x);
-/// A -= Y Y^T, BLAS dgemm.
-void subtractSquare(const DenseMatrix& Y, DenseMatrix& A);
 
 /// A B and A^T B, BLAS dgemm.
 DenseMatrix multiply(const DenseMatrix& A, const DenseMatrix& B);

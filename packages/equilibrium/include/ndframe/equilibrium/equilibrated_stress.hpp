@@ -15,9 +15,12 @@ SplitStress correctionStress(const BodyModel& body, const StressCorrection& corr
 SplitStress equilibratedStress(const BodyModel& body, const Vector& displacement, const StressCorrection& correction,
                                int cell);
 
-/// The stresses of all cells in their order, many at a time; displacement: null for the correction alone. A stress
+/// Cells of visitStresses() at a time.
+constexpr int visitedTogether = 64;
+
+/// The stresses of some cells in the order given, many at a time; displacement: null for the correction alone. A stress
 /// holds during its visit.
 void visitStresses(const BodyModel& body, const Vector* displacement, const StressCorrection& correction,
-                   const std::function<void(int, const SplitStress&)>& visit);
+                   const std::vector<int>& cells, const std::function<void(int, const SplitStress&)>& visit);
 
 } // namespace ndframe

@@ -15,4 +15,8 @@ namespace ndframe
 /// terms do not cancel. difference: v, numNodes * dim, global axes; null for zero.
 Vector cellDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference);
 
+/// The same of some cells of a solid, per one of `cells`.
+Vector solidDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference,
+                      const std::vector<int>& cells);
+
 } // namespace ndframe

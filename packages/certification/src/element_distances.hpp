@@ -1,0 +1,32 @@
+#pragma once
+
+#include "certificate_measures.hpp"
+
+namespace ndframe
+{
+
+/// cellDistances of a body, at some cells of a solid: threads and ranks share them. `cells`: null for all. Collective.
+Vector elementDistances(const CertifiedScene& scene, std::size_t body, const StressCorrection& correction,
+                        const Vector& v, const std::vector<int>* cells = nullptr);
+
+/// cellDistances of all bodies for admissible displacements that come one after the other. Cells of solids where the
+/// displacement stays as it was are not measured again.
+class ElementDistances
+{
+public:
+  /// Both must outlive it.
+  ElementDistances(const CertifiedScene& scene, const RecoveredField& recovered);
+
+  /// Per body, zero on rigid ones; u^ per body, global axes. Collective.
+  const std::vector<Vector>& to(const std::vector<Vector>& displacement);
+
+private:
+  std::vector<int> changed(std::size_t body, const Vector& v) const;
+
+  const CertifiedScene& scene_;
+  const RecoveredField& recovered_;
+  std::vector<Vector> last_; ///< u~ - u^ of the last call
+  std::vector<Vector> distances_;
+};
+
+} // namespace ndframe

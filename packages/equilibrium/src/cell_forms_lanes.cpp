@@ -1,0 +1,116 @@
+#include <cmath>
+
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/lanes.hpp"
+#include "ndframe/equilibrium/cell_forms.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr std::size_t terms = 21;   ///< of a compliance in space
+constexpr std::size_t bubbles = 18; ///< of degree 2
+
+constexpr std::size_t lanes = CellForms::lanes;
+
+/// result[i] = sum_m table[i][m] c[m]
+NDFRAME_EVERY_PROCESSOR void combine(const double* table, std::size_t count, const double* c, double* result)
+{
+  DoubleLanes weights[terms];
+  for (std::size_t m = 0; m < terms; ++m)
+    load(c + m * lanes, weights[m]);
+  for (std::size_t i = 0; i < count; ++i, table += terms, result += lanes) {
+    DoubleLanes even = table[terms - 1] * weights[terms - 1], odd{};
+#pragma GCC unroll 10
+    for (std::size_t m = 0; m + 1 < terms; m += 2) {
+      even += table[m] * weights[m];
+      odd += table[m + 1] * weights[m + 1];
+    }
+    store(even + odd, result);
+  }
+}
+
+/// bb = L L^T in place, from the columns below its diagonal; on it the inverses of those of L. Whether it is positive.
+NDFRAME_EVERY_PROCESSOR bool factor(DoubleLanes* triangle)
+{
+  bool isPositive = true;
+  DoubleLanes* columns[bubbles]; // row i of column b: columns[b][i]
+  for (std::size_t b = 0; b < bubbles; triangle += bubbles - b, ++b)
+    columns[b] = triangle - b;
+  for (std::size_t b = 0; b < bubbles; ++b) {
+    for (std::size_t k = 0; k < b; ++k)
+      for (std::size_t i = b; i < bubbles; ++i)
+        columns[b][i] -= columns[k][b] * columns[k][i];
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      isPositive = isPositive && columns[b][b][lane] > 0.0;
+      columns[b][b][lane] = 1.0 / std::sqrt(columns[b][b][lane]);
+    }
+    for (std::size_t i = b + 1; i < bubbles; ++i)
+      columns[b][i] *= columns[b][b];
+  }
+  return isPositive;
+}
+
+/// Rows of bd^T become those of Y = bd^T L^-T, L as factor() leaves it.
+NDFRAME_EVERY_PROCESSOR void eliminate(const DoubleLanes* triangle, std::size_t data, double* rows)
+{
+  DoubleLanes row[bubbles];
+  for (std::size_t j = 0; j < data; ++j, rows += bubbles * lanes) {
+    for (std::size_t b = 0; b < bubbles; ++b)
+      load(rows + b * lanes, row[b]);
+    const DoubleLanes* entry = triangle;
+    for (std::size_t b = 0; b < bubbles; ++b) {
+      row[b] *= *entry++;
+      for (std::size_t i = b + 1; i < bubbles; ++i)
+        row[i] -= *entry++ * row[b];
+    }
+    for (std::size_t b = 0; b < bubbles; ++b)
+      store(row[b], rows + b * lanes);
+  }
+}
+
+/// Lower triangle A -= Y Y^T, column by column.
+NDFRAME_EVERY_PROCESSOR void subtractSquare(const double* Y, std::size_t data, double* A)
+{
+  DoubleLanes here[bubbles], other, entry;
+  for (std::size_t j = 0; j < data; ++j) {
+    for (std::size_t b = 0; b < bubbles; ++b)
+      load(Y + (j * bubbles + b) * lanes, here[b]);
+    for (std::size_t i = j; i < data; ++i, A += lanes) {
+      const double* row = Y + i * bubbles * lanes;
+      DoubleLanes sums[2] = {};
+#pragma GCC unroll 18
+      for (std::size_t b = 0; b < bubbles; ++b) {
+        load(row + b * lanes, other);
+        sums[b % 2] += other * here[b];
+      }
+      load(A, entry);
+      store(entry - (sums[0] + sums[1]), A);
+    }
+  }
+}
+
+} // namespace
+
+const double* CellForms::condensed(const double* compliances, Vector& work) const
+{
+  const auto data = std::size_t(reference_.data());
+  const std::size_t triangle = data * (data + 1) / 2, entries = table_.size() / terms;
+  NDFRAME_ASSERT(reference_.energy.size() == terms && (reference_.bubbles == 0 || reference_.bubbles == int(bubbles)),
+                 "solids of degree 1 or 2");
+  work.resize(entries * lanes);
+  combine(table_.data(), entries, compliances, work.data());
+  if (reference_.bubbles > 0) {
+    double *rows = work.data() + triangle * lanes, *own = rows + data * bubbles * lanes;
+    DoubleLanes ofBubbles[bubbles * (bubbles + 1) / 2];
+    std::memcpy(ofBubbles, own, sizeof(ofBubbles));
+    const bool isPositive = factor(ofBubbles);
+    NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
+    eliminate(ofBubbles, data, rows);
+    subtractSquare(rows, data, work.data());
+  }
+  return work.data();
+}
+
+} // namespace ndframe
