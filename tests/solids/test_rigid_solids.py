@@ -86,6 +86,13 @@ class RigidSolids(unittest.TestCase):
                 self.same(bent, flat, tolerance=1e-6)
                 self.same(bent, flat, key, 1e-4)
 
+    def test_mirrored_facets_stop_the_recovery_together_whatever_round_off_ranks_leave(self):
+        settings = ("Bodies/upper/Mesh/Cells={4, 4, 2}", "Bodies/lower/Mesh/Cells={8, 8, 4}", "Linear Solver/Type=Multigrid",
+                    "Expect/the energy of this mesh/Tolerance=10", "Expect/part of the sides touches/Tolerance=10")
+        runs = [PROGRAM.run(DECKS / "contact-loss-3d.xml", *QUIET, *settings, ranks=ranks) for ranks in (1, 2)]
+        self.assertEqual([run.code for run in runs], [0, 0], runs[0].screen + runs[1].screen)
+        self.same(*runs, lambda run: run.summary["errors"]["global"]["absolute"], 1e-7)
+
     def test_one_obstacle_has_many_names(self):
         slanted = "0.1*x-0.05*y+0.06"
         ways = [

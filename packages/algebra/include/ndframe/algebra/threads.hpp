@@ -38,8 +38,8 @@ void runConcurrently(int count, int threads, const std::function<void(int)>& tas
 /// The same for tasks of these sizes: the longest begin first, so that short ones run beside them.
 void runLargestFirst(const std::vector<int>& sizes, int threads, const std::function<void(int)>& task);
 
-/// Cuts 0 ... count into ranges and runs task(first, last) for each on up to `threads` threads. What a task does for one
-/// number must not depend on the range: so results have the same bits with any number of threads.
+/// Cuts 0 ... count into ranges and runs task(first, last) for each on up to `threads` threads. What a task does for
+/// one number must not depend on the range: so results have the same bits with any number of threads.
 void runInRanges(int count, int threads, const std::function<void(int first, int last)>& task);
 
 } // namespace ndframe
