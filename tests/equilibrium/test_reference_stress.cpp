@@ -124,13 +124,27 @@ TEST(ReferenceStress, ManyCellsSideBySideHaveTheMatricesOfEach)
       for (std::size_t m = 0; m < own.size(); ++m)
         compliances[m * CellForms::lanes + lane] = own[m];
     }
-    const double* entry = CellForms(reference).condensed(compliances.data(), work);
+    const CellForms forms(reference);
+    const CellForms::Condensed found = forms.condensed(compliances.data(), work);
+    const double* entry = found.triangle;
     for (int j = 0; j < reference.data(); ++j)
       for (int i = j; i < reference.data(); ++i, entry += CellForms::lanes)
         for (std::size_t lane = 0; lane < CellForms::lanes; ++lane) {
           const DenseMatrix& A = expected[lane];
           EXPECT_NEAR(entry[lane], A(i, j), 1e-10 * std::sqrt(A(i, i) * A(j, j)));
         }
+    const Vector T = random.vector(std::size_t(reference.tractions) * CellForms::lanes);
+    Vector forces(T.size());
+    forms.apply(compliances.data(), found.factor, T.data(), forces.data());
+    for (std::size_t lane = 0; lane < CellForms::lanes; ++lane)
+      for (int i = 0; i < reference.tractions; ++i) {
+        double force = 0.0, scale = 0.0;
+        for (int j = 0; j < reference.tractions; ++j) {
+          force += expected[lane](i, j) * T[std::size_t(j) * CellForms::lanes + lane];
+          scale += std::abs(expected[lane](i, j));
+        }
+        EXPECT_NEAR(forces[std::size_t(i) * CellForms::lanes + lane], force, 1e-10 * scale) << lane;
+      }
   }
 }
 

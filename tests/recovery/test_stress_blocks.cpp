@@ -99,7 +99,7 @@ TEST(StressBlocks, AreTheDiagonalBlocksOfTheEnergy)
           y[std::size_t(i)] = random();
         const Vector same = blocks.precondition(energy.times(y), std::vector<char>(begin.size() - 1, 0), 1);
         for (int i = begin[b]; i < begin[b + 1]; ++i)
-          EXPECT_NEAR(same[std::size_t(i)], y[std::size_t(i)], 1e-4) << kind << ", block " << b; // of single matrices
+          EXPECT_NEAR(same[std::size_t(i)], y[std::size_t(i)], 1e-9) << kind << ", block " << b;
       }
     }
 }

@@ -15,6 +15,15 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
     for (const DenseMatrix& energy : reference.energy)
       table_.push_back(energy(i, j));
   };
+  for (int i = 0; i < reference.coefficients; ++i) {
+    for (int j = 0; j < reference.tractions; ++j)
+      lift_.push_back(reference.lift(i, j));
+    for (int j = 0; j < reference.bubbles; ++j)
+      bubble_.push_back(reference.bubble(i, j));
+  }
+  lifted_.assign(reference.lift.data(), reference.lift.col(reference.tractions));
+  bubbled_.assign(reference.bubble.data(),
+                  reference.bubble.data() + std::ptrdiff_t(reference.coefficients) * reference.bubbles);
   for (int j = 0; j < data; ++j)
     for (int i = j; i < data; ++i)
       add(i, j);

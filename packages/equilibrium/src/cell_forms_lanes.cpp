@@ -11,6 +11,7 @@ namespace
 
 constexpr std::size_t terms = 21;   ///< of a compliance in space
 constexpr std::size_t bubbles = 18; ///< of degree 2
+constexpr std::size_t factorEntries = bubbles * (bubbles + 1) / 2, mostCoefficients = 240;
 
 constexpr std::size_t lanes = CellForms::lanes;
 
@@ -91,9 +92,82 @@ NDFRAME_EVERY_PROCESSOR void subtractSquare(const double* Y, std::size_t data, d
   }
 }
 
+/// y_i = sum_j table[i][j] x_j, rows a multiple of six
+NDFRAME_EVERY_PROCESSOR void multiplyTable(const double* table, std::size_t rows, std::size_t columns, const double* x,
+                                           double* y)
+{
+  constexpr std::size_t together = 6;
+  for (std::size_t i = 0; i < rows; i += together, table += together * columns, y += together * lanes) {
+    DoubleLanes sums[together] = {}, value;
+    for (std::size_t j = 0; j < columns; ++j) {
+      load(x + j * lanes, value);
+#pragma GCC unroll 6
+      for (std::size_t k = 0; k < together; ++k)
+        sums[k] += table[k * columns + j] * value;
+    }
+    for (std::size_t k = 0; k < together; ++k)
+      store(sums[k], y + k * lanes);
+  }
+}
+
+/// Stresses become what they do work with: on every sub-cell, for every function, the compliance times the weight that
+/// makes the functions' products integrals. stress: by sub-cell, component, function.
+NDFRAME_EVERY_PROCESSOR void weigh(const double* compliances, std::size_t modes, double* stress)
+{
+  constexpr std::size_t subCells = 4, strains = 6;
+  constexpr double weight = 1.0 / 6.0 / double(subCells); // of the reference tetrahedron
+  DoubleLanes C[strains][strains], given[strains];
+  for (std::size_t a = 0; a < strains; ++a)
+    for (std::size_t b = a; b < strains; ++b, compliances += lanes) {
+      load(compliances, C[a][b]);
+      C[a][b] *= weight;
+      C[b][a] = C[a][b];
+    }
+  for (std::size_t sub = 0; sub < subCells; ++sub, stress += strains * modes * lanes)
+    for (std::size_t m = 0; m < modes; ++m) {
+      for (std::size_t a = 0; a < strains; ++a)
+        load(stress + (a * modes + m) * lanes, given[a]);
+      for (std::size_t a = 0; a < strains; ++a) {
+        DoubleLanes sum{};
+        for (std::size_t b = 0; b < strains; ++b)
+          sum += C[a][b] * given[b];
+        store(sum, stress + (a * modes + m) * lanes);
+      }
+    }
+}
+
+/// y := -bb^-1 y, with what factor() leaves.
+NDFRAME_EVERY_PROCESSOR void solveNegative(const double* triangle, double* values)
+{
+  DoubleLanes L[factorEntries], y[bubbles];
+  std::memcpy(L, triangle, sizeof(L));
+  std::memcpy(y, values, sizeof(y));
+  const DoubleLanes* entry = L;
+  for (std::size_t b = 0; b < bubbles; ++b) {
+    y[b] *= *entry++;
+    for (std::size_t i = b + 1; i < bubbles; ++i)
+      y[i] -= *entry++ * y[b];
+  }
+  for (std::size_t b = bubbles; b-- > 0;) {
+    entry -= bubbles - b;
+    for (std::size_t i = b + 1; i < bubbles; ++i)
+      y[b] -= entry[i - b] * y[i];
+    y[b] *= entry[0];
+  }
+  for (DoubleLanes& value : y)
+    value = -value;
+  std::memcpy(values, y, sizeof(y));
+}
+
+NDFRAME_EVERY_PROCESSOR void add(const double* values, std::size_t count, double* sum)
+{
+  for (std::size_t i = 0; i < count * lanes; ++i)
+    sum[i] += values[i];
+}
+
 } // namespace
 
-const double* CellForms::condensed(const double* compliances, Vector& work) const
+CellForms::Condensed CellForms::condensed(const double* compliances, Vector& work) const
 {
   const auto data = std::size_t(reference_.data());
   const std::size_t triangle = data * (data + 1) / 2, entries = table_.size() / terms;
@@ -103,14 +177,38 @@ const double* CellForms::condensed(const double* compliances, Vector& work) cons
   combine(table_.data(), entries, compliances, work.data());
   if (reference_.bubbles > 0) {
     double *rows = work.data() + triangle * lanes, *own = rows + data * bubbles * lanes;
-    DoubleLanes ofBubbles[bubbles * (bubbles + 1) / 2];
+    DoubleLanes ofBubbles[factorEntries];
     std::memcpy(ofBubbles, own, sizeof(ofBubbles));
     const bool isPositive = factor(ofBubbles);
     NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
     eliminate(ofBubbles, data, rows);
     subtractSquare(rows, data, work.data());
+    std::memcpy(own, ofBubbles, sizeof(ofBubbles));
   }
-  return work.data();
+  return {work.data(), work.data() + (entries - factorSize()) * lanes};
+}
+
+std::size_t CellForms::factorSize() const
+{
+  return reference_.bubbles > 0 ? factorEntries : 0;
+}
+
+void CellForms::apply(const double* compliances, const double* factor, const double* T, double* forces) const
+{
+  const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
+  const auto modes = std::size_t(reference_.basis.size());
+  double stress[mostCoefficients * lanes];
+  multiplyTable(lift_.data(), coefficients, tractions, T, stress);
+  weigh(compliances, modes, stress);
+  if (reference_.bubbles > 0) {
+    double y[bubbles * lanes], inside[mostCoefficients * lanes];
+    multiplyTable(bubbled_.data(), bubbles, coefficients, stress, y);
+    solveNegative(factor, y);
+    multiplyTable(bubble_.data(), coefficients, bubbles, y, inside);
+    weigh(compliances, modes, inside);
+    add(inside, coefficients, stress);
+  }
+  multiplyTable(lifted_.data(), tractions, coefficients, stress, forces);
 }
 
 } // namespace ndframe

@@ -30,8 +30,8 @@ struct DescentWatch
 ///
 /// The energy is sum_E x_E^T A_E x_E, x_E = (T, G) the data of cell E, and with a traction t^ that may change
 /// + 2 int t^ (u~1_N - u~2_N - g). Its Bernstein coefficients stay <= 0: a step ends where one of them would become
-/// positive; facets that stop steps keep their traction from then on. Matrices of the steps have single precision, the
-/// tractions that are added double: whatever the steps are, cells stay in balance to round-off, and the energy falls.
+/// positive; facets that stop steps keep their traction from then on. Whatever the steps are, cells stay in balance to
+/// round-off, and the energy falls.
 class StressDescent
 {
 public:

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <functional>
-#include <memory>
 #include <vector>
 
 #include "ndframe/equilibrium/cell_forms.hpp"
@@ -28,14 +27,14 @@ struct CellMatrices
   void multiply(const double* x, double* forces) const;
 };
 
-/// The energy matrices A_E of some of a solid's cells (CellForm::condensed) as functions of the tractions alone, kept
-/// in single precision, in the axes of the reference cell and as triangles, 16 cells side by side. Cells go by batches:
-/// those of a batch are lanes * batch .. lanes * batch + its size.
+/// The energy matrices A_E of some of a solid's cells (CellForm::condensed) as functions of the tractions alone. They
+/// are not kept, which would take 10 kB a cell and more time to read than to do without (CellForms::apply). Cells go by
+/// batches: those of a batch are lanes * batch .. lanes * batch + its size.
 class StressMatrices
 {
 public:
   /// Cells that are multiplied together.
-  static constexpr int lanes = 16;
+  static constexpr int lanes = CellForms::lanes;
 
   /// Of the batches first .. last, still to be found.
   StressMatrices(const StarBody& body, int first, int last);
@@ -47,20 +46,23 @@ public:
   int first() const { return first_; }
   int last() const { return last_; }
   int sizeOf(int batch) const;
-  /// forces = A_E T for the cells of a batch; both cell by cell, global axes, double precision.
+  /// forces = A_E T for the cells of a batch; both cell by cell, global axes.
   void multiply(int batch, const double* T, double* forces) const;
 
 private:
-  float* triangles(int batch) { return triangles_.get() + std::size_t(batch - first_) * batchSize(); }
-  std::size_t batchSize() const { return lanes * tractions_ * (tractions_ + 1) / 2; }
-  void keep(const CellMatrices& found);
+  std::size_t compliances() const { return body_->reference().energy.size() * lanes; }
+  /// Where a batch's compliances are, and then its factors.
+  std::size_t at(int batch) const
+  {
+    return std::size_t(batch - first_) * (compliances() + forms_.factorSize() * lanes);
+  }
 
   const StarBody* body_;
   int first_, last_;
   std::size_t tractions_;
   CellForms forms_;
   std::vector<CellMap> maps_;
-  std::unique_ptr<float[]> triangles_; ///< per batch, column by column below the diagonal, lane by lane
+  Vector kept_;
 };
 
 /// F^-1 applied to a vector: what the reference cell sees of it.

@@ -15,10 +15,19 @@ public:
 
   explicit CellForms(const ReferenceStress& reference);
 
-  /// CellForm::condensed of `lanes` cells. compliances: per entry (pulledBackCompliance) and lane. Returns the lower
-  /// triangle of the matrices, data x data, column by column, per entry and lane: valid until the next call of the same
-  /// thread's `work`.
-  const double* condensed(const double* compliances, Vector& work) const;
+  /// CellForm::condensed of `lanes` cells, both per entry and lane.
+  struct Condensed
+  {
+    const double* triangle; ///< lower triangle of the matrices, data x data, column by column
+    const double* factor;   ///< factorSize() entries: what apply() needs of the bubbles
+  };
+  /// compliances: per entry (pulledBackCompliance) and lane. The result is valid until `work` is used again.
+  Condensed condensed(const double* compliances, Vector& work) const;
+  std::size_t factorSize() const;
+
+  /// forces = the same matrices times tractions T, without having the matrices: the stress of T, its bubbles, and back.
+  /// Per entry and lane.
+  void apply(const double* compliances, const double* factor, const double* T, double* forces) const;
 
   /// CellForm::coefficients: data x cells to coefficients x cells; compliances: one column a cell.
   DenseMatrix coefficients(const DenseMatrix& compliances, const DenseMatrix& data) const;
@@ -27,8 +36,10 @@ private:
   void addBubbles(const double* packed, const double* data, double* bubbles) const;
 
   const ReferenceStress& reference_;
-  Vector table_;          ///< per entry of the triangle of data, then of rows of bubbles, what compliances weigh
-  DenseMatrix ofBubbles_; ///< rows of bubbles, column by column, and their lower triangle x entries of a compliance
+  Vector lift_, lifted_;    ///< of tractions, row by row and column by column; functions are orthonormal on sub-cells
+  Vector bubble_, bubbled_; ///< the same
+  Vector table_;            ///< per entry of the triangle of data, then of rows of bubbles, what compliances weigh
+  DenseMatrix ofBubbles_;   ///< rows of bubbles, column by column, and their lower triangle x entries of a compliance
 };
 
 } // namespace ndframe
