@@ -2,6 +2,7 @@
 
 import csv
 import json
+import re
 
 import numpy
 
@@ -15,6 +16,7 @@ IGNORE = Tolerance("ignore")
 IGNORED = ("version", "build/*", "ranks", "*/seconds", "*/peak_bytes", "*/total_seconds", "ledger/counts/bytes written",
            "ledger/counts/settled stresses")
 OF_A_CASE = "cases/*/results/"  # a summary of its own
+OF_A_DECK = re.compile(r"(cases/.*/results/)?deck/")
 SUMMARY_DEFAULTS = Tolerances(Tolerance("relative", 1e-9),
                               [(prefix + pattern, IGNORE) for pattern in IGNORED for prefix in ("", OF_A_CASE)])
 
@@ -25,7 +27,7 @@ def diff_summary(gold_path, new_path, tolerances=SUMMARY_DEFAULTS):
     gold, new = ({path: leaf for path, leaf in leaves(read(file)) if tolerances.of(path).kind != "ignore"}
                  for file in (gold_path, new_path))
     # A parameter that only NEW's effective deck has is a new parameter at its default: no difference.
-    report.missing("entry", gold, [path for path in new if path in gold or not path.startswith("deck/")])
+    report.missing("entry", gold, [path for path in new if path in gold or not OF_A_DECK.match(path)])
     for path in gold:
         if path in new:
             compare_leaf(path, gold[path], new[path], tolerances, report)

@@ -44,7 +44,7 @@ class Summaries(Comparison):
         def of_cases(summary):
             return {"cases": [{"name": "half", "seconds": 0.1, "results": summary}]}
 
-        gold, new = self.pair(lambda copy: copy.update(version="0.2.0", ranks=3))
+        gold, new = self.pair(lambda copy: copy.update(version="0.2.0", ranks=3, deck={**copy["deck"], "New": 1}))
         for path in (gold, new):
             path.write_text(json.dumps(of_cases(json.loads(path.read_text()))))
         self.assert_success(gold, new)
