@@ -125,3 +125,82 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Values(Coarse{"punch", {"Bodies/punch/Mesh/Cells={8, 8}", "Bodies/foundation/Mesh/Cells={16, 8}"}},
                     Coarse{"contact-loss", {"Bodies/upper/Mesh/Cells={10, 8}", "Bodies/lower/Mesh/Cells={20, 20}"}},
                     Coarse{"hertz", {"Bodies/cylinder/Mesh/Cells={16, 8}", "Bodies/block/Mesh/Cells={16, 8}"}}));
+
+namespace
+{
+
+/// The punch on boxes of few cells, refined.
+Scene refinedPunch(int ofPunch, int ofFoundation, bool isCertified = false)
+{
+  Scene scene("punch");
+  scene.set("Bodies/punch/Mesh/Cells={4, 4}").set("Bodies/foundation/Mesh/Cells={8, 4}");
+  scene.set("Bodies/punch/Mesh/Refine=" + std::to_string(ofPunch));
+  scene.set("Bodies/foundation/Mesh/Refine=" + std::to_string(ofFoundation)).set("Coupling/Type=Monolithic");
+  return isCertified ? scene.set("Error Estimation/Estimators={Global}") : scene;
+}
+
+} // namespace
+
+TEST(RefineParameter, SolvesAsTheFinerBoxesDo)
+{
+  Scene fine("punch");
+  fine.set("Bodies/punch/Mesh/Cells={16, 16}").set("Bodies/foundation/Mesh/Cells={32, 16}");
+  const auto refined = refinedPunch(2, 2).run(), drawn = fine.set("Coupling/Type=Monolithic").run();
+  EXPECT_EQ(refined.run.model.totalDofs(), drawn.run.model.totalDofs());
+  EXPECT_NEAR(refined.run.summary.energy / drawn.run.summary.energy, 1.0, 1e-11);
+  EXPECT_FALSE(refined.run.model.interfaces.front().map); // the sides go on matching
+}
+
+TEST(RefineParameter, OfOneBodyHasTheSidesCut)
+{
+  const auto even = refinedPunch(1, 1, true).run(), uneven = refinedPunch(2, 1, true).run();
+  EXPECT_TRUE(uneven.run.model.interfaces.front().map);
+  EXPECT_TRUE(uneven.run.summary.errors->guaranteed);
+  // Brackets of one exact energy.
+  EXPECT_LE(uneven.run.energy.lower(), even.run.energy.upper());
+  EXPECT_LE(even.run.energy.lower(), uneven.run.energy.upper());
+}
+
+TEST(RefineParameter, OfOneSolidIsRefusedAsOtherSidesThatDoNotMatch)
+{
+  Scene scene("contact-loss-3d");
+  scene.set("Bodies/upper/Mesh/Cells={3, 3, 2}").set("Bodies/lower/Mesh/Cells={6, 6, 2}");
+  EXPECT_EQ(Scene(scene).set("Bodies/upper/Mesh/Refine=1").set("Bodies/lower/Mesh/Refine=1").run().run.failure, "");
+  EXPECT_NE(complaintOf(scene.set("Bodies/lower/Mesh/Refine=1")).find("the sides do not match"), std::string::npos);
+}
+
+TEST(RefineParameter, OfSolidsOnlyLowersTheEnergyThatIsLeft)
+{
+  Scene scene("contact-loss-3d");
+  scene.set("Bodies/upper/Mesh/Cells={3, 3, 2}")
+      .set("Bodies/lower/Mesh/Cells={6, 6, 2}")
+      .set("Coupling/Type=Monolithic");
+  const double coarse = Scene(scene).run().run.summary.energy;
+  const double fine =
+      scene.set("Bodies/upper/Mesh/Refine=1").set("Bodies/lower/Mesh/Refine=1").run().run.summary.energy;
+  EXPECT_GT(fine, coarse); // of all finer meshes, as the spaces are nested and only forces act
+  EXPECT_LT(fine, 1.1 * coarse);
+}
+
+TEST(RefineParameter, LeavesWhatIsExact)
+{
+  for (const char* deck : {"patch", "beam-3d"}) {
+    Scene scene(deck);
+    const double energy = Scene(scene).run().run.summary.energy;
+    for (const Params& body : scene.params().sub("Bodies").subs())
+      scene.set("Bodies/" + body.name() + "/Mesh/Refine=1");
+    EXPECT_NEAR(scene.run().run.summary.energy / energy, 1.0, 1e-11) << deck;
+  }
+}
+
+TEST(RefineParameter, OfABoxIsTheMostThatATargetBeginsWith)
+{
+  Scene refined = refinedPunch(2, 2, true).set("Accuracy/Target=0.1"), fine("punch");
+  fine.set("Bodies/punch/Mesh/Cells={16, 16}").set("Bodies/foundation/Mesh/Cells={32, 16}");
+  fine.set("Coupling/Type=Monolithic").set("Error Estimation/Estimators={Global}").set("Accuracy/Target=0.1");
+  const auto levels = [](const Scene& scene) { return scene.run().run.summary.accuracy->levels; };
+  const auto first = levels(refined), second = levels(fine);
+  ASSERT_EQ(first.size(), second.size());
+  for (std::size_t l = 0; l < first.size(); ++l)
+    EXPECT_EQ(first[l].bound, second[l].bound);
+}

@@ -8,6 +8,7 @@
 #include <fmt/ranges.h>
 
 #include "matching_stations.hpp"
+#include "ndframe/meshing/refined_source.hpp"
 #include "ndframe/scene/shared_mesh.hpp"
 
 namespace ndframe
@@ -23,11 +24,21 @@ bool isBox(const Params& body)
   return !body.hasSub("Rigid") && body.sub("Mesh").get<std::string>("Type") == "Box";
 }
 
+/// The cells of a box in each direction, with its Refine.
+std::vector<int> cellsAsked(const Params& mesh)
+{
+  std::vector<int> cells = mesh.get<std::vector<int>>("Cells");
+  const int most = std::numeric_limits<int>::max() >> halvingsOf(mesh);
+  for (int& number : cells)
+    number = std::clamp(number, 0, most) << halvingsOf(mesh);
+  return cells;
+}
+
 /// The cells of a box in each direction if none is longer than `size`; never more than the deck asks for.
 std::vector<int> cellsOfSize(const Params& mesh, double size)
 {
   const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
-  std::vector<int> cells = mesh.get<std::vector<int>>("Cells");
+  std::vector<int> cells = cellsAsked(mesh);
   for (std::size_t d = 0; d < cells.size(); ++d)
     cells[d] = std::min(cells[d], std::max(1, int(std::ceil((upper[d] - lower[d]) / size * (1.0 - 1e-9)))));
   return cells;
@@ -60,6 +71,7 @@ Params boxWith(const std::vector<int>& cells, const Stations& stations, const Pa
   Diagnostics diagnostics;
   DeckList list = parseDeck(toXml(mesh), mesh.path());
   applySetting(list, fmt::format("Cells={{{}}}", fmt::join(cells, ", ")), diagnostics);
+  applySetting(list, "Refine=0", diagnostics);
   addStations(list, stations, diagnostics);
   Params coarser = validate(list, spec, diagnostics);
   diagnostics.throwIfAny();
@@ -79,7 +91,7 @@ bool hasRoomForSplits(const Params& box, const SceneComponents& components)
 /// A box whose cells are not longer than `size`, with more of them in a direction whose splits need more.
 Params coarseBox(const Params& mesh, const Stations& stations, const SceneComponents& components, double size)
 {
-  const auto asked = mesh.get<std::vector<int>>("Cells");
+  const auto asked = cellsAsked(mesh);
   std::vector<int> cells = cellsOfSize(mesh, size);
   while (cells != asked) {
     if (Params box = boxWith(cells, stations, mesh, components); hasRoomForSplits(box, components))
@@ -148,7 +160,7 @@ int mostCells(const Params& deck)
   int most = 0;
   for (const auto& body : deck.sub("Bodies").subs())
     if (isBox(body))
-      for (const int cells : body.sub("Mesh").get<std::vector<int>>("Cells"))
+      for (const int cells : cellsAsked(body.sub("Mesh")))
         most = std::max(most, cells);
   return most;
 }

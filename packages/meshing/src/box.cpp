@@ -85,8 +85,8 @@ ListSpec partsSpec()
 
 void registerBox(Registry<MeshSource>& registry)
 {
-  registry.add(
-      "Box",
+  addMeshSource(
+      registry, "Box",
       "A rectangle or brick. Sides: left, right (x), bottom, top (y) in two dimensions; left, right (x), front, back "
       "(y), "
       "bottom, top (z) in three.",

@@ -274,8 +274,8 @@ private:
 
 void registerExodus(Registry<MeshSource>& registry)
 {
-  registry.add(
-      "Exodus",
+  addMeshSource(
+      registry, "Exodus",
       "A mesh of triangles or tetrahedra in an Exodus II file; quadrilaterals, hexahedra, wedges and pyramids are cut "
       "into these. Side sets are the sides, by their names (unnamed ones: sideset_ID). Second-order elements are read "
       "by "

@@ -105,8 +105,8 @@ private:
 
 void registerGmsh(Registry<MeshSource>& registry)
 {
-  registry.add(
-      "Gmsh",
+  addMeshSource(
+      registry, "Gmsh",
       "A mesh of triangles or tetrahedra by gmsh; quadrilaterals, hexahedra, prisms and pyramids are cut into these. "
       "Physical groups of facets are the sides, by their names (unnamed ones: physical_TAG). Second-order elements are "
       "read by their vertices. Bodies of one .geo script share one run of gmsh.",

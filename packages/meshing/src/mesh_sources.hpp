@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/meshing/mesh_source.hpp"
+#include "ndframe/meshing/refined_source.hpp"
 
 namespace ndframe
 {

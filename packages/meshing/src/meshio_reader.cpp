@@ -89,8 +89,8 @@ private:
 
 void registerMeshio(Registry<MeshSource>& registry)
 {
-  registry.add(
-      "Meshio",
+  addMeshSource(
+      registry, "Meshio",
       "A mesh of another program: Abaqus or CalculiX (.inp), VTK (.vtu), MED of Salome and code_aster (.med). Read by "
       "meshio for Python (Debian: python3-meshio, for .med python3-h5py), by the vertices of the cells; what is no "
       "simplex is cut. Groups of cells: *ELSET, groups of MED, integer cell data of VTU (\"NAME VALUE\"). Sides: sets "

@@ -9,6 +9,7 @@
 
 #include "ndframe/base/grouped.hpp"
 #include "ndframe/base/memory.hpp"
+#include "ndframe/meshing/refined_source.hpp"
 
 namespace ndframe
 {
@@ -32,13 +33,14 @@ bool isDirect(const Params& deck)
   return type != "Krylov" && type != "Multigrid";
 }
 
-/// Dofs of a box, from its bricks: vertices and edges of large grids. Nothing for other meshes.
+/// Dofs of a box, from its bricks with their Refine: vertices and edges of large grids. Nothing for other meshes.
 std::optional<double> dofsOfBox(const Params& mesh, int order)
 {
   if (mesh.get<std::string>("Type") != "Box")
     return std::nullopt;
   const auto cells = mesh.get<std::vector<int>>("Cells");
-  const double bricks = std::accumulate(cells.begin(), cells.end(), 1.0, std::multiplies<double>());
+  const double parts = std::exp2(halvingsOf(mesh) * double(cells.size())); // of a brick
+  const double bricks = std::accumulate(cells.begin(), cells.end(), parts, std::multiplies<double>());
   if (cells.size() == 3)
     return 3.0 * bricks * (order == 1 ? 1.0 : 8.0);
   const double vertices = mesh.get<std::string>("Pattern") == "Crossed" ? 2.0 : 1.0;

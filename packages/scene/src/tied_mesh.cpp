@@ -11,6 +11,7 @@
 #include "glue.hpp"
 #include "ndframe/interface/insertion.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
+#include "ndframe/meshing/refined_source.hpp"
 
 namespace ndframe
 {
@@ -278,12 +279,12 @@ void registerTied(Registry<MeshSource>& registry)
   joints.doc = "Where parts are glued, one named list each.";
   joints.isRequired = true;
   joints.each = std::make_shared<ListSpec>(joint);
-  registry.add("Tied",
-               "Several meshes as one, glued at sides (that need not match in the plane): what tied interfaces become. "
-               "The cells of a "
-               "part are the group of its name, its sides are called \"PART: SIDE\".",
-               {}, [&registry](const Params& list) { return std::make_unique<TiedMesh>(list, registry); },
-               {parts, joints});
+  addMeshSource(
+      registry, "Tied",
+      "Several meshes as one, glued at sides (that need not match in the plane): what tied interfaces become. "
+      "The cells of a "
+      "part are the group of its name, its sides are called \"PART: SIDE\".",
+      {}, [&registry](const Params& list) { return std::make_unique<TiedMesh>(list, registry); }, {parts, joints});
 }
 
 } // namespace ndframe
