@@ -2,8 +2,6 @@
 
 #include <fmt/format.h>
 
-#include "ndframe/base/ledger.hpp"
-
 namespace ndframe
 {
 namespace
@@ -30,7 +28,7 @@ std::string endOfProgress(const AccuracyOptions& options, const std::vector<Leve
 }
 
 std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSummary>& levels, std::int64_t nextDofs,
-                     double firstMemory)
+                     double firstMemory, double peakMemory)
 {
   const LevelSummary& present = levels.back();
   const double growth = double(nextDofs) / double(present.dofs);
@@ -40,7 +38,7 @@ std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSumm
   if (present.seconds + growth * last > options.maximumSeconds)
     return fmt::format("Maximum Time = {:g} s: the next mesh would take {:.2g} s", options.maximumSeconds,
                        growth * last);
-  const double memory = firstMemory + growth * (double(peakMemory()) - firstMemory);
+  const double memory = firstMemory + growth * (peakMemory - firstMemory);
   if (memory > options.maximumMemory)
     return fmt::format("Maximum Memory = {:g} GB: with the next mesh it would be some {:.3g} GB",
                        options.maximumMemory * 1e-9, memory * 1e-9);

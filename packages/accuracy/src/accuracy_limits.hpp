@@ -15,8 +15,9 @@ namespace ndframe
 std::string endOfProgress(const AccuracyOptions& options, const std::vector<LevelSummary>& levels,
                           const CouplingResult& coupling);
 
-/// Which limit meshes with so many dofs would exceed; empty when none. firstMemory: bytes, before there was a mesh.
+/// Which limit meshes with so many dofs would exceed; empty when none. firstMemory, peakMemory: bytes, before there was
+/// a mesh and the most so far.
 std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSummary>& levels, std::int64_t nextDofs,
-                     double firstMemory);
+                     double firstMemory, double peakMemory);
 
 } // namespace ndframe

@@ -1,17 +1,12 @@
-#include "ndframe/accuracy/adaptive_run.hpp"
-
-#include <limits>
-#include <optional>
-
 #include <fmt/format.h>
 
 #include "accuracy_limits.hpp"
+#include "level_loop.hpp"
 #include "ndframe/accuracy/first_meshes.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/run/contact_start.hpp"
 #include "ndframe/run/energy_comparison.hpp"
-#include "ndframe/run/failure.hpp"
 #include "ndframe/run/run_steps.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/scene/stage.hpp"
@@ -24,276 +19,264 @@ namespace
 /// Sweeps that go on make the bound fall by a tenth at least; another digit where only that may help.
 constexpr double falling = 0.9, oneMoreDigit = 0.1;
 
-/// The level with the smallest bound so far.
-struct Best
-{
-  int level = 0; ///< from 1; 0: none
-  std::vector<Mesh> meshes;
-  CarriedContact contact; ///< with the Neumann traction
-  std::vector<RoleSummary> roles;
-};
-
-/// The loop of a run with a target: solve until the iteration is small beside the mesh, certify, stop or refine, carry
-/// over.
-class AdaptiveRun
-{
-public:
-  AdaptiveRun(RunTools tools, const AccuracyComponents& components, RunObserver& observer, const LevelObserver& onLevel,
-              EnergyRecords energies)
-      : components_(components), observer_(observer), onLevel_(onLevel), tools_(std::move(tools)),
-        options_(*tools_.settings.accuracy), wanted_(tools_.errors->estimators),
-        transfer_(components.contactTransfers.build(tools_.deck.sub("Accuracy").sub("Transfer"))),
-        stopping_(components.levelStoppings.build(tools_.deck.sub("Accuracy").sub("Stopping"))),
-        balances_(stopping_->allowed(1.0, 1.0) > 0.0)
-  {
-    tools_.errors->estimators = {Estimator::Global}; // all that a level needs
-    run_.startSeconds = wallSeconds();
-    run_.energies = std::move(energies);
-    run_.plan = Plan(tools_.settings, *tools_.solver, tools_.comm.size());
-    summary_.of = accuracyOfNames().name(options_.of);
-    summary_.target = options_.target;
-    summary_.relative = options_.relative;
-  }
-
-  Run run(Model known)
-  {
-    const SerialBlas serial;
-    begin(std::move(known));
-    attempt(run_, observer_, [&] { solveLevel(); });
-    while (needsAnother() && takeNext()) {
-    }
-    if (!summary_.reached && best_.level > 0 && !run_.contradiction)
-      returnToBest();
-    return finish();
-  }
-
-private:
-  void begin(Model model)
-  {
-    planner_ = readFirstMeshes(model, tools_, components_);
-    beginLevel(std::move(model), {});
-    observer_.header(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic);
-  }
-
-  /// Records the level that was solved. False without an answer on it, at the target, and at the end of progress.
-  bool needsAnother()
-  {
-    if (!run_.certificate || !run_.failure.empty())
-      return false;
-    const LevelErrors errors(run_, options_);
-    planner_->learn(run_, errors);
-    record(errors);
-    summary_.reached = errors.reached() && !run_.contradiction;
-    if (run_.contradiction)
-      summary_.limit = contradictingText(*run_.contradiction);
-    else if (!summary_.reached)
-      summary_.limit = endOfProgress(options_, summary_.levels, run_.solved.coupling);
-    return !summary_.reached && summary_.limit.empty();
-  }
-
-  /// Goes to the next meshes and solves. Whatever fails on the way is a limit, as the levels before have an answer.
-  bool takeNext()
-  {
-    const auto failure = failureIn(tools_.comm, [&] {
-      if (!refine(LevelErrors(run_, options_)))
-        return;
-      readLevel(planner_->meshes(), run_.model.interfaces);
-      attempt(run_, observer_, [&] { solveLevel(); });
-    });
-    if (failure)
-      endWith(*failure);
-    return summary_.limit.empty();
-  }
-
-  void endWith(const Failure& failure)
-  {
-    summary_.limit =
-        fmt::format("level {}: {}", summary_.levels.size() + 1, failure.outOfMemory ? needsMoreMemory : failure.text);
-    if (failure.code == ExitCode::Bug)
-      run_.bug = failure.text;
-    run_.certificate.reset(); // what is left may be half of a level
-    run_.condensed = {};
-  }
-
-  void readLevel(const std::vector<Mesh>& meshes, const std::vector<InterfaceMesh>& before)
-  {
-    Model model;
-    model.interfaces = run_.model.interfaces;
-    auto next = meshes.begin();
-    readModel(model, tools_, [&](const Params& body) { return body.hasSub("Rigid") ? Mesh() : *next++; });
-    beginLevel(std::move(model), before);
-  }
-
-  /// The bodies have the roles of the level before, until its own are found.
-  void beginLevel(Model&& model, const std::vector<InterfaceMesh>& before)
-  {
-    std::vector<RoleSummary> roles = rolesOf(run_);
-    if (!roles.empty())
-      orientLike(model, before);
-    run_.model = std::move(model);
-    run_.summary = outlineSummary(run_.model, tools_.settings, *tools_.solver, tools_.comm.size());
-    if (!roles.empty())
-      run_.summary.coupling->roles = std::move(roles);
-    run_.certificate.reset();
-    run_.level = int(summary_.levels.size()) + 1;
-    sweeps_ = 0;
-    tools_.ledger.tell(Depth::Level, progress());
-  }
-
-  /// The level that begins, and how small the bound was on the one before.
-  Progress progress() const
-  {
-    if (summary_.levels.empty())
-      return {"level", run_.level};
-    const LevelSummary& last = summary_.levels.back();
-    return Progress::falling("level", run_.level, "bound", options_.relative ? last.relative : last.bound,
-                             options_.target);
-  }
-
-  /// Sweeps until their part is small beside the mesh's, and the certificate of that state.
-  void solveLevel()
-  {
-    RunObserver& observer = summary_.levels.empty() ? observer_ : silent_;
-    condenseRun(run_, tools_, observer);
-    findRoles(run_, tools_, observer);
-    CouplingStart start = firstStart();
-    const double unknown = std::numeric_limits<double>::infinity();
-    for (double iterationBefore = unknown, boundBefore = unknown;;) {
-      solveRun(run_, tools_, silent_, start);
-      sweeps_ += int(run_.solved.coupling.history.size());
-      certifyRun(run_, tools_);
-      if (!balances_ || !run_.certificate || !run_.solved.coupling.converged || run_.contradiction)
-        return;
-      const LevelErrors errors(run_, options_);
-      const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
-      const bool mayFall = errors.mayBeOfSweeps(summary_.levels) && errors.bound < falling * boundBefore;
-      if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !mayFall))
-        return;
-      start.traction = nextTraction(run_);
-      start.closed = run_.solved.coupling.state.closed;
-      start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
-      iterationBefore = errors.iteration;
-      boundBefore = errors.bound;
-    }
-  }
-
-  CouplingStart firstStart() const
-  {
-    const bool begins = carried_.interfaces.empty();
-    CouplingStart start = begins ? CouplingStart() : startFrom(run_, transfer_->onto(run_.model.interfaces, carried_));
-    start.iterationError = allowedIteration(expectedMesh_);
-    return start;
-  }
-
-  double allowedIteration(double mesh) const { return stopping_->allowed(mesh, options_.iterationShare); }
-
-  void record(const LevelErrors& errors)
-  {
-    LevelSummary level = summarizeLevel(run_, errors);
-    level.level = int(summary_.levels.size()) + 1;
-    level.sweeps = sweeps_;
-    level.dofsToTarget = errors.reached() || !errors.tells() ? 0 : planner_->dofsToTarget().value_or(0);
-    level.seconds = wallSeconds() - run_.startSeconds;
-    if (summary_.levels.empty())
-      observer_.levels(summary_, balances_ && tools_.settings.namesTolerance);
-    summary_.levels.push_back(level);
-    observer_.level(level, planner_->note());
-    if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
-      best_ = {level.level, planner_->meshes(), contactOf(run_, run_.solved.coupling.state.tractionNeumann),
-               rolesOf(run_)};
-    if (onLevel_)
-      onLevel_(run_, level.level);
-  }
-
-  /// Plans the next meshes; false when they do not fit into the limits.
-  bool refine(const LevelErrors& errors)
-  {
-    const auto timer = timeStage(tools_.ledger, Stage::Refine);
-    MeshPlan plan = planner_->nextStep(options_.maximumDofs);
-    summary_.limit = limitMet(options_, summary_.levels, plan.dofs, firstMemory_);
-    if (!summary_.limit.empty())
-      return false;
-    carryOver(errors, std::move(plan));
-    return true;
-  }
-
-  void carryOver(const LevelErrors& errors, MeshPlan plan)
-  {
-    expectedMesh_ = plan.bound / errors.bound * errors.mesh;
-    planner_->accept(std::move(plan));
-    carried_ = contactOf(run_, nextTraction(run_));
-  }
-
-  /// A level may end with a larger bound than one before, or without any: then that one is computed again. One sweep
-  /// from its Neumann traction is its state.
-  void returnToBest()
-  {
-    const bool isLast = best_.level == int(summary_.levels.size());
-    if (isLast && run_.certificate && run_.failure.empty())
-      return;
-    if (summary_.limit.empty())
-      summary_.limit = run_.failure.empty() ? run_.solved.coupling.reason : run_.failure;
-    run_.failure.clear();
-    if (run_.summary.coupling)
-      run_.summary.coupling->roles = best_.roles;
-    attempt(run_, observer_, [&] {
-      if (const auto failure = failureIn(tools_.comm, [&] { solveBestAgain(); }))
-        throw NotConverged(fmt::format("the answer of level {} could not be computed again: {}", best_.level,
-                                       failure->outOfMemory ? needsMoreMemory : failure->text));
-    });
-  }
-
-  void solveBestAgain()
-  {
-    readLevel(best_.meshes, best_.contact.interfaces);
-    condenseRun(run_, tools_, silent_);
-    CouplingStart start = startFrom(run_, best_.contact);
-    start.iterationError = std::numeric_limits<double>::max();
-    solveRun(run_, tools_, silent_, start);
-    certifyRun(run_, tools_);
-  }
-
-  /// The whole certificate of the last level, if the deck asks for more than the bound; the summary.
-  Run finish()
-  {
-    if (run_.certificate && wanted_ != tools_.errors->estimators) {
-      tools_.errors->estimators = wanted_;
-      certifyRun(run_, tools_);
-    }
-    summary_.written = summary_.reached || run_.contradiction ? int(summary_.levels.size()) : best_.level;
-    run_.summary.accuracy = summary_;
-    finishRun(run_, tools_);
-    if (!summary_.reached && summary_.limit.empty())
-      run_.summary.accuracy->limit = run_.failure;
-    return std::move(run_);
-  }
-
-  const AccuracyComponents& components_;
-  RunObserver& observer_;
-  RunObserver silent_; ///< of the levels after the first
-  const LevelObserver& onLevel_;
-  RunTools tools_;
-  const AccuracyOptions options_;
-  const std::vector<Estimator> wanted_; ///< by the deck
-  Run run_;
-  const std::unique_ptr<ContactTransfer> transfer_;
-  const std::unique_ptr<LevelStopping> stopping_;
-  const bool balances_; ///< the sweeps on a mesh end by their part of the error, not by Coupling/Stopping
-  std::optional<MeshPlanner> planner_;
-  double expectedMesh_ = std::numeric_limits<double>::max(); ///< the mesh's part on the next level; unknown at first
-  CarriedContact carried_;
-  Best best_;
-  int sweeps_ = 0;                                  ///< of this level
-  const double firstMemory_ = double(peakMemory()); ///< bytes, before there was a mesh
-  AccuracySummary summary_;
-};
-
 } // namespace
 
-Run runToTarget(RunTools tools, const AccuracyComponents& components, RunObserver& observer,
-                const LevelObserver& onLevel, EnergyRecords energies, Model known)
+AdaptiveRun::AdaptiveRun(RunTools tools, const AccuracyComponents& components, RunObserver& observer,
+                         const LevelObserver& onLevel, EnergyRecords energies, const Restart& restart)
+    : components_(components), observer_(observer), onLevel_(onLevel), restart_(restart), tools_(std::move(tools)),
+      options_(*tools_.settings.accuracy), wanted_(tools_.errors->estimators),
+      transfer_(components.contactTransfers.build(tools_.deck.sub("Accuracy").sub("Transfer"))),
+      stopping_(components.levelStoppings.build(tools_.deck.sub("Accuracy").sub("Stopping"))),
+      balances_(stopping_->allowed(1.0, 1.0) > 0.0)
 {
-  return AdaptiveRun(std::move(tools), components, observer, onLevel, std::move(energies)).run(std::move(known));
+  tools_.errors->estimators = {Estimator::Global}; // all that a level needs
+  run_.startSeconds = wallSeconds();
+  run_.energies = std::move(energies);
+  run_.plan = Plan(tools_.settings, *tools_.solver, tools_.comm.size());
+  summary_.of = accuracyOfNames().name(options_.of);
+  summary_.target = options_.target;
+  summary_.relative = options_.relative;
+}
+
+Run AdaptiveRun::run(Model known)
+{
+  const SerialBlas serial;
+  if (restart_.from)
+    refuseOtherDeck(*restart_.from);
+  begin(std::move(known));
+  bool goesOn = true;
+  if (restart_.from) {
+    resume(*restart_.from);
+    goesOn = solveNext();
+  } else {
+    attempt(run_, observer_, [&] { solveLevel(); });
+  }
+  while (goesOn && needsAnother())
+    goesOn = takeNext();
+  if (!summary_.reached && best_.level > 0 && !run_.contradiction)
+    returnToBest();
+  return finish();
+}
+
+void AdaptiveRun::begin(Model model)
+{
+  planner_ = readFirstMeshes(model, tools_, components_);
+  beginLevel(std::move(model), {});
+  observer_.header(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic);
+}
+
+bool AdaptiveRun::needsAnother()
+{
+  if (!run_.certificate || !run_.failure.empty())
+    return false;
+  const LevelErrors errors(run_, options_);
+  LevelLesson lesson = lessonOf(run_, errors);
+  planner_->learn(run_.model, lesson);
+  record(errors, std::move(lesson));
+  summary_.reached = errors.reached() && !run_.contradiction;
+  if (run_.contradiction)
+    summary_.limit = contradictingText(*run_.contradiction);
+  else if (!summary_.reached)
+    summary_.limit = endOfProgress(options_, summary_.levels, run_.solved.coupling);
+  return !summary_.reached && summary_.limit.empty();
+}
+
+bool AdaptiveRun::takeNext()
+{
+  if (const auto failure = failureIn(tools_.comm, [&] { refine(LevelErrors(run_, options_)); }))
+    endWith(*failure);
+  if (!summary_.limit.empty())
+    return false;
+  leaveCheckpoint();
+  return solveNext();
+}
+
+bool AdaptiveRun::solveNext()
+{
+  const auto failure = failureIn(tools_.comm, [&] {
+    readLevel(planner_->meshes(), run_.model.interfaces);
+    attempt(run_, observer_, [&] { solveLevel(); });
+  });
+  if (failure)
+    endWith(*failure);
+  return summary_.limit.empty();
+}
+
+void AdaptiveRun::endWith(const Failure& failure)
+{
+  summary_.limit =
+      fmt::format("level {}: {}", summary_.levels.size() + 1, failure.outOfMemory ? needsMoreMemory : failure.text);
+  if (failure.code == ExitCode::Bug)
+    run_.bug = failure.text;
+  run_.certificate.reset(); // what is left may be half of a level
+  run_.condensed = {};
+}
+
+void AdaptiveRun::readLevel(const std::vector<Mesh>& meshes, const std::vector<InterfaceMesh>& before)
+{
+  Model model;
+  model.interfaces = run_.model.interfaces;
+  auto next = meshes.begin();
+  readModel(model, tools_, [&](const Params& body) { return body.hasSub("Rigid") ? Mesh() : *next++; });
+  beginLevel(std::move(model), before);
+}
+
+/// The bodies have the roles of the level before, until its own are found.
+void AdaptiveRun::beginLevel(Model&& model, const std::vector<InterfaceMesh>& before)
+{
+  std::vector<RoleSummary> roles = rolesOf(run_);
+  if (!roles.empty())
+    orientLike(model, before);
+  run_.model = std::move(model);
+  run_.summary = outlineSummary(run_.model, tools_.settings, *tools_.solver, tools_.comm.size());
+  if (!roles.empty())
+    run_.summary.coupling->roles = std::move(roles);
+  run_.certificate.reset();
+  run_.level = int(summary_.levels.size()) + 1;
+  sweeps_ = 0;
+  tools_.ledger.tell(Depth::Level, progress());
+}
+
+/// The level that begins, and how small the bound was on the one before.
+Progress AdaptiveRun::progress() const
+{
+  if (summary_.levels.empty())
+    return {"level", run_.level};
+  const LevelSummary& last = summary_.levels.back();
+  return Progress::falling("level", run_.level, "bound", options_.relative ? last.relative : last.bound,
+                           options_.target);
+}
+
+/// Sweeps until their part is small beside the mesh's, and the certificate of that state.
+void AdaptiveRun::solveLevel()
+{
+  RunObserver& observer = summary_.levels.empty() ? observer_ : silent_;
+  condenseRun(run_, tools_, observer);
+  findRoles(run_, tools_, observer);
+  CouplingStart start = firstStart();
+  const double unknown = std::numeric_limits<double>::infinity();
+  for (double iterationBefore = unknown, boundBefore = unknown;;) {
+    solveRun(run_, tools_, silent_, start);
+    sweeps_ += int(run_.solved.coupling.history.size());
+    certifyRun(run_, tools_);
+    if (!balances_ || !run_.certificate || !run_.solved.coupling.converged || run_.contradiction)
+      return;
+    const LevelErrors errors(run_, options_);
+    const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
+    const bool mayFall = errors.mayBeOfSweeps(summary_.levels) && errors.bound < falling * boundBefore;
+    if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !mayFall))
+      return;
+    start.traction = nextTraction(run_);
+    start.closed = run_.solved.coupling.state.closed;
+    start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
+    iterationBefore = errors.iteration;
+    boundBefore = errors.bound;
+  }
+}
+
+CouplingStart AdaptiveRun::firstStart() const
+{
+  const bool begins = carried_.interfaces.empty();
+  CouplingStart start = begins ? CouplingStart() : startFrom(run_, transfer_->onto(run_.model.interfaces, carried_));
+  start.iterationError = allowedIteration(expectedMesh_);
+  return start;
+}
+
+void AdaptiveRun::record(const LevelErrors& errors, LevelLesson&& lesson)
+{
+  LevelSummary level = summarizeLevel(run_, errors);
+  level.level = int(summary_.levels.size()) + 1;
+  level.sweeps = sweeps_;
+  level.dofsToTarget = errors.reached() || !errors.tells() ? 0 : planner_->dofsToTarget().value_or(0);
+  level.seconds = wallSeconds() - run_.startSeconds;
+  const CarriedContact contact = contactOf(run_, run_.solved.coupling.state.tractionNeumann);
+  enter(level, contact);
+  if (restart_.write)
+    done_.push_back(recordOf(level, std::move(lesson), contact));
+  if (onLevel_)
+    onLevel_(run_, level.level);
+}
+
+void AdaptiveRun::enter(const LevelSummary& level, const CarriedContact& contact)
+{
+  if (summary_.levels.empty())
+    observer_.levels(summary_, balances_ && tools_.settings.namesTolerance);
+  summary_.levels.push_back(level);
+  observer_.level(level, planner_->note());
+  if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
+    best_ = {level.level, planner_->meshes(), contact, rolesOf(run_)};
+}
+
+void AdaptiveRun::refine(const LevelErrors& errors)
+{
+  const auto timer = timeStage(tools_.ledger, Stage::Refine);
+  MeshPlan plan = planner_->nextStep(options_.maximumDofs);
+  summary_.limit = limitMet(options_, summary_.levels, plan.dofs, double(firstMemory_),
+                            double(std::max(earlierMemory_, peakMemory())));
+  if (!summary_.limit.empty())
+    return;
+  CarriedContact contact = contactOf(run_, nextTraction(run_));
+  if (restart_.write)
+    done_.back().nextTraction = contact.traction;
+  carryOver(errors, std::move(plan), std::move(contact));
+}
+
+void AdaptiveRun::carryOver(const LevelErrors& errors, MeshPlan plan, CarriedContact contact)
+{
+  expectedMesh_ = plan.bound / errors.bound * errors.mesh;
+  planner_->accept(std::move(plan));
+  carried_ = std::move(contact);
+}
+
+/// A level may end with a larger bound than one before, or without any: then that one is computed again. One sweep
+/// from its Neumann traction is its state.
+void AdaptiveRun::returnToBest()
+{
+  const bool isLast = best_.level == int(summary_.levels.size());
+  if (isLast && run_.certificate && run_.failure.empty())
+    return;
+  if (summary_.limit.empty())
+    summary_.limit = run_.failure.empty() ? run_.solved.coupling.reason : run_.failure;
+  run_.failure.clear();
+  if (run_.summary.coupling)
+    run_.summary.coupling->roles = best_.roles;
+  attempt(run_, observer_, [&] {
+    if (const auto failure = failureIn(tools_.comm, [&] { solveBestAgain(); }))
+      throw NotConverged(fmt::format("the answer of level {} could not be computed again: {}", best_.level,
+                                     failure->outOfMemory ? needsMoreMemory : failure->text));
+  });
+}
+
+void AdaptiveRun::solveBestAgain()
+{
+  readLevel(best_.meshes, best_.contact.interfaces);
+  condenseRun(run_, tools_, silent_);
+  CouplingStart start = startFrom(run_, best_.contact);
+  start.iterationError = std::numeric_limits<double>::max();
+  solveRun(run_, tools_, silent_, start);
+  certifyRun(run_, tools_);
+}
+
+/// The whole certificate of the last level, if the deck asks for more than the bound; the summary.
+Run AdaptiveRun::finish()
+{
+  if (run_.certificate && wanted_ != tools_.errors->estimators) {
+    tools_.errors->estimators = wanted_;
+    certifyRun(run_, tools_);
+  }
+  summary_.written = summary_.reached || run_.contradiction ? int(summary_.levels.size()) : best_.level;
+  run_.summary.accuracy = summary_;
+  finishRun(run_, tools_);
+  if (!summary_.reached && summary_.limit.empty())
+    run_.summary.accuracy->limit = run_.failure;
+  return std::move(run_);
+}
+
+Run runToTarget(RunTools tools, const AccuracyComponents& components, RunObserver& observer,
+                const LevelObserver& onLevel, EnergyRecords energies, Model known, const Restart& restart)
+{
+  return AdaptiveRun(std::move(tools), components, observer, onLevel, std::move(energies), restart)
+      .run(std::move(known));
 }
 
 } // namespace ndframe

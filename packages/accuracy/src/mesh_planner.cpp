@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "ndframe/algebra/dense.hpp"
-#include "ndframe/run/contact_ends.hpp"
+#include "places.hpp"
 
 namespace ndframe
 {
@@ -70,16 +70,6 @@ Facet uncutFacet(const BodyModel& body, Facet facet)
   return {cell, int(opposite - vertices)};
 }
 
-/// The place of every body among those that are meshed; -1 for rigid ones.
-std::vector<int> placesOf(const Model& model)
-{
-  std::vector<int> places(model.bodies.size(), -1);
-  int next = 0;
-  for (const int b : model.elasticBodies())
-    places[std::size_t(b)] = next++;
-  return places;
-}
-
 /// Sides that match go on matching; where they do not, each body is refined by itself.
 std::vector<FacetTwin> twinsOf(const Model& model)
 {
@@ -100,29 +90,6 @@ std::vector<FacetTwin> twinsOf(const Model& model)
 std::int64_t eulerNumber(const Mesh& mesh)
 {
   return 2 * std::int64_t(mesh.numPoints()) + mesh.numCells() - makeNodeMap(mesh, 2).numNodes();
-}
-
-/// Contributions of the cells of the uncut mesh.
-Vector uncutContributions(const BodyModel& body, const Vector& eta)
-{
-  if (body.parents.empty())
-    return eta;
-  Vector squares(std::size_t(body.base.numCells()), 0.0);
-  for (std::size_t cell = 0; cell < eta.size(); ++cell)
-    squares[std::size_t(body.parents[cell])] += eta[cell] * eta[cell];
-  for (double& square : squares)
-    square = std::sqrt(square);
-  return squares;
-}
-
-/// The vertices of the uncut mesh that stand for a vertex: itself, or those of the cell that it was cut into.
-std::vector<int> uncutVertices(const BodyModel& body, int vertex)
-{
-  if (vertex < body.uncut().numPoints())
-    return {vertex};
-  const auto found = std::find(body.mesh.cells.begin(), body.mesh.cells.end(), vertex);
-  const int* cell = body.base.cell(body.parents[std::size_t(found - body.mesh.cells.begin()) / 3]);
-  return {cell, cell + 3};
 }
 
 } // namespace
@@ -153,24 +120,22 @@ std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
   return dim_ * nodes;
 }
 
-void MeshPlanner::learn(const Run& run, const LevelErrors& errors)
+void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
 {
-  std::vector<Vector> eta;
+  const LevelErrors errors(lesson.errors);
   double squared = 0.0;
-  std::vector<const Mesh*> meshes;
-  for (const int body : run.model.elasticBodies()) {
-    const auto b = std::size_t(body);
-    eta.push_back(uncutContributions(run.model.bodies[b], run.certificate->etaGlobal[b]));
-    meshes.push_back(&run.model.bodies[b].uncut());
-    squared += dot(eta.back(), eta.back());
-  }
+  for (const Vector& eta : lesson.contributions)
+    squared += dot(eta, eta);
   if (expected_ > 0.0 && dim_ == 2)
     correction_ = std::clamp(errors.bound / expected_, leastCorrection, 1.0);
 
   if (expected_ > 0.0 && tells_)
     fall_.learn(bound_, predicted_, errors.bound);
-  learnExponents(meshes, eta, errors.relative > tooCoarse(dim_));
-  contributions_.emplace(present_->meshes(), eta, exponentsFor(run), degree_, edges_.directions());
+  std::vector<const Mesh*> uncut;
+  for (const int b : model.elasticBodies())
+    uncut.push_back(&model.bodies[std::size_t(b)].uncut());
+  learnExponents(uncut, lesson.contributions, errors.relative > tooCoarse(dim_));
+  contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions());
   bound_ = errors.bound;
   tells_ = errors.tells();
   target_ = errors.target;
@@ -191,28 +156,12 @@ void MeshPlanner::learnExponents(const std::vector<const Mesh*>& meshes, const s
   corners_.observe(meshes, eta);
 }
 
-std::vector<Vector> MeshPlanner::exponentsFor(const Run& run) const
+std::vector<Vector> MeshPlanner::exponentsFor(const LevelLesson& lesson) const
 {
   std::vector<Vector> exponents = dim_ == 3 ? edges_.exponents() : corners_.exponents();
-  const std::vector<int> place = placesOf(run.model);
-  const auto lower = [&](int body, int node) {
-    if (run.model.bodies[std::size_t(body)].isRigid)
-      return;
-    for (const int vertex : uncutVertices(run.model.bodies[std::size_t(body)], node)) {
-      double& exponent = exponents[std::size_t(place[std::size_t(body)])][std::size_t(vertex)];
-      exponent = std::min(exponent, whereContactEnds);
-    }
-  };
-  std::vector<char> closed;
-  for (const ContactNode& node : run.solved.contact)
-    closed.push_back(node.closed);
-  const char* ofInterface = closed.data();
-  for (const InterfaceMesh& interface : run.model.interfaces) {
-    for (const int node : endVertices(interface, ofInterface)) {
-      lower(interface.dirichletBody, interface.dirichletNodes[std::size_t(node)]);
-      lower(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
-    }
-    ofInterface += interface.numNodes();
+  for (const auto& [body, vertex] : lesson.ends) {
+    double& exponent = exponents[std::size_t(body)][std::size_t(vertex)];
+    exponent = std::min(exponent, whereContactEnds);
   }
   return exponents;
 }

@@ -79,6 +79,13 @@ void Ledger::tell(Depth depth, const Progress& progress) const
     live_->tell(depth, progress);
 }
 
+void Ledger::restore(std::map<std::string, std::int64_t> counts, std::vector<Stage> stages)
+{
+  const std::lock_guard<std::mutex> lock(mutex_);
+  counts_ = std::move(counts);
+  stages_ = std::move(stages);
+}
+
 void Ledger::restart()
 {
   const std::lock_guard<std::mutex> lock(mutex_);

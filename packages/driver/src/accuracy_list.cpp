@@ -109,6 +109,10 @@ void checkAccuracy(const RunSettings& settings, const AccuracyComponents& compon
 {
   const OutputOptions& output = settings.output;
   if (!settings.accuracy) {
+    if (output.checkpoint)
+      diagnostics.add(output.place.mistake("Checkpoint",
+                                           "Checkpoint goes on from the levels of a run with a target, and "
+                                           "the deck has no list Accuracy."));
     if (output.allLevels)
       diagnostics.add(output.place.mistake("All Levels", "All Levels writes the meshes on the way to a target, and the "
                                                          "deck has no list Accuracy."));

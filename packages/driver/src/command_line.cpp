@@ -81,6 +81,8 @@ void declareOptions(CLI::App& app, CommandLine& options)
   app.add_flag(
       "--yardstick", options.yardstick,
       "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
+  app.add_flag("--restart", options.restart,
+               "Go on with a run that was ended from NAME.checkpoint, which Output/Checkpoint makes it leave.");
   declareQuestions(app, options);
   declareScreen(app, options);
   declareNew(app, options);

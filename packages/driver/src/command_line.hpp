@@ -24,7 +24,7 @@ struct CommandLine
   std::string completion;     ///< shell whose script is wanted
   bool manual = false;
   bool check = false, plan = false, list = false, dumpDefaults = false, reference = false, version = false;
-  bool yardstick = false;
+  bool yardstick = false, restart = false;
   bool quiet = false, verbose = false;
 };
 

@@ -22,6 +22,7 @@
 #include "ndframe/driver/run_deck.hpp"
 #include "ndframe/driver/tied_deck.hpp"
 #include "ndframe/report/accuracy_screen.hpp"
+#include "ndframe/report/checkpoint_file.hpp"
 #include "ndframe/report/error_screen.hpp"
 #include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
@@ -89,6 +90,22 @@ void reportShortcomings(const Run& run, const Comm& comm)
     complain(comm, "Strict Input allows no warnings; the results are written.");
 }
 
+/// What --restart goes on from, and what is left for it.
+Restart restartOf(const RunSettings& settings, const CommandLine& options, const Comm& comm, Ledger& ledger,
+                  const Log& log)
+{
+  if (options.restart && !settings.accuracy)
+    throw InputError("--restart goes on from the levels of a run with a target, and the deck has no list Accuracy; run "
+                     "without --restart.");
+  Restart restart = restartOf(settings.output, options.deck, options.restart, comm, ledger);
+  if (restart.from)
+    log.line(fmt::format("  goes on from {}: {} not solved again\n", restart.file,
+                         restart.from->levels.size() == 1
+                             ? "level 1 is"
+                             : fmt::format("levels 1 to {} are", restart.from->levels.size())));
+  return restart;
+}
+
 ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, const Components& components,
                    const Comm& comm, const Log& log, bool& computed)
 {
@@ -99,9 +116,11 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
     if (writer)
       writer(level, number);
   };
-  Run run = runDeck(settings, components, comm, ledger, log, {}, onLevel);
+  const Restart restart = restartOf(settings, options, comm, ledger, log);
+  Run run = runDeck(settings, components, comm, ledger, log, {}, onLevel, restart);
   computed = true;
   const auto written = writeResults(run, settings.output, options.deck, comm, ledger);
+  endCheckpoint(run, settings.output, options.deck, written, comm);
   copyLedger(run.summary, ledger, run.startSeconds);
   if (run.summary.solved)
     log.line("\n" + closingText(run.summary));
@@ -145,6 +164,8 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
   greet(first, options, log);
   if (options.yardstick)
     throw InputError("--yardstick measures one scene; run it without a study or load cases.");
+  if (options.restart || first.output.checkpoint)
+    throw InputError("--restart and Output/Checkpoint are for one run; remove them, or run the cases one by one.");
   if (options.plan) {
     log.line(planText(first, components, comm) + "\n\n" + studyPlan(study));
     return ExitCode::Right;

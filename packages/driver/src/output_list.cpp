@@ -37,6 +37,10 @@ ListSpec outputSpec()
       {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line a level."},
       {"All Levels", false,
        "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
+      {"Checkpoint", false,
+       "Write NAME.checkpoint after every level (decks with the list Accuracy): with --restart a run that was ended "
+       "goes "
+       "on from there."},
       {"Report", false,
        "Write NAME.report.html: scene, verdict, pictures and tables of the files that are written, in one page without "
        "links to other files; `ndframe report NAME` does it later. Needs Summary, and python3-netcdf4, "
@@ -77,6 +81,7 @@ OutputOptions outputOptions(const Params& deck)
   options.levelTable = list.get<bool>("Level Table");
   options.report = list.get<bool>("Report");
   options.allLevels = list.get<bool>("All Levels");
+  options.checkpoint = list.get<bool>("Checkpoint");
   options.steps = stepsNames().value(list.get<std::string>("Steps"));
   options.equilibratedStress = list.get<bool>("Equilibrated Stress");
   options.meanStress = list.get<bool>("Mean Stress");

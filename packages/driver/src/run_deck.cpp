@@ -50,7 +50,7 @@ RunSettings checkDeck(Model& model, const RunSettings& given, const Components& 
 }
 
 Run runDeck(const RunSettings& given, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
-            Reusable&& previous, const LevelObserver& onLevel)
+            Reusable&& previous, const LevelObserver& onLevel, const Restart& restart)
 {
   giveBackRoles(previous.model, previous.condensed);
   const RunSettings settings = withFoundInterfaces(given, components, previous.model, comm, ledger, log);
@@ -59,7 +59,7 @@ Run runDeck(const RunSettings& given, const Components& components, const Comm& 
   ScreenObserver screen(log);
   if (settings.accuracy)
     return runToTarget(std::move(tools), components, screen, onLevel, previous.energies,
-                       findsInterfaces(given.deck) ? meshesOf(std::move(previous.model)) : Model());
+                       findsInterfaces(given.deck) ? meshesOf(std::move(previous.model)) : Model(), restart);
   return runOnce(tools, screen, std::move(previous));
 }
 

@@ -51,7 +51,7 @@ void checkOutput(const RunSettings& settings, const std::string& deckName)
 {
   const OutputOptions& output = settings.output;
   const bool writes = output.exodus || output.summary || output.contactTable || output.probeTable ||
-                      (settings.accuracy && output.levelTable);
+                      output.checkpoint || (settings.accuracy && output.levelTable);
   if (!writes)
     return;
   std::filesystem::path folder = absoluteFolder(output);

@@ -67,7 +67,7 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Stress, exodus, "for the Exodus file", "no Exodus file is written");
   const bool contact = touches && output.contactTable;
   const bool levels = toTarget && output.levelTable;
-  add(Stage::Write, exodus || contact || levels || output.summary || output.probeTable,
+  add(Stage::Write, exodus || contact || levels || output.summary || output.probeTable || output.checkpoint,
       fmt::format("to {}", output.directory), "no file of this solution is asked for");
   add(Stage::LevelTable, levels, "NAME.levels.csv",
       toTarget ? "switched off in Output" : "the deck has no list Accuracy");

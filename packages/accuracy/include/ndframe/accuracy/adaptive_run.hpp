@@ -6,10 +6,23 @@
 namespace ndframe
 {
 
+/// What a run with a target is told of an earlier one that was ended, and leaves in case that it is ended itself.
+struct Restart
+{
+  std::function<void(const Checkpoint&)> write; ///< after every level that another one follows; empty: never
+  std::optional<Checkpoint> from;
+  std::string file; ///< where it comes from, for messages
+};
+
 /// Runs a deck with the list Accuracy up to the summary: solves and certifies on finer and finer meshes until the bound
 /// is below the target or a limit is met; `energies`: of earlier runs. The run that is returned is the one on the last
 /// mesh or, without the target, on the one with the smallest bound. known: meshes that have been read (updateMeshes).
+///
+/// restart.from: levels that are not solved again. Their meshes are made again by the same refinements from the same
+/// first meshes, interfaces from the meshes, so the run ends with the same bits as one that was not ended. Throws
+/// InputError where the deck is another one or the meshes are not the same.
 Run runToTarget(RunTools tools, const AccuracyComponents& components, RunObserver& observer,
-                const LevelObserver& onLevel, EnergyRecords energies = {}, Model known = {});
+                const LevelObserver& onLevel, EnergyRecords energies = {}, Model known = {},
+                const Restart& restart = {});
 
 } // namespace ndframe

@@ -1,22 +1,17 @@
 #pragma once
 
+#include "ndframe/io/checkpoint.hpp"
 #include "ndframe/run/accuracy_options.hpp"
 #include "ndframe/run/run.hpp"
 
 namespace ndframe
 {
 
-/// What the certificate of a mesh says to a run with a target; absolute, in the energy norm.
-struct LevelErrors
+/// LevelNumbers and what follows from them.
+struct LevelErrors : LevelNumbers
 {
   LevelErrors(const Run& run, const AccuracyOptions& options);
-
-  double bound = 0.0;     ///< what is compared with the target
-  double target = 0.0;    ///< of the bound
-  double relative = 0.0;  ///< the bound over the norm of the solution
-  double iteration = 0.0; ///< the part of the stopped sweeps
-  double mesh = 0.0;      ///< the rest of the bound of the displacement's error
-  double contact = 0.0;   ///< in the bound: tractions across openings, of the mesh or left by the sweeps
+  explicit LevelErrors(const LevelNumbers& numbers) : LevelNumbers(numbers) {}
 
   bool reached() const { return bound <= target; }
   /// Whether anything can be predicted from the bound: one above the solution's own size says only that.

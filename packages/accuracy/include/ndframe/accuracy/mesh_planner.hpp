@@ -5,7 +5,7 @@
 
 #include "ndframe/accuracy/accuracy_components.hpp"
 #include "ndframe/accuracy/bound_fall.hpp"
-#include "ndframe/accuracy/level_errors.hpp"
+#include "ndframe/accuracy/level_lesson.hpp"
 #include "ndframe/adaptivity/corner_exponents.hpp"
 #include "ndframe/adaptivity/edge_exponents.hpp"
 #include "ndframe/adaptivity/marking.hpp"
@@ -30,8 +30,8 @@ public:
   /// deck: has the list Accuracy. model: of the first meshes.
   MeshPlanner(const Params& deck, const AccuracyComponents& components, const Model& model, const Comm& comm);
 
-  /// Takes in the certificate of the present meshes.
-  void learn(const Run& run, const LevelErrors& errors);
+  /// Takes in what the certificate of the present meshes teaches. model: made of them.
+  void learn(const Model& model, const LevelLesson& lesson);
 
   /// Dofs of a mesh with the target's bound, without what conformity adds; none where the marking does not predict.
   std::optional<std::int64_t> dofsToTarget() const;
@@ -48,7 +48,7 @@ public:
 private:
   void learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse);
   /// lambda per body and vertex: what has been learned, and where contact ends now.
-  std::vector<Vector> exponentsFor(const Run& run) const;
+  std::vector<Vector> exponentsFor(const LevelLesson& lesson) const;
   MeshPlan planFor(double wanted) const;
   double boundPerTotal() const { return correction_ * bound_ / total_; }
   std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;

@@ -51,6 +51,8 @@ public:
   void tell(Depth depth, const Progress& progress) const;
   /// Forgets all counts and stages: another run begins, and factors of the last one may go on counting here.
   void restart();
+  /// What a run has counted and timed that this one goes on with, in place of all so far.
+  void restore(std::map<std::string, std::int64_t> counts, std::vector<Stage> stages);
   /// 0 for what never happened.
   std::int64_t counted(const std::string& what) const;
   const std::map<std::string, std::int64_t>& counts() const { return counts_; }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ndframe/accuracy/adaptive_run.hpp"
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/components.hpp"
 #include "ndframe/driver/settings.hpp"
@@ -15,7 +16,7 @@ namespace ndframe
 /// summary says so. Throws InputError for mistakes that show only with the meshes; `previous` then holds what can still
 /// be reused.
 Run runDeck(const RunSettings& settings, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,
-            Reusable&& previous = {}, const LevelObserver& onLevel = {});
+            Reusable&& previous = {}, const LevelObserver& onLevel = {}, const Restart& restart = {});
 
 /// The same with the settings of a deck.
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,

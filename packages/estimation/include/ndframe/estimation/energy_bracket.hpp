@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 #include <string>
+#include <utility>
 
 #include "ndframe/estimation/error_measure.hpp"
 
@@ -51,12 +52,21 @@ public:
   bool holds() const { return holds_; } ///< no two certificates contradict each other
   int certificates() const { return certificates_; }
 
-private:
+  /// An end of the bracket and the certificate that it is from.
   struct Side
   {
     double value = 0.0, roundOff = 0.0;
     std::string name;
   };
+  EnergyRecord() = default;
+  /// Of certificates of an earlier process that hold together.
+  EnergyRecord(Side lower, Side upper, int certificates)
+      : lower_(std::move(lower)), upper_(std::move(upper)), certificates_(certificates)
+  {}
+  const Side& lowerSide() const { return lower_; }
+  const Side& upperSide() const { return upper_; }
+
+private:
   Side lower_{-std::numeric_limits<double>::infinity(), 0.0, {}},
       upper_{std::numeric_limits<double>::infinity(), 0.0, {}};
   int certificates_ = 0;

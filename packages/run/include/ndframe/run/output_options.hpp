@@ -24,8 +24,9 @@ struct OutputOptions
   ListPlace place;
   std::string directory, name; ///< folder and beginning of the files' names; empty name: the deck's
   bool exodus = true, summary = true, contactTable = true, levelTable = true;
-  bool report = false;    ///< NAME.report.html
-  bool allLevels = false; ///< every level of a run with a target
+  bool report = false;     ///< NAME.report.html
+  bool allLevels = false;  ///< every level of a run with a target
+  bool checkpoint = false; ///< NAME.checkpoint
   StepsWritten steps = StepsWritten::Final;
   bool equilibratedStress = false, meanStress = false; ///< in NAME.e
   std::vector<ProbeOptions> probes;                    ///< in the summary

@@ -1,0 +1,13 @@
+#pragma once
+
+#include "ndframe/accuracy/level_errors.hpp"
+#include "ndframe/io/checkpoint.hpp"
+
+namespace ndframe
+{
+
+/// What the certificate of a level teaches: contributions of the cells as they were refined, before sides were cut to
+/// match, and where contact ends.
+LevelLesson lessonOf(const Run& run, const LevelErrors& errors);
+
+} // namespace ndframe

@@ -1,0 +1,76 @@
+#include "ndframe/accuracy/level_lesson.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/run/contact_ends.hpp"
+#include "places.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// Contributions of the cells of the uncut mesh.
+Vector uncutContributions(const BodyModel& body, const Vector& eta)
+{
+  if (body.parents.empty())
+    return eta;
+  Vector squares(std::size_t(body.base.numCells()), 0.0);
+  for (std::size_t cell = 0; cell < eta.size(); ++cell)
+    squares[std::size_t(body.parents[cell])] += eta[cell] * eta[cell];
+  for (double& square : squares)
+    square = std::sqrt(square);
+  return squares;
+}
+
+/// The vertices of the uncut mesh that stand for a vertex: itself, or those of the cell that it was cut into.
+std::vector<int> uncutVertices(const BodyModel& body, int vertex)
+{
+  if (vertex < body.uncut().numPoints())
+    return {vertex};
+  const auto found = std::find(body.mesh.cells.begin(), body.mesh.cells.end(), vertex);
+  const int* cell = body.base.cell(body.parents[std::size_t(found - body.mesh.cells.begin()) / 3]);
+  return {cell, cell + 3};
+}
+
+/// Body and vertex.
+std::vector<std::array<int, 2>> endsOfContact(const Run& run)
+{
+  std::vector<std::array<int, 2>> ends;
+  const std::vector<int> place = placesOf(run.model);
+  const auto add = [&](int body, int node) {
+    const BodyModel& model = run.model.bodies[std::size_t(body)];
+    if (model.isRigid)
+      return;
+    for (const int vertex : uncutVertices(model, node))
+      ends.push_back({place[std::size_t(body)], vertex});
+  };
+  std::vector<char> closed;
+  for (const ContactNode& node : run.solved.contact)
+    closed.push_back(node.closed);
+  const char* ofInterface = closed.data();
+  for (const InterfaceMesh& interface : run.model.interfaces) {
+    for (const int node : endVertices(interface, ofInterface)) {
+      add(interface.dirichletBody, interface.dirichletNodes[std::size_t(node)]);
+      add(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
+    }
+    ofInterface += interface.numNodes();
+  }
+  return ends;
+}
+
+} // namespace
+
+LevelLesson lessonOf(const Run& run, const LevelErrors& errors)
+{
+  LevelLesson lesson;
+  lesson.errors = errors;
+  for (const int body : run.model.elasticBodies())
+    lesson.contributions.push_back(
+        uncutContributions(run.model.bodies[std::size_t(body)], run.certificate->etaGlobal[std::size_t(body)]));
+  lesson.ends = endsOfContact(run);
+  return lesson;
+}
+
+} // namespace ndframe

@@ -1,0 +1,87 @@
+#pragma once
+
+#include <limits>
+#include <optional>
+
+#include "ndframe/accuracy/adaptive_run.hpp"
+#include "ndframe/run/failure.hpp"
+
+namespace ndframe
+{
+
+/// The level with the smallest bound so far.
+struct BestLevel
+{
+  int level = 0; ///< from 1; 0: none
+  std::vector<Mesh> meshes;
+  CarriedContact contact; ///< with the Neumann traction
+  std::vector<RoleSummary> roles;
+};
+
+/// The loop of a run with a target: solve until the iteration is small beside the mesh, certify, stop or refine, carry
+/// over.
+class AdaptiveRun
+{
+public:
+  AdaptiveRun(RunTools tools, const AccuracyComponents& components, RunObserver& observer, const LevelObserver& onLevel,
+              EnergyRecords energies, const Restart& restart);
+
+  Run run(Model known);
+
+private:
+  // The loop.
+  void begin(Model model);
+  /// Records the level that was solved. False without an answer on it, at the target, and at the end of progress.
+  bool needsAnother();
+  /// Goes to the next meshes and solves. Whatever fails on the way is a limit, as the levels before have an answer.
+  bool takeNext();
+  bool solveNext();
+  void endWith(const Failure& failure);
+  void readLevel(const std::vector<Mesh>& meshes, const std::vector<InterfaceMesh>& before);
+  void beginLevel(Model&& model, const std::vector<InterfaceMesh>& before);
+  Progress progress() const;
+  void solveLevel();
+  CouplingStart firstStart() const;
+  double allowedIteration(double mesh) const { return stopping_->allowed(mesh, options_.iterationShare); }
+  void record(const LevelErrors& errors, LevelLesson&& lesson);
+  /// The level as the user is told of it, and the best one if it is. contact: with the Neumann traction.
+  void enter(const LevelSummary& level, const CarriedContact& contact);
+  /// Plans the next meshes; AccuracySummary::limit says when they do not fit into the limits.
+  void refine(const LevelErrors& errors);
+  void carryOver(const LevelErrors& errors, MeshPlan plan, CarriedContact contact);
+  void returnToBest();
+  void solveBestAgain();
+  Run finish();
+
+  // The way back into it (restart.cpp).
+  LevelRecord recordOf(const LevelSummary& level, LevelLesson&& lesson, const CarriedContact& contact) const;
+  void leaveCheckpoint() const;
+  void refuseOtherDeck(const Checkpoint& checkpoint) const;
+  /// Goes through the levels of a checkpoint without solving them, up to the next meshes.
+  void resume(const Checkpoint& checkpoint);
+  void restore(const LevelRecord& level);
+
+  const AccuracyComponents& components_;
+  RunObserver& observer_;
+  RunObserver silent_; ///< of the levels after the first
+  const LevelObserver& onLevel_;
+  const Restart& restart_;
+  RunTools tools_;
+  const AccuracyOptions options_;
+  const std::vector<Estimator> wanted_; ///< by the deck
+  Run run_;
+  const std::unique_ptr<ContactTransfer> transfer_;
+  const std::unique_ptr<LevelStopping> stopping_;
+  const bool balances_; ///< the sweeps on a mesh end by their part of the error, not by Coupling/Stopping
+  std::optional<MeshPlanner> planner_;
+  double expectedMesh_ = std::numeric_limits<double>::max(); ///< the mesh's part on the next level; unknown at first
+  CarriedContact carried_;
+  BestLevel best_;
+  int sweeps_ = 0;                          ///< of this level
+  std::int64_t firstMemory_ = peakMemory(); ///< bytes, before there was a mesh
+  std::int64_t earlierMemory_ = 0;          ///< the most that an earlier process took
+  AccuracySummary summary_;
+  std::vector<LevelRecord> done_; ///< for a checkpoint, if there is one
+};
+
+} // namespace ndframe

@@ -1,0 +1,143 @@
+#include <cstdint>
+
+#include <fmt/format.h>
+
+#include "level_loop.hpp"
+#include "ndframe/condensation/roles.hpp"
+#include "ndframe/mesh/mesh_bytes.hpp"
+#include "ndframe/run/summarize.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// FNV-1a, 64 bits.
+std::string hashOf(const std::vector<Mesh>& meshes)
+{
+  std::uint64_t hash = 14695981039346656037U;
+  for (const Mesh& mesh : meshes)
+    for (const char byte : toBytes(mesh)) {
+      hash ^= std::uint8_t(byte);
+      hash *= 1099511628211U;
+    }
+  return fmt::format("{:016x}", hash);
+}
+
+/// A contact state on the model's interfaces; empty without them.
+CarriedContact contactOn(const Model& model, const Vector& traction, const std::vector<int>& closed)
+{
+  if (model.interfaces.empty())
+    return {};
+  return {model.interfaces, traction, {closed.begin(), closed.end()}};
+}
+
+/// Turns the interfaces as the roles that were chosen on them left them.
+void orient(Model& model, const std::vector<int>& dirichletBodies)
+{
+  std::vector<InterfaceMesh> others(model.interfaces.size());
+  for (std::size_t i = 0; i < others.size(); ++i)
+    others[i].dirichletBody = dirichletBodies[i];
+  orientLike(model, others);
+}
+
+std::vector<Ledger::Stage> stagesOf(const std::vector<StageRecord>& records)
+{
+  std::vector<Ledger::Stage> stages;
+  for (const StageRecord& stage : records)
+    stages.push_back({stage.name, stage.seconds, stage.peakBytes});
+  return stages;
+}
+
+/// The names of another scene's parts would not fit.
+bool fits(const LevelRecord& level, const Model& model)
+{
+  std::size_t nodes = 0;
+  for (const InterfaceMesh& interface : model.interfaces)
+    nodes += std::size_t(interface.numNodes());
+  return level.dirichletBodies.size() == model.interfaces.size() && level.closed.size() == nodes &&
+         level.tractionNeumann.size() == nodes && level.nextTraction.size() == nodes;
+}
+
+} // namespace
+
+LevelRecord AdaptiveRun::recordOf(const LevelSummary& level, LevelLesson&& lesson, const CarriedContact& contact) const
+{
+  LevelRecord record;
+  record.summary = level;
+  record.lesson = std::move(lesson);
+  record.meshes = hashOf(planner_->meshes());
+  record.maximumDofs = options_.maximumDofs;
+  record.tractionNeumann = contact.traction;
+  record.closed.assign(contact.closed.begin(), contact.closed.end());
+  for (const InterfaceMesh& interface : run_.model.interfaces)
+    record.dirichletBodies.push_back(interface.dirichletBody);
+  record.roles = rolesOf(run_);
+  const auto &lower = run_.energy.lowerSide(), &upper = run_.energy.upperSide();
+  record.energyLower = {lower.value, lower.roundOff, lower.name};
+  record.energyUpper = {upper.value, upper.roundOff, upper.name};
+  record.certificates = run_.energy.certificates();
+  return record;
+}
+
+void AdaptiveRun::leaveCheckpoint() const
+{
+  if (!restart_.write)
+    return;
+  Checkpoint checkpoint;
+  checkpoint.version = versionText();
+  checkpoint.deckJson = toJson(tools_.deck);
+  checkpoint.levels = done_;
+  checkpoint.seconds = wallSeconds() - run_.startSeconds;
+  checkpoint.firstMemory = firstMemory_;
+  checkpoint.peakMemory = std::max(earlierMemory_, peakMemory());
+  checkpoint.counts = tools_.ledger.counts();
+  for (const auto& stage : tools_.ledger.stages())
+    checkpoint.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
+  restart_.write(checkpoint);
+}
+
+void AdaptiveRun::refuseOtherDeck(const Checkpoint& checkpoint) const
+{
+  const std::string difference = differenceOf(toJson(tools_.deck), checkpoint.deckJson);
+  if (!difference.empty())
+    throw InputError(fmt::format("\"{}\" is of another deck: {}; give the deck as it was, or run without --restart.",
+                                 restart_.file, difference));
+}
+
+void AdaptiveRun::resume(const Checkpoint& checkpoint)
+{
+  run_.startSeconds -= checkpoint.seconds;
+  firstMemory_ = checkpoint.firstMemory;
+  earlierMemory_ = checkpoint.peakMemory;
+  for (const LevelRecord& level : checkpoint.levels) {
+    if (!summary_.levels.empty())
+      readLevel(planner_->meshes(), run_.model.interfaces);
+    restore(level);
+  }
+  if (restart_.write)
+    done_ = checkpoint.levels;
+  tools_.ledger.restore(checkpoint.counts, stagesOf(checkpoint.stages));
+}
+
+void AdaptiveRun::restore(const LevelRecord& level)
+{
+  if (level.meshes != hashOf(planner_->meshes()) || !fits(level, run_.model))
+    throw InputError(fmt::format(
+        "\"{}\" is of other meshes: those of level {} are not the same; {}, or run without --restart.", restart_.file,
+        level.summary.level,
+        run_.level == 1 ? "give the mesh files as they were" : "use the program and the gmsh that they were made by"));
+  orient(run_.model, level.dirichletBodies);
+  if (run_.summary.coupling)
+    run_.summary.coupling->roles = level.roles;
+  const auto &lower = level.energyLower, &upper = level.energyUpper;
+  run_.energy = EnergyRecord({lower.value, lower.roundOff, lower.name}, {upper.value, upper.roundOff, upper.name},
+                             level.certificates);
+  run_.energies.of(SceneIdentity(tools_.deck, run_.model)) = run_.energy;
+  planner_->learn(run_.model, level.lesson);
+  enter(level.summary, contactOn(run_.model, level.tractionNeumann, level.closed));
+  carryOver(LevelErrors(level.lesson.errors), planner_->nextStep(level.maximumDofs),
+            contactOn(run_.model, level.nextTraction, level.closed));
+}
+
+} // namespace ndframe

@@ -1,0 +1,91 @@
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <map>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "ndframe/io/accuracy_summary.hpp"
+#include "ndframe/io/summary.hpp"
+
+namespace ndframe
+{
+
+/// What the certificate of a mesh says to a run with a target; absolute, in the energy norm.
+struct LevelNumbers
+{
+  double bound = 0.0;     ///< what is compared with the target
+  double target = 0.0;    ///< of the bound
+  double relative = 0.0;  ///< the bound over the norm of the solution
+  double iteration = 0.0; ///< the part of the stopped sweeps
+  double mesh = 0.0;      ///< the rest of the bound of the displacement's error
+  double contact = 0.0;   ///< in the bound: tractions across openings, of the mesh or left by the sweeps
+};
+
+/// What the meshes after a level are made from.
+struct LevelLesson
+{
+  LevelNumbers errors;
+  std::vector<std::vector<double>> contributions; ///< eta_K per elastic body and cell of its mesh as it was refined
+  std::vector<std::array<int, 2>> ends;           ///< body (among those) and vertex: where contact ends
+};
+
+/// One end of the bracket of the exact energy, and the certificate that it is from.
+struct EnergyEnd
+{
+  double value = 0.0, roundOff = 0.0;
+  std::string name;
+};
+
+/// All that a level of a run with a target leaves to those after it, apart from what is made from it again: meshes by
+/// the same refinements, interfaces from the meshes.
+struct LevelRecord
+{
+  LevelSummary summary;
+  LevelLesson lesson;
+  std::int64_t maximumDofs = 0;                      ///< with which the next meshes were planned
+  std::string meshes;                                ///< hash of the bodies' meshes, by which they are known again
+  std::vector<double> nextTraction, tractionNeumann; ///< per interface node, one interface after another
+  std::vector<int> closed;                           ///< per interface node
+  std::vector<int> dirichletBodies;                  ///< per interface
+  std::vector<RoleSummary> roles;
+  EnergyEnd energyLower, energyUpper; ///< of the exact energy, by all certificates so far
+  int certificates = 0;               ///< of them
+};
+
+/// What a stage of the ledger took.
+struct StageRecord
+{
+  std::string name;
+  double seconds = 0.0;
+  std::int64_t peakBytes = 0;
+};
+
+/// NAME.checkpoint: what a run with a target that was ended goes on from.
+struct Checkpoint
+{
+  std::string version;     ///< of ndframe
+  std::string deckJson;    ///< effective
+  bool isFinished = false; ///< the run has reached its target: nothing of what follows but its files
+  std::vector<std::string> results;
+  std::vector<LevelRecord> levels;
+  double seconds = 0.0;                         ///< since the run began
+  std::int64_t firstMemory = 0, peakMemory = 0; ///< bytes, before there was a mesh and the most
+  std::map<std::string, std::int64_t> counts;   ///< of the ledger
+  std::vector<StageRecord> stages;
+};
+
+/// CBOR (RFC 8949) of an object with the names above, all numbers bit by bit.
+std::string toBytes(const Checkpoint& checkpoint);
+
+/// The same back. Throws InputError: `path` is no checkpoint or ends too early, or another version wrote it (`version`:
+/// this one).
+Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path, const std::string& version);
+
+/// "Bodies/punch/Material/Young Modulus is 2 and was 1" of the first parameter in which two effective decks differ, and
+/// how many more there are; empty when they are the same but for title, Output, Expect and the limits of Accuracy.
+std::string differenceOf(const std::string& deckJson, const std::string& earlierJson);
+
+} // namespace ndframe

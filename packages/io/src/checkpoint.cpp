@@ -1,0 +1,119 @@
+#include "ndframe/io/checkpoint.hpp"
+
+#include <fmt/format.h>
+#include <nlohmann/json.hpp>
+
+#include "ndframe/base/diagnostics.hpp"
+
+namespace nlohmann
+{
+
+template <class Value>
+struct adl_serializer<std::optional<Value>>
+{
+  static void to_json(json& target, const std::optional<Value>& value)
+  {
+    target = value ? json(*value) : json(nullptr);
+  }
+  static void from_json(const json& source, std::optional<Value>& value)
+  {
+    value = source.is_null() ? std::nullopt : std::optional(source.get<Value>());
+  }
+};
+
+} // namespace nlohmann
+
+namespace ndframe
+{
+
+using Json = nlohmann::json;
+
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NumberBracket, lower, upper)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelSummary, level, dofs, elements, worstShape, sweeps, bound, relative, iteration,
+                                   mesh, worstBody, worstPoint, dofsToTarget, seconds, energy)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RoleSummary, dirichletBodies, neumannBodies, exchanged, contraction, theta,
+                                   bestTheta, contractionExchanged)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelNumbers, bound, target, relative, iteration, mesh, contact)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelLesson, errors, contributions, ends)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyEnd, value, roundOff, name)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelRecord, summary, lesson, maximumDofs, meshes, nextTraction, tractionNeumann,
+                                   closed, dirichletBodies, roles, energyLower, energyUpper, certificates)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, name, seconds, peakBytes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, seconds, firstMemory,
+                                   peakMemory, counts, stages)
+
+namespace
+{
+
+constexpr const char *kindKey = "kind", *formatKey = "format", *contentKey = "content";
+constexpr const char* kind = "ndframe checkpoint";
+constexpr int format = 1;
+
+std::string refusal(const std::string& path, const std::string& why)
+{
+  return fmt::format("\"{}\" {}; run without --restart, from the beginning.", path, why);
+}
+
+/// The parameters of an effective deck by their paths, without those that change nothing in the levels so far.
+std::map<std::string, std::string> parametersOf(const std::string& deckJson)
+{
+  Json deck = Json::parse(deckJson, nullptr, false);
+  if (!deck.is_object())
+    return {{"the deck", deckJson}};
+  for (const char* key : {"Title", "Output", "Expect"})
+    deck.erase(key);
+  if (const auto accuracy = deck.find("Accuracy"); accuracy != deck.end())
+    for (const char* key : {"Maximum Dofs", "Maximum Levels", "Maximum Memory", "Maximum Time"})
+      accuracy->erase(key);
+  std::map<std::string, std::string> parameters;
+  const Json flat = deck.flatten();
+  for (const auto& [path, value] : flat.items())
+    parameters[path.substr(1)] = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  return parameters;
+}
+
+} // namespace
+
+std::string toBytes(const Checkpoint& checkpoint)
+{
+  std::string bytes;
+  Json::to_cbor(Json{{kindKey, kind}, {formatKey, format}, {contentKey, checkpoint}}, bytes);
+  return bytes;
+}
+
+Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path, const std::string& version)
+{
+  const Json file = Json::from_cbor(bytes, true, false);
+  if (!file.is_object() || file.value(kindKey, Json()) != kind)
+    throw InputError(refusal(path, "is no checkpoint of ndframe, or ends too early"));
+  try {
+    const std::string writer = file.at(contentKey).at("version");
+    if (file.at(formatKey) != format || writer != version)
+      throw InputError(refusal(path, fmt::format("was written by ndframe {} (format {}), and this is {} (format {})",
+                                                 writer, file.at(formatKey).dump(), version, format)));
+    return file.at(contentKey).get<Checkpoint>();
+  } catch (const Json::exception&) {
+    throw InputError(refusal(path, "has lost a part of a checkpoint"));
+  }
+}
+
+std::string differenceOf(const std::string& deckJson, const std::string& earlierJson)
+{
+  const auto now = parametersOf(deckJson), before = parametersOf(earlierJson);
+  std::vector<std::string> differences;
+  for (const auto& [path, value] : now) {
+    const auto known = before.find(path);
+    if (known == before.end())
+      differences.push_back(fmt::format("{} is {} and was not there", path, value));
+    else if (known->second != value)
+      differences.push_back(fmt::format("{} is {} and was {}", path, value, known->second));
+  }
+  for (const auto& [path, value] : before)
+    if (now.count(path) == 0)
+      differences.push_back(fmt::format("{} is not there and was {}", path, value));
+  if (differences.empty())
+    return {};
+  return differences.front() + (differences.size() > 1 ? fmt::format(", and {} more", differences.size() - 1) : "");
+}
+
+} // namespace ndframe

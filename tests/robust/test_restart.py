@@ -1,0 +1,263 @@
+"""Output/Checkpoint and --restart: a run that was ended goes on, with the bits of one that was not."""
+
+import json
+import random
+import time
+
+import netCDF4
+
+from robust import DECKS, PROGRAM, PUNCH, SECONDS, RoughWorld, end_session, main, on_ranks
+
+# What differs from run to run, and what a restart may change.
+TIMES = ("seconds", "total_seconds", "peak_bytes", "bytes written", "stages")
+LIMITS = ("Maximum Levels", "Maximum Dofs")
+PRECISE = ("Accuracy/Target=0.0005",)
+BEGIN_AGAIN = "run without --restart, from the beginning."
+
+
+def numbers(node, path=""):
+    """path -> leaf of a summary."""
+    if isinstance(node, dict):
+        found = {}
+        for key, value in node.items():
+            if key not in TIMES + LIMITS and f"{path}/{key}" != "/deck/Output":
+                found.update(numbers(value, f"{path}/{key}"))
+        return found
+    if isinstance(node, list):
+        return {key: value for i, entry in enumerate(node) for key, value in numbers(entry, f"{path}/{i}").items()}
+    return {path: node}
+
+
+def fields(path):
+    """name -> bytes of a variable of an Exodus file."""
+    with netCDF4.Dataset(path) as file:
+        file.set_auto_mask(False)
+        return {name: variable[:].tobytes() for name, variable in file.variables.items()
+                if not name.startswith(("qa_records", "info_records"))}
+
+
+class Restarts(RoughWorld):
+    def command(self, name, deck, settings, *more, ranks=1):
+        """A run that leaves its files in the folder `name`."""
+        command = [PROGRAM, "-i", deck, *more]
+        for setting in ("Output/Checkpoint=true", f"Output/Directory={name}", *settings):
+            command += ["--set", setting]
+        return on_ranks(ranks, *command) if ranks > 1 else command
+
+    def end(self, name, deck, settings, *more, code=0, ranks=1):
+        done = self.run_command(*self.command(name, deck, settings, *more, ranks=ranks))
+        self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+        return done
+
+    def checkpoint(self, name):
+        return next((self.folder / name).glob("*.checkpoint"))
+
+    def results(self, name):
+        folder = self.folder / name
+        summary = json.loads(next(folder.glob("*.summary.json")).read_text())
+        return summary, numbers(summary), fields(next(folder.glob("*.e")))
+
+    def assert_same(self, name, other):
+        (_, ours, our_fields), (_, theirs, their_fields) = self.results(name), self.results(other)
+        self.assertEqual(ours, theirs)
+        self.assertEqual(our_fields, their_fields)
+
+    def assert_goes_on(self, deck, *settings, code=0):
+        """After every level: a limit of levels ends the runs that are gone on with."""
+        path = DECKS / f"{deck}.xml"
+        self.end("whole", path, settings, code=code)
+        levels = self.results("whole")[0]["accuracy"]["number_of_levels"]
+        self.assertGreater(levels, 2)
+        for level in range(2, levels):
+            name = f"to-{level}"
+            self.end(name, path, (*settings, f"Accuracy/Maximum Levels={level}"), code=5)
+            done = self.end(name, path, settings, "--restart", code=code)
+            self.assertIn("level 1 is not solved again" if level == 2 else f"levels 1 to {level - 1} are not", done.stdout)
+            self.assert_same(name, "whole")
+
+
+class AfterEachLevel(Restarts):
+    def test_in_the_plane(self):
+        self.assert_goes_on("punch", "Accuracy/Target=0.003")
+
+    def test_where_contact_opens(self):
+        self.assert_goes_on("contact-loss", "Accuracy/Target=0.005", "Error Estimation/Mode=Strict")
+
+    def test_with_sides_that_are_cut(self):
+        self.assert_goes_on("drawn-punch", "Accuracy/Target=0.01")
+
+    def test_with_meshes_that_are_made_again(self):
+        self.assert_goes_on("drawn-punch", "Accuracy/Target=0.005", "Accuracy/Refinement/Type=Remesh")
+
+    def test_with_tied_and_rigid_bodies(self):
+        self.assert_goes_on("flange", "Accuracy/Target=0.04")
+
+    def test_in_space(self):
+        self.assert_goes_on("rigid-plane-3d", "Accuracy/Target=0.05", code=4)
+
+    def test_with_two_levels_of_a_solver(self):
+        self.assert_goes_on("punch-3d", "Accuracy/Target=0.06", "Linear Solver/Type=Multigrid", code=4)
+
+    def test_without_interfaces_and_with_markings_that_do_not_aim(self):
+        self.assert_goes_on("punch", "Accuracy/Target=0.03", "Accuracy/Marking/Type=Doerfler")
+
+    def test_where_the_best_level_is_not_the_last(self):
+        """A limit of dofs that is met: the answer is computed once more."""
+        settings = ("Accuracy/Target=0.0001", "Accuracy/Maximum Dofs=3000")
+        self.end("whole", PUNCH, settings, code=5)
+        self.end("again", PUNCH, settings, "--restart", code=2)
+        self.end("again", PUNCH, (*settings, "Accuracy/Maximum Levels=3"), code=5)
+        self.end("again", PUNCH, settings, "--restart", code=5)
+        self.assert_same("again", "whole")
+
+    def test_with_higher_limits(self):
+        self.end("whole", PUNCH, ("Accuracy/Target=0.003",))
+        self.end("raised", PUNCH, ("Accuracy/Target=0.003", "Accuracy/Maximum Dofs=1500"), code=5)
+        self.end("raised", PUNCH, ("Accuracy/Target=0.003",), "--restart")
+        self.assertTrue(self.results("raised")[0]["accuracy"]["reached"])
+
+
+class Killed(Restarts):
+    def kill_after(self, process, name, checkpoints, delay):
+        """Kills a run some time after so many new checkpoints; False when it ended before."""
+        path, seen, end = self.folder / name / "punch.checkpoint", None, time.monotonic() + SECONDS
+        seen = path.stat().st_mtime_ns if path.exists() else None
+        while checkpoints > 0 and process.poll() is None and time.monotonic() < end:
+            now = path.stat().st_mtime_ns if path.exists() else None
+            checkpoints -= now != seen
+            seen = now
+        time.sleep(delay)
+        ended = process.poll() is not None
+        end_session(process)
+        return not ended
+
+    def test_anywhere_and_again_and_again(self):
+        self.end("whole", PUNCH, PRECISE)
+        kills = 0
+        for seed in range(12):
+            name, chance = f"killed-{seed}", random.Random(seed)
+            goes_on = ()
+            for _ in range(4):
+                process = self.start(*self.command(name, PUNCH, PRECISE, *goes_on))
+                kills += self.kill_after(process, name, chance.randint(0, 2), 0.08 * chance.random())
+                goes_on = ("--restart",) if (self.folder / name / "punch.checkpoint").exists() else ()
+            done = self.run_command(*self.command(name, PUNCH, PRECISE, *goes_on))
+            if done.returncode == 2:  # the last one came to its end
+                self.assertIn("has reached its target", done.stderr)
+            else:
+                self.assertEqual(done.returncode, 0, done.stderr)
+            self.assert_same(name, "whole")
+        self.assertGreater(kills, 12)
+
+    def assert_near(self, name, other):
+        (ours, _, _), (theirs, _, _) = self.results(name), self.results(other)
+        self.assertEqual([level["dofs"] for level in ours["accuracy"]["levels"]],
+                         [level["dofs"] for level in theirs["accuracy"]["levels"]])
+        for of in (lambda s: s["energy"], lambda s: s["errors"]["global"]["absolute"]):
+            self.assertAlmostEqual(of(ours) / of(theirs), 1.0, delta=1e-9)
+
+    def test_on_ranks(self):
+        """MUMPS has other round-off each time, with or without a restart."""
+        for solver, target, compare in (("Krylov", 0.003, self.assert_same), ("Mumps", 0.0003, self.assert_near)):
+            settings = (f"Accuracy/Target={target}", f"Linear Solver/Type={solver}")
+            killed, whole = f"killed-{solver}", f"whole-{solver}"
+            self.end(whole, PUNCH, settings, ranks=3)
+            process = self.start(*self.command(killed, PUNCH, settings, ranks=3))
+            self.assertTrue(self.kill_after(process, killed, 2, 0.0))
+            self.end(killed, PUNCH, settings, "--restart", ranks=3)
+            compare(killed, whole)
+
+    def test_on_another_number_of_ranks(self):
+        """All levels before are those of one rank, the last ones those of three."""
+        self.end("whole", PUNCH, PRECISE)
+        self.end("moved", PUNCH, (*PRECISE, "Accuracy/Maximum Levels=4"), code=5)
+        self.end("moved", PUNCH, PRECISE, "--restart", ranks=3)
+        self.assert_near("moved", "whole")
+
+
+class Refused(Restarts):
+    def refuse(self, *messages, deck=PUNCH, settings=PRECISE, ranks=1):
+        done = self.end("run", deck, settings, "--restart", code=2, ranks=ranks)
+        for message in messages:
+            self.assertIn(message, done.stderr)
+        self.assertEqual(done.stderr.count("nothing was computed"), 1, done.stderr)
+
+    def ended(self):
+        self.end("run", PUNCH, (*PRECISE, "Accuracy/Maximum Levels=3"), code=5)
+        return self.checkpoint("run")
+
+    def test_without_a_checkpoint(self):
+        self.refuse('there is no "run/punch.checkpoint" to go on from', "Output/Checkpoint = true leaves it", BEGIN_AGAIN)
+
+    def test_a_run_that_has_reached_its_target(self):
+        self.end("run", PUNCH, PRECISE)
+        self.refuse('the run of "run/punch.checkpoint" has reached its target', "it wrote run/punch.e, ")
+
+    def test_another_deck(self):
+        self.ended()
+        self.refuse('"run/punch.checkpoint" is of another deck: ', "Bodies/punch/Material/Young Modulus is ", " and was ",
+                    "give the deck as it was, or run without --restart.",
+                    settings=(*PRECISE, "Bodies/punch/Material/Young Modulus=7"))
+        self.refuse("Accuracy/Target is 0.01 and was 0.0005;", settings=("Accuracy/Target=0.01",))
+        self.refuse(", and 1 more", ranks=2, settings=("Accuracy/Target=0.01", "Bodies/punch/Material/Young Modulus=7"))
+
+    def test_what_changes_no_answer_is_no_other_deck(self):
+        self.ended()
+        self.end("run", PUNCH, (*PRECISE, "Title=other", "Output/Mean Stress=true"), "--restart")
+
+    def test_other_mesh_files(self):
+        mesh = self.folder / "punch-foundation.geo"
+        mesh.write_text((DECKS / "meshes" / mesh.name).read_text())
+        deck = self.folder / "gmsh-geo.xml"
+        deck.write_text((DECKS / deck.name).read_text().replace("meshes/", ""))
+        self.end("run", deck, ("Accuracy/Target=0.001", "Accuracy/Maximum Levels=2"), code=5)
+        self.end("run", deck, ("Accuracy/Target=0.02",), "--restart", code=2)
+        mesh.write_text(mesh.read_text() + "\nMesh.MeshSizeFactor = 0.9;\n")
+        self.refuse("is of other meshes: those of level 1 are not the same; give the mesh files as they were",
+                    deck=deck, settings=("Accuracy/Target=0.001",))
+
+    def test_another_version(self):
+        path = self.ended()
+        path.write_bytes(path.read_bytes().replace(b"gversione0.1.0", b"gversione0.0.9"))
+        self.refuse("was written by ndframe 0.0.9 (format 1), and this is 0.1.0 (format 1)", BEGIN_AGAIN)
+
+    def test_files_that_are_no_checkpoints(self):
+        path = self.ended()
+        whole = path.read_bytes()
+        for length in (1, 100, len(whole) // 2, len(whole) - 1):
+            path.write_bytes(whole[:length])
+            self.refuse('"run/punch.checkpoint" is no checkpoint of ndframe, or ends too early', BEGIN_AGAIN)
+        path.write_bytes(whole.replace(b"tractionNeumann", b"tractionneumann", 1))
+        self.refuse("has lost a part of a checkpoint", BEGIN_AGAIN)
+        path.write_bytes(b"")
+        self.refuse('"run/punch.checkpoint" is empty', BEGIN_AGAIN, ranks=2)
+        path.unlink()
+        path.mkdir()
+        self.refuse('cannot read "run/punch.checkpoint"', BEGIN_AGAIN, ranks=2)
+
+    def test_decks_without_levels(self):
+        done = self.run_program("-i", PUNCH, "--restart")
+        self.assert_refused(done, "--restart goes on from the levels of a run with a target", "no list Accuracy")
+        done = self.run_program("-i", PUNCH, "--set", "Output/Checkpoint=true")
+        self.assert_refused(done, "Output: Checkpoint goes on from the levels", "no list Accuracy")
+
+    def test_studies(self):
+        for more in (("--restart",), ("--set", "Output/Checkpoint=true")):
+            done = self.run_program("-i", PUNCH, "--set", "Accuracy/Target=0.1", "--study", "Accuracy/Target=0.1; 0.05",
+                                    *more)
+            self.assert_refused(done, "--restart and Output/Checkpoint are for one run")
+
+
+class FullDisk(Restarts):
+    def test_it_is_said_and_the_checkpoint_before_stays(self):
+        self.end("run", PUNCH, (*PRECISE, "Accuracy/Maximum Levels=3"), code=5)
+        before = self.checkpoint("run").read_bytes()
+        done = self.run_command("prlimit", f"--fsize={len(before) + 200}",
+                                *self.command("run", PUNCH, PRECISE, "--restart", "-q"))
+        self.assert_refused(done, 'cannot write "run/punch.checkpoint"', "File too large")
+        self.assertEqual(self.checkpoint("run").read_bytes(), before)
+        self.end("run", PUNCH, PRECISE, "--restart")
+
+
+if __name__ == "__main__":
+    main()
