@@ -6,7 +6,7 @@ import time
 
 import netCDF4
 
-from robust import DECKS, PROGRAM, PUNCH, SECONDS, RoughWorld, end_session, main, on_ranks
+from robust import DECKS, PROGRAM, PUNCH, SECONDS, RoughWorld, end_session, limited, main, on_ranks
 
 # What differs from run to run, and what a restart may change.
 TIMES = ("seconds", "total_seconds", "peak_bytes", "bytes written", "stages")
@@ -68,11 +68,11 @@ class Restarts(RoughWorld):
         self.end("whole", path, settings, code=code)
         levels = self.results("whole")[0]["accuracy"]["number_of_levels"]
         self.assertGreater(levels, 2)
-        for level in range(2, levels):
+        for level in range(1, levels):
             name = f"to-{level}"
             self.end(name, path, (*settings, f"Accuracy/Maximum Levels={level}"), code=5)
             done = self.end(name, path, settings, "--restart", code=code)
-            self.assertIn("level 1 is not solved again" if level == 2 else f"levels 1 to {level - 1} are not", done.stdout)
+            self.assertIn("level 1 is not solved again" if level == 1 else f"levels 1 to {level} are not", done.stdout)
             self.assert_same(name, "whole")
 
 
@@ -110,11 +110,23 @@ class AfterEachLevel(Restarts):
         self.end("again", PUNCH, settings, "--restart", code=5)
         self.assert_same("again", "whole")
 
-    def test_with_higher_limits(self):
-        self.end("whole", PUNCH, ("Accuracy/Target=0.003",))
+    def test_with_interfaces_that_are_found(self):
+        self.assert_goes_on("automatic", "Accuracy/Target=0.02", "Bodies/lintel/Loads/press/Value=1+x", code=4)
+
+    def test_with_more_dofs_than_before(self):
         self.end("raised", PUNCH, ("Accuracy/Target=0.003", "Accuracy/Maximum Dofs=1500"), code=5)
         self.end("raised", PUNCH, ("Accuracy/Target=0.003",), "--restart")
         self.assertTrue(self.results("raised")[0]["accuracy"]["reached"])
+
+    def test_with_the_limit_that_has_ended_it(self):
+        """Nothing is left to do but the answer once more, one sweep on."""
+        settings = ("Accuracy/Target=0.0001", "Accuracy/Maximum Dofs=3000")
+        self.end("run", PUNCH, settings, code=5)
+        before = self.results("run")[0]
+        self.end("run", PUNCH, settings, "--restart", code=5)
+        after = self.results("run")[0]
+        self.assertEqual(after["accuracy"]["number_of_levels"], before["accuracy"]["number_of_levels"])
+        self.assertAlmostEqual(after["energy"] / before["energy"], 1.0, delta=1e-3)
 
 
 class Killed(Restarts):
@@ -252,11 +264,24 @@ class FullDisk(Restarts):
     def test_it_is_said_and_the_checkpoint_before_stays(self):
         self.end("run", PUNCH, (*PRECISE, "Accuracy/Maximum Levels=3"), code=5)
         before = self.checkpoint("run").read_bytes()
-        done = self.run_command("prlimit", f"--fsize={len(before) + 200}",
-                                *self.command("run", PUNCH, PRECISE, "--restart", "-q"))
+        done = self.run_command(*limited("fsize", len(before) // 2, *self.command("run", PUNCH, PRECISE, "--restart", "-q")))
         self.assert_refused(done, 'cannot write "run/punch.checkpoint"', "File too large")
         self.assertEqual(self.checkpoint("run").read_bytes(), before)
-        self.end("run", PUNCH, PRECISE, "--restart")
+
+    def test_the_run_goes_on_from_any_level_when_there_is_room(self):
+        self.end("whole", PUNCH, PRECISE)
+        found = set()
+        for size in range(4000, 80000, 4000):
+            name = f"below-{size}"
+            done = self.run_command(*limited("fsize", size, *self.command(name, PUNCH, PRECISE, "-q")))
+            self.assert_refused(done, f'cannot write "{name}/punch.')
+            levels = done.stderr.count("punch.checkpoint") and (self.folder / name / "punch.checkpoint").exists()
+            if not levels:
+                continue
+            done = self.end(name, PUNCH, PRECISE, "--restart")
+            found.add(done.stdout.split("not solved again")[0].split(": ")[-1])
+            self.assert_same(name, "whole")
+        self.assertGreater(len(found), 2, found)
 
 
 if __name__ == "__main__":

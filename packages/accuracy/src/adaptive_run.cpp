@@ -45,12 +45,10 @@ Run AdaptiveRun::run(Model known)
     refuseOtherDeck(*restart_.from);
   begin(std::move(known));
   bool goesOn = true;
-  if (restart_.from) {
-    resume(*restart_.from);
-    goesOn = solveNext();
-  } else {
+  if (restart_.from)
+    goesOn = resume(*restart_.from);
+  else
     attempt(run_, observer_, [&] { solveLevel(); });
-  }
   while (goesOn && needsAnother())
     goesOn = takeNext();
   if (!summary_.reached && best_.level > 0 && !run_.contradiction)
@@ -78,16 +76,21 @@ bool AdaptiveRun::needsAnother()
     summary_.limit = contradictingText(*run_.contradiction);
   else if (!summary_.reached)
     summary_.limit = endOfProgress(options_, summary_.levels, run_.solved.coupling);
+  if (!summary_.limit.empty() && !run_.contradiction && run_.solved.coupling.converged)
+    keepCheckpoint();
   return !summary_.reached && summary_.limit.empty();
 }
 
 bool AdaptiveRun::takeNext()
 {
-  if (const auto failure = failureIn(tools_.comm, [&] { refine(LevelErrors(run_, options_)); }))
+  if (const auto failure = failureIn(tools_.comm, [&] { refine(); }))
     endWith(*failure);
-  if (!summary_.limit.empty())
+  if (!summary_.limit.empty()) {
+    keepCheckpoint();
     return false;
-  leaveCheckpoint();
+  }
+  if (restart_.write)
+    restart_.write(checkpoint());
   return solveNext();
 }
 
@@ -191,6 +194,8 @@ void AdaptiveRun::record(const LevelErrors& errors, LevelLesson&& lesson)
   level.seconds = wallSeconds() - run_.startSeconds;
   const CarriedContact contact = contactOf(run_, run_.solved.coupling.state.tractionNeumann);
   enter(level, contact);
+  errors_ = errors;
+  next_ = contactOf(run_, nextTraction(run_));
   if (restart_.write)
     done_.push_back(recordOf(level, std::move(lesson), contact));
   if (onLevel_)
@@ -207,7 +212,7 @@ void AdaptiveRun::enter(const LevelSummary& level, const CarriedContact& contact
     best_ = {level.level, planner_->meshes(), contact, rolesOf(run_)};
 }
 
-void AdaptiveRun::refine(const LevelErrors& errors)
+void AdaptiveRun::refine()
 {
   const auto timer = timeStage(tools_.ledger, Stage::Refine);
   MeshPlan plan = planner_->nextStep(options_.maximumDofs);
@@ -215,17 +220,16 @@ void AdaptiveRun::refine(const LevelErrors& errors)
                             double(std::max(earlierMemory_, peakMemory())));
   if (!summary_.limit.empty())
     return;
-  CarriedContact contact = contactOf(run_, nextTraction(run_));
   if (restart_.write)
-    done_.back().nextTraction = contact.traction;
-  carryOver(errors, std::move(plan), std::move(contact));
+    done_.back().maximumDofs = options_.maximumDofs;
+  carryOver(std::move(plan));
 }
 
-void AdaptiveRun::carryOver(const LevelErrors& errors, MeshPlan plan, CarriedContact contact)
+void AdaptiveRun::carryOver(MeshPlan plan)
 {
-  expectedMesh_ = plan.bound / errors.bound * errors.mesh;
+  expectedMesh_ = plan.bound / errors_->bound * errors_->mesh;
   planner_->accept(std::move(plan));
-  carried_ = std::move(contact);
+  carried_ = std::move(next_);
 }
 
 /// A level may end with a larger bound than one before, or without any: then that one is computed again. One sweep

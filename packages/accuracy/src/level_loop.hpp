@@ -47,18 +47,19 @@ private:
   /// The level as the user is told of it, and the best one if it is. contact: with the Neumann traction.
   void enter(const LevelSummary& level, const CarriedContact& contact);
   /// Plans the next meshes; AccuracySummary::limit says when they do not fit into the limits.
-  void refine(const LevelErrors& errors);
-  void carryOver(const LevelErrors& errors, MeshPlan plan, CarriedContact contact);
+  void refine();
+  void carryOver(MeshPlan plan);
   void returnToBest();
   void solveBestAgain();
   Run finish();
 
   // The way back into it (restart.cpp).
   LevelRecord recordOf(const LevelSummary& level, LevelLesson&& lesson, const CarriedContact& contact) const;
-  void leaveCheckpoint() const;
+  Checkpoint checkpoint() const;
+  void keepCheckpoint() const;
   void refuseOtherDeck(const Checkpoint& checkpoint) const;
-  /// Goes through the levels of a checkpoint without solving them, up to the next meshes.
-  void resume(const Checkpoint& checkpoint);
+  /// Goes through the levels of a checkpoint without solving them, and solves the next one; false when there is none.
+  bool resume(const Checkpoint& checkpoint);
   void restore(const LevelRecord& level);
 
   const AccuracyComponents& components_;
@@ -75,7 +76,9 @@ private:
   const bool balances_; ///< the sweeps on a mesh end by their part of the error, not by Coupling/Stopping
   std::optional<MeshPlanner> planner_;
   double expectedMesh_ = std::numeric_limits<double>::max(); ///< the mesh's part on the next level; unknown at first
-  CarriedContact carried_;
+  std::optional<LevelErrors> errors_;                        ///< of the last level that was recorded
+  CarriedContact next_;                                      ///< what the level after it begins with
+  CarriedContact carried_;                                   ///< what the present level begins with
   BestLevel best_;
   int sweeps_ = 0;                          ///< of this level
   std::int64_t firstMemory_ = peakMemory(); ///< bytes, before there was a mesh

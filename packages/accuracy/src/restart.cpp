@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "accuracy_limits.hpp"
 #include "level_loop.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
@@ -67,7 +68,7 @@ LevelRecord AdaptiveRun::recordOf(const LevelSummary& level, LevelLesson&& lesso
   record.summary = level;
   record.lesson = std::move(lesson);
   record.meshes = hashOf(planner_->meshes());
-  record.maximumDofs = options_.maximumDofs;
+  record.nextTraction = next_.traction;
   record.tractionNeumann = contact.traction;
   record.closed.assign(contact.closed.begin(), contact.closed.end());
   for (const InterfaceMesh& interface : run_.model.interfaces)
@@ -80,10 +81,8 @@ LevelRecord AdaptiveRun::recordOf(const LevelSummary& level, LevelLesson&& lesso
   return record;
 }
 
-void AdaptiveRun::leaveCheckpoint() const
+Checkpoint AdaptiveRun::checkpoint() const
 {
-  if (!restart_.write)
-    return;
   Checkpoint checkpoint;
   checkpoint.version = versionText();
   checkpoint.deckJson = toJson(tools_.deck);
@@ -94,7 +93,13 @@ void AdaptiveRun::leaveCheckpoint() const
   checkpoint.counts = tools_.ledger.counts();
   for (const auto& stage : tools_.ledger.stages())
     checkpoint.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
-  restart_.write(checkpoint);
+  return checkpoint;
+}
+
+void AdaptiveRun::keepCheckpoint() const
+{
+  if (restart_.keep && !done_.empty())
+    restart_.keep(checkpoint());
 }
 
 void AdaptiveRun::refuseOtherDeck(const Checkpoint& checkpoint) const
@@ -105,7 +110,7 @@ void AdaptiveRun::refuseOtherDeck(const Checkpoint& checkpoint) const
                                  restart_.file, difference));
 }
 
-void AdaptiveRun::resume(const Checkpoint& checkpoint)
+bool AdaptiveRun::resume(const Checkpoint& checkpoint)
 {
   run_.startSeconds -= checkpoint.seconds;
   firstMemory_ = checkpoint.firstMemory;
@@ -118,6 +123,13 @@ void AdaptiveRun::resume(const Checkpoint& checkpoint)
   if (restart_.write)
     done_ = checkpoint.levels;
   tools_.ledger.restore(checkpoint.counts, stagesOf(checkpoint.stages));
+  if (checkpoint.levels.back().maximumDofs > 0)
+    return solveNext();
+  summary_.limit = endOfProgress(options_, summary_.levels, {});
+  if (summary_.limit.empty())
+    return takeNext();
+  keepCheckpoint();
+  return false;
 }
 
 void AdaptiveRun::restore(const LevelRecord& level)
@@ -136,8 +148,10 @@ void AdaptiveRun::restore(const LevelRecord& level)
   run_.energies.of(SceneIdentity(tools_.deck, run_.model)) = run_.energy;
   planner_->learn(run_.model, level.lesson);
   enter(level.summary, contactOn(run_.model, level.tractionNeumann, level.closed));
-  carryOver(LevelErrors(level.lesson.errors), planner_->nextStep(level.maximumDofs),
-            contactOn(run_.model, level.nextTraction, level.closed));
+  errors_ = LevelErrors(level.lesson.errors);
+  next_ = contactOn(run_.model, level.nextTraction, level.closed);
+  if (level.maximumDofs > 0)
+    carryOver(planner_->nextStep(level.maximumDofs));
 }
 
 } // namespace ndframe

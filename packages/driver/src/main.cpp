@@ -90,22 +90,6 @@ void reportShortcomings(const Run& run, const Comm& comm)
     complain(comm, "Strict Input allows no warnings; the results are written.");
 }
 
-/// What --restart goes on from, and what is left for it.
-Restart restartOf(const RunSettings& settings, const CommandLine& options, const Comm& comm, Ledger& ledger,
-                  const Log& log)
-{
-  if (options.restart && !settings.accuracy)
-    throw InputError("--restart goes on from the levels of a run with a target, and the deck has no list Accuracy; run "
-                     "without --restart.");
-  Restart restart = restartOf(settings.output, options.deck, options.restart, comm, ledger);
-  if (restart.from)
-    log.line(fmt::format("  goes on from {}: {} not solved again\n", restart.file,
-                         restart.from->levels.size() == 1
-                             ? "level 1 is"
-                             : fmt::format("levels 1 to {} are", restart.from->levels.size())));
-  return restart;
-}
-
 ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, const Components& components,
                    const Comm& comm, const Log& log, bool& computed)
 {
@@ -116,11 +100,12 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
     if (writer)
       writer(level, number);
   };
-  const Restart restart = restartOf(settings, options, comm, ledger, log);
-  Run run = runDeck(settings, components, comm, ledger, log, {}, onLevel, restart);
+  CheckpointFile checkpoint;
+  openCheckpoint(checkpoint, settings, options.deck, options.restart, comm, ledger, log);
+  Run run = runDeck(settings, components, comm, ledger, log, {}, onLevel, checkpoint.restart);
   computed = true;
   const auto written = writeResults(run, settings.output, options.deck, comm, ledger);
-  endCheckpoint(run, settings.output, options.deck, written, comm);
+  endCheckpoint(checkpoint, run, written, comm);
   copyLedger(run.summary, ledger, run.startSeconds);
   if (run.summary.solved)
     log.line("\n" + closingText(run.summary));

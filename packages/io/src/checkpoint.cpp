@@ -91,7 +91,10 @@ Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path
     if (file.at(formatKey) != format || writer != version)
       throw InputError(refusal(path, fmt::format("was written by ndframe {} (format {}), and this is {} (format {})",
                                                  writer, file.at(formatKey).dump(), version, format)));
-    return file.at(contentKey).get<Checkpoint>();
+    Checkpoint checkpoint = file.at(contentKey).get<Checkpoint>();
+    if (checkpoint.levels.empty() && !checkpoint.isFinished)
+      throw InputError(refusal(path, "has no level"));
+    return checkpoint;
   } catch (const Json::exception&) {
     throw InputError(refusal(path, "has lost a part of a checkpoint"));
   }

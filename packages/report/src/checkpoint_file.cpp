@@ -53,35 +53,46 @@ Checkpoint readCheckpoint(const std::string& path, const Comm& comm)
 
 } // namespace
 
-Restart restartOf(const OutputOptions& output, const std::string& deckName, bool goesOn, const Comm& comm,
-                  Ledger& ledger)
+void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std::string& deckName, bool goesOn,
+                    const Comm& comm, Ledger& ledger, const Log& log)
 {
-  Restart restart;
+  const OutputOptions& output = settings.output;
+  if (goesOn && !settings.accuracy)
+    throw InputError("--restart goes on from the levels of a run with a target, and the deck has no list Accuracy; run "
+                     "without --restart.");
   if (!goesOn && !output.checkpoint)
-    return restart;
+    return;
+  Restart& restart = file.restart;
   writeOnFirstRank(comm, [&] { restart.file = checkpointPath(output, deckName); });
   comm.broadcast(restart.file);
-  if (goesOn)
+  if (goesOn) {
     restart.from = readCheckpoint(restart.file, comm);
-  if (output.checkpoint)
-    restart.write = [&comm, &ledger, path = restart.file](const Checkpoint& checkpoint) {
-      const auto timer = timeStage(ledger, Stage::Write);
-      writeOnFirstRank(comm, [&] { writeTextAtomically(path, toBytes(checkpoint)); });
-    };
-  return restart;
+    const std::size_t levels = restart.from->levels.size();
+    log.line(fmt::format("  goes on from {}: {} not solved again\n", restart.file,
+                         levels == 1 ? "level 1 is" : fmt::format("levels 1 to {} are", levels)));
+  }
+  if (!output.checkpoint)
+    return;
+  restart.write = [&comm, &ledger, path = restart.file](const Checkpoint& checkpoint) {
+    const auto timer = timeStage(ledger, Stage::Write);
+    writeOnFirstRank(comm, [&] { writeTextAtomically(path, toBytes(checkpoint)); });
+  };
+  restart.keep = [&file](Checkpoint&& checkpoint) { file.last = std::move(checkpoint); };
 }
 
-void endCheckpoint(const Run& run, const OutputOptions& output, const std::string& deckName,
-                   const std::vector<std::string>& written, const Comm& comm)
+void endCheckpoint(CheckpointFile& file, const Run& run, const std::vector<std::string>& written, const Comm& comm)
 {
-  if (!output.checkpoint || !run.summary.accuracy || !run.summary.accuracy->reached)
+  if (!file.restart.write || !run.summary.accuracy)
     return;
-  Checkpoint checkpoint;
-  checkpoint.version = versionText();
-  checkpoint.deckJson = run.summary.deckJson;
-  checkpoint.isFinished = true;
-  checkpoint.results = written;
-  writeOnFirstRank(comm, [&] { writeTextAtomically(checkpointPath(output, deckName), toBytes(checkpoint)); });
+  if (run.summary.accuracy->reached) {
+    file.last.emplace();
+    file.last->version = versionText();
+    file.last->deckJson = run.summary.deckJson;
+    file.last->isFinished = true;
+    file.last->results = written;
+  }
+  if (file.last)
+    writeOnFirstRank(comm, [&] { writeTextAtomically(file.restart.file, toBytes(*file.last)); });
 }
 
 } // namespace ndframe

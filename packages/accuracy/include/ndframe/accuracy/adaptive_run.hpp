@@ -10,6 +10,8 @@ namespace ndframe
 struct Restart
 {
   std::function<void(const Checkpoint&)> write; ///< after every level that another one follows; empty: never
+  /// Called where a limit ends the run, to be written behind its results: higher limits go on from the last level.
+  std::function<void(Checkpoint&&)> keep;
   std::optional<Checkpoint> from;
   std::string file; ///< where it comes from, for messages
 };

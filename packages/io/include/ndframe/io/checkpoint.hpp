@@ -45,7 +45,7 @@ struct LevelRecord
 {
   LevelSummary summary;
   LevelLesson lesson;
-  std::int64_t maximumDofs = 0;                      ///< with which the next meshes were planned
+  std::int64_t maximumDofs = 0;                      ///< with which the next meshes were planned; 0: they were not
   std::string meshes;                                ///< hash of the bodies' meshes, by which they are known again
   std::vector<double> nextTraction, tractionNeumann; ///< per interface node, one interface after another
   std::vector<int> closed;                           ///< per interface node

@@ -1,19 +1,27 @@
 #pragma once
 
 #include "ndframe/accuracy/adaptive_run.hpp"
+#include "ndframe/base/log.hpp"
 
 namespace ndframe
 {
 
-/// What a run with a target goes on from and what it leaves (Output/Checkpoint), in NAME.checkpoint. goesOn: --restart;
-/// then the file is read by rank 0, and InputError says what is wrong with it, also that its run has reached its end.
-/// Everything must live as long as the result. Collective.
-Restart restartOf(const OutputOptions& output, const std::string& deckName, bool goesOn, const Comm& comm,
-                  Ledger& ledger);
+/// NAME.checkpoint of a run with a target, as long as it runs.
+struct CheckpointFile
+{
+  Restart restart;
+  std::optional<Checkpoint> last; ///< of a run that a limit has ended
+};
 
-/// Marks NAME.checkpoint as that of a run whose results are written, if it has reached its target: there is nothing
-/// left to go on with. Collective.
-void endCheckpoint(const Run& run, const OutputOptions& output, const std::string& deckName,
-                   const std::vector<std::string>& written, const Comm& comm);
+/// What the run goes on from and what it leaves (Output/Checkpoint). goesOn: --restart; then the file is read by rank
+/// 0, and InputError says what is wrong with it, also that its run has reached its target or that the deck has no list
+/// Accuracy; `log` says which levels are not solved again. Everything must live as long as `file`, which must not move.
+/// Collective.
+void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std::string& deckName, bool goesOn,
+                    const Comm& comm, Ledger& ledger, const Log& log);
+
+/// When the results are written: marks NAME.checkpoint as that of a run that has reached its target, or leaves the last
+/// level of one that a limit has ended. Collective.
+void endCheckpoint(CheckpointFile& file, const Run& run, const std::vector<std::string>& written, const Comm& comm);
 
 } // namespace ndframe
