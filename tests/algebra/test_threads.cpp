@@ -53,6 +53,19 @@ TEST(Threads, BeginWithTheLargestTask)
   EXPECT_THAT(begun, testing::ElementsAre(1, 3, 0, 2));
 }
 
+TEST(Threads, DoEveryNumberOfARangeOnce)
+{
+  for (const int threads : {1, 2, 5})
+    for (const int count : {0, 1, 2, 7, 1000}) {
+      std::vector<int> done(std::size_t(count), 0);
+      runInRanges(count, threads, [&](int first, int last) {
+        for (int i = first; i < last; ++i)
+          ++done[std::size_t(i)];
+      });
+      EXPECT_EQ(done, std::vector<int>(std::size_t(count), 1)) << threads;
+    }
+}
+
 TEST(Threads, ReportTheFirstFailedTaskByNumber)
 {
   for (const int threads : {1, 2, 5}) {

@@ -168,10 +168,6 @@ void StressFaces::freeTractions(StressFace& face, const Vector& arms) const
   face.higher = cells_->facetData() - linear;
   face.own = upperLeft(split.modes, linear, linear - wrench);
   face.carrier = upperLeft(split.carrier, linear, wrench);
-  face.reach = DenseMatrix(6, 6);
-  for (int i = 0; i < 6; ++i)
-    face.reach(i, i) = 1.0;
-  face.choose = face.reach;
 }
 
 void StressFaces::freeReactions(StressFace& face, const Vector& arms) const

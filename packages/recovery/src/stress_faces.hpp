@@ -14,7 +14,7 @@ namespace ndframe
 using Wrench = std::array<double, 6>;
 
 /// A facet of the cells of solids, and the tractions that may be changed on it: T = own y + carrier r. `own` carries no
-/// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach = 1), on the
+/// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach is one), on the
 /// boundary those along supported directions, between two bodies in contact those along the normal.
 /// Rows that the matrices do not have are zero; inside, the last `higher` of y are the last data of T as they stand.
 struct StressFace
@@ -31,8 +31,8 @@ struct StressFace
   int higher = 0;
   DenseMatrix own;     ///< rows x columns
   DenseMatrix carrier; ///< rows x r
-  DenseMatrix reach;   ///< 6 x r, independent columns
-  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach
+  DenseMatrix reach;   ///< 6 x r, independent columns; empty inside
+  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach; empty inside
 
   bool isInside() const { return cell[1] >= 0 && contact < 0; }
   bool isBoundary() const { return cell[1] < 0; }
