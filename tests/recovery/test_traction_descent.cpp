@@ -236,13 +236,13 @@ TEST_P(TractionDescent, MakesTheBoundSmallerThanTheProjectedOneWithEveryStep)
 {
   SolidPair scene(GetParam());
   double last = scene.objective(scene.recovered(2));
-  for (const int steps : {5, 10, 20, 40}) {
+  for (const int steps : {5, 10, 20, 40, 80}) { // first order is slow with the traction free: it is behind until 40
     const double next = scene.objective(scene.recovered(steps));
     EXPECT_LT(next, last * (1.0 + 1e-6)) << steps;
     last = next;
   }
   scene.field.optimise = false;
-  const SceneStress projected = scene.recovered(40);
+  const SceneStress projected = scene.recovered(80);
   EXPECT_EQ(projected.onDirichlet.shares, scene.field.onDirichlet.shares);
   EXPECT_LT(last, scene.objective(projected));
 }

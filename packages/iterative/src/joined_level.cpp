@@ -168,7 +168,7 @@ void addSprings(BlockMatrix& matrix, const std::vector<int>& keptDofs, const Vec
     const int node = keptDofs[k] / matrix.dim, component = keptDofs[k] % matrix.dim;
     const auto row = std::lower_bound(matrix.rows.begin(), matrix.rows.end(), node);
     if (row != matrix.rows.end() && *row == node)
-      matrix.block(int(row - matrix.rows.begin()), node)[component * (matrix.dim + 1)] += springs[k];
+      matrix.block(int(row - matrix.rows.begin()), node)[std::ptrdiff_t(component) * (matrix.dim + 1)] += springs[k];
   }
 }
 

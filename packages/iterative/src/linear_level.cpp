@@ -126,7 +126,7 @@ private:
         sum[k] += 0.5 * block.values[k];
       return;
     }
-    W += end * dim_ * dim_;
+    W += std::ptrdiff_t(end) * dim_ * dim_;
     for (int i = 0; i < dim_; ++i)
       for (int j = 0; j < dim_; ++j)
         for (int k = 0; k < dim_; ++k)

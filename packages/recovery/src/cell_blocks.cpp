@@ -9,7 +9,7 @@ namespace ndframe
 namespace
 {
 
-constexpr int lanes = CellForms::lanes;
+constexpr std::ptrdiff_t lanes = CellForms::lanes;
 
 /// Where an entry of matrices side by side begins that are stored in rows, or columns, of this length.
 std::ptrdiff_t lanesAt(std::ptrdiff_t line, std::ptrdiff_t length, std::ptrdiff_t place)
@@ -24,9 +24,9 @@ NDFRAME_EVERY_PROCESSOR void pullBackLanes(const double* inverse, double* vector
   for (int k = 0; k < 9; ++k)
     load(inverse + k * lanes, F[k]);
   for (int k = 0; k < count; ++k, vectors += 3 * lanes) {
-    for (int i = 0; i < 3; ++i)
+    for (std::ptrdiff_t i = 0; i < 3; ++i)
       load(vectors + i * lanes, given[i]);
-    for (int i = 0; i < 3; ++i)
+    for (std::ptrdiff_t i = 0; i < 3; ++i)
       store(F[3 * i] * given[0] + F[3 * i + 1] * given[1] + F[3 * i + 2] * given[2], vectors + i * lanes);
   }
 }
@@ -152,7 +152,7 @@ void CellBlocks::compute(const CellMatrices& matrices)
   pullBack(matrices);
   Vector full(std::size_t(mostRows) * mostRows * lanes, 0.0);
   Rows rows{};
-  const auto carriers = [&](int f, int g) {
+  const auto carriers = [&](std::ptrdiff_t f, std::ptrdiff_t g) {
     return carriers_.data() + lanesAt(mostCarriers * g, height, mostCarriers * f);
   };
   for (int f = 0; f < 4; ++f) {

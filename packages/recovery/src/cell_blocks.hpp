@@ -29,7 +29,8 @@ public:
   DenseMatrix ofCarriers(int lane) const;
 
 private:
-  static constexpr int lanes = CellForms::lanes, mostRows = 18, mostOwn = 12, mostColumns = mostOwn + mostCarriers;
+  static constexpr std::ptrdiff_t lanes = CellForms::lanes, mostRows = 18, mostOwn = 12,
+                                  mostColumns = mostOwn + mostCarriers;
 
   /// A column of each lane, own ones first; rows first .. last are not zero in some lane.
   struct Column

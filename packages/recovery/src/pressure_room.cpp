@@ -110,7 +110,7 @@ Vector PressureRoom::coefficients(int face, const Vector& tractions) const
 
 double PressureRoom::move(const Vector& tractions, double length)
 {
-  constexpr double soon = 0.5, same = 1.01; // mirrored facets reach their limits together, but for round-off
+  constexpr double soon = 0.5, same = 1.0 + 1e-5; // mirrored facets reach their limits together, but for round-off
   double reached = length;
   std::vector<Vector> changes;
   std::vector<double> allowed(inContact_.size(), std::numeric_limits<double>::infinity());

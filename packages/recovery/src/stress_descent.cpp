@@ -37,8 +37,8 @@ void StressDescent::findMatrices(int body)
   matrices_.back() = std::make_unique<StressMatrices>(cells.body(body), int(batches * comm_.rank() / comm_.size()),
                                                       int(batches * (comm_.rank() + 1) / comm_.size()));
   StressMatrices& matrices = *matrices_.back();
-  for (int first = matrices.first(), last = first; first < matrices.last(); first = last) {
-    last = std::min(first + together, matrices.last());
+  for (int first = matrices.first(); first < matrices.last(); first += together) {
+    const int last = std::min(first + together, matrices.last());
     std::array<Vector, std::size_t(together) * StressMatrices::lanes> parts;
     const int begin = first * StressMatrices::lanes;
     runInRanges(last - first, threads_, [&](int from, int to) {
@@ -94,7 +94,7 @@ Vector StressDescent::cellForces(const Vector& tractions) const
   Vector forces(std::size_t(cells.size()) * 4 * std::size_t(size));
   const auto multiply = [&](int body, int batch) {
     const int first = cells.number(body, batch * StressMatrices::lanes);
-    std::array<double, 72 * StressMatrices::lanes> T{}; // of degree 2
+    std::array<double, std::size_t(72) * StressMatrices::lanes> T{}; // of degree 2
     double* to = T.data();
     for (int cell = first; cell < first + matrices_[std::size_t(body)]->sizeOf(batch); ++cell)
       for (int facet = 0; facet < 4; ++facet, to += size) {
