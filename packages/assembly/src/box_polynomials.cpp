@@ -73,8 +73,6 @@ NDFRAME_EVERY_PROCESSOR void evaluate(const double* coefficients, int degree, co
   std::copy_n(sum, packs, result);
 }
 
-constexpr double holdsRadii = 8.0; ///< the box's cell of the tree is at least so many radii wide
-
 } // namespace
 
 std::optional<BoxPolynomial> BoxPolynomial::fit(const ExpressionTree& tree, const Region::Point& middle,
@@ -181,11 +179,12 @@ const BoxPolynomial* BoxPolynomials::around(const Region::Point& centroid, doubl
   if (last_ != nullptr && last_->holds(centroid, radius) && last_->error() <= allowed)
     return last_;
   const int level = TreeBox::levelOf(radius);
-  for (int up = 6; up >= 3; --up) {
+  for (int up = 6; up >= 1; --up) {
     const TreeBox box(centroid, level + up, 2);
+    const double aroundIt = std::ldexp(1.0, -std::min(up, 3)); // of the width, which is at least 2^up radii
     const auto [found, isNew] = boxes_.try_emplace(box.place);
     if (isNew)
-      found->second = BoxPolynomial::fit(tree_, box.middle, (0.5 + 1.0 / holdsRadii) * box.width, allowed);
+      found->second = BoxPolynomial::fit(tree_, box.middle, (0.5 + aroundIt) * box.width, allowed);
     if (found->second && found->second->error() <= allowed)
       return last_ = &*found->second;
   }

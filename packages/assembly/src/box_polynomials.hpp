@@ -47,7 +47,7 @@ private:
   std::array<double, highest + 2> derivatives_{};
 };
 
-/// Polynomials of one expression on a tree of boxes, made when they are asked for: on the largest box of 8 to 128 radii
+/// Polynomials of one expression on a tree of boxes, made when they are asked for: on the largest box of 2 to 128 radii
 /// on which one is shown to be good enough.
 class BoxPolynomials
 {

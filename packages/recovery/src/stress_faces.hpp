@@ -14,9 +14,9 @@ namespace ndframe
 using Wrench = std::array<double, 6>;
 
 /// A facet of the cells of solids, and the tractions that may be changed on it: T = own y + carrier r. `own` carries no
-/// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach is one), on the
-/// boundary those along supported directions, between two bodies in contact those along the normal.
-/// Rows that the matrices do not have are zero; inside, the last `higher` of y are the last data of T as they stand.
+/// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach is one), on
+/// the boundary those along supported directions, between two bodies in contact those along the normal. Rows that the
+/// matrices do not have are zero; inside, the last `higher` of y are the last data of T as they stand.
 struct StressFace
 {
   std::array<int, 2> cell{-1, -1};  ///< the second is -1 on the boundary and at rigid bodies
