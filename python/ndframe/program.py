@@ -39,14 +39,15 @@ def find_program() -> str:
 
 
 def run(deck: Deck, settings: Settings | None = None, *, folder: str | os.PathLike[str] = ".", ranks: int = 1,
-        program: str | os.PathLike[str] | None = None, codes: Sequence[int] = (0,)) -> Run:
+        program: str | os.PathLike[str] | None = None, codes: Sequence[int] = (0,), restart: bool = False) -> Run:
     """Runs a deck and reads what it left.
 
     deck: a file, or a deck as nested mappings, which is written to folder/deck.xml. settings: as --set, {"Accuracy/Target": 0.01};
     lists are sequences. folder: where the files are written, made if need be; paths in a deck count from the deck's folder. ranks: number
     of processes. codes: exit codes that are no error; others raise RunError, whose `results` has the Run where one was written.
+    restart: goes on from the checkpoint that an earlier run with a target left in the folder (Output/Checkpoint).
     """
-    return _finish(_call(deck, settings or {}, {}, pathlib.Path(folder), ranks, program), codes, Run)
+    return _finish(_call(deck, settings or {}, {}, pathlib.Path(folder), ranks, program, ["--restart"] * restart), codes, Run)
 
 
 def run_cases(deck: Deck, cases: Mapping[str, Mapping[str, float]] | None = None, settings: Settings | None = None, *,
@@ -86,7 +87,7 @@ class _Call:
 
 
 def _call(deck: Deck, settings: Settings, axes: Mapping[str, Sequence[Value]], folder: pathlib.Path, ranks: int,
-          program: str | os.PathLike[str] | None) -> _Call:
+          program: str | os.PathLike[str] | None, more: Sequence[str] = ()) -> _Call:
     folder.mkdir(parents=True, exist_ok=True)
     if isinstance(deck, Mapping):
         path = folder / "deck.xml"
@@ -96,7 +97,7 @@ def _call(deck: Deck, settings: Settings, axes: Mapping[str, Sequence[Value]], f
     stem = str(folder / output_stem(path, settings))
     # As the program finds them from the folder in which it works.
     named = os.fspath(program or find_program())
-    command = [os.path.abspath(named) if os.path.dirname(named) else named, "-i", os.path.abspath(path)]
+    command = [os.path.abspath(named) if os.path.dirname(named) else named, "-i", os.path.abspath(path), *more]
     for name, value in settings.items():
         command += ["--set", f"{name}={value_text(value)}"]
     for name, values in axes.items():

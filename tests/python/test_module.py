@@ -77,6 +77,15 @@ class Reads(unittest.TestCase):
         self.assertTrue(numpy.isnan(levels["dofs_to_target"][-1]))
         self.assertEqual(levels["dofs"].dtype, int)
 
+    def test_a_run_that_a_limit_ended_goes_on(self):
+        settings = {"Accuracy/Target": 0.02, "Accuracy/Maximum Levels": 2, "Output/Name": "again", "Output/Checkpoint": True}
+        first = run("punch", settings, codes=(5,))
+        whole = run("punch", {**settings, "Accuracy/Maximum Levels": 20, "Output/Name": "whole"}, codes=(0, 4))
+        rest = run("punch", {**settings, "Accuracy/Maximum Levels": 20}, codes=(0, 4), restart=True)
+        self.assertEqual((len(first.levels["dofs"]), rest.bound.absolute), (2, whole.bound.absolute))
+        self.assertEqual(list(rest.levels["bound"]), list(whole.levels["bound"]))
+        self.assertIn("goes on from again.checkpoint", rest.screen)
+
     def test_the_contact_table(self):
         with open(FOLDER / "punch.contact.csv", newline="") as file:
             rows = list(csv.DictReader(file))
