@@ -60,6 +60,38 @@ class Program:
         return Run(done.returncode, done.stdout + done.stderr, summary, contact)
 
 
+EXACT = 1e-9  # of the solution: an error below is that of two exact solutions
+FINER = 2  # times a reference is refined further before it is believed against a bound
+
+
+def contradiction(errors, is_mean_bounded=True):
+    """What a summary's reference says against its guaranteed bounds, or None."""
+    bound, mean, reference = errors["global"], errors["mean_stress"], errors["reference"]
+    if not bound["guaranteed"] or reference["relative"] <= EXACT:
+        return None
+    if reference["displacement"] > bound["absolute"]:
+        return f"bound {bound['absolute']:.6g} below the error {reference['displacement']:.6g}"
+    if is_mean_bounded and reference["mean_stress"] > mean["absolute"] * (1 + 1e-6):
+        return f"mean stress {reference['mean_stress']:.6g} further than {mean['absolute']:.6g}"
+    return None
+
+
+def lasting_contradiction(errors, solve, refinements, is_mean_bounded=True):
+    """The same; what is contradicted is asked again by solve(refinements) with references refined further: it may be the
+    reference's own error."""
+    for finer in range(refinements + 1, refinements + FINER + 1):
+        if not contradiction(errors, is_mean_bounded):
+            return None
+        errors = solve(finer).summary["errors"]
+    return contradiction(errors, is_mean_bounded)
+
+
+def sharpness(errors):
+    """Bound over error, or None where there is no error."""
+    reference = errors["reference"]
+    return errors["global"]["absolute"] / reference["displacement"] if reference["relative"] > EXACT else None
+
+
 def sweep_options(description, **more):
     """Command line of a sweep over random scenes, one a seed. more: further options, name -> (default, help)."""
     parser = argparse.ArgumentParser(description=description, formatter_class=argparse.RawDescriptionHelpFormatter)

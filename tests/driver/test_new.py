@@ -169,7 +169,7 @@ class New(unittest.TestCase):
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_drawings_without_a_scene(self):
-        nearest = ('no two named sides of different bodies face each other within 0.02828: the nearest are "table" of "plate" and "sole" of '
+        nearest = ('no two named sides face each other within 0.02828: the nearest are "table" of "plate" and "sole" of '
                    '"block", 0.5 apart')
         cases = {"apart": (TWO_BODIES.format(gap=0.5), nearest),
                  "nameless": (ONE_BODY, 'no side has a name: give the curves that are held, loaded or may touch names, Physical Curve("table")'),

@@ -88,7 +88,7 @@ class Automatic(unittest.TestCase):
         self.assertIn("sides that have the same nodes", self.run_deck(deck).screen)
         moved = deck.read_text().replace("{1.0, 1.0, 1.0}", "{1.0, 1.0, 1.1}").replace("{0.0, 0.0, 0.0}", "{0.0, 0.0, 0.1}")
         deck.write_text(moved)
-        self.assertIn("no two named sides of different bodies have the same nodes", self.run_deck(deck, code=2).screen)
+        self.assertIn("no two named sides have the same nodes", self.run_deck(deck, code=2).screen)
 
     def test_facets_of_solids_without_a_partner_are_warned_of(self):
         bodies = "".join((box("lower", "{0, 0, -1}", "{2, 1, 0}", "{4, 2, 2}", bottom="Roller"),
@@ -150,7 +150,7 @@ class Automatic(unittest.TestCase):
         written = self.run_deck(self.write("rigid-cylinder")).summary["energy"]
         found = self.run_deck(self.write("rigid-cylinder", automatic("", given))).summary["energy"]
         self.assertEqual(found, written)
-        self.assertIn("not two bodies with named sides", self.run_deck(self.write("rigid-cylinder", automatic()), code=2).screen)
+        self.assertIn("not two named sides of elastic bodies", self.run_deck(self.write("rigid-cylinder", automatic()), code=2).screen)
 
     def test_sides_that_are_tied_are_no_contact(self):
         tie = pair("tie", ("middle", "bottom"), ("lower", "top"), entry("Tied", "true", "bool"))
@@ -190,7 +190,7 @@ class Automatic(unittest.TestCase):
         deck.write_text(deck.read_text().replace("{0.0, 0.5}", "{0.0, 0.7}").replace("{0.0, 1.0}", "{0.0, 1.3}")
                         .replace("{1.0, 1.5}", "{1.0, 1.8}"))
         screen = self.run_deck(deck, code=2).screen
-        self.assertIn("Interfaces/Automatic: no two named sides of different bodies face each other within 0.1: the nearest "
+        self.assertIn("Interfaces/Automatic: no two named sides face each other within 0.1: the nearest "
                       'are "top" of "lower" and "bottom" of "middle", 0.2 apart at ', screen)
         self.assertIn("raise Distance if they are to touch", screen)
 

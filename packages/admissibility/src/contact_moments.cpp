@@ -108,18 +108,15 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
   const auto dim = std::size_t(body.mesh.dim);
   const DenseMatrix moments = facetMoments(body.mesh.dim, body.nodes.order, onDirichlet.degree);
   const EndTables turning = turningEdgeMoments(body.nodes.order, onDirichlet.degree);
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const ContactFacet& facet = facets[f];
-    const bool isDirichlet = facet.dirichletBody == bodyIndex;
-    if (!isDirichlet && facet.neumannBody != bodyIndex)
-      continue;
-    const auto nodes = contactNodes(body, facet, isDirichlet);
-    const Vector traction = (isDirichlet ? onDirichlet : onNeumann).moments(int(f));
+  for (const FacetSide& side : facetsOfBody(facets, bodyIndex)) {
+    const ContactFacet& facet = facets[std::size_t(side.facet)];
+    const auto nodes = contactNodes(body, facet, side.isDirichlet);
+    const Vector traction = (side.isDirichlet ? onDirichlet : onNeumann).moments(side.facet);
     const auto add = [&](const DenseMatrix& table, const Direction& normal) {
       const Vector size = multiply(table, traction);
       for (std::size_t i = 0; i < size.size(); ++i)
         for (std::size_t k = 0; k < dim; ++k)
-          force[std::size_t(nodes[i]) * dim + k] += (isDirichlet ? size[i] : -size[i]) * normal[k];
+          force[std::size_t(nodes[i]) * dim + k] += (side.isDirichlet ? size[i] : -size[i]) * normal[k];
     };
     if (!facet.turns)
       add(moments, facet.normal);
@@ -154,35 +151,24 @@ void addUnsureGap(const std::vector<ContactFacet>& facets, const ContactTraction
       contributions[f] += 2.0 * unsure[f] * largestEntry(multiply(bernstein, traction.moments(int(f))));
 }
 
-std::vector<std::vector<int>> facetsOfBodies(const std::vector<ContactFacet>& facets, int numBodies)
-{
-  std::vector<std::vector<int>> ofBodies;
-  ofBodies.resize(std::size_t(numBodies));
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (const int body : {facets[f].dirichletBody, facets[f].neumannBody})
-      ofBodies[std::size_t(body)].push_back(int(f));
-  return ofBodies;
-}
-
-SparseRow motionWork(const BodyModel& body, int bodyIndex, const Vector& motion,
-                     const std::vector<ContactFacet>& facets, const std::vector<int>& ofBody)
+SparseRow motionWork(const BodyModel& body, const Vector& motion, const std::vector<ContactFacet>& facets,
+                     const std::vector<FacetSide>& ofBody)
 {
   const int dim = body.mesh.dim;
   const auto matrix = facetContactMatrix(dim, body.nodes.order);
   const auto turning = turningContactMatrices(body.nodes.order);
   const auto n = std::size_t(body.nodes.nodesPerFacet);
   std::map<int, double> work;
-  for (const int f : ofBody) {
-    const ContactFacet& facet = facets[std::size_t(f)];
-    const bool isDirichlet = facet.dirichletBody == bodyIndex;
-    const auto nodes = contactNodes(body, facet, isDirichlet);
+  for (const FacetSide& side : ofBody) {
+    const ContactFacet& facet = facets[std::size_t(side.facet)];
+    const auto nodes = contactNodes(body, facet, side.isDirichlet);
     const auto add = [&](const std::vector<double>& table, const Direction& normal) {
       for (std::size_t j = 0; j < n; ++j) {
         double moved = 0.0;
         for (int k = 0; k < dim; ++k)
           moved += normal[std::size_t(k)] * motion[std::size_t(nodes[j]) * std::size_t(dim) + std::size_t(k)];
         for (std::size_t i = 0; i < n; ++i)
-          work[facet.nodes[i]] += (isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
+          work[facet.nodes[i]] += (side.isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
       }
     };
     if (!facet.turns)

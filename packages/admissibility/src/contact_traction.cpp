@@ -221,16 +221,23 @@ ContactTraction tractionFromNodes(const std::vector<ContactFacet>& facets, const
   return traction;
 }
 
+std::vector<FacetSide> facetsOfBody(const std::vector<ContactFacet>& facets, int body)
+{
+  std::vector<FacetSide> ofBody;
+  for (std::size_t f = 0; f < facets.size(); ++f)
+    for (const bool isDirichlet : {true, false})
+      if (facets[f].body(isDirichlet) == body)
+        ofBody.push_back({int(f), isDirichlet});
+  return ofBody;
+}
+
 Vector contactShares(const std::vector<ContactFacet>& facets, const ContactTraction& onDirichlet,
                      const ContactTraction& onNeumann, int body)
 {
   Vector shares;
   FeltShares first(onDirichlet, false), second(onNeumann, true);
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    if (facets[f].dirichletBody == body)
-      first.add(facets[f], f, shares);
-    else if (facets[f].neumannBody == body)
-      second.add(facets[f], f, shares);
+  for (const FacetSide& side : facetsOfBody(facets, body))
+    (side.isDirichlet ? first : second).add(facets[std::size_t(side.facet)], std::size_t(side.facet), shares);
   return shares;
 }
 

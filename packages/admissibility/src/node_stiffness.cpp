@@ -43,12 +43,10 @@ NodeStiffness blocksBetween(const BodyModel& body, const std::set<int>& chosen)
 NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<ContactFacet>& facets, int bodyNumber)
 {
   std::set<int> chosen;
-  for (const ContactFacet& facet : facets)
-    for (const bool isDirichlet : {true, false})
-      if ((isDirichlet ? facet.dirichletBody : facet.neumannBody) == bodyNumber) {
-        const auto nodes = contactNodes(body, facet, isDirichlet);
-        chosen.insert(nodes.begin(), nodes.begin() + body.nodes.nodesPerFacet);
-      }
+  for (const FacetSide& side : facetsOfBody(facets, bodyNumber)) {
+    const auto nodes = contactNodes(body, facets[std::size_t(side.facet)], side.isDirichlet);
+    chosen.insert(nodes.begin(), nodes.begin() + body.nodes.nodesPerFacet);
+  }
   return withDimAndOrder(body.mesh.dim, body.nodes.order,
                          [&](auto dim, auto order) { return blocksBetween<dim(), order()>(body, chosen); });
 }

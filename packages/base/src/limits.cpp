@@ -21,9 +21,9 @@ struct Limit
   std::string_view instead;
 };
 
-const std::array<Limit, 12>& limits()
+const std::array<Limit, 11>& limits()
 {
-  static const std::array<Limit, 12> all{{
+  static const std::array<Limit, 11> all{{
       {{"friction", "coulomb", "stick", "slip", "frictional"},
        "Tied in an interface glues two sides along the normal and along the side"},
       {{"adhesion", "cohesion", "glue"}, "Tied in an interface; contact forces never pull"},
@@ -33,7 +33,7 @@ const std::array<Limit, 12>& limits()
       {{"buckling", "large displacements", "large rotations", "finite strain", "nlgeom"},
        "strains above Strain Limit get a warning; contact is asked where the drawing says"},
       {{"dynamics", "vibration", "impact", "modal", "eigenvalues", "frequency"}, "one static state"},
-      {{"time steps", "load steps", "transient", "restart"},
+      {{"time steps", "load steps", "transient"},
        "Load Cases solves a list of states in one process, each for itself: `ndframe --help \"Load Cases\"`"},
       {{"temperature", "thermal", "heat"},
        "a Gap, a Displacement support or a rigid body's Displacement for what grows"},
@@ -41,7 +41,6 @@ const std::array<Limit, 12>& limits()
       {{"shells", "beams", "springs", "bolts", "trusses", "plates", "membranes", "shell", "spring", "bolt", "truss"},
        "bodies are meshes of triangles or tetrahedra; decks/flange.xml has a bolt as a body, preloaded by a moved "
        "support"},
-      {{"self-contact", "self contact"}, "cut the body in two and tie the parts where they were cut"},
       {{"gpu", "cuda"}, "threads and processes: OMP_NUM_THREADS, mpirun"},
   }};
   return all;

@@ -28,9 +28,14 @@ std::vector<int> traceSizes(const CertifiedScene& scene)
   return sizes;
 }
 
-double stiffnessAt(const BodyModel& body, Facet facet)
+/// Per body and law the least eigenvalue; infinite for rigid bodies.
+std::vector<Vector> stiffnessOf(const std::vector<const BodyModel*>& bodies)
 {
-  return body.isRigid ? std::numeric_limits<double>::infinity() : smallestStiffness(body.laws(facet.cell));
+  std::vector<Vector> stiffness;
+  for (const BodyModel* body : bodies)
+    stiffness.push_back(body->isRigid ? Vector(body->laws.all().size(), std::numeric_limits<double>::infinity())
+                                      : smallestStiffness(body->laws));
+  return stiffness;
 }
 
 /// 1/|f| int psi_i dS of a facet's nodal functions.
@@ -104,11 +109,9 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
   runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
     const auto b = std::size_t(body);
     std::vector<Facet> contact;
-    for (const ContactFacet& facet : scene.facets) {
-      if (facet.dirichletBody == int(b))
-        contact.push_back(facet.dirichlet);
-      if (facet.neumannBody == int(b))
-        contact.push_back(facet.neumann);
+    for (const FacetSide& side : facetsOfBody(scene.facets, body)) {
+      const ContactFacet& facet = scene.facets[std::size_t(side.facet)];
+      contact.push_back(side.isDirichlet ? facet.dirichlet : facet.neumann);
     }
     if (scene.bodies[b]->isRigid) { // no stress, no data
       result.data[b] = withoutData(*scene.bodies[b], scene.degree);
@@ -158,10 +161,15 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
   const double most = enough * largestEntry(traction);
   Vector cost(std::size_t(scene.condensed.interface.C->size()), 0.0);
   const Vector gap = nodalGap(scene.model);
+  const std::vector<Vector> ofLaws = stiffnessOf(scene.bodies);
   for (const ContactFacet& facet : scene.facets) {
     const auto opening = facetOpening(scene.bodies, facet, scene.solved);
-    const double stiffness = std::min(stiffnessAt(*scene.bodies[std::size_t(facet.dirichletBody)], facet.dirichlet),
-                                      stiffnessAt(*scene.bodies[std::size_t(facet.neumannBody)], facet.neumann));
+    const auto stiffnessAt = [&](bool isDirichlet) {
+      const auto body = std::size_t(facet.body(isDirichlet));
+      const int cell = (isDirichlet ? facet.dirichlet : facet.neumann).cell;
+      return ofLaws[body][std::size_t(scene.bodies[body]->laws.number(cell))];
+    };
+    const double stiffness = std::min(stiffnessAt(true), stiffnessAt(false));
     for (std::size_t i = 0; i < std::size_t(numFacetNodes(facet.dim, scene.order)); ++i) {
       const auto node = std::size_t(facet.nodes[i]);
       const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);

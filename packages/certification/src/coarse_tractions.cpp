@@ -8,6 +8,7 @@
 #include "ndframe/admissibility/facet_functions.hpp"
 #include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/fem/quadrature.hpp"
+#include "ndframe/mesh/boundary.hpp"
 
 namespace ndframe
 {
@@ -19,24 +20,44 @@ constexpr int worthwhile = 3;
 /// A coarse facet may be covered in a small part: what is not seen there stays small.
 constexpr double regularisation = 1e-9;
 
-/// The facet of the uncut mesh that a facet is a part of: its vertices.
+/// How far the centre of a facet is from an edge of the uncut mesh, by the edge's length.
+double distanceFrom(const Mesh& base, const std::array<int, 2>& ends, const std::array<double, 3>& centre)
+{
+  const double *a = base.point(ends[0]), *b = base.point(ends[1]);
+  const double along[] = {b[0] - a[0], b[1] - a[1]}, to[] = {centre[0] - a[0], centre[1] - a[1]};
+  const double squared = along[0] * along[0] + along[1] * along[1];
+  const double t = std::clamp((along[0] * to[0] + along[1] * to[1]) / squared, 0.0, 1.0);
+  return std::hypot(to[0] - t * along[0], to[1] - t * along[1]) / std::sqrt(squared);
+}
+
+/// The facet of the uncut mesh that a facet is a part of: its vertices. An edge of the parent, unless bisection has
+/// swapped edges between halves of two cells: then one of the boundary.
 std::array<int, 2> uncutEnds(const BodyModel& body, Facet facet)
 {
+  constexpr double isOn = 1e-4; // sides are straight between the vertices of the uncut mesh
   const Mesh& base = body.uncut();
-  const int* vertices = base.cell(body.parents[std::size_t(facet.cell)]);
   const auto centre = facetCentre(body.mesh, facet);
   std::array<int, 2> best{};
   double least = HUGE_VAL;
-  for (std::size_t k = 0; k < 3; ++k) {
-    const double *a = base.point(vertices[k]), *b = base.point(vertices[(k + 1) % 3]);
-    const double dx = b[0] - a[0], dy = b[1] - a[1];
-    const double beside = std::abs(dx * (centre[1] - a[1]) - dy * (centre[0] - a[0])) / (dx * dx + dy * dy);
-    if (beside < least) {
-      least = beside;
-      best = {vertices[k], vertices[(k + 1) % 3]};
+  const auto consider = [&](int first, int second) {
+    const std::array<int, 2> ends{std::min(first, second), std::max(first, second)};
+    const double distance = distanceFrom(base, ends, centre);
+    if (distance < least) {
+      least = distance;
+      best = ends;
     }
+  };
+  const int* vertices = base.cell(body.parents[std::size_t(facet.cell)]);
+  for (std::size_t k = 0; k < 3; ++k)
+    consider(vertices[k], vertices[(k + 1) % 3]);
+  if (least < isOn)
+    return best;
+  for (const Facet boundary : boundaryFacets(base)) {
+    int ends[3];
+    facetVertices(base, boundary, ends);
+    consider(ends[0], ends[1]);
   }
-  return {std::min(best[0], best[1]), std::max(best[0], best[1])};
+  return best;
 }
 
 /// Polynomials on the uncut facets of one side of every interface that was cut there.
@@ -103,7 +124,7 @@ private:
   const BodyModel& bodyOf(std::size_t f) const
   {
     const ContactFacet& facet = scene_.facets[f];
-    return *scene_.bodies[std::size_t(isDirichlet_ ? facet.dirichletBody : facet.neumannBody)];
+    return *scene_.bodies[std::size_t(facet.body(isDirichlet_))];
   }
 
   void add(std::size_t f, const BodyModel& body)

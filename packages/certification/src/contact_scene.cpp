@@ -64,7 +64,7 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
   for (std::size_t a = 0; a < std::size_t(facet.dim); ++a)
     theirs[a] = interface.neumannNodes[std::size_t(ours[a])];
   facet.theirs = ascendingPlaces(facet.dim, theirs.data());
-  const double sign = interface.dirichletBody == interface.firstBody ? -1.0 : 1.0;
+  const double sign = interface.dirichletIsFirst ? -1.0 : 1.0;
   for (std::size_t i = 0; facet.isDrawnApart && i < std::size_t(body.nodes.nodesPerFacet); ++i)
     for (std::size_t k = 0; k < 2; ++k)
       facet.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
@@ -122,7 +122,6 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
                                     const std::vector<ContactFacet>& facets)
 {
   const int numNodes = condensed.interface.C->size();
-  const auto ofBodies = facetsOfBodies(facets, int(model.bodies.size()));
   std::vector<SparseRow> rows;
   BalanceConditions conditions;
   for (const auto& trace : condensed.interface.bodies) {
@@ -131,11 +130,12 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
     if (free.cols() == 0)
       continue;
     const BodySystem& system = condensed.systems[b];
+    const auto ofBody = facetsOfBody(facets, trace.body);
     const DenseMatrix modes = rigidModes(model.rigid[b], model.bodies[b].nodes, system.dofs.frames);
     const auto names = describeMotions(model.rigid[b], free);
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
-      rows.push_back(motionWork(model.bodies[b], trace.body, system.dofs.frames.toGlobal(motion), facets, ofBodies[b]));
+      rows.push_back(motionWork(model.bodies[b], system.dofs.frames.toGlobal(motion), facets, ofBody));
       conditions.value.push_back(-dot(system.load, motion));
       conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }

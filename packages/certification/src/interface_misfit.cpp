@@ -68,7 +68,7 @@ double interfaceMisfit(const CertifiedScene& scene, const IntermediateField& fie
   for (std::size_t f = 0; f < scene.facets.size(); ++f) {
     const ContactFacet& facet = scene.facets[f];
     for (const bool isDirichlet : {true, false}) {
-      const auto b = std::size_t(isDirichlet ? facet.dirichletBody : facet.neumannBody);
+      const auto b = std::size_t(facet.body(isDirichlet));
       const BodyModel& body = *scene.bodies[b];
       const auto traction = tractionAt(facet, isDirichlet ? field.onDirichlet : field.onNeumann, int(f), rule);
       const auto nodes = contactNodes(body, facet, isDirichlet);

@@ -15,6 +15,10 @@ std::string oddRing(const Model& model)
   const std::vector<int> ring = oddCycle(int(model.bodies.size()), neighbours);
   if (ring.empty())
     return {};
+  if (ring.size() == 1)
+    return fmt::format("\"{}\" touches itself and would have both roles, which Neumann-Dirichlet cannot solve; use "
+                       "Coupling/Type = Monolithic or FETI.",
+                       model.bodies[std::size_t(ring.front())].name);
   std::string names;
   for (const int body : ring)
     names += fmt::format("{}\"{}\"", names.empty() ? "" : ", ", model.bodies[std::size_t(body)].name);

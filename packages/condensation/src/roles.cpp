@@ -20,6 +20,7 @@ constexpr double clearly = 0.9;
 void exchange(Model& model, InterfaceMesh& interface)
 {
   std::swap(interface.dirichletBody, interface.neumannBody);
+  interface.dirichletIsFirst = !interface.dirichletIsFirst;
   std::swap(interface.dirichletNodes, interface.neumannNodes);
   std::swap(interface.dirichletFacets, interface.neumannFacets);
   for (auto* normals : {&interface.normals, &interface.facetNormals})

@@ -1,6 +1,7 @@
 #include "trace_nodes.hpp"
 
 #include <algorithm>
+#include <map>
 
 namespace ndframe
 {
@@ -28,9 +29,11 @@ public:
   Numbering(const Model& model, InterfaceSystem& system) : model_(model), system_(system), bodies_(model.bodies.size())
   {
     system.dim = model.bodies.front().mesh.dim;
-    for (const auto& interface : model.interfaces)
+    for (const auto& interface : model.interfaces) {
+      addSlitEnds(interface);
       for (int i = 0; i < interface.numNodes(); ++i)
         add(interface, i);
+    }
     if (model.conditions == ContactConditions::Bernstein)
       chooseBasis();
     for (std::size_t i = 0; i < system.nodeOfUnknown.size(); ++i)
@@ -61,10 +64,27 @@ private:
       body.traces.push_back({place.side.node, normal});
       body.unknowns.push_back(system_.size());
       body.onDirichletSide.push_back(isObstacle || place.side.isDirichlet);
-      body.points.push_back(interface.pointOf(place.side.body, i));
+      body.points.push_back(interface.pointOf(place.side.isDirichlet, i));
     }
     system_.nodeOfUnknown.push_back(node);
     system_.isObstacle.push_back(isObstacle);
+  }
+
+  void addSlitEnds(const InterfaceMesh& interface)
+  {
+    const auto first = int(places_.size());
+    std::map<int, SlitEnd> ends;
+    for (std::size_t i = 0; i < interface.facets.size() && interface.touchesItself(); ++i)
+      if (const int node = interface.facets[i]; interface.facesItself(node)) {
+        SlitEnd& end = ends[node];
+        end.node = first + node;
+        const auto size = std::size_t(interface.nodesPerFacet()), facet = i - i % size;
+        for (std::size_t a = facet; a < facet + size; ++a)
+          if (!interface.facesItself(interface.facets[a]))
+            end.beside.push_back(first + interface.facets[a]);
+      }
+    for (auto& entry : ends)
+      system_.slitEnds.push_back(std::move(entry.second));
   }
 
   void chooseBasis()

@@ -50,7 +50,7 @@ private:
     if (system.dim == 3)
       return "statuses in space settle in fewer steps than sweeps take";
     if (!haveRoles(system))
-      return "no roles suit both of them";
+      return system.bodies.size() == 1 ? "a body that touches itself has no role" : "no roles suit both of them";
     if (!start.spectrum)
       return {};
     if (!start.spectrum->isKnown())

@@ -37,7 +37,9 @@ public:
 private:
   static const char* reasonFor(const InterfaceSystem& system)
   {
-    return system.bodies.size() > 2 ? "all bodies solved together" : "both bodies solved together";
+    return system.bodies.size() > 2    ? "all bodies solved together"
+           : system.bodies.size() == 2 ? "both bodies solved together"
+                                       : "one body, its statuses found together";
   }
 
   /// By iterations on whole bodies; no history where they are not solved so, or give it up.

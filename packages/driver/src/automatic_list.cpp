@@ -26,12 +26,13 @@ ListSpec automaticSpec(const ListSpec& interface)
 {
   ListSpec list = makeList(
       "Automatic",
-      "Finds the named sides of different bodies that face each other in the plane, in space those that have the same "
-      "nodes, and makes an interface of every two, as if the deck had it. The screen says what was found, as a table "
+      "Finds the named sides that face each other in the plane, of different bodies or two of one, in space those that "
+      "have the same nodes, and makes an interface of every two, as if the deck had it. The screen says what was "
+      "found, as a table "
       "and as text of a deck (of more than "
       "ten with -v). The body that the deck names first is the Dirichlet body. What other lists of Interfaces say "
       "of two sides counts instead. Of sides that share facets those count that other lists name, then the parts "
-      "of a side that make all of it, then the longer ones. Not found: contact of a body with itself, sides behind "
+      "of a side that make all of it, then the longer ones. Not found: a side that faces itself, sides behind "
       "other bodies, facets without a named side (a warning), rigid bodies.");
   list.onlyIfGiven = true;
   list.params = {ParamSpec::optional(distance, Kind::Double, atLeast(0.0),

@@ -69,7 +69,8 @@ ListSpec interfaceSpec()
                           "Body 1 of the paper: solves the unilateral problem; may float, held by contact alone."),
       ParamSpec::required("Dirichlet Side", Kind::String, "Its side; the outward normal there is n_c."),
       ParamSpec::required("Neumann Body", Kind::String,
-                          "Body 2 of the paper: receives the contact traction; may float, too."),
+                          "Body 2 of the paper: receives the contact traction; may float, too. The Dirichlet body "
+                          "again for self-contact: two sides of one body."),
       ParamSpec::optional("Neumann Side", Kind::String, "Its side; required unless the body is Rigid."),
       {"Tied", false,
        "The sides are glued where they face each other, along the normal and along the side: no contact, the two "

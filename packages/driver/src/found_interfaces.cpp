@@ -102,8 +102,9 @@ public:
       warnings.push_back(automatic_.mistake(
           "",
           fmt::format("facets of \"{}\" near {} belong to no named side, or to one that shares facets with another, "
-                      "and face \"{}\": no interface was made of them. Name them in the mesh.",
-                      nameOf(part.body), pointText(part.place.data(), dim_), nameOf(part.other))));
+                      "and face {}: no interface was made of them. Name them in the mesh.",
+                      nameOf(part.body), pointText(part.place.data(), dim_),
+                      part.body == part.other ? "it itself" : fmt::format("\"{}\"", nameOf(part.other)))));
     return warnings;
   }
 
@@ -168,17 +169,15 @@ private:
   void refuseNothing() const
   {
     if (dim_ == 3)
-      throw InputError(automatic_.mistake("",
-                                          "no two named sides of different bodies have the same nodes; mesh the bodies "
-                                          "in one gmsh script with common faces, or lay boxes on one grid."));
+      throw InputError(automatic_.mistake("", "no two named sides have the same nodes; mesh the bodies "
+                                              "in one gmsh script with common faces, or lay boxes on one grid."));
     const auto refuse = [&](const std::string& hint) {
       throw InputError(
-          automatic_.mistake("", fmt::format("no two named sides of different bodies face each other within {:.4g}: {}",
-                                             distance_, hint)));
+          automatic_.mistake("", fmt::format("no two named sides face each other within {:.4g}: {}", distance_, hint)));
     };
     const auto nearest = nearestSides(bodies_);
     if (!nearest)
-      refuse("there are not two bodies with named sides; leave the list out.");
+      refuse("there are not two named sides of elastic bodies that could; leave the list out.");
     refuse(
         fmt::format("the nearest are \"{}\" of \"{}\" and \"{}\" of \"{}\", {:.4g} apart at {}{} if they are to touch.",
                     nearest->firstSide, nameOf(nearest->firstBody), nearest->secondSide, nameOf(nearest->secondBody),

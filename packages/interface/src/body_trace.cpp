@@ -104,17 +104,34 @@ Vector InterfaceSystem::shares() const
   return basis ? basis->forces(nodal) : nodal;
 }
 
+Vector InterfaceSystem::atNodes(const Vector& ofUnknowns) const
+{
+  Vector all(std::size_t(C ? C->size() : 0), 0.0); // a scene without interfaces has no contact matrix
+  for (std::size_t i = 0; i < nodeOfUnknown.size(); ++i)
+    all[std::size_t(nodeOfUnknown[i])] = ofUnknowns[i];
+  return all;
+}
+
 Vector InterfaceSystem::nodalForces(const Vector& unknownForce) const
 {
-  Vector nodal(std::size_t(C ? C->size() : 0), 0.0); // a scene without interfaces has no contact matrix
-  for (std::size_t i = 0; i < nodeOfUnknown.size(); ++i)
-    nodal[std::size_t(nodeOfUnknown[i])] = unknownForce[i];
+  const Vector nodal = atNodes(unknownForce);
   return basis ? basis->nodalForces(nodal) : nodal;
 }
 
 Vector InterfaceSystem::traction(const Vector& unknownForce) const
 {
-  return C->solve(nodalForces(unknownForce));
+  Vector force = atNodes(unknownForce);
+  const Vector share = slitEnds.empty() ? Vector() : shares();
+  for (const SlitEnd& end : slitEnds) {
+    double forceBeside = 0.0, shareBeside = 0.0;
+    for (const int node : end.beside) {
+      forceBeside += force[std::size_t(node)];
+      shareBeside += share[std::size_t(node)];
+    }
+    if (shareBeside > 0.0)
+      force[std::size_t(end.node)] = forceBeside / shareBeside * share[std::size_t(end.node)];
+  }
+  return C->solve(basis ? basis->nodalForces(force) : force);
 }
 
 Vector InterfaceSystem::force(const Vector& nodalTraction) const
@@ -130,9 +147,7 @@ Vector InterfaceSystem::force(const Vector& nodalTraction) const
 
 Vector InterfaceSystem::forceOf(const Vector& tractionAtUnknowns) const
 {
-  Vector nodal(std::size_t(C->size()), 0.0);
-  for (std::size_t i = 0; i < nodeOfUnknown.size(); ++i)
-    nodal[std::size_t(nodeOfUnknown[i])] = tractionAtUnknowns[i];
+  const Vector nodal = atNodes(tractionAtUnknowns);
   return force(basis ? basis->values(nodal) : nodal);
 }
 

@@ -78,8 +78,11 @@ private:
       bounds[std::size_t(part.body)].add(part.bounds);
     for (SearchedPart& part : parts_) {
       bool isNear = false;
+      const double reach = distance_ + longestFacet(part);
       for (std::size_t b = 0; b < bodies_.size(); ++b)
-        isNear = isNear || (int(b) != part.body && bounds[b].isNear(part.bounds, distance_ + longestFacet(part)));
+        isNear = isNear || (int(b) != part.body && bounds[b].isNear(part.bounds, reach));
+      for (const SearchedPart& other : parts_) // a body touches itself with two of its sides
+        isNear = isNear || (&other != &part && other.body == part.body && other.bounds.isNear(part.bounds, reach));
       if (isNear)
         makeEdges(part, meshOf(part), cornerAngle);
     }
@@ -102,7 +105,7 @@ private:
       if (!parts_[q].edges.empty() && part.bounds.isNear(parts_[q].bounds, distance_ + part.unsure + parts_[q].unsure))
       {
         near.push_back(q);
-        meetsLater = meetsLater || parts_[q].body > part.body;
+        meetsLater = meetsLater || q > p;
       }
     for (std::size_t e = 0; meetsLater && e < part.edges.size(); ++e)
       for (const FacingStretch& stretch : stretchesOf(p, e, near))
@@ -140,7 +143,7 @@ private:
       if (places[i + 1] - places[i] <= roundOff)
         continue;
       const Target* met = firstMet(p, edge, 0.5 * (places[i] + places[i + 1]), targets);
-      if (met != nullptr && parts_[met->part].body > parts_[p].body)
+      if (met != nullptr && met->part > p) // parts are in the order of bodies
         addStretch(stretches, edge, places[i], places[i + 1], *met);
     }
     return stretches;

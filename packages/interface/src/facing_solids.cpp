@@ -125,11 +125,23 @@ private:
   std::set<std::pair<int, int>> taken_, preferred_;
 };
 
+bool haveCommonFacets(const Side& one, const Side& other)
+{
+  std::set<std::pair<int, int>> facets;
+  for (const Facet facet : one.facets)
+    facets.insert({facet.cell, facet.local});
+  return std::any_of(other.facets.begin(), other.facets.end(), [&](const Facet facet) {
+    return facets.count({facet.cell, facet.local}) > 0;
+  });
+}
+
 void addPairs(int b, int c, Searched& first, Searched& second, std::vector<FacingPair>& pairs)
 {
   const auto &ours = first.mesh().sides, &theirs = second.mesh().sides;
   for (std::size_t s = 0; s < ours.size(); ++s)
-    for (std::size_t t = 0; t < theirs.size(); ++t) {
+    for (std::size_t t = b == c ? s + 1 : 0; t < theirs.size(); ++t) {
+      if (b == c && haveCommonFacets(ours[s], theirs[t])) // two names of one side
+        continue;
       if (!first.isFree(ours[s]) || !second.isFree(theirs[t]) || !areOne(first.box(s), second.box(t)) ||
           !sidesMatch(first.mesh(), ours[s], second.mesh(), theirs[t]))
         continue;
@@ -174,7 +186,7 @@ FacingSearch searchMatching(const std::vector<SearchedBody>& bodies)
   FacingSearch found;
   const int count = int(bodies.size());
   for (int b = 0; b < count; ++b)
-    for (int c = b + 1; c < count; ++c)
+    for (int c = b; c < count; ++c)
       addPairs(b, c, searched[std::size_t(b)], searched[std::size_t(c)], found.pairs);
   for (int b = 0; b < count; ++b)
     for (int c = b + 1; c < count; ++c)

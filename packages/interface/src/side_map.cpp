@@ -18,6 +18,9 @@ constexpr double facing = -0.5;
 /// which points of a curve face each other is a choice within this.
 constexpr double sameEnd = 1e-2;
 constexpr double sameEndStraight = 1e-9;
+/// Those of straight edges that are apart also within this part of the shorter edge and this part of their distance:
+/// edges that are not parallel have rays that lean by so much.
+constexpr double sameEndApart = 1e-3, lean = 0.1;
 constexpr double sameLine = 1e-9;
 /// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates.
 constexpr double roundOff = 1e-6;
@@ -58,6 +61,14 @@ int nearestEdge(const SideEdge& first, double s, const std::vector<SideEdge>& ed
   return nearest;
 }
 
+/// A length: ends within it face each other.
+double sameEndOf(const SideEdge& first, const SideEdge& second, double opening)
+{
+  const double shorter = std::min(first.length(), second.length());
+  return first.turns ? sameEnd * shorter
+                     : std::max(sameEndStraight * shorter, std::min(sameEndApart * shorter, lean * std::abs(opening)));
+}
+
 double snapped(double place, double tolerance)
 {
   if (place < tolerance)
@@ -80,21 +91,20 @@ void SideMap::addSegments(int firstEdge)
   const SideEdge& first = first_.edges()[std::size_t(firstEdge)];
   const auto& edges = second_.edges();
   std::vector<int> opposite;
-  std::vector<std::pair<double, double>> ends{{0.0, 0.0}, {1.0, 0.0}}; // and the length of the edge that ends there
+  std::vector<std::pair<double, double>> ends{{0.0, 0.0}, {1.0, 0.0}}; // and how far from there is the same
   for (std::size_t e = 0; e < edges.size(); ++e) {
     if (!faces(first, edges[e]))
       continue;
     opposite.push_back(int(e));
     for (const Direction& end : edges[e].ends)
       if (const auto s = rayThrough(first, end); s)
-        ends.emplace_back(*s, edges[e].length());
+        ends.emplace_back(*s,
+                          sameEndOf(first, edges[e], dotProduct(normalAt(first, *s), difference(end, first.at(*s)))));
   }
   std::sort(ends.begin(), ends.end());
-  const double length = first.length(), part = first.turns ? sameEnd : sameEndStraight;
   std::vector<double> places;
-  for (const auto& [s, other] : ends) {
-    const double tolerance = part * std::min(1.0, other > 0.0 ? other / length : 1.0);
-    const double place = snapped(s, tolerance);
+  for (const auto& [s, same] : ends) {
+    const double tolerance = same / first.length(), place = snapped(s, tolerance);
     if (places.empty() || place - places.back() > tolerance || place == 1.0)
       places.push_back(place);
   }
@@ -105,10 +115,10 @@ void SideMap::addSegments(int firstEdge)
       continue;
     SideSegment segment{firstEdge, e, {from, to}, {}};
     const SideEdge& second = edges[std::size_t(e)];
-    const double tolerance = part * std::min(1.0, length / second.length());
-    for (std::size_t k = 0; k < 2; ++k)
-      segment.second[k] =
-          snapped(meet(first.at(segment.first[k]), normalAt(first, segment.first[k]), second)->place, tolerance);
+    for (std::size_t k = 0; k < 2; ++k) {
+      const auto hit = meet(first.at(segment.first[k]), normalAt(first, segment.first[k]), second);
+      segment.second[k] = snapped(hit->place, sameEndOf(first, second, hit->distance) / second.length());
+    }
     if (segment.second[0] != segment.second[1])
       segments_.push_back(segment);
   }

@@ -20,6 +20,13 @@ int meshVertex(const Mesh& mesh, Facet facet, int place)
   return place == 0 ? std::min(vertices[0], vertices[1]) : std::max(vertices[0], vertices[1]);
 }
 
+/// The vertex of a body at an end of a contact facet.
+int vertexOf(const Mesh& mesh, const ContactFacet& facet, const FacetEnd& end, bool isNeumann)
+{
+  return meshVertex(mesh, isNeumann ? facet.neumann : facet.dirichlet,
+                    isNeumann && facet.isReversed() ? 1 - end.vertex : end.vertex);
+}
+
 /// The first end of a facet as seen along n_c turned by 90 degrees.
 int firstEnd(const RecoveryScene& scene, const ContactFacet& facet)
 {
@@ -55,26 +62,58 @@ DenseMatrix releasedByTraction(const RecoveryScene& scene, const InterfaceVertex
   return map;
 }
 
-/// Body `isNeumann` of the facets at a vertex.
-InterfaceStar::Side makeSide(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
-                             const InterfaceVertex& vertex, bool isNeumann)
+/// The facets at a vertex as the Dirichlet or the Neumann body sees them.
+std::vector<ReleasedFacet> releasedFacets(const RecoveryScene& scene, const InterfaceVertex& vertex, bool isNeumann)
 {
   std::vector<ReleasedFacet> released;
-  int body = -1, meshPoint = -1;
   for (const FacetEnd& end : vertex.ends) {
     const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
     const Facet own = isNeumann ? facet.neumann : facet.dirichlet;
-    body = isNeumann ? facet.neumannBody : facet.dirichletBody;
     if (facet.turns)
       released.insert(released.end(), {{own, {1.0, 0.0, 0.0}}, {own, {0.0, 1.0, 0.0}}});
     else
       released.push_back({own, facet.normal});
-    meshPoint = meshVertex(bodies[std::size_t(body)]->model().mesh, own,
-                           isNeumann && facet.isReversed() ? 1 - end.vertex : end.vertex);
   }
+  return released;
+}
+
+DenseMatrix stacked(const DenseMatrix& above, const DenseMatrix& below)
+{
+  DenseMatrix both(above.rows() + below.rows(), above.cols());
+  for (int j = 0; j < both.cols(); ++j) {
+    std::copy_n(above.col(j), above.rows(), both.col(j));
+    std::copy_n(below.col(j), below.rows(), both.col(j) + above.rows());
+  }
+  return both;
+}
+
+/// One body's part of a vertex: as Dirichlet body, as Neumann body, or, where a slit ends, as both.
+InterfaceStar::Side makeSide(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
+                             const InterfaceVertex& vertex, bool isNeumann, bool isBoth = false)
+{
+  const FacetEnd& end = vertex.ends.front();
+  const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
+  const int body = facet.body(!isNeumann);
   const StarBody& star = *bodies[std::size_t(body)];
-  return {body, StarSystem(star, star.star(meshPoint), released),
-          releasedByTraction(scene, vertex, star.facetModes(), isNeumann)};
+  std::vector<ReleasedFacet> released = releasedFacets(scene, vertex, isNeumann);
+  DenseMatrix map = releasedByTraction(scene, vertex, star.facetModes(), isNeumann);
+  if (isBoth) {
+    const auto others = releasedFacets(scene, vertex, !isNeumann);
+    released.insert(released.end(), others.begin(), others.end());
+    map = stacked(map, releasedByTraction(scene, vertex, star.facetModes(), !isNeumann));
+  }
+  const int point = vertexOf(star.model().mesh, facet, end, isNeumann);
+  return {body, StarSystem(star, star.star(point), released), std::move(map)};
+}
+
+/// A vertex that faces itself.
+bool isSlitEnd(const RecoveryScene& scene, const InterfaceVertex& vertex)
+{
+  const FacetEnd& end = vertex.ends.front();
+  const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
+  const Mesh& mesh = scene.bodies[std::size_t(facet.dirichletBody)]->mesh;
+  return facet.dirichletBody == facet.neumannBody &&
+         vertexOf(mesh, facet, end, false) == vertexOf(mesh, facet, end, true);
 }
 
 } // namespace
@@ -107,13 +146,35 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
   return vertices;
 }
 
+bool starsMeet(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex)
+{
+  const FacetEnd& end = vertex.ends.front();
+  const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
+  if (facet.dirichletBody != facet.neumannBody || isSlitEnd(scene, vertex))
+    return false;
+  const StarBody& body = *bodies[std::size_t(facet.dirichletBody)];
+  const Mesh& mesh = body.model().mesh;
+  const auto cells = [&](bool isNeumann) {
+    std::set<int> found;
+    for (const StarCell& part : body.star(vertexOf(mesh, facet, end, isNeumann)).cells)
+      found.insert(part.cell);
+    return found;
+  };
+  const std::set<int> ours = cells(false), theirs = cells(true);
+  return std::find_first_of(ours.begin(), ours.end(), theirs.begin(), theirs.end()) != ours.end();
+}
+
 InterfaceStar::InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
                              const InterfaceVertex& vertex)
     : scene_(scene), vertex_(vertex)
 {
   const ContactFacet& facet = scene.facets[std::size_t(vertex.ends.front().facet)];
-  for (const auto& [body, isNeumann] : {std::pair(facet.dirichletBody, false), std::pair(facet.neumannBody, true)})
-    if (!scene.bodies[std::size_t(body)]->isRigid)
+  if (isSlitEnd(scene, vertex)) {
+    sides_.push_back(makeSide(scene, bodies, vertex, false, true));
+    return;
+  }
+  for (const bool isNeumann : {false, true})
+    if (!scene.bodies[std::size_t(facet.body(!isNeumann))]->isRigid)
       sides_.push_back(makeSide(scene, bodies, vertex, isNeumann));
 }
 

@@ -18,8 +18,11 @@ struct InterfaceVertex
 /// All vertices, chain by chain as they lie along n_c turned by 90 degrees. A closed interface begins anywhere.
 std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene);
 
-/// The stars of one interface vertex in the Dirichlet and in the Neumann body, the normal traction on the vertex's
-/// facets free. Scene, bodies and vertex must outlive it.
+/// Whether a body faces itself so closely that the two stars of the vertex have cells in common, and are not one.
+bool starsMeet(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex);
+
+/// The stars of one interface vertex in the Dirichlet and in the Neumann body (one star where a slit ends), the normal
+/// traction on the vertex's facets free. Scene, bodies and vertex must outlive it.
 class InterfaceStar
 {
 public:
@@ -33,7 +36,7 @@ public:
 
   InterfaceStar(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex);
 
-  /// Two, or one where the other body is rigid.
+  /// Two, or one where the other body is rigid or a slit ends.
   const std::vector<Side>& sides() const { return sides_; }
   /// The step that lowers  |x|^2 + 2 int dt (u~1_N - u~2_N - g),  x: the stresses on the stars, one field each.
   TractionStep step(const std::vector<StarFields>& x, const Vector& opening) const;

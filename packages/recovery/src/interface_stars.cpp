@@ -35,7 +35,10 @@ void addTurned(const EndTables& modes, const std::vector<ContactFacet>& facets, 
 
 InterfaceStars::InterfaceStars(const RecoveryScene& scene, std::vector<const StarBody*> bodies)
     : scene_(scene), bodies_(std::move(bodies)), vertices_(interfaceVertices(scene))
-{}
+{
+  const auto meet = [&](const InterfaceVertex& vertex) { return starsMeet(scene_, bodies_, vertex); };
+  vertices_.erase(std::remove_if(vertices_.begin(), vertices_.end(), meet), vertices_.end());
+}
 
 std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field,
                                                      const std::vector<std::unique_ptr<StarLoads>>& loads,

@@ -107,13 +107,13 @@ std::string rolesText(const std::vector<RoleSummary>& roles)
 
 std::string sweepTitle(const InterfaceMesh& interface, const Model& model)
 {
-  const auto on = [&](int body) {
-    return model.interfaces.size() > 1
-               ? std::string("force on ") + (body == interface.dirichletBody ? "Dirichlet" : "Neumann")
-               : "force on " + model.bodies[std::size_t(body)].name;
+  const auto on = [&](bool isDirichlet) {
+    return model.interfaces.size() > 1 || interface.touchesItself()
+               ? std::string("force on ") + (isDirichlet ? "Dirichlet" : "Neumann")
+               : "force on " + model.bodies[std::size_t(interface.body(isDirichlet))].name;
   };
-  return fmt::format("  sweep    eps_tau   theta     closed/open   changed   {:>18}   {:>18}   penetration",
-                     on(interface.dirichletBody), on(interface.neumannBody));
+  return fmt::format("  sweep    eps_tau   theta     closed/open   changed   {:>18}   {:>18}   penetration", on(true),
+                     on(false));
 }
 
 std::string sweepLine(const SweepRecord& record)

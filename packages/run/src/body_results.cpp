@@ -162,10 +162,12 @@ std::string forceTable(const RunSummary& summary, std::size_t nameWidth)
       add(support.description, fmt::format("{}   moment {} about {}", vectorText(support.force, nothing),
                                            vectorText(support.moment, nothing), vectorText(support.centre, 0.0)));
     for (const auto& interface : summary.interfaces) {
+      const bool isItself = interface.dirichletBody == interface.neumannBody;
+      const std::string name = "interface " + interface.name;
       if (interface.dirichletBody == body.name)
-        add("interface " + interface.name, vectorText(interface.forceOnDirichlet, nothing));
+        add(isItself ? name + ", Dirichlet side" : name, vectorText(interface.forceOnDirichlet, nothing));
       if (interface.neumannBody == body.name)
-        add("interface " + interface.name, vectorText(interface.forceOnNeumann, nothing));
+        add(isItself ? name + ", Neumann side" : name, vectorText(interface.forceOnNeumann, nothing));
     }
   }
   std::size_t width = 5;

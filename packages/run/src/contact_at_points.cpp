@@ -75,22 +75,24 @@ std::vector<double> basisAt(const InterfaceMesh& interface, const std::array<dou
   });
 }
 
-/// The facet of an interface nearest to a point of one of its bodies; -1 if none is within the tolerance.
+/// The facet of an interface nearest to a point of one of its bodies, on the body's side (the nearer one where it
+/// touches itself); -1 if none is within the tolerance.
 int nearestFacet(const InterfaceMesh& interface, int body, const std::vector<double>& point, double tolerance,
                  NearFacet& nearest)
 {
   int best = -1;
   const auto nodes = std::size_t(interface.nodesPerFacet());
-  for (int f = 0; f < interface.numFacets(); ++f) {
-    std::array<const double*, 3> x{};
-    for (std::size_t v = 0; v < std::size_t(interface.dim); ++v)
-      x[v] = interface.pointOf(body, interface.facets[std::size_t(f) * nodes + v]);
-    const NearFacet near = nearestIn(x, point, interface.dim);
-    if (near.distance > tolerance || near.distance >= nearest.distance)
-      continue;
-    nearest = near;
-    best = f;
-  }
+  for (const bool isDirichlet : {true, false})
+    for (int f = 0; f < interface.numFacets() && interface.body(isDirichlet) == body; ++f) {
+      std::array<const double*, 3> x{};
+      for (std::size_t v = 0; v < std::size_t(interface.dim); ++v)
+        x[v] = interface.pointOf(isDirichlet, interface.facets[std::size_t(f) * nodes + v]);
+      const NearFacet near = nearestIn(x, point, interface.dim);
+      if (near.distance > tolerance || near.distance >= nearest.distance)
+        continue;
+      nearest = near;
+      best = f;
+    }
   return best;
 }
 
@@ -110,9 +112,8 @@ std::vector<ContactPlace> contactPlaces(const Model& model, int body, const std:
   std::vector<ContactPlace> places;
   std::size_t firstNode = 0;
   for (const InterfaceMesh& interface : model.interfaces) {
-    const bool touches = interface.dirichletBody == body || interface.neumannBody == body;
     NearFacet nearest;
-    const int facet = touches ? nearestFacet(interface, body, point, tolerance, nearest) : -1;
+    const int facet = nearestFacet(interface, body, point, tolerance, nearest);
     if (facet >= 0) {
       ContactPlace place;
       place.weights = basisAt(interface, nearest.lambda);

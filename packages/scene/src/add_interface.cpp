@@ -64,17 +64,21 @@ void addInterface(Model& model, const Params& definition, const SidePairing& pai
   if (first < 0 || second < 0)
     return;
   const auto &dirichlet = model.bodies[std::size_t(first)], &neumann = model.bodies[std::size_t(second)];
-  if (first == second)
-    throw InputError(definition.mistake("Neumann Body", "a body cannot touch itself; name two different bodies."));
   if (dirichlet.mesh.dim != neumann.mesh.dim)
     throw InputError(definition.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
                                                         dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
+  const auto sideOf = [&](const char* key) {
+    return definition.has(key) ? definition.get<std::string>(key) : std::string();
+  };
+  if (first == second && sideOf("Dirichlet Side") == sideOf("Neumann Side"))
+    throw InputError(definition.mistake(
+        "Neumann Side", fmt::format("a side cannot touch itself; name two sides of \"{}\".", dirichlet.name)));
   InterfaceMesh interface =
       pairing.map ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
                   : pairSides(definition, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
   if (!interface.map)
     keepNormals(interface, earlier);
-  interface.dirichletBody = interface.firstBody = first;
+  interface.dirichletBody = first;
   interface.neumannBody = second;
   if (diagnostics.empty() && interface.dim == 2) // else constraints may be missing
     splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));

@@ -36,19 +36,19 @@ std::vector<OffsetSide> sidesOf(const Model& model, int body)
 {
   const NodeMap& map = model.bodies[std::size_t(body)].nodes;
   std::vector<OffsetSide> sides;
-  for (const auto& interface : model.interfaces) {
-    const bool isDirichlet = interface.dirichletBody == body;
-    if (!isDirichlet && interface.neumannBody != body)
-      continue;
-    const bool moves = isDirichlet != model.bodies[std::size_t(interface.neumannBody)].isRigid;
-    Vector along(interface.gap.size(), 0.0);
-    for (std::size_t i = 0; moves && i < along.size(); ++i) { // what is drawn needs no offset
-      const double opening = interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]);
-      along[i] = isDirichlet ? -opening : opening;
+  for (const auto& interface : model.interfaces)
+    for (const bool isDirichlet : {true, false}) {
+      if (interface.body(isDirichlet) != body)
+        continue;
+      const bool moves = isDirichlet != model.bodies[std::size_t(interface.neumannBody)].isRigid;
+      Vector along(interface.gap.size(), 0.0);
+      for (std::size_t i = 0; moves && i < along.size(); ++i) { // what is drawn needs no offset
+        const double opening = interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]);
+        along[i] = isDirichlet ? -opening : opening;
+      }
+      sides.push_back(
+          {map, isDirichlet ? interface.dirichletNodes : interface.neumannNodes, interface.normals, std::move(along)});
     }
-    sides.push_back(
-        {map, isDirichlet ? interface.dirichletNodes : interface.neumannNodes, interface.normals, std::move(along)});
-  }
   return sides;
 }
 

@@ -82,10 +82,11 @@ DenseMatrix pushedByContact(const Model& model, int body, const DenseMatrix& mot
   std::vector<Direction> normals;
   for (const auto& interface : model.interfaces)
     for (int i = 0; i < interface.numNodes(); ++i)
-      if ((interface.dirichletBody == body || interface.neumannBody == body) && model.carriesContact(interface, i)) {
-        points.push_back(interface.pointOf(body, i));
-        normals.push_back(interface.normals[std::size_t(i)]);
-      }
+      for (const bool isDirichlet : {true, false})
+        if (interface.body(isDirichlet) == body && !interface.touchesItself() && model.carriesContact(interface, i)) {
+          points.push_back(interface.pointOf(isDirichlet, i));
+          normals.push_back(interface.normals[std::size_t(i)]);
+        }
   if (points.empty() || motions.cols() == 0)
     return {motions.rows(), 0};
   const DenseMatrix still =

@@ -170,7 +170,7 @@ std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneCom
                       definition.has("Neumann Side") ? definition.get<std::string>("Neumann Side") : definition.name(),
                       {}};
     SidePairing& pairing = pairings[definition.name()];
-    if (sides.firstBody < 0 || sides.secondBody < 0 || sides.firstBody == sides.secondBody)
+    if (sides.firstBody < 0 || sides.secondBody < 0)
       continue;
     const Params& second = bodies[std::size_t(sides.secondBody)];
     if (second.hasSub("Rigid"))

@@ -8,6 +8,8 @@ std::array<NodeSide, 2> Model::sidesAt(const InterfaceMesh& interface, int node)
   const auto i = std::size_t(node);
   std::array<NodeSide, 2> sides{{{interface.dirichletBody, interface.dirichletNodes[i], true},
                                  {interface.neumannBody, interface.neumannNodes[i], false}}};
+  if (interface.facesItself(node))
+    return sides;
   for (NodeSide& side : sides) {
     const ConstraintSet& set = constraints[std::size_t(side.body)];
     const Direction free = set.freePart(side.node, interface.normals[i]);

@@ -74,8 +74,10 @@ std::vector<int> decisiveNodes(const Model& model, const InterfaceMesh& interfac
 void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh& interface,
                   const std::vector<int>& firstMotion)
 {
-  const int sides[] = {interface.dirichletBody, interface.neumannBody};
-  if (model.freeMotions[std::size_t(sides[0])].cols() + model.freeMotions[std::size_t(sides[1])].cols() == 0)
+  const auto freeMotions = [&](bool isDirichlet) -> const DenseMatrix& {
+    return model.freeMotions[std::size_t(interface.body(isDirichlet))];
+  };
+  if (interface.touchesItself() || freeMotions(true).cols() + freeMotions(false).cols() == 0)
     return;
   const std::vector<int> nodes = decisiveNodes(model, interface);
   std::vector<Direction> normals;
@@ -83,18 +85,17 @@ void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh
     normals.push_back(interface.normals[std::size_t(node)]);
   const std::size_t first = network.approach.size();
   network.approach.resize(first + nodes.size());
-  double sign = 1.0;
-  for (const int body : sides) {
-    const auto b = std::size_t(body);
+  for (const bool isDirichlet : {true, false}) {
+    const auto b = std::size_t(interface.body(isDirichlet));
     std::vector<const double*> points;
     for (const int node : nodes)
-      points.push_back(interface.pointOf(body, node));
-    const DenseMatrix traces = motionTraces(model.rigid[b], model.freeMotions[b], points, normals);
+      points.push_back(interface.pointOf(isDirichlet, node));
+    const DenseMatrix traces = motionTraces(model.rigid[b], freeMotions(isDirichlet), points, normals);
     for (int i = 0; i < traces.rows(); ++i)
       for (int j = 0; j < traces.cols(); ++j)
         if (std::abs(traces(i, j)) > noEntry)
-          network.approach[first + std::size_t(i)].emplace_back(firstMotion[b] + j, sign * traces(i, j));
-    sign = -1.0;
+          network.approach[first + std::size_t(i)].emplace_back(firstMotion[b] + j,
+                                                                isDirichlet ? traces(i, j) : -traces(i, j));
   }
 }
 

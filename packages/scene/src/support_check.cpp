@@ -13,16 +13,16 @@ namespace
 {
 
 /// What the interface nodes that carry contact ask of the rigid motions of one body: rows of normal displacements.
-DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, int body)
+DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, bool isDirichlet)
 {
   std::vector<const double*> points;
   std::vector<Direction> normals;
   for (int i = 0; i < interface.numNodes(); ++i)
     if (model.carriesContact(interface, i)) {
-      points.push_back(interface.pointOf(body, i));
+      points.push_back(interface.pointOf(isDirichlet, i));
       normals.push_back(interface.normals[std::size_t(i)]);
     }
-  const RigidBasis& basis = model.rigid[std::size_t(body)];
+  const RigidBasis& basis = model.rigid[std::size_t(interface.body(isDirichlet))];
   DenseMatrix all(basis.size(), basis.size());
   for (int m = 0; m < basis.size(); ++m)
     all(m, m) = 1.0;
@@ -106,9 +106,12 @@ DenseMatrix freeTogether(const Model& model)
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
     rows.add(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), offset[b], 1.0, rows.size());
   for (const auto& interface : model.interfaces) {
+    if (interface.touchesItself()) // a rigid motion moves both sides alike
+      continue;
     const int first = rows.size();
-    for (const auto& [body, sign] : {std::pair(interface.dirichletBody, 1.0), std::pair(interface.neumannBody, -1.0)})
-      rows.add(interfaceRows(model, interface, body), offset[std::size_t(body)], sign, first);
+    for (const bool isDirichlet : {true, false})
+      rows.add(interfaceRows(model, interface, isDirichlet), offset[std::size_t(interface.body(isDirichlet))],
+               isDirichlet ? 1.0 : -1.0, first);
   }
   return rows.areIndependent() ? DenseMatrix(total, 0) : nullSpace(rows.matrix(), rigidTolerance);
 }

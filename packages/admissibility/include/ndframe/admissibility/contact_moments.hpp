@@ -31,12 +31,8 @@ void addUnsureGap(const std::vector<ContactFacet>& facets, const ContactTraction
 Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree);
 
 /// int psi_i v . n_c dS over the facets that a body takes part in, by interface node, with the sign with which the body
-/// feels t_N: the work of nodal tractions. motion: numNodes * dim, global axes. Reads the facets with these numbers
-/// only, those of the body.
-SparseRow motionWork(const BodyModel& body, int bodyIndex, const Vector& motion,
-                     const std::vector<ContactFacet>& facets, const std::vector<int>& ofBody);
-
-/// Per body the numbers of the facets that it takes part in.
-std::vector<std::vector<int>> facetsOfBodies(const std::vector<ContactFacet>& facets, int numBodies);
+/// feels t_N: the work of nodal tractions. motion: numNodes * dim, global axes. ofBody: facetsOfBody().
+SparseRow motionWork(const BodyModel& body, const Vector& motion, const std::vector<ContactFacet>& facets,
+                     const std::vector<FacetSide>& ofBody);
 
 } // namespace ndframe

@@ -29,11 +29,23 @@ struct ContactFacet
   std::array<Direction, 3> drawn{};  ///< then x1 - x2 at the nodes, of the displacements' order in between
   std::array<Direction, 3> points{}; ///< its vertices on the interface's first side
 
+  /// The two are one where a body touches itself.
+  int body(bool isDirichlet) const { return isDirichlet ? dirichletBody : neumannBody; }
   /// An edge on which the ascending vertex order of the Neumann body runs the other way.
   bool isReversed() const { return theirs[0] == 1; }
   /// n_c at a node of the facet (0, 1 the vertices of an edge, 2 the middle).
   Direction normalAt(std::size_t node) const;
 };
+
+/// A facet, seen from one of the bodies that meet there.
+struct FacetSide
+{
+  int facet;
+  bool isDirichlet;
+};
+
+/// The facets that a body takes part in, in their order; a facet on which it touches itself twice.
+std::vector<FacetSide> facetsOfBody(const std::vector<ContactFacet>& facets, int body);
 
 /// Normal tractions t_N <= 0 on the facets of all interfaces, as polynomials of degree q that may jump from facet to
 /// facet, divided into the shares of the vertices' stars. Acts on the Dirichlet body along n_c, on the Neumann

@@ -74,6 +74,14 @@ struct BodyTrace
   Vector forces(const Vector& onDirichlet, const Vector& onNeumann) const;
 };
 
+/// An interface node where a slit ends (InterfaceMesh::facesItself), and those on its facets that face others. What is
+/// pressed there stays inside the body, so that no force says it.
+struct SlitEnd
+{
+  int node;
+  std::vector<int> beside;
+};
+
 /// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies, or
 /// on one: where supports hold the other body, that one is an obstacle. Everything at such an unknown is seen from the
 /// free body, whatever its role: uDirichlet and forceDirichlet are its own, along its outward normal, and uNeumann is
@@ -87,6 +95,7 @@ struct InterfaceSystem
   std::vector<char> isObstacle;   ///< per unknown: only one body is free
   Vector obstacle;                ///< per unknown: the held body's displacement along the free one's normal; else 0
   std::vector<BodyTrace> bodies;
+  std::vector<SlitEnd> slitEnds;
   std::shared_ptr<const ContactMatrix> C;
   std::shared_ptr<const ContactBasis> basis; ///< null: values at the nodes
 
@@ -99,11 +108,15 @@ struct InterfaceSystem
   Vector shares() const;
   /// Nodal forces along n_c, per interface node, from those at the unknowns.
   Vector nodalForces(const Vector& force) const;
-  /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns.
+  /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns; where slits end with the mean of those beside.
   Vector traction(const Vector& force) const;
   /// The forces at the unknowns of nodal tractions, and of the traction that has these values or coefficients there.
   Vector force(const Vector& traction) const;
   Vector forceOf(const Vector& tractionAtUnknowns) const;
+
+private:
+  /// Per interface node; zero where there is no unknown.
+  Vector atNodes(const Vector& ofUnknowns) const;
 };
 
 /// S in the values of the trace: u_N = A s + b gives S_N = A^-T S A^-1. The condensed body must outlive it.

@@ -27,7 +27,7 @@ private:
   }
 };
 
-/// A side of a body and one of a later body, and what of the first one faces the second.
+/// A side of a body and another one of this or of a later body, and what of the first one faces the second.
 struct FacingPair
 {
   int firstBody, secondBody;
@@ -36,7 +36,7 @@ struct FacingPair
   double smallest = 0.0, largest = 0.0; ///< opening along the first side's normals; negative where polygons overlap
 };
 
-/// Facets of no named side that face another body.
+/// Facets of no named side that face another body or a side of their own.
 struct UnnamedFacing
 {
   int body; ///< whose facets have no name
@@ -51,20 +51,20 @@ struct FacingSearch
   std::vector<UnnamedFacing> unnamed; ///< at most one for two bodies and the side of either
 };
 
-/// Which named sides of different bodies in the plane face each other: rays from the sides of the first body along
-/// their normals (SidePolygon, with the corner angle) meet the second one before they meet anything else, within
-/// `distance` and what the chords of curves may be off by, on a part of positive length (1e-6 of the shorter side),
-/// where the two enclose less than 25 degrees. Corners that meet face nothing.
+/// Which named sides in the plane face each other, of different bodies or two of one: rays from the sides of the first
+/// body along their normals (SidePolygon, with the corner angle) meet the second one before they meet anything else,
+/// within `distance` and what the chords of curves may be off by, on a part of positive length (1e-6 of the shorter
+/// side), where the two enclose less than 25 degrees. Corners that meet face nothing.
 ///
 /// Sides that share facets: a preferred one counts; a side that others are parts of counts unless they make all of it;
 /// then the longer one counts. What is left of the other one counts as if it had no name.
-/// Limits: two dimensions; a body does not face itself; what lies behind another body is not seen.
+/// Limits: two dimensions; a side does not face itself; what lies behind another body is not seen.
 /// Costs boxes of sides times sides, then edges times edges of sides that are near each other.
 FacingSearch searchFacing(const std::vector<SearchedBody>& bodies, double distance, double cornerAngle);
 
-/// Which named sides of different solids have the same nodes; `length` is their area, the opening zero. A side that
-/// shares facets with one that has a partner already, or with a preferred one, counts no more. unnamed: facets that lie
-/// on each other and are in no pair.
+/// Which named sides of solids have the same nodes, of different ones or (a slit's, whose nodes are there twice) of
+/// one; `length` is their area, the opening zero. A side that shares facets with one that has a partner already, or
+/// with a preferred one, counts no more. unnamed: facets that lie on each other and are in no pair.
 FacingSearch searchMatching(const std::vector<SearchedBody>& bodies);
 
 /// Two named sides of different bodies, and how near they come.

@@ -27,7 +27,7 @@ struct InterfaceMesh
   std::vector<double> points;                    ///< dim per interface node, on the first side
   std::vector<double> partners;                  ///< the same on the second side; empty: the same points
   std::vector<Direction> apart;                  ///< pi x - x at the nodes as the outlines are drawn; empty: zero
-  int firstBody = 0;                             ///< whose side the first one is
+  bool dirichletIsFirst = true;                  ///< roles may be exchanged, sides are not
   std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure,
                                                  ///< or the value of the turning field (normal_field.hpp)
   Vector gap;                                    ///< g at the nodes, a length
@@ -46,11 +46,20 @@ struct InterfaceMesh
   int numNodes() const { return int(dirichletNodes.size()); }
   int numFacets() const { return int(measures.size()); }
   int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); }
-  const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
-  /// Where the node of one of the two bodies is.
-  const double* pointOf(int body, int node) const
+  /// The sides are two of one body.
+  bool touchesItself() const { return dirichletBody == neumannBody; }
+  int body(bool isDirichlet) const { return isDirichlet ? dirichletBody : neumannBody; }
+  /// Where a slit ends a node faces itself: nothing moves there against anything.
+  bool facesItself(int node) const
   {
-    return body == firstBody || partners.empty() ? point(node) : partners.data() + std::size_t(node) * std::size_t(dim);
+    return touchesItself() && dirichletNodes[std::size_t(node)] == neumannNodes[std::size_t(node)];
+  }
+  const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
+  /// Where the node of the Dirichlet or of the Neumann body is.
+  const double* pointOf(bool isDirichlet, int node) const
+  {
+    return isDirichlet == dirichletIsFirst || partners.empty() ? point(node)
+                                                               : partners.data() + std::size_t(node) * std::size_t(dim);
   }
 };
 
