@@ -1,7 +1,7 @@
-"""Two solids whose sides match: meshes (gmsh 2.2) and decks of random scenes.
+"""Two solids: meshes (gmsh 2.2) and decks of random scenes.
 
 A solid is a grid of hexahedra cut into six tetrahedra each about a diagonal (Kuhn), moved by a map of the unit cube, its
-vertices numbered at random. Both grids have the same columns on the side of contact, so the triangles there match.
+vertices numbered at random. Grids with the same columns on the side of contact, and nothing shaken there, match.
 """
 
 import dataclasses
@@ -24,6 +24,7 @@ class Solid:
     loads: dict = dataclasses.field(default_factory=dict)  # name -> list of (key, type, value)
     shake: float = 0.0  # of the vertices inside, in parts of a cell
     seed: int = 0  # of numbering and shaking
+    foot_shake: float = 0.0  # of the vertices inside the side of contact, along it
 
     def write(self, folder):
         draw = random.Random(self.seed)
@@ -33,10 +34,12 @@ class Solid:
         draw.shuffle(order)
         number = dict(zip(grid, order))
         points = [None] * len(grid)
+        axis, end = divmod(SIDES.index(self.foot), 2)
         for at in grid:
-            inside = all(0 < i < n for i, n in zip(at, self.cells))
-            moved = [(i + (draw.uniform(-self.shake, self.shake) if inside else 0.0)) / n
-                     for i, n in zip(at, self.cells)]
+            isInside = [0 < i < n for i, n in zip(at, self.cells)]
+            isFoot = at[axis] == end * self.cells[axis] and all(isInside[:axis] + isInside[axis + 1:])
+            shakes = [self.shake] * 3 if all(isInside) else [isFoot * self.foot_shake * (k != axis) for k in range(3)]
+            moved = [(i + (draw.uniform(-by, by) if by else 0.0)) / n for i, n, by in zip(at, self.cells, shakes)]
             points[number[at]] = self.place(*moved)
         tetrahedra, triangles = [], {side: [] for side in SIDES}
         for corner in itertools.product(*(range(n) for n in self.cells)):

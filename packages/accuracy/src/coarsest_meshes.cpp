@@ -177,7 +177,7 @@ bool fits(const Params& deck, const SceneComponents& components, const MeshOfBod
   try {
     const Model model = buildModel(deck, components, meshes);
     return sides == Sides::MayBeCut ||
-           std::none_of(model.interfaces.begin(), model.interfaces.end(), [](const auto& i) { return i.map; });
+           std::none_of(model.interfaces.begin(), model.interfaces.end(), [](const auto& i) { return i.isCut; });
   } catch (const InputError&) {
     return false;
   }

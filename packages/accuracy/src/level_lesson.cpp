@@ -30,8 +30,9 @@ std::vector<int> uncutVertices(const BodyModel& body, int vertex)
   if (vertex < body.uncut().numPoints())
     return {vertex};
   const auto found = std::find(body.mesh.cells.begin(), body.mesh.cells.end(), vertex);
-  const int* cell = body.base.cell(body.parents[std::size_t(found - body.mesh.cells.begin()) / 3]);
-  return {cell, cell + 3};
+  const int corners = body.base.dim + 1;
+  const int* cell = body.base.cell(body.parents[std::size_t(found - body.mesh.cells.begin()) / std::size_t(corners)]);
+  return {cell, cell + corners};
 }
 
 /// Body and vertex.

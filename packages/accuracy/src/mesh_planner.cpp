@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ndframe/algebra/dense.hpp"
 #include "places.hpp"
@@ -57,17 +58,27 @@ std::vector<Mesh> meshesOf(const Model& model)
   return meshes;
 }
 
-/// A facet of the uncut mesh that was not cut itself: its cell may have been.
+/// The facet of the uncut mesh in whose plane a facet lies.
 Facet uncutFacet(const BodyModel& body, Facet facet)
 {
   if (body.parents.empty())
     return facet;
-  int ends[3];
-  facetVertices(body.mesh, facet, ends);
-  const int cell = body.parents[std::size_t(facet.cell)];
-  const int* vertices = body.base.cell(cell);
-  const int* opposite = std::find_if(vertices, vertices + 3, [&](int v) { return v != ends[0] && v != ends[1]; });
-  return {cell, int(opposite - vertices)};
+  const auto centre = facetCentre(body.mesh, facet);
+  Facet nearest{body.parents[std::size_t(facet.cell)], 0};
+  double least = HUGE_VAL;
+  for (int local = 0; local <= body.base.dim; ++local) {
+    const Facet own{nearest.cell, local};
+    const auto middle = facetCentre(body.base, own);
+    double normal[3], apart = 0.0;
+    facetNormal(body.base, own, normal);
+    for (int k = 0; k < body.base.dim; ++k)
+      apart += normal[k] * (centre[std::size_t(k)] - middle[std::size_t(k)]);
+    if (std::abs(apart) < least) {
+      least = std::abs(apart);
+      nearest.local = local;
+    }
+  }
+  return nearest;
 }
 
 /// Sides that match go on matching; where they do not, each body is refined by itself.
@@ -75,14 +86,18 @@ std::vector<FacetTwin> twinsOf(const Model& model)
 {
   std::vector<FacetTwin> twins;
   const std::vector<int> place = placesOf(model);
-  for (const auto& interface : model.interfaces)
-    for (std::size_t f = 0; f < interface.dirichletFacets.size() && !interface.map &&
-                            !model.bodies[std::size_t(interface.neumannBody)].isRigid;
-         ++f)
-      twins.push_back({place[std::size_t(interface.dirichletBody)],
-                       uncutFacet(model.bodies[std::size_t(interface.dirichletBody)], interface.dirichletFacets[f]),
-                       place[std::size_t(interface.neumannBody)],
-                       uncutFacet(model.bodies[std::size_t(interface.neumannBody)], interface.neumannFacets[f])});
+  std::set<std::array<int, 3>> known; // several parts may be of one facet
+  for (const auto& interface : model.interfaces) {
+    if (interface.isCut || model.bodies[std::size_t(interface.neumannBody)].isRigid)
+      continue;
+    const int first = interface.dirichletBody, second = interface.neumannBody;
+    for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
+      const Facet ours = uncutFacet(model.bodies[std::size_t(first)], interface.dirichletFacets[f]);
+      if (known.insert({first, ours.cell, ours.local}).second)
+        twins.push_back({place[std::size_t(first)], ours, place[std::size_t(second)],
+                         uncutFacet(model.bodies[std::size_t(second)], interface.neumannFacets[f])});
+    }
+  }
   return twins;
 }
 

@@ -182,6 +182,8 @@ private:
 std::vector<Vector> tractionsOfSides(const CertifiedScene& scene, const Vector& nodal)
 {
   std::vector<Vector> tractions{nodal};
+  if (scene.facets.empty() || scene.facets.front().dim == 3) // there the recovery chooses the traction
+    return tractions;
   for (const bool isDirichlet : {true, false})
     if (const CoarseTraces traces(scene, isDirichlet); traces.isWorthwhile())
       tractions.push_back(traces.nearest(nodal));

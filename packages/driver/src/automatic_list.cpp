@@ -27,7 +27,7 @@ ListSpec automaticSpec(const ListSpec& interface)
   ListSpec list = makeList(
       "Automatic",
       "Finds the named sides that face each other in the plane, of different bodies or two of one, in space those that "
-      "have the same nodes, and makes an interface of every two, as if the deck had it. The screen says what was "
+      "lie on each other, and makes an interface of every two, as if the deck had it. The screen says what was "
       "found, as a table "
       "and as text of a deck (of more than "
       "ten with -v). The body that the deck names first is the Dirichlet body. What other lists of Interfaces say "

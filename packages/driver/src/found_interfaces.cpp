@@ -34,8 +34,8 @@ public:
     }
     if (dim_ == 3 && automatic_.has("Distance"))
       throw InputError(automatic_.mistake("Distance",
-                                          "Distance means nothing in space, where sides are found that have "
-                                          "the same nodes; remove it."));
+                                          "Distance means nothing in space, where sides are found that lie on "
+                                          "each other; remove it."));
     for (const Params& given : givenInterfaces())
       for (const auto& [body, side] : sidesOf(given))
         prefer(body, side);
@@ -169,8 +169,8 @@ private:
   void refuseNothing() const
   {
     if (dim_ == 3)
-      throw InputError(automatic_.mistake("", "no two named sides have the same nodes; mesh the bodies "
-                                              "in one gmsh script with common faces, or lay boxes on one grid."));
+      throw InputError(automatic_.mistake("", "no two named sides lie on each other: flat, or with the same "
+                                              "nodes. Move the bodies together, or name the sides in the meshes."));
     const auto refuse = [&](const std::string& hint) {
       throw InputError(
           automatic_.mistake("", fmt::format("no two named sides face each other within {:.4g}: {}", distance_, hint)));

@@ -4,6 +4,7 @@
 
 #include <nanoflann.hpp>
 
+#include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/interface/facing_search.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/mesh/boundary.hpp"
@@ -42,6 +43,15 @@ bool areOne(const Box& a, const Box& b)
   const double tolerance = samePoint * std::min(a.facet, b.facet);
   for (std::size_t k = 0; k < 3; ++k)
     if (!(std::abs(a.low[k] - b.low[k]) <= tolerance && std::abs(a.high[k] - b.high[k]) <= tolerance))
+      return false;
+  return true;
+}
+
+bool touch(const Box& a, const Box& b)
+{
+  const double tolerance = samePoint * std::min(a.facet, b.facet);
+  for (std::size_t k = 0; k < 3; ++k)
+    if (a.low[k] > b.high[k] + tolerance || b.low[k] > a.high[k] + tolerance)
       return false;
   return true;
 }
@@ -155,6 +165,28 @@ void addPairs(int b, int c, Searched& first, Searched& second, std::vector<Facin
     }
 }
 
+/// Sides that were meshed apart and lie on each other, flat; one of them may lie on several others.
+void addOverlaps(int b, int c, const Searched& first, const Searched& second, std::vector<FacingPair>& pairs)
+{
+  const auto &ours = first.mesh().sides, &theirs = second.mesh().sides;
+  for (std::size_t s = 0; s < ours.size(); ++s)
+    for (std::size_t t = b == c ? s + 1 : 0; t < theirs.size(); ++t) {
+      if ((b == c && haveCommonFacets(ours[s], theirs[t])) || !first.isFree(ours[s]) || !second.isFree(theirs[t]) ||
+          !touch(first.box(s), second.box(t)))
+        continue;
+      const bool isKnown = std::any_of(pairs.begin(), pairs.end(), [&](const FacingPair& pair) {
+        return pair.firstBody == b && pair.secondBody == c &&
+               haveCommonFacets(ours[s], *first.mesh().findSide(pair.firstSide)) &&
+               haveCommonFacets(theirs[t], *second.mesh().findSide(pair.secondSide));
+      });
+      const double area = isKnown ? 0.0 : overlappingArea(first.mesh(), ours[s], second.mesh(), theirs[t]);
+      if (area <= 0.0)
+        continue;
+      pairs.push_back({b, c, ours[s].name, theirs[t].name});
+      pairs.back().length = area;
+    }
+}
+
 /// Facets that lie on each other and are in no pair.
 std::optional<UnnamedFacing> leftBetween(int b, int c, const FacetCloud& ours, const FacetCloud& theirs)
 {
@@ -188,6 +220,16 @@ FacingSearch searchMatching(const std::vector<SearchedBody>& bodies)
   for (int b = 0; b < count; ++b)
     for (int c = b; c < count; ++c)
       addPairs(b, c, searched[std::size_t(b)], searched[std::size_t(c)], found.pairs);
+  const std::size_t numMatching = found.pairs.size();
+  for (int b = 0; b < count; ++b)
+    for (int c = b; c < count; ++c)
+      addOverlaps(b, c, searched[std::size_t(b)], searched[std::size_t(c)], found.pairs);
+  for (std::size_t p = numMatching; p < found.pairs.size(); ++p) {
+    const FacingPair& pair = found.pairs[p];
+    Searched &first = searched[std::size_t(pair.firstBody)], &second = searched[std::size_t(pair.secondBody)];
+    first.take(*first.mesh().findSide(pair.firstSide));
+    second.take(*second.mesh().findSide(pair.secondSide));
+  }
   for (int b = 0; b < count; ++b)
     for (int c = b + 1; c < count; ++c)
       if (const auto left = leftBetween(b, c, searched[std::size_t(b)].rest(), searched[std::size_t(c)].rest()))

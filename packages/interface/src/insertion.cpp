@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 
 #include "move_vertices.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/solid_sides.hpp"
 #include "ndframe/mesh/bisection.hpp"
 
 namespace ndframe
@@ -37,7 +37,8 @@ public:
       if (moveVertices(*sides.map, mesh(sides.firstBody), sides.firstSide, mesh(sides.secondBody), sides.secondSide,
                        pieces(sides)))
         for (const int body : {sides.firstBody, sides.secondBody})
-          setOwnParents(results_[std::size_t(body)]);
+          if (results_[std::size_t(body)].parents.empty())
+            results_[std::size_t(body)].parents = ownNumbers(mesh(body));
     cut();
     return std::move(results_);
   }
@@ -50,14 +51,6 @@ private:
     Mesh &first = mesh(sides.firstBody), &second = mesh(sides.secondBody);
     return facingPieces(*sides.map, first, first.findSide(sides.firstSide)->facets, second,
                         second.findSide(sides.secondSide)->facets);
-  }
-
-  static void setOwnParents(DerivedMesh& result)
-  {
-    if (!result.parents.empty())
-      return;
-    result.parents.resize(std::size_t(result.mesh.numCells()));
-    std::iota(result.parents.begin(), result.parents.end(), 0);
   }
 
   void replace(int body, DerivedMesh next)
@@ -136,7 +129,13 @@ private:
 
 std::vector<DerivedMesh> insertion(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces)
 {
-  return Insertion(meshes, interfaces).run();
+  const bool isSpace = !interfaces.empty() && meshes[std::size_t(interfaces.front().firstBody)].dim == 3;
+  if (!isSpace)
+    return Insertion(meshes, interfaces).run();
+  std::vector<SolidSides> solids;
+  for (const FacingSides& sides : interfaces)
+    solids.push_back({sides.firstBody, sides.secondBody, sides.firstSide, sides.secondSide, sides.isCut});
+  return cutSolids(meshes, solids);
 }
 
 } // namespace ndframe

@@ -126,6 +126,7 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
     setNodeNormals(interface);
   evaluateGap(definition, interface, more);
   interface.map = std::move(map);
+  interface.isCut = true;
   return interface;
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 #include <nanoflann.hpp>
 
+#include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/base/expression.hpp"
 #include "ndframe/interface/normal_field.hpp"
 #include "side_facets.hpp"
@@ -104,11 +105,9 @@ void refuseMissing(const Params& definition, const Comparison& sides, double tol
       std::count_if(sides.distance.begin(), sides.distance.end(), [&](double d) { return d > tolerance; });
   if (missing > 0)
     throw InputError(definition.mistake(
-        "",
-        fmt::format("the sides do not match ({}): {} of {} nodes have no partner, the largest distance is {:.3g} at "
-                    "{}; sides of solids must have the same nodes and facets in this version: split the longer side, "
-                    "mesh both bodies in one gmsh script with a common face, or lay boxes on one grid.",
-                    names, missing, sides.distance.size(), sides.largestDistance(), sides.worstPosition())));
+        "", fmt::format(
+                "the sides do not match ({}): {} of {} nodes have no partner, the largest distance is {:.3g} at {}.",
+                names, missing, sides.distance.size(), sides.largestDistance(), sides.worstPosition())));
 }
 
 /// Finds the Neumann body's facet for each interface facet by its vertices; false when one is missing.
@@ -167,6 +166,40 @@ void setNormal(InterfaceMesh& interface, const ObstacleSurface* surface)
       std::fill(normals->begin(), normals->end(), *surface->normal);
 }
 
+std::string sideText(const BodyModel& dirichlet, const Side& first, const BodyModel& neumann, const Side& second)
+{
+  return fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
+}
+
+InterfaceMesh firstSideOf(const Params& definition, const BodyModel& dirichlet, const std::vector<Facet>& facets)
+{
+  InterfaceMesh interface = emptyInterface(definition, dirichlet);
+  addSideFacets(interface, dirichlet.mesh, dirichlet.nodes, facets);
+  return interface;
+}
+
+/// The nodes of the second side that are at those of the first.
+void addPartners(InterfaceMesh& interface, const NodeMap& dirichlet, const Comparison& sides)
+{
+  for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i) {
+    interface.neumannNodes.push_back(sides.to.nodes[sides.nearest[i]]);
+    const double* x = dirichlet.point(interface.dirichletNodes[i]);
+    interface.points.insert(interface.points.end(), x, x + interface.dim);
+  }
+}
+
+Diagnostic liesOnNothing(const Params& definition, const Comparison& sides, const std::string& names)
+{
+  const auto nearest =
+      std::size_t(std::min_element(sides.distance.begin(), sides.distance.end()) - sides.distance.begin());
+  return definition.mistake(
+      "",
+      fmt::format("no part of one side lies on the other ({}): their nearest nodes are {:.3g} apart, at {}. Sides of "
+                  "solids that are meshed apart touch where they are flat and lie on each other; curved ones need the "
+                  "same nodes (one gmsh script with a common face).",
+                  names, sides.distance[nearest], pointText(sides.from.map.point(sides.from.nodes[nearest]), 3)));
+}
+
 } // namespace
 
 std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& firstSide, const Mesh& second,
@@ -186,7 +219,11 @@ std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& f
 
 bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide)
 {
-  return !commonVertices(first, firstSide, second, secondSide).empty();
+  if (commonVertices(first, firstSide, second, secondSide).empty())
+    return false;
+  const std::size_t count = firstSide.facets.size();
+  return first.dim == 2 || (secondSide.facets.size() == count &&
+                            commonFacets(first, firstSide, second, secondSide).firstFacets.size() == count);
 }
 
 InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
@@ -196,14 +233,11 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
   if (surface != nullptr)
     first.facets = surface->facets;
   const Side& second = findSide(definition, "Neumann Side", neumann);
-  InterfaceMesh interface = emptyInterface(definition, dirichlet);
+  const std::string names = sideText(dirichlet, first, neumann, second);
   const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
   const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
-  interface.dirichletNodes = mine.nodes;
-  addSideFacets(interface, dirichlet.mesh, dirichlet.nodes, first.facets);
+  InterfaceMesh interface = firstSideOf(definition, dirichlet, first.facets);
   setNormal(interface, surface);
-
-  const std::string names = fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
   const double tolerance =
       samePoint * std::min(shortestFacet(dirichlet.mesh, first), shortestFacet(neumann.mesh, second));
   const Comparison forward = compare(mine, theirs);
@@ -211,17 +245,39 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
     refuseOffset(definition, forward, interface.normals, names);
   refuseMissing(definition, forward, tolerance, names);
   refuseMissing(definition, compare(theirs, mine), tolerance, names);
-  for (std::size_t i = 0; i < mine.nodes.size(); ++i) {
-    interface.neumannNodes.push_back(theirs.nodes[forward.nearest[i]]);
-    const double* x = dirichlet.nodes.point(mine.nodes[i]);
-    interface.points.insert(interface.points.end(), x, x + interface.dim);
-  }
+  addPartners(interface, dirichlet.nodes, forward);
   if (!matchFacets(interface, neumann, second))
     throw InputError(otherFacets(definition, names));
   refuseSameSide(definition, interface, dirichlet, neumann);
   if (interface.dim == 2)
     turnNormals(interface, dirichlet.mesh, definition.get<double>("Corner Angle"));
   evaluateGap(definition, interface, surface != nullptr ? surface->gap : std::string());
+  return interface;
+}
+
+InterfaceMesh pairCutSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann)
+{
+  Side first = findSide(definition, "Dirichlet Side", dirichlet),
+       second = findSide(definition, "Neumann Side", neumann);
+  const std::string names = sideText(dirichlet, first, neumann, second);
+  CommonFacets common = commonFacets(dirichlet.mesh, first, neumann.mesh, second);
+  if (common.firstFacets.empty()) {
+    const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+    const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
+    const Comparison forward = compare(mine, theirs);
+    refuseOffset(definition, forward, firstSideOf(definition, dirichlet, first.facets).normals, names);
+    throw InputError(liesOnNothing(definition, forward, names));
+  }
+  first.facets = std::move(common.firstFacets);
+  second.facets = std::move(common.secondFacets);
+  const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+  const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
+  InterfaceMesh interface = firstSideOf(definition, dirichlet, first.facets);
+  addPartners(interface, dirichlet.nodes, compare(mine, theirs));
+  if (!matchFacets(interface, neumann, second))
+    throw InternalError("sides that were cut do not match");
+  evaluateGap(definition, interface);
+  interface.isCut = true;
   return interface;
 }
 

@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "loose_vertices.hpp"
+#include "ndframe/cutting/solid_sides.hpp"
 #include "ndframe/interface/insertion.hpp"
 
 namespace ndframe
@@ -70,10 +71,23 @@ bool makeVertex(const SidePolygon& polygon, Mesh& mesh, const std::string& name,
 } // namespace
 
 std::vector<char> addSideEnds(std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces,
-                              const std::vector<char>& isRigid)
+                              const std::vector<char>& isRigid, bool willBeRefined)
 {
   std::vector<char> changed(meshes.size(), 0);
-  for (const FacingSides& sides : interfaces)
+  for (const FacingSides& sides : interfaces) {
+    const auto first = std::size_t(sides.firstBody), second = std::size_t(sides.secondBody);
+    if (!sides.map) {
+      if (!sides.isCut || first == second)
+        continue;
+      const auto moved = moveToRims(meshes[first], sides.firstSide, meshes[second], sides.secondSide);
+      const bool firstIsCut =
+                     willBeRefined && cutAtRims(meshes[first], sides.firstSide, meshes[second], sides.secondSide),
+                 secondIsCut =
+                     willBeRefined && cutAtRims(meshes[second], sides.secondSide, meshes[first], sides.firstSide);
+      changed[first] |= char(moved[0] || firstIsCut);
+      changed[second] |= char(moved[1] || secondIsCut);
+      continue;
+    }
     for (const bool onFirst : {true, false}) {
       const auto body = std::size_t(onFirst ? sides.firstBody : sides.secondBody);
       if (isRigid[body])
@@ -83,6 +97,7 @@ std::vector<char> addSideEnds(std::vector<Mesh>& meshes, const std::vector<Facin
                        onFirst ? sides.firstSide : sides.secondSide, edge, place))
           changed[body] = 1;
     }
+  }
   return changed;
 }
 

@@ -136,6 +136,13 @@ DerivedMesh cutFacets(const Mesh& mesh, const FacetCuts& cuts)
   return Cutter(mesh).run(cuts);
 }
 
+std::vector<int> ownNumbers(const Mesh& mesh)
+{
+  std::vector<int> numbers(std::size_t(mesh.numCells()));
+  std::iota(numbers.begin(), numbers.end(), 0);
+  return numbers;
+}
+
 DerivedMesh compose(const DerivedMesh& first, DerivedMesh second)
 {
   for (int& parent : second.parents)

@@ -44,8 +44,8 @@ std::string foundText(const std::vector<FoundInterface>& found, double distance)
 std::string matchingText(const std::vector<FoundInterface>& found)
 {
   if (found.empty())
-    return "  Automatic: no more sides have the same nodes";
-  return table(found, "  Automatic: sides that have the same nodes", fmt::format("{:>12}", "area"),
+    return "  Automatic: no more sides lie on each other";
+  return table(found, "  Automatic: sides that lie on each other", fmt::format("{:>12}", "area"),
                [](const FoundInterface& one) { return fmt::format("{:>12.6g}", one.length); });
 }
 

@@ -87,7 +87,7 @@ std::string headerText(const RunSummary& summary, const Model& model, bool roles
     text +=
         fmt::format("\n  {:<{}} {:>11} interface nodes, {}, {}{}", interface.name, width, grouped(interface.numNodes()),
                     model.bodies[std::size_t(interface.neumannBody)].isRigid ? "on a rigid body"
-                    : interface.map                                          ? "cut to match"
+                    : interface.isCut                                        ? "cut to match"
                                                                              : "matching",
                     gapText(interface), rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
   }

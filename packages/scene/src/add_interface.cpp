@@ -74,8 +74,9 @@ void addInterface(Model& model, const Params& definition, const SidePairing& pai
     throw InputError(definition.mistake(
         "Neumann Side", fmt::format("a side cannot touch itself; name two sides of \"{}\".", dirichlet.name)));
   InterfaceMesh interface =
-      pairing.map ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
-                  : pairSides(definition, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
+      pairing.map     ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
+      : pairing.isCut ? pairCutSides(definition, dirichlet, neumann)
+                      : pairSides(definition, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
   if (!interface.map)
     keepNormals(interface, earlier);
   interface.dirichletBody = first;

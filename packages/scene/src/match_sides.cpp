@@ -34,6 +34,35 @@ std::shared_ptr<const SideMap> earlierMap(const std::string& name, const std::ve
   return nullptr;
 }
 
+FacingSides sidesOf(const Params& definition, const std::vector<Params>& bodies)
+{
+  return {bodyNumber(bodies, definition.get<std::string>("Dirichlet Body")),
+          bodyNumber(bodies, definition.get<std::string>("Neumann Body")),
+          definition.get<std::string>("Dirichlet Side"),
+          definition.has("Neumann Side") ? definition.get<std::string>("Neumann Side") : definition.name(),
+          {},
+          false};
+}
+
+bool isSolid(const FacingSides& sides, const std::vector<CutMesh>& meshes)
+{
+  return meshes[std::size_t(sides.firstBody)].mesh.dim == 3;
+}
+
+bool bothExist(const FacingSides& sides, const std::vector<CutMesh>& meshes)
+{
+  return meshes[std::size_t(sides.firstBody)].mesh.findSide(sides.firstSide) != nullptr &&
+         meshes[std::size_t(sides.secondBody)].mesh.findSide(sides.secondSide) != nullptr;
+}
+
+/// Whether the sides of two solids do not have the same facets.
+bool haveOtherFacets(const FacingSides& sides, const std::vector<CutMesh>& meshes)
+{
+  const Mesh &first = meshes[std::size_t(sides.firstBody)].mesh, &second = meshes[std::size_t(sides.secondBody)].mesh;
+  return first.dim == 3 && second.dim == 3 && bothExist(sides, meshes) &&
+         !sidesMatch(first, *first.findSide(sides.firstSide), second, *second.findSide(sides.secondSide));
+}
+
 /// The map of an interface whose sides exist and do not match.
 std::shared_ptr<const SideMap> mapOf(const Params& definition, const FacingSides& sides,
                                      const std::vector<InterfaceMesh>& earlier, const std::vector<CutMesh>& meshes)
@@ -102,7 +131,7 @@ SidePairing obstaclePairing(const Sides& scene, const Params& definition, const 
     throw InputError(facesNothing(definition, sides.firstSide));
   if (!isMeshed)
     addStrip(scene.meshes[std::size_t(sides.secondBody)].mesh, definition.name(), *map, first, ours->facets);
-  return {map, obstacle->facing(map->first()).gap, {}};
+  return {map, obstacle->facing(map->first()).gap, {}, false};
 }
 
 /// A rigid body is the second one, has no sides of its own and touches something.
@@ -128,18 +157,21 @@ void checkRigid(const Params& deck, const std::vector<Params>& bodies)
       throw InputError(body.mistake("", "is rigid, and nothing touches it; name it in an interface as Neumann Body."));
 }
 
-/// The meshes as they were get a place beside those that match.
-void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing, const std::vector<char>& isRigid)
+/// The meshes as they were get a place beside those that match. isFirst: the meshes are not made of earlier ones.
+void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing, const std::vector<char>& isRigid,
+               bool isFirst, bool willBeRefined)
 {
   std::vector<Mesh> before;
   for (const CutMesh& mesh : meshes)
     before.push_back(mesh.mesh);
-  const auto changed = addSideEnds(before, facing, isRigid);
-  for (std::size_t b = 0; b < meshes.size(); ++b)
-    if (changed[b]) {
-      meshes[b].mesh = before[b];
-      meshes[b].nodes = {};
-    }
+  if (isFirst || facing.front().map) {
+    const auto changed = addSideEnds(before, facing, isRigid, willBeRefined);
+    for (std::size_t b = 0; b < meshes.size(); ++b)
+      if (changed[b]) {
+        meshes[b].mesh = before[b];
+        meshes[b].nodes = {};
+      }
+  }
   std::vector<DerivedMesh> cut = insertion(before, facing);
   for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!cut[b].parents.empty()) {
@@ -148,6 +180,21 @@ void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& fac
       meshes[b].parents = std::move(cut[b].parents);
       meshes[b].nodes = {};
     }
+}
+
+/// Solids and rigid bodies: their layers lie on the facets of the solids as they are now.
+void pairSurfaces(const Sides& scene, const std::vector<Params>& bodies, const std::vector<char>& isMeshed,
+                  std::map<std::string, SidePairing>& pairings)
+{
+  for (const Params& definition : scene.deck.sub("Interfaces").subs()) {
+    const FacingSides sides = sidesOf(definition, bodies);
+    if (sides.firstBody < 0 || sides.secondBody < 0 || !isSolid(sides, scene.meshes))
+      continue;
+    const Params& second = bodies[std::size_t(sides.secondBody)];
+    if (second.hasSub("Rigid"))
+      pairings[definition.name()] =
+          obstaclePairing(scene, definition, second.sub("Rigid"), isMeshed[std::size_t(sides.secondBody)] != 0, sides);
+  }
 }
 
 } // namespace
@@ -163,30 +210,33 @@ std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneCom
     isMeshed.push_back(mesh.mesh.numCells() > 0);
   std::map<std::string, SidePairing> pairings;
   std::vector<FacingSides> facing;
-  for (const Params& definition : deck.sub("Interfaces").subs()) {
-    FacingSides sides{bodyNumber(bodies, definition.get<std::string>("Dirichlet Body")),
-                      bodyNumber(bodies, definition.get<std::string>("Neumann Body")),
-                      definition.get<std::string>("Dirichlet Side"),
-                      definition.has("Neumann Side") ? definition.get<std::string>("Neumann Side") : definition.name(),
-                      {}};
+  bool isCut = false;
+  const auto definitions = deck.sub("Interfaces").subs();
+  for (const Params& definition : definitions) {
+    FacingSides sides = sidesOf(definition, bodies);
     SidePairing& pairing = pairings[definition.name()];
     if (sides.firstBody < 0 || sides.secondBody < 0)
       continue;
     const Params& second = bodies[std::size_t(sides.secondBody)];
-    if (second.hasSub("Rigid"))
+    if (!second.hasSub("Rigid"))
+      pairing.isCut = haveOtherFacets(sides, meshes);
+    if (!second.hasSub("Rigid"))
+      pairing.map = mapOf(definition, sides, earlier, meshes);
+    else if (!isSolid(sides, meshes))
       pairing =
           obstaclePairing(scene, definition, second.sub("Rigid"), isMeshed[std::size_t(sides.secondBody)] != 0, sides);
-    else
-      pairing.map = mapOf(definition, sides, earlier, meshes);
     sides.map = pairing.map;
-    if (sides.map)
+    sides.isCut = pairing.isCut;
+    isCut = isCut || pairing.map || pairing.isCut;
+    if (sides.map || (!second.hasSub("Rigid") && bothExist(sides, meshes) && isSolid(sides, meshes)))
       facing.push_back(std::move(sides));
   }
   std::vector<char> isRigid;
   for (const Params& body : bodies)
     isRigid.push_back(body.hasSub("Rigid"));
-  if (!facing.empty())
-    insertAll(meshes, facing, isRigid);
+  if (isCut)
+    insertAll(meshes, facing, isRigid, earlier.empty(), deck.hasSub("Accuracy"));
+  pairSurfaces(scene, bodies, isMeshed, pairings);
   return pairings;
 }
 

@@ -23,9 +23,10 @@ struct SidePairing
   std::shared_ptr<const SideMap> map;     ///< null where the sides match as they are
   std::string gap;                        ///< what a rigid body adds to the gap (ObstacleOutline)
   std::optional<ObstacleSurface> surface; ///< of a rigid body that a solid touches
+  bool isCut = false;                     ///< solids whose sides were not the same: pairCutSides
 };
 
-/// Cuts the meshes of plane bodies where interfaces have sides that do not match (insertion), and makes those of rigid
+/// Cuts the meshes of bodies where interfaces have sides that do not match (insertion), and makes those of rigid
 /// bodies that have none yet. Returns the pairing of every interface by its name: without map, too, where something is
 /// missing or wrong that reading the interface will tell. A map of an earlier mesh of the same polygons is kept: the
 /// scene stays the same. InputError for rigid bodies that nothing faces.

@@ -9,6 +9,7 @@
 #include <fmt/ranges.h>
 
 #include "glue.hpp"
+#include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/interface/insertion.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/meshing/refined_source.hpp"
@@ -94,7 +95,8 @@ std::vector<FacingSides> TiedMesh::facingSides(const std::vector<Mesh>& parts) c
                       partNumber(joint, "Second Part"),
                       joint.get<std::string>("First Side"),
                       joint.get<std::string>("Second Side"),
-                      {}};
+                      {},
+                      false};
     const Mesh &first = parts[std::size_t(sides.firstBody)], &second = parts[std::size_t(sides.secondBody)];
     if (sides.firstBody == sides.secondBody)
       throw InputError(joint.mistake("Second Part", "a part cannot be tied to itself; name two different parts."));
@@ -104,7 +106,8 @@ std::vector<FacingSides> TiedMesh::facingSides(const std::vector<Mesh>& parts) c
     if (first.dim != second.dim)
       throw InputError(joint.mistake(
           "", fmt::format("a part of dimension {} cannot be tied to one of dimension {}.", first.dim, second.dim)));
-    if (first.dim == 3) { // as they are: nothing is cut
+    if (first.dim == 3) {
+      sides.isCut = !sidesMatch(first, *first.findSide(sides.firstSide), second, *second.findSide(sides.secondSide));
       facing.push_back(std::move(sides));
       continue;
     }
@@ -116,44 +119,33 @@ std::vector<FacingSides> TiedMesh::facingSides(const std::vector<Mesh>& parts) c
   return facing;
 }
 
-/// The same of solids, whose sides must have common vertices and triangles.
+/// The same of solids: the facets that both sides have.
 void TiedMesh::joinSolids(const Params& joint, const FacingSides& sides, const std::vector<DerivedMesh>& parts,
                           Glue& glue, std::vector<std::set<std::pair<int, int>>>& inside) const
 {
   const Mesh &first = parts[std::size_t(sides.firstBody)].mesh, &second = parts[std::size_t(sides.secondBody)].mesh;
-  const Side &firstSide = *first.findSide(sides.firstSide), &secondSide = *second.findSide(sides.secondSide);
-  const auto common = commonVertices(first, firstSide, second, secondSide);
-  const auto refuse = [&](const char* what) {
+  const CommonFacets common =
+      commonFacets(first, *first.findSide(sides.firstSide), second, *second.findSide(sides.secondSide));
+  if (common.firstFacets.empty())
     throw InputError(joint.mistake(
-        "", fmt::format("the {} of {}/{} and {}/{} are not the same; tied solids need sides with one mesh, as of one "
-                        "gmsh script whose volumes share the surface.",
-                        what, names_[std::size_t(sides.firstBody)], sides.firstSide,
-                        names_[std::size_t(sides.secondBody)], sides.secondSide)));
+        "",
+        fmt::format("no part of {}/{} lies on {}/{}; sides of solids that are tied are flat and lie on each other, or "
+                    "have the same nodes.",
+                    names_[std::size_t(sides.firstBody)], sides.firstSide, names_[std::size_t(sides.secondBody)],
+                    sides.secondSide)));
+  const auto add = [&](int body, const std::vector<Facet>& facets) {
+    for (const Facet facet : facets)
+      inside[std::size_t(body)].insert({facet.cell, facet.local});
   };
-  if (common.empty())
-    refuse("vertices");
-  std::map<int, int> partner;
-  for (const auto& [ours, theirs] : common) {
-    partner[theirs] = ours;
-    glue.join(glue.number(sides.firstBody, ours), glue.number(sides.secondBody, theirs));
+  add(sides.firstBody, common.firstFacets);
+  add(sides.secondBody, common.secondFacets);
+  std::map<int, int> partner(common.vertices.begin(), common.vertices.end());
+  for (const Facet facet : common.firstFacets) {
+    int vertices[3];
+    facetVertices(first, facet, vertices);
+    for (const int vertex : vertices)
+      glue.join(glue.number(sides.firstBody, vertex), glue.number(sides.secondBody, partner.at(vertex)));
   }
-  std::set<std::array<int, 3>> triangles;
-  const auto add = [&](const Mesh& mesh, Facet facet, int body) {
-    std::array<int, 3> vertices{};
-    facetVertices(mesh, facet, vertices.data());
-    for (int& vertex : vertices)
-      vertex = body == sides.firstBody ? vertex : partner.at(vertex);
-    std::sort(vertices.begin(), vertices.end());
-    inside[std::size_t(body)].insert({facet.cell, facet.local});
-    return triangles.insert(vertices).second;
-  };
-  for (const Facet facet : firstSide.facets)
-    add(first, facet, sides.firstBody);
-  const std::size_t count = triangles.size();
-  for (const Facet facet : secondSide.facets)
-    add(second, facet, sides.secondBody);
-  if (triangles.size() != count || secondSide.facets.size() != count)
-    refuse("triangles");
 }
 
 /// The vertices of facets that face each other, and the facets, which no side has any more.
@@ -232,13 +224,8 @@ Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
   const auto facing = facingSides(parts);
   const bool isPlane = parts.front().dim == 2;
   if (isPlane)
-    addSideEnds(parts, facing, std::vector<char>(parts.size(), 0));
-  std::vector<DerivedMesh> cut;
-  if (isPlane)
-    cut = insertion(parts, facing);
-  else
-    for (Mesh& part : parts)
-      cut.push_back({std::move(part), {}});
+    addSideEnds(parts, facing, std::vector<char>(parts.size(), 0), true);
+  const std::vector<DerivedMesh> cut = insertion(parts, facing);
   Glue glue(cut);
   std::vector<std::set<std::pair<int, int>>> inside(parts.size()); // facets that have become inner ones
   const auto joints = list_.sub("Joints").subs();
@@ -279,12 +266,12 @@ void registerTied(Registry<MeshSource>& registry)
   joints.doc = "Where parts are glued, one named list each.";
   joints.isRequired = true;
   joints.each = std::make_shared<ListSpec>(joint);
-  addMeshSource(
-      registry, "Tied",
-      "Several meshes as one, glued at sides (that need not match in the plane): what tied interfaces become. "
-      "The cells of a "
-      "part are the group of its name, its sides are called \"PART: SIDE\".",
-      {}, [&registry](const Params& list) { return std::make_unique<TiedMesh>(list, registry); }, {parts, joints});
+  addMeshSource(registry, "Tied",
+                "Several meshes as one, glued at sides (that need not match): what tied interfaces become. "
+                "The cells of a "
+                "part are the group of its name, its sides are called \"PART: SIDE\".",
+                {}, [&registry](const Params& list) { return std::make_unique<TiedMesh>(list, registry); },
+                {parts, joints});
 }
 
 } // namespace ndframe

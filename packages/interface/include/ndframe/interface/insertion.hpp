@@ -15,7 +15,8 @@ struct FacingSides
 {
   int firstBody = 0, secondBody = 0;
   std::string firstSide, secondSide;
-  std::shared_ptr<const SideMap> map;
+  std::shared_ptr<const SideMap> map; ///< in the plane
+  bool isCut = false; ///< in space: sides that do not match as they are; the others are named for the edges they share
 };
 
 /// Meshes of bodies that match along the map of every interface: vertices of either side that face inside a facet of
@@ -24,12 +25,20 @@ struct FacingSides
 /// Before, cells are halved (Bisection) until no facet is more than twice as long as one that it faces, and on straight
 /// sides that lie on each other vertices within 5 % of an edge of a vertex of the other side are moved to it, along the
 /// side, so that no short facets come about; corners, and where a named side ends, stay.
-/// Per body; without parents where nothing was done. Two dimensions.
+///
+/// In space sides lie on each other where they are flat (1e-5 of their facets): both get the vertices of the other one,
+/// those where edges cross, and the same triangles between them (splitFacets). Before, cells are halved as in the
+/// plane, and vertices within a tenth of the edges there are moved to a vertex or onto an edge of the other side. All
+/// interfaces of a body have to be named, for they may share edges.
+///
+/// Per body; without parents where nothing was done.
 std::vector<DerivedMesh> insertion(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces);
 
 /// Gives straight sides a vertex where the other one ends, for stresses are large there: moves one along the side, or
-/// cuts the facet. Unlike insertion() it changes what is refined later. Returns which bodies' meshes were changed.
+/// cuts the facet; of solids it moves vertices within half of the edges there and, where meshes will be refined, cuts
+/// the facets along what is left. Unlike insertion() it changes what is refined later. Returns which bodies' meshes
+/// were changed.
 std::vector<char> addSideEnds(std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces,
-                              const std::vector<char>& isRigid);
+                              const std::vector<char>& isRigid, bool willBeRefined);
 
 } // namespace ndframe

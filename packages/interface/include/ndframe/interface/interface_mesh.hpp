@@ -41,7 +41,8 @@ struct InterfaceMesh
   /// their own normal. Empty where nothing turns.
   std::vector<std::array<Direction, 2>> endNormals;
   std::shared_ptr<const InterfaceMesh> firstMesh; ///< the side as first meshed, which gave the normals; null: this one
-  std::shared_ptr<const SideMap> map; ///< which points face each other; null: sides that match as they are drawn
+  std::shared_ptr<const SideMap> map; ///< in the plane which points face each other; null: sides match as drawn
+  bool isCut = false;                 ///< the meshes were cut to match; each body is refined by itself
 
   int numNodes() const { return int(dirichletNodes.size()); }
   int numFacets() const { return int(measures.size()); }
@@ -67,7 +68,7 @@ struct InterfaceMesh
 std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& firstSide, const Mesh& second,
                                                 const Side& secondSide);
 
-/// Whether vertices of two sides lie on each other, each on one.
+/// Whether vertices of two sides lie on each other, each on one, and so do the triangles of solids.
 bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide);
 
 /// Pairs the two sides named by an `Interfaces` entry (keys "Dirichlet Side", "Neumann Side", "Gap", "Corner Angle").
@@ -79,6 +80,10 @@ bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, co
 /// surface: the second body is rigid and lies on these facets (addLayer).
 InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
                         const ObstacleSurface* surface = nullptr);
+
+/// The same for sides of solids that were cut (insertion.hpp): the facets that both have. Throws InputError when there
+/// is none, with what is nearest.
+InterfaceMesh pairCutSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann);
 
 /// The same for sides whose meshes match along a map (insertion.hpp). more: what a rigid body adds to the gap
 /// (ObstacleOutline::gap).

@@ -25,6 +25,9 @@ using FacetCuts = std::map<std::pair<int, int>, std::vector<double>>;
 /// new ones follow. The parts of a side's facet stand where it stood, in the direction of facetVertices.
 DerivedMesh cutFacets(const Mesh& mesh, const FacetCuts& cuts);
 
+/// Of a mesh that stays as it is: each cell is its own parent.
+std::vector<int> ownNumbers(const Mesh& mesh);
+
 /// Makes `first` and then `second` of its mesh one step.
 DerivedMesh compose(const DerivedMesh& first, DerivedMesh second);
 

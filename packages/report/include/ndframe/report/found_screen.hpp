@@ -18,7 +18,7 @@ struct FoundInterface
 /// The table of what was found within a distance.
 std::string foundText(const std::vector<FoundInterface>& found, double distance);
 
-/// The same of solids, whose sides have the same nodes.
+/// The same of solids, whose sides lie on each other.
 std::string matchingText(const std::vector<FoundInterface>& found);
 
 } // namespace ndframe
