@@ -5,8 +5,11 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "guessed_scene.hpp"
+#include "drawn_scene.hpp"
+#include "drawn_trial.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/drawing/guessed_scene.hpp"
+#include "shell_files.hpp"
 
 namespace ndframe
 {
@@ -98,17 +101,12 @@ DrawnScene read(const std::string& drawing, const std::string& output, const Com
   }
 }
 
-} // namespace
-
-std::string drawnDeck(const std::string& drawing, const std::string& output, const Components& components)
+std::string written(const DrawnScene& scene, const GuessedScene& guessed, const std::string& file,
+                    const std::string& name)
 {
-  const std::string file = namedFrom(output, drawing);
-  const DrawnScene scene = read(file, output, components);
-  const GuessedScene guessed(scene);
-  const std::string name = std::filesystem::path(output).stem().string();
   DeckWriter deck;
-  deck.comment(fmt::format("What is drawn in {}. Run it: ndframe {}.xml, and see the results: ndframe report {}.", file,
-                           name, name));
+  deck.comment(fmt::format("What is drawn in {}. Run it: ndframe {}, and see the results: ndframe report {}.", file,
+                           forShell(name + ".xml"), forShell(name)));
   deck.comment("Look at what is guessed and set the materials; `ndframe -h Supports` explains a list of the deck.");
   deck.open(name);
   deck.text("Title", name);
@@ -121,6 +119,36 @@ std::string drawnDeck(const std::string& drawing, const std::string& output, con
   writeGoal(scene, deck);
   deck.close();
   return deck.written();
+}
+
+/// Leaves out each Hold that the mistakes name; whether there is one.
+bool leaveOutHolds(const std::vector<Diagnostic>& mistakes, const DrawnScene& scene, GuessedScene& guessed)
+{
+  bool found = false;
+  for (const Diagnostic& mistake : mistakes)
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+      if (mistake.path == fmt::format("Bodies/{}/Supports/{}", scene.bodies[body].name, GuessedScene::holdName)) {
+        guessed.leaveOutHold(body);
+        found = true;
+      }
+  return found;
+}
+
+} // namespace
+
+DrawnDeck drawnDeck(const std::string& drawing, const std::string& output, const Components& components)
+{
+  const std::string file = namedFrom(output, drawing);
+  const DrawnScene scene = read(file, output, components);
+  GuessedScene guessed(scene);
+  const std::string name = std::filesystem::path(output).stem().string();
+  DrawnDeck deck{written(scene, guessed, file, name), {}};
+  deck.mistakes = mistakesOfDeck(deck.text, output, components);
+  if (leaveOutHolds(deck.mistakes, scene, guessed)) {
+    deck.text = written(scene, guessed, file, name);
+    deck.mistakes = mistakesOfDeck(deck.text, output, components);
+  }
+  return deck;
 }
 
 } // namespace ndframe
