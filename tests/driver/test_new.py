@@ -148,10 +148,16 @@ class New(unittest.TestCase):
         lists = [one.get("name") for one in deck.iter("ParameterList")]
         self.assertNotIn("hold", lists)
         self.assertIn("still", lists)
+        self.assertNotIn("Refinement", lists)  # the vertex must stay
         done = self.call("pin.xml")
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         summary = json.loads((self.folder / "pin.summary.json").read_text())
         self.assertGreater(summary["interfaces"][0]["contact_force"], 0.0)
+
+    def test_curved_sides_that_touch_follow_the_curve(self):
+        for name, text, curved in (("roll", ROLL, True), ("stack", STACK, False)):
+            entries = [entry.get("value") for entry in self.drawn(text, name).iter("Parameter")]
+            self.assertEqual("Remesh" in entries, curved)
 
     def test_a_body_is_moved_until_inclined_sides_meet(self):
         self.drawn(DOVETAIL, "dovetail")

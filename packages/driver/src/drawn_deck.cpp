@@ -1,5 +1,6 @@
 #include "drawn_deck.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
@@ -66,13 +67,35 @@ void writeInterfaces(const DrawnScene& scene, DeckWriter& deck)
   deck.close();
 }
 
-void writeGoal(const DrawnScene& scene, DeckWriter& deck)
+bool touchesAtACurve(const DrawnScene& scene)
+{
+  for (const DrawnBody& body : scene.bodies)
+    if (std::any_of(body.sides.begin(), body.sides.end(),
+                    [](const DrawnSide& side) { return side.touches && !side.isFlat(); }))
+      return true;
+  return false;
+}
+
+/// Where contact meets the corners between the chords of a curve its pressure is several times too high.
+void writeRefinement(DeckWriter& deck)
+{
+  deck.comment(
+      "Some sides that touch are curved: gmsh makes finer meshes along the curve. Bisection keeps the chords of "
+      "the first mesh.");
+  deck.open("Refinement");
+  deck.text("Type", "Remesh");
+  deck.close();
+}
+
+void writeGoal(const DrawnScene& scene, bool mayRemesh, DeckWriter& deck)
 {
   deck.emptyLine();
   if (scene.dim == 2) {
     deck.comment("The error that you accept, guaranteed: meshes are refined until the bound is below it.");
     deck.open("Accuracy");
     deck.entry("Target", "double", "0.05");
+    if (mayRemesh && touchesAtACurve(scene))
+      writeRefinement(deck);
   } else {
     deck.comment(
         "How wrong the answer is. A list Accuracy with Target = 0.05 refines the meshes until 5 % are reached.");
@@ -116,7 +139,7 @@ std::string written(const DrawnScene& scene, const GuessedScene& guessed, const 
     writeBody(scene, body, file, guessed, deck);
   deck.close();
   writeInterfaces(scene, deck);
-  writeGoal(scene, deck);
+  writeGoal(scene, std::filesystem::path(file).extension() == ".geo" && !guessed.holdsAVertex(), deck);
   deck.close();
   return deck.written();
 }

@@ -25,6 +25,9 @@ public:
   /// A body that supports and contact hold altogether gets no support Hold; what presses it may roll it, so a Point.
   void leaveOutHold(std::size_t body) { held_.insert(body); }
 
+  /// Whether a support is at a vertex, which meshes that are made again need not have.
+  bool holdsAVertex() const { return !held_.empty(); }
+
   /// The lists Supports and Loads of a body.
   void write(std::size_t body, DeckWriter& deck) const;
 
