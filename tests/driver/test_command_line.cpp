@@ -268,6 +268,7 @@ TEST_F(Program, ExplainsItselfAndEveryList)
   for (const char* text : {"--input", "--check", "--plan", "--set", "--help", "--list", "--dump-defaults", "--version",
                            "--quiet", "--verbose", "Exit codes: 0 right"})
     EXPECT_THAT(help.out, HasSubstr(text));
+  EXPECT_THAT(help.out, HasSubstr("To begin: `ndframe new two-bodies`"));
   const auto aitken = call({"--help", "Aitken"});
   EXPECT_EQ(aitken.exitCode, 0);
   EXPECT_THAT(aitken.out, AllOf(HasSubstr("Initial Theta"), HasSubstr("in (0, 2)")));

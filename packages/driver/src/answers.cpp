@@ -62,6 +62,8 @@ bool answer(const CommandLine& options, const CLI::App& app, const Components& c
            "does not run yet.\n";
   else if (options.help && options.help->empty())
     out << app.help() << exitCodeText() << "\n"
+        << "To begin: `ndframe new two-bodies`, or `ndframe new from-geo FILE.geo` for a drawing of your own; then "
+           "`ndframe DECK`, and `ndframe report NAME` for a page of its results.\n"
         << "`ndframe --help Coupling` explains a list of the deck, `ndframe --help \"maximum sweeps\"` finds a "
            "parameter, "
            "`ndframe --list` shows all components.\n";
