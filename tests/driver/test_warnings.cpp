@@ -105,6 +105,18 @@ TEST(Warnings, OfUnitsThatDoNotFit)
   EXPECT_THAT(warningsOf(steelPunch().set("Bodies/punch/Loads/press/Value=1e6")), Contains(warning("strain", "units")));
 }
 
+TEST(Warnings, OfModuliInDifferentUnits)
+{
+  const auto scene = [](const std::string& modulus) {
+    return steelPunch().set("Bodies/foundation/Material/Young Modulus=" + modulus);
+  };
+  EXPECT_THAT(
+      warningsOf(scene("210001e6")),
+      Contains(warning("different moduli", "Bodies/punch/Material: it is 1e+06 times as soft as "
+                                           "Bodies/foundation/Material: are all moduli set, and in one unit?")));
+  EXPECT_THAT(warningsOf(scene("210000e5")), IsEmpty()); // steel on rubber
+}
+
 TEST(Warnings, OfBodiesThatAreMovedAndDoNotMeet)
 {
   const auto moved = [](const std::string& way) {
