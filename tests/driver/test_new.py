@@ -68,6 +68,19 @@ Curve Loop(11) = {11:16}; Plane Surface(11) = {11};
 Physical Surface("groove") = {1}; Physical Surface("tail") = {11}; Physical Curve("bottom") = {1};
 Physical Curve("flanks") = {4, 6}; Physical Curve("tail flanks") = {12, 16}; Physical Curve("pulled") = {14};
 """
+# A wedge between two blocks that stand on the ground.
+WEDGE = """
+s = 4;
+Point(1) = {-30, 0, 0, s}; Point(2) = {-6, 0, 0, s}; Point(3) = {-10, 20, 0, s}; Point(4) = {-30, 20, 0, s};
+Point(5) = {30, 0, 0, s}; Point(6) = {6, 0, 0, s}; Point(7) = {10, 20, 0, s}; Point(8) = {30, 20, 0, s};
+Point(9) = {-5.7, 0, 0, s}; Point(10) = {5.7, 0, 0, s}; Point(11) = {10.7, 25, 0, s}; Point(12) = {-10.7, 25, 0, s};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Line(5) = {6, 5}; Line(6) = {5, 8}; Line(7) = {8, 7}; Line(8) = {7, 6}; Curve Loop(2) = {5:8}; Plane Surface(2) = {2};
+Line(9) = {9, 10}; Line(10) = {10, 11}; Line(11) = {11, 12}; Line(12) = {12, 9}; Curve Loop(3) = {9:12}; Plane Surface(3) = {3};
+Physical Surface("left") = {1}; Physical Surface("right") = {2}; Physical Surface("wedge") = {3}; Physical Curve("top") = {11};
+Physical Curve("left foot") = {1}; Physical Curve("left flank") = {2}; Physical Curve("right foot") = {5}; Physical Curve("right flank") = {8};
+Physical Curve("wedge right") = {10}; Physical Curve("wedge left") = {12};
+"""
 SIDES = 'Physical Curve("below") = {1}; Physical Curve("above") = {3};\n'
 BODY = 'Physical Surface("plate & <co>") = {1};\n'
 
@@ -153,6 +166,13 @@ class New(unittest.TestCase):
         self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
         summary = json.loads((self.folder / "pin.summary.json").read_text())
         self.assertGreater(summary["interfaces"][0]["contact_force"], 0.0)
+
+    def test_bodies_that_nothing_but_their_feet_can_hold_stand_on_them(self):
+        self.drawn(WEDGE, "wedge")
+        summary = self.run_certified("wedge")
+        held = {b["name"]: [s["description"] for s in b["supports"]] for b in summary["bodies"]}
+        self.assertEqual(held, {"left": ["clamp at left foot"], "right": ["clamp at right foot"], "wedge": ["displacement at top"]})
+        self.assertTrue(all(interface["contact_force"] > 0.0 for interface in summary["interfaces"]))
 
     def test_curved_sides_that_touch_follow_the_curve(self):
         for name, text, curved in (("roll", ROLL, True), ("stack", STACK, False)):

@@ -101,12 +101,19 @@ void GuessedScene::write(std::size_t body, DeckWriter& deck) const
   push = scaled(push, 1.0 / length(push));
   if (body == base_)
     return writeBase(drawn, push, deck);
-  const DrawnSide* driven = hasDirection ? farthest(drawn, scaled(push, -1.0), true) : nullptr;
+  const bool mayBeDriven = hasDirection || held_.count(body) != 0;
+  const DrawnSide* driven = mayBeDriven ? farthest(drawn, scaled(push, -1.0), true) : nullptr;
   if (driven == nullptr && hasDirection) // none to press; one to pull, like the foot of a bolt?
     driven = farthest(drawn, push, true);
   if (driven != nullptr)
     return writeDriven(drawn, *driven, path(body, push), deck);
   writeHeld(body, hasDirection || numNeighbours(body) == 1 ? push : Vector3{}, deck);
+}
+
+bool GuessedScene::holdsAVertex() const
+{
+  return std::any_of(held_.begin(), held_.end(),
+                     [&](std::size_t body) { return farthest(scene_.bodies[body], {}) == nullptr; });
 }
 
 Vector3 GuessedScene::down() const
@@ -146,14 +153,19 @@ void GuessedScene::writeBase(const DrawnBody& body, const Vector3& push, DeckWri
   const DrawnSide* const held = farthest(body, scaled(push, isAlone ? 1.0 : -1.0));
   deck.open("Supports");
   writeSymmetry(body, deck);
-  deck.comment("Guessed: no displacement at all on this side.");
-  deck.open("held");
-  deck.text("Type", "Clamp");
-  deck.text("Side", held->name);
-  deck.close();
+  writeClamp(*held, deck);
   deck.close();
   if (isAlone)
     writePressed(body, held, deck);
+}
+
+void GuessedScene::writeClamp(const DrawnSide& side, DeckWriter& deck) const
+{
+  deck.comment("Guessed: no displacement at all on this side.");
+  deck.open("held");
+  deck.text("Type", "Clamp");
+  deck.text("Side", side.name);
+  deck.close();
 }
 
 /// The load of a body that touches nothing.
@@ -239,8 +251,12 @@ void GuessedScene::writeHeld(std::size_t index, const Vector3& push, DeckWriter&
     deck.text("Type", "Hold");
     deck.close();
   }
-  if (held_.count(index) != 0 && length(push) > 0.0)
-    writeStill(body, push, deck);
+  if (held_.count(index) != 0) {
+    if (const DrawnSide* const side = farthest(body, scaled(push, -1.0)); side != nullptr)
+      writeClamp(*side, deck);
+    else if (length(push) > 0.0)
+      writeStill(body, push, deck);
+  }
   deck.close();
   if (length(push) == 0.0)
     return;

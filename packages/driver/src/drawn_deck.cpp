@@ -167,7 +167,7 @@ DrawnDeck drawnDeck(const std::string& drawing, const std::string& output, const
   const std::string name = std::filesystem::path(output).stem().string();
   DrawnDeck deck{written(scene, guessed, file, name), {}};
   deck.mistakes = mistakesOfDeck(deck.text, output, components);
-  if (leaveOutHolds(deck.mistakes, scene, guessed)) {
+  while (leaveOutHolds(deck.mistakes, scene, guessed)) {
     deck.text = written(scene, guessed, file, name);
     deck.mistakes = mistakesOfDeck(deck.text, output, components);
   }

@@ -22,11 +22,11 @@ public:
 
   static constexpr const char* holdName = "hold"; ///< of the supports Hold
 
-  /// A body that supports and contact hold altogether gets no support Hold; what presses it may roll it, so a Point.
+  /// A body whose Hold is refused has none: a side of its own is clamped, or, without one, a Point stops it.
   void leaveOutHold(std::size_t body) { held_.insert(body); }
 
   /// Whether a support is at a vertex, which meshes that are made again need not have.
-  bool holdsAVertex() const { return !held_.empty(); }
+  bool holdsAVertex() const;
 
   /// The lists Supports and Loads of a body.
   void write(std::size_t body, DeckWriter& deck) const;
@@ -37,6 +37,7 @@ private:
   void writeBase(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const;
   void writePressed(const DrawnBody& body, const DrawnSide* held, DeckWriter& deck) const;
   void writeDriven(const DrawnBody& body, const DrawnSide& side, const Vector3& path, DeckWriter& deck) const;
+  void writeClamp(const DrawnSide& side, DeckWriter& deck) const;
   void writeStill(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const;
   void writeHeld(std::size_t body, const Vector3& push, DeckWriter& deck) const;
   void writeBodyForce(const Vector3& direction, DeckWriter& deck) const;
