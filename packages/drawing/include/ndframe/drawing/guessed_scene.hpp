@@ -22,7 +22,7 @@ public:
 
   static constexpr const char* holdName = "hold"; ///< of the supports Hold
 
-  /// A body whose Hold is refused has none: a side of its own is clamped, or, without one, a Point stops it.
+  /// A body whose Hold is refused has none: a side of its own is moved or clamped, or, without one, a Point stops it.
   void leaveOutHold(std::size_t body) { held_.insert(body); }
 
   /// Whether a support is at a vertex, which meshes that are made again need not have.
