@@ -59,7 +59,8 @@ def tiles(results):
     if solved(summary):
         bound = (summary["errors"] or {}).get("global")
         if bound and bound["relative"] is not None:
-            found.append(("error in energy", ("≤ " if bound["guaranteed"] else "≈ ") + words.percent(bound["relative"]),
+            size = "> 100 %" if bound["relative"] > 1.0 else ("≤ " if bound["guaranteed"] else "≈ ") + words.percent(bound["relative"])
+            found.append(("error in energy", size,
                           "guaranteed" if bound["guaranteed"] else "not guaranteed"))
         if peak := words.peak_pressure(summary, results.contact):
             found.append(("peak contact pressure", words.number(peak[0]), peak[1]))
@@ -80,7 +81,7 @@ def body_rows(summary):
     for body in summary["bodies"][:MOST_BODIES]:
         entry = summary["deck"]["Bodies"].get(body["name"], {})
         mesh = [] if "Rigid" in entry else [f"{words.count(body['elements'], 'element')}, {words.count(body['dofs'], 'dof')}"]
-        rows.append((body["name"], mesh, words.materials(entry), body["held_by"].split("; "),
+        rows.append((body["name"], mesh, words.materials(entry), words.supported(body, entry.get("Supports", {})),
                      [words.load(*item) for item in entry.get("Loads", {}).items()]))
     return rows
 

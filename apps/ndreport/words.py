@@ -6,6 +6,7 @@ from .results import solved
 
 AXES = "xyz"
 LARGE_ERROR = 0.2  # a bound above it, guaranteed or not, is no good answer
+EDGE = 1.3  # times what lies between the ends: the pressure of an edge that presses
 
 
 def number(value, digits=4):
@@ -74,6 +75,12 @@ def load(name, entry):
     return f"{name}: {kind.lower()} {size}{where}{cells}"
 
 
+def supported(body, supports):
+    """The sentences about what holds a body, those of given displacements with their values."""
+    moved = {f"displacement at {entry['Side']}": components(entry) for entry in supports.values() if entry.get("Type") == "Displacement"}
+    return [f"{text}: {moved[text]}" if moved.get(text) else text for text in body["held_by"].split("; ")]
+
+
 def interface(name, entry):
     first = f"{entry['Dirichlet Side']} of {entry['Dirichlet Body']}"
     second = f"{entry['Neumann Side']} of {entry['Neumann Body']}" if "Neumann Side" in entry else entry["Neumann Body"]
@@ -111,6 +118,28 @@ def peak_pressure(summary, contact):
     return top["largest_pressure"], top["name"], [table[axis][row] for axis in AXES if axis in table]
 
 
+def grows_with_the_mesh(summary, contact):
+    """Whether the largest pressure stands where contact ends, far above what lies between: an edge presses, the pressure of the solution has
+    no largest value, and finer meshes show larger ones. Of plane scenes."""
+    peak = peak_pressure(summary, contact)
+    if not peak or not peak[2] or len(peak[2]) > 2:
+        return False
+    pressure, length = list(contact[peak[1]]["pressure"]), list(contact[peak[1]]["arc_length"])
+    pressed = [i for i, p in enumerate(pressure) if p > 0.0]
+    ends = [i for i in pressed if None in (nearest_pressed(pressure, length, i, step) for step in (1, -1))]
+    top, inner = max(pressed, key=lambda i: pressure[i]), [pressure[i] for i in pressed if i not in ends]
+    return top in ends and len(inner) > 1 and pressure[top] > EDGE * max(inner)
+
+
+def nearest_pressed(pressure, length, node, step):
+    """The node next to one at another place of the same piece of the side, if it is pressed; None at an end of contact."""
+    other = node + step
+    while 0 <= other < len(length) and length[other] == length[node]:
+        other += step
+    inside = 0 <= other < len(length) and (length[other] - length[node]) * step > 0.0
+    return other if inside and pressure[other] > 0.0 else None
+
+
 def error_clause(summary):
     errors = summary["errors"]
     if errors is None:
@@ -120,6 +149,8 @@ def error_clause(summary):
         return "the estimators that the deck asks for give no bound"
     if bound["relative"] is None:
         return "the error in energy has no finite bound"
+    if bound["relative"] > 1.0:
+        return "the bound of the error is above 100 %: it says nothing about the answer"
     if bound["guaranteed"]:
         return f"error in energy at most {percent(bound['relative'])}, guaranteed"
     why = f" ({bound['reason'].rstrip('.')})" if bound["reason"] else ""
@@ -154,7 +185,8 @@ def verdict(results):
     peak = peak_pressure(summary, results.contact)
     if peak:
         where = f" at {vector(peak[2])}" if peak[2] else ""
-        parts.append(f"peak pressure {number(peak[0])}{where}" if peak[0] else "nothing touches")
+        edge = ", at an edge, where finer meshes show larger values" if grows_with_the_mesh(summary, results.contact) else ""
+        parts.append(f"peak pressure {number(peak[0])}{where}{edge}" if peak[0] else "nothing touches")
     else:
         parts.append(f"largest displacement {number(max(b['largest_displacement']['value'] for b in summary['bodies']))}")
     parts.append(error_clause(summary))

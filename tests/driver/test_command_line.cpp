@@ -268,10 +268,12 @@ TEST_F(Program, ExplainsItselfAndEveryList)
   for (const char* text : {"--input", "--check", "--plan", "--set", "--help", "--list", "--dump-defaults", "--version",
                            "--quiet", "--verbose", "Exit codes: 0 right"})
     EXPECT_THAT(help.out, HasSubstr(text));
+  EXPECT_THAT(help.out, HasSubstr("To begin: `ndframe new two-bodies`"));
   const auto aitken = call({"--help", "Aitken"});
   EXPECT_EQ(aitken.exitCode, 0);
   EXPECT_THAT(aitken.out, AllOf(HasSubstr("Initial Theta"), HasSubstr("in (0, 2)")));
   EXPECT_THAT(call({"--help", "Coupling/Stopping"}).out, HasSubstr("Maximum Sweeps"));
+  EXPECT_THAT(call({"--help", "units"}).out, HasSubstr("with lengths in mm and moduli in MPa"));
   const auto wrong = call({"--help", "Aitkin"});
   EXPECT_EQ(wrong.exitCode, 2);
   EXPECT_THAT(wrong.err, HasSubstr("did you mean \"Aitken\"?"));

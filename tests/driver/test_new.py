@@ -45,6 +45,42 @@ Physical Surface("base") = {1}; Physical Surface("pad") = {2}; Physical Surface(
 Physical Curve("foot") = {1}; Physical Curve("base top") = {3}; Physical Curve("pad bottom") = {5};
 Physical Curve("pad top") = {7}; Physical Curve("beam bottom") = {9}; Physical Curve("beam top") = {11};
 """
+# A pin that is smaller than its hole, and lies in it.
+PIN = """
+SetFactory("OpenCASCADE"); Rectangle(1) = {-20, -20, 0, 40, 40}; Disk(2) = {0, 0, 0, 5.1};
+BooleanDifference(3) = { Surface{1}; Delete; }{ Surface{2}; Delete; };
+Disk(4) = {0, -0.1, 0, 5}; Mesh.MeshSizeMax = 4; Mesh.MeshSizeFromCurvature = 20;
+Physical Surface("plate") = {3}; Physical Surface("pin") = {4};
+all() = Boundary{ Surface{3}; };
+Physical Curve("rim") = Boundary{ Surface{4}; }; Physical Curve("hole") = {all(4)}; Physical Curve("foot") = {all(0)};
+"""
+# A tail with clearance in its groove: as the tail goes up, its flanks meet those of the groove by less than half of the way.
+DOVETAIL = """
+s = 4; c = 0.1;
+Point(1) = {-30, 0, 0, s}; Point(2) = {30, 0, 0, s}; Point(3) = {30, 20, 0, s}; Point(4) = {8, 20, 0, s}; Point(5) = {14, 8, 0, s};
+Point(6) = {-14, 8, 0, s}; Point(7) = {-8, 20, 0, s}; Point(8) = {-30, 20, 0, s};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 5}; Line(5) = {5, 6}; Line(6) = {6, 7}; Line(7) = {7, 8};
+Line(8) = {8, 1}; Curve Loop(1) = {1:8}; Plane Surface(1) = {1};
+Point(11) = {-14 + c, 8 + c, 0, s}; Point(12) = {14 - c, 8 + c, 0, s}; Point(13) = {8 - c, 20, 0, s}; Point(14) = {8 - c, 35, 0, s};
+Point(15) = {c - 8, 35, 0, s}; Point(16) = {c - 8, 20, 0, s};
+Line(11) = {11, 12}; Line(12) = {12, 13}; Line(13) = {13, 14}; Line(14) = {14, 15}; Line(15) = {15, 16}; Line(16) = {16, 11};
+Curve Loop(11) = {11:16}; Plane Surface(11) = {11};
+Physical Surface("groove") = {1}; Physical Surface("tail") = {11}; Physical Curve("bottom") = {1};
+Physical Curve("flanks") = {4, 6}; Physical Curve("tail flanks") = {12, 16}; Physical Curve("pulled") = {14};
+"""
+# A wedge between two blocks that stand on the ground.
+WEDGE = """
+s = 4;
+Point(1) = {-30, 0, 0, s}; Point(2) = {-6, 0, 0, s}; Point(3) = {-10, 20, 0, s}; Point(4) = {-30, 20, 0, s};
+Point(5) = {30, 0, 0, s}; Point(6) = {6, 0, 0, s}; Point(7) = {10, 20, 0, s}; Point(8) = {30, 20, 0, s};
+Point(9) = {-5.7, 0, 0, s}; Point(10) = {5.7, 0, 0, s}; Point(11) = {10.7, 25, 0, s}; Point(12) = {-10.7, 25, 0, s};
+Line(1) = {1, 2}; Line(2) = {2, 3}; Line(3) = {3, 4}; Line(4) = {4, 1}; Curve Loop(1) = {1:4}; Plane Surface(1) = {1};
+Line(5) = {6, 5}; Line(6) = {5, 8}; Line(7) = {8, 7}; Line(8) = {7, 6}; Curve Loop(2) = {5:8}; Plane Surface(2) = {2};
+Line(9) = {9, 10}; Line(10) = {10, 11}; Line(11) = {11, 12}; Line(12) = {12, 9}; Curve Loop(3) = {9:12}; Plane Surface(3) = {3};
+Physical Surface("left") = {1}; Physical Surface("right") = {2}; Physical Surface("wedge") = {3}; Physical Curve("top") = {11};
+Physical Curve("left foot") = {1}; Physical Curve("left flank") = {2}; Physical Curve("right foot") = {5}; Physical Curve("right flank") = {8};
+Physical Curve("wedge right") = {10}; Physical Curve("wedge left") = {12};
+"""
 SIDES = 'Physical Curve("below") = {1}; Physical Curve("above") = {3};\n'
 BODY = 'Physical Surface("plate & <co>") = {1};\n'
 
@@ -120,6 +156,46 @@ class New(unittest.TestCase):
         below, above = (interface["contact_force"] for interface in summary["interfaces"])
         self.assertAlmostEqual(below, above, delta=1e-6 * above)
 
+    def test_a_body_in_another_one_needs_no_hold(self):
+        deck = self.drawn(PIN, "pin")
+        lists = [one.get("name") for one in deck.iter("ParameterList")]
+        self.assertNotIn("hold", lists)
+        self.assertIn("still", lists)
+        self.assertNotIn("Refinement", lists)  # the vertex must stay
+        done = self.call("pin.xml")
+        self.assertEqual((done.returncode, done.stderr), (0, ""), done.stdout)
+        summary = json.loads((self.folder / "pin.summary.json").read_text())
+        self.assertGreater(summary["interfaces"][0]["contact_force"], 0.0)
+
+    def test_bodies_that_nothing_but_their_feet_can_hold_stand_on_them(self):
+        self.drawn(WEDGE, "wedge")
+        summary = self.run_certified("wedge")
+        held = {b["name"]: [s["description"] for s in b["supports"]] for b in summary["bodies"]}
+        self.assertEqual(held, {"left": ["clamp at left foot"], "right": ["clamp at right foot"], "wedge": ["displacement at top"]})
+        self.assertTrue(all(interface["contact_force"] > 0.0 for interface in summary["interfaces"]))
+
+    def test_curved_sides_that_touch_follow_the_curve(self):
+        for name, text, curved in (("roll", ROLL, True), ("stack", STACK, False)):
+            entries = [entry.get("value") for entry in self.drawn(text, name).iter("Parameter")]
+            self.assertEqual("Remesh" in entries, curved)
+
+    def test_a_body_is_moved_until_inclined_sides_meet(self):
+        self.drawn(DOVETAIL, "dovetail")
+        self.assertGreater(self.run_certified("dovetail")["interfaces"][0]["contact_force"], 0.0)
+
+    def test_a_deck_that_does_not_run_yet_is_written_and_says_so(self):
+        (self.folder / "in.geo").write_text(TWO_BODIES.format(gap=-0.01))
+        done = self.call("new", "from-geo", "in.geo")
+        self.assertEqual((done.returncode, done.stdout), (2, "  wrote in.xml, which does not run yet:\n"))
+        self.assertRegex(done.stderr, r"^in.xml:\d+: Interfaces/plate table - block sole: the bodies overlap at the start: by 0.01 at ")
+        self.assertEqual(self.call("in.xml").stderr.splitlines()[0], done.stderr.splitlines()[0])
+
+    def test_names_of_files_are_those_that_a_shell_takes(self):
+        (self.folder / "my part's.geo").write_text(TWO_BODIES.format(gap=0))
+        said = self.write("from-geo", "my part's.geo")
+        self.assertEqual(said, "  wrote my part's.xml; run it: ndframe 'my part'\\''s.xml'\n")
+        self.run_certified("my part's")
+
     def test_one_body(self):
         for names in (SIDES + BODY, SIDES):
             deck = self.drawn(ONE_BODY + names, "alone")
@@ -162,6 +238,7 @@ class New(unittest.TestCase):
         self.refused(f'there is no template "bolt"; there are {all_names}.', "bolt")
         self.refused("say which deck: ndframe new two-bodies|hertz|obstacle|from-geo.")
         self.refused("from-geo needs a file: ndframe new from-geo FILE.geo", "from-geo")
+        self.refused("a deck of a drawing is made by ndframe new from-geo 'my part.geo'.", "my part.geo")
         self.refused("no.geo: there is no such file", "from-geo", "no.geo")
         self.refused("body.stl: from-geo reads .geo and .msh files of gmsh", "from-geo", "body.stl")
         self.refused("hertz takes no file; from-geo does", "hertz", "a.geo")
@@ -171,8 +248,21 @@ class New(unittest.TestCase):
     def test_drawings_without_a_scene(self):
         nearest = ('no two named sides face each other within 0.02828: the nearest are "table" of "plate" and "sole" of '
                    '"block", 0.5 apart')
+        two = TWO_BODIES.format(gap=0)
+        label = " gmsh shows their numbers: Tools, Options, Geometry, Curve labels."
+        nameless = 'no side has a name: write Physical Curve("table") = {3}; for the curves that are held, loaded or may touch'
         cases = {"apart": (TWO_BODIES.format(gap=0.5), nearest),
-                 "nameless": (ONE_BODY, 'no side has a name: give the curves that are held, loaded or may touch names, Physical Curve("table")'),
+                 "nameless": (ONE_BODY, nameless + ', and Physical Surface("block") = {1}; for each body.' + label),
+                 "bodies": (ONE_BODY + BODY, nameless + "." + label),
+                 "in each other": (TWO_BODIES.format(gap=-0.5), 'within 0.02828: "plate" and "block" overlap at ('),
+                 "unnamed": (two.replace('Physical Curve("sole") = {11};', ""), '"plate" and "block" do at (1, 1), where the curve of "block" has no '
+                                                                                "name; name it as Physical Curve."),
+                 "no bodies": (two.replace('Physical Surface("plate") = {1}; Physical Surface("block") = {11};', ""),
+                               "the drawing has no Physical Surface, and 2 parts that share no edge, at ("),
+                 "one name": (two.replace('Physical Surface("plate") = {1}; Physical Surface("block") = {11};',
+                                          'Physical Surface("parts") = {1, 11};'),
+                              '): write Physical Surface("block") = {1}; with a name of its own for each.'),
+                 "lists": (two.replace('"block"', '"a, b"'), 'the name "a, b" of a body has a comma or a brace, which stand for lists in a deck'),
                  "all touch": (ALL_TOUCH, "every named side touches another body or is a plane of symmetry: name one more"),
                  "empty": ("// nothing", "empty.geo: "),
                  "unended": (ONE_BODY + SIDES.rstrip(), "unended.geo: the last line has several statements and no line feed, and gmsh would read only the "
@@ -183,6 +273,15 @@ class New(unittest.TestCase):
             self.refused(words, "from-geo", f"{name}.geo")
             self.assertNotIn(f"{name}.xml", self.call("new", "from-geo", f"{name}.geo").stderr)
             self.assertFalse((self.folder / f"{name}.xml").exists())
+
+    def test_what_is_no_deck_has_a_way_out(self):
+        for arguments, words in ((["a b.geo"], "a b.geo: is a drawing, not a deck; ndframe new from-geo 'a b.geo' makes a deck of it."),
+                                 (["run", "a.xml"], "Did you mean: ndframe a.xml\n"),
+                                 (["from-geo", "a.geo"], "Did you mean: ndframe new from-geo a.geo\n"),
+                                 (["a.xml", "b.xml"], "`ndframe --help` shows the options.\n")):
+            done = self.call(*arguments)
+            self.assertEqual(done.returncode, 2)
+            self.assertIn(words, done.stderr)
 
     def test_help_names_all_templates(self):
         for arguments in (("new", "--help"), ("--help", "new")):

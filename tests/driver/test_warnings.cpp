@@ -105,6 +105,35 @@ TEST(Warnings, OfUnitsThatDoNotFit)
   EXPECT_THAT(warningsOf(steelPunch().set("Bodies/punch/Loads/press/Value=1e6")), Contains(warning("strain", "units")));
 }
 
+TEST(Warnings, OfModuliInDifferentUnits)
+{
+  const auto scene = [](const std::string& modulus) {
+    return steelPunch().set("Bodies/foundation/Material/Young Modulus=" + modulus);
+  };
+  EXPECT_THAT(
+      warningsOf(scene("210001e6")),
+      Contains(warning("different moduli", "Bodies/punch/Material: it is 1e+06 times as soft as "
+                                           "Bodies/foundation/Material: are all moduli set, and in one unit?")));
+  EXPECT_THAT(warningsOf(scene("210000e5")), IsEmpty()); // steel on rubber
+}
+
+TEST(Warnings, OfBodiesThatAreMovedAndDoNotMeet)
+{
+  const auto moved = [](const std::string& way) {
+    return steelPunch()
+        .set("Bodies/punch/Loads/press/Value=0")
+        .set("Bodies/punch/Supports/moved/Type=Displacement")
+        .set("Bodies/punch/Supports/moved/Side=top")
+        .set("Bodies/punch/Supports/moved/Y=" + way)
+        .set("Interfaces/contact/Gap=1e-3");
+  };
+  EXPECT_THAT(
+      warningsOf(moved("-4e-4")),
+      ElementsAre(warning("strain", "nothing touches, and no body is strained: the smallest opening that is left is "
+                                    "0.0006, in \"contact\" at ")));
+  EXPECT_THAT(warningsOf(moved("-1.4e-3")), IsEmpty());
+}
+
 TEST(Warnings, OfStrainsInRigidMotionsAndEmptyScenesAreNone)
 {
   EXPECT_THAT(

@@ -82,12 +82,21 @@ class Written(unittest.TestCase):
     def test_the_verdict_says_peak_bound_and_what_helps(self):
         state, text = verdict_of(self.pages["certificate"])
         errors, contact = self.summary("certificate")["errors"], self.summary("certificate")["interfaces"][0]
-        self.assertIn(f"Peak pressure {contact['largest_pressure']:.4g} at (1, 0)", text)
+        self.assertIn(f"Peak pressure {contact['largest_pressure']:.4g} at (1, 0), at an edge, where finer meshes show larger values;", text)
         self.assertIn(f"error in energy at most {100 * errors['global']['relative']:.3g} %, guaranteed", text)
         self.assertIn(errors["advice"], text)
         state, text = verdict_of(self.pages["levels"])
         self.assertEqual(state, "right" if all(e["met"] for e in self.summary("levels")["expectations"]) else "wrong")
         self.assertIn("the target of 5 % is reached", text)
+
+    def test_the_peak_of_a_round_contact_is_a_number_of_the_solution(self):
+        for name in ("drawn", "hertz"):
+            text = verdict_of(self.pages[name])[1]
+            self.assertIn("Peak pressure", text)
+            self.assertNotIn("finer meshes show", text)
+
+    def test_given_displacements_are_said_with_their_values(self):
+        self.assertIn("displacement at top: y: -0.01", text_of(self.pages["moved"]))
 
     def test_a_run_without_estimate_claims_nothing(self):
         state, text = verdict_of(self.pages["without-bound"])
@@ -111,7 +120,9 @@ class Written(unittest.TestCase):
         for relative, state in ((0.05, "right"), (1.17, "look")):
             summary["errors"]["global"]["relative"] = relative
             self.path("large.summary.json").write_text(json.dumps(summary))
-            self.assertEqual(verdict_of(self.runs.report("large").read_text())[0], state)
+            shown, text = verdict_of(self.runs.report("large").read_text())
+            self.assertEqual(shown, state)
+            self.assertEqual("the bound of the error is above 100 %: it says nothing about the answer" in text, relative > 1.0)
 
     def test_no_solution_is_said_and_nothing_is_drawn(self):
         state, text = verdict_of(self.pages["no-solution"])

@@ -36,7 +36,8 @@ ARROWS = {
     "run": ["certification"],
     "accuracy": ["run", "adaptivity"],
     "report": ["accuracy"],
-    "driver": ["report", "iterative"],
+    "drawing": ["assembly"],
+    "driver": ["report", "iterative", "drawing"],
 }
 
 # Headers of libraries that only one folder may see. The first kind belongs to a module: nothing else may link it.

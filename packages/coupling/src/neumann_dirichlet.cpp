@@ -181,7 +181,7 @@ void registerSweeps(Registry<Coupling>& registry, const Registry<RelaxationContr
 {
   ListSpec relaxation;
   relaxation.name = "Relaxation";
-  relaxation.doc = "How the traction is relaxed from sweep to sweep, (27).";
+  relaxation.doc = "How the traction is relaxed from sweep to sweep, equation (27) of the paper.";
   relaxation.choices = relaxations.choices();
   registry.add(
       entry.name, entry.doc,

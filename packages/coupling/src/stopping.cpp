@@ -53,7 +53,7 @@ bool overshoots(const std::vector<SweepRecord>& history)
 Range toleranceRange()
 {
   Range range = inOpenRange(0.0, 1.0);
-  range.text = "in " + range.text + ", for the first sweep from zero traction has eps_tau 2 whatever it finds";
+  range.text = "in " + range.text + ": the first sweep from zero traction always has eps_tau = 2";
   return range;
 }
 

@@ -60,9 +60,9 @@ ListSpec accuracySpec(const AccuracyComponents& components)
       {"Maximum Levels", 40, atLeast(1), "No more meshes than this, the first one included."},
       ParamSpec::optional("Maximum Memory", Kind::Double, above(0.0), "GB that a process may take."),
       ParamSpec::optional("Maximum Time", Kind::Double, above(0.0),
-                          "Seconds on the wall; a mesh that would not be done in time is not begun.")};
+                          "Seconds of elapsed time; a mesh that would not be done in time is not begun.")};
   list.lists = {
-      makeChoice("Marking", "Where cells shall be smaller, and how small.", components.markings.choices()),
+      makeChoice("Marking", "Which cells become smaller, and how small.", components.markings.choices()),
       makeChoice("Refinement", "How the meshes are made.", components.refinements.choices()),
       makeChoice("Transfer", "What the sweeps on a finer mesh begin with.", components.contactTransfers.choices()),
       makeChoice("Stopping", "When the sweeps on a mesh end.", components.levelStoppings.choices())};

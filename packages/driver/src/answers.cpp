@@ -57,9 +57,13 @@ bool answer(const CommandLine& options, const CLI::App& app, const Components& c
     out << reportHelp;
   else if (options.help && app.get_subcommand("new")->parsed())
     out << app.get_subcommand("new")->help("ndframe") << templateHelp()
-        << "\nExit codes: 0 written, 2 the file is there already, or the drawing cannot be used.\n";
+        << "\nExit codes: 0 written, 2 the file is there already, the drawing cannot be used, or the deck was written "
+           "and "
+           "does not run yet.\n";
   else if (options.help && options.help->empty())
     out << app.help() << exitCodeText() << "\n"
+        << "To begin: `ndframe new two-bodies`, or `ndframe new from-geo FILE.geo` for a drawing of your own; then "
+           "`ndframe DECK`, and `ndframe report NAME` for a page of its results.\n"
         << "`ndframe --help Coupling` explains a list of the deck, `ndframe --help \"maximum sweeps\"` finds a "
            "parameter, "
            "`ndframe --list` shows all components.\n";

@@ -1,5 +1,11 @@
 #include "command_line.hpp"
 
+#include <map>
+
+#include <fmt/format.h>
+
+#include "shell_files.hpp"
+
 namespace ndframe
 {
 
@@ -37,7 +43,7 @@ void declareScreen(CLI::App& app, CommandLine& options)
          "-q the file gets what the screen would show without it.")
       ->type_name("FILE");
   app.add_option("--live", options.live,
-                 "How long the screen may stand still before a line says what goes on and how far; 0: for ever. By "
+                 "After how long without output a line says what is being done and how far it is; 0: never. By "
                  "default 1 on a terminal, where the line is erased again, and 10 elsewhere.")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e6));
@@ -90,6 +96,18 @@ void declareOptions(CLI::App& app, CommandLine& options)
                                "(`ndframe report --help`).")
       ->prefix_command()
       ->set_help_flag();
+}
+
+std::string wayOut(int argc, const char* const* argv)
+{
+  static const std::map<std::string, std::string> meant{{"run", "ndframe"},
+                                                        {"solve", "ndframe"},
+                                                        {"check", "ndframe --check"},
+                                                        {"plan", "ndframe --plan"},
+                                                        {"from-geo", "ndframe new from-geo"}};
+  const auto found = argc > 2 ? meant.find(argv[1]) : meant.end();
+  return found == meant.end() ? "`ndframe --help` shows the options."
+                              : fmt::format("Did you mean: {} {}", found->second, forShell(argv[2]));
 }
 
 const char* exitCodeText()

@@ -31,6 +31,9 @@ struct CommandLine
 /// Declares the options; CLI11 fills `options` when it parses.
 void declareOptions(CLI::App& app, CommandLine& options);
 
+/// How to go on after a command line that cannot be read: what stands for a word that ndframe does not have, or --help.
+std::string wayOut(int argc, const char* const* argv);
+
 /// What the exit codes mean: the end of --help.
 const char* exitCodeText();
 

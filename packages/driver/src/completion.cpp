@@ -1,5 +1,8 @@
+#include <algorithm>
+#include <cctype>
 #include <functional>
 #include <map>
+#include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
@@ -202,6 +205,14 @@ std::string completionScript(const std::string& shell, const CLI::App& app, cons
   for (const auto& path : parameterPaths(deck))
     words.paths.push_back(path + "=");
   return found->second(words);
+}
+
+std::string forShell(const std::string& word)
+{
+  const bool isPlain = std::all_of(word.begin(), word.end(), [](unsigned char c) {
+    return c >= 0x80 || std::isalnum(c) != 0 || std::string_view("._-+/").find(char(c)) != std::string_view::npos;
+  });
+  return isPlain ? word : "'" + replaced(word, "'", "'\\''") + "'";
 }
 
 } // namespace ndframe

@@ -101,7 +101,12 @@ ListSpec interfacesSpec()
 
 ListSpec makeDeckSpec(const Components& components)
 {
-  ListSpec deck = makeList("", "The deck.");
+  ListSpec deck = makeList(
+      "",
+      "The deck. Units are yours, all of one system: with lengths in mm and moduli in MPa (N/mm^2) pressures and "
+      "stresses "
+      "are in MPa, forces in N, energies in N mm; with m and Pa in Pa, N and N m. In plane scenes forces and energies "
+      "are those of a slice of thickness 1.");
   deck.params = {
       {"Title", std::string(""), "One line that describes the scene; shown on the screen and in the results."}};
   for (auto& param : warningParams())

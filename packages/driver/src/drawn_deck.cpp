@@ -1,12 +1,16 @@
 #include "drawn_deck.hpp"
 
+#include <algorithm>
 #include <filesystem>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "guessed_scene.hpp"
+#include "drawn_scene.hpp"
+#include "drawn_trial.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/drawing/guessed_scene.hpp"
+#include "shell_files.hpp"
 
 namespace ndframe
 {
@@ -63,13 +67,35 @@ void writeInterfaces(const DrawnScene& scene, DeckWriter& deck)
   deck.close();
 }
 
-void writeGoal(const DrawnScene& scene, DeckWriter& deck)
+bool touchesAtACurve(const DrawnScene& scene)
+{
+  for (const DrawnBody& body : scene.bodies)
+    if (std::any_of(body.sides.begin(), body.sides.end(),
+                    [](const DrawnSide& side) { return side.touches && !side.isFlat(); }))
+      return true;
+  return false;
+}
+
+/// Where contact meets the corners between the chords of a curve its pressure is several times too high.
+void writeRefinement(DeckWriter& deck)
+{
+  deck.comment(
+      "Some sides that touch are curved: gmsh makes finer meshes along the curve. Bisection keeps the chords of "
+      "the first mesh.");
+  deck.open("Refinement");
+  deck.text("Type", "Remesh");
+  deck.close();
+}
+
+void writeGoal(const DrawnScene& scene, bool mayRemesh, DeckWriter& deck)
 {
   deck.emptyLine();
   if (scene.dim == 2) {
     deck.comment("The error that you accept, guaranteed: meshes are refined until the bound is below it.");
     deck.open("Accuracy");
     deck.entry("Target", "double", "0.05");
+    if (mayRemesh && touchesAtACurve(scene))
+      writeRefinement(deck);
   } else {
     deck.comment(
         "How wrong the answer is. A list Accuracy with Target = 0.05 refines the meshes until 5 % are reached.");
@@ -98,17 +124,12 @@ DrawnScene read(const std::string& drawing, const std::string& output, const Com
   }
 }
 
-} // namespace
-
-std::string drawnDeck(const std::string& drawing, const std::string& output, const Components& components)
+std::string written(const DrawnScene& scene, const GuessedScene& guessed, const std::string& file,
+                    const std::string& name)
 {
-  const std::string file = namedFrom(output, drawing);
-  const DrawnScene scene = read(file, output, components);
-  const GuessedScene guessed(scene);
-  const std::string name = std::filesystem::path(output).stem().string();
   DeckWriter deck;
-  deck.comment(fmt::format("What is drawn in {}. Run it: ndframe {}.xml, and see the results: ndframe report {}.", file,
-                           name, name));
+  deck.comment(fmt::format("What is drawn in {}. Run it: ndframe {}, and see the results: ndframe report {}.", file,
+                           forShell(name + ".xml"), forShell(name)));
   deck.comment("Look at what is guessed and set the materials; `ndframe -h Supports` explains a list of the deck.");
   deck.open(name);
   deck.text("Title", name);
@@ -118,9 +139,39 @@ std::string drawnDeck(const std::string& drawing, const std::string& output, con
     writeBody(scene, body, file, guessed, deck);
   deck.close();
   writeInterfaces(scene, deck);
-  writeGoal(scene, deck);
+  writeGoal(scene, std::filesystem::path(file).extension() == ".geo" && !guessed.holdsAVertex(), deck);
   deck.close();
   return deck.written();
+}
+
+/// Leaves out each Hold that the mistakes name; whether there is one.
+bool leaveOutHolds(const std::vector<Diagnostic>& mistakes, const DrawnScene& scene, GuessedScene& guessed)
+{
+  bool found = false;
+  for (const Diagnostic& mistake : mistakes)
+    for (std::size_t body = 0; body < scene.bodies.size(); ++body)
+      if (mistake.path == fmt::format("Bodies/{}/Supports/{}", scene.bodies[body].name, GuessedScene::holdName)) {
+        guessed.leaveOutHold(body);
+        found = true;
+      }
+  return found;
+}
+
+} // namespace
+
+DrawnDeck drawnDeck(const std::string& drawing, const std::string& output, const Components& components)
+{
+  const std::string file = namedFrom(output, drawing);
+  const DrawnScene scene = read(file, output, components);
+  GuessedScene guessed(scene);
+  const std::string name = std::filesystem::path(output).stem().string();
+  DrawnDeck deck{written(scene, guessed, file, name), {}};
+  deck.mistakes = mistakesOfDeck(deck.text, output, components);
+  while (leaveOutHolds(deck.mistakes, scene, guessed)) {
+    deck.text = written(scene, guessed, file, name);
+    deck.mistakes = mistakesOfDeck(deck.text, output, components);
+  }
+  return deck;
 }
 
 } // namespace ndframe

@@ -6,8 +6,10 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/assembly/side_condition.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/drawing/drawn_checks.hpp"
 #include "ndframe/driver/deck_spec.hpp"
 #include "ndframe/interface/facing_search.hpp"
 #include "ndframe/meshing/gmsh_groups.hpp"
@@ -68,6 +70,7 @@ public:
   std::vector<DrawnBody> bodies()
   {
     const auto groups = gmshCellGroups(meshList({}), scripts_);
+    refuseNamesOfLists(groups);
     std::vector<DrawnBody> bodies;
     for (const std::string& group : groups)
       bodies.push_back(body(group, {group}));
@@ -124,25 +127,40 @@ std::vector<SearchedBody> searched(const DrawnScene& scene)
   return bodies;
 }
 
+/// Why no sides of plane bodies face each other, and how to mend it.
+std::string whyNothingFaces(const DrawnScene& scene, const std::vector<UnnamedFacing>& unnamed)
+{
+  const auto name = [&](int body) { return scene.bodies[std::size_t(body)].name; };
+  if (const auto overlap = overlapOf(scene))
+    return fmt::format("\"{}\" and \"{}\" overlap at {}; draw bodies beside each other", overlap->first,
+                       overlap->second, pointText(overlap->place.data(), 2));
+  if (!unnamed.empty())
+    return fmt::format("\"{}\" and \"{}\" do at {}, where the curve of \"{}\" has no name; name it as Physical Curve",
+                       name(std::min(unnamed.front().body, unnamed.front().other)),
+                       name(std::max(unnamed.front().body, unnamed.front().other)),
+                       pointText(unnamed.front().place.data(), 2), name(unnamed.front().body));
+  const auto nearest = nearestSides(searched(scene));
+  if (!nearest)
+    return "name sides as Physical Curve";
+  return fmt::format("the nearest are \"{}\" of \"{}\" and \"{}\" of \"{}\", {:.4g} apart; name sides that are to "
+                     "touch as Physical Curve",
+                     nearest->firstSide, name(nearest->firstBody), nearest->secondSide, name(nearest->secondBody),
+                     nearest->distance);
+}
+
 std::vector<DrawnContact> planeContacts(const DrawnScene& scene)
 {
   const auto bodies = searched(scene);
   const double distance = partOfScene * scene.extent;
+  const FacingSearch search = searchFacing(bodies, distance, cornerAngle);
   std::vector<DrawnContact> contacts;
-  for (const FacingPair& pair : searchFacing(bodies, distance, cornerAngle).pairs)
+  for (const FacingPair& pair : search.pairs)
     contacts.push_back({std::size_t(pair.firstBody), std::size_t(pair.secondBody), pair.firstSide, pair.secondSide,
                         std::max(0.0, pair.smallest)});
-  if (!contacts.empty() || scene.bodies.size() == 1)
-    return contacts;
-  const auto nearest = nearestSides(bodies);
-  const std::string hint =
-      nearest ? fmt::format("the nearest are \"{}\" of \"{}\" and \"{}\" of \"{}\", {:.4g} apart; name "
-                            "sides that are to touch as Physical Curve",
-                            nearest->firstSide, scene.bodies[std::size_t(nearest->firstBody)].name, nearest->secondSide,
-                            scene.bodies[std::size_t(nearest->secondBody)].name, nearest->distance)
-              : "name sides as Physical Curve";
-  throw InputError(
-      fmt::format("no two named sides of different bodies face each other within {:.4g}: {}.", distance, hint));
+  if (contacts.empty() && scene.bodies.size() > 1)
+    throw InputError(fmt::format("no two named sides of different bodies face each other within {:.4g}: {}.", distance,
+                                 whyNothingFaces(scene, search.unnamed)));
+  return contacts;
 }
 
 /// Sides that two bodies have by one name and at one place: there meshes of solids have the same nodes.
@@ -190,22 +208,13 @@ void markSides(DrawnScene& scene)
 
 } // namespace
 
-double dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 DrawnScene readDrawing(const std::string& drawing, const std::string& deckFile, const Components& components)
 {
   DrawnScene scene{2, 0.0, DrawingReader(drawing, deckFile, components).bodies(), {}};
   scene.dim = scene.bodies.front().mesh.dim;
   scene.extent = extentOf(searched(scene));
-  if (std::all_of(scene.bodies.begin(), scene.bodies.end(), [](const DrawnBody& body) { return body.sides.empty(); }))
-    throw InputError(fmt::format(
-        "no side has a name: give the {} that are held, loaded or may touch names, Physical {}(\"table\") = "
-        "{{3}}; in gmsh, and the bodies, Physical {}(\"block\") = {{1}};.",
-        scene.dim == 2 ? "curves" : "surfaces", scene.dim == 2 ? "Curve" : "Surface",
-        scene.dim == 2 ? "Surface" : "Volume"));
+  refuseNamelessSides(scene);
+  refuseUnconnectedParts(scene);
   scene.contacts = scene.dim == 2 ? planeContacts(scene) : solidContacts(scene);
   markSides(scene);
   return scene;

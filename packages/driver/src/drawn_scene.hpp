@@ -1,56 +1,12 @@
 #pragma once
 
-#include <array>
 #include <string>
-#include <vector>
 
+#include "ndframe/drawing/drawn_scene.hpp"
 #include "ndframe/driver/components.hpp"
-#include "ndframe/mesh/mesh.hpp"
 
 namespace ndframe
 {
-
-/// Zero beyond the dimension of the scene.
-using Vector3 = std::array<double, 3>;
-
-double dot(const Vector3& a, const Vector3& b);
-
-/// A named side as it is drawn.
-struct DrawnSide
-{
-  std::string name;
-  Vector3 centre, normal; ///< mean outward normal: of length 1 where the side is flat
-  double measure;
-  bool touches = false, isSymmetry = false;
-
-  bool isFlat() const { return dot(normal, normal) > 1.0 - 1e-9; }
-  bool isFree() const { return !touches && !isSymmetry; }
-};
-
-struct DrawnBody
-{
-  std::string name;
-  bool isWholeFile; ///< the file has no physical group of cells
-  Mesh mesh;
-  Vector3 centre;
-  std::vector<DrawnSide> sides;
-};
-
-/// Sides of two bodies that may touch, and how far apart they begin.
-struct DrawnContact
-{
-  std::size_t first, second;
-  std::string firstSide, secondSide;
-  double opening;
-};
-
-struct DrawnScene
-{
-  int dim;
-  double extent; ///< diagonal of the box around all bodies
-  std::vector<DrawnBody> bodies;
-  std::vector<DrawnContact> contacts;
-};
 
 /// Reads the drawing and finds what touches and what is a plane of symmetry. deckFile: where the deck will be; drawing
 /// as the deck names it. Throws InputError as drawnDeck() does.

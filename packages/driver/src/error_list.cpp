@@ -33,7 +33,7 @@ ListSpec referenceSpec()
   list.name = "Reference";
   list.doc = "The finer solution that the estimator Reference compares with: the same scene, all bodies at once.";
   list.params = {
-      {"Refinements", 3, inClosedRange(1, 6), "Every edge is halved so many times; 3 gives h/8."},
+      {"Refinements", 3, inClosedRange(1, 6), "How many times every edge is halved; 3 gives h/8."},
       {"Maximum Dofs", 0, atLeast(0),
        "Refinement stops before the scene gets more dofs than this; the summary says so. 0: 2 000 000 in the "
        "plane, 400 000 in space."}};

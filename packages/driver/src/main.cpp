@@ -51,6 +51,7 @@ DeckList readInput(const CommandLine& options, Diagnostics& diagnostics)
   if (options.deck.empty())
     throw InputError(
         "no deck was given; `ndframe new two-bodies` writes one to begin with, `ndframe --help` says more.");
+  refuseDrawing(options.deck);
   DeckList deck = readDeck(options.deck);
   for (const auto& setting : options.settings)
     applySetting(deck, setting, diagnostics);
@@ -227,10 +228,12 @@ ExitCode reportOn(const std::vector<std::string>& arguments, const Comm& comm)
 /// `ndframe new TEMPLATE`: a deck to begin with.
 ExitCode writeNew(const CommandLine& options, const Components& components, const Comm& comm, const Log& log)
 {
-  std::string written;
+  WrittenDeck written;
   writeOnFirstRank(comm, [&] { written = writeNewDeck(options.newDeck, components); });
-  log.line(fmt::format("  wrote {}; run it: ndframe {}", written, written));
-  return ExitCode::Right;
+  log.line(writtenText(written));
+  for (const Diagnostic& mistake : written.mistakes)
+    complain(comm, mistake.text());
+  return written.mistakes.empty() ? ExitCode::Right : ExitCode::UserInput;
 }
 
 /// All that the command line asks for.
@@ -272,7 +275,7 @@ int runMain(int argc, char** argv, const Extension& extend)
     app.parse(argc, argv);
     code = obey(options, app, extend, comm, computed);
   } catch (const CLI::ParseError& error) {
-    complain(comm, fmt::format("ndframe: {}\n`ndframe --help` shows the options.", error.what()));
+    complain(comm, fmt::format("ndframe: {}\n{}", error.what(), wayOut(argc, argv)));
     code = ExitCode::UserInput;
   } catch (...) {
     code = report(currentFailure(), computed, comm);

@@ -11,6 +11,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/help.hpp"
 #include "ndframe/io/atomic_file.hpp"
+#include "shell_files.hpp"
 
 namespace ndframe
 {
@@ -24,6 +25,12 @@ constexpr const char* fromDrawing = "from-geo";
 constexpr const char* drawnText = "the bodies of a gmsh file (.geo or .msh), with sides, contacts, supports and loads "
                                   "as far as the drawing tells";
 
+bool isDrawing(const std::string& file)
+{
+  const std::string ending = fs::path(file).extension().string();
+  return ending == ".geo" || ending == ".msh";
+}
+
 /// The text of a template that needs no drawing.
 std::string plainText(const NewDeck& wanted)
 {
@@ -34,16 +41,17 @@ std::string plainText(const NewDeck& wanted)
   const std::string near = nearestName(wanted.name, known);
   if (wanted.name.empty())
     throw InputError(fmt::format("say which deck: ndframe new {}.", fmt::join(known, "|")));
+  if (isDrawing(wanted.name))
+    throw InputError(fmt::format("a deck of a drawing is made by ndframe new from-geo {}.", forShell(wanted.name)));
   throw InputError(fmt::format("there is no template \"{}\"{}; there are {}.", wanted.name,
                                near.empty() ? "" : fmt::format("; did you mean \"{}\"", near), fmt::join(known, ", ")));
 }
 
 void checkDrawing(const NewDeck& wanted)
 {
-  const std::string ending = fs::path(wanted.drawing).extension().string();
   if (wanted.drawing.empty())
     throw InputError("from-geo needs a file: ndframe new from-geo FILE.geo (or FILE.msh).");
-  if (ending != ".geo" && ending != ".msh")
+  if (!isDrawing(wanted.drawing))
     throw InputError(fmt::format("{}: from-geo reads .geo and .msh files of gmsh.", wanted.drawing));
   if (!fs::exists(wanted.drawing))
     throw InputError(fmt::format("{}: there is no such file.", wanted.drawing));
@@ -57,6 +65,13 @@ fs::path outputOf(const NewDeck& wanted)
 }
 
 } // namespace
+
+void refuseDrawing(const std::string& deck)
+{
+  if (isDrawing(deck))
+    throw InputError(
+        fmt::format("{}: is a drawing, not a deck; ndframe new from-geo {} makes a deck of it.", deck, forShell(deck)));
+}
 
 std::vector<std::string> templateNames()
 {
@@ -75,7 +90,7 @@ std::string templateHelp()
   return text + fmt::format("  {:<12} {}\n", fromDrawing, drawnText);
 }
 
-std::string writeNewDeck(const NewDeck& wanted, const Components& components)
+WrittenDeck writeNewDeck(const NewDeck& wanted, const Components& components)
 {
   const bool isDrawn = wanted.name == fromDrawing;
   const std::string plain = isDrawn ? "" : plainText(wanted);
@@ -87,8 +102,15 @@ std::string writeNewDeck(const NewDeck& wanted, const Components& components)
   if (!wanted.replace && fs::exists(output))
     throw InputError(fmt::format("{} is there already; name another file with --output, or say --force to replace it.",
                                  output.string()));
-  writeTextAtomically(output.string(), isDrawn ? drawnDeck(wanted.drawing, output.string(), components) : plain);
-  return output.string();
+  const DrawnDeck deck = isDrawn ? drawnDeck(wanted.drawing, output.string(), components) : DrawnDeck{plain, {}};
+  writeTextAtomically(output.string(), deck.text);
+  return {output.string(), deck.mistakes};
+}
+
+std::string writtenText(const WrittenDeck& deck)
+{
+  return deck.mistakes.empty() ? fmt::format("  wrote {}; run it: ndframe {}", deck.file, forShell(deck.file))
+                               : fmt::format("  wrote {}, which does not run yet:", deck.file);
 }
 
 } // namespace ndframe

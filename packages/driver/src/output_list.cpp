@@ -63,7 +63,7 @@ ListSpec expectationSpec()
   list.params = {ParamSpec::required("Quantity", Kind::String,
                                      "Path of the number in the summary, e.g. \"energy\", \"bodies/punch/energy\", "
                                      "\"interfaces/contact/contact_force\", \"coupling/sweeps\"."),
-                 ParamSpec::required("Value", Kind::Double, "Expected value."),
+                 ParamSpec::required("Value", Kind::Double, "Expected value, in the unit of the quantity."),
                  ParamSpec::required("Tolerance", Kind::Double, atLeast(0.0), "Largest absolute difference.")};
   return list;
 }

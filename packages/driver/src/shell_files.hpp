@@ -13,6 +13,9 @@ namespace ndframe
 /// InputError for another shell.
 std::string completionScript(const std::string& shell, const CLI::App& app, const ListSpec& deck);
 
+/// A word, such as a file's name, as one types it: in quotes where a shell would take it for several.
+std::string forShell(const std::string& word);
+
 /// The manual page ndframe(1), in roff.
 std::string manualPage(const CLI::App& app);
 

@@ -170,16 +170,16 @@ ListSpec studySpec()
   axis.doc =
       "Parameters that move together, their values separated by \";\". Axes are combined to a grid, the last one "
       "is the fastest.";
-  axis.eachParam = ParamSpec::required(
-      "PATH", Kind::String,
-      "The name is the path of a parameter, e.g. \"Bodies/punch/Mesh/Cells\", the value what it shall be in turn, e.g. "
-      "\"{15, 15}; {30, 30}\".");
+  axis.eachParam = ParamSpec::required("PATH", Kind::String,
+                                       "The name is the path of a parameter, e.g. \"Bodies/punch/Mesh/Cells\", the "
+                                       "value lists what it is set to in turn, e.g. "
+                                       "\"{15, 15}; {30, 30}\".");
   ListSpec study;
   study.name = "Study";
   study.doc =
       "Runs the deck once for every combination of values and writes one row a case to NAME.study.csv. What a "
-      "case does not change is not computed again, so let parameters of the solution (tolerances, couplings) be "
-      "faster than loads, loads faster than materials, and these faster than meshes.";
+      "case does not change is not computed again, so name meshes first, then materials, then loads, and last what "
+      "concerns the solution (tolerances, couplings).";
   study.onlyIfGiven = true;
   study.params = {{"Columns", std::vector<std::string>{},
                    "More columns: paths of numbers in the summary, e.g. \"interfaces/contact/largest_pressure\"."},

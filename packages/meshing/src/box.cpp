@@ -91,7 +91,7 @@ void registerBox(Registry<MeshSource>& registry)
       "(y), "
       "bottom, top (z) in three.",
       {ParamSpec::required("Lower", Kind::Doubles,
-                           "Corner with the smallest coordinates; its length is the dimension."),
+                           "Corner with the smallest coordinates, two or three lengths."),
        ParamSpec::required("Upper", Kind::Doubles, "Opposite corner."),
        ParamSpec::required("Cells", Kind::Ints, "Bricks per direction."),
        ParamSpec::optional("Grading", Kind::Doubles,

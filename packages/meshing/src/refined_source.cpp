@@ -97,9 +97,9 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
 {
   params.push_back(
       {key, 0, inClosedRange(0, most),
-       "So many times (k) every edge is halved when the mesh is read: a triangle becomes 4^k triangles, a tetrahedron "
-       "8^k. Sides and groups go on, and sides that match go on matching with the same number on both. A curve "
-       "stays the chords that the mesh has, with their corners: draw it finely."});
+       "How many times, k, every edge is halved when the mesh is read: a triangle becomes 4^k triangles, a tetrahedron "
+       "8^k. Sides and groups are kept, and sides that match go on matching with the same number on both. A curve "
+       "remains the polygon that the mesh has, with its corners: draw it finely."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

@@ -39,7 +39,8 @@ void solvePass(StatusSystem& system, const std::vector<char>& closed, double pro
     system.solve(closed, proximal, pass);
   } catch (const NotPositiveDefinite&) {
     const auto& motions = system.motions();
-    throw NotConverged(fmt::format("the closed nodes do not hold the bodies{}.",
+    throw NotConverged(fmt::format("the closed nodes do not hold the bodies{}: nothing but contact does, and it hardly "
+                                   "presses; add a support, for a body in balance a Point",
                                    motions.empty() ? "" : " against " + joined(motions)));
   }
 }
@@ -123,8 +124,8 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
       exchange.look(closed, wrong.size());
     exchange.apply(wrong, closed);
   }
-  throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}.",
-                                 mostPasses, exchange.cycled() ? " (it cycled)" : ""));
+  throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}", mostPasses,
+                                 exchange.cycled() ? " (it cycled)" : ""));
 }
 
 } // namespace ndframe

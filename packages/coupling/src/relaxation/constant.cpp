@@ -29,7 +29,7 @@ private:
 void registerConstant(Registry<RelaxationController>& registry)
 {
   registry.add("Constant", "The same factor in every sweep.",
-               {{"Theta", 0.5, inOpenRange(0.0, 2.0), "Relaxation factor theta of (27)."}},
+               {{"Theta", 0.5, inOpenRange(0.0, 2.0), "Relaxation factor theta of equation (27) of the paper."}},
                [](const Params& p) { return std::make_unique<Constant>(p.get<double>("Theta")); });
 }
 

@@ -9,6 +9,7 @@ namespace ndframe
 
 // Of the scene.
 void findDifferentHypotheses(const Model& model, const Params& deck, Diagnostics& found);
+void findDifferentModuli(const Model& model, const Params& deck, Diagnostics& found);
 void findLocking(const Model& model, const Params& deck, Diagnostics& found);
 void findUnconnectedParts(const Model& model, const Params& deck, Diagnostics& found);
 void findLoadsOnSupports(const Model& model, const Params& deck, Diagnostics& found);

@@ -37,6 +37,17 @@ StrainOfBody strainOf(const BodyModel& body, const Vector& u, double limit)
   return result;
 }
 
+/// The node of the interfaces with the smallest opening where all are open; nothing where one is closed or there is
+/// none.
+const ContactNode* nearestOpenNode(const Run& run)
+{
+  const auto& nodes = run.solved.contact;
+  if (nodes.empty() || std::any_of(nodes.begin(), nodes.end(), [](const ContactNode& node) { return node.closed; }))
+    return nullptr;
+  return &*std::min_element(nodes.begin(), nodes.end(),
+                            [](const ContactNode& a, const ContactNode& b) { return a.gap < b.gap; });
+}
+
 } // namespace
 
 /// Strains that the theory does not hold for, or that are next to nothing: units of modulus and load that do not fit.
@@ -58,7 +69,16 @@ void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
                           "Strain Limit.",
                           peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * strain.share)));
   }
-  if (largest > 0.0 && largest < hardlyAny && largest > roundOff * motion)
+  if (const ContactNode* const node = nearestOpenNode(run); node != nullptr && motion > 0.0 && largest < hardlyAny)
+    found.add(
+        deck.sub("Interfaces")
+            .mistake(
+                "",
+                fmt::format(
+                    "nothing touches, and no body is strained: the smallest opening that is left is {:.4g}, in \"{}\" "
+                    "at {}. Move the bodies further towards each other, or look at the gaps.",
+                    node->gap, node->interface, pointText(node->point.data(), int(node->point.size())))));
+  else if (largest > 0.0 && largest < hardlyAny && largest > roundOff * motion)
     found.add(deck.sub("Bodies").mistake(
         "", fmt::format("the largest strain is {:.1e}: such loads hardly do anything to bodies of such moduli. Check "
                         "their units (modulus in Pa, loads in MPa?).",

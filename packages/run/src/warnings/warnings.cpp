@@ -24,10 +24,13 @@ struct AnswerCheck
   void (*find)(const Run& run, const Params& deck, Diagnostics& found);
 };
 
-constexpr SceneCheck sceneChecks[] = {
-    {"different hypotheses", findDifferentHypotheses}, {"locking", findLocking},
-    {"unconnected parts", findUnconnectedParts},       {"load on a support", findLoadsOnSupports},
-    {"touching bodies", findTouchingBodies},           {"not unique", findLooseBodies}};
+constexpr SceneCheck sceneChecks[] = {{"different hypotheses", findDifferentHypotheses},
+                                      {"different moduli", findDifferentModuli},
+                                      {"locking", findLocking},
+                                      {"unconnected parts", findUnconnectedParts},
+                                      {"load on a support", findLoadsOnSupports},
+                                      {"touching bodies", findTouchingBodies},
+                                      {"not unique", findLooseBodies}};
 
 constexpr AnswerCheck answerChecks[] = {{"strain", findStrangeStrain},
                                         {"few contact nodes", findFewContactNodes},

@@ -9,6 +9,7 @@ namespace ndframe
 
 /// Nodes of a facet at most: a triangle's vertices and the middles of its edges.
 constexpr std::size_t mostFacetNodes = 6;
+/// Node numbers of a facet, vertices first; what a facet does not have is not set.
 using FacetNodes = std::array<int, mostFacetNodes>;
 
 /// Nodes of a facet of a body of dimension `dim` (2, 3) and order 1 or 2: its vertices, then the middles of its edges.

@@ -17,6 +17,7 @@ struct QuadraticProgram
   Vector b;      ///< m
 };
 
+/// Its solution.
 struct QuadraticMinimum
 {
   Vector x;

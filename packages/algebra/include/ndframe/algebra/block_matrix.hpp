@@ -33,6 +33,7 @@ Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm);
 
 /// The diagonal, replicated on all ranks.
 Vector diagonal(const BlockMatrix& K, const Comm& comm);
+/// Mean of the diagonal over all rows, a scale for springs and tolerances.
 double meanDiagonal(const BlockMatrix& K, const Comm& comm);
 
 /// What computing K u may leave of a residual, whatever u is, as a Euclidean norm: unit round-offs times |K| |u|, and

@@ -7,6 +7,7 @@
 namespace ndframe
 {
 
+/// Numbers of any unit, one after the other.
 using Vector = std::vector<double>;
 
 /// The processes of a run. A run without mpirun has one and starts no MPI; MPI itself is started on first need only.
@@ -51,6 +52,7 @@ private:
 
 /// Starts MPI if it is not running (MUMPS needs it even on one rank). Finalised at exit by finishMpi().
 void startMpi();
+/// Whether startMpi(), or a launcher, has started it, and it has not ended.
 bool mpiIsRunning();
 /// Ends MPI and what needs it, if they were started; called once at the end of main.
 void finishMpi();

@@ -62,6 +62,7 @@ private:
   DenseMatrix factor_;
 };
 
+/// A factorisation met a pivot that is not positive.
 class NotPositiveDefinite : public std::runtime_error
 {
 public:
@@ -81,6 +82,7 @@ DenseMatrix pseudoInverse(const DenseMatrix& A, double relativeTolerance);
 /// All eigenvalues of a symmetric matrix in ascending order (LAPACK dsyev, lower triangle).
 Vector symmetricEigenvalues(DenseMatrix A);
 
+/// sum a_i b_i, and the Euclidean norm; of vectors of one length.
 double dot(const Vector& a, const Vector& b);
 double norm(const Vector& a);
 /// The largest absolute value; 0 without entries.

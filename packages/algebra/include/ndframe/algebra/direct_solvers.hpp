@@ -5,6 +5,7 @@
 namespace ndframe
 {
 
+/// The entries of `Linear Solver/Type` = Cholmod (one rank) and Mumps (any number), with documentation and parameters.
 void registerCholmod(Registry<LinearSolver>& registry);
 void registerMumps(Registry<LinearSolver>& registry);
 

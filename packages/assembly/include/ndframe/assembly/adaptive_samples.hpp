@@ -19,6 +19,7 @@ namespace ndframe
 /// oscillation) uses the same samples, so that they agree to round-off whatever the load.
 struct Samples
 {
+  /// A piece of the simplex on which one rule integrates.
   struct Piece
   {
     std::array<double, 16> corners{}; ///< barycentric coordinates in the simplex of its dim + 1 corners

@@ -13,6 +13,7 @@ namespace ndframe
 class ConstraintSet
 {
 public:
+  /// What is prescribed at a node: u . direction[k] = value[k] (a length) for k < count, directions orthonormal.
   struct Node
   {
     int count = 0; ///< independent directions
@@ -45,6 +46,7 @@ private:
 ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& supports, const Mesh& mesh,
                                  const NodeMap& nodes);
 
+/// a . b
 double dotProduct(const Direction& a, const Direction& b);
 
 } // namespace ndframe

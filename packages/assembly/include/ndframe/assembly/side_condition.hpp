@@ -14,6 +14,7 @@
 namespace ndframe
 {
 
+/// A vector in space; zero beyond the dimension of the body.
 using Direction = std::array<double, 3>;
 
 /// One scalar equation u . direction = value at a node (unit vector; a length).

@@ -14,6 +14,7 @@ struct BuildInfo
   std::vector<std::pair<std::string, std::string>> libraries; ///< name, version of its headers
 };
 
+/// Of this program; the same in all its threads.
 const BuildInfo& buildInfo();
 
 /// For main() of a program that knows the commit that it was built from; before anything asks for buildInfo().

@@ -18,6 +18,7 @@ struct DeckEntry
   int line = 0;
 };
 
+/// A list with its entries and the lists in it, in the order in which they are written.
 struct DeckList
 {
   std::string name;

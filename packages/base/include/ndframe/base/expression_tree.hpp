@@ -8,6 +8,7 @@
 namespace ndframe
 {
 
+/// What a node of an expression computes from its operands.
 enum class Operation
 {
   Constant,

@@ -19,12 +19,14 @@ namespace ndframe
 typedef double DoubleLanes __attribute__((vector_size(64)));
 typedef float FloatLanes __attribute__((vector_size(64)));
 
+/// Reads as many numbers as there are lanes.
 template <class Lanes, class Number>
 inline __attribute__((always_inline)) void load(const Number* from, Lanes& lanes)
 {
   std::memcpy(&lanes, from, sizeof(lanes));
 }
 
+/// Writes as many numbers as there are lanes.
 template <class Lanes, class Number>
 inline __attribute__((always_inline)) void store(const Lanes& lanes, Number* to)
 {

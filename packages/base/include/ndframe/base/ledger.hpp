@@ -21,6 +21,7 @@ class Log;
 class Ledger
 {
 public:
+  /// A stage of the run, all its passes together.
   struct Stage
   {
     std::string name;

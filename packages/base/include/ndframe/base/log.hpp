@@ -11,6 +11,7 @@
 namespace ndframe
 {
 
+/// How much is shown: warnings and errors only (-q), the run, and what solvers tell (-v).
 enum class Verbosity
 {
   Quiet,

@@ -42,6 +42,7 @@ struct Range
   std::function<bool(const Value&)> contains; ///< empty: everything
 };
 
+/// Ranges with their text: (low, high), [low, high], > low, >= low, and one of some names.
 Range inOpenRange(double low, double high);
 Range inClosedRange(double low, double high);
 Range above(double low);

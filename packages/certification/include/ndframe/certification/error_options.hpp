@@ -46,6 +46,7 @@ enum class TractionMean
   Updated
 };
 
+/// How a deck calls the values of each enumeration.
 const Names<Estimator>& estimatorNames();
 const Names<ErrorMode>& errorModeNames();
 const Names<TractionType>& tractionTypeNames();

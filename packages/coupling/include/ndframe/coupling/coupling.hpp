@@ -45,6 +45,7 @@ struct SweepRecord
   std::string note;
 };
 
+/// What a coupling returns: the last state, how it came there, and why it stopped.
 struct CouplingResult
 {
   InterfaceState state;

@@ -16,6 +16,7 @@ struct CellStress
   double measure = 0.0;
 };
 
+/// sigma_h = D eps(u_h) of a cell; displacement in global axes, node by node.
 CellStress cellStress(const BodyModel& body, int cell, const SortedCell& sorted, const Vector& displacement);
 
 /// f += factor * (stress at a vertex) times the gradient of a barycentric coordinate.

@@ -19,6 +19,7 @@ struct SortedCell
   std::array<int, 4> local{};    ///< where each stands in mesh.cell()
 };
 
+/// The vertices of a cell in the order of their global numbers.
 SortedCell sortedCell(const Mesh& mesh, int cell);
 
 /// Number of a facet in its cell in sorted order (it is opposite to the vertex of that number).

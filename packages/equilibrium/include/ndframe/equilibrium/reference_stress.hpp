@@ -55,6 +55,7 @@ struct CellMap
   double det = 0.0;                     ///< |det F|
 };
 
+/// x = F xi + x_0 from the reference simplex onto a cell, vertices in sorted order.
 CellMap cellMap(const Mesh& mesh, const SortedCell& cell);
 
 /// Compliance of a law pulled back to the reference simplex: the entries c_m of ReferenceStress, upper triangle row by

@@ -42,6 +42,8 @@ std::vector<const double*> corners(const Mesh& mesh, const SortedCell& cell, int
 /// Arms of a basis on the simplex with these vertices (dim components each) about a.
 Vector momentArms(const Vector& means, const std::vector<const double*>& vertices, const double* a, int dim);
 
+/// The split for a facet with these momentArms(). modes: basis functions a component; size: length that makes moments
+/// forces.
 FacetSplit splitFacet(int dim, const Vector& arms, int modes, double size);
 
 } // namespace ndframe

@@ -29,6 +29,7 @@ struct SubCell
   }
 };
 
+/// Components of a strain or stress in Voigt notation.
 inline int numStrains(int dim)
 {
   return dim == 2 ? 3 : 6;

@@ -21,6 +21,7 @@ struct CaseSummary
   std::optional<RunSummary> results; ///< absent when nothing could be computed
 };
 
+/// What a run with the list Load Cases leaves.
 struct CasesSummary
 {
   std::string version;

@@ -30,6 +30,7 @@ struct EndBracket
   std::vector<double> closed, open; ///< coordinates
 };
 
+/// Contact of two sides in the final state. In plane scenes forces are those of a slice of thickness 1.
 struct InterfaceSummary
 {
   std::string name;
@@ -47,6 +48,7 @@ struct InterfaceSummary
   double largestPenetration = 0.0; ///< max (u1_N - u2_N - g) over the nodes, 0 if none
 };
 
+/// One sweep of a Neumann-Dirichlet iteration, in the words of the paper; other couplings have one entry.
 struct SweepSummary
 {
   int sweep = 0;
@@ -110,6 +112,7 @@ struct ExpectationSummary
   bool met = false;
 };
 
+/// Everything in NAME.summary.json (docs/summary.schema.json), in the units of the deck.
 struct RunSummary
 {
   std::string version;

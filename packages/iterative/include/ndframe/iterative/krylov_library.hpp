@@ -39,6 +39,7 @@ public:
 
   virtual CycleWork work() const { return {}; }
 
+  /// What a solve returns.
   struct Result
   {
     Vector x;       ///< of this rank's nodes, zero elsewhere; round-off on fixed and kept dofs

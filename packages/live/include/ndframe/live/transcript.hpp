@@ -13,6 +13,7 @@ namespace ndframe
 std::string openTranscript(const std::string& file, const std::string& title);
 /// One line or several, without the last newline.
 void transcribe(const std::string& text);
+/// A line "# TIME STAGE".
 void transcribeStage(const std::string& stage);
 /// Ends the file; nothing is transcribed any more. Why it is not complete (a full disk); empty when it is.
 std::string closeTranscript();

@@ -16,6 +16,7 @@ enum class Hypothesis
   ThreeDimensional
 };
 
+/// How a deck calls them.
 const Names<Hypothesis>& hypothesisNames();
 
 /// Linear elasticity in Voigt notation with engineering shears: sigma = D eps.

@@ -23,6 +23,7 @@ enum class AccuracyStart
   Deck
 };
 
+/// How a deck calls the values of each enumeration.
 const Names<AccuracyOf>& accuracyOfNames();
 const Names<AccuracyStart>& accuracyStartNames();
 

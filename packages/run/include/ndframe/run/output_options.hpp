@@ -16,6 +16,7 @@ enum class StepsWritten
   AllSweeps
 };
 
+/// How a deck calls them.
 const Names<StepsWritten>& stepsNames();
 
 /// The list Output, read.

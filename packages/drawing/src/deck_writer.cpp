@@ -1,4 +1,4 @@
-#include "deck_writer.hpp"
+#include "ndframe/drawing/deck_writer.hpp"
 
 #include <fmt/format.h>
 

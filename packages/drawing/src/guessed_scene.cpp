@@ -1,9 +1,13 @@
-#include "guessed_scene.hpp"
+#include "ndframe/drawing/guessed_scene.hpp"
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include "drawn_travel.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -13,6 +17,7 @@ namespace
 {
 
 constexpr double smallStrain = 1e-3; ///< of what is guessed
+constexpr double roundOff = 1e-12;   ///< of the scene, in coordinates
 constexpr double oneSided = 0.3;     ///< of the mean normal's length: what is touched lies in one direction
 
 double length(const Vector3& v)
@@ -96,12 +101,19 @@ void GuessedScene::write(std::size_t body, DeckWriter& deck) const
   push = scaled(push, 1.0 / length(push));
   if (body == base_)
     return writeBase(drawn, push, deck);
-  const DrawnSide* driven = hasDirection ? farthest(drawn, scaled(push, -1.0), true) : nullptr;
+  const bool mayBeDriven = hasDirection || held_.count(body) != 0;
+  const DrawnSide* driven = mayBeDriven ? farthest(drawn, scaled(push, -1.0), true) : nullptr;
   if (driven == nullptr && hasDirection) // none to press; one to pull, like the foot of a bolt?
     driven = farthest(drawn, push, true);
   if (driven != nullptr)
     return writeDriven(drawn, *driven, path(body, push), deck);
-  writeHeld(drawn, hasDirection || numNeighbours(body) == 1 ? push : Vector3{}, deck);
+  writeHeld(body, hasDirection || numNeighbours(body) == 1 ? push : Vector3{}, deck);
+}
+
+bool GuessedScene::holdsAVertex() const
+{
+  return std::any_of(held_.begin(), held_.end(),
+                     [&](std::size_t body) { return farthest(scene_.bodies[body], {}) == nullptr; });
 }
 
 Vector3 GuessedScene::down() const
@@ -118,13 +130,13 @@ std::size_t GuessedScene::numNeighbours(std::size_t body) const
   }));
 }
 
-/// How a body is moved: closes the smallest opening and goes on.
+/// How a body is moved: until a first side touches, and on.
 Vector3 GuessedScene::path(std::size_t body, const Vector3& push) const
 {
   double opening = scene_.extent;
   for (const DrawnContact& contact : scene_.contacts)
     if (contact.first == body || contact.second == body)
-      opening = std::min(opening, contact.opening);
+      opening = std::min(opening, travelUntilContact(scene_, contact, body, push).value_or(contact.opening));
   return scaled(push, opening + smallStrain * scene_.extent);
 }
 
@@ -141,14 +153,19 @@ void GuessedScene::writeBase(const DrawnBody& body, const Vector3& push, DeckWri
   const DrawnSide* const held = farthest(body, scaled(push, isAlone ? 1.0 : -1.0));
   deck.open("Supports");
   writeSymmetry(body, deck);
-  deck.comment("Guessed: no displacement at all on this side.");
-  deck.open("held");
-  deck.text("Type", "Clamp");
-  deck.text("Side", held->name);
-  deck.close();
+  writeClamp(*held, deck);
   deck.close();
   if (isAlone)
     writePressed(body, held, deck);
+}
+
+void GuessedScene::writeClamp(const DrawnSide& side, DeckWriter& deck) const
+{
+  deck.comment("Guessed: no displacement at all on this side.");
+  deck.open("held");
+  deck.text("Type", "Clamp");
+  deck.text("Side", side.name);
+  deck.close();
 }
 
 /// The load of a body that touches nothing.
@@ -193,18 +210,52 @@ void GuessedScene::writeBodyForce(const Vector3& direction, DeckWriter& deck) co
   deck.close();
 }
 
-/// A body that contact and planes of symmetry carry. Where these leave motions along the contact, Hold takes them.
-void GuessedScene::writeHeld(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const
+/// A round body in a hole: contact holds it, but for round-off only against rolling.
+void GuessedScene::writeStill(const DrawnBody& body, const Vector3& push, DeckWriter& deck) const
 {
+  const auto depth = [&](int vertex) {
+    double sum = 0.0;
+    for (int i = 0; i < scene_.dim; ++i)
+      sum += push[std::size_t(i)] * body.mesh.point(vertex)[i];
+    return sum;
+  };
+  int deepest = 0;
+  for (int vertex = 1; vertex < body.mesh.numPoints(); ++vertex)
+    if (depth(vertex) > depth(deepest))
+      deepest = vertex;
+  std::vector<double> at(body.mesh.point(deepest), body.mesh.point(deepest) + scene_.dim);
+  for (double& x : at)
+    x = std::abs(x) > roundOff * scene_.extent ? x : 0.0;
+  deck.comment(
+      "Guessed: stops the body from rolling, at a vertex; loads that it has to carry have no guaranteed bound.");
+  deck.open("still");
+  deck.text("Type", "Point");
+  deck.entry("At", "Array(double)", fmt::format("{{{}}}", fmt::join(at, ", ")));
+  for (std::size_t i = 0; i < std::size_t(scene_.dim); ++i)
+    if (std::abs(push[i]) < oneSided)
+      deck.number(std::string(1, "XYZ"[i]), 0.0);
+  deck.close();
+}
+
+/// A body that contact and planes of symmetry carry. Where these leave motions along the contact, Hold takes them.
+void GuessedScene::writeHeld(std::size_t index, const Vector3& push, DeckWriter& deck) const
+{
+  const DrawnBody& body = scene_.bodies[index];
   const auto planes =
       std::count_if(body.sides.begin(), body.sides.end(), [](const auto& side) { return side.isSymmetry; });
   deck.open("Supports");
   writeSymmetry(body, deck);
-  if (planes < scene_.dim - 1) {
+  if (planes < scene_.dim - 1 && held_.count(index) == 0) {
     deck.comment("Carries no force: takes the mean motion to be zero that neither supports nor contact hold.");
-    deck.open("hold");
+    deck.open(holdName);
     deck.text("Type", "Hold");
     deck.close();
+  }
+  if (held_.count(index) != 0) {
+    if (const DrawnSide* const side = farthest(body, scaled(push, -1.0)); side != nullptr)
+      writeClamp(*side, deck);
+    else if (length(push) > 0.0)
+      writeStill(body, push, deck);
   }
   deck.close();
   if (length(push) == 0.0)
