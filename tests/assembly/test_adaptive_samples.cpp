@@ -325,6 +325,60 @@ TEST(AdaptiveSamples, OfSmoothFunctionsOnFineMeshesAreThoseOfTheFunctionsToWithi
   }
 }
 
+/// Waves on 51 200 triangles: the function is evaluated on a handful of boxes, and 19 points are enough in a triangle.
+TEST(AdaptiveSamples, OfWavesOnAFineMeshComeFromPolynomialsOnAFewLargeBoxes)
+{
+  DataSampler sampler({{std::make_shared<const ExpressionTree>("sin(8*x)*cos(5*y)"), {}}}, 2);
+  const auto triangles = trianglesOfGrid(160);
+  double sum = 0.0;
+  for (const auto& x : triangles) {
+    const Samples samples = sampler.sample(2, {x.data(), x.data() + 2, x.data() + 4, nullptr}, 1.0);
+    ASSERT_TRUE(samples.areCertain());
+    ASSERT_EQ(samples.rule.size(), 19);
+    sum += mean(samples, 0, 0);
+  }
+  EXPECT_LE(sampler.polynomials(), 64);
+  EXPECT_NEAR(sum / double(triangles.size()), (1.0 - std::cos(8.0)) / 8.0 * std::sin(5.0) / 5.0, 1e-13);
+}
+
+TEST(AdaptiveSamples, OfSmoothFunctionsHaveRulesThatAreExactForTheirDegree)
+{
+  DataSampler sampler({{std::make_shared<const ExpressionTree>("sin(8*x)*cos(5*y)"), {}}}, 2);
+  const double x[] = {0.1, 0.2, 0.1 + 1.0 / 160, 0.2, 0.1, 0.2 + 1.0 / 160};
+  const Samples samples = sampler.sample(2, {x, x + 2, x + 4, nullptr}, 1.0);
+  ASSERT_EQ(samples.rule.size(), 19);
+  for (int i = 0; i <= 9; ++i)
+    for (int j = 0; i + j <= 9; ++j) {
+      double found = 0.0;
+      for (int q = 0; q < 19; ++q)
+        found += samples.rule.weights[std::size_t(q)] * std::pow(samples.rule.point(q)[0], i) *
+                 std::pow(samples.rule.point(q)[1], j);
+      EXPECT_NEAR(found, meanOfMonomial(2, i, j), 3e-16) << i << ' ' << j;
+    }
+}
+
+/// A triangle four times as large as those that a box was made for reaches beyond this box.
+TEST(AdaptiveSamples, OfSmoothFunctionsAreRightInLargeTrianglesAmongSmallOnes)
+{
+  const std::string text = "sin(6*x)*cos(5*y)";
+  const auto tree = std::make_shared<const ExpressionTree>(text);
+  DataSampler sampler({{tree, {}}}, 2);
+  for (const double h : {0.005, 0.01, 0.02, 0.04})
+    for (int i = 0; i < 40; ++i)
+      for (int j = 0; j < 4; ++j) {
+        const double a = 0.013 * i, b = 0.1 * j;
+        const std::array<double, 6> x{a, b, a + h, b, a, b + h};
+        const Samples samples = sampler.sample(2, {x.data(), x.data() + 2, x.data() + 4, nullptr}, 1.0);
+        for (int q = 0; q < samples.rule.size(); ++q) {
+          const double* lambda = samples.rule.point(q);
+          const double point[3] = {a + h * lambda[1], b + h * lambda[2], 0.0};
+          double value = 0.0;
+          tree->values(point, 1, &value);
+          EXPECT_NEAR(samples.values[std::size_t(q)], value, 5.1e-13) << h << ' ' << i << ' ' << j;
+        }
+      }
+}
+
 TEST(AdaptiveSamples, DoNotResolveWhatIsSmallAgainstTheScale)
 {
   EXPECT_GT(Simplex(1).sample("1e-15*(x^2 > 0.09)").pieces.size(), 10u);

@@ -211,6 +211,28 @@ TEST(Enclosure, BoundsWhatTaylorPolynomialsMiss)
   }
 }
 
+TEST(Enclosure, OfHighOrderBeginsWithThatOfALowerOneAndBoundsMore)
+{
+  const double half = 0.4;
+  const Region region = Region::simplex({{-half, 0.0, 0.0}, {half, 0.0, 0.0}});
+  for (const char* text : {"sin(x)", "exp(x)*cos(2*x)", "1/(2 + x)", "tanh(x)", "sqrt(2 + x^2)", "x^13"}) {
+    const ExpressionTree tree(text);
+    const Enclosure low = enclose(tree, region), high = enclose(tree, region, -1, Enclosure::longest);
+    for (std::size_t n = 0; n <= Enclosure::longest; ++n) {
+      EXPECT_EQ(std::isfinite(low.remainder[n]), n <= Enclosure::order) << text << ' ' << n;
+      if (n <= Enclosure::order) {
+        EXPECT_EQ(low.remainder[n], high.remainder[n]) << text << ' ' << n;
+      }
+    }
+  }
+  const Enclosure wave = enclose(ExpressionTree("sin(x)"), region, -1, Enclosure::longest);
+  for (std::size_t n = 2; n <= Enclosure::longest; n += 2) // sup |cos| is 1 for odd n, sup |sin| is sin(0.4) for even n
+    EXPECT_NEAR(wave.remainder[n] / (std::sin(half) * std::pow(half, double(n)) / std::tgamma(double(n) + 1.0)), 1.0,
+                1e-12)
+        << n;
+  EXPECT_EQ(enclose(ExpressionTree("x^13"), region, -1, Enclosure::longest).remainder[14], 0.0);
+}
+
 TEST(Enclosure, KnowsKinksAndJumps)
 {
   const Enclosure kink = enclosureOn("abs(2*x - 0.6)", 0.0, 1.0), jump = enclosureOn("(x > 0.3)*x", 0.0, 1.0);

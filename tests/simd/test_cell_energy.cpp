@@ -8,6 +8,7 @@
 #include "fem/sample_meshes.hpp"
 #include "mechanics/sample_laws.hpp"
 #include "ndframe/assembly/fields.hpp"
+#include "ndframe/equilibrium/cell_form.hpp"
 #include "ndframe/equilibrium/equilibrated_stress.hpp"
 #include "ndframe/simd/cell_distances.hpp"
 
@@ -242,6 +243,23 @@ TEST(CellDistances, AreThoseOfTheStressesThemselves)
                               [&](int sub, const double* lambda, double* sigma) { stress.stress(sub, lambda, sigma); });
       EXPECT_NEAR(cellDistances(body, correction, &v)[0] / expected, 1.0, 1e-11);
     }
+}
+
+/// Data that begin with zeros, as those that carry the oscillation of body forces do, take a shorter way.
+TEST(CellDistances, OfLoadsThatWorkOnNoAffineFunctionAreThoseOfTheStressesThemselves)
+{
+  const Elasticity law = test::sampleLaws(2)[1];
+  const BodyModel body = test::bodyOf(test::shuffledCell(2, 24), 2, law);
+  for (std::size_t first = 6; first < 12; ++first) {
+    StressCorrection correction = zeroCorrection(body.mesh, 3);
+    test::Random random(25);
+    for (std::size_t i = first; i < 12; ++i)
+      correction.loads[i] = random(-1.0, 1.0);
+    const SplitStress stress = equilibratedStress(body, zeros(body), correction, 0);
+    const double expected = complementaryEnergy(
+        body.mesh, law, 3, [&](int sub, const double* lambda, double* sigma) { stress.stress(sub, lambda, sigma); });
+    EXPECT_NEAR(cellDistances(body, correction, nullptr)[0] / expected, 1.0, 1e-11);
+  }
 }
 
 TEST(CellDistances, FollowFromTheWorkOfTheMoments)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/assembly/point_sums.hpp"
+
 namespace ndframe
 {
 namespace
@@ -42,18 +44,6 @@ void addUp(const std::vector<double>& rows, double factor, const std::vector<dou
   const std::size_t size = q.size() / count;
   sums.resize(rows.size() / count * size);
   (size == 2 ? addUp<2> : addUp<3>)(rows, count, factor, q.data(), sums.data());
-}
-
-/// Takes the multiples of a mode off all components.
-template <std::size_t size>
-void subtract(const double* mode, const double* factors, double scale, std::vector<double>& values)
-{
-  double scaled[size];
-  for (std::size_t i = 0; i < size; ++i)
-    scaled[i] = scale * factors[i];
-  for (std::size_t g = 0; g * size < values.size(); ++g)
-    for (std::size_t i = 0; i < size; ++i)
-      values[g * size + i] -= scaled[i] * mode[g];
 }
 
 /// |q_1 - q_h| for the affine function q_1 with these moments and the piecewise constants q_h that act like the same
@@ -118,16 +108,18 @@ void LoadMoments::testByHats()
 MomentTables LoadMoments::makeTables(const QuadratureRule& rule, const std::array<int, 4>& places) const
 {
   const std::size_t vertices = std::size_t(rule.dim) + 1, points = std::size_t(rule.size());
-  const auto modes = std::size_t(all_.size());
-  MomentTables tables{std::vector<double>(modes * points), std::vector<double>(modes * points)};
+  const std::size_t modes = std::size_t(all_.size()), stride = paddedCount(rule.size());
+  MomentTables tables{std::vector<double>(modes * stride), std::vector<double>(modes * stride),
+                      std::vector<double>(stride)};
   std::vector<double> lambda(vertices), at(modes);
+  std::copy(rule.weights.begin(), rule.weights.end(), tables.weights.begin());
   for (std::size_t g = 0; g < points; ++g) {
     for (std::size_t v = 0; v < vertices; ++v)
       lambda[std::size_t(places[v])] = rule.point(int(g))[v];
     all_.values(lambda.data(), at.data());
     for (std::size_t k = 0; k < modes; ++k) {
-      tables.values[k * points + g] = at[k];
-      tables.weighted[k * points + g] = rule.weights[g] * at[k];
+      tables.values[k * stride + g] = at[k];
+      tables.weighted[k * stride + g] = rule.weights[g] * at[k];
     }
   }
   return tables;
@@ -168,16 +160,12 @@ void LoadMoments::addShares(std::size_t size)
 /// |q - q_h| for q_h with the moments of the finer basis.
 double LoadMoments::distance(const LoadedSimplex& simplex, const MomentTables& tables)
 {
-  const std::size_t size = std::size_t(dim_), points = std::size_t(simplex.samples.rule.size());
-  rest_ = simplex.samples.values;
-  for (std::size_t k = 0; k < std::size_t(fine_.size()); ++k)
-    (size == 2 ? subtract<2> : subtract<3>)(&tables.values[k * points], &moments_[k * size], 1.0 / simplex.measure,
-                                            rest_);
-  double square = 0.0;
-  for (std::size_t g = 0; g < points; ++g)
-    for (std::size_t i = 0; i < size; ++i)
-      square += simplex.samples.rule.weights[g] * rest_[g * size + i] * rest_[g * size + i];
-  return std::sqrt(simplex.measure * square);
+  const auto modes = std::size_t(fine_.size()), size = std::size_t(dim_);
+  scaled_.resize(modes * size);
+  for (std::size_t i = 0; i < scaled_.size(); ++i)
+    scaled_[i] = moments_[i] / simplex.measure;
+  return std::sqrt(simplex.measure * squareOfRest(tables.values.data(), modes, tables.weights.size(), scaled_.data(),
+                                                  rows_.data(), size, tables.weights.data()));
 }
 
 void LoadMoments::addRemainder(const LoadedSimplex& simplex, const MomentTables& tables)
@@ -208,7 +196,10 @@ const SimplexMoments& LoadMoments::of(const LoadedSimplex& simplex)
   result_.rest = result_.beyondNorm = 0.0;
   if (!simplex.samples.pieces.empty()) {
     const MomentTables& tables = tablesOf(simplex);
-    addUp(tables.weighted, simplex.measure, simplex.samples.values, std::size_t(simplex.samples.rule.size()), moments_);
+    rowsOf(simplex.samples, dim_, rows_);
+    moments_.resize(std::size_t(all_.size()) * std::size_t(dim_));
+    sumOverPoints(tables.weighted.data(), std::size_t(all_.size()), tables.weights.size(), simplex.measure,
+                  rows_.data(), std::size_t(dim_), moments_.data());
     addShares(std::size_t(dim_));
     addRemainder(simplex, tables);
     return result_;

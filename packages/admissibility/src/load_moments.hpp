@@ -21,10 +21,11 @@ struct SimplexMoments
   double rest = 0.0;
 };
 
-/// A basis at the points of samples, for the vertices in ascending order: per mode, point.
+/// A basis at the points of samples, for the vertices in ascending order: per mode a row of the points, padded
+/// (point_sums.hpp).
 struct MomentTables
 {
-  std::vector<double> weighted, values; ///< weight m_k, m_k
+  std::vector<double> weighted, values, weights; ///< weight m_k, m_k, the weights alone
 };
 
 /// Moments of loads on the simplices of one kind, from the samples that the load vector is made of: facets with
@@ -62,7 +63,7 @@ private:
   std::map<std::pair<const QuadratureRule*, std::array<int, 4>>, MomentTables> known_; ///< by the order of the vertices
   MomentTables many_; ///< of the last simplex that is not one piece
   SimplexMoments result_;
-  std::vector<double> forces_, moments_, rest_; ///< at the vertices, of `all`, at the points
+  std::vector<double> forces_, moments_, rows_, scaled_; ///< at the vertices, of `all`, at the points; by the measure
 };
 
 } // namespace ndframe

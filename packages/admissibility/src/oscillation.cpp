@@ -32,7 +32,7 @@ double longestEdge(const Mesh& mesh, int cell, int vertex)
 double cellDiameter(const Mesh& mesh, int cell)
 {
   double longest = 0.0;
-  for (int vertex = 0; vertex <= mesh.dim; ++vertex)
+  for (int vertex = 0; vertex < mesh.dim; ++vertex)
     longest = std::max(longest, longestEdge(mesh, cell, vertex));
   return longest;
 }

@@ -197,6 +197,11 @@ void DataSampler::sample(int dim, const Vertices& vertices, double scale, Sample
     samples = join(simplex, implementation_->functions_, implementation_->leaves(simplex, scale), scale);
 }
 
+int DataSampler::polynomials() const
+{
+  return implementation_->smooth_.polynomials();
+}
+
 void sampleConstant(int dim, const std::vector<double>& value, Samples& samples)
 {
   if (samples.rule.dim != dim)

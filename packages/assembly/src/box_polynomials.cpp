@@ -3,6 +3,7 @@
 #include <cmath>
 
 #include "ndframe/base/lanes.hpp"
+#include "polynomial_values.hpp"
 
 namespace ndframe
 {
@@ -51,26 +52,34 @@ double growth(int degree)
   return std::sqrt(2.0 * degree * degree + 2.0 * degree + 1.0);
 }
 
-/// Points that are worked on at a time.
-constexpr int packs = 4, lanes = 4 * packs;
-using Pack = double __attribute__((vector_size(4 * sizeof(double))));
-
-/// Horner's scheme in both coordinates.
-NDFRAME_EVERY_PROCESSOR void evaluate(const double* coefficients, int degree, const Pack* x, const Pack* y,
-                                      Pack* result)
+/// Coefficients by power along the first index, as functions of x = c + r x'.
+NDFRAME_EVERY_PROCESSOR void shift(Matrix& a, int degree, double c, double r)
 {
-  const double* row = coefficients + std::size_t(degree + 1) * std::size_t(degree + 2) / 2;
-  Pack sum[packs] = {};
-  for (int j = degree; j >= 0; --j) {
-    row -= degree - j + 1;
-    Pack inner[packs] = {};
-    for (int i = degree - j; i >= 0; --i)
-      for (int p = 0; p < packs; ++p)
-        inner[p] = inner[p] * x[p] + row[i];
-    for (int p = 0; p < packs; ++p)
-      sum[p] = sum[p] * y[p] + inner[p];
-  }
-  std::copy_n(sum, packs, result);
+  const auto end = std::size_t(degree);
+  for (std::size_t k = 0; k < end; ++k)
+    for (std::size_t i = end; i-- > k;)
+      for (std::size_t j = 0; i + j < end; ++j)
+        a[i][j] += c * a[i + 1][j];
+  double power = 1.0;
+  for (std::size_t i = 0; i <= end; ++i, power *= r)
+    for (std::size_t j = 0; i + j <= end; ++j)
+      a[i][j] *= power;
+}
+
+void transpose(Matrix& a)
+{
+  for (std::size_t i = 0; i < a.size(); ++i)
+    for (std::size_t j = 0; j < i; ++j)
+      std::swap(a[i][j], a[j][i]);
+}
+
+/// The terms of a degree at most, as they are stored.
+std::vector<double> listed(const Matrix& a, int degree)
+{
+  std::vector<double> all;
+  for (std::size_t j = 0; j <= std::size_t(degree); ++j)
+    all.insert(all.end(), a[j].begin(), a[j].begin() + (degree + 1 - int(j)));
+  return all;
 }
 
 } // namespace
@@ -78,7 +87,7 @@ NDFRAME_EVERY_PROCESSOR void evaluate(const double* coefficients, int degree, co
 std::optional<BoxPolynomial> BoxPolynomial::fit(const ExpressionTree& tree, const Region::Point& middle,
                                                 double halfWidth, double allowed)
 {
-  const Enclosure enclosure = enclose(tree, Region::box(2, middle, halfWidth, halfWidth));
+  const Enclosure enclosure = enclose(tree, Region::box(2, middle, halfWidth, halfWidth), -1, Enclosure::longest);
   BoxPolynomial polynomial;
   polynomial.middle_ = middle;
   polynomial.halfWidth_ = halfWidth;
@@ -112,10 +121,37 @@ void BoxPolynomial::interpolate(const ExpressionTree& tree)
       for (std::size_t k = i % 2; k <= i; k += 2)
         for (std::size_t l = j % 2; l <= j; l += 2)
           monomials[l][k] += c[i][j] * T[i][k] * T[j][l];
+  coefficients_ = listed(monomials, degree_);
+}
+
+BoxPolynomial BoxPolynomial::restricted(const Region::Point& middle, double halfWidth, double allowed) const
+{
+  Matrix a{};
   std::size_t next = 0;
-  for (std::size_t l = 0; l < end; ++l)
-    for (std::size_t k = 0; k + l < end; ++k)
-      coefficients_[next++] = monomials[l][k];
+  for (std::size_t j = 0; j <= std::size_t(degree_); ++j)
+    for (std::size_t i = 0; i + j <= std::size_t(degree_); ++i)
+      a[j][i] = coefficients_[next++];
+  const double ratio = halfWidth / halfWidth_;
+  shift(a, degree_, (middle[1] - middle_[1]) / halfWidth_, ratio);
+  transpose(a);
+  shift(a, degree_, (middle[0] - middle_[0]) / halfWidth_, ratio);
+  transpose(a);
+  BoxPolynomial part;
+  part.middle_ = middle;
+  part.halfWidth_ = halfWidth;
+  part.error_ = error_;
+  part.degree_ = degree_;
+  for (; part.degree_ > 0; --part.degree_) {
+    double last = 0.0;
+    for (std::size_t j = 0, d = std::size_t(part.degree_); j <= d; ++j)
+      last += std::abs(a[j][d - j]);
+    if (!(part.error_ + last <= allowed))
+      break;
+    part.error_ += last;
+  }
+  part.coefficients_ = listed(a, part.degree_);
+  part.boundDerivatives();
+  return part;
 }
 
 /// In direction v of at most half a width along each axis xi^i eta^j has a coefficient of t^m that is at most
@@ -136,15 +172,14 @@ void BoxPolynomial::boundDerivatives()
   }
 }
 
-double BoxPolynomial::distance(int m, double radius) const
+SmoothDistances BoxPolynomial::distances(double radius) const
 {
-  if (m >= degree_)
-    return error_;
+  SmoothDistances all{};
   const double ratio = radius / halfWidth_;
-  double power = 1.0;
-  for (int k = 0; k <= m; ++k)
-    power *= ratio;
-  return error_ + derivatives_[std::size_t(m) + 1] * power;
+  double power = ratio;
+  for (std::size_t m = 0; m < all.size(); ++m, power *= ratio)
+    all[m] = error_ + derivatives_[m + 1] * power;
+  return all;
 }
 
 bool BoxPolynomial::holds(const Region::Point& centroid, double radius) const
@@ -153,38 +188,54 @@ bool BoxPolynomial::holds(const Region::Point& centroid, double radius) const
          std::abs(centroid[1] - middle_[1]) + radius <= halfWidth_;
 }
 
-void BoxPolynomial::values(const DataSampler::Vertices& vertices, const QuadratureRule& rule, double* result) const
+void BoxPolynomial::values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const
 {
-  double xi[3], eta[3];
+  TriangleCorners corners{};
   for (std::size_t v = 0; v < 3; ++v) {
-    xi[v] = (vertices[v][0] - middle_[0]) / halfWidth_;
-    eta[v] = (vertices[v][1] - middle_[1]) / halfWidth_;
+    corners.xi[v] = (vertices[v][0] - middle_[0]) / halfWidth_;
+    corners.eta[v] = (vertices[v][1] - middle_[1]) / halfWidth_;
   }
-  for (int first = 0; first < rule.size(); first += lanes) {
-    const int used = std::min(lanes, rule.size() - first);
-    Pack x[packs] = {}, y[packs] = {}, sum[packs];
-    for (int p = 0; p < used; ++p) {
-      const double* lambda = rule.point(first + p);
-      x[p / 4][p % 4] = lambda[0] * xi[0] + lambda[1] * xi[1] + lambda[2] * xi[2];
-      y[p / 4][p % 4] = lambda[0] * eta[0] + lambda[1] * eta[1] + lambda[2] * eta[2];
+  polynomialValues(coefficients_.data(), degree_, corners, sampling, result);
+}
+
+/// The one of high degree on the largest box around a cell of the tree, up to 32 times as wide.
+const BoxPolynomial* BoxPolynomials::wholeAround(const Region::Point& middle, int level, double allowed)
+{
+  for (int up = 5; up >= 0; --up) {
+    const TreeBox box(middle, level + up, 2);
+    const auto [found, isNew] = whole_.try_emplace(box.place);
+    if (isNew) {
+      found->second = BoxPolynomial::fit(tree_, box.middle, box.width, allowed); // what is inside reaches beyond it
+      fitted_ += found->second ? 1 : 0;
     }
-    evaluate(coefficients_.data(), degree_, x, y, sum);
-    for (int p = 0; p < used; ++p)
-      result[first + p] = sum[p / 4][p % 4];
+    if (found->second && found->second->error() <= allowed)
+      return &*found->second;
   }
+  return nullptr;
+}
+
+std::optional<BoxPolynomial> BoxPolynomials::make(const TreeBox& box, double halfWidth, int mostDegree, double allowed)
+{
+  constexpr double share = 0.5; // of what is allowed; the rest is for the terms that are left out
+  const BoxPolynomial* whole = wholeAround(box.middle, std::get<0>(box.place), share * allowed);
+  if (whole == nullptr)
+    return {};
+  auto part = whole->restricted(box.middle, halfWidth, allowed);
+  return part.degree() <= mostDegree ? std::optional(std::move(part)) : std::nullopt;
 }
 
 const BoxPolynomial* BoxPolynomials::around(const Region::Point& centroid, double radius, double allowed)
 {
+  constexpr int cheap = 12; // degree: rather one more than parts of few triangles
   if (last_ != nullptr && last_->holds(centroid, radius) && last_->error() <= allowed)
     return last_;
   const int level = TreeBox::levelOf(radius);
   for (int up = 6; up >= 1; --up) {
     const TreeBox box(centroid, level + up, 2);
-    const double aroundIt = std::ldexp(1.0, -std::min(up, 3)); // of the width, which is at least 2^up radii
-    const auto [found, isNew] = boxes_.try_emplace(box.place);
+    const double aroundIt = std::ldexp(1.0, -up); // of the width, which is at least 2^up radii
+    const auto [found, isNew] = parts_.try_emplace({box.place, up});
     if (isNew)
-      found->second = BoxPolynomial::fit(tree_, box.middle, (0.5 + aroundIt) * box.width, allowed);
+      found->second = make(box, (0.5 + aroundIt) * box.width, up == 1 ? BoxPolynomial::highest : cheap, allowed);
     if (found->second && found->second->error() <= allowed)
       return last_ = &*found->second;
   }

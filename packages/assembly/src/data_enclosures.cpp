@@ -19,7 +19,7 @@ int largestKept(int dim)
 Enclosure ofPolynomial(int degree)
 {
   Enclosure enclosure;
-  for (int n = 0; n <= Enclosure::order; ++n)
+  for (int n = 0; n <= Enclosure::longest; ++n)
     enclosure.remainder[std::size_t(n)] = n > degree ? 0.0 : std::numeric_limits<double>::infinity();
   return enclosure;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/assembly/point_sums.hpp"
 #include "ndframe/fem/lagrange.hpp"
 
 namespace ndframe
@@ -100,25 +101,47 @@ private:
   std::vector<double> ofUnits_, unit_, values_;
 };
 
-/// Adds int q . v for the Lagrange functions on one simplex.
+/// Adds int q . v for the Lagrange functions on simplices. Their values times the rule's weights are kept for the next
+/// simplex where samples of one piece name the rule.
 template <int simplexDim, int order>
-void scatter(const LoadedSimplex& simplex, const int* nodes, int dim, Vector& load)
+class Scatter
 {
-  constexpr int count = Lagrange<simplexDim, order>::nodes;
-  const QuadratureRule& rule = simplex.samples.rule;
-  double N[count], forces[count][3] = {};
-  for (int g = 0; g < rule.size(); ++g) {
-    Lagrange<simplexDim, order>::values(rule.point(g), N);
-    const double weight = simplex.measure * rule.weights[std::size_t(g)];
-    const double* q = simplex.samples.values.data() + std::ptrdiff_t(g) * dim;
+public:
+  void add(const LoadedSimplex& simplex, const int* nodes, int dim, Vector& load)
+  {
+    const Samples& samples = simplex.samples;
+    const QuadratureRule* rule = samples.pieces.size() == 1 ? samples.pieces.front().rule : nullptr;
+    if (rule == nullptr || rule != rule_)
+      tabulate(samples.rule);
+    rule_ = rule;
+    rowsOf(samples, dim, rows_);
+    double forces[3 * count];
+    sumOverPoints(table_.data(), count, paddedCount(samples.rule.size()), simplex.measure, rows_.data(),
+                  std::size_t(dim), forces);
+    const double* force = forces;
     for (int a = 0; a < count; ++a)
       for (int k = 0; k < dim; ++k)
-        forces[a][k] += weight * N[a] * q[k];
+        load[std::size_t(nodes[a]) * std::size_t(dim) + std::size_t(k)] += *force++;
   }
-  for (int a = 0; a < count; ++a)
-    for (int k = 0; k < dim; ++k)
-      load[std::size_t(nodes[a]) * std::size_t(dim) + std::size_t(k)] += forces[a][k];
-}
+
+private:
+  static constexpr int count = Lagrange<simplexDim, order>::nodes;
+
+  void tabulate(const QuadratureRule& rule)
+  {
+    const std::size_t stride = paddedCount(rule.size());
+    table_.assign(std::size_t(count) * stride, 0.0);
+    double N[count];
+    for (int g = 0; g < rule.size(); ++g) {
+      Lagrange<simplexDim, order>::values(rule.point(g), N);
+      for (std::size_t a = 0; a < std::size_t(count); ++a)
+        table_[a * stride + std::size_t(g)] = rule.weights[std::size_t(g)] * N[a];
+    }
+  }
+
+  const QuadratureRule* rule_ = nullptr;
+  std::vector<double> table_, rows_;
+};
 
 } // namespace
 
@@ -161,12 +184,14 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
 void Load::addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const
 {
   withDimAndOrder(mesh.dim, nodes.order, [&](auto d, auto p) {
+    Scatter<d(), p()> onCells;
+    Scatter<d() - 1, p()> onFacets;
     visitLoad(*this, mesh, [&](const LoadedSimplex& simplex) {
       if (simplex.isCell)
-        return scatter<d(), p()>(simplex, nodes.cell(simplex.facet.cell), d(), load);
+        return onCells.add(simplex, nodes.cell(simplex.facet.cell), d(), load);
       int local[6];
       facetNodes(nodes, simplex.facet, local);
-      scatter<d() - 1, p()>(simplex, local, d(), load);
+      onFacets.add(simplex, local, d(), load);
     });
   });
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ndframe/assembly/point_sums.hpp"
 #include "triangle_rules.hpp"
 
 namespace ndframe
@@ -9,7 +10,16 @@ namespace ndframe
 namespace
 {
 
-constexpr int highest = 9; ///< degree of the polynomials that enclosures compare with
+std::vector<double> paddedCoordinates(const QuadratureRule& rule)
+{
+  const std::size_t count = std::size_t(rule.size()), corners = std::size_t(rule.dim) + 1;
+  const std::size_t stride = paddedCount(rule.size());
+  std::vector<double> all(corners * stride, 0.0);
+  for (std::size_t q = 0; q < count; ++q)
+    for (std::size_t v = 0; v < corners; ++v)
+      all[v * stride + q] = rule.lambda[q * corners + v];
+  return all;
+}
 
 std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees)
 {
@@ -17,7 +27,8 @@ std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees)
   for (const int degree : degrees) {
     const bool isSymmetric = dim == 2 && hasSymmetricTriangleRule(degree);
     rules.push_back({isSymmetric ? symmetricTriangleRule(degree) : simplexRule(dim, degree),
-                     std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
+                     std::min(degree - (5 - dim), highestKept), std::min(degree / 2, highestKept)});
+    rules.back().padded = paddedCoordinates(rules.back().rule);
     if (dim == 1 || degree == degrees.back())
       rules.back().kept = std::min(rules.back().kept, rules.back().squared);
   }
@@ -28,7 +39,7 @@ std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees)
 
 const std::vector<SamplingRule>& samplingLadder(int dim)
 {
-  static const auto edges = ladderOf(1, {6, 8, 12, 18}), triangles = ladderOf(2, {4, 5, 6, 8, 10, 12, 18}),
+  static const auto edges = ladderOf(1, {6, 8, 12, 18}), triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 18}),
                     tetrahedra = ladderOf(3, {5, 7, 9, 13}); // the collapsed rules of 4, 5, 6 and 8 points an axis
   return dim == 1 ? edges : dim == 2 ? triangles : tetrahedra;
 }

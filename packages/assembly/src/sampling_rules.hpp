@@ -15,6 +15,12 @@ constexpr double agreementOn(int dim)
 }
 /// The same in norms, where it is charged to the oscillation.
 constexpr double agreementOfNorms = 1e-11;
+/// And where smooth functions on a plane's cells are concerned: what is charged is far below their oscillation, and the
+/// cells need fewer points.
+constexpr double agreementOfSmoothNorms = 1e-8;
+
+/// The highest degree of the polynomials that functions are compared with.
+constexpr int highestKept = 9;
 
 /// A Gauss rule and the degrees of the polynomials that it integrates exactly: with polynomials of degree 5 - dim (the
 /// highest that stars integrate: a hat function times a mode), and with themselves.
@@ -22,6 +28,8 @@ struct SamplingRule
 {
   QuadratureRule rule;
   int kept = 0, squared = 0;
+  /// The barycentric coordinates one after the other, padded (point_sums.hpp).
+  std::vector<double> padded{};
 };
 
 /// The rules that are tried one after the other. The last one, and those of edges, keep no more than they square: on an

@@ -32,8 +32,20 @@ SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int 
       arePolynomials_(std::all_of(functions.begin(), functions.end(), [](const auto& f) { return degreeOf(f) >= 0; })),
       isPlane_(space == 2), here_(functions.size())
 {
-  for (const auto& function : functions)
+  for (const auto& function : functions) {
     boxes_.emplace_back(*function.tree);
+    distances_.emplace_back();
+    for (int m = 0; m < degreeOf(function) && m <= highestKept; ++m)
+      distances_.back()[std::size_t(m)] = std::numeric_limits<double>::infinity();
+  }
+}
+
+int SmoothSamples::polynomials() const
+{
+  int sum = 0;
+  for (const auto& boxes : boxes_)
+    sum += boxes.fitted();
+  return sum;
 }
 
 bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allowed)
@@ -43,12 +55,14 @@ bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allow
   if (!isPlane_ || simplex.dim() != 2)
     return false;
   Region::Point centroid{};
-  simplex.extent(centroid, radius_);
+  double radius = 0.0;
+  simplex.extent(centroid, radius);
   for (std::size_t f = 0; f < functions_.size(); ++f)
     if (degreeOf(functions_[f]) < 0) {
-      here_[f] = boxes_[f].around(centroid, radius_, allowed);
+      here_[f] = boxes_[f].around(centroid, radius, allowed);
       if (here_[f] == nullptr)
         return false;
+      distances_[f] = here_[f]->distances(radius);
     }
   return true;
 }
@@ -57,11 +71,8 @@ bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allow
 double SmoothSamples::distance(int degree) const
 {
   double largest = 0.0;
-  for (std::size_t f = 0; f < functions_.size(); ++f)
-    if (here_[f] != nullptr)
-      largest = std::max(largest, here_[f]->distance(degree, radius_));
-    else if (degreeOf(functions_[f]) > degree)
-      largest = std::numeric_limits<double>::infinity();
+  for (const auto& distances : distances_)
+    largest = std::max(largest, distances[std::size_t(degree)]);
   return largest;
 }
 
@@ -76,7 +87,7 @@ bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples
     if (!(error <= allowed))
       continue;
     const double ofNorm = distance(sampling.squared);
-    if (!(ofNorm <= agreementOfNorms * scale))
+    if (!(ofNorm <= agreementOfSmoothNorms * scale))
       continue;
     beginWhole(simplex, sampling.rule, samples);
     samples.pieces.front().error = error;
@@ -84,20 +95,20 @@ bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples
     samples.scale = scale;
     samples.spread = ofNorm;
     samples.uncertainty = error == 0.0 ? 0.0 : 2.0 * error / scale;
-    addValues(simplex, samples);
+    addValues(simplex, sampling, samples);
     return true;
   }
   return false;
 }
 
-void SmoothSamples::addValues(const SimplexGeometry& simplex, Samples& samples)
+void SmoothSamples::addValues(const SimplexGeometry& simplex, const SamplingRule& sampling, Samples& samples)
 {
   const std::size_t count = std::size_t(samples.rule.size()), size = functions_.size();
-  values_.resize(count);
+  values_.resize(std::max(count, sampling.padded.size() / std::size_t(simplex.dim() + 1)));
   samples.values.resize(count * size);
   for (std::size_t f = 0; f < size; ++f) {
     if (here_[f] != nullptr)
-      here_[f]->values(simplex.vertices(), samples.rule, values_.data());
+      here_[f]->values(simplex.vertices(), sampling, values_.data());
     else
       evaluate(functions_[f], simplex, samples);
     for (std::size_t q = 0; q < count; ++q)
@@ -113,10 +124,11 @@ void SmoothSamples::evaluate(const SampledFunction& function, const SimplexGeome
     samples.scale = std::max(samples.scale, std::abs(values_.front()));
     return;
   }
-  points_.resize(3 * values_.size());
+  const std::size_t count = std::size_t(samples.rule.size());
+  points_.resize(3 * count);
   simplex.place(samples.rule, points_.data());
-  function.tree->values(points_.data(), int(values_.size()), values_.data());
-  for (std::size_t q = 0; q < values_.size(); ++q) {
+  function.tree->values(points_.data(), int(count), values_.data());
+  for (std::size_t q = 0; q < count; ++q) {
     if (!std::isfinite(values_[q]))
       function.refuse(&points_[3 * q], simplex.space(), values_[q]);
     samples.scale = std::max(samples.scale, std::abs(values_[q]));

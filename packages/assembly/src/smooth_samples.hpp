@@ -18,18 +18,20 @@ public:
 
   /// False where a function is not smooth enough; the samples are then undefined.
   bool sample(const SimplexGeometry& simplex, double scale, Samples& samples);
+  /// Large boxes on which functions were evaluated.
+  int polynomials() const;
 
 private:
   bool findPolynomials(const SimplexGeometry& simplex, double allowed);
   double distance(int degree) const;
-  void addValues(const SimplexGeometry& simplex, Samples& samples);
+  void addValues(const SimplexGeometry& simplex, const SamplingRule& sampling, Samples& samples);
   void evaluate(const SampledFunction& function, const SimplexGeometry& simplex, Samples& samples);
 
   const std::vector<SampledFunction>& functions_;
   bool arePolynomials_, isPlane_;
   std::vector<BoxPolynomials> boxes_;
   std::vector<const BoxPolynomial*> here_; ///< null for what is a polynomial everywhere
-  double radius_ = 0.0;                    ///< of the simplex
+  std::vector<SmoothDistances> distances_; ///< per function; infinite for degrees below that of a polynomial
   std::vector<double> points_, values_;
 };
 

@@ -51,6 +51,14 @@ void takeLaw(const PlaneLaw& law, int lane, int lanes, double* values)
     }
 }
 
+/// How many values are zero in all lanes before the first that is not: an even number.
+int leadingZeros(const double* data, int count, int lanes)
+{
+  const double* end = data + std::ptrdiff_t(count) * lanes;
+  const auto first = std::find_if(data, end, [](double value) { return value != 0.0; }) - data;
+  return int(first) / lanes / 2 * 2;
+}
+
 } // namespace
 
 Vector vertexStress(const BodyModel& body, const BatchedKernels& kernels, const Vector& displacement)
@@ -119,6 +127,7 @@ Vector batchedCellDistances(const BodyModel& body, const StressCorrection& corre
       for (int i = 0; i < loads; ++i)
         batch.data[(tractions + i) * lanes + lane] = load[i];
     }
+    batch.firstData = leadingZeros(batch.data, tractions + loads, lanes);
     distance(tables.tables(), batch);
     std::copy_n(batch.distance, count, distances.begin() + first);
   }

@@ -81,20 +81,20 @@ void addBubbles(const CellTables& tables, const Number* compliance, const CellSh
       add3(bubble, y[b], coefficient);
 }
 
-/// Coefficients of a correction in reference axes from its data.
+/// Coefficients of a correction in reference axes from its data, of which those before `begin` are zero.
 template <int q, class Number>
 void findStress(const CellTables& tables, const Number* compliance, const CellShape& shape, const Lanes* data,
-                Lanes (&S)[Sizes<q>::coefficients][3])
+                int begin, Lanes (&S)[Sizes<q>::coefficients][3])
 {
   constexpr int values = 3 * Sizes<q>::facetData + 2 * loadModesOf(q);
   Lanes x[values];
-  for (int i = 0; i < values; i += 2)
+  for (int i = begin; i < values; i += 2)
     store2(x + i, shape.pullBack(load2(data + i)));
   // Three coefficients side by side: one alone would wait for its own sums.
   const double* lift = tables.lift;
   for (int i = 0; i < Sizes<q>::coefficients; i += 3, lift += 9 * values) {
     Lanes first[3] = {}, second[3] = {}, third[3] = {};
-    for (int j = 0; j < values; ++j) {
+    for (int j = begin; j < values; ++j) {
       add3(lift + 3 * j, x[j], first);
       add3(lift + 3 * (values + j), x[j], second);
       add3(lift + 3 * (2 * values + j), x[j], third);
@@ -115,7 +115,7 @@ void distance(const CellTables& tables, const Number* compliance, const Number* 
   constexpr int modes = Sizes<q>::coefficients / 3;
   const CellShape shape = shapeOf(batch);
   Lanes S[Sizes<q>::coefficients][3], axes[3][3], elastic[3][3] = {}, sum{};
-  findStress<q>(tables, compliance, shape, lanes(batch.data), S);
+  findStress<q>(tables, compliance, shape, lanes(batch.data), batch.firstData, S);
   pushForward(shape, axes);
   if (batch.displacement != nullptr)
     elasticStress(stiffness, shape, lanes(batch.displacement), elastic);
@@ -124,7 +124,7 @@ void distance(const CellTables& tables, const Number* compliance, const Number* 
     Lanes sigma[3] = {};
     for (int a = 0; a < 3; ++a)
       add3(axes[a], inverse * S[i][a], sigma);
-    if (i % modes < 3)
+    if (batch.displacement != nullptr && i % modes < 3)
       for (int vertex = 0; vertex < 3; ++vertex)
         add3(elastic[vertex], tables.linear[(i / modes * 3 + i % modes) * 3 + vertex], sigma);
     sum += square(root, sigma);

@@ -67,6 +67,7 @@ struct CellBatch
   double* displacement = nullptr; ///< 6 x 2: v at the vertices and at the middles of the edges opposite to them
   double* stress = nullptr;       ///< 3 x 3: at the vertices
   double* data = nullptr;         ///< tractions and loads of a correction; vertices in sorted order
+  int firstData = 0;              ///< the values of `data` before this one, an even number, are zero
   double* law = nullptr;          ///< bodies of several materials: a PlaneLaw each, instead of that of CellTables
   double* distance = nullptr;     ///< 1
 };

@@ -7,16 +7,15 @@ namespace ndframe
 namespace
 {
 
-constexpr std::size_t size = Enclosure::order + 1;
 constexpr double libraryError = 0x1p-50;
 const Interval one{1.0, 1.0};
 
 /// The coefficients from the first on of w with w' = u' g.
 Series withSlope(Interval range, const Series& u, const Series& g)
 {
-  Series w;
+  Series w = emptyLike(u, g);
   w[0] = range;
-  for (std::size_t k = 1; k < size; ++k) {
+  for (std::size_t k = 1; k < w.count; ++k) {
     for (std::size_t j = 1; j <= k; ++j)
       w[k] = w[k] + double(j) * (u[j] * g[k - j]);
     w[k] = (1.0 / double(k)) * w[k];
@@ -49,11 +48,13 @@ Interval waveRange(Interval u, double shift)
 /// sin and cos, or sinh and cosh: s' = u' c, c' = turn u' s.
 std::pair<Series, Series> wave(const Series& u, Interval s0, Interval c0, double turn)
 {
-  Series s, c;
+  Series s = emptyLike(u, u), c = s;
   s[0] = s0;
   c[0] = c0;
-  for (std::size_t k = 1; k < size; ++k) {
+  for (std::size_t k = 1; k < s.count; ++k) {
     for (std::size_t j = 1; j <= k; ++j) {
+      if (u[j].isZero())
+        continue;
       s[k] = s[k] + double(j) * (u[j] * c[k - j]);
       c[k] = c[k] + double(j) * (u[j] * s[k - j]);
     }
@@ -80,10 +81,10 @@ Series tanhSeries(const Series& u)
 {
   const auto slope = [](double x) { return 1.0 / (std::cosh(x) * std::cosh(x)); };
   const double low = slope(u[0].lo), high = slope(u[0].hi);
-  Series w, g;
+  Series w = emptyLike(u, u), g = w;
   w[0] = widened(std::tanh(u[0].lo), std::tanh(u[0].hi), libraryError);
   g[0] = widened(std::min(low, high), u[0].contains(0.0) ? 1.0 : std::max(low, high), libraryError);
-  for (std::size_t k = 1; k < size; ++k) {
+  for (std::size_t k = 1; k < w.count; ++k) {
     for (std::size_t j = 1; j <= k; ++j)
       w[k] = w[k] + double(j) * (u[j] * g[k - j]);
     w[k] = (1.0 / double(k)) * w[k];
@@ -112,7 +113,7 @@ Series inverse(const Inverse& f, const Series& u)
   const double a = f.function(std::max(f.low, u[0].lo)), b = f.function(std::min(f.high, u[0].hi));
   const Interval range = widened(std::min(a, b), std::max(a, b), libraryError);
   Series inside = square(u);
-  for (Interval& coefficient : inside)
+  for (Interval& coefficient : inside.terms)
     coefficient = f.factor * coefficient;
   inside[0] = inside[0] + Interval{f.constant, f.constant};
   if (!(inside[0].lo > 0.0))

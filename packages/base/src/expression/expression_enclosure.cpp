@@ -2,6 +2,7 @@
 
 #include "affine_range.hpp"
 #include "interval_series.hpp"
+#include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
@@ -15,7 +16,9 @@ constexpr Interval yes{1.0, 1.0}, no{0.0, 0.0}, open{0.0, 1.0};
 class Encloser
 {
 public:
-  Encloser(const ExpressionTree& tree, const Region& region, int only) : tree_(tree), region_(region), only_(only) {}
+  Encloser(const ExpressionTree& tree, const Region& region, int only, int order)
+      : tree_(tree), region_(region), only_(only), count_(std::size_t(order) + 1)
+  {}
 
   Enclosure whole();
 
@@ -38,6 +41,7 @@ private:
   const ExpressionTree& tree_;
   const Region& region_;
   int only_;
+  std::size_t count_; ///< of the coefficients of series
   std::vector<Series> series_;
   /// The affine functions that operations are on this region, those that are so by a decided comparison among them.
   std::vector<std::optional<AffineFunction>> affine_;
@@ -48,6 +52,7 @@ Series Encloser::affine(const AffineFunction& f, bool varies) const
 {
   const AffineRange range(f, region_);
   Series result;
+  result.count = count_;
   result[0] = range.value;
   result[1] = range.slope;
   const double snap = touching * range.terms;
@@ -58,7 +63,7 @@ Series Encloser::affine(const AffineFunction& f, bool varies) const
   if (varies)
     return result;
   const double middle = result[0].middle();
-  return Series{Interval{middle, middle}};
+  return constant({middle, middle});
 }
 
 void Encloser::cutAt(int place, double value)
@@ -109,7 +114,7 @@ Interval comparison(Operation operation, Interval a)
 /// A step: constant where it is decided.
 Series constantOn(Interval range)
 {
-  return range.lo == range.hi ? Series{range} : onlyRange(range);
+  return range.lo == range.hi ? constant(range) : onlyRange(range);
 }
 
 Interval truth(Interval a)
@@ -261,8 +266,8 @@ Enclosure Encloser::whole()
   const Series& all = series_.back();
   result.range = all[0];
   result.remainder[0] = all[0].radius();
-  for (std::size_t n = 1; n < all.size(); ++n)
-    result.remainder[n] = all[n].magnitude();
+  for (std::size_t n = 1; n < result.remainder.size(); ++n)
+    result.remainder[n] = n < count_ ? all[n].magnitude() : std::numeric_limits<double>::infinity();
   result.cut = cut_;
   return result;
 }
@@ -277,9 +282,10 @@ double Enclosure::distance(int degree) const
   return least;
 }
 
-Enclosure enclose(const ExpressionTree& tree, const Region& region, int only)
+Enclosure enclose(const ExpressionTree& tree, const Region& region, int only, int order)
 {
-  return Encloser(tree, region, only).whole();
+  NDFRAME_ASSERT(order <= Enclosure::longest, "no series is as long");
+  return Encloser(tree, region, only, order).whole();
 }
 
 } // namespace ndframe

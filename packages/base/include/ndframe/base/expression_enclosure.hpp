@@ -33,10 +33,12 @@ struct Region
 /// by its Lipschitz constant; where it may jump only n = 0, by the radius of its range. Infinite: nothing is known.
 struct Enclosure
 {
-  static constexpr int order = 10; ///< the highest derivative
+  static constexpr int order = 10;   ///< the highest derivative, unless more are asked for
+  static constexpr int longest = 20; ///< that can be asked for
 
   Interval range;
-  std::array<double, order + 1> remainder{}; ///< by n; n = 0: the radius of the range
+  /// By n; n = 0: the radius of the range. Infinite beyond the highest derivative.
+  std::array<double, longest + 1> remainder{};
   /// An affine function that changes its sign inside, where the expression switches: the region should be cut there.
   std::optional<AffineFunction> cut;
 
@@ -45,8 +47,8 @@ struct Enclosure
 
 /// Encloses an expression on a region. A comparison of affine functions that touch only at the region's boundary (to
 /// 1e-13) counts as decided: the enclosure holds almost everywhere. only: all features but this one (its place in the
-/// tree) keep their value in the middle; -1: all vary.
-Enclosure enclose(const ExpressionTree& tree, const Region& region, int only = -1);
+/// tree) keep their value in the middle; -1: all vary. order: the highest derivative.
+Enclosure enclose(const ExpressionTree& tree, const Region& region, int only = -1, int order = Enclosure::order);
 
 /// The range of an affine function on a region.
 Interval rangeOf(const AffineFunction& f, const Region& region);
