@@ -81,6 +81,14 @@ Physical Surface("left") = {1}; Physical Surface("right") = {2}; Physical Surfac
 Physical Curve("left foot") = {1}; Physical Curve("left flank") = {2}; Physical Curve("right foot") = {5}; Physical Curve("right flank") = {8};
 Physical Curve("wedge right") = {10}; Physical Curve("wedge left") = {12};
 """
+POST = """
+SetFactory("OpenCASCADE");
+Box(1) = {0, 0, 0, 2, 2, 0.5};
+Cylinder(2) = {1.1, 0.9, 0.5, 0, 0, 0.8, 0.5};
+Physical Volume("slab") = {1}; Physical Volume("post") = {2};
+Physical Surface("base") = {5}; Physical Surface("table") = {6}; Physical Surface("head") = {8}; Physical Surface("foot") = {9};
+Mesh.MeshSizeMax = 0.4;
+"""
 SIDES = 'Physical Curve("below") = {1}; Physical Curve("above") = {3};\n'
 BODY = 'Physical Surface("plate & <co>") = {1};\n'
 
@@ -211,6 +219,12 @@ class New(unittest.TestCase):
         self.assertIn('name="plate disc - stamp disc"', text)
         self.assertEqual(text.count('value="Roller"'), 4)
         self.assertEqual(self.call("--check", "stamp.xml").returncode, 0)
+
+    def test_solids_that_are_meshed_apart(self):
+        """A post on a slab, drawn as two volumes that share no surface."""
+        self.drawn(POST, "post")
+        self.assertIn('name="slab table - post foot"', (self.folder / "post.xml").read_text())
+        self.run_certified("post")
 
     def test_files_are_named_from_the_folder_of_the_deck(self):
         (self.folder / "decks").mkdir()

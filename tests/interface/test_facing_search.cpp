@@ -212,7 +212,7 @@ TEST(FacingSearch, WhatLiesBehindAThinSheetIsNotSeen)
   EXPECT_EQ(namesOf(found), (std::set<std::string>{"0 top - 1 bottom", "1 top - 2 bottom"}));
 }
 
-TEST(FacingSearch, ABodyDoesNotFaceItself)
+TEST(FacingSearch, ABodyFacesItselfWithTwoSidesNotWithOne)
 {
   Mesh clamp = meshOf({{0, 0}, {1, 1}}, 2, 2);
   const Mesh other = meshOf({{0, 1.01}, {1, 2}}, 2, 2);
@@ -224,7 +224,15 @@ TEST(FacingSearch, ABodyDoesNotFaceItself)
   for (std::size_t s = 0; s < 4; ++s)
     for (const Facet facet : other.sides[s].facets)
       clamp.sides[s].facets.push_back({facet.cell + cells, facet.local});
-  EXPECT_TRUE(search({clamp, meshOf({{3, 0}, {4, 1}}, 1, 1)}, 0.1).pairs.empty());
+  const Mesh apart = meshOf({{3, 0}, {4, 1}}, 1, 1);
+  EXPECT_EQ(namesOf(search({clamp, apart}, 0.1)), (std::set<std::string>{"0 bottom - 0 top"}));
+  for (Side& side : clamp.sides)
+    side.name = "skin";
+  Side skin{"skin", {}};
+  for (const Side& side : clamp.sides)
+    skin.facets.insert(skin.facets.end(), side.facets.begin(), side.facets.end());
+  clamp.sides = {skin};
+  EXPECT_TRUE(search({clamp, apart}, 0.1).pairs.empty());
 }
 
 TEST(FacingSearch, SteepSidesFaceNothing)

@@ -11,8 +11,8 @@ import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from certificate_solids import EXACT, scene
-from runs import Program, sweep, sweep_options
+from certificate_solids import scene
+from runs import EXACT, Program, sweep, sweep_options
 from solid_scenes import write_scene
 
 WORST = 0.2  # of the first shape: longest-edge bisection keeps more

@@ -158,31 +158,23 @@ std::vector<DrawnContact> planeContacts(const DrawnScene& scene)
     contacts.push_back({std::size_t(pair.firstBody), std::size_t(pair.secondBody), pair.firstSide, pair.secondSide,
                         std::max(0.0, pair.smallest)});
   if (contacts.empty() && scene.bodies.size() > 1)
-    throw InputError(fmt::format("no two named sides of different bodies face each other within {:.4g}: {}.", distance,
+    throw InputError(fmt::format("no two named sides face each other within {:.4g}: {}.", distance,
                                  whyNothingFaces(scene, search.unnamed)));
   return contacts;
 }
 
-/// Sides that two bodies have by one name and at one place: there meshes of solids have the same nodes.
 std::vector<DrawnContact> solidContacts(const DrawnScene& scene)
 {
   std::vector<DrawnContact> contacts;
-  const auto isSame = [&](const DrawnSide& one, const DrawnSide& other) {
-    double apart = std::abs(one.measure - other.measure) / one.measure;
-    for (std::size_t i = 0; i < 3; ++i)
-      apart = std::max(apart, std::abs(one.centre[i] - other.centre[i]) / scene.extent);
-    return one.name == other.name && apart < 1e-9;
-  };
-  for (std::size_t a = 0; a < scene.bodies.size(); ++a)
-    for (std::size_t b = a + 1; b < scene.bodies.size(); ++b)
-      for (const DrawnSide& one : scene.bodies[a].sides)
-        for (const DrawnSide& other : scene.bodies[b].sides)
-          if (isSame(one, other))
-            contacts.push_back({a, b, one.name, other.name, 0.0});
+  for (const FacingPair& pair : searchMatching(searched(scene)).pairs)
+    if (pair.firstBody != pair.secondBody)
+      contacts.push_back(
+          {std::size_t(pair.firstBody), std::size_t(pair.secondBody), pair.firstSide, pair.secondSide, 0.0});
   if (contacts.empty() && scene.bodies.size() > 1)
     throw InputError(
-        "no two volumes share a named surface: sides of solids that touch must have the same nodes. Join the "
-        "volumes (BooleanFragments) and name the surface between them as Physical Surface.");
+        "no two named sides of different volumes lie on each other: draw the volumes so that they touch, and "
+        "name the surfaces where they do as Physical Surface. Bent ones need the same nodes: join the volumes "
+        "(BooleanFragments).");
   return contacts;
 }
 

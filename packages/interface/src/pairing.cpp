@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <nanoflann.hpp>
 
-#include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/base/expression.hpp"
+#include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/interface/normal_field.hpp"
 #include "side_facets.hpp"
 

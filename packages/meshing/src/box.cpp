@@ -90,8 +90,7 @@ void registerBox(Registry<MeshSource>& registry)
       "A rectangle or brick. Sides: left, right (x), bottom, top (y) in two dimensions; left, right (x), front, back "
       "(y), "
       "bottom, top (z) in three.",
-      {ParamSpec::required("Lower", Kind::Doubles,
-                           "Corner with the smallest coordinates, two or three lengths."),
+      {ParamSpec::required("Lower", Kind::Doubles, "Corner with the smallest coordinates, two or three lengths."),
        ParamSpec::required("Upper", Kind::Doubles, "Opposite corner."),
        ParamSpec::required("Cells", Kind::Ints, "Bricks per direction."),
        ParamSpec::optional("Grading", Kind::Doubles,

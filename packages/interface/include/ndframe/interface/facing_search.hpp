@@ -62,10 +62,10 @@ struct FacingSearch
 /// Costs boxes of sides times sides, then edges times edges of sides that are near each other.
 FacingSearch searchFacing(const std::vector<SearchedBody>& bodies, double distance, double cornerAngle);
 
-/// Which named sides of solids lie on each other, of different ones or two of one. First those with the same nodes (of one
-/// body a slit's, whose nodes are there twice): a side that shares facets with one that has a partner already, or with a
-/// preferred one, counts no more. Then flat ones that were meshed apart, of which one may lie on several others. `length`
-/// is the common area, the opening zero. unnamed: facets that lie on each other and are in no pair.
+/// Which named sides of solids lie on each other, of different ones or two of one. First those with the same nodes (of
+/// one body a slit's, whose nodes are there twice): a side that shares facets with one that has a partner already, or
+/// with a preferred one, counts no more. Then flat ones that were meshed apart, of which one may lie on several others.
+/// `length` is the common area, the opening zero. unnamed: facets that lie on each other and are in no pair.
 FacingSearch searchMatching(const std::vector<SearchedBody>& bodies);
 
 /// Two named sides of different bodies, and how near they come.
