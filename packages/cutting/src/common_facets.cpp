@@ -13,7 +13,7 @@ namespace ndframe
 namespace
 {
 
-constexpr double onePlace = 1e-3;
+constexpr double onePlace = 5e-3;
 
 /// The vertices of a side as nanoflann wants them.
 struct VertexCloud

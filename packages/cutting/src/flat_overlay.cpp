@@ -64,14 +64,28 @@ private:
       }
   }
 
+  /// On a crease exactly: a vertex of the other side may be a little beside it.
+  Vector3 placeOn(std::size_t s, const Meeting& point) const
+  {
+    const Carrier& on = point.on[s];
+    if (on.kind != Carrier::Kind::Edge || found_.creases[s].count(sides_[s]->ends(on.number)) == 0)
+      return point.x;
+    Vector3 x = sides_[s]->point(sides_[s]->ends(on.number)[0]);
+    const Vector3 along = minus(sides_[s]->point(sides_[s]->ends(on.number)[1]), x);
+    const double t = innerProduct(minus(point.x, x), along) / innerProduct(along, along);
+    for (std::size_t k = 0; k < 3; ++k)
+      x[k] += t * along[k];
+    return x;
+  }
+
   void placePoints(std::size_t s)
   {
     const int numOld = sides_[s]->mesh().numPoints();
     for (const Meeting& point : found_.points)
-      if (point.number[s] >= numOld)
-        std::copy(point.x.begin(), point.x.end(),
-                  splits_[s]->points.begin() + std::ptrdiff_t(point.number[s] - numOld) * 3);
-      else if (point.number[s] >= 0 && point.isMoved)
+      if (point.number[s] >= numOld) {
+        const Vector3 x = placeOn(s, point);
+        std::copy(x.begin(), x.end(), splits_[s]->points.begin() + std::ptrdiff_t(point.number[s] - numOld) * 3);
+      } else if (point.number[s] >= 0 && point.isMoved)
         splits_[s]->moved[point.number[s]] = point.x;
   }
 

@@ -7,8 +7,11 @@ namespace ndframe
 namespace
 {
 
-/// Facets are in one plane up to this part of the smaller one's size (the root of its area).
-constexpr double samePlane = 1e-5;
+/// Facets are in one plane up to round-off: this part of the smaller one's size (the root of its area), and this one of
+/// the coordinates.
+constexpr double samePlane = 1e-10, ofCoordinates = 1e-14;
+/// Boxes of facets are compared with this leeway.
+constexpr double near = 1e-6;
 /// Facets overlap in more than this part of the smaller one.
 constexpr double overlapping = 1e-7;
 
@@ -17,7 +20,11 @@ bool lieInOnePlane(const SideTopology& first, int f, const SideTopology& second,
 {
   if (innerProduct(first.normal(f), second.normal(g)) > 0.0)
     return false;
-  const double tolerance = samePlane * std::min(first.sizeOfFacet(f), second.sizeOfFacet(g));
+  double largest = 0.0;
+  for (const int vertex : first.vertices(f))
+    for (const double x : first.point(vertex))
+      largest = std::max(largest, std::abs(x));
+  const double tolerance = samePlane * std::min(first.sizeOfFacet(f), second.sizeOfFacet(g)) + ofCoordinates * largest;
   const auto isIn = [tolerance](const SideTopology& plane, int facet, const SideTopology& other, int otherFacet) {
     const Vector3 origin = plane.point(plane.vertices(facet)[0]);
     const auto& v = other.vertices(otherFacet);
@@ -79,7 +86,7 @@ Plane::Plane(const SideTopology& side, int facet) : origin_(side.point(side.vert
 
 std::vector<std::array<int, 2>> flatPairs(const SideTopology& first, const SideTopology& second)
 {
-  std::vector<std::array<int, 2>> pairs = nearFacets(first, second, samePlane);
+  std::vector<std::array<int, 2>> pairs = nearFacets(first, second, near);
   pairs.erase(std::remove_if(pairs.begin(), pairs.end(),
                              [&](const auto& pair) { return !lieInOnePlane(first, pair[0], second, pair[1]); }),
               pairs.end());

@@ -101,7 +101,8 @@ private:
     double least = HUGE_VAL;
     for (const int h : theirs.edges(g)) {
       const double apart = distanceToEdge(s, vertex, h);
-      const double within = found_.creases[1 - s].count(theirs.ends(h)) > 0 ? samePoint : manner_.near;
+      const double within =
+          found_.creases[1 - s].count(theirs.ends(h)) > 0 ? samePoint : std::max(samePoint, manner_.near);
       if (edgeCounts(1 - s, h) && apart < least && apart <= within * std::min(ours.sizeAt(vertex), theirs.length(h))) {
         nearest = h;
         least = apart;

@@ -9,7 +9,7 @@ namespace ndframe
 {
 
 /// Points are one within this part of the edges around them.
-constexpr double samePoint = 1e-6;
+constexpr double samePoint = 1e-3;
 
 /// A vertex of either side that lies on the other, or where edges of both cross.
 struct Meeting

@@ -46,12 +46,12 @@ private:
     const double apart = norm(minus(x, y)), shorter = std::min(sides_[0].sizeAt(v), sides_[1].sizeAt(w));
     if (apart > near * shorter)
       return;
-    if (apart > alreadyThere * shorter) {
+    if (apart > 0.0) {
       if (loose_[1].move(w, x))
         moved_[1] = true;
       else if (loose_[0].move(v, y))
         moved_[0] = true;
-      else
+      else if (apart > alreadyThere * shorter)
         return;
     }
     loose_[0].keep(v);

@@ -71,6 +71,41 @@ std::string gapText(const InterfaceMesh& interface)
   return drawn > 0.0 ? fmt::format("{} (drawn up to {:.2g} apart, taken as none)", text, drawn) : text;
 }
 
+double areaOf(const Mesh& mesh, const std::vector<Facet>& facets)
+{
+  double area = 0.0, normal[3];
+  for (const Facet facet : facets)
+    area += facetNormal(mesh, facet, normal);
+  return area;
+}
+
+/// The part of a solid's side that lies on the other one, in per cent: of the largest side that has its first facet.
+double partOfSide(const Mesh& mesh, const std::vector<Facet>& facets)
+{
+  double whole = 0.0;
+  for (const Side& side : mesh.sides)
+    if (std::any_of(side.facets.begin(), side.facets.end(), [&](const Facet facet) {
+          return facet.cell == facets.front().cell && facet.local == facets.front().local;
+        }))
+      whole = std::max(whole, areaOf(mesh, side.facets));
+  return 100.0 * areaOf(mesh, facets) / whole;
+}
+
+std::string meshText(const InterfaceMesh& interface, const Model& model)
+{
+  const BodyModel &dirichlet = model.bodies[std::size_t(interface.dirichletBody)],
+                  &neumann = model.bodies[std::size_t(interface.neumannBody)];
+  if (neumann.isRigid)
+    return "on a rigid body";
+  if (!interface.isCut)
+    return "matching";
+  if (interface.dim == 2)
+    return "cut to match";
+  return fmt::format("cut to match where sides lie on each other ({:.3g} % of {}'s, {:.3g} % of {}'s)",
+                     partOfSide(dirichlet.mesh, interface.dirichletFacets), dirichlet.name,
+                     partOfSide(neumann.mesh, interface.neumannFacets), neumann.name);
+}
+
 } // namespace
 
 std::string headerText(const RunSummary& summary, const Model& model, bool rolesAreKnown)
@@ -84,12 +119,9 @@ std::string headerText(const RunSummary& summary, const Model& model, bool roles
                         grouped(body.elements), body.order, body.solver, body.heldBy);
   for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
     const auto& interface = model.interfaces[i];
-    text +=
-        fmt::format("\n  {:<{}} {:>11} interface nodes, {}, {}{}", interface.name, width, grouped(interface.numNodes()),
-                    model.bodies[std::size_t(interface.neumannBody)].isRigid ? "on a rigid body"
-                    : interface.isCut                                        ? "cut to match"
-                                                                             : "matching",
-                    gapText(interface), rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
+    text += fmt::format("\n  {:<{}} {:>11} interface nodes, {}, {}{}", interface.name, width,
+                        grouped(interface.numNodes()), meshText(interface, model), gapText(interface),
+                        rolesAreKnown ? sidesText(summary.interfaces[i]) : "");
   }
   for (const auto& body : model.bodies)
     for (const auto& note : body.mesh.notes)

@@ -157,22 +157,39 @@ void checkRigid(const Params& deck, const std::vector<Params>& bodies)
       throw InputError(body.mistake("", "is rigid, and nothing touches it; name it in an interface as Neumann Body."));
 }
 
+/// insertion(), with advice where solids cannot be cut.
+std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& facing,
+                                   const Params& interfaces)
+{
+  try {
+    return insertion(meshes, facing);
+  } catch (const InternalError& error) {
+    if (facing.front().map)
+      throw;
+    throw InputError(interfaces.mistake(
+        "",
+        fmt::format("sides of solids that were meshed apart cannot be cut at each other ({}): give one of the meshes "
+                    "another size, or mesh both bodies in one gmsh script with a common face.",
+                    error.what())));
+  }
+}
+
 /// The meshes as they were get a place beside those that match. isFirst: the meshes are not made of earlier ones.
 void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing, const std::vector<char>& isRigid,
-               bool isFirst, bool willBeRefined)
+               const Params& deck, bool isFirst)
 {
   std::vector<Mesh> before;
   for (const CutMesh& mesh : meshes)
     before.push_back(mesh.mesh);
   if (isFirst || facing.front().map) {
-    const auto changed = addSideEnds(before, facing, isRigid, willBeRefined);
+    const auto changed = addSideEnds(before, facing, isRigid, deck.hasSub("Accuracy"));
     for (std::size_t b = 0; b < meshes.size(); ++b)
       if (changed[b]) {
         meshes[b].mesh = before[b];
         meshes[b].nodes = {};
       }
   }
-  std::vector<DerivedMesh> cut = insertion(before, facing);
+  std::vector<DerivedMesh> cut = cutMeshes(before, facing, deck.sub("Interfaces"));
   for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!cut[b].parents.empty()) {
       meshes[b].base = std::move(before[b]);
@@ -235,7 +252,7 @@ std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneCom
   for (const Params& body : bodies)
     isRigid.push_back(body.hasSub("Rigid"));
   if (isCut)
-    insertAll(meshes, facing, isRigid, earlier.empty(), deck.hasSub("Accuracy"));
+    insertAll(meshes, facing, isRigid, deck, earlier.empty());
   pairSurfaces(scene, bodies, isMeshed, pairings);
   return pairings;
 }

@@ -15,7 +15,7 @@ struct CommonFacets
   std::vector<Facet> firstFacets, secondFacets; ///< of these vertices, in the same order
 };
 
-/// Vertices are one within 1e-3 of the shortest edges at them.
+/// Vertices are one within 5e-3 of the shortest edges at them.
 CommonFacets commonFacets(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide);
 
 /// The area in which two sides lie on each other, flat, whatever their facets.

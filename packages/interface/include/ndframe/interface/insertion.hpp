@@ -26,7 +26,7 @@ struct FacingSides
 /// sides that lie on each other vertices within 5 % of an edge of a vertex of the other side are moved to it, along the
 /// side, so that no short facets come about; corners, and where a named side ends, stay.
 ///
-/// In space sides lie on each other where they are flat (1e-5 of their facets): both get the vertices of the other one,
+/// In space sides lie on each other where they are flat, up to round-off: both get the vertices of the other one,
 /// those where edges cross, and the same triangles between them (splitFacets). Before, cells are halved as in the
 /// plane, and vertices within a tenth of the edges there are moved to a vertex or onto an edge of the other side. All
 /// interfaces of a body have to be named, for they may share edges.
