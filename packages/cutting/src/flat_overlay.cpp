@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "creases.hpp"
 #include "meetings.hpp"
@@ -105,36 +104,13 @@ private:
     });
   }
 
-  /// Facets that lie on each other, directly or by others: each such set is triangulated as one.
-  std::vector<std::array<std::vector<int>, 2>> patches() const
-  {
-    std::vector<int> root(std::size_t(sides_[0]->numFacets() + sides_[1]->numFacets()));
-    std::iota(root.begin(), root.end(), 0);
-    const auto find = [&root](int i) {
-      while (root[std::size_t(i)] != i)
-        i = root[std::size_t(i)] = root[std::size_t(root[std::size_t(i)])];
-      return i;
-    };
-    for (const auto& pair : found_.pairs) {
-      root[std::size_t(find(pair[0]))] = find(sides_[0]->numFacets() + pair[1]);
-    }
-    std::map<int, std::array<std::vector<int>, 2>> byRoot;
-    for (const std::size_t s : {0u, 1u})
-      for (const int f : found_.used[s])
-        byRoot[find(s == 0 ? f : sides_[0]->numFacets() + f)][s].push_back(f);
-    std::vector<std::array<std::vector<int>, 2>> result;
-    for (auto& entry : byRoot)
-      result.push_back(std::move(entry.second));
-    return result;
-  }
-
   void triangulate()
   {
     for (const std::size_t s : {0u, 1u})
       for (std::size_t p = 0; p < found_.points.size(); ++p)
         for (const int f : sides_[s]->facetsOf(found_.points[p].on[s]))
           ofFacet_[s][f].push_back(int(p));
-    for (const auto& patch : patches())
+    for (const auto& patch : found_.patches())
       triangulate(patch);
     for (std::size_t s = 0; s < numCut(); ++s)
       checkArea(s);

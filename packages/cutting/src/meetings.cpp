@@ -193,6 +193,29 @@ private:
 
 } // namespace
 
+std::vector<std::array<std::vector<int>, 2>> Meetings::patches() const
+{
+  std::map<std::pair<std::size_t, int>, std::pair<std::size_t, int>> root; // of side and facet
+  const auto find = [&root](std::pair<std::size_t, int> node) {
+    for (auto next = root.find(node); next != root.end() && next->second != node; next = root.find(node))
+      node = next->second;
+    return node;
+  };
+  for (const auto& pair : pairs) {
+    const auto first = find({0, pair[0]}), second = find({1, pair[1]});
+    root.insert({first, first});
+    root[second] = first;
+  }
+  std::map<std::pair<std::size_t, int>, std::array<std::vector<int>, 2>> byRoot;
+  for (const std::size_t s : {0u, 1u})
+    for (const int f : used[s])
+      byRoot[find({s, f})][s].push_back(f);
+  std::vector<std::array<std::vector<int>, 2>> result;
+  for (auto& entry : byRoot)
+    result.push_back(std::move(entry.second));
+  return result;
+}
+
 std::vector<int> Meetings::wholeChain(std::size_t s, const SideTopology& side, int edge) const
 {
   std::vector<int> chain{atVertex[s].at(side.ends(edge)[0])};

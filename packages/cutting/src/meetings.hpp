@@ -30,6 +30,8 @@ struct Meetings
   std::array<std::map<int, int>, 2> atVertex;            ///< per vertex of a facet that is used, the point
   std::array<std::map<int, std::vector<int>>, 2> chains; ///< per edge the points between its ends, in order
 
+  /// Facets that lie on each other, directly or by others, by side: each such set is triangulated as one.
+  std::vector<std::array<std::vector<int>, 2>> patches() const;
   /// The points along an edge of a side, with its ends.
   std::vector<int> wholeChain(std::size_t s, const SideTopology& side, int edge) const;
 };

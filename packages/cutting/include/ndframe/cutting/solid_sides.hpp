@@ -16,7 +16,8 @@ struct SolidSides
   bool isCut = false; ///< they do not match as they are; others are named for the edges they share with such sides
 };
 
-/// Meshes of solids whose sides have common facets wherever they lie on each other, flat and in one plane up to round-off:
+/// Meshes of solids whose sides have common facets wherever they lie on each other, flat and in one plane up to
+/// round-off:
 ///   1. cells are halved (TetrahedronBisection) until no facet is more than twice as long as one that it lies on;
 ///   2. vertices within a fifth of the edges there are moved, within flat parts of a side, to a vertex or onto an edge
 ///   of
