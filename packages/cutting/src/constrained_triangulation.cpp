@@ -1,7 +1,5 @@
 #include "ndframe/cutting/constrained_triangulation.hpp"
 
-// The exact numbers behind the predicates are CGAL's own: no further library is linked for the few that need them.
-#define CGAL_DISABLE_GMP 1
 #include <CGAL/Constrained_Delaunay_triangulation_2.h>
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
