@@ -352,11 +352,28 @@ TEST(SupportedFacets, CombineTheDirectionsOfSeveralSupports)
   }
 }
 
-TEST(Caveats, NameALoadThatJumpsAlongACurveAndThePlace)
+TEST(Caveats, NameALoadWithARootAlongACurveAndThePlace)
 {
-  const BodyModel body = test::makeBody(sampleMesh(2), 2, {{}, {load("Body Force", {{"Y", "x^2 + y^2 > 0.4"}})}});
+  const BodyModel body =
+      test::makeBody(sampleMesh(2), 2, {{}, {load("Body Force", {{"Y", "sqrt(max(0, x^2 + y^2 - 0.4))"}})}});
   EXPECT_THAT(makeStaticData(body, 2, {}).caveat,
-              testing::AllOf(testing::HasSubstr("integrals of the body force of body"), testing::HasSubstr("near (")));
+              testing::AllOf(testing::HasSubstr("integrals of the body force of body"), testing::HasSubstr("near ("),
+                             testing::HasSubstr("on both sides of its jumps and kinks. ")));
+}
+
+TEST(Caveats, OfASolidSayThatJumpsInsideShouldBePlanes)
+{
+  const BodyModel body = test::makeBody(sampleMesh(3), 2, {{}, {load("Body Force", {{"Z", "x^2 + y^2 + z^2 > 0.4"}})}});
+  EXPECT_THAT(makeStaticData(body, 2, {}).caveat, testing::HasSubstr("should be planes"));
+}
+
+TEST(Caveats, AreNotNeededForAJumpAlongACurveInAPlaneOrOnASolid)
+{
+  const BodyModel plate = test::makeBody(sampleMesh(2), 2, {{}, {load("Body Force", {{"Y", "x^2 + y^2 > 0.4"}})}});
+  EXPECT_EQ(makeStaticData(plate, 2, {}).caveat, "");
+  const BodyModel solid =
+      test::makeBody(sampleMesh(3), 2, {{}, {load("Pressure", {{"Side", "top"}, {"Value", "x^2 + y^2 > 0.4"}})}});
+  EXPECT_EQ(makeStaticData(solid, 2, {}).caveat, "");
 }
 
 TEST(Caveats, AreNotNeededForAJumpAlongALine)

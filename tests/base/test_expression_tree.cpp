@@ -258,4 +258,54 @@ TEST(Enclosure, SeesWhatLiesBetweenPoints)
   EXPECT_LT(enclosureOn("1 + 100*exp(-((x - 0.3217)/1e-6)^2)", 0.33, 1.0).distance(0), 1e-15);
 }
 
+TEST(Enclosure, AlongACurveBoundsTheValuesOfRandomExpressions)
+{
+  Generator random(3);
+  int bounded = 0;
+  for (int sample = 0; sample < 1000; ++sample) {
+    const std::string text = random.text(3);
+    const ExpressionTree tree(text);
+    Curve curve;
+    for (auto& polynomial : curve)
+      for (int k = 0; k < 6; ++k)
+        polynomial.push_back(random.real(-1.0, 1.0) * (k == 0 ? 2.0 : std::pow(0.3, k)));
+    const double bound = largestAlong(tree, curve);
+    bounded += std::isfinite(bound);
+    for (int point = 0; point <= 40; ++point) {
+      const double t = -1.0 + 0.05 * point;
+      std::array<double, 3> x{};
+      for (std::size_t axis = 0; axis < 3; ++axis)
+        for (std::size_t k = 6; k-- > 0;)
+          x[axis] = x[axis] * t + curve[axis][k];
+      const double value = std::abs(valueOfText(tree, x));
+      if (std::isfinite(value)) {
+        EXPECT_GE(bound, value * (1.0 - 1e-12)) << text << " at " << t;
+      }
+    }
+  }
+  EXPECT_GT(bounded, 500);
+  // close where the expression is smooth
+  EXPECT_LT(largestAlong(ExpressionTree("sin(x)"), {{{0.5, 0.1}, {}, {}}}), std::sin(0.6) + 1e-3);
+  EXPECT_LT(largestAlong(ExpressionTree("x^2 + y^2 - 1"), {{{0.0, 0.2}, {1.0, 0.0, -0.02, 0.0, -0.0002}, {}}}), 1e-5);
+}
+
+TEST(Enclosure, WithADecidedSwitchIsThatOfOneSide)
+{
+  const ExpressionTree tree("x^2 + y^2 < 1 ? x : 5 + y");
+  const Region region = Region::simplex({{0.5, 0.5, 0.0}, {0.9, 0.6, 0.0}, {0.6, 0.9, 0.0}});
+  const Enclosure open = enclose(tree, region);
+  ASSERT_GE(open.curved, 0);
+  EXPECT_TRUE(tree.part(open.curved).isSame(ExpressionTree("x^2 + y^2 - 1")));
+  EXPECT_FALSE(tree.part(open.curved).isSame(ExpressionTree("x^2 + y^2 - 2")));
+  EXPECT_GT(open.distance(9), 1.0);
+  const Enclosure inside = enclose(tree, region, -1, 1, {open.curved, -1.0});
+  const Enclosure outside = enclose(tree, region, -1, 1, {open.curved, 1.0});
+  EXPECT_NEAR(inside.range.lo, 0.5, 1e-14);
+  EXPECT_NEAR(inside.range.hi, 0.9, 1e-14);
+  EXPECT_NEAR(outside.range.lo, 5.5, 1e-14);
+  EXPECT_NEAR(outside.range.hi, 5.9, 1e-14);
+  EXPECT_EQ(enclosureOn("x < 0.5", 0.0, 1.0).curved, -1);
+  EXPECT_GE(enclosureOn("abs(x^2 - 0.5)", 0.0, 1.0).curved, 0);
+}
+
 } // namespace ndframe

@@ -50,6 +50,26 @@ Needle drawNeedle(const char* axis, double length, Draw& draw)
   }
 }
 
+/// 1, and 10 more in an ellipse inside [0, width] x [0, height] of x and y, or in a part of it below a parabola.
+Needle drawPatch(double width, double height, Draw& draw)
+{
+  const auto number = [](double value) { return fmt::format("({:.17g})", value); };
+  Needle patch;
+  if (draw.chance(0.5)) {
+    const double a = width * draw.logarithmic(1e-3, 0.5), b = height * draw.logarithmic(1e-3, 0.5);
+    const double x = draw.uniform(a, width - a), y = draw.uniform(b, height - b);
+    patch.text =
+        "(1 + 10*(((x - " + number(x) + ")/" + number(a) + ")^2 + ((y - " + number(y) + ")/" + number(b) + ")^2 < 1))";
+    patch.integral = width * height + 10.0 * M_PI * a * b;
+  } else {
+    const double low = draw.uniform(0.0, 0.5) * height, rise = draw.uniform(0.0, 0.5) * height;
+    patch.text = "(1 + 10*(y < " + number(low) + " + " + number(rise) + "*(x/" + number(width) + ")^2))";
+    patch.integral = width * height + 10.0 * width * (low + rise / 3.0);
+  }
+  patch.size = patch.integral;
+  return patch;
+}
+
 /// A box of a body, with its supports and the needle among its loads.
 class NeedleScene
 {
@@ -95,7 +115,8 @@ void NeedleScene::drawLoad()
 {
   const std::string list = "Bodies/upper/Loads/needle/";
   const int way = draw_.integer(0, 2);
-  Needle f = drawNeedle("x", size_[0], draw_);
+  const bool isPatch = dim_ == (way == 2 ? 2 : 3) && draw_.chance(0.4);
+  Needle f = isPatch ? drawPatch(size_[0], size_[1], draw_) : drawNeedle("x", size_[0], draw_);
   double measure = dim_ == 3 ? size_[way == 2 ? 1 : 2] : 1.0; // of what f does not depend on
   if (way == 0) {
     scene_.deck.set(list + "Type", "Pressure");
@@ -112,7 +133,7 @@ void NeedleScene::drawLoad()
   } else {
     scene_.deck.set(list + "Type", "Body Force");
     std::string text = f.text;
-    if (draw_.chance(0.5)) { // a product
+    if (!isPatch && draw_.chance(0.5)) { // a product
       const Needle g = drawNeedle("y", size_[1], draw_);
       text += "*" + g.text;
       f.integral *= g.integral;
@@ -123,6 +144,10 @@ void NeedleScene::drawLoad()
     scene_.deck.set(list + (dim_ == 3 ? "Z" : "Y"), "-0.001*" + text);
   }
   scene_.kind += way == 0 ? " pressure" : way == 1 ? " traction" : " force";
+  if (isPatch) {
+    measure = 1.0;
+    scene_.kind += " patch";
+  }
   scene_.load = ExpectedLoad{-0.001 * measure * f.integral, 0.001 * measure * f.size};
 }
 

@@ -137,9 +137,10 @@ void DataBuilder::addLoad(const Load& load)
   });
   if (doubt)
     data_.caveat +=
-        fmt::format("the integrals of the {} of {} are not certain near {} ({}); let its jumps and kinks fall "
-                    "on the mesh's edges, or on straight lines. ",
-                    load.description(), body_.name, doubt.place, doubt.size());
+        fmt::format("the integrals of the {} of {} are not certain near {} ({}); let it be smooth on both sides of its "
+                    "jumps and kinks{}. ",
+                    load.description(), body_.name, doubt.place, doubt.size(),
+                    body_.mesh.dim == 3 ? ", which should be planes inside a solid" : "");
 }
 
 void DataBuilder::addBound(std::size_t cell, double constant, const SimplexMoments& moments)

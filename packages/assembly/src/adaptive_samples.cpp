@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
+#include <numeric>
 
-#include "data_enclosures.hpp"
 #include "data_scale.hpp"
-#include "sampled_slab.hpp"
-#include "sampling_rules.hpp"
+#include "sampled_leaf.hpp"
 #include "smooth_samples.hpp"
 
 namespace ndframe
@@ -15,95 +14,36 @@ namespace ndframe
 namespace
 {
 
-constexpr double negligible = 1e-14; ///< what functions may miss, times the share of the simplex where they miss it
-constexpr int mostPieces = 6000;     ///< made on a simplex
+constexpr int mostPieces = 6000; ///< made on a simplex
 
-/// What functions are, to be shown by their enclosures, on a slab with one of the rules.
-struct Leaf
-{
-  SampledSlab slab;
-  const QuadratureRule* rule = nullptr;
-  double error = 0.0, normError = 0.0, slopeError = 0.0;
-  bool isSettled = false;
-  std::size_t worst = 0; ///< the function that misses most
-  std::optional<AffineFunction> cut;
-
-  double weight() const { return isSettled ? 0.0 : slab.fraction() * error; }
-};
-
-bool settlesLater(const Leaf& a, const Leaf& b)
+bool settlesLater(const SampledLeaf& a, const SampledLeaf& b)
 {
   return a.weight() < b.weight();
 }
 
-/// A bound of the derivative of f minus the polynomial through the points of a rule along a piece of length 1: that of
-/// f minus its Taylor polynomial, and of the polynomial through their difference by Markov's inequality. The
-/// polynomials that are 1 at one Gauss point and 0 at the others add up to less than their number.
-double slopeError(const Enclosure& enclosure, const SamplingRule& sampling)
+/// The points of a piece's rule in the simplex.
+QuadratureRule locate(const SimplexGeometry& geometry, const Samples::Piece& piece)
 {
-  const double points = sampling.rule.size(), markov = 2.0 * (points - 1.0) * (points - 1.0);
-  double least = std::numeric_limits<double>::infinity();
-  for (int n = 1; n <= std::min(sampling.kept + 1, Enclosure::order); ++n)
-    least = std::min(least, (2.0 * n + markov * points) * enclosure.remainder[std::size_t(n)]);
-  return least;
-}
-
-Leaf resolve(const SimplexGeometry& simplex, SampledSlab slab, double scale, DataEnclosures& data)
-{
-  const double allowed = agreementOn(simplex.dim()) * scale;
-  const auto enclosures = data.on(simplex.dim(), slab.corners(simplex), slab.isWhole(), allowed);
-  const double fraction = slab.fraction();
-  Leaf leaf{std::move(slab), nullptr, 0.0, 0.0, 0.0, false, 0, {}};
-  for (const SamplingRule& sampling : samplingLadder(simplex.dim())) {
-    leaf.rule = &sampling.rule;
-    leaf.error = leaf.normError = leaf.slopeError = 0.0;
-    for (std::size_t f = 0; f < enclosures.size(); ++f) {
-      const double error = enclosures[f].distance(sampling.kept);
-      if (error > leaf.error)
-        leaf.worst = f;
-      leaf.error = std::max(leaf.error, error);
-      leaf.normError = std::max(leaf.normError, enclosures[f].distance(sampling.squared));
-      if (simplex.dim() == 1)
-        leaf.slopeError = std::max(leaf.slopeError, slopeError(enclosures[f], sampling));
-    }
-    leaf.isSettled = (leaf.error <= allowed && leaf.normError <= agreementOfNorms * scale) ||
-                     fraction * std::max(leaf.error, leaf.normError) <= negligible * scale;
-    if (leaf.isSettled)
-      break;
+  QuadratureRule located = *piece.rule;
+  if (piece.fraction == 1.0)
+    return located;
+  for (int q = 0; q < located.size(); ++q) {
+    geometry.locate(piece, piece.rule->point(q), located.lambda.data() + std::ptrdiff_t(q) * (geometry.dim() + 1));
+    located.weights[std::size_t(q)] *= piece.fraction;
   }
-  for (const auto& enclosure : enclosures)
-    if (!leaf.cut)
-      leaf.cut = enclosure.cut;
-  return leaf;
+  return located;
 }
 
-std::vector<SampledSlab> split(const SimplexGeometry& simplex, const Leaf& leaf, const DataEnclosures& data)
-{
-  const auto across =
-      leaf.cut ? leaf.cut : data.steepest(simplex.dim(), leaf.slab.corners(simplex), leaf.worst, leaf.error);
-  if (across)
-    if (auto slabs = leaf.slab.cut(simplex, *across); !slabs.empty())
-      return slabs;
-  return leaf.slab.bisect(simplex);
-}
-
-/// Adds the points of a piece, and the values of the functions there.
-void append(const SimplexGeometry& geometry, const std::vector<SampledFunction>& functions, const Samples::Piece& piece,
+/// Adds the points of a rule in the simplex, and the values of the functions there.
+void append(const SimplexGeometry& geometry, const std::vector<SampledFunction>& functions, const QuadratureRule& rule,
             Samples& samples)
 {
-  const QuadratureRule& rule = *piece.rule;
   const auto count = std::size_t(rule.size());
   std::vector<Region::Point> points(count);
-  double lambda[4];
-  for (int q = 0; q < rule.size(); ++q) {
-    if (piece.fraction == 1.0)
-      std::copy_n(rule.point(q), geometry.dim() + 1, lambda);
-    else
-      geometry.locate(piece, rule.point(q), lambda);
-    points[std::size_t(q)] = geometry.place(lambda);
-    samples.rule.lambda.insert(samples.rule.lambda.end(), lambda, lambda + geometry.dim() + 1);
-    samples.rule.weights.push_back(piece.fraction * rule.weights[std::size_t(q)]);
-  }
+  for (int q = 0; q < rule.size(); ++q)
+    points[std::size_t(q)] = geometry.place(rule.point(q));
+  samples.rule.lambda.insert(samples.rule.lambda.end(), rule.lambda.begin(), rule.lambda.end());
+  samples.rule.weights.insert(samples.rule.weights.end(), rule.weights.begin(), rule.weights.end());
   std::vector<double> values(count);
   samples.values.resize(samples.values.size() + count * functions.size());
   double* next = samples.values.data() + samples.values.size() - count * functions.size();
@@ -118,25 +58,43 @@ void append(const SimplexGeometry& geometry, const std::vector<SampledFunction>&
   }
 }
 
+/// Adds the pieces of a leaf with their points.
+void append(const SimplexGeometry& geometry, const std::vector<SampledFunction>& functions, const SampledLeaf& leaf,
+            Samples& samples)
+{
+  const auto add = [&](Samples::Piece piece, const QuadratureRule& located) {
+    piece.error = leaf.error;
+    piece.normError = leaf.normError;
+    piece.slopeError = leaf.slopeError;
+    piece.first = samples.rule.size();
+    append(geometry, functions, located, samples);
+    samples.pieces.push_back(piece);
+  };
+  for (const QuadratureRule& side : leaf.sides) {
+    Samples::Piece piece = leaf.slab.parts().front();
+    piece.fraction = std::accumulate(side.weights.begin(), side.weights.end(), 0.0);
+    add(piece, side);
+  }
+  if (!leaf.sides.empty())
+    return;
+  for (Samples::Piece piece : leaf.slab.parts()) {
+    piece.rule = &leaf.sampling->rule;
+    add(piece, locate(geometry, piece));
+  }
+}
+
 Samples join(const SimplexGeometry& geometry, const std::vector<SampledFunction>& functions,
-             const std::vector<Leaf>& leaves, double scale)
+             const std::vector<SampledLeaf>& leaves, double scale)
 {
   Samples samples;
   samples.rule.dim = geometry.dim();
   samples.scale = scale;
   double mean = 0.0, square = 0.0;
-  for (const Leaf& leaf : leaves)
-    for (Samples::Piece piece : leaf.slab.parts()) {
-      piece.rule = leaf.rule;
-      piece.error = leaf.error;
-      piece.normError = leaf.normError;
-      piece.slopeError = leaf.slopeError;
-      piece.first = samples.rule.size();
-      append(geometry, functions, piece, samples);
-      samples.pieces.push_back(piece);
-      mean += piece.fraction * piece.error;
-      square += piece.fraction * leaf.normError * leaf.normError;
-    }
+  for (const SampledLeaf& leaf : leaves) {
+    append(geometry, functions, leaf, samples);
+    mean += leaf.slab.fraction() * leaf.error + leaf.openError;
+    square += leaf.slab.fraction() * leaf.normError * leaf.normError + leaf.openSquare;
+  }
   samples.spread = std::sqrt(square);
   samples.uncertainty = mean == 0.0 ? 0.0 : 2.0 * mean / samples.scale; // by the rule and by the integral
   return samples;
@@ -147,40 +105,64 @@ Samples join(const SimplexGeometry& geometry, const std::vector<SampledFunction>
 class DataSampler::Implementation
 {
 public:
-  Implementation(std::vector<SampledFunction> functions, int space)
-      : functions_(std::move(functions)), data_(functions_, space), smooth_(functions_, space), space_(space)
+  Implementation(std::vector<SampledFunction> functions, int space, Cuts cuts)
+      : functions_(std::move(functions)), data_(functions_, space), smooth_(functions_, space), space_(space),
+        cuts_(cuts)
   {}
 
   SimplexGeometry geometry(int dim, const Vertices& vertices) const { return {dim, space_, vertices}; }
-  std::vector<Leaf> leaves(const SimplexGeometry& simplex, double scale);
+  std::vector<SampledLeaf> leaves(const SimplexGeometry& simplex, double scale);
+  std::vector<SampledSlab> refine(const SimplexGeometry& simplex, const SampledLeaf& leaf, double scale,
+                                  std::vector<SampledLeaf>& done) const;
 
   std::vector<SampledFunction> functions_;
   DataEnclosures data_;
   SmoothSamples smooth_;
   int space_;
+  Cuts cuts_;
   int piecesLeft_ = 200000;
 };
 
-std::vector<Leaf> DataSampler::Implementation::leaves(const SimplexGeometry& simplex, double scale)
+/// A leaf that is settled along a curve goes to `done`; otherwise the slabs that take the leaf's place.
+std::vector<SampledSlab> DataSampler::Implementation::refine(const SimplexGeometry& simplex, const SampledLeaf& leaf,
+                                                             double scale, std::vector<SampledLeaf>& done) const
 {
-  std::vector<Leaf> all{resolve(simplex, SampledSlab(simplex.whole()), scale, data_)}; // a heap, the worst on top
+  if (cuts_ == Cuts::Curved && simplex.dim() == 2 && leaf.switchesAlongCurve()) {
+    if (leaf.slab.parts().size() > 1)
+      return leaf.slab.bisect(simplex);
+    if (auto settled = settledOnSides(simplex, leaf, scale, data_)) {
+      if (!settled->areSidesFound)
+        return leaf.slab.bisect(simplex);
+      done.push_back(std::move(*settled));
+      return {};
+    }
+  }
+  return split(simplex, leaf, data_);
+}
+
+std::vector<SampledLeaf> DataSampler::Implementation::leaves(const SimplexGeometry& simplex, double scale)
+{
+  std::vector<SampledLeaf> all{
+      resolve(simplex, SampledSlab(simplex.whole()), scale, data_)}; // a heap, the worst on top
+  std::vector<SampledLeaf> done;
   int pieces = 1;
-  while (all.front().weight() > 0.0 && pieces < mostPieces && piecesLeft_ > 0) {
+  while (!all.empty() && all.front().weight() > 0.0 && pieces < mostPieces && piecesLeft_ > 0) {
     std::pop_heap(all.begin(), all.end(), settlesLater);
-    const Leaf worst = std::move(all.back());
+    const SampledLeaf worst = std::move(all.back());
     all.pop_back();
-    for (auto& slab : split(simplex, worst, data_)) {
+    for (auto& slab : refine(simplex, worst, scale, done)) {
       pieces += int(slab.parts().size());
       piecesLeft_ -= int(slab.parts().size());
       all.push_back(resolve(simplex, std::move(slab), scale, data_));
       std::push_heap(all.begin(), all.end(), settlesLater);
     }
   }
+  all.insert(all.end(), std::make_move_iterator(done.begin()), std::make_move_iterator(done.end()));
   return all;
 }
 
-DataSampler::DataSampler(std::vector<SampledFunction> functions, int space)
-    : implementation_(std::make_unique<Implementation>(std::move(functions), space))
+DataSampler::DataSampler(std::vector<SampledFunction> functions, int space, Cuts cuts)
+    : implementation_(std::make_unique<Implementation>(std::move(functions), space, cuts))
 {}
 
 DataSampler::~DataSampler() = default;

@@ -24,6 +24,15 @@ Enclosure ofPolynomial(int degree)
   return enclosure;
 }
 
+/// The place of an expression among the operations of another; -1: it is none of them.
+int placeOf(const ExpressionTree& part, const ExpressionTree& tree)
+{
+  for (int place = 0; place < int(tree.nodes().size()); ++place)
+    if (tree.nodes()[std::size_t(place)].operation == part.root().operation && tree.part(place).isSame(part))
+      return place;
+  return -1;
+}
+
 /// Centroid and largest distance from it along an axis.
 std::pair<Region::Point, double> extent(const std::vector<Region::Point>& corners)
 {
@@ -92,6 +101,20 @@ double DataEnclosures::largestBetween(const std::vector<Region::Point>& corners)
   for (const auto* tree : trees_)
     largest = std::max(largest, enclose(*tree, region).range.magnitude());
   return largest;
+}
+
+SwitchedEnclosures DataEnclosures::onSides(const std::vector<Region::Point>& corners, DataSwitch at) const
+{
+  SwitchedEnclosures both;
+  const Region region = Region::simplex(corners);
+  const ExpressionTree function = part(at);
+  for (std::size_t f = 0; f < trees_.size(); ++f) {
+    const int place = f == at.function ? at.place : placeOf(function, *trees_[f]);
+    for (const double sign : {-1.0, 1.0})
+      both.sides.push_back(enclose(*trees_[f], region, -1, Enclosure::order, {place, sign}));
+    both.jump = std::max(both.jump, 2.0 * enclose(*trees_[f], region, -1, 1).remainder[0]);
+  }
+  return both;
 }
 
 std::optional<AffineFunction> DataEnclosures::steepest(int dim, const std::vector<Region::Point>& corners,

@@ -169,7 +169,7 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
   const auto functions = load.functions(mesh.dim);
   if (areConstant(functions))
     return visitConstant(load, functions, mesh, visit);
-  DataSampler sampler(functions, mesh.dim);
+  DataSampler sampler(functions, mesh.dim, DataSampler::Cuts::Curved);
   Densities densities(load, mesh.dim, functions.size());
   const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
     visitSimplices(load, mesh, [&](const LoadedSimplex&, const Place& place) { measure(place.dim, place.points); });

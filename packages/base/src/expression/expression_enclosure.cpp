@@ -1,8 +1,9 @@
 #include "ndframe/base/expression_enclosure.hpp"
 
 #include "affine_range.hpp"
-#include "interval_series.hpp"
+#include "curve_series.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "step_series.hpp"
 
 namespace ndframe
 {
@@ -10,16 +11,20 @@ namespace
 {
 
 constexpr double touching = 1e-13; ///< of an affine function's terms: what it may be beyond zero and still touch it
-constexpr Interval yes{1.0, 1.0}, no{0.0, 0.0}, open{0.0, 1.0};
 
 /// Goes through the operations once.
 class Encloser
 {
 public:
-  Encloser(const ExpressionTree& tree, const Region& region, int only, int order)
-      : tree_(tree), region_(region), only_(only), count_(std::size_t(order) + 1)
+  Encloser(const ExpressionTree& tree, const Region& region, int only, int order, DecidedSwitch decided)
+      : tree_(tree), region_(&region), only_(only), count_(std::size_t(order) + 1), decided_(decided)
+  {}
+  /// Along a curve, for all t of an interval.
+  Encloser(const ExpressionTree& tree, const Curve& curve, Interval t)
+      : tree_(tree), curve_(&curve), t_(t), count_(Enclosure::order + 1)
   {}
 
+  Series all();
   Enclosure whole();
 
 private:
@@ -39,18 +44,24 @@ private:
   void cutAt(int place, double value);
 
   const ExpressionTree& tree_;
-  const Region& region_;
-  int only_;
+  const Region* region_ = nullptr;
+  const Curve* curve_ = nullptr;
+  Interval t_;
+  int only_ = -1;
   std::size_t count_; ///< of the coefficients of series
+  DecidedSwitch decided_;
   std::vector<Series> series_;
   /// The affine functions that operations are on this region, those that are so by a decided comparison among them.
   std::vector<std::optional<AffineFunction>> affine_;
   std::optional<AffineFunction> cut_;
+  int curved_ = -1;
 };
 
 Series Encloser::affine(const AffineFunction& f, bool varies) const
 {
-  const AffineRange range(f, region_);
+  if (curve_)
+    return affineAlong(f, *curve_, t_, count_);
+  const AffineRange range(f, *region_);
   Series result;
   result.count = count_;
   result[0] = range.value;
@@ -79,47 +90,18 @@ Interval Encloser::signs(const ExpressionNode& node, std::size_t k)
 {
   const auto& f = affine_[std::size_t(node.operands[k])];
   const Interval range = operand(node, k)[0];
-  if (!(range.lo < 0.0 && range.hi > 0.0))
+  if (!(range.lo < 0.0 && range.hi > 0.0) || curve_)
     return range;
-  if (f && range.hi - range.lo <= 2.0 * touching * AffineRange(*f, region_).terms) {
-    const auto value = valueAlong(*f, region_); // a region along the line of zeros
+  if (node.operands[k] == decided_.place)
+    return decided_.sign > 0.0 ? Interval{0.0, range.hi} : Interval{range.lo, 0.0};
+  if (!f && curved_ < 0)
+    curved_ = node.operands[k];
+  if (f && range.hi - range.lo <= 2.0 * touching * AffineRange(*f, *region_).terms) {
+    const auto value = valueAlong(*f, *region_); // a region along the line of zeros
     return value ? Interval{*value, *value} : range;
   }
   cutAt(node.operands[k], 0.0);
   return range;
-}
-
-/// Whether a comparison of a range with zero holds; a range that only touches zero holds almost everywhere.
-Interval comparison(Operation operation, Interval a)
-{
-  if (a.lo == a.hi) {
-    const double value = valueOf(operation, a.lo, 0.0, 0.0);
-    return {value, value};
-  }
-  const bool isNegative = a.hi <= 0.0, isPositive = a.lo >= 0.0;
-  switch (operation) {
-  case Operation::IsNegative:
-  case Operation::IsNonPositive:
-    return isNegative ? yes : isPositive ? no : open;
-  case Operation::IsPositive:
-  case Operation::IsNonNegative:
-    return isPositive ? yes : isNegative ? no : open;
-  case Operation::IsZero:
-    return isNegative || isPositive ? no : open;
-  default:
-    return isNegative || isPositive ? yes : open;
-  }
-}
-
-/// A step: constant where it is decided.
-Series constantOn(Interval range)
-{
-  return range.lo == range.hi ? constant(range) : onlyRange(range);
-}
-
-Interval truth(Interval a)
-{
-  return !a.contains(0.0) ? yes : a.isZero() ? no : open;
 }
 
 Series Encloser::chosen(const ExpressionNode& node)
@@ -244,7 +226,7 @@ Series Encloser::seriesOf(int place)
     return constantOn(both(node.operation == Operation::And));
   if (node.operation == Operation::Sign) {
     const Interval a = signs(node, 0);
-    return constantOn(a.isZero() ? no : Interval{a.lo < 0.0 ? -1.0 : 1.0, a.hi > 0.0 ? 1.0 : -1.0});
+    return constantOn(a.isZero() ? a : Interval{a.lo < 0.0 ? -1.0 : 1.0, a.hi > 0.0 ? 1.0 : -1.0});
   }
   if (node.operation == Operation::Atan2) {
     const Interval x = operand(node, 1)[0];
@@ -254,7 +236,7 @@ Series Encloser::seriesOf(int place)
   return combined(node);
 }
 
-Enclosure Encloser::whole()
+Series Encloser::all()
 {
   series_.reserve(tree_.nodes().size());
   for (std::size_t n = 0; n < tree_.nodes().size(); ++n) {
@@ -262,13 +244,21 @@ Enclosure Encloser::whole()
     affine_.push_back(node.isAffine() ? node.affine : affineHere(node));
     series_.push_back(seriesOf(int(n)));
   }
+  return series_.back();
+}
+
+Enclosure Encloser::whole()
+{
   Enclosure result;
-  const Series& all = series_.back();
-  result.range = all[0];
-  result.remainder[0] = all[0].radius();
+  const Series series = all();
+  result.range = series[0];
+  result.slope = series[1];
+  result.bend = count_ > 2 ? series[2] : Interval::everything();
+  result.remainder[0] = series[0].radius();
   for (std::size_t n = 1; n < result.remainder.size(); ++n)
-    result.remainder[n] = n < count_ ? all[n].magnitude() : std::numeric_limits<double>::infinity();
+    result.remainder[n] = n < count_ ? series[n].magnitude() : std::numeric_limits<double>::infinity();
   result.cut = cut_;
+  result.curved = curved_;
   return result;
 }
 
@@ -282,10 +272,28 @@ double Enclosure::distance(int degree) const
   return least;
 }
 
-Enclosure enclose(const ExpressionTree& tree, const Region& region, int only, int order)
+Enclosure enclose(const ExpressionTree& tree, const Region& region, int only, int order, DecidedSwitch decided)
 {
-  NDFRAME_ASSERT(order <= Enclosure::longest, "no series is as long");
-  return Encloser(tree, region, only, order).whole();
+  NDFRAME_ASSERT(order >= 1 && order <= Enclosure::longest, "no series is as long");
+  return Encloser(tree, region, only, order, decided).whole();
+}
+
+double largestAlong(const ExpressionTree& tree, const Curve& curve)
+{
+  constexpr int parts = 4;
+  constexpr double half = 1.0 / parts;
+  double largest = 0.0;
+  for (int part = 0; part < parts; ++part) {
+    const double t = -1.0 + (2 * part + 1) * half;
+    const Series middle = Encloser(tree, curve, {t, t}).all(), all = Encloser(tree, curve, {t - half, t + half}).all();
+    double least = std::numeric_limits<double>::infinity(), known = 0.0, power = 1.0;
+    for (std::size_t n = 0; n <= Enclosure::order; ++n, power *= half) {
+      least = std::min(least, known + power * all[n].magnitude());
+      known += power * middle[n].magnitude();
+    }
+    largest = std::max(largest, least);
+  }
+  return largest;
 }
 
 } // namespace ndframe

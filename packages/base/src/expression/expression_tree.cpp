@@ -54,6 +54,11 @@ int degreeOf(const ExpressionNode& node, const std::vector<ExpressionNode>& node
   }
 }
 
+bool isSameOperation(const ExpressionNode& a, const ExpressionNode& b)
+{
+  return a.operation == b.operation && a.operands == b.operands && a.constant == b.constant;
+}
+
 } // namespace
 
 std::optional<AffineFunction> affineOf(const ExpressionNode& node, const std::optional<AffineFunction>& a,
@@ -85,12 +90,22 @@ ExpressionTree::ExpressionTree(const std::string& text)
   finish(parseExpression(text, *this));
 }
 
+ExpressionTree ExpressionTree::part(int place) const
+{
+  ExpressionTree tree = *this;
+  tree.finish(place);
+  return tree;
+}
+
+bool ExpressionTree::isSame(const ExpressionTree& other) const
+{
+  return std::equal(nodes_.begin(), nodes_.end(), other.nodes_.begin(), other.nodes_.end(), isSameOperation);
+}
+
 int ExpressionTree::place(const ExpressionNode& node)
 {
-  const auto same = [&](const ExpressionNode& other) {
-    return other.operation == node.operation && other.operands == node.operands && other.constant == node.constant;
-  };
-  const auto found = std::find_if(nodes_.begin(), nodes_.end(), same);
+  const auto found = std::find_if(nodes_.begin(), nodes_.end(),
+                                  [&](const ExpressionNode& other) { return isSameOperation(node, other); });
   if (found == nodes_.end()) {
     nodes_.push_back(node);
     return int(nodes_.size()) - 1;

@@ -22,10 +22,10 @@ struct Samples
   /// A piece of the simplex on which one rule integrates.
   struct Piece
   {
-    std::array<double, 16> corners{}; ///< barycentric coordinates in the simplex of its dim + 1 corners
-    double fraction = 1.0;            ///< of the simplex's measure
-    int first = 0;                    ///< its first point; its points follow each other
-    const QuadratureRule* rule = nullptr;
+    std::array<double, 16> corners{};     ///< barycentric coordinates in the simplex of its dim + 1 corners
+    double fraction = 1.0;                ///< of the simplex's measure
+    int first = 0;                        ///< its first point; its points follow each other
+    const QuadratureRule* rule = nullptr; ///< none on one side of a curve inside the corners
     /// Bound of |f - polynomial| + |f - values|, the largest of the functions; infinite when nothing is known.
     double error = 0.0;
     double normError = 0.0; ///< bound of |f - polynomial| for polynomials whose squares the rule integrates
@@ -58,14 +58,21 @@ struct SampledFunction
 /// evaluated in every cell. Otherwise Gauss rules are tried
 /// (sampling_rules.cpp); a simplex on which none is shown to be good enough is cut: where comparisons and kinks of
 /// affine functions change their sign, else across the function that varies most, the worst piece first. What is
-/// smaller than 1e-12 of the scale (1e-13 on edges) counts as settled. Limits: 6000 pieces made on a simplex, 200 000
-/// in all; what is left is the samples' uncertainty. A jump or kink along a curve inside a triangle is not resolved to
-/// the end.
+/// smaller than 1e-12 of the scale (1e-13 on edges) counts as settled. Where a smooth function that is not affine
+/// changes its sign inside a triangle, its curve of zeros is located (switch_curve.hpp) and each side gets a rule, if
+/// asked for. Limits: 6000 pieces made on a simplex, 200 000 in all; what is left is the samples' uncertainty. Jumps
+/// and kinks along curved surfaces inside tetrahedra are not resolved to the end.
 class DataSampler
 {
 public:
+  /// Whether pieces of triangles may have a curved side, which those need not know who use the points alone.
+  enum class Cuts
+  {
+    Straight,
+    Curved
+  };
   /// space: the number of coordinates of points.
-  DataSampler(std::vector<SampledFunction> functions, int space);
+  DataSampler(std::vector<SampledFunction> functions, int space, Cuts cuts = Cuts::Straight);
   ~DataSampler();
   DataSampler(const DataSampler&) = delete;
   DataSampler& operator=(const DataSampler&) = delete;

@@ -23,6 +23,17 @@ struct Region
   static Region box(int dim, const Point& middle, double halfWidth, double step);
 };
 
+/// A curve: coordinates as polynomials in t from -1 to 1, constants first.
+using Curve = std::array<std::vector<double>, 3>;
+
+/// An operation (its place in the tree) of which one sign counts as given on a region: nothing that is compared with it
+/// switches there.
+struct DecidedSwitch
+{
+  int place = -1;
+  double sign = 0.0;
+};
+
 /// What is known of an expression f on a region.
 ///
 /// distance(m) bounds |f - q| on the region for a polynomial q of degree m: by Taylor's theorem about its middle c,
@@ -36,19 +47,24 @@ struct Enclosure
   static constexpr int order = 10;   ///< the highest derivative, unless more are asked for
   static constexpr int longest = 20; ///< that can be asked for
 
-  Interval range;
+  Interval range, slope, bend; ///< of f, and of D f and D^2 f / 2 along the directions
   /// By n; n = 0: the radius of the range. Infinite beyond the highest derivative.
   std::array<double, longest + 1> remainder{};
   /// An affine function that changes its sign inside, where the expression switches: the region should be cut there.
   std::optional<AffineFunction> cut;
+  int curved = -1; ///< an operation, not affine, whose sign may change inside, where the expression switches
 
   double distance(int degree) const;
 };
 
 /// Encloses an expression on a region. A comparison of affine functions that touch only at the region's boundary (to
 /// 1e-13) counts as decided: the enclosure holds almost everywhere. only: all features but this one (its place in the
-/// tree) keep their value in the middle; -1: all vary. order: the highest derivative.
-Enclosure enclose(const ExpressionTree& tree, const Region& region, int only = -1, int order = Enclosure::order);
+/// tree) keep their value in the middle; -1: all vary. order: the highest derivative, 1 or more.
+Enclosure enclose(const ExpressionTree& tree, const Region& region, int only = -1, int order = Enclosure::order,
+                  DecidedSwitch decided = {});
+
+/// A bound of |f| along a curve, from its Taylor series in t on parts of it.
+double largestAlong(const ExpressionTree& tree, const Curve& curve);
 
 /// The range of an affine function on a region.
 Interval rangeOf(const AffineFunction& f, const Region& region);

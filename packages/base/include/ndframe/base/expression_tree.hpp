@@ -85,6 +85,11 @@ public:
   /// Its values at `count` points of three coordinates each. Not finite where it is not defined.
   void values(const double* points, int count, double* result) const;
 
+  /// The expression that one of its operations is.
+  ExpressionTree part(int place) const;
+  /// The same operations.
+  bool isSame(const ExpressionTree& other) const;
+
   /// Adds an operation unless it is there; returns its place. Operations on constants are carried out.
   int add(Operation operation, int a, int b = -1, int c = -1);
   int addConstant(double value);
