@@ -338,8 +338,9 @@ TEST_F(Program, ShowsTheCertificateAndItsReasonWhenItIsNone)
 TEST_F(Program, AMissingGuaranteeEndsWithThreeOnlyWhereItIsRequired)
 {
   const auto beam = [&](const std::string& isRequired) {
-    return call({"-i", shippedDeck("beam-3d"), "--set", "Bodies/beam/Loads/bending/X=sqrt(max(0, 0.1 - y*y - z*z))", "--set",
-                 "Expect/exact energy/Tolerance=1", "--set", "Error Estimation/Require Guarantee=" + isRequired});
+    return call({"-i", shippedDeck("beam-3d"), "--set", "Bodies/beam/Loads/bending/X=sqrt(max(0, 0.1 - y*y - z*z))",
+                 "--set", "Expect/exact energy/Tolerance=1", "--set",
+                 "Error Estimation/Require Guarantee=" + isRequired});
   };
   EXPECT_EQ(beam("false").exitCode, 0);
   const auto required = beam("true");
