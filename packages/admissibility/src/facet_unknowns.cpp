@@ -16,7 +16,7 @@ FacetUnknowns::FacetUnknowns(const std::vector<ContactFacet>& facets, int order,
   const FacetEdges edges = facetEdges(dim_);
   for (std::size_t f = 0; bernstein_ && f < facets.size(); ++f)
     for (int e = 0; e < edges.size; ++e) {
-      const auto node = std::size_t(facets[f].nodes[std::size_t(dim_ + e)]);
+      const auto node = std::size_t(facets[f].nodes[std::size_t(dim_) + std::size_t(e)]);
       middleOf_.resize(std::max(middleOf_.size(), node + 1), -1);
       if (middleOf_[node] >= 0)
         continue;

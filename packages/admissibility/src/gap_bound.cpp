@@ -25,7 +25,7 @@ Vector interpolant(int dim, int order, const std::array<double, mostFacetNodes>&
   const FacetEdges edges = facetEdges(dim);
   for (int e = 0; order == 2 && e < edges.size; ++e) {
     const auto& [a, b] = edges.ends[e];
-    double& middle = bernstein[std::size_t(dim + e)];
+    double& middle = bernstein[std::size_t(dim) + std::size_t(e)];
     middle = 2.0 * middle - 0.5 * (atNodes[std::size_t(a)] + atNodes[std::size_t(b)]);
   }
   if (dim == 2 && order == 2)

@@ -73,7 +73,7 @@ Tightening::Opening Tightening::opening(int number) const
     const FacetEdges edges = facetEdges(facet.dim);
     for (int e = 0; e < edges.size; ++e) {
       const auto [a, b] = edges.ends[e];
-      const auto middle = moves_.index.find(facet.pairs[std::size_t(facet.dim + e)]);
+      const auto middle = moves_.index.find(facet.pairs[std::size_t(facet.dim) + std::size_t(e)]);
       if ((a != int(corner.number) && b != int(corner.number)) || middle == moves_.index.end() ||
           !taken.insert(middle->second).second)
         continue;

@@ -30,7 +30,7 @@ double forceRoundOff(const Network& network, const Vector& v)
   for (std::size_t b = 0; b < network.bodies.size(); ++b) {
     const DenseMatrix& S = *network.bodies[b]->S->dense();
     for (int k = 0; k < S.cols(); ++k)
-      largest = std::max(largest, S(k, k) * std::abs(v[std::size_t(network.offsets[b] + k)]));
+      largest = std::max(largest, S(k, k) * std::abs(v[std::size_t(network.offsets[b]) + std::size_t(k)]));
   }
   return std::numeric_limits<double>::epsilon() * largest;
 }

@@ -62,7 +62,8 @@ DenseMatrix FetiSet::stiffnessOn(std::size_t body, const std::vector<int>& entri
   for (int j = 0; j < own.cols(); ++j) {
     for (int i = 0; i < own.rows(); ++i)
       own(i, j) = S(entries[std::size_t(i)], entries[std::size_t(j)]);
-    own(j, j) += elimination * bodies_.weight()[std::size_t(network_.offsets[body] + entries[std::size_t(j)])];
+    own(j, j) +=
+        elimination * bodies_.weight()[std::size_t(network_.offsets[body]) + std::size_t(entries[std::size_t(j)])];
   }
   return own;
 }

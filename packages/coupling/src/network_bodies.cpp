@@ -94,7 +94,7 @@ SparseColumns NetworkBodies::motionColumns(const std::vector<SparseRow>& columns
     const DenseMatrix& R = network_.bodies[b]->freeMotions;
     for (int m = 0; m < R.cols(); ++m, ++motion) {
       for (int k = 0; k < R.rows(); ++k)
-        sum.add(columns[std::size_t(network_.offsets[b] + k)], R(k, m));
+        sum.add(columns[std::size_t(network_.offsets[b]) + std::size_t(k)], R(k, m));
       product.setColumn(int(motion), sum.take());
     }
   }

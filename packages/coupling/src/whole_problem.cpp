@@ -104,7 +104,7 @@ JoinedRows WholeProblem::rowsFor(const ClosedRows& closed, bool onVertices) cons
     for (int k = 0; k < map.size(); ++k) {
       rows.kept.emplace_back();
       rows.unknowns.emplace_back();
-      const auto entry = std::size_t(first + k);
+      const auto entry = std::size_t(first) + std::size_t(k);
       if (onVertices && !isAtVertex(entry))
         continue;
       for (const auto& [l, share] : map.inverse()[std::size_t(k)])

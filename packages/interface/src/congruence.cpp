@@ -122,7 +122,7 @@ private:
     double largest = 0.0;
     for (int m = 0; m < motions_; ++m) {
       Vector unit(std::size_t(size_), 0.0);
-      unit[std::size_t(n + m)] = 1.0;
+      unit[std::size_t(n) + std::size_t(m)] = 1.0;
       const Vector column = apply(unit);
       std::copy(column.begin() + n, column.end(), A.col(m));
       largest = std::max(largest, A(m, m));

@@ -15,11 +15,12 @@ template <int dim>
 inline void multiplyRow(const double* entry, const int* column, const int* end, const double* x, double* y)
 {
   double sum[dim] = {};
-  for (; column != end; ++column, entry += dim * dim) {
+  constexpr std::ptrdiff_t block = std::ptrdiff_t(dim) * dim;
+  for (; column != end; ++column, entry += block) {
     const double* value = x + std::ptrdiff_t(*column) * dim;
-    for (int i = 0; i < dim; ++i) { // a block's part by itself: sums of all blocks would wait for each other
+    for (std::ptrdiff_t i = 0; i < dim; ++i) { // a block's part by itself: sums of all blocks would wait for each other
       double part = entry[i * dim] * value[0];
-      for (int j = 1; j < dim; ++j)
+      for (std::ptrdiff_t j = 1; j < dim; ++j)
         part += entry[i * dim + j] * value[j];
       sum[i] += part;
     }

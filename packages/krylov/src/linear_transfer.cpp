@@ -54,7 +54,7 @@ void LinearTransfer::eachEnd(const Action& action) const
   for (std::size_t r = 0; r < ends_.size(); ++r) {
     const double* blocks = turned_.empty() || turned_[r] < 0 ? nullptr : blocks_.data() + turned_[r];
     action(r, std::size_t(ends_[r][0]), blocks);
-    action(r, std::size_t(ends_[r][1]), blocks ? blocks + dim_ * dim_ : nullptr);
+    action(r, std::size_t(ends_[r][1]), blocks ? blocks + std::ptrdiff_t(dim_) * dim_ : nullptr);
   }
 }
 
