@@ -27,15 +27,28 @@ const Matrix& chebyshev()
   return all;
 }
 
+/// T_i at the k-th of n + 1 Chebyshev points; the points themselves are T_1.
+const Matrix& atChebyshevPoints(int degree)
+{
+  static const auto all = [] {
+    std::array<Matrix, largestDegree + 1> byDegree{};
+    for (std::size_t n = 0; n < byDegree.size(); ++n)
+      for (std::size_t i = 0; i < byDegree.size(); ++i)
+        for (std::size_t k = 0; k <= n; ++k)
+          byDegree[n][i][k] = std::cos(M_PI * double(i) * (double(k) + 0.5) / double(n + 1));
+    return byDegree;
+  }();
+  return all[std::size_t(degree)];
+}
+
 /// Turns the values at Chebyshev points along each axis into coefficients of T_i T_j.
 Matrix transformed(const Matrix& values, int degree)
 {
-  const int count = degree + 1;
-  Matrix weights{}, half{}, result{};
-  for (int i = 0; i < count; ++i)
-    for (int k = 0; k < count; ++k)
-      weights[std::size_t(i)][std::size_t(k)] = (i == 0 ? 1.0 : 2.0) / count * std::cos(M_PI * i * (k + 0.5) / count);
-  const auto end = std::size_t(count);
+  const auto end = std::size_t(degree) + 1;
+  Matrix weights = atChebyshevPoints(degree), half{}, result{};
+  for (std::size_t i = 0; i < end; ++i)
+    for (std::size_t k = 0; k < end; ++k)
+      weights[i][k] *= (i == 0 ? 1.0 : 2.0) / double(end);
   for (std::size_t i = 0; i < end; ++i)
     for (std::size_t k = 0; k < end; ++k)
       for (std::size_t l = 0; l < end; ++l)
@@ -106,12 +119,12 @@ std::optional<BoxPolynomial> BoxPolynomial::fit(const ExpressionTree& tree, cons
 void BoxPolynomial::interpolate(const ExpressionTree& tree)
 {
   const auto end = std::size_t(degree_) + 1;
-  const auto coordinate = [&](std::size_t k) { return halfWidth_ * std::cos(M_PI * (double(k) + 0.5) / double(end)); };
+  const auto& onAxis = atChebyshevPoints(degree_)[1];
   Matrix values{};
   for (std::size_t k = 0; k < end; ++k) {
     std::array<Region::Point, highest + 1> points{};
     for (std::size_t l = 0; l < end; ++l)
-      points[l] = {middle_[0] + coordinate(k), middle_[1] + coordinate(l), 0.0};
+      points[l] = {middle_[0] + halfWidth_ * onAxis[k], middle_[1] + halfWidth_ * onAxis[l], 0.0};
     tree.values(points.front().data(), int(end), values[k].data());
   }
   const Matrix c = transformed(values, degree_), &T = chebyshev();
