@@ -48,10 +48,6 @@ public:
 
 private:
   std::size_t numCut() const { return manner_.ofRims ? 1 : 2; }
-  bool edgeCounts(std::size_t s, int edge) const
-  {
-    return s < numCut() || found_.creases[s].count(sides_[s]->ends(edge)) > 0;
-  }
 
   void numberPoints(std::size_t s)
   {
@@ -133,7 +129,7 @@ private:
     for (const std::size_t s : {0u, 1u})
       for (const int f : patch[s])
         for (const int edge : sides_[s]->edges(f)) {
-          if (!edgeCounts(s, edge))
+          if (!found_.edgeCounts(s, *sides_[s], edge))
             continue;
           const std::vector<int> chain = found_.wholeChain(s, *sides_[s], edge);
           for (std::size_t i = 0; i + 1 < chain.size(); ++i)
