@@ -5,7 +5,7 @@
 
 #include "creases.hpp"
 #include "meetings.hpp"
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 #include "ndframe/cutting/constrained_triangulation.hpp"
 #include "smoothed_triangles.hpp"
 
@@ -253,7 +253,7 @@ private:
               : triangleArea({found_.atVertex[s].at(v[0]), found_.atVertex[s].at(v[1]), found_.atVertex[s].at(v[2])});
     }
     if (std::abs(covered - whole) > wholeArea * whole)
-      throw InternalError("the triangles of divided facets do not cover them");
+      throw CannotCut("the triangles of divided facets do not cover them");
   }
 
   std::array<const SideTopology*, 2> sides_;

@@ -7,7 +7,7 @@
 #include "flat_overlay.hpp"
 #include "flat_pairs.hpp"
 #include "loose_flat_vertices.hpp"
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 #include "ndframe/mesh/long_facets.hpp"
 
 namespace ndframe
@@ -33,14 +33,14 @@ public:
   std::vector<DerivedMesh> run()
   {
     if (!halveLongFacets(results_, [this] { return measuredPairs(); }))
-      throw InternalError("facets that lie on each other do not come to comparable lengths");
+      throw CannotCut("facets that lie on each other do not come to comparable lengths");
     for (const SolidSides& sides : interfaces_)
       if (sides.isCut && sides.firstBody != sides.secondBody) {
         move(sides, moveFlatVertices);
       }
     for (int round = 0; cutOnce(); ++round)
       if (round == mostRounds)
-        throw InternalError("sides that share edges do not come to the same vertices");
+        throw CannotCut("sides that share edges do not come to the same vertices");
     return std::move(results_);
   }
 
@@ -109,7 +109,7 @@ private:
       for (const auto& [body, splits] : {std::pair(sides.firstBody, &ours), std::pair(sides.secondBody, &theirs)})
         if (!splits->empty())
           made.emplace_back(body, splitFacets(mesh(body), *splits));
-    } catch (const InternalError&) {
+    } catch (const CannotCut&) {
       if (&manner == &manners.back())
         throw;
       return std::nullopt;
@@ -143,7 +143,7 @@ bool cutAtRims(Mesh& mesh, const std::string& side, const Mesh& other, const std
         return false;
       mesh = splitFacets(mesh, splits).mesh;
       return true;
-    } catch (const InternalError&) { // as in tryToCut()
+    } catch (const CannotCut&) { // as in tryToCut()
     }
   return false;
 }
