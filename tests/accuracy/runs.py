@@ -60,6 +60,7 @@ class Program:
         return Run(done.returncode, done.stdout + done.stderr, summary, contact)
 
 
+BALANCED = 1e-10  # largest defect of the recovered stress
 EXACT = 1e-9  # of the solution: an error below is that of two exact solutions
 FINER = 2  # times a reference is refined further before it is believed against a bound
 
@@ -90,6 +91,33 @@ def sharpness(errors):
     """Bound over error, or None where there is no error."""
     reference = errors["reference"]
     return errors["global"]["absolute"] / reference["displacement"] if reference["relative"] > EXACT else None
+
+
+def certified(program, deck, *settings, estimators="Global, Reference"):
+    """solve(refinements): runs a deck with a certificate and a reference of so many refinements."""
+    return lambda refinements: program.run(
+        deck, *settings, f"Error Estimation/Estimators={{{estimators}}}", "Error Estimation/Check Equilibrium=true",
+        f"Error Estimation/Reference/Refinements={refinements}", "Output/Exodus=false", "Output/Contact Table=false")
+
+
+def judge_certificate(run, solve, refinements, codes=(0,), ends=True, is_mean_bounded=True, excused=()):
+    """(what is wrong or None, bound / error of a run that ends where it should or None): how it ended, balance, guarantee, and
+    what the reference says. run: solve(refinements). refinements: None if there is no reference. codes: it may end with. ends:
+    it gets where it should, and has a certificate. excused: reasons why a bound may not be guaranteed."""
+    if run.code not in codes:
+        return f"exit code {run.code}: {run.screen[-300:]}", None
+    errors = run.summary and run.summary["errors"]
+    if not errors:
+        return f"no certificate: {run.screen[-300:]}" if ends else None, None
+    if errors["equilibrium"] > BALANCED:
+        return f"the stress is out of balance by {errors['equilibrium']:.2e}", None
+    bound = errors["global"]
+    if run.code == 0 and not bound["guaranteed"] and not any(reason in bound["reason"] for reason in excused):
+        return f"not guaranteed: {bound['reason']}", None
+    if refinements is None:
+        return None, None
+    return (lasting_contradiction(errors, solve, refinements, is_mean_bounded),
+            sharpness(errors) if ends and run.code == 0 else None)
 
 
 def sweep_options(description, **more):

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 #include "ndframe/cutting/constrained_triangulation.hpp"
 
 namespace ndframe
@@ -57,10 +57,11 @@ TEST(ConstrainedTriangulation, TakesPointsThatAreNearlyOnALine)
     EXPECT_TRUE(hasEdge(triangles, a, b));
 }
 
-TEST(ConstrainedTriangulation, RefusesSegmentsThatCross)
+TEST(ConstrainedTriangulation, RefusesSegmentsThatCrossAndPointsThatAreOne)
 {
   const Points points{{0, 0}, {1, 0}, {1, 1}, {0, 1}};
-  EXPECT_THROW(constrainedTriangulation(points, {{0, 2}, {1, 3}}), InternalError);
+  EXPECT_THROW(constrainedTriangulation(points, {{0, 2}, {1, 3}}), CannotCut);
+  EXPECT_THROW(constrainedTriangulation({{0, 0}, {1, 0}, {0, 1}, {1, 0}}, {}), CannotCut);
 }
 
 } // namespace

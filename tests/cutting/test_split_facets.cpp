@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "mesh/solid_scenes.hpp"
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 #include "ndframe/cutting/split_facets.hpp"
 
 namespace ndframe
@@ -77,7 +77,7 @@ TEST(SplitFacets, RefusesCellsThatTurnOver)
   Mesh mesh = corner();
   FacetSplits splits;
   splits.moved[3] = {0.0, 0.0, -0.1};
-  EXPECT_THROW(splitFacets(mesh, splits), InternalError);
+  EXPECT_THROW(splitFacets(mesh, splits), CannotCut);
 }
 
 } // namespace

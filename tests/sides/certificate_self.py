@@ -13,11 +13,9 @@ import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from runs import Program, lasting_contradiction, print_sharpness, sharpness, sweep, sweep_options
+from runs import Program, certified, judge_certificate, print_sharpness, sweep, sweep_options
 from self_scenes import contact, grid, hairpin, write_scene
 from side_scenes import even, spread
-
-BALANCED = 1e-10  # largest defect of the recovered stress
 
 
 def load(draw):
@@ -107,25 +105,12 @@ def judge(program, seed):
     refinements = 1 if kind == "brick" else 2
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, bodies, interfaces)
-
-        def solve(refinements):
-            return program.run(deck, f"Discretization/Order={order}", f"Coupling/Type={coupling}",
-                               "Error Estimation/Estimators={Global, Reference}", "Error Estimation/Check Equilibrium=true",
-                               f"Error Estimation/Reference/Refinements={refinements}", "Output/Exodus=false",
-                               "Output/Contact Table=false")
-
+        solve = certified(program, deck, f"Discretization/Order={order}", f"Coupling/Type={coupling}")
         run = solve(refinements)
         told = ("overlap", "tied sides lie on each other", "the tied mesh is not sound")
         if run.code == 2 and kind == "bonded" and any(text in run.screen for text in told):
             return None, None, about  # chords of a curve
-        if run.code != 0:
-            return f"exit code {run.code}: {run.screen[-300:]}", None, about
-        errors = run.summary["errors"]
-        if errors["equilibrium"] > BALANCED:
-            return f"the stress is out of balance by {errors['equilibrium']:.2e}", None, about
-        if not errors["global"]["guaranteed"]:
-            return f"not guaranteed: {errors['global']['reason']}", None, about
-        return lasting_contradiction(errors, solve, refinements), sharpness(errors), about
+        return *judge_certificate(run, solve, refinements), about
 
 
 def main():

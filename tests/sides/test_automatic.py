@@ -205,6 +205,26 @@ class Automatic(unittest.TestCase):
         self.assertIn(warnings[0], done.screen)
         self.assertIn(warnings[0], self.run_deck(deck, "Strict Input=true", code=2).screen)
 
+    def test_facets_of_solids_without_a_name_are_warned_of(self):
+        script = (DECKS / "meshes/stamp.geo").read_text()
+        for old, new in (("BooleanFragments{ Volume{1}; Delete; }{ Volume{2}; Delete; }",  # of the disc only the middle has the name
+                          "Cylinder(3) = {0, 0, 0, 0, 0, 1, 0.4, Pi / 2};\n"
+                          "BooleanFragments{ Volume{1}; Delete; }{ Volume{2, 3}; Delete; }"),
+                         ('"stamp") = {2}', '"stamp") = Volume In BoundingBox {-0.1, -0.1, -0.1, 1, 1, 2}'),
+                         ("{-e, -e, -e, 0.8 + e, 0.8 + e, e}", "{-e, -e, -e, 0.4 + e, 0.4 + e, e}")):
+            self.assertIn(old, script)
+            script = script.replace(old, new)
+        (self.folder / "stamp.geo").write_text(script)
+        deck = self.write("stamp-3d", automatic())
+        deck.write_text(deck.read_text().replace(f"{DECKS}/meshes/", ""))
+        done = self.run_deck(deck)
+        self.assertEqual(list(done.summary["deck"]["Interfaces"]), ["stamp disc - plate disc"])
+        warnings = [one["message"] for one in done.summary["warnings"] if one["kind"] == "unnamed facets"]
+        self.assertEqual(len(warnings), 1, done.screen)
+        self.assertRegex(warnings[0], r'facets of "stamp" near \(.*, .*, 0\) belong to no named side.* and face "plate"')
+        self.assertIn(warnings[0], done.screen)
+        self.assertIn(warnings[0], self.run_deck(deck, "Strict Input=true", code=2).screen)
+
     def test_left_out_sides_must_exist(self):
         deck = self.write("stack", automatic(entry("Leave Out", "{upper/bottm}", "Array(string)")))
         self.assertIn('there is no "upper/bottm"; write the names of a body and of its side as BODY/SIDE.',

@@ -15,10 +15,9 @@ import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from runs import Program, lasting_contradiction, print_sharpness, sharpness, sweep, sweep_options
+from runs import Program, certified, judge_certificate, print_sharpness, sweep, sweep_options
 from solid_scenes import Rigid, Solid, pressure, write_scene
 
-BALANCED = 1e-10  # largest defect of the recovered stress
 NOTHING_TO_SOLVE = ("Every displacement of a body is prescribed", "contact has nothing to decide here")
 # A curved gap has its largest polynomial below it, which a vertex that is held on both sides may not be above.
 TOO_COARSE = "overlap by"
@@ -130,16 +129,6 @@ def coupling(draw):
     return ["Coupling/Type=Neumann-Dirichlet", f"Coupling/Stopping/Maximum Sweeps={sweeps}"], False
 
 
-def wrong(run, errors, kind):
-    """What no reference is needed for."""
-    if errors["equilibrium"] > BALANCED:
-        return f"the stress is out of balance by {errors['equilibrium']:.2e}"
-    if not errors["global"]["guaranteed"]:
-        reason = errors["global"]["reason"]
-        return f"not guaranteed: {reason}" if run.code == 0 and not ("rigid" in kind and TOO_COARSE in reason) else None
-    return None
-
-
 def judge(program, seed, refinements):
     """(what is wrong or None, bound / error of a run that ends where it should, what it is about)"""
     draw = random.Random(f"solids {seed}")
@@ -149,24 +138,13 @@ def judge(program, seed, refinements):
     about = f"{seed}: {kind}, order {order}, {', '.join(how)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)
-
-        def solved(refinements):
-            return program.run(deck, f"Discretization/Order={order}", *how,
-                               "Error Estimation/Estimators={Global, Reference}", "Error Estimation/Check Equilibrium=true",
-                               f"Error Estimation/Reference/Refinements={refinements}", "Output/Exodus=false",
-                               "Output/Contact Table=false")
-
-        run = solved(refinements)
+        solve = certified(program, deck, f"Discretization/Order={order}", *how)
+        run = solve(refinements)
         if run.code == 2 and any(reason in run.screen for reason in NOTHING_TO_SOLVE):
             return None, None, about
-        if run.code not in (0, 3):
-            return f"exit code {run.code}: {run.screen[-400:]}", None, about
-        if not run.summary or not run.summary["errors"]:
-            return None if not ends else f"no certificate: {run.screen[-300:]}", None, about
-        errors = run.summary["errors"]
         # Bent sides touch along their facets' own normals; the reference's vertices, along the facets' mean, bend that rule.
-        violation = wrong(run, errors, kind) or lasting_contradiction(errors, solved, refinements, not kind.startswith("bent"))
-    return violation, sharpness(errors) if ends and run.code == 0 else None, about
+        return *judge_certificate(run, solve, refinements, (0, 3), ends, not kind.startswith("bent"),
+                                  (TOO_COARSE,) if "rigid" in kind else ()), about
 
 
 def main():

@@ -31,11 +31,11 @@ inline __attribute__((always_inline)) void horner(const double* coefficients, in
     store(sum[p], result + lanes * std::size_t(p));
 }
 
-/// Values at packs of points given by their barycentric coordinates, each of them in a row of its own.
+/// Values at packs of points given by their barycentric coordinates, each of them in a row of its own. Returns `packs`.
 template <int packs>
-inline __attribute__((always_inline)) void evaluate(const double* coefficients, int degree,
-                                                    const TriangleCorners& corners, const double* lambda,
-                                                    std::size_t stride, double* result)
+inline __attribute__((always_inline)) int evaluate(const double* coefficients, int degree,
+                                                   const TriangleCorners& corners, const double* lambda,
+                                                   std::size_t stride, double* result)
 {
   Pack x[packs], y[packs];
   for (int p = 0; p < packs; ++p) {
@@ -47,6 +47,7 @@ inline __attribute__((always_inline)) void evaluate(const double* coefficients, 
     y[p] = a * corners.eta[0] + b * corners.eta[1] + c * corners.eta[2];
   }
   horner<packs>(coefficients, degree, x, y, result);
+  return packs;
 }
 
 /// As many as the rules of 6, 7, 12, 16, 19 and 25 points need; others in parts.
@@ -55,23 +56,17 @@ NDFRAME_EVERY_PROCESSOR int evaluate(const double* coefficients, int degree, int
 {
   switch (packs) {
   case 7:
-    evaluate<7>(coefficients, degree, corners, lambda, stride, result);
-    return 7;
+    return evaluate<7>(coefficients, degree, corners, lambda, stride, result);
   case 5:
-    evaluate<5>(coefficients, degree, corners, lambda, stride, result);
-    return 5;
+    return evaluate<5>(coefficients, degree, corners, lambda, stride, result);
   case 3:
-    evaluate<3>(coefficients, degree, corners, lambda, stride, result);
-    return 3;
+    return evaluate<3>(coefficients, degree, corners, lambda, stride, result);
   case 2:
-    evaluate<2>(coefficients, degree, corners, lambda, stride, result);
-    return 2;
+    return evaluate<2>(coefficients, degree, corners, lambda, stride, result);
   case 1:
-    evaluate<1>(coefficients, degree, corners, lambda, stride, result);
-    return 1;
+    return evaluate<1>(coefficients, degree, corners, lambda, stride, result);
   default:
-    evaluate<4>(coefficients, degree, corners, lambda, stride, result);
-    return 4;
+    return evaluate<4>(coefficients, degree, corners, lambda, stride, result);
   }
 }
 

@@ -4,9 +4,8 @@
 #include <map>
 #include <set>
 
-#include <nanoflann.hpp>
-
 #include "flat_pairs.hpp"
+#include "ndframe/mesh/nearest_point.hpp"
 
 namespace ndframe
 {
@@ -15,23 +14,12 @@ namespace
 
 constexpr double onePlace = 5e-3;
 
-/// The vertices of a side as nanoflann wants them.
-struct VertexCloud
+/// The vertices of a side.
+struct SideVertices
 {
   const Mesh& mesh;
   std::vector<int> vertices;
-
-  std::size_t kdtree_get_point_count() const { return vertices.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t k) const { return mesh.point(vertices[i])[k]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const
-  {
-    return false;
-  }
 };
-
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, VertexCloud>, VertexCloud, 3, std::size_t>;
 
 std::vector<int> verticesOf(const Mesh& mesh, const Side& side)
 {
@@ -45,16 +33,12 @@ std::vector<int> verticesOf(const Mesh& mesh, const Side& side)
 }
 
 /// Per vertex of one side the nearest one of the other side.
-std::map<int, int> nearestOf(const VertexCloud& from, const VertexCloud& to)
+std::map<int, int> nearestOf(const SideVertices& from, const SideVertices& to)
 {
-  const Tree tree(3, to, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  const NearestPoint tree(to.mesh, to.vertices);
   std::map<int, int> nearest;
-  for (const int vertex : from.vertices) {
-    std::size_t index = 0;
-    double squared = 0.0;
-    tree.knnSearch(from.mesh.point(vertex), 1, &index, &squared);
-    nearest[vertex] = to.vertices[index];
-  }
+  for (const int vertex : from.vertices)
+    nearest[vertex] = to.vertices[tree.find(from.mesh.point(vertex)).index];
   return nearest;
 }
 
@@ -63,7 +47,7 @@ std::map<int, int> nearestOf(const VertexCloud& from, const VertexCloud& to)
 CommonFacets commonFacets(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide)
 {
   const SideTopology ours(first, firstSide.facets), theirs(second, secondSide.facets);
-  const VertexCloud mine{first, verticesOf(first, firstSide)}, others{second, verticesOf(second, secondSide)};
+  const SideVertices mine{first, verticesOf(first, firstSide)}, others{second, verticesOf(second, secondSide)};
   const auto forward = nearestOf(mine, others), back = nearestOf(others, mine);
   CommonFacets common;
   std::map<int, int> partner; // of the second side's

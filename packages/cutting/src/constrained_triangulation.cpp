@@ -4,7 +4,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Triangulation_vertex_base_with_info_2.h>
 
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 
 namespace ndframe
 {
@@ -31,12 +31,13 @@ std::vector<std::array<int, 3>> constrainedTriangulation(const std::vector<std::
     vertices.push_back(triangulation.insert(Kernel::Point_2(points[i][0], points[i][1]), near));
     vertices.back()->info() = int(i);
   }
-  NDFRAME_ASSERT(triangulation.number_of_vertices() == points.size(), "points of a triangulation differ");
+  if (triangulation.number_of_vertices() != points.size())
+    throw CannotCut("points of a triangulation are one");
   try {
     for (const auto& segment : segments)
       triangulation.insert_constraint(vertices[std::size_t(segment[0])], vertices[std::size_t(segment[1])]);
   } catch (const Triangulation::Intersection_of_constraints_exception&) {
-    throw InternalError("segments of a triangulation cross");
+    throw CannotCut("segments of a triangulation cross");
   }
   std::vector<std::array<int, 3>> triangles;
   for (const auto face : triangulation.finite_face_handles())

@@ -5,7 +5,7 @@
 
 #include "creases.hpp"
 #include "meetings.hpp"
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 #include "ndframe/cutting/constrained_triangulation.hpp"
 #include "smoothed_triangles.hpp"
 
@@ -48,10 +48,6 @@ public:
 
 private:
   std::size_t numCut() const { return manner_.ofRims ? 1 : 2; }
-  bool edgeCounts(std::size_t s, int edge) const
-  {
-    return s < numCut() || found_.creases[s].count(sides_[s]->ends(edge)) > 0;
-  }
 
   void numberPoints(std::size_t s)
   {
@@ -133,7 +129,7 @@ private:
     for (const std::size_t s : {0u, 1u})
       for (const int f : patch[s])
         for (const int edge : sides_[s]->edges(f)) {
-          if (!edgeCounts(s, edge))
+          if (!found_.edgeCounts(s, *sides_[s], edge))
             continue;
           const std::vector<int> chain = found_.wholeChain(s, *sides_[s], edge);
           for (std::size_t i = 0; i + 1 < chain.size(); ++i)
@@ -257,7 +253,7 @@ private:
               : triangleArea({found_.atVertex[s].at(v[0]), found_.atVertex[s].at(v[1]), found_.atVertex[s].at(v[2])});
     }
     if (std::abs(covered - whole) > wholeArea * whole)
-      throw InternalError("the triangles of divided facets do not cover them");
+      throw CannotCut("the triangles of divided facets do not cover them");
   }
 
   std::array<const SideTopology*, 2> sides_;

@@ -19,7 +19,7 @@ struct OverlayManner
 /// Vertices within 1e-3 of the edges around them are one (where both must stay they keep their places). An edge inside
 /// a flat part of a side (creases()) is led through vertices of the other side that are within `near` of the edges
 /// there; others within 1e-3. One mesh may be both (a body that touches itself): then the splits are one, too. Throws
-/// InternalError where edges that are led through vertices would cross each other; a smaller `near` helps.
+/// CannotCut where edges that are led through vertices would cross each other; a smaller `near` helps.
 void overlay(const Mesh& first, const std::vector<Facet>& firstFacets, FacetSplits& firstSplits, const Mesh& second,
              const std::vector<Facet>& secondFacets, FacetSplits& secondSplits, const OverlayManner& manner);
 

@@ -15,6 +15,7 @@ public:
   MeetingSearch(const SideTopology& first, const SideTopology& second, const OverlayManner& manner)
       : sides_{&first, &second}, manner_(manner)
   {
+    found_.ofRims = manner.ofRims;
     found_.pairs = flatPairs(first, second);
     found_.creases = {creases(first.mesh()), creases(second.mesh())};
     for (const auto& ends : found_.creases[1])
@@ -44,10 +45,6 @@ public:
 private:
   /// Of the second side only the rims may count.
   bool counts(std::size_t s, int vertex) const { return s == 0 || !manner_.ofRims || rim_.count(vertex) > 0; }
-  bool edgeCounts(std::size_t s, int edge) const
-  {
-    return s == 0 || !manner_.ofRims || found_.creases[1].count(sides_[1]->ends(edge)) > 0;
-  }
   void carry(std::size_t s, int vertex, int facet)
   {
     Carrier& known = carriers_[s][vertex];
@@ -103,7 +100,9 @@ private:
       const double apart = distanceToEdge(s, vertex, h);
       const double within =
           found_.creases[1 - s].count(theirs.ends(h)) > 0 ? samePoint : std::max(samePoint, manner_.near);
-      if (edgeCounts(1 - s, h) && apart < least && apart <= within * std::min(ours.sizeAt(vertex), theirs.length(h))) {
+      if (found_.edgeCounts(1 - s, theirs, h) && apart < least &&
+          apart <= within * std::min(ours.sizeAt(vertex), theirs.length(h)))
+      {
         nearest = h;
         least = apart;
       }
@@ -145,7 +144,7 @@ private:
 
   void cross(int e, int h)
   {
-    if (!crossed_.insert({e, h}).second || !edgeCounts(1, h) || meetAtEnds(e, h))
+    if (!crossed_.insert({e, h}).second || !found_.edgeCounts(1, *sides_[1], h) || meetAtEnds(e, h))
       return;
     const auto ends = [](const SideTopology& side, int edge) {
       return std::pair(side.point(side.ends(edge)[0]), side.point(side.ends(edge)[1]));

@@ -23,6 +23,7 @@ struct Meeting
 /// Where two sides that lie on each other meet.
 struct Meetings
 {
+  bool ofRims = false;                   ///< OverlayManner::ofRims
   std::vector<std::array<int, 2>> pairs; ///< flatPairs()
   std::array<std::set<int>, 2> used;     ///< facets of pairs
   std::array<std::set<std::array<int, 2>>, 2> creases;
@@ -32,6 +33,11 @@ struct Meetings
 
   /// Facets that lie on each other, directly or by others, by side: each such set is triangulated as one.
   std::vector<std::array<std::vector<int>, 2>> patches() const;
+  /// Of the second side only the rims may count.
+  bool edgeCounts(std::size_t s, const SideTopology& side, int edge) const
+  {
+    return s == 0 || !ofRims || creases[s].count(side.ends(edge)) > 0;
+  }
   /// The points along an edge of a side, with its ends.
   std::vector<int> wholeChain(std::size_t s, const SideTopology& side, int edge) const;
 };

@@ -7,17 +7,14 @@
 #include "flat_overlay.hpp"
 #include "flat_pairs.hpp"
 #include "loose_flat_vertices.hpp"
-#include "ndframe/base/diagnostics.hpp"
-#include "ndframe/mesh/tetrahedron_bisection.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
+#include "ndframe/mesh/long_facets.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// A facet may be so much longer than one that it lies on.
-constexpr double largestRatio = 2.0, leeway = 1e-6;
-constexpr int mostHalvings = 60;
 /// How near vertices edges are led through them, relative to the edges there, and whether points are moved: the first
 /// that is possible.
 constexpr std::array<OverlayManner, 4> manners{{{0.2, true}, {0.2, false}, {0.05, false}, {1e-6, false}}};
@@ -35,14 +32,15 @@ public:
 
   std::vector<DerivedMesh> run()
   {
-    halveLongFacets();
+    if (!halveLongFacets(results_, [this] { return measuredPairs(); }))
+      throw CannotCut("facets that lie on each other do not come to comparable lengths");
     for (const SolidSides& sides : interfaces_)
       if (sides.isCut && sides.firstBody != sides.secondBody) {
         move(sides, moveFlatVertices);
       }
     for (int round = 0; cutOnce(); ++round)
       if (round == mostRounds)
-        throw InternalError("sides that share edges do not come to the same vertices");
+        throw CannotCut("sides that share edges do not come to the same vertices");
     return std::move(results_);
   }
 
@@ -65,54 +63,23 @@ private:
       keepNumbers(results_[std::size_t(sides.secondBody)]);
   }
 
-  void replace(int body, DerivedMesh next)
-  {
-    DerivedMesh& result = results_[std::size_t(body)];
-    result = result.parents.empty() ? std::move(next) : compose(result, std::move(next));
-  }
-
   const std::vector<Facet>& facets(int body, const std::string& side) { return mesh(body).findSide(side)->facets; }
 
-  std::vector<std::vector<int>> longCells()
+  std::vector<MeasuredPair> measuredPairs()
   {
-    std::vector<std::vector<int>> halvings;
-    for (const DerivedMesh& result : results_)
-      halvings.emplace_back(std::size_t(result.mesh.numCells()), 0);
+    const auto measured = [](int body, const SideTopology& side, int f) -> MeasuredFacet {
+      const auto& edges = side.edges(f);
+      return {body, side.facet(f), std::max({side.length(edges[0]), side.length(edges[1]), side.length(edges[2])})};
+    };
+    std::vector<MeasuredPair> pairs;
     for (const SolidSides& sides : interfaces_) {
       const SideTopology first(mesh(sides.firstBody), facets(sides.firstBody, sides.firstSide)),
           second(mesh(sides.secondBody), facets(sides.secondBody, sides.secondSide));
-      const auto longest = [](const SideTopology& side, int f) {
-        const auto& edges = side.edges(f);
-        return std::max({side.length(edges[0]), side.length(edges[1]), side.length(edges[2])});
-      };
-      for (const auto& pair : overlappingFacets(first, second)) {
-        const double one = longest(first, pair.first), other = longest(second, pair.second);
-        if (one > (largestRatio + leeway) * other)
-          halvings[std::size_t(sides.firstBody)][std::size_t(first.facet(pair.first).cell)] = 1;
-        if (other > (largestRatio + leeway) * one)
-          halvings[std::size_t(sides.secondBody)][std::size_t(second.facet(pair.second).cell)] = 1;
-      }
+      for (const auto& pair : overlappingFacets(first, second))
+        pairs.push_back(
+            {measured(sides.firstBody, first, pair.first), measured(sides.secondBody, second, pair.second)});
     }
-    return halvings;
-  }
-
-  void halveLongFacets()
-  {
-    for (int round = 0; round < mostHalvings; ++round) {
-      const auto halvings = longCells();
-      bool any = false;
-      for (std::size_t b = 0; b < results_.size(); ++b) {
-        if (std::none_of(halvings[b].begin(), halvings[b].end(), [](int n) { return n > 0; }))
-          continue;
-        any = true;
-        TetrahedronBisection bisection({results_[b].mesh}, {});
-        bisection.refine({halvings[b]});
-        replace(int(b), {bisection.meshes().front(), bisection.parents().front()});
-      }
-      if (!any)
-        return;
-    }
-    throw InternalError("facets that lie on each other do not come to comparable lengths");
+    return pairs;
   }
 
   /// False when all sides have the same vertices where they lie on each other.
@@ -142,13 +109,15 @@ private:
       for (const auto& [body, splits] : {std::pair(sides.firstBody, &ours), std::pair(sides.secondBody, &theirs)})
         if (!splits->empty())
           made.emplace_back(body, splitFacets(mesh(body), *splits));
-    } catch (const InternalError&) {
+    } catch (const CannotCut&) {
       if (&manner == &manners.back())
         throw;
       return std::nullopt;
     }
-    for (auto& [body, next] : made)
-      replace(body, std::move(next));
+    for (auto& [body, next] : made) {
+      DerivedMesh& result = results_[std::size_t(body)];
+      result = compose(result, std::move(next));
+    }
     return !made.empty();
   }
 
@@ -174,7 +143,7 @@ bool cutAtRims(Mesh& mesh, const std::string& side, const Mesh& other, const std
         return false;
       mesh = splitFacets(mesh, splits).mesh;
       return true;
-    } catch (const InternalError&) { // as in tryToCut()
+    } catch (const CannotCut&) { // as in tryToCut()
     }
   return false;
 }

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/cutting/cannot_cut.hpp"
 
 namespace ndframe
 {
@@ -74,7 +75,7 @@ public:
         keep(cell);
     }
     if (std::abs(newVolume_ - oldVolume_) > sameVolume * oldVolume_)
-      throw InternalError("divided cells turn over");
+      throw CannotCut("divided cells turn over");
     for (std::size_t s = 0; s < old_.sides.size(); ++s)
       divideSide(old_.sides[s], result_.mesh.sides[s]);
     result_.mesh.groups.inherit(result_.parents);
@@ -144,7 +145,7 @@ private:
   {
     const double before = cellMeasure(old_, cell), now = cellMeasure(result_.mesh, cell);
     if (now < smallestVolume * before)
-      throw InternalError("a cell is squeezed by vertices that have moved");
+      throw CannotCut("a cell is squeezed by vertices that have moved");
     oldVolume_ += before;
     newVolume_ += now;
   }
@@ -213,7 +214,7 @@ private:
       if (std::count_if(v, v + 4, isOf) == 3)
         return {part, int(std::find_if_not(v, v + 4, isOf) - v)};
     }
-    throw InternalError("a divided cell lost a facet");
+    throw CannotCut("a divided cell lost a facet");
   }
 
   const Mesh& old_;

@@ -2,12 +2,11 @@
 #include <cmath>
 #include <set>
 
-#include <nanoflann.hpp>
-
 #include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/interface/facing_search.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/mesh/boundary.hpp"
+#include "ndframe/mesh/nearest_point.hpp"
 #include "side_facets.hpp"
 
 namespace ndframe
@@ -56,14 +55,14 @@ bool touch(const Box& a, const Box& b)
   return true;
 }
 
-/// The middles of facets as nanoflann wants them.
-struct FacetCloud
+/// Facets of a body's boundary.
+struct BoundaryFacets
 {
   std::vector<Facet> facets;
   std::vector<Direction> centres, normals;
   std::vector<double> areas;
 
-  FacetCloud(const Mesh& mesh, const std::set<std::pair<int, int>>& without)
+  BoundaryFacets(const Mesh& mesh, const std::set<std::pair<int, int>>& without)
   {
     if (mesh.numCells() == 0) // of a rigid body
       return;
@@ -77,18 +76,7 @@ struct FacetCloud
       areas.push_back(facetNormal(mesh, facet, normals.back().data()));
     }
   }
-
-  std::size_t kdtree_get_point_count() const { return facets.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t k) const { return centres[i][k]; }
-  template <class BoundingBox>
-  bool kdtree_get_bbox(BoundingBox&) const
-  {
-    return false;
-  }
 };
-
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, FacetCloud>, FacetCloud, 3, std::size_t>;
 
 /// A body with its sides' boxes and the facets that pairs have taken.
 class Searched
@@ -121,7 +109,7 @@ public:
     });
   }
 
-  FacetCloud rest() const { return {mesh(), taken_}; }
+  BoundaryFacets rest() const { return {mesh(), taken_}; }
 
 private:
   static void take(const Side& side, std::set<std::pair<int, int>>& facets)
@@ -188,18 +176,17 @@ void addOverlaps(int b, int c, const Searched& first, const Searched& second, st
 }
 
 /// Facets that lie on each other and are in no pair.
-std::optional<UnnamedFacing> leftBetween(int b, int c, const FacetCloud& ours, const FacetCloud& theirs)
+std::optional<UnnamedFacing> leftBetween(int b, int c, const BoundaryFacets& ours, const BoundaryFacets& theirs)
 {
   if (ours.facets.empty() || theirs.facets.empty())
     return std::nullopt;
-  const Tree tree(3, theirs, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  std::vector<double> points;
+  for (const Direction& centre : theirs.centres)
+    points.insert(points.end(), centre.begin(), centre.end());
+  const NearestPoint tree(3, std::move(points));
   UnnamedFacing left{b, c, {}};
   for (std::size_t i = 0; i < ours.facets.size(); ++i) {
-    std::size_t nearest = 0;
-    double squared = 0.0;
-    nanoflann::KNNResultSet<double> result(1);
-    result.init(&nearest, &squared);
-    tree.findNeighbors(result, ours.centres[i].data(), nanoflann::SearchParams());
+    const auto [nearest, squared] = tree.find(ours.centres[i].data());
     if (std::sqrt(squared) > samePoint * std::sqrt(ours.areas[i]) ||
         dotProduct(ours.normals[i], theirs.normals[nearest]) > -0.9)
       continue;

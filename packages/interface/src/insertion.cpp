@@ -7,17 +7,13 @@
 #include "move_vertices.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/cutting/solid_sides.hpp"
-#include "ndframe/mesh/bisection.hpp"
+#include "ndframe/mesh/long_facets.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// A facet may be so much longer than one that it faces.
-constexpr double largestRatio = 2.0, leeway = 1e-6;
-/// Halving ends: a cell's edge on the side is halved every second time at least.
-constexpr int mostHalvings = 60;
 /// Places on a facet nearer than this are its end, or one.
 constexpr double sameCut = 1e-7;
 
@@ -32,7 +28,8 @@ public:
 
   std::vector<DerivedMesh> run()
   {
-    halveLongFacets();
+    if (!halveLongFacets(results_, [this] { return measuredPairs(); }))
+      throw InternalError("facets that face each other do not come to comparable lengths");
     for (const FacingSides& sides : interfaces_)
       if (moveVertices(*sides.map, mesh(sides.firstBody), sides.firstSide, mesh(sides.secondBody), sides.secondSide,
                        pieces(sides)))
@@ -53,48 +50,17 @@ private:
                         second.findSide(sides.secondSide)->facets);
   }
 
-  void replace(int body, DerivedMesh next)
+  std::vector<MeasuredPair> measuredPairs()
   {
-    DerivedMesh& result = results_[std::size_t(body)];
-    result = result.parents.empty() ? std::move(next) : compose(result, std::move(next));
-  }
-
-  /// Per body and cell whether it has to be halved.
-  std::vector<std::vector<int>> longCells()
-  {
-    std::vector<std::vector<int>> halvings;
-    for (const DerivedMesh& result : results_)
-      halvings.emplace_back(std::size_t(result.mesh.numCells()), 0);
+    std::vector<MeasuredPair> pairs;
     for (const FacingSides& sides : interfaces_)
       for (const FacingPiece& piece : pieces(sides)) {
         // seen along the segment, where facets that match are equally long
         const double one = 1.0 / std::abs(piece.onFirst[1] - piece.onFirst[0]),
                      other = 1.0 / std::abs(piece.onSecond[1] - piece.onSecond[0]);
-        if (one > (largestRatio + leeway) * other)
-          halvings[std::size_t(sides.firstBody)][std::size_t(piece.first.cell)] = 1;
-        if (other > (largestRatio + leeway) * one)
-          halvings[std::size_t(sides.secondBody)][std::size_t(piece.second.cell)] = 1;
+        pairs.push_back({{{sides.firstBody, piece.first, one}, {sides.secondBody, piece.second, other}}});
       }
-    return halvings;
-  }
-
-  void halveLongFacets()
-  {
-    for (int round = 0; round < mostHalvings; ++round) {
-      const auto halvings = longCells();
-      bool any = false;
-      for (std::size_t b = 0; b < results_.size(); ++b) {
-        if (std::none_of(halvings[b].begin(), halvings[b].end(), [](int n) { return n > 0; }))
-          continue;
-        any = true;
-        Bisection bisection({results_[b].mesh}, {});
-        bisection.refine({halvings[b]});
-        replace(int(b), {bisection.meshes().front(), bisection.parents().front()});
-      }
-      if (!any)
-        return;
-    }
-    throw InternalError("facets that face each other do not come to comparable lengths");
+    return pairs;
   }
 
   void cut()
@@ -117,7 +83,7 @@ private:
                      places.end());
       }
       if (!cuts[b].empty())
-        replace(int(b), cutFacets(results_[b].mesh, cuts[b]));
+        results_[b] = compose(results_[b], cutFacets(results_[b].mesh, cuts[b]));
     }
   }
 

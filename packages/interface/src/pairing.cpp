@@ -4,11 +4,11 @@
 #include <map>
 
 #include <fmt/format.h>
-#include <nanoflann.hpp>
 
 #include "ndframe/base/expression.hpp"
 #include "ndframe/cutting/common_facets.hpp"
 #include "ndframe/interface/normal_field.hpp"
+#include "ndframe/mesh/nearest_point.hpp"
 #include "side_facets.hpp"
 
 namespace ndframe
@@ -19,23 +19,12 @@ namespace
 /// Two nodes face each other when their distance lies along the normal, up to this cosine.
 constexpr double facing = 0.999;
 
-/// The nodes of one side as nanoflann wants them.
-struct NodeCloud
+/// The nodes of one side.
+struct SideNodes
 {
   const NodeMap& map;
   std::vector<int> nodes;
-
-  std::size_t kdtree_get_point_count() const { return nodes.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t k) const { return map.point(nodes[i])[k]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const
-  {
-    return false;
-  }
 };
-
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, NodeCloud>, NodeCloud, -1, std::size_t>;
 
 double shortestFacet(const Mesh& mesh, const Side& side)
 {
@@ -48,8 +37,8 @@ double shortestFacet(const Mesh& mesh, const Side& side)
 /// Two sides: for each node of `from` the nearest one of `to` and how far it is.
 struct Comparison
 {
-  const NodeCloud& from;
-  const NodeCloud& to;
+  const SideNodes& from;
+  const SideNodes& to;
   std::vector<std::size_t> nearest;
   std::vector<double> distance;
 
@@ -61,16 +50,12 @@ struct Comparison
   std::string worstPosition() const { return pointText(from.map.point(from.nodes[worst()]), from.map.dim); }
 };
 
-Comparison compare(const NodeCloud& from, const NodeCloud& to)
+Comparison compare(const SideNodes& from, const SideNodes& to)
 {
-  const Tree tree(from.map.dim, to, nanoflann::KDTreeSingleIndexAdaptorParams(10));
+  const NearestPoint tree(to.map, to.nodes);
   Comparison comparison{from, to, {}, {}};
   for (const int node : from.nodes) {
-    std::size_t index = 0;
-    double squared = 0.0;
-    nanoflann::KNNResultSet<double> result(1);
-    result.init(&index, &squared);
-    tree.findNeighbors(result, from.map.point(node), nanoflann::SearchParams());
+    const auto [index, squared] = tree.find(from.map.point(node));
     comparison.nearest.push_back(index);
     comparison.distance.push_back(std::sqrt(squared));
   }
@@ -206,7 +191,7 @@ std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& f
                                                 const Side& secondSide)
 {
   const NodeMap firstMap = makeNodeMap(first, 1), secondMap = makeNodeMap(second, 1);
-  const NodeCloud mine{firstMap, sideNodes(firstMap, firstSide)}, theirs{secondMap, sideNodes(secondMap, secondSide)};
+  const SideNodes mine{firstMap, sideNodes(firstMap, firstSide)}, theirs{secondMap, sideNodes(secondMap, secondSide)};
   const double tolerance = samePoint * std::min(shortestFacet(first, firstSide), shortestFacet(second, secondSide));
   const Comparison forward = compare(mine, theirs);
   std::vector<std::pair<int, int>> pairs;
@@ -234,8 +219,8 @@ InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, co
     first.facets = surface->facets;
   const Side& second = findSide(definition, "Neumann Side", neumann);
   const std::string names = sideText(dirichlet, first, neumann, second);
-  const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
-  const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
+  const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+  const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
   InterfaceMesh interface = firstSideOf(definition, dirichlet, first.facets);
   setNormal(interface, surface);
   const double tolerance =
@@ -262,16 +247,16 @@ InterfaceMesh pairCutSides(const Params& definition, const BodyModel& dirichlet,
   const std::string names = sideText(dirichlet, first, neumann, second);
   CommonFacets common = commonFacets(dirichlet.mesh, first, neumann.mesh, second);
   if (common.firstFacets.empty()) {
-    const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
-    const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
+    const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+    const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
     const Comparison forward = compare(mine, theirs);
     refuseOffset(definition, forward, firstSideOf(definition, dirichlet, first.facets).normals, names);
     throw InputError(liesOnNothing(definition, forward, names));
   }
   first.facets = std::move(common.firstFacets);
   second.facets = std::move(common.secondFacets);
-  const NodeCloud mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
-  const NodeCloud theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
+  const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+  const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
   InterfaceMesh interface = firstSideOf(definition, dirichlet, first.facets);
   addPartners(interface, dirichlet.nodes, compare(mine, theirs));
   if (!matchFacets(interface, neumann, second))

@@ -145,8 +145,9 @@ std::vector<int> ownNumbers(const Mesh& mesh)
 
 DerivedMesh compose(const DerivedMesh& first, DerivedMesh second)
 {
-  for (int& parent : second.parents)
-    parent = first.parents[std::size_t(parent)];
+  if (!first.parents.empty())
+    for (int& parent : second.parents)
+      parent = first.parents[std::size_t(parent)];
   return second;
 }
 

@@ -3,34 +3,22 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
-#include <memory>
 
-#include <nanoflann.hpp>
+#include "ndframe/mesh/nearest_point.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-/// The nodes of one side of a body as nanoflann wants them, with their normals and offsets.
+/// The nodes of one side of a body with their normals and offsets.
 struct OffsetSide
 {
   const NodeMap& map;
   const std::vector<int>& nodes;
   const std::vector<Direction>& normals;
   Vector along; ///< offset along the normal, per node
-
-  std::size_t kdtree_get_point_count() const { return nodes.size(); }
-  double kdtree_get_pt(std::size_t i, std::size_t k) const { return map.point(nodes[i])[k]; }
-  template <class Box>
-  bool kdtree_get_bbox(Box&) const
-  {
-    return false;
-  }
 };
-
-using Tree =
-    nanoflann::KDTreeSingleIndexAdaptor<nanoflann::L2_Simple_Adaptor<double, OffsetSide>, OffsetSide, -1, std::size_t>;
 
 std::vector<OffsetSide> sidesOf(const Model& model, int body)
 {
@@ -53,14 +41,10 @@ std::vector<OffsetSide> sidesOf(const Model& model, int body)
 }
 
 /// Adds a side's offset at its node nearest to the point, weighted with the inverse squared distance.
-void addNearest(const Tree& tree, const OffsetSide& side, const double* point, Direction& sum, double& weights)
+void addNearest(const NearestPoint& tree, const OffsetSide& side, const double* point, Direction& sum, double& weights)
 {
   constexpr double smallest = 1e-300;
-  std::size_t nearest = 0;
-  double squared = 0.0;
-  nanoflann::KNNResultSet<double> result(1);
-  result.init(&nearest, &squared);
-  tree.findNeighbors(result, point, nanoflann::SearchParams());
+  const auto [nearest, squared] = tree.find(point);
   const double weight = 1.0 / std::max(squared, smallest);
   weights += weight;
   for (std::size_t k = 0; k < 3; ++k)
@@ -102,14 +86,14 @@ Vector offsetOf(const Model& model, int body)
   });
   if (!moves)
     return offset;
-  std::vector<std::unique_ptr<Tree>> trees;
+  std::vector<NearestPoint> trees;
   for (const auto& side : sides)
-    trees.push_back(std::make_unique<Tree>(map.dim, side, nanoflann::KDTreeSingleIndexAdaptorParams(10)));
+    trees.emplace_back(map, side.nodes);
   for (int node = 0; node < map.numNodes(); ++node) {
     Direction sum{};
     double weights = 0.0;
     for (std::size_t s = 0; s < sides.size(); ++s)
-      addNearest(*trees[s], sides[s], map.point(node), sum, weights);
+      addNearest(trees[s], sides[s], map.point(node), sum, weights);
     for (std::size_t k = 0; k < std::size_t(map.dim); ++k)
       offset[std::size_t(node) * std::size_t(map.dim) + k] = sum[k] / weights;
   }

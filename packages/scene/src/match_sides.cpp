@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "ndframe/interface/insertion.hpp"
+#include "cut_meshes.hpp"
 
 namespace ndframe
 {
@@ -155,23 +155,6 @@ void checkRigid(const Params& deck, const std::vector<Params>& bodies)
   for (const Params& body : bodies)
     if (body.hasSub("Rigid") && !isTouched[body.name()])
       throw InputError(body.mistake("", "is rigid, and nothing touches it; name it in an interface as Neumann Body."));
-}
-
-/// insertion(), with advice where solids cannot be cut.
-std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& facing,
-                                   const Params& interfaces)
-{
-  try {
-    return insertion(meshes, facing);
-  } catch (const InternalError& error) {
-    if (facing.front().map)
-      throw;
-    throw InputError(interfaces.mistake(
-        "",
-        fmt::format("sides of solids that were meshed apart cannot be cut at each other ({}): give one of the meshes "
-                    "another size, or mesh both bodies in one gmsh script with a common face.",
-                    error.what())));
-  }
 }
 
 /// The meshes as they were get a place beside those that match. isFirst: the meshes are not made of earlier ones.

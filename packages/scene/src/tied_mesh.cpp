@@ -8,9 +8,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "cut_meshes.hpp"
 #include "glue.hpp"
 #include "ndframe/cutting/common_facets.hpp"
-#include "ndframe/interface/insertion.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/meshing/refined_source.hpp"
 
@@ -225,7 +225,7 @@ Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
   const bool isPlane = parts.front().dim == 2;
   if (isPlane)
     addSideEnds(parts, facing, std::vector<char>(parts.size(), 0), true);
-  const std::vector<DerivedMesh> cut = insertion(parts, facing);
+  const std::vector<DerivedMesh> cut = cutMeshes(parts, facing, list_);
   Glue glue(cut);
   std::vector<std::set<std::pair<int, int>>> inside(parts.size()); // facets that have become inner ones
   const auto joints = list_.sub("Joints").subs();

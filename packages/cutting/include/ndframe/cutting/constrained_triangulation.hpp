@@ -11,7 +11,7 @@ namespace ndframe
 ///
 /// points: two coordinates each, none twice. Segments may share ends and may be given twice, but must not cross. By
 /// CGAL (exact predicates), so that nearly collinear points do no harm.
-/// Throws InternalError where segments cross.
+/// Throws CannotCut where segments cross or points are one.
 std::vector<std::array<int, 3>> constrainedTriangulation(const std::vector<std::array<double, 2>>& points,
                                                          const std::vector<std::array<int, 2>>& segments);
 

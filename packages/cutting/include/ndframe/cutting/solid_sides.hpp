@@ -24,7 +24,8 @@ struct SolidSides
 ///      the other side, unless a cell would become flat;
 ///   3. both sides get the vertices of the other one, those where edges cross, and the same triangles between them
 ///      (overlay, splitFacets), again until sides that share edges agree.
-/// Per body; without parents where nothing was done. Bodies, loads and supports stay what they are.
+/// Per body; without parents where nothing was done. Bodies, loads and supports stay what they are. Throws CannotCut
+/// where edges that are led through vertices cross or cells turn over however little is moved.
 std::vector<DerivedMesh> cutSolids(const std::vector<Mesh>& meshes, const std::vector<SolidSides>& interfaces);
 
 /// Where one of two sides ends or turns inside the other one, moves vertices of the other one there that are within

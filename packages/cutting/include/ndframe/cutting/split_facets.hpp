@@ -31,7 +31,7 @@ struct FacetSplits
 /// one facet where only that one is divided, else those of all its facets around its centre, which is a new vertex.
 ///
 /// The body stays what it is with its groups of cells and sides. New vertices of an edge inside a flat part of the
-/// boundary may lie beside it, in the plane, as long as no cell turns over (else InternalError). Other cells keep their
+/// boundary may lie beside it, in the plane, as long as no cell turns over (else CannotCut). Other cells keep their
 /// vertices. Points and cells keep their numbers, new ones follow. A facet inside the body is divided alike by both of
 /// its cells, in the order of the numbers of its edges' vertices.
 DerivedMesh splitFacets(const Mesh& mesh, const FacetSplits& splits);

@@ -31,7 +31,7 @@ struct FacingSides
 /// plane, and vertices within a tenth of the edges there are moved to a vertex or onto an edge of the other side. All
 /// interfaces of a body have to be named, for they may share edges.
 ///
-/// Per body; without parents where nothing was done.
+/// Per body; without parents where nothing was done. Throws CannotCut as cutSolids() does.
 std::vector<DerivedMesh> insertion(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& interfaces);
 
 /// Gives straight sides a vertex where the other one ends, for stresses are large there: moves one along the side, or

@@ -28,7 +28,7 @@ DerivedMesh cutFacets(const Mesh& mesh, const FacetCuts& cuts);
 /// Of a mesh that stays as it is: each cell is its own parent.
 std::vector<int> ownNumbers(const Mesh& mesh);
 
-/// Makes `first` and then `second` of its mesh one step.
+/// Makes `first`, which has no parents where nothing was done, and then `second` of its mesh one step.
 DerivedMesh compose(const DerivedMesh& first, DerivedMesh second);
 
 } // namespace ndframe

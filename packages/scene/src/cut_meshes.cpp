@@ -1,0 +1,24 @@
+#include "cut_meshes.hpp"
+
+#include <fmt/format.h>
+
+#include "ndframe/cutting/cannot_cut.hpp"
+
+namespace ndframe
+{
+
+std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& facing,
+                                   const Params& list)
+{
+  try {
+    return insertion(meshes, facing);
+  } catch (const CannotCut& error) {
+    throw InputError(list.mistake(
+        "",
+        fmt::format("sides of solids that were meshed apart cannot be cut at each other ({}): give one of the meshes "
+                    "another size, or mesh both bodies in one gmsh script with a common face.",
+                    error.what())));
+  }
+}
+
+} // namespace ndframe
