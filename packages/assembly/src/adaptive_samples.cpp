@@ -14,7 +14,8 @@ namespace ndframe
 namespace
 {
 
-constexpr int mostPieces = 6000; ///< made on a simplex
+constexpr int mostPieces = 6000;        ///< made on a simplex
+constexpr int mostPiecesInAll = 200000; ///< on those of a call of scaleOn
 
 bool settlesLater(const SampledLeaf& a, const SampledLeaf& b)
 {
@@ -120,7 +121,7 @@ public:
   SmoothSamples smooth_;
   int space_;
   Cuts cuts_;
-  int piecesLeft_ = 200000;
+  int piecesLeft_ = mostPiecesInAll;
 };
 
 /// A leaf that is settled along a curve goes to `done`; otherwise the slabs that take the leaf's place.
@@ -169,7 +170,10 @@ DataSampler::~DataSampler() = default;
 
 double DataSampler::scaleOn(const std::function<void(const Visit&)>& visit)
 {
-  return findScale(implementation_->functions_, implementation_->data_, implementation_->space_, visit);
+  implementation_->piecesLeft_ = mostPiecesInAll;
+  const double scale = findScale(implementation_->functions_, implementation_->data_, implementation_->space_, visit);
+  implementation_->smooth_.begin(scale);
+  return scale;
 }
 
 void DataSampler::sample(int dim, const Vertices& vertices, double scale, Samples& samples)

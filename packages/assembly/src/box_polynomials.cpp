@@ -211,6 +211,16 @@ void BoxPolynomial::values(const DataSampler::Vertices& vertices, const Sampling
   polynomialValues(coefficients_.data(), degree_, corners, sampling, result);
 }
 
+void BoxPolynomials::begin(bool isSame)
+{
+  last_ = nullptr;
+  if (isSame)
+    return;
+  whole_.clear();
+  parts_.clear();
+  found_.clear();
+}
+
 /// The one of high degree on the largest box around a cell of the tree, up to 32 times as wide.
 const BoxPolynomial* BoxPolynomials::wholeAround(const Region::Point& middle, int level, double allowed)
 {
@@ -237,12 +247,10 @@ std::optional<BoxPolynomial> BoxPolynomials::make(const TreeBox& box, double hal
   return part.degree() <= mostDegree ? std::optional(std::move(part)) : std::nullopt;
 }
 
-const BoxPolynomial* BoxPolynomials::around(const Region::Point& centroid, double radius, double allowed)
+/// The largest box of the tree around a cell on which a part is known, from 2^6 radii downwards.
+const BoxPolynomial* BoxPolynomials::search(const Region::Point& centroid, int level, double allowed)
 {
   constexpr int cheap = 12; // degree: rather one more than parts of few triangles
-  if (last_ != nullptr && last_->holds(centroid, radius) && last_->error() <= allowed)
-    return last_;
-  const int level = TreeBox::levelOf(radius);
   for (int up = 6; up >= 1; --up) {
     const TreeBox box(centroid, level + up, 2);
     const double aroundIt = std::ldexp(1.0, -up); // of the width, which is at least 2^up radii
@@ -250,9 +258,23 @@ const BoxPolynomial* BoxPolynomials::around(const Region::Point& centroid, doubl
     if (isNew)
       found->second = make(box, (0.5 + aroundIt) * box.width, up == 1 ? BoxPolynomial::highest : cheap, allowed);
     if (found->second && found->second->error() <= allowed)
-      return last_ = &*found->second;
+      return &*found->second;
   }
   return nullptr;
+}
+
+/// All cells of the smallest box have the same answer.
+const BoxPolynomial* BoxPolynomials::around(const Region::Point& centroid, double radius, double allowed)
+{
+  if (last_ != nullptr && last_->holds(centroid, radius) && last_->error() <= allowed)
+    return last_;
+  const int level = TreeBox::levelOf(radius);
+  const auto [found, isNew] = found_.try_emplace(TreeBox(centroid, level + 1, 2).place);
+  if (isNew)
+    found->second = search(centroid, level, allowed);
+  if (found->second != nullptr)
+    last_ = found->second;
+  return found->second;
 }
 
 } // namespace ndframe

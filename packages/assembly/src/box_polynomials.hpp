@@ -60,6 +60,8 @@ class BoxPolynomials
 public:
   explicit BoxPolynomials(const ExpressionTree& tree) : tree_(tree) {}
 
+  /// What follows depends on no cell before; isSame: what is allowed will be the same as before.
+  void begin(bool isSame);
   /// The one on a box that holds a simplex; null if none is shown to be right to `allowed`.
   const BoxPolynomial* around(const Region::Point& centroid, double radius, double allowed);
   /// Large boxes on which the expression was evaluated.
@@ -67,13 +69,15 @@ public:
 
 private:
   std::optional<BoxPolynomial> make(const TreeBox& box, double halfWidth, int mostDegree, double allowed);
+  const BoxPolynomial* search(const Region::Point& centroid, int level, double allowed);
   const BoxPolynomial* wholeAround(const Region::Point& middle, int level, double allowed);
 
   const ExpressionTree& tree_;
   std::map<TreeBox::Place, std::optional<BoxPolynomial>> whole_;
   /// By the box's width in radii, too: how far they reach beyond their cell of the tree depends on it.
   std::map<std::pair<TreeBox::Place, int>, std::optional<BoxPolynomial>> parts_;
-  const BoxPolynomial* last_ = nullptr; ///< neighbours follow each other
+  std::map<TreeBox::Place, const BoxPolynomial*> found_; ///< by the smallest boxes
+  const BoxPolynomial* last_ = nullptr;                  ///< neighbours follow each other
   int fitted_ = 0;
 };
 

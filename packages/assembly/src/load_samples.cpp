@@ -169,7 +169,7 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
   const auto functions = load.functions(mesh.dim);
   if (areConstant(functions))
     return visitConstant(load, functions, mesh, visit);
-  DataSampler sampler(functions, mesh.dim, DataSampler::Cuts::Curved);
+  DataSampler& sampler = load.sampler(mesh.dim);
   Densities densities(load, mesh.dim, functions.size());
   const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
     visitSimplices(load, mesh, [&](const LoadedSimplex&, const Place& place) { measure(place.dim, place.points); });
@@ -179,6 +179,13 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
     densities.apply(place.outward(), simplex.samples);
     visit(simplex);
   });
+}
+
+DataSampler& Load::sampler(int dim) const
+{
+  if (!sampler_)
+    sampler_ = std::make_shared<DataSampler>(functions(dim), dim, DataSampler::Cuts::Curved);
+  return *sampler_;
 }
 
 void Load::addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const

@@ -40,6 +40,13 @@ SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int 
   }
 }
 
+void SmoothSamples::begin(double scale)
+{
+  for (auto& boxes : boxes_)
+    boxes.begin(scale == scale_);
+  scale_ = scale;
+}
+
 int SmoothSamples::polynomials() const
 {
   int sum = 0;

@@ -16,6 +16,8 @@ class SmoothSamples
 public:
   SmoothSamples(const std::vector<SampledFunction>& functions, int space);
 
+  /// Forgets what is known for another scale.
+  void begin(double scale);
   /// False where a function is not smooth enough; the samples are then undefined.
   bool sample(const SimplexGeometry& simplex, double scale, Samples& samples);
   /// Large boxes on which functions were evaluated.
@@ -30,6 +32,7 @@ private:
   const std::vector<SampledFunction>& functions_;
   bool arePolynomials_, isPlane_;
   std::vector<BoxPolynomials> boxes_;
+  double scale_ = 0.0; ///< that the boxes are for
   std::vector<const BoxPolynomial*> here_; ///< null for what is a polynomial everywhere
   std::vector<SmoothDistances> distances_; ///< per function; infinite for degrees below that of a polynomial
   std::vector<double> points_, values_;

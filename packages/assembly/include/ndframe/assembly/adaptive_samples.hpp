@@ -82,6 +82,7 @@ public:
 
   /// A lower bound of the functions' largest absolute value on the simplices visited, most often within a factor 2:
   /// what round-off is relative to. visit calls its argument with every simplex; their points stay where they are.
+  /// Samples with this scale depend on the simplices of this call only, whatever was sampled before.
   using Visit = std::function<void(int dim, const Vertices& vertices)>;
   double scaleOn(const std::function<void(const Visit&)>& visit);
 

@@ -91,8 +91,13 @@ public:
   virtual void density(int dim, const double* values, const double* normal, double* q) const = 0;
   /// It has one value on a facet, or in all cells.
   bool isConstant(int dim) const;
+  /// What samples the functions, kept because it knows polynomials that they are on boxes. One thread at a time.
+  DataSampler& sampler(int dim) const;
   /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp).
   void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const;
+
+private:
+  mutable std::shared_ptr<DataSampler> sampler_;
 };
 
 /// All are constant.
