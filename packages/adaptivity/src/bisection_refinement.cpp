@@ -1,4 +1,6 @@
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <numeric>
 
 #include "ndframe/mesh/bisection.hpp"
@@ -10,6 +12,26 @@ namespace ndframe
 namespace
 {
 
+/// Edges stay longer than this share of a cell's largest coordinate: their middle is then rounded by a thousandth of
+/// them.
+constexpr double finest = 0x1p-42;
+
+/// How often a cell can be halved until its edges are the finest.
+int halvingsLeft(const Mesh& mesh, int cell)
+{
+  double square = 0.0, largest = 0.0;
+  for (int a = 0; a <= mesh.dim; ++a) {
+    const double* x = mesh.point(mesh.cell(cell)[a]);
+    largest = std::accumulate(x, x + mesh.dim, largest, [](double m, double k) { return std::max(m, std::abs(k)); });
+    for (int b = 0; b < a; ++b) {
+      const double* y = mesh.point(mesh.cell(cell)[b]);
+      square = std::max(square, std::inner_product(x, x + mesh.dim, y, 0.0, std::plus<>(),
+                                                   [](double s, double t) { return (s - t) * (s - t); }));
+    }
+  }
+  return int(std::clamp(mesh.dim * std::log2(std::sqrt(square) / (finest * largest)), 0.0, 1e6));
+}
+
 /// Halvings that the cells of a mesh still need. Parts of a cell with a gradation differ, so those get one at a time.
 std::vector<int> halvingsOf(const Mesh& mesh, const std::vector<int>& ancestors, const std::vector<CellSize>& sizes)
 {
@@ -17,7 +39,8 @@ std::vector<int> halvingsOf(const Mesh& mesh, const std::vector<int>& ancestors,
   for (int c = 0; c < mesh.numCells(); ++c) {
     const CellSize& size = sizes[std::size_t(ancestors[std::size_t(c)])];
     const int wanted = halvingsTo(size, cellMeasure(mesh, c), cellCentre(mesh, c));
-    halvings.push_back(size.gradation == 0.0 ? wanted : std::min(1, wanted));
+    const int wantedNow = size.gradation == 0.0 ? wanted : std::min(1, wanted);
+    halvings.push_back(wantedNow > 0 ? std::min(wantedNow, halvingsLeft(mesh, c)) : 0);
   }
   return halvings;
 }
@@ -90,6 +113,11 @@ std::vector<std::vector<int>> ownAncestors(const std::vector<Mesh>& meshes)
     std::iota(ancestors.back().begin(), ancestors.back().end(), 0);
   }
   return ancestors;
+}
+
+bool RefinedMeshes::areUnchanged() const
+{
+  return ancestors() == ownAncestors(meshes());
 }
 
 std::unique_ptr<RefinedMeshes> bisectedMeshes(std::vector<Mesh> meshes, const std::vector<FacetTwin>& twins)

@@ -24,6 +24,8 @@ public:
   /// Per mesh and cell of meshes(): the cell of the meshes before in whose place it stands (of which it is a part, but
   /// where shapes were mended), or in which its centre lies.
   virtual const std::vector<std::vector<int>>& ancestors() const = 0;
+  /// They are the meshes before, cell by cell.
+  bool areUnchanged() const;
 
   /// The next meshes: cells as the field wants them, or smaller where matching sides or shapes need it.
   virtual std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const = 0;
