@@ -68,7 +68,7 @@ std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<Wante
   const auto make = [&](const std::vector<WantedMesh>& lengths, GmshAlgorithm algorithm) {
     return remesh(scene.scripts, scene.matching, lengths, algorithm);
   };
-  const std::string made = "made";
+  constexpr const char* made = "made";
   const std::string outcome = fromRankZero(scene.comm, [&]() -> std::string {
     try {
       meshes = remeshPersistently(wanted, make);

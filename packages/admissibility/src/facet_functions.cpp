@@ -41,7 +41,7 @@ DenseMatrix facetMoments(int dim, int order, int degree)
   const QuadratureRule rule = simplexRule(dim - 1, order + degree);
   DenseMatrix moments(numFacetNodes(dim, order), basis.size());
   Vector L(std::size_t(basis.size()));
-  double N[mostFacetNodes];
+  double N[mostFacetNodes] = {};
   for (int g = 0; g < rule.size(); ++g) {
     facetFunctions(dim, order, rule.point(g), N);
     basis.values(rule.point(g), L.data());

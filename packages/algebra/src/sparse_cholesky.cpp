@@ -93,7 +93,8 @@ SparseCholesky::SparseCholesky(const SymmetricEntries& A)
   UpperTriangle U = compressed(A);
   std::vector<int> order = dissected(U);
   try {
-    factor_ = std::unique_ptr<Factor>(new Factor{{std::move(U), std::move(order), 0}});
+    // An aggregate that cannot be moved.
+    factor_ = std::unique_ptr<Factor>(new Factor{{std::move(U), std::move(order), 0}}); // NOLINT(modernize-make-unique)
   } catch (const BadPivot& bad) {
     throw NotPositiveDefinite(bad.column);
   }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <map>
 
+#include "ndframe/base/diagnostics.hpp"
+
 namespace ndframe
 {
 namespace
@@ -78,7 +80,9 @@ private:
       if (const int node = interface.facets[i]; interface.facesItself(node)) {
         SlitEnd& end = ends[node];
         end.node = first + node;
-        const auto size = std::size_t(interface.nodesPerFacet()), facet = i - i % size;
+        const auto size = std::size_t(interface.nodesPerFacet());
+        NDFRAME_ASSERT(size > 0, "facets have nodes");
+        const std::size_t facet = i - i % size;
         for (std::size_t a = facet; a < facet + size; ++a)
           if (!interface.facesItself(interface.facets[a]))
             end.beside.push_back(first + interface.facets[a]);
