@@ -7,66 +7,13 @@
 
 #include <boost/math/tools/toms748_solve.hpp>
 
+#include "line_polynomial.hpp"
 #include "switch_frame.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-using Polynomial = std::vector<double>;
-
-double valueAt(const Polynomial& p, double t)
-{
-  double sum = 0.0;
-  for (std::size_t k = p.size(); k-- > 0;)
-    sum = sum * t + p[k];
-  return sum;
-}
-
-/// The polynomial of degree n through values at the points cos(pi j / n), by Chebyshev polynomials.
-Polynomial through(const std::vector<double>& values)
-{
-  const std::size_t n = values.size() - 1;
-  Polynomial result(n + 1, 0.0), previous{1.0}, current{0.0, 1.0};
-  for (std::size_t k = 0; k <= n; ++k) {
-    double coefficient = 0.0;
-    for (std::size_t j = 0; j <= n; ++j)
-      coefficient += (j == 0 || j == n ? 0.5 : 1.0) * values[j] * std::cos(M_PI * double(k * j) / double(n));
-    coefficient *= (k == 0 || k == n ? 1.0 : 2.0) / double(n);
-    for (std::size_t i = 0; i < previous.size(); ++i)
-      result[i] += coefficient * previous[i];
-    Polynomial next(current.size() + 1, 0.0); // 2 t T_k+1 - T_k
-    for (std::size_t i = 0; i < current.size(); ++i)
-      next[i + 1] = 2.0 * current[i];
-    for (std::size_t i = 0; i < previous.size(); ++i)
-      next[i] -= previous[i];
-    previous = std::exchange(current, next);
-  }
-  return result;
-}
-
-/// The least Bernstein coefficient on [-1, 1].
-double leastCoefficient(const Polynomial& p)
-{
-  const std::size_t n = p.size() - 1;
-  Polynomial shifted(p); // in s = (t + 1) / 2
-  for (std::size_t i = 0; i < n; ++i)
-    for (std::size_t k = n; k-- > i;)
-      shifted[k] -= shifted[k + 1];
-  double power = 1.0, least = std::numeric_limits<double>::infinity();
-  for (auto& coefficient : shifted)
-    coefficient *= std::exchange(power, 2.0 * power);
-  for (std::size_t j = 0; j <= n; ++j) {
-    double sum = 0.0, ratio = 1.0; // of j over k to n over k
-    for (std::size_t k = 0; k <= j; ++k) {
-      sum += ratio * shifted[k];
-      ratio *= double(j - k) / double(std::max<std::size_t>(n - k, 1));
-    }
-    least = std::min(least, sum);
-  }
-  return least;
-}
 
 /// Where f vanishes between two places with values of different signs, to round-off.
 template <class Function>
@@ -76,14 +23,6 @@ double rootBetween(const Function& f, double low, double high, double atLow, dou
   const boost::math::tools::eps_tolerance<double> isRoundOff(52);
   const auto bracket = boost::math::tools::toms748_solve(f, low, high, atLow, atHigh, isRoundOff, evaluations);
   return 0.5 * (bracket.first + bracket.second);
-}
-
-Polynomial difference(Polynomial a, const Polynomial& b)
-{
-  a.resize(std::max(a.size(), b.size()), 0.0);
-  for (std::size_t k = 0; k < b.size(); ++k)
-    a[k] -= b[k];
-  return a;
 }
 
 } // namespace
@@ -113,20 +52,28 @@ private:
   void addRoots(const Side& side, std::vector<double>& places) const;
   bool addStrip(double from, double to, const Side& lower, const Side& upper);
   bool addCurve(Strip strip, const Side& lower, const Side& upper);
-  Polynomial curve(const Strip& strip, const Side& lower, const Side& upper, int degree) const;
+  LinePolynomial curve(const Strip& strip, const Side& lower, const Side& upper, int degree) const;
   double value(double xi, double eta) const { return frame_.value(s_, xi, eta); }
   double root(double xi, double low, double high) const;
-  bool count(const Strip& strip, double distance);
+  double areaWithin(double distance, const Strip& strip) const;
+  bool count(double area);
 
   const ExpressionTree& s_;
   const SwitchFrame& frame_;
-  double counted_, allowed_;
+  double counted_; ///< times the area: by the integral, by the rule, and where the rule's points are as near
+  double allowed_;
 };
 
-/// Counts that s has the other sign within a distance along eta; false if that is too much.
-bool SwitchCurve::Finder::count(const Strip& strip, double distance)
+/// What counts where s may have the other sign within a distance along eta.
+double SwitchCurve::Finder::areaWithin(double distance, const Strip& strip) const
 {
-  open += 2.0 * strip.half * distance * counted_;
+  return 2.0 * strip.half * distance * counted_;
+}
+
+/// Counts it; false if that is too much.
+bool SwitchCurve::Finder::count(double area)
+{
+  open += area;
   return open * frame_.density() <= allowed_;
 }
 
@@ -157,8 +104,7 @@ void SwitchCurve::Finder::addRoots(const Side& side, std::vector<double>& places
   }
 }
 
-SwitchCurve::Polynomial SwitchCurve::Finder::curve(const Strip& strip, const Side& lower, const Side& upper,
-                                                   int degree) const
+LinePolynomial SwitchCurve::Finder::curve(const Strip& strip, const Side& lower, const Side& upper, int degree) const
 {
   std::vector<double> etas;
   for (int j = 0; j <= degree; ++j) {
@@ -168,31 +114,39 @@ SwitchCurve::Polynomial SwitchCurve::Finder::curve(const Strip& strip, const Sid
   return through(etas);
 }
 
+/// The polynomial of lowest degree that leaves hardly anything open, else the best.
 bool SwitchCurve::Finder::addCurve(Strip strip, const Side& lower, const Side& upper)
 {
+  constexpr double enough = 0.01; // of what is allowed
+  LinePolynomial best;
+  double least = std::numeric_limits<double>::infinity();
   for (const int degree : {4, 8, 12}) {
-    const Polynomial eta = curve(strip, lower, upper, degree);
+    LinePolynomial eta = curve(strip, lower, upper, degree);
     const double distance = largestAlong(s_, frame_.curve(strip.middle, strip.half, eta)) / frame_.leastSlope();
     const double inside =
         std::min(leastCoefficient(difference(eta, strip.lower)), leastCoefficient(difference(strip.upper, eta)));
-    const double before = open;
-    if (count(strip, distance + std::max(0.0, -inside))) {
-      Strip above = strip;
-      strip.sign = -1.0, strip.upper = eta;
-      above.sign = 1.0, above.lower = eta;
-      strips.push_back(std::move(strip));
-      strips.push_back(std::move(above));
-      return true;
+    const double area = areaWithin(distance + std::max(0.0, -inside), strip);
+    if (area < least) {
+      least = area;
+      best = std::move(eta);
     }
-    open = before;
+    if (least * frame_.density() <= enough * allowed_)
+      break;
   }
-  return false;
+  if (!count(least))
+    return false;
+  Strip above = strip;
+  strip.sign = -1.0, strip.upper = best;
+  above.sign = 1.0, above.lower = std::move(best);
+  strips.push_back(std::move(strip));
+  strips.push_back(std::move(above));
+  return true;
 }
 
 bool SwitchCurve::Finder::addStrip(double from, double to, const Side& lower, const Side& upper)
 {
   const auto line = [&](const Side& side) {
-    return Polynomial{0.5 * (side.at(from) + side.at(to)), 0.5 * (side.at(to) - side.at(from))};
+    return LinePolynomial{0.5 * (side.at(from) + side.at(to)), 0.5 * (side.at(to) - side.at(from))};
   };
   Strip strip{0.5 * (from + to), 0.5 * (to - from), line(lower), line(upper), 0.0};
   const double least = value(strip.middle, strip.lower[0]), largest = value(strip.middle, strip.upper[0]);
@@ -202,7 +156,7 @@ bool SwitchCurve::Finder::addStrip(double from, double to, const Side& lower, co
   const Side& side = least >= 0.0 ? lower : upper;
   const double wrong = frame_.largest(s_, -strip.sign, {from, side.at(from)}, {to, side.at(to)});
   strips.push_back(strip);
-  return count(strip, std::max(0.0, wrong) / frame_.leastSlope());
+  return count(areaWithin(std::max(0.0, wrong) / frame_.leastSlope(), strip));
 }
 
 bool SwitchCurve::Finder::findBetween(const Side& lower, const Side& upper)

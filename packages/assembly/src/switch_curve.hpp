@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "line_polynomial.hpp"
 #include "simplex_piece.hpp"
 
 namespace ndframe
@@ -29,13 +30,12 @@ public:
 
 private:
   class Finder;
-  using Polynomial = std::vector<double>; ///< in t from -1 to 1, constant first
 
   /// The part of the triangle over xi = middle + t half, between two polynomials, with one sign of s.
   struct Strip
   {
     double middle = 0.0, half = 0.0;
-    Polynomial lower, upper;
+    LinePolynomial lower, upper; ///< in t
     double sign = 0.0;
   };
 
