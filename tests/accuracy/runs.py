@@ -100,16 +100,18 @@ def certified(program, deck, *settings, estimators="Global, Reference"):
         f"Error Estimation/Reference/Refinements={refinements}", "Output/Exodus=false", "Output/Contact Table=false")
 
 
-def judge_certificate(run, solve, refinements, codes=(0,), ends=True, is_mean_bounded=True, excused=()):
+def judge_certificate(run, solve, refinements, codes=(0,), ends=True, is_mean_bounded=True, excused=(),
+                      balanced=BALANCED):
     """(what is wrong or None, bound / error of a run that ends where it should or None): how it ended, balance, guarantee, and
     what the reference says. run: solve(refinements). refinements: None if there is no reference. codes: it may end with. ends:
-    it gets where it should, and has a certificate. excused: reasons why a bound may not be guaranteed."""
+    it gets where it should, and has a certificate. excused: reasons why a bound may not be guaranteed. balanced: the largest
+    defect of the stress."""
     if run.code not in codes:
         return f"exit code {run.code}: {run.screen[-300:]}", None
     errors = run.summary and run.summary["errors"]
     if not errors:
         return f"no certificate: {run.screen[-300:]}" if ends else None, None
-    if errors["equilibrium"] > BALANCED:
+    if errors["equilibrium"] > balanced:
         return f"the stress is out of balance by {errors['equilibrium']:.2e}", None
     bound = errors["global"]
     if run.code == 0 and not bound["guaranteed"] and not any(reason in bound["reason"] for reason in excused):

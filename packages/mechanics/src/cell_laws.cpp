@@ -7,7 +7,8 @@
 namespace ndframe
 {
 
-CellLaws::CellLaws(const std::vector<Elasticity>& laws, const std::vector<int>& ofCell) : laws_()
+CellLaws::CellLaws(const std::vector<Elasticity>& laws, const std::vector<int>& ofCell)
+    : laws_() // NOLINT(readability-redundant-member-init): none, where the default is one
 {
   std::vector<int> number(laws.size(), -1);
   for (const int law : ofCell) { // only laws that a cell has

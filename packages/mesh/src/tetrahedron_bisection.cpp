@@ -250,7 +250,8 @@ void TetrahedronBisection::writeMesh(std::size_t m)
   Mesh& mesh = meshes_[m];
   mesh.cells.clear();
   parents_[m].clear();
-  std::vector<std::vector<Facet>> parts(std::size_t(numFacets_[m]));
+  const auto numFacets = std::size_t(numFacets_[m]); // in the parentheses below it would be a parameter for clang
+  std::vector<std::vector<Facet>> parts(numFacets);
   for (const Tetrahedron& cell : cells_[m]) {
     for (int k = 0; k < 4; ++k)
       if (const int facet = cell.facets[std::size_t(k)]; facet != none)
