@@ -25,7 +25,7 @@ fs::path scriptFolder()
   const fs::path share = given != nullptr && *given != '\0'
                              ? fs::path(given)
                              : (program.parent_path().parent_path() / NDFRAME_SHARE_DIR).lexically_normal();
-  const fs::path scripts = share / "ndreport";
+  fs::path scripts = share / "ndreport";
   if (!fs::exists(scripts / "__main__.py", failure))
     throw InputError(fmt::format("the report's scripts are not in {}; install ndframe as a whole, or name the folder "
                                  "share/ndframe of an installation in NDFRAME_SHARE.",

@@ -21,7 +21,7 @@ constexpr std::size_t longestEnding = 24;
 std::filesystem::path absoluteFolder(const OutputOptions& output)
 {
   std::error_code failure;
-  const auto folder = std::filesystem::absolute(output.directory, failure);
+  auto folder = std::filesystem::absolute(output.directory, failure);
   if (failure) // only where the working directory is gone
     throw InputError(output.place.mistake("Directory",
                                           "the working directory does not exist any more; change to another one, "

@@ -62,7 +62,7 @@ std::string roleText(const RoleSummary& roles)
 std::string gapText(const InterfaceMesh& interface)
 {
   const double widest = *std::max_element(interface.gap.begin(), interface.gap.end());
-  const std::string text = widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap";
+  std::string text = widest > 0.0 ? fmt::format("gap up to {:.3g}", widest) : "no gap";
   if (!interface.map)
     return text;
   if (!interface.drawnGap.empty())

@@ -223,7 +223,7 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
   }
   ChosenRoles chosen =
       chooseRoles(run.model, run.condensed, parts, tools.coupling->givenTheta(), run.summary.coupling->roles);
-  run.spectrum = std::move(chosen.spectrum);
+  run.spectrum = chosen.spectrum;
   run.summary.coupling->roles = std::move(chosen.parts);
   nameSides(run.summary, run.model);
   observer.roles(run.summary.coupling->roles);
