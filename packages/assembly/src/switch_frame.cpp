@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ndframe/assembly/constraint_set.hpp"
+
 namespace ndframe
 {
 namespace
@@ -14,14 +16,9 @@ Position combined(const Position& a, double factor, const Position& b)
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
 }
 
-double dot(const Position& a, const Position& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
 double norm(const Position& a)
 {
-  return std::sqrt(dot(a, a));
+  return std::sqrt(dotProduct(a, a));
 }
 
 Position scaled(const Position& a, double factor)
@@ -45,21 +42,21 @@ std::optional<SwitchFrame> SwitchFrame::on(const ExpressionTree& s, const Simple
   SwitchFrame frame;
   frame.centroid_ = scaled(combined(combined(x[0], 1.0, x[1]), 1.0, x[2]), 1.0 / 3.0);
   const Position a = combined(x[1], -1.0, x[0]), b = combined(x[2], -1.0, x[0]);
-  const Position first = scaled(a, 1.0 / norm(a)), across = combined(b, -dot(b, first), first);
+  const Position first = scaled(a, 1.0 / norm(a)), across = combined(b, -dotProduct(b, first), first);
   const Position second = scaled(across, 1.0 / norm(across));
   const Position slope = gradient(s, frame.centroid_, first, second);
   const double steepness = norm(slope), area = 0.5 * norm(a) * norm(across);
   if (!(steepness > 0.0 && std::isfinite(steepness) && area > 0.0))
     return {};
   frame.eta_ = scaled(slope, 1.0 / steepness);
-  frame.xi_ = combined(scaled(first, dot(frame.eta_, second)), -dot(frame.eta_, first), second);
+  frame.xi_ = combined(scaled(first, dotProduct(frame.eta_, second)), -dotProduct(frame.eta_, first), second);
   frame.leastSlope_ = enclose(s, {x, {frame.eta_}}, -1, 1).slope.lo;
   if (!(frame.leastSlope_ > 0.0))
     return {};
   frame.density_ = triangle.fraction / area;
   for (std::size_t i = 0; i < 3; ++i) {
     const Position to = combined(x[i], -1.0, frame.centroid_);
-    frame.corners_[i] = {dot(to, frame.xi_), dot(to, frame.eta_)};
+    frame.corners_[i] = {dotProduct(to, frame.xi_), dotProduct(to, frame.eta_)};
   }
   return frame;
 }
