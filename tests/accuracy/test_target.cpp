@@ -177,6 +177,20 @@ TEST(OneRunToTarget, StopsAtTheLimitOfRoundOff)
 
 /// Facets of the first mesh are longer than the strips are wide: what polynomials do not carry of the load is most of
 /// the bound, and marks have to see it.
+/// Within 3 Target of the interface's length, which is 1 here.
+TEST(OneRunToTarget, BracketsTheEndOfContact)
+{
+  for (const double target : {0.03, 0.015, 0.006}) {
+    for (const char* where : {"0.5", "0.3"}) {
+      Scene scene = toTarget("contact-loss", std::to_string(target));
+      const auto outcome = scene.set(std::string("Bodies/upper/Mesh/Splits/loaded part/At={") + where + "}").run();
+      const auto& brackets = outcome.run.summary.interfaces.front().endBrackets;
+      ASSERT_EQ(brackets.size(), 1u);
+      EXPECT_LE(brackets[0].open[0] - brackets[0].closed[0], 3.0 * target) << where;
+    }
+  }
+}
+
 TEST(OneRunToTarget, FollowsTheStripsOfALoad)
 {
   for (const char* load : {"1+60*(x>0.37)*(x<0.41)", "1+30*(x>0.613)*(x<0.633)"}) {

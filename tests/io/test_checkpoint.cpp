@@ -24,6 +24,7 @@ Checkpoint sample()
   level.lesson.errors = {0.1, 0.01, 1.0 / 3.0, 1e-300, 0.09, 0.0};
   level.lesson.contributions = {{0.1, 5e-324, -0.0}, {}};
   level.lesson.ends = {{0, 3}, {1, 2}};
+  level.lesson.brackets = {{{{0.1, -0.0}, {1.0 / 3.0, 0.0}}, 2.5}};
   level.maximumDofs = std::int64_t(1) << 40;
   level.meshes = "0123456789abcdef";
   level.nextTraction = {-1.0 / 7.0, 0.0};
@@ -79,6 +80,10 @@ TEST(CheckpointFile, HoldsAllBitsOfAllNumbers)
   expectSameBits(level.tractionNeumann, given.tractionNeumann);
   expectSameBits(level.summary.worstPoint, given.summary.worstPoint);
   EXPECT_EQ(level.lesson.ends, given.lesson.ends);
+  ASSERT_EQ(level.lesson.brackets.size(), 1u);
+  expectSameBits(level.lesson.brackets[0].bracket.closed, given.lesson.brackets[0].bracket.closed);
+  expectSameBits(level.lesson.brackets[0].bracket.open, given.lesson.brackets[0].bracket.open);
+  EXPECT_EQ(level.lesson.brackets[0].length, 2.5);
   EXPECT_EQ(level.lesson.errors.relative, given.lesson.errors.relative);
   EXPECT_EQ(level.maximumDofs, given.maximumDofs);
   EXPECT_EQ(level.energyLower.value, -infinity);

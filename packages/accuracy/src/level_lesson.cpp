@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
+#include <utility>
 
 #include "ndframe/run/contact_ends.hpp"
 #include "places.hpp"
@@ -61,6 +63,19 @@ std::vector<std::array<int, 2>> endsOfContact(const Run& run)
   return ends;
 }
 
+std::vector<EndOnSide> bracketsOf(const Run& run)
+{
+  std::vector<EndOnSide> brackets;
+  const ContactNode* nodes = run.solved.contact.data();
+  for (const InterfaceMesh& interface : run.model.interfaces) {
+    const double length = std::accumulate(interface.measures.begin(), interface.measures.end(), 0.0);
+    for (EndBracket& bracket : endBrackets(interface, nodes))
+      brackets.push_back({std::move(bracket), length});
+    nodes += interface.numNodes();
+  }
+  return brackets;
+}
+
 } // namespace
 
 LevelLesson lessonOf(const Run& run, const LevelErrors& errors)
@@ -71,6 +86,7 @@ LevelLesson lessonOf(const Run& run, const LevelErrors& errors)
     lesson.contributions.push_back(
         uncutContributions(run.model.bodies[std::size_t(body)], run.certificate->etaGlobal[std::size_t(body)]));
   lesson.ends = endsOfContact(run);
+  lesson.brackets = bracketsOf(run);
   return lesson;
 }
 

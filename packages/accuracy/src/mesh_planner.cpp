@@ -21,7 +21,10 @@ double largestFall(int dim)
   return dim == 2 ? 0.22 : 0.45;
 }
 /// The last step aims below the target: predictions are off by some per cent, and a miss costs one more mesh.
-constexpr double aimAtTarget = 0.94;
+double aimAtTarget(int dim)
+{
+  return dim == 2 ? 0.92 : 0.94;
+}
 /// A level is worth its work if the bound falls to this part at least.
 constexpr double smallestFall = 0.94;
 /// Where Maximum Dofs decides about the meshes, they are made again for at least such a fall.
@@ -40,7 +43,14 @@ double tooCoarse(int dim)
 /// Where a frictionless contact ends inside a smooth side, u ~ r^1.5. It ends up to half a facet away from the vertex
 /// that meshes are graded to, and the traction's part of the bound is largest there: a smaller exponent, with smaller
 /// cells, needs fewer dofs and levels in all and brackets the end more closely.
-constexpr double whereContactEnds = 1.0;
+constexpr double whereContactEnds = 1.1;
+
+/// On a mesh with a relative bound of 1 % the end of contact shall be known within 3 % of its interface's length.
+constexpr double bracketPerBound = 3.0;
+
+/// The end may leave its bracket on the next mesh: as far beyond either end of it, in its widths, facets are short,
+/// too.
+constexpr double besides = 0.5;
 
 /// Plans are made again until they expect what is wanted and not more than this above it; conformity adds cells that a
 /// marking does not know of.
@@ -151,6 +161,8 @@ void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
     uncut.push_back(&model.bodies[std::size_t(b)].uncut());
   learnExponents(uncut, lesson.contributions, errors.relative > tooCoarse(dim_));
   contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions());
+  brackets_ = lesson.brackets;
+  relative_ = errors.relative;
   bound_ = errors.bound;
   tells_ = errors.tells();
   target_ = errors.target;
@@ -192,18 +204,36 @@ std::optional<std::int64_t> MeshPlanner::dofsToTarget() const
   return std::int64_t(double(dofsOf(meshes())) / present * double(*cells));
 }
 
+SizeField MeshPlanner::withNarrowBrackets(SizeField sizes, double width) const
+{
+  for (const EndOnSide& end : brackets_) {
+    FineSegment segment{{}, {}, degree_ * width * end.length};
+    for (std::size_t k = 0; k < 2; ++k) {
+      const double closed = end.bracket.closed[k], open = end.bracket.open[k];
+      segment.from[k] = closed - besides * (open - closed);
+      segment.to[k] = open + besides * (open - closed);
+    }
+    for (std::size_t b = 0; b < sizes.size(); ++b)
+      for (std::size_t c = 0; c < sizes[b].size(); ++c)
+        if (segment.facetOn(meshes()[b], int(c)) > segment.longest)
+          sizes[b][c].fine.push_back(segment);
+  }
+  return sizes;
+}
+
 /// The conformity of meshes is paid for, so it counts: aims again until the meshes with all their cells fit, and keeps
 /// the smallest that do.
 MeshPlan MeshPlanner::planFor(double wanted) const
 {
   const double most = (1.0 + closeEnough) * wanted, least = (1.0 - present_->slack()) * wanted;
   const std::int64_t presentDofs = dofsOf(present_->meshes());
+  const double width = bracketPerBound * relative_ * wanted / bound_;
   MeshPlan plan;
   std::int64_t lastDofs = 0;
   double fits = 0.0, misses = 0.0; // the last aims that did
   double aim = std::min(fall_.predicted(bound_, wanted) / boundPerTotal(), (smallestFall - present_->slack()) * total_);
   for (int trial = 0; trial < mostTrials(dim_); ++trial) {
-    auto meshes = present_->refined(marking_->sizes(*contributions_, aim));
+    auto meshes = present_->refined(withNarrowBrackets(marking_->sizes(*contributions_, aim), width));
     const std::int64_t dofs = dofsOf(meshes->meshes());
     const double predicted = contributions_->errorOn(meshes->meshes(), meshes->ancestors()) * boundPerTotal();
     const double expected = fall_.expected(bound_, predicted);
@@ -224,7 +254,7 @@ MeshPlan MeshPlanner::planFor(double wanted) const
 
 MeshPlan MeshPlanner::nextStep(std::int64_t maximumDofs) const
 {
-  const double way = aimAtTarget * target_ / bound_;
+  const double way = aimAtTarget(dim_) * target_ / bound_;
   const double steps = std::max(1.0, std::ceil(std::log(way) / std::log(largestFall(dim_))));
   double wanted = bound_ * std::min(smallestFall, std::pow(way, 1.0 / steps));
   MeshPlan plan = planFor(wanted);

@@ -32,14 +32,14 @@ int halvingsLeft(const Mesh& mesh, int cell)
   return int(std::clamp(mesh.dim * std::log2(std::sqrt(square) / (finest * largest)), 0.0, 1e6));
 }
 
-/// Halvings that the cells of a mesh still need. Parts of a cell with a gradation differ, so those get one at a time.
+/// Halvings that the cells of a mesh still need. Where the parts of a cell differ, those get one at a time.
 std::vector<int> halvingsOf(const Mesh& mesh, const std::vector<int>& ancestors, const std::vector<CellSize>& sizes)
 {
   std::vector<int> halvings;
   for (int c = 0; c < mesh.numCells(); ++c) {
     const CellSize& size = sizes[std::size_t(ancestors[std::size_t(c)])];
-    const int wanted = halvingsTo(size, cellMeasure(mesh, c), cellCentre(mesh, c));
-    const int wantedNow = size.gradation == 0.0 ? wanted : std::min(1, wanted);
+    const int wanted = halvingsTo(size, mesh, c);
+    const int wantedNow = size.isEven() ? wanted : std::min(1, wanted);
     halvings.push_back(wantedNow > 0 ? std::min(wantedNow, halvingsLeft(mesh, c)) : 0);
   }
   return halvings;

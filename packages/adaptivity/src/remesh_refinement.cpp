@@ -30,9 +30,13 @@ struct RemeshScene
 };
 
 /// log2 of the area that a part of an ancestor shall have.
-double logAreaAt(const CellSize& size, double ancestorArea, const std::array<double, 3>& centre)
+double logAreaOf(const Mesh& parts, int part, const CellSize& size, double ancestorArea)
 {
-  return std::min(size.logMeasureAt(centre), std::log2(ancestorArea) + logMostGrowth);
+  double wanted = std::min(size.logMeasureAt(cellCentre(parts, part)), std::log2(ancestorArea) + logMostGrowth);
+  for (const FineSegment& segment : size.fine)
+    if (segment.facetOn(parts, part) > 0.0)
+      wanted = std::min(wanted, std::log2(cellMeasure(parts, part)));
+  return wanted;
 }
 
 /// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another
@@ -46,7 +50,7 @@ std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancesto
   Vector logAreas;
   for (int c = 0; c < parts.numCells(); ++c) {
     const int ancestor = ancestors[std::size_t(c)];
-    logAreas.push_back(logAreaAt(sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor), cellCentre(parts, c)));
+    logAreas.push_back(logAreaOf(parts, c, sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor)));
   }
   const VertexCells cells(parts);
   const double edgePerRootOfArea = 2.0 / std::pow(3.0, 0.25) / shortfall;

@@ -34,7 +34,9 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelSummary, level, dofs, elements, worstSha
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RoleSummary, dirichletBodies, neumannBodies, exchanged, contraction, theta,
                                    bestTheta, contractionExchanged)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelNumbers, bound, target, relative, iteration, mesh, contact)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelLesson, errors, contributions, ends)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndBracket, closed, open)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndOnSide, bracket, length)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelLesson, errors, contributions, ends, brackets)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyEnd, value, roundOff, name)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelRecord, summary, lesson, maximumDofs, meshes, nextTraction, tractionNeumann,
                                    closed, dirichletBodies, roles, energyLower, energyUpper, certificates)
@@ -47,7 +49,7 @@ namespace
 
 constexpr const char *kindKey = "kind", *formatKey = "format", *contentKey = "content";
 constexpr const char* kind = "ndframe checkpoint";
-constexpr int format = 1;
+constexpr int format = 2;
 
 std::string refusal(const std::string& path, const std::string& why)
 {

@@ -50,6 +50,8 @@ private:
   /// lambda per body and vertex: what has been learned, and where contact ends now.
   std::vector<Vector> exponentsFor(const LevelLesson& lesson) const;
   MeshPlan planFor(double wanted) const;
+  /// With the parts where contact ends so small that a bracket is not wider than `width` times its interface is long.
+  SizeField withNarrowBrackets(SizeField sizes, double width) const;
   double boundPerTotal() const { return correction_ * bound_ / total_; }
   std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
 
@@ -62,7 +64,9 @@ private:
   CornerExponents corners_; ///< in the plane
   EdgeExponents edges_;     ///< in space
   std::optional<ContributionModel> contributions_;
+  std::vector<EndOnSide> brackets_;                 ///< of the present meshes, where contact ends
   bool tells_ = false;                              ///< LevelErrors::tells of the present meshes
+  double relative_ = 0.0;                           ///< LevelErrors::relative of the present meshes
   double bound_ = 0.0, target_ = 0.0, total_ = 0.0; ///< of the present meshes; total: sqrt(sum eta_K^2)
   double expected_ = 0.0;                           ///< bound of the present meshes, as it was planned; 0 for the first
   double predicted_ = 0.0;                          ///< MeshPlan::predicted of the present meshes

@@ -24,12 +24,20 @@ struct LevelNumbers
   double contact = 0.0;   ///< in the bound: tractions across openings, of the mesh or left by the sweeps
 };
 
+/// Where contact ends, on an interface of this length (2-D).
+struct EndOnSide
+{
+  EndBracket bracket;
+  double length = 0.0;
+};
+
 /// What the meshes after a level are made from.
 struct LevelLesson
 {
   LevelNumbers errors;
   std::vector<std::vector<double>> contributions; ///< eta_K per elastic body and cell of its mesh as it was refined
   std::vector<std::array<int, 2>> ends;           ///< body (among those) and vertex: where contact ends
+  std::vector<EndOnSide> brackets;
 };
 
 /// One end of the bracket of the exact energy, and the certificate that it is from.
