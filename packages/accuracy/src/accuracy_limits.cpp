@@ -7,10 +7,21 @@ namespace ndframe
 namespace
 {
 
-/// A bound that falls by less than this in two levels does not follow the mesh any more.
-constexpr double stalled = 0.98;
+/// A bound that falls by less than this, in two levels that make meshes so much larger, or in so many levels at most,
+/// does not follow the mesh any more. On a mesh with a few cells more it may rise: contact ends at another place.
+constexpr double stalled = 0.98, larger = 1.2;
+constexpr std::size_t mostLevels = 6;
 /// Relative bounds below this may be nothing but round-off of the residuals, which stays when cells become smaller.
 constexpr double roundOff = 1e-8;
+
+bool isStalled(const std::vector<LevelSummary>& levels)
+{
+  std::size_t back = 2;
+  while (back < mostLevels && back < levels.size() &&
+         double(levels.back().dofs) < larger * double(levels[levels.size() - 1 - back].dofs))
+    ++back;
+  return back < levels.size() && levels.back().bound > stalled * levels[levels.size() - 1 - back].bound;
+}
 
 } // namespace
 
@@ -21,7 +32,7 @@ std::string endOfProgress(const AccuracyOptions& options, const std::vector<Leve
     return fmt::format("the sweeps do not come to an end ({})", coupling.reason);
   if (int(levels.size()) >= options.maximumLevels)
     return fmt::format("Maximum Levels = {}", options.maximumLevels);
-  if (levels.size() > 2 && levels.back().bound > stalled * levels[levels.size() - 3].bound)
+  if (isStalled(levels))
     return levels.back().relative < roundOff ? "the bound does not fall with the mesh any more: round-off"
                                              : "the bound does not fall with the mesh any more";
   return {};
