@@ -341,6 +341,33 @@ TEST(AdaptiveSamples, OfWavesOnAFineMeshComeFromPolynomialsOnAFewLargeBoxes)
   EXPECT_NEAR(sum / double(triangles.size()), (1.0 - std::cos(8.0)) / 8.0 * std::sin(5.0) / 5.0, 1e-13);
 }
 
+/// Some twelve triangles a wave: none is cut, and moments with polynomials of degree three are right.
+TEST(AdaptiveSamples, OfShortWavesAreOneRuleATriangle)
+{
+  const auto tree = std::make_shared<const ExpressionTree>("sin(30*x)*cos(25*y)");
+  DataSampler sampler({{tree, {}}}, 2);
+  const QuadratureRule fine = simplexRule(2, 40);
+  for (const auto& x : trianglesOfGrid(65)) {
+    const Samples samples = sampler.sample(2, {x.data(), x.data() + 2, x.data() + 4, nullptr}, 1.0);
+    ASSERT_TRUE(samples.areCertain());
+    ASSERT_EQ(samples.pieces.size(), 1u);
+    ASSERT_LE(samples.rule.size(), 169);
+    for (const int power : {0, 3}) {
+      double exact = 0.0;
+      for (int q = 0; q < fine.size(); ++q) {
+        const double* lambda = fine.point(q);
+        double point[3] = {}, value = 0.0;
+        for (std::size_t v = 0; v < 3; ++v)
+          for (std::size_t k = 0; k < 2; ++k)
+            point[k] += lambda[v] * x[2 * v + k];
+        tree->values(point, 1, &value);
+        exact += fine.weights[std::size_t(q)] * value * std::pow(lambda[1], power);
+      }
+      ASSERT_NEAR(mean(samples, 1, power), exact, 2e-12);
+    }
+  }
+}
+
 TEST(AdaptiveSamples, OfSmoothFunctionsHaveRulesThatAreExactForTheirDegree)
 {
   DataSampler sampler({{std::make_shared<const ExpressionTree>("sin(8*x)*cos(5*y)"), {}}}, 2);

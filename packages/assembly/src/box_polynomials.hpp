@@ -11,7 +11,7 @@ namespace ndframe
 {
 
 /// By the degrees that rules keep.
-using SmoothDistances = std::array<double, highestKept + 1>;
+using SmoothDistances = std::array<double, highestKeptWhole + 1>;
 
 /// A polynomial of degree n on a plane box that an expression f is shown to be, to within `error`.
 ///

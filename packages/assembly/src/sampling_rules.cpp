@@ -21,15 +21,15 @@ std::vector<double> paddedCoordinates(const QuadratureRule& rule)
   return all;
 }
 
-std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees)
+std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int highest = highestKept)
 {
   std::vector<SamplingRule> rules;
   for (const int degree : degrees) {
     const bool isSymmetric = dim == 2 && hasSymmetricTriangleRule(degree);
     rules.push_back({isSymmetric ? symmetricTriangleRule(degree) : simplexRule(dim, degree),
-                     std::min(degree - (5 - dim), highestKept), std::min(degree / 2, highestKept)});
+                     std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
     rules.back().padded = paddedCoordinates(rules.back().rule);
-    if (dim == 1 || degree == degrees.back())
+    if (dim == 1 || (highest == highestKept && degree == degrees.back()))
       rules.back().kept = std::min(rules.back().kept, rules.back().squared);
   }
   return rules;
@@ -42,6 +42,12 @@ const std::vector<SamplingRule>& samplingLadder(int dim)
   static const auto edges = ladderOf(1, {6, 8, 12, 18}), triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 18}),
                     tetrahedra = ladderOf(3, {5, 7, 9, 13}); // the collapsed rules of 4, 5, 6 and 8 points an axis
   return dim == 1 ? edges : dim == 2 ? triangles : tetrahedra;
+}
+
+const std::vector<SamplingRule>& smoothLadder(int dim)
+{
+  static const auto triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 13, 15, 17, 19, 21, 23}, highestKeptWhole);
+  return dim == 2 ? triangles : samplingLadder(dim);
 }
 
 } // namespace ndframe

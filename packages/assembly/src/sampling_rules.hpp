@@ -19,8 +19,10 @@ constexpr double agreementOfNorms = 1e-11;
 /// cells need fewer points.
 constexpr double agreementOfSmoothNorms = 1e-8;
 
-/// The highest degree of the polynomials that functions are compared with.
+/// The highest degree of the polynomials that functions are compared with, on pieces of cells.
 constexpr int highestKept = 9;
+/// And on whole triangles, where functions are known as polynomials of high degree.
+constexpr int highestKeptWhole = 17;
 
 /// A Gauss rule and the degrees of the polynomials that it integrates exactly: with polynomials of degree 5 - dim (the
 /// highest that stars integrate: a hat function times a mode), and with themselves.
@@ -35,5 +37,7 @@ struct SamplingRule
 /// The rules that are tried one after the other. The last one, and those of edges, keep no more than they square: on an
 /// edge the points determine the polynomials that are kept.
 const std::vector<SamplingRule>& samplingLadder(int dim);
+/// For functions that are smooth on a whole simplex: more of them in triangles, none of which need square all it keeps.
+const std::vector<SamplingRule>& smoothLadder(int dim);
 
 } // namespace ndframe

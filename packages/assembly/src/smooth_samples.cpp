@@ -35,7 +35,7 @@ SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int 
   for (const auto& function : functions) {
     boxes_.emplace_back(*function.tree);
     distances_.emplace_back();
-    for (int m = 0; m < degreeOf(function) && m <= highestKept; ++m)
+    for (int m = 0; m < degreeOf(function) && m <= highestKeptWhole; ++m)
       distances_.back()[std::size_t(m)] = std::numeric_limits<double>::infinity();
   }
 }
@@ -89,7 +89,7 @@ bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples
   const double allowed = agreementOn(simplex.dim()) * scale;
   if (!findPolynomials(simplex, share * allowed))
     return false;
-  for (const SamplingRule& sampling : samplingLadder(simplex.dim())) {
+  for (const SamplingRule& sampling : smoothLadder(simplex.dim())) {
     const double error = distance(sampling.kept);
     if (!(error <= allowed))
       continue;

@@ -45,7 +45,7 @@ struct DecidedSwitch
 struct Enclosure
 {
   static constexpr int order = 10;   ///< the highest derivative, unless more are asked for
-  static constexpr int longest = 20; ///< that can be asked for
+  static constexpr int longest = 26; ///< that can be asked for
 
   Interval range, slope, bend; ///< of f, and of D f and D^2 f / 2 along the directions
   /// By n; n = 0: the radius of the range. Infinite beyond the highest derivative.
