@@ -175,8 +175,6 @@ TEST(OneRunToTarget, StopsAtTheLimitOfRoundOff)
   EXPECT_NE(accuracy.limit.find("round-off"), std::string::npos) << accuracy.limit;
 }
 
-/// Facets of the first mesh are longer than the strips are wide: what polynomials do not carry of the load is most of
-/// the bound, and marks have to see it.
 /// Within 3 Target of the interface's length, which is 1 here.
 TEST(OneRunToTarget, BracketsTheEndOfContact)
 {
@@ -191,6 +189,8 @@ TEST(OneRunToTarget, BracketsTheEndOfContact)
   }
 }
 
+/// Facets of the first mesh are longer than the strips are wide: what polynomials do not carry of the load is most of
+/// the bound, and marks have to see it.
 TEST(OneRunToTarget, FollowsTheStripsOfALoad)
 {
   for (const char* load : {"1+60*(x>0.37)*(x<0.41)", "1+30*(x>0.613)*(x<0.633)"}) {

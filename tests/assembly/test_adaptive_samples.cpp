@@ -291,6 +291,17 @@ std::vector<std::array<double, 6>> trianglesOfGrid(int cells)
   return triangles;
 }
 
+/// At barycentric coordinates of a triangle.
+double valueAt(const ExpressionTree& tree, const std::array<double, 6>& triangle, const double* lambda)
+{
+  double point[3] = {}, value = 0.0;
+  for (std::size_t v = 0; v < 3; ++v)
+    for (std::size_t k = 0; k < 2; ++k)
+      point[k] += lambda[v] * triangle[2 * v + k];
+  tree.values(point, 1, &value);
+  return value;
+}
+
 } // namespace
 
 /// Values of the polynomials that stand for smooth functions: those of the functions, and right in the mean.
@@ -311,12 +322,7 @@ TEST(AdaptiveSamples, OfSmoothFunctionsOnFineMeshesAreThoseOfTheFunctionsToWithi
       const Samples samples = sampler.sample(2, {x.data(), x.data() + 2, x.data() + 4, nullptr}, 1.0);
       ASSERT_TRUE(samples.areCertain()) << text;
       for (int q = 0; q < samples.rule.size(); ++q) {
-        const double* lambda = samples.rule.point(q);
-        double point[3] = {}, value = 0.0;
-        for (std::size_t v = 0; v < 3; ++v)
-          for (std::size_t k = 0; k < 2; ++k)
-            point[k] += lambda[v] * x[2 * v + k];
-        tree->values(point, 1, &value);
+        const double value = valueAt(*tree, x, samples.rule.point(q));
         EXPECT_NEAR(samples.values[std::size_t(q)], value, 1e-12) << text;
       }
       sum += mean(samples, 0, 0);
@@ -355,13 +361,8 @@ TEST(AdaptiveSamples, OfShortWavesAreOneRuleATriangle)
     for (const int power : {0, 3}) {
       double exact = 0.0;
       for (int q = 0; q < fine.size(); ++q) {
-        const double* lambda = fine.point(q);
-        double point[3] = {}, value = 0.0;
-        for (std::size_t v = 0; v < 3; ++v)
-          for (std::size_t k = 0; k < 2; ++k)
-            point[k] += lambda[v] * x[2 * v + k];
-        tree->values(point, 1, &value);
-        exact += fine.weights[std::size_t(q)] * value * std::pow(lambda[1], power);
+        const double value = valueAt(*tree, x, fine.point(q));
+        exact += fine.weights[std::size_t(q)] * value * std::pow(fine.point(q)[1], power);
       }
       ASSERT_NEAR(mean(samples, 1, power), exact, 2e-12);
     }

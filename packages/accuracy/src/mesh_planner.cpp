@@ -204,8 +204,9 @@ std::optional<std::int64_t> MeshPlanner::dofsToTarget() const
   return std::int64_t(double(dofsOf(meshes())) / present * double(*cells));
 }
 
-SizeField MeshPlanner::withNarrowBrackets(SizeField sizes, double width) const
+std::vector<MeshPlanner::FineCell> MeshPlanner::cellsOfBrackets(double width) const
 {
+  std::vector<FineCell> cells;
   for (const EndOnSide& end : brackets_) {
     FineSegment segment{{}, {}, degree_ * width * end.length};
     for (std::size_t k = 0; k < 2; ++k) {
@@ -213,12 +214,12 @@ SizeField MeshPlanner::withNarrowBrackets(SizeField sizes, double width) const
       segment.from[k] = closed - besides * (open - closed);
       segment.to[k] = open + besides * (open - closed);
     }
-    for (std::size_t b = 0; b < sizes.size(); ++b)
-      for (std::size_t c = 0; c < sizes[b].size(); ++c)
-        if (segment.facetOn(meshes()[b], int(c)) > segment.longest)
-          sizes[b][c].fine.push_back(segment);
+    for (std::size_t b = 0; b < meshes().size(); ++b)
+      for (int c = 0; c < meshes()[b].numCells(); ++c)
+        if (segment.facetOn(meshes()[b], c) > segment.longest)
+          cells.push_back({b, std::size_t(c), segment});
   }
-  return sizes;
+  return cells;
 }
 
 /// The conformity of meshes is paid for, so it counts: aims again until the meshes with all their cells fit, and keeps
@@ -227,13 +228,16 @@ MeshPlan MeshPlanner::planFor(double wanted) const
 {
   const double most = (1.0 + closeEnough) * wanted, least = (1.0 - present_->slack()) * wanted;
   const std::int64_t presentDofs = dofsOf(present_->meshes());
-  const double width = bracketPerBound * relative_ * wanted / bound_;
+  const std::vector<FineCell> fine = cellsOfBrackets(bracketPerBound * relative_ * wanted / bound_);
   MeshPlan plan;
   std::int64_t lastDofs = 0;
   double fits = 0.0, misses = 0.0; // the last aims that did
   double aim = std::min(fall_.predicted(bound_, wanted) / boundPerTotal(), (smallestFall - present_->slack()) * total_);
   for (int trial = 0; trial < mostTrials(dim_); ++trial) {
-    auto meshes = present_->refined(withNarrowBrackets(marking_->sizes(*contributions_, aim), width));
+    SizeField sizes = marking_->sizes(*contributions_, aim);
+    for (const FineCell& cell : fine)
+      sizes[cell.body][cell.cell].fine.push_back(cell.segment);
+    auto meshes = present_->refined(sizes);
     const std::int64_t dofs = dofsOf(meshes->meshes());
     const double predicted = contributions_->errorOn(meshes->meshes(), meshes->ancestors()) * boundPerTotal();
     const double expected = fall_.expected(bound_, predicted);

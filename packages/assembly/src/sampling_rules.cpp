@@ -21,7 +21,7 @@ std::vector<double> paddedCoordinates(const QuadratureRule& rule)
   return all;
 }
 
-std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int highest = highestKept)
+std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int highest)
 {
   std::vector<SamplingRule> rules;
   for (const int degree : degrees) {
@@ -29,9 +29,16 @@ std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int
     rules.push_back({isSymmetric ? symmetricTriangleRule(degree) : simplexRule(dim, degree),
                      std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
     rules.back().padded = paddedCoordinates(rules.back().rule);
-    if (dim == 1 || (highest == highestKept && degree == degrees.back()))
-      rules.back().kept = std::min(rules.back().kept, rules.back().squared);
   }
+  return rules;
+}
+
+std::vector<SamplingRule> ladderForPieces(int dim, const std::vector<int>& degrees)
+{
+  std::vector<SamplingRule> rules = ladderOf(dim, degrees, highestKept);
+  for (SamplingRule& sampling : rules)
+    if (dim == 1 || &sampling == &rules.back())
+      sampling.kept = std::min(sampling.kept, sampling.squared);
   return rules;
 }
 
@@ -39,8 +46,10 @@ std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int
 
 const std::vector<SamplingRule>& samplingLadder(int dim)
 {
-  static const auto edges = ladderOf(1, {6, 8, 12, 18}), triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 18}),
-                    tetrahedra = ladderOf(3, {5, 7, 9, 13}); // the collapsed rules of 4, 5, 6 and 8 points an axis
+  static const auto edges = ladderForPieces(1, {6, 8, 12, 18}),
+                    triangles = ladderForPieces(2, {4, 5, 6, 8, 9, 10, 12, 18}),
+                    tetrahedra =
+                        ladderForPieces(3, {5, 7, 9, 13}); // the collapsed rules of 4, 5, 6 and 8 points an axis
   return dim == 1 ? edges : dim == 2 ? triangles : tetrahedra;
 }
 

@@ -46,12 +46,19 @@ public:
   std::string note() const { return present_->note(); }
 
 private:
+  struct FineCell
+  {
+    std::size_t body, cell;
+    FineSegment segment;
+  };
+
   void learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse);
   /// lambda per body and vertex: what has been learned, and where contact ends now.
   std::vector<Vector> exponentsFor(const LevelLesson& lesson) const;
   MeshPlan planFor(double wanted) const;
-  /// With the parts where contact ends so small that a bracket is not wider than `width` times its interface is long.
-  SizeField withNarrowBrackets(SizeField sizes, double width) const;
+  /// Of the present meshes: cells with a facet where contact ends that is so long that its nodes bracket the end by
+  /// more than `width` times the interface's length.
+  std::vector<FineCell> cellsOfBrackets(double width) const;
   double boundPerTotal() const { return correction_ * bound_ / total_; }
   std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
 
