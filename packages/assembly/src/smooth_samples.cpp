@@ -15,6 +15,14 @@ int degreeOf(const SampledFunction& function)
   return function.tree->root().degree;
 }
 
+/// By 3 % at most, so that neighbours have the same.
+double roundedUp(double radius)
+{
+  int exponent = 0;
+  const double mantissa = std::frexp(radius, &exponent);
+  return std::ldexp(std::ceil(64.0 * mantissa) / 64.0, exponent);
+}
+
 /// Makes samples of one piece that takes up the simplex, by a rule; most often they are that already.
 void beginWhole(const SimplexGeometry& simplex, const QuadratureRule& rule, Samples& samples)
 {
@@ -32,11 +40,13 @@ SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int 
       arePolynomials_(std::all_of(functions.begin(), functions.end(), [](const auto& f) { return degreeOf(f) >= 0; })),
       isPlane_(space == 2), here_(functions.size())
 {
+  ofPolynomials_.reserve(functions.size());
   for (const auto& function : functions) {
     boxes_.emplace_back(*function.tree);
-    distances_.emplace_back();
+    ofPolynomials_.emplace_back();
     for (int m = 0; m < degreeOf(function) && m <= highestKeptWhole; ++m)
-      distances_.back()[std::size_t(m)] = std::numeric_limits<double>::infinity();
+      ofPolynomials_.back()[std::size_t(m)] = std::numeric_limits<double>::infinity();
+    distances_.push_back(&ofPolynomials_.back());
   }
 }
 
@@ -64,12 +74,13 @@ bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allow
   Region::Point centroid{};
   double radius = 0.0;
   simplex.extent(centroid, radius);
+  radius = roundedUp(radius);
   for (std::size_t f = 0; f < functions_.size(); ++f)
     if (degreeOf(functions_[f]) < 0) {
       here_[f] = boxes_[f].around(centroid, radius, allowed);
       if (here_[f] == nullptr)
         return false;
-      distances_[f] = here_[f]->distances(radius);
+      distances_[f] = &here_[f]->distances(radius);
     }
   return true;
 }
@@ -78,8 +89,8 @@ bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allow
 double SmoothSamples::distance(int degree) const
 {
   double largest = 0.0;
-  for (const auto& distances : distances_)
-    largest = std::max(largest, distances[std::size_t(degree)]);
+  for (const auto* distances : distances_)
+    largest = std::max(largest, (*distances)[std::size_t(degree)]);
   return largest;
 }
 

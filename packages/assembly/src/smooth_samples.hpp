@@ -32,9 +32,10 @@ private:
   const std::vector<SampledFunction>& functions_;
   bool arePolynomials_, isPlane_;
   std::vector<BoxPolynomials> boxes_;
-  double scale_ = 0.0;                     ///< that the boxes are for
-  std::vector<const BoxPolynomial*> here_; ///< null for what is a polynomial everywhere
-  std::vector<SmoothDistances> distances_; ///< per function; infinite for degrees below that of a polynomial
+  double scale_ = 0.0;                            ///< that the boxes are for
+  std::vector<const BoxPolynomial*> here_;        ///< null for what is a polynomial everywhere
+  std::vector<SmoothDistances> ofPolynomials_;    ///< per function; infinite for degrees below its own
+  std::vector<const SmoothDistances*> distances_; ///< per function, on the simplex
   std::vector<double> points_, values_;
 };
 

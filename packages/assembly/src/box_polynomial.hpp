@@ -1,0 +1,51 @@
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "ndframe/assembly/adaptive_samples.hpp"
+#include "ndframe/base/expression_enclosure.hpp"
+#include "sampling_rules.hpp"
+
+namespace ndframe
+{
+
+/// By the degrees that rules keep.
+using SmoothDistances = std::array<double, highestKeptWhole + 1>;
+
+/// A polynomial on a plane box that an expression is shown to be, to within `error`.
+class BoxPolynomial
+{
+public:
+  static constexpr int highest = Enclosure::longest - 1;
+
+  /// coefficients: of xi^i eta^j with i + j <= degree, j by j, the coordinates being 1 at the box's sides. To the error
+  /// that of rounding in the sum of its terms is added.
+  BoxPolynomial(const Region::Point& middle, double halfWidth, int degree, std::vector<double> coefficients,
+                double error);
+
+  double error() const { return error_; }
+  int degree() const { return degree_; }
+  /// By m: a bound of what it misses of polynomials of degree m on simplices in the box, plus the error. radius: the
+  /// largest distance along an axis of a vertex from the centroid.
+  const SmoothDistances& distances(double radius) const;
+  /// A simplex with this centroid and radius lies in the box.
+  bool holds(const Region::Point& centroid, double radius) const;
+  /// Its values at the points of a rule on a triangle; as many as the rule's coordinates are padded to.
+  void values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const;
+
+private:
+  void boundDerivatives();
+
+  Region::Point middle_{};
+  double halfWidth_, error_;
+  int degree_;
+  std::vector<double> coefficients_;
+  /// By k: bound of the sum of the coefficients' sizes of degree k in the Taylor polynomial at any point, for
+  /// coordinates of half widths.
+  std::vector<double> derivatives_;
+  mutable double radius_ = 0.0; ///< of the last simplex; neighbours have the same
+  mutable SmoothDistances distances_{};
+};
+
+} // namespace ndframe
