@@ -12,10 +12,10 @@ namespace ndframe
 /// And what a run with a target needs.
 struct AccuracyComponents : CertificateComponents
 {
-  Registry<Marking> markings{"marking", "Predicted"};
-  Registry<Refinement> refinements{"refinement", "Bisection"};
-  Registry<ContactTransfer> contactTransfers{"transfer", "Carried"};
-  Registry<LevelStopping> levelStoppings{"level stopping", "Balanced"};
+  Registry<Marking> markings{"marking", "Predicted"};                   ///< which cells become smaller
+  Registry<Refinement> refinements{"refinement", "Bisection"};          ///< how the meshes are made
+  Registry<ContactTransfer> contactTransfers{"transfer", "Carried"};    ///< what sweeps on the next mesh begin with
+  Registry<LevelStopping> levelStoppings{"level stopping", "Balanced"}; ///< when the sweeps on a mesh end
 };
 
 } // namespace ndframe

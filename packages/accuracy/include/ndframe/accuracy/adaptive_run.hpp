@@ -12,8 +12,8 @@ struct Restart
   std::function<void(const Checkpoint&)> write; ///< after every level that another one follows; empty: never
   /// Called where a limit ends the run, to be written behind its results: higher limits go on from the last level.
   std::function<void(Checkpoint&&)> keep;
-  std::optional<Checkpoint> from;
-  std::string file; ///< where it comes from, for messages
+  std::optional<Checkpoint> from; ///< levels that are there already; none: the run begins with the first
+  std::string file;               ///< where it comes from, for messages
 };
 
 /// Runs a deck with the list Accuracy up to the summary: solves and certifies on finer and finer meshes until the bound

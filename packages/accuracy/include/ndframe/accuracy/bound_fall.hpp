@@ -12,13 +12,16 @@ namespace ndframe
 class BoundFall
 {
 public:
+  /// dim: of space. degree: of the displacements.
   BoundFall(int dim, int degree) : power_(dim == 2 ? 1.0 : 1.0 / degree), inSpace_(dim == 3) {}
 
-  double power() const { return power_; }
+  double power() const { return power_; } ///< of the prediction, in [0.4, 1]; 1 in the plane
+  /// Bound of the next mesh: before (predicted / before)^power in space, `predicted` in the plane. before: of this one.
   double expected(double before, double predicted) const;
   /// The prediction with which `wanted` is expected.
   double predicted(double before, double wanted) const;
 
+  /// The bound of the mesh that expected() was asked about is `found`. No effect in the plane.
   void learn(double before, double predicted, double found);
   /// From now on predictions know of edges.
   void edgesBecameKnown();

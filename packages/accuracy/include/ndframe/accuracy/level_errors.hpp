@@ -10,10 +10,10 @@ namespace ndframe
 /// LevelNumbers and what follows from them.
 struct LevelErrors : LevelNumbers
 {
-  LevelErrors(const Run& run, const AccuracyOptions& options);
-  explicit LevelErrors(const LevelNumbers& numbers) : LevelNumbers(numbers) {}
+  LevelErrors(const Run& run, const AccuracyOptions& options); ///< of its certificate, which has the global measure
+  explicit LevelErrors(const LevelNumbers& numbers) : LevelNumbers(numbers) {} ///< as they were recorded
 
-  bool reached() const { return bound <= target; }
+  bool reached() const { return bound <= target; } ///< guaranteed or not
   /// Whether anything can be predicted from the bound: one above the solution's own size says only that.
   bool tells() const { return relative <= 1.0; }
 

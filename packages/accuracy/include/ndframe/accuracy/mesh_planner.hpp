@@ -17,10 +17,10 @@ namespace ndframe
 /// The next meshes of a run with a target, and what they shall come to.
 struct MeshPlan
 {
-  std::unique_ptr<RefinedMeshes> meshes;
-  std::int64_t dofs = 0;
-  double bound = 0.0;     ///< that is expected
-  double predicted = 0.0; ///< by the contributions alone
+  std::unique_ptr<RefinedMeshes> meshes; ///< of all elastic bodies, before sides are cut to match
+  std::int64_t dofs = 0;                 ///< of these meshes, supports included
+  double bound = 0.0;                    ///< that is expected
+  double predicted = 0.0;                ///< by the contributions alone
 };
 
 /// Decides about the next meshes of a run with a target.
@@ -40,8 +40,8 @@ public:
   /// work has more.
   MeshPlan nextStep(std::int64_t maximumDofs) const;
 
-  void accept(MeshPlan plan);
-  const std::vector<Mesh>& meshes() const { return present_->meshes(); }
+  void accept(MeshPlan plan); ///< its meshes are the present ones from now on
+  const std::vector<Mesh>& meshes() const { return present_->meshes(); } ///< the present ones, as in MeshPlan
   /// RefinedMeshes::note of the present meshes.
   std::string note() const { return present_->note(); }
 

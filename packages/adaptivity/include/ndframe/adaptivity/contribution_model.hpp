@@ -27,18 +27,19 @@ public:
   ContributionModel(const std::vector<Mesh>& meshes, const std::vector<Vector>& contributions,
                     const std::vector<Vector>& exponents, int degree, const EdgeDirections& directions = {});
 
+  /// A cell whose contribution was measured.
   struct Cell
   {
-    CellDecay decay;
-    double measure;
+    CellDecay decay;        ///< of its contribution
+    double measure;         ///< A, area or volume
     bool atPlace;           ///< touches a corner or edge, with the two following
     SingularPlace place;    ///< that
     double squaredDistance; ///< of the centre from it
   };
 
-  const std::vector<std::vector<Cell>>& cells() const { return cells_; }
-  std::vector<std::vector<CellDecay>> decays() const;
-  ErrorDecay decay() const { return decay_; }
+  const std::vector<std::vector<Cell>>& cells() const { return cells_; } ///< per body and cell of its mesh
+  std::vector<std::vector<CellDecay>> decays() const;                    ///< of cells()
+  ErrorDecay decay() const { return decay_; }                            ///< of smooth solutions
 
   /// sqrt(sum eta^2) on other meshes of the bodies. ancestors: per mesh and cell, that of cells() which it is part of.
   double errorOn(const std::vector<Mesh>& meshes, const std::vector<std::vector<int>>& ancestors) const;

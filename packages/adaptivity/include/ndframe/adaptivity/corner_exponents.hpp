@@ -18,7 +18,7 @@ namespace ndframe
 class CornerExponents
 {
 public:
-  explicit CornerExponents(int degree) : smooth_(degree + 1.0) {}
+  explicit CornerExponents(int degree) : smooth_(degree + 1.0) {} ///< degree: p
 
   /// The next mesh of every body and eta_K on it. Points that stay keep their numbers.
   void observe(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& contributions);

@@ -20,7 +20,7 @@ namespace ndframe
 class EdgeExponents
 {
 public:
-  explicit EdgeExponents(int degree) : smooth_(degree + 1.0) {}
+  explicit EdgeExponents(int degree) : smooth_(degree + 1.0) {} ///< degree: p
 
   /// The next mesh of every body and eta_K on it. Points that stay keep their numbers; edges are halved in the middle.
   /// isCoarse: nothing can be learned from this mesh, nor from those before.

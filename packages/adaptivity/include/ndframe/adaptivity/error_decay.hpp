@@ -7,7 +7,7 @@ namespace ndframe
 struct ErrorDecay
 {
   int degree; ///< p
-  int dim;
+  int dim;    ///< of space, 2 or 3
 
   /// eta_K^2 ~ measure^(1 + 2 p / dim).
   double ofCell() const { return 1.0 + ofSum(); }

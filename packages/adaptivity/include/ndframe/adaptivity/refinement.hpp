@@ -19,7 +19,7 @@ class RefinedMeshes
 public:
   virtual ~RefinedMeshes() = default;
 
-  virtual const std::vector<Mesh>& meshes() const = 0;
+  virtual const std::vector<Mesh>& meshes() const = 0; ///< in the order of FirstMeshes
 
   /// Per mesh and cell of meshes(): the cell of the meshes before in whose place it stands (of which it is a part, but
   /// where shapes were mended), or in which its centre lies.
@@ -40,9 +40,9 @@ public:
 /// What a refinement begins with, body by body.
 struct FirstMeshes
 {
-  std::vector<Mesh> meshes;     ///< sound, of the same dimension
-  std::vector<FacetTwin> twins; ///< where they match
-  std::vector<std::shared_ptr<const MeshSource>> sources;
+  std::vector<Mesh> meshes;                               ///< sound, of the same dimension
+  std::vector<FacetTwin> twins;                           ///< where they match
+  std::vector<std::shared_ptr<const MeshSource>> sources; ///< of the deck, per mesh; Remesh needs them
 };
 
 /// How meshes are refined.

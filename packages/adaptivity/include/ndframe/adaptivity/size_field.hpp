@@ -12,8 +12,9 @@ namespace ndframe
 /// A piece of a straight line of the plane on which facets are to be short, whatever else is wanted.
 struct FineSegment
 {
-  std::array<double, 2> from{}, to{};
-  double longest; ///< of the facets on it
+  /// Where it begins.
+  std::array<double, 2> from{}, to{}; ///< where it ends
+  double longest;                     ///< of the facets on it
 
   /// The length of the cell's longest facet that lies on a piece of it, or as near as chords of a curve do; 0: none.
   double facetOn(const Mesh& mesh, int cell) const;
@@ -23,13 +24,13 @@ struct FineSegment
 /// like d^(2 g), d the distance from it.
 struct CellSize
 {
-  double logMeasure;      ///< log2 of the measure; with a gradation, at the distance 1
-  double gradation = 0.0; ///< g
-  double leastLogMeasure; ///< nothing smaller, however near the place
-  SingularPlace place{};
+  double logMeasure;               ///< log2 of the measure; with a gradation, at the distance 1
+  double gradation = 0.0;          ///< g
+  double leastLogMeasure;          ///< nothing smaller, however near the place
+  SingularPlace place{};           ///< from which d is measured; unused without a gradation
   std::vector<FineSegment> fine{}; ///< that parts may have facets on
 
-  double logMeasureAt(const std::array<double, 3>& point) const;
+  double logMeasureAt(const std::array<double, 3>& point) const; ///< for the part with this centre
   /// Whether all parts are to have the same measure.
   bool isEven() const { return gradation == 0.0 && fine.empty(); }
 };

@@ -46,6 +46,7 @@ Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, in
 class InfeasibleTraction : public std::runtime_error
 {
 public:
+  /// along: as `motion`.
   explicit InfeasibleTraction(const std::string& along)
       : std::runtime_error("no traction that presses balances the loads along " + along), motion(along)
   {}

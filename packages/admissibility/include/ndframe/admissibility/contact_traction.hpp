@@ -15,9 +15,9 @@ namespace ndframe
 /// ratio of the two lengths on the other side.
 struct ContactFacet
 {
-  int dim = 2; ///< of space
-  int dirichletBody = 0, neumannBody = 0;
-  Facet dirichlet, neumann;
+  int dim = 2;                                                          ///< of space
+  int dirichletBody = 0, /**< in the list of bodies */ neumannBody = 0; ///< the same one where it touches itself
+  Facet dirichlet, /**< on the mesh of its body */ neumann;             ///< the same on the other one
   Direction normal{};                 ///< n_c on this facet: outward normal of the Dirichlet body
   double measure = 0.0;               ///< length or area, on the interface's first side
   std::array<int, 3> theirs{0, 1, 2}; ///< the Neumann body's ascending vertices by their places among the Dirichlet's
@@ -40,8 +40,8 @@ struct ContactFacet
 /// A facet, seen from one of the bodies that meet there.
 struct FacetSide
 {
-  int facet;
-  bool isDirichlet;
+  int facet;        ///< in the list of contact facets
+  bool isDirichlet; ///< seen from its Dirichlet body, else from the other one
 };
 
 /// The facets that a body takes part in, in their order; a facet on which it touches itself twice.
@@ -52,8 +52,8 @@ std::vector<FacetSide> facetsOfBody(const std::vector<ContactFacet>& facets, int
 /// body against it.
 struct ContactTraction
 {
-  int degree = 0;
-  Vector shares; ///< per facet, per vertex (ascending on the Dirichlet side), per mode: int t_a L_k, a force
+  int degree = 0; ///< q, at least the order of the displacements
+  Vector shares;  ///< per facet, per vertex (ascending on the Dirichlet side), per mode: int t_a L_k, a force
   /// Where n_c turns: what the stresses carry of t n_c, which is of one degree more than t (contactOscillation has the
   /// rest). Laid out like `shares` with two components a mode; zero on facets that do not turn, empty without any that
   /// does.
@@ -78,8 +78,8 @@ DenseMatrix modesInOrder(int dim, int degree, const std::array<int, 3>& theirs);
 class OrderedModes
 {
 public:
-  OrderedModes(int dim, int degree) : dim_(dim), degree_(degree) {}
-  const DenseMatrix& operator()(const std::array<int, 3>& theirs);
+  OrderedModes(int dim, int degree) : dim_(dim), degree_(degree) {} ///< dim: of space; degree: q
+  const DenseMatrix& operator()(const std::array<int, 3>& theirs);  ///< R, as long as this object lives
 
 private:
   int dim_, degree_;

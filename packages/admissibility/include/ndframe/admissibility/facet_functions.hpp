@@ -18,8 +18,8 @@ int numFacetNodes(int dim, int order);
 /// The ends of a facet's edges in the order of the nodes in their middles; the plane's facet is one edge.
 struct FacetEdges
 {
-  int size;
-  const std::array<int, 2>* ends;
+  int size;                       ///< number of edges: 1 or 3
+  const std::array<int, 2>* ends; ///< per edge, places among the facet's vertices; static
 };
 FacetEdges facetEdges(int dim);
 

@@ -22,8 +22,8 @@ struct GapBound
 /// The gap of the next `numFacets` facets of a list.
 struct FacetGap
 {
-  int numFacets = 0;
-  SampledFunction function;
+  int numFacets = 0;        ///< that have it
+  SampledFunction function; ///< of the position, a length
 };
 
 /// Finds g_h and the moments of every facet, vertices in the order of ContactFacet::nodes.

@@ -15,17 +15,17 @@ namespace ndframe
 /// j_i: u1 - u2 at ContactFacet::nodes.
 struct JumpCoefficients
 {
-  const ContactFacet& facet;
-  int order;
+  const ContactFacet& facet; ///< must outlive this
+  int order;                 ///< of the displacements, 1 or 2
 
-  std::size_t size() const;
+  std::size_t size() const; ///< number of coefficients
   /// The coefficient that is the value at a vertex.
   std::size_t atVertex(std::size_t vertex) const;
   /// Those that the node in the middle of an edge decides.
   std::vector<std::size_t> atMiddle(std::size_t node) const;
   /// Coefficient k = sum over the facet's nodes of weight(k, node) . j.
   Direction weight(std::size_t k, std::size_t node) const;
-  double of(std::size_t k, const FacetVectors& opening) const;
+  double of(std::size_t k, const FacetVectors& opening) const; ///< coefficient k, a length, for these j_i
   /// A polynomial of the displacements' order in as many coefficients: gap points to its own.
   double gap(std::size_t k, const double* bernstein) const;
 };

@@ -20,7 +20,7 @@ struct QuadraticProgram
 /// Its solution.
 struct QuadraticMinimum
 {
-  Vector x;
+  Vector x;           ///< n entries
   Vector multipliers; ///< of B x <= b:  H x + h + B^T mu = 0,  mu >= 0,  mu (B x - b) = 0
 };
 

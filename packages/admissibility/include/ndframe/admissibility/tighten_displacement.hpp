@@ -16,7 +16,7 @@ struct BoundOfDisplacement
   double contact = 0.0;  ///< c = int t^ (w_h - g) dS, an energy
   /// Per body, numNodes * dim, global axes: <d, eps(phi)> and int t^ w_phi of the nodal functions phi at the
   /// interfaces.
-  std::vector<Vector> residual, traction;
+  std::vector<Vector> residual, traction; ///< int t^ w_phi; both are forces
 };
 
 /// Moves u^ at the interface nodes, within w^ <= g_h, to where the bound is smallest: where contact ends within a facet

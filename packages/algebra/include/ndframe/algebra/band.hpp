@@ -11,17 +11,18 @@ namespace ndframe
 class BandMatrix
 {
 public:
+  /// All entries zero. bandwidth: diagonals below the main one.
   BandMatrix(int size, int bandwidth)
       : size_(size), bandwidth_(bandwidth), values_(std::size_t(size) * std::size_t(bandwidth + 1), 0.0)
   {}
 
-  int size() const { return size_; }
-  int bandwidth() const { return bandwidth_; }
+  int size() const { return size_; }           ///< rows
+  int bandwidth() const { return bandwidth_; } ///< diagonals below the main one
   /// Either triangle may be named; |i - j| <= bandwidth.
   double& operator()(int i, int j) { return values_[place(i, j)]; }
-  double operator()(int i, int j) const { return values_[place(i, j)]; }
-  const double* data() const { return values_.data(); }
-  double* data() { return values_.data(); }
+  double operator()(int i, int j) const { return values_[place(i, j)]; } ///< the same, read-only
+  const double* data() const { return values_.data(); } ///< (bandwidth + 1) x size, column-major, main diagonal first
+  double* data() { return values_.data(); }             ///< the same, to be written
 
 private:
   std::size_t place(int i, int j) const
@@ -43,7 +44,7 @@ class BandCholesky
 public:
   /// Throws NotPositiveDefinite (with the row).
   explicit BandCholesky(BandMatrix A);
-  Vector solve(Vector b) const;
+  Vector solve(Vector b) const; ///< A^-1 b
 
 private:
   BandMatrix factor_;

@@ -14,18 +14,18 @@ namespace ndframe
 /// global.
 struct BlockMatrix
 {
-  int dim = 0;
-  int numNodes = 0;
+  int dim = 0;                      ///< rows and columns of a block
+  int numNodes = 0;                 ///< of all ranks
   std::vector<int> rows;            ///< owned nodes, ascending
   std::vector<std::int64_t> rowPtr; ///< size rows.size() + 1, counts blocks
   std::vector<int> cols;            ///< node numbers, ascending in a row
   std::vector<double> values;       ///< dim*dim per block, row-major inside a block
 
-  int numDofs() const { return numNodes * dim; }
-  std::int64_t numBlocks() const { return std::int64_t(cols.size()); }
+  int numDofs() const { return numNodes * dim; }                       ///< of all ranks
+  std::int64_t numBlocks() const { return std::int64_t(cols.size()); } ///< stored on this rank
   /// The block (row index r into `rows`, column node); null if not in the pattern.
   const double* block(int r, int colNode) const;
-  double* block(int r, int colNode);
+  double* block(int r, int colNode); ///< the same, to be written
 };
 
 /// y = K x with x and y replicated on all ranks.

@@ -28,17 +28,17 @@ public:
   /// One process, no MPI.
   static Comm single() { return Comm(0, 1, 0); }
 
-  int rank() const { return rank_; }
-  int size() const { return size_; }
+  int rank() const { return rank_; } ///< number of this process, from 0
+  int size() const { return size_; } ///< number of processes
   /// As MPI_Comm_c2f gives it; means nothing on a single process.
   int communicator() const { return communicator_; }
 
   /// Element-wise sum over ranks, the result on every rank.
   void sum(Vector& values) const;
-  std::int64_t sum(std::int64_t value) const;
+  std::int64_t sum(std::int64_t value) const; ///< the sum over ranks, on every rank
   /// Rank 0's value on every rank.
   void broadcast(Vector& values) const;
-  void broadcast(std::string& text) const;
+  void broadcast(std::string& text) const; ///< rank 0's text on every rank
   /// Ends all processes of a run at once, where one has failed in a way that the others do not know of: they would wait
   /// for it in the next collective call. Does nothing on a single process.
   void abort(int exitCode) const;

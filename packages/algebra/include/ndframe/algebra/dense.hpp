@@ -14,19 +14,22 @@ class DenseMatrix
 {
 public:
   DenseMatrix() = default;
+  /// All entries zero.
   DenseMatrix(int rows, int cols) : rows_(rows), cols_(cols), values_(std::size_t(rows) * std::size_t(cols), 0.0) {}
   /// One column.
   explicit DenseMatrix(Vector column) : rows_(int(column.size())), cols_(1), values_(std::move(column)) {}
 
-  int rows() const { return rows_; }
-  int cols() const { return cols_; }
+  int rows() const { return rows_; } ///< entries of a column
+  int cols() const { return cols_; } ///< columns
+  /// Row i, column j, from 0; not checked.
   double& operator()(int i, int j) { return values_[std::size_t(i) + std::size_t(j) * std::size_t(rows_)]; }
+  /// The same, read-only.
   double operator()(int i, int j) const { return values_[std::size_t(i) + std::size_t(j) * std::size_t(rows_)]; }
-  double* col(int j) { return values_.data() + std::size_t(j) * std::size_t(rows_); }
-  const double* col(int j) const { return values_.data() + std::size_t(j) * std::size_t(rows_); }
-  Vector column(int j) const { return Vector(col(j), col(j) + rows_); }
-  double* data() { return values_.data(); }
-  const double* data() const { return values_.data(); }
+  double* col(int j) { return values_.data() + std::size_t(j) * std::size_t(rows_); }             ///< rows() entries
+  const double* col(int j) const { return values_.data() + std::size_t(j) * std::size_t(rows_); } ///< the same
+  Vector column(int j) const { return Vector(col(j), col(j) + rows_); }                           ///< a copy
+  double* data() { return values_.data(); }             ///< rows() x cols() entries, column by column
+  const double* data() const { return values_.data(); } ///< the same
 
 private:
   int rows_ = 0, cols_ = 0;
@@ -50,13 +53,13 @@ public:
   /// Throws NotPositiveDefinite (with the row) when a pivot is not above `relativePivot` times the largest diagonal
   /// entry.
   explicit DenseCholesky(DenseMatrix A, double relativePivot = 1e-13);
-  Vector solve(Vector b) const;
+  Vector solve(Vector b) const; ///< A^-1 b
   /// L^-1 b and L^-T b, A = L L^T: half a solution each.
   Vector solveLower(Vector b) const;
-  Vector solveUpper(Vector b) const;
+  Vector solveUpper(Vector b) const; ///< L^-T b
   /// A^-1.
   DenseMatrix inverse() const;
-  int size() const { return factor_.rows(); }
+  int size() const { return factor_.rows(); } ///< rows of A
 
 private:
   DenseMatrix factor_;
@@ -66,6 +69,7 @@ private:
 class NotPositiveDefinite : public std::runtime_error
 {
 public:
+  /// firstRow: as `row`.
   explicit NotPositiveDefinite(int firstRow)
       : std::runtime_error("a matrix is not positive definite at row " + std::to_string(firstRow)), row(firstRow)
   {}

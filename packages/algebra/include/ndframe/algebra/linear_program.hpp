@@ -15,9 +15,9 @@ inline constexpr double unbounded = std::numeric_limits<double>::infinity();
 /// maximise c . x  subject to  lower <= x <= upper  and  rowLower <= A x <= rowUpper.
 struct LinearProgram
 {
-  Vector cost, lower, upper;   ///< c and the bounds of x; +-unbounded for none
-  std::vector<SparseRow> rows; ///< of A, each column at most once
-  Vector rowLower, rowUpper;
+  Vector cost, /**< c */ lower, /**< bounds of x, as `upper` */ upper; ///< c and the bounds of x; +-unbounded for none
+  std::vector<SparseRow> rows;                                         ///< of A, each column at most once
+  Vector rowLower, /**< per row; -unbounded for none */ rowUpper;      ///< per row; unbounded for none
 };
 
 /// Solves it by COIN-OR Clp's primal simplex after its crash ("sprint"): a vertex to round-off. Bounds, rows and signs

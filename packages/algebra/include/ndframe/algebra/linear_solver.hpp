@@ -35,7 +35,7 @@ struct EdgeNodes
 /// What decides on the solver of a body before there is a matrix.
 struct BodyOutline
 {
-  int dim = 0;
+  int dim = 0;               ///< of space, 2 or 3
   std::int64_t dofs = 0;     ///< of all bodies that are solved together with it
   int bodies = 1;            ///< their number
   bool isCondensed = false;  ///< its Schur complement is asked for
@@ -45,13 +45,13 @@ struct BodyOutline
 /// One body's matrix with the roles of its dofs. The matrix must outlive the factor (it is not copied for products).
 struct SolverProblem
 {
-  const BlockMatrix* matrix = nullptr;
-  std::vector<DofRole> roles;     ///< one per dof
-  std::vector<int> kept;          ///< the Kept dofs, in the order of the condensed system
-  DenseMatrix nearNullSpace;      ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
-  std::vector<double> nodePoints; ///< dim * numNodes coordinates
-  EdgeNodes edgeNodes;            ///< used by multigrid
-  BodyOutline outline;            ///< used where the solver is chosen
+  const BlockMatrix* matrix = nullptr; ///< K, not owned
+  std::vector<DofRole> roles;          ///< one per dof
+  std::vector<int> kept;               ///< the Kept dofs, in the order of the condensed system
+  DenseMatrix nearNullSpace;           ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
+  std::vector<double> nodePoints;      ///< dim * numNodes coordinates
+  EdgeNodes edgeNodes;                 ///< used by multigrid
+  BodyOutline outline;                 ///< used where the solver is chosen
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,
@@ -111,6 +111,7 @@ public:
 class SingularBody : public std::runtime_error
 {
 public:
+  /// what: the message; singularDof: as `dof`.
   SingularBody(const std::string& what, int singularDof) : std::runtime_error(what), dof(singularDof) {}
   int dof; ///< -1 when the solver cannot tell
 };

@@ -31,7 +31,7 @@ public:
   /// False when K with the held dofs is singular all the same: unconnected parts, a mechanism.
   virtual bool solvesNeumann() const = 0;
 
-  virtual const FreeMotions& freeMotions() const = 0;
+  virtual const FreeMotions& freeMotions() const = 0; ///< found when the body was factored
 };
 
 /// The Neumann solver that every body of a LinearSolver is.

@@ -10,9 +10,9 @@ namespace ndframe
 /// The dofs that are not fixed, numbered in ascending order: the unknowns of the direct solvers.
 struct FreeDofs
 {
-  explicit FreeDofs(const std::vector<DofRole>& roles);
+  explicit FreeDofs(const std::vector<DofRole>& roles); ///< roles: one per dof
 
-  int size() const { return int(dofs.size()); }
+  int size() const { return int(dofs.size()); } ///< number of unknowns
 
   std::vector<int> dofs;   ///< free number -> dof
   std::vector<int> number; ///< dof -> free number, -1 for fixed dofs

@@ -12,10 +12,11 @@ namespace ndframe
 /// added.
 struct SymmetricEntries
 {
-  int size = 0;
-  std::vector<int> rows, columns;
-  Vector values;
+  int size = 0;                                     ///< rows of the matrix
+  std::vector<int> rows, /**< per entry */ columns; ///< per entry, not below its row
+  Vector values;                                    ///< per entry
 
+  /// row <= column < size.
   void add(int row, int column, double value)
   {
     rows.push_back(row);
@@ -32,7 +33,7 @@ public:
   /// Throws NotPositiveDefinite (with the row) when a pivot is not above 1e-12 of its diagonal entry.
   explicit SparseCholesky(const SymmetricEntries& A);
   ~SparseCholesky();
-  Vector solve(const Vector& b) const;
+  Vector solve(const Vector& b) const; ///< A^-1 b, in the rows' own order
 
 private:
   struct Factor;

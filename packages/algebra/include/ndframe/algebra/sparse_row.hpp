@@ -27,8 +27,9 @@ inline std::vector<SparseRow> transposed(const std::vector<SparseRow>& rows, int
 class SparseSum
 {
 public:
-  explicit SparseSum(int size) : values_(std::size_t(size), 0.0), isWritten_(std::size_t(size), 0) {}
+  explicit SparseSum(int size) : values_(std::size_t(size), 0.0), isWritten_(std::size_t(size), 0) {} ///< zero
 
+  /// Adds to entry i < size.
   void add(int i, double value)
   {
     if (!isWritten_[std::size_t(i)]) {
@@ -37,6 +38,7 @@ public:
     }
     values_[std::size_t(i)] += value;
   }
+  /// Adds factor times these entries.
   void add(const SparseRow& row, double factor)
   {
     for (const auto& [i, value] : row)

@@ -15,24 +15,25 @@ public:
   DenseMatrix reduce(const DenseMatrix& load) const override;
   /// S u_c = (K u)_c with u = expand(0, u_c).
   Vector applySchur(const Vector& kept) const override;
-  const FreeMotions& freeMotions() const override { return motions_; }
+  const FreeMotions& freeMotions() const override { return motions_; } ///< found by the constructor, with `held`
 
 protected:
+  /// Collective. The matrix of the problem and the ledger must outlive it.
   SplitBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger);
 
-  int numDofs() const { return matrix_.numDofs(); }
-  int numKept() const { return int(kept_.size()); }
+  int numDofs() const { return matrix_.numDofs(); } ///< fixed ones included
+  int numKept() const { return int(kept_.size()); } ///< n_c
   /// Asserts the shapes of an expansion's arguments.
   void checkShapes(const DenseMatrix& load, const DenseMatrix& kept) const;
   /// (K u)_c for all columns of u; collective.
   DenseMatrix keptRowsTimes(const DenseMatrix& u) const;
 
-  const BlockMatrix& matrix_;
-  std::vector<DofRole> roles_;
-  std::vector<int> kept_;
-  FreeMotions motions_;
-  Comm comm_;
-  Ledger& ledger_;
+  const BlockMatrix& matrix_;  ///< K, this rank's rows
+  std::vector<DofRole> roles_; ///< one per dof
+  std::vector<int> kept_;      ///< dofs, in the order of the condensed system
+  FreeMotions motions_;        ///< that the fixed dofs leave
+  Comm comm_;                  ///< the ranks that share K
+  Ledger& ledger_;             ///< counts what the body does; not owned
 };
 
 } // namespace ndframe

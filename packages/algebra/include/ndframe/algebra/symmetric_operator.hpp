@@ -13,7 +13,7 @@ class RestrictedInverse
 {
 public:
   virtual ~RestrictedInverse() = default;
-  virtual Vector solve(const Vector& b) const = 0;
+  virtual Vector solve(const Vector& b) const = 0; ///< x_F for b_F, both among all rows of A
 };
 
 /// A symmetric positive semi-definite operator on a small replicated vector (an interface), stored or applied.
@@ -21,8 +21,8 @@ class SymmetricOperator
 {
 public:
   virtual ~SymmetricOperator() = default;
-  virtual int size() const = 0;
-  virtual Vector apply(const Vector& x) const = 0;
+  virtual int size() const = 0;                    ///< rows
+  virtual Vector apply(const Vector& x) const = 0; ///< A x
   /// The inverse of A_FF + shift I on the free entries (`isFree` has size(), shift >= 0). Throws NotPositiveDefinite
   /// when that is singular. The operator must outlive the inverse.
   virtual std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const = 0;

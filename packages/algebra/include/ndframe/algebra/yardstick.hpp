@@ -10,21 +10,21 @@ namespace ndframe
 /// Seconds on the wall and of the processor (all threads of the process).
 struct Seconds
 {
-  double wall = 0.0, processor = 0.0;
+  double wall = 0.0, /**< elapsed */ processor = 0.0; ///< of all threads of the process
 
-  Seconds& operator+=(const Seconds& other);
+  Seconds& operator+=(const Seconds& other); ///< adds both
 };
 
 /// What the libraries alone need for a body.
 struct Yardstick
 {
-  std::int64_t dofs = 0;     ///< free ones
-  std::int64_t nonzeros = 0; ///< of the factor, one triangle
-  double flops = 0.0;        ///< of the factorisation
-  Seconds order, factor, solve;
+  std::int64_t dofs = 0;                                                         ///< free ones
+  std::int64_t nonzeros = 0;                                                     ///< of the factor, one triangle
+  double flops = 0.0;                                                            ///< of the factorisation
+  Seconds order, /**< METIS */ factor, /**< analysis and factorisation */ solve; ///< one right-hand side
 
-  Seconds total() const;
-  Yardstick& operator+=(const Yardstick& other);
+  Seconds total() const;                         ///< order, factor and solve
+  Yardstick& operator+=(const Yardstick& other); ///< adds all, as of another body
 };
 
 /// Times METIS's ordering of the graph of all nodes with free dofs, CHOLMOD's analysis and factorisation of the free

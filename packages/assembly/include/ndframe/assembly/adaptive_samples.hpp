@@ -32,7 +32,7 @@ struct Samples
     /// The same for the derivative along a piece of an edge, its length being 1.
     double slopeError = 0.0;
   };
-  std::vector<Piece> pieces;
+  std::vector<Piece> pieces;  ///< in the order of their points; sampleConstant sets none
   QuadratureRule rule;        ///< the points of all pieces, barycentric in the simplex; weights add up to 1
   std::vector<double> values; ///< functions per point
   double scale = 0.0;         ///< largest value here or elsewhere: what is small is small against it
@@ -46,8 +46,8 @@ struct Samples
 /// A function of the position, and what throws where its value is not finite (dim: of space).
 struct SampledFunction
 {
-  std::shared_ptr<const ExpressionTree> tree;
-  std::function<void(const double* x, int dim, double value)> refuse;
+  std::shared_ptr<const ExpressionTree> tree;                         ///< the function, of three coordinates
+  std::function<void(const double* x, int dim, double value)> refuse; ///< InputError with the place in the deck and x
 };
 
 /// Samples functions of the position on many simplices. Nothing is decided by looking at values: expressions are
@@ -80,15 +80,17 @@ public:
   /// Vertices of a simplex.
   using Vertices = std::array<const double*, 4>;
 
+  /// Called with a simplex: its dimension and its vertices.
+  using Visit = std::function<void(int dim, const Vertices& vertices)>;
   /// A lower bound of the functions' largest absolute value on the simplices visited, most often within a factor 2:
   /// what round-off is relative to. visit calls its argument with every simplex; their points stay where they are.
   /// Samples with this scale depend on the simplices of this call only, whatever was sampled before.
-  using Visit = std::function<void(int dim, const Vertices& vertices)>;
   double scaleOn(const std::function<void(const Visit&)>& visit);
 
   /// Samples on a simplex of dimension `dim`. scale: as from scaleOn. Memory of `samples`, from a call before, is
   /// reused.
   void sample(int dim, const Vertices& vertices, double scale, Samples& samples);
+  /// The same, in memory of their own.
   Samples sample(int dim, const Vertices& vertices, double scale)
   {
     Samples samples;

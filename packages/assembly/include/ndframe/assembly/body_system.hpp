@@ -15,20 +15,20 @@ namespace ndframe
 /// A part of a body with a material of its own.
 struct BodyRegion
 {
-  std::string name; ///< empty: what is in no region that the deck names
-  int firstCell = 0;
-  int numCells = 0;
+  std::string name;  ///< empty: what is in no region that the deck names
+  int firstCell = 0; ///< the one of its cells with the smallest number
+  int numCells = 0;  ///< they need not follow each other
 };
 
 /// A body as the deck describes it, discretised.
 struct BodyModel
 {
-  std::string name;
-  Mesh mesh;
-  NodeMap nodes;
-  CellLaws laws;
-  std::vector<std::unique_ptr<Support>> supports;
-  std::vector<std::unique_ptr<Load>> loads;
+  std::string name;                               ///< as in the deck
+  Mesh mesh;                                      ///< what is solved on: cut where sides do not match
+  NodeMap nodes;                                  ///< of the displacements
+  CellLaws laws;                                  ///< per cell of `mesh`
+  std::vector<std::unique_ptr<Support>> supports; ///< in the order of the deck
+  std::vector<std::unique_ptr<Load>> loads;       ///< in the order of the deck
   Mesh base;                ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
   std::vector<int> parents; ///< then per cell of `mesh` the cell of `base` that it is a part of
   bool isRigid = false; ///< an obstacle: `mesh` only shows where it is; all its nodes are held, it carries no stress
@@ -37,8 +37,8 @@ struct BodyModel
 
   /// The mesh without what other bodies cut into it: what is refined.
   const Mesh& uncut() const { return parents.empty() ? mesh : base; }
-  int numDofs() const { return nodes.numNodes() * nodes.dim; }
-  double poissonRatio() const; ///< the largest of its materials, as of isotropic ones
+  int numDofs() const { return nodes.numNodes() * nodes.dim; } ///< fixed ones included
+  double poissonRatio() const;                                 ///< the largest of its materials, as of isotropic ones
   /// Side by name; null if the mesh has none of that name.
   const Side* side(const std::string& sideName) const { return mesh.findSide(sideName); }
 };
@@ -49,9 +49,9 @@ struct BodyModel
 /// fixed).
 struct BodySystem
 {
-  DofLayout dofs;
-  BlockMatrix K;
-  Vector load; ///< f, in the nodes' own axes
+  DofLayout dofs; ///< their axes and roles
+  BlockMatrix K;  ///< this rank's rows; forces per length
+  Vector load;    ///< f, in the nodes' own axes
 
   /// f - K u_prescribed: the load once the fixed dofs are moved to their values.
   Vector effectiveLoad(const Comm& comm) const;

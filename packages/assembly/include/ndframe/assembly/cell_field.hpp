@@ -12,10 +12,10 @@ namespace ndframe
 template <int dim, int order>
 struct CellField
 {
-  static constexpr int nodes = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
+  static constexpr int nodes = Lagrange<dim, order>::nodes, /**< of a cell */ strains = dim == 2 ? 3 : 6; ///< Voigt
 
-  const Elasticity& law;
-  double points[(dim + 1) * dim], u[nodes * dim];
+  const Elasticity& law;                                                  ///< of the cell, in the body
+  double points[(dim + 1) * dim], /**< of the vertices */ u[nodes * dim]; ///< node by node, global axes
 
   /// displacement: numNodes * dim, global axes. body must outlive the field.
   CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.laws(cell))

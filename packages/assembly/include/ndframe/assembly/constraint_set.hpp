@@ -16,9 +16,9 @@ public:
   /// What is prescribed at a node: u . direction[k] = value[k] (a length) for k < count, directions orthonormal.
   struct Node
   {
-    int count = 0; ///< independent directions
-    std::array<Direction, 3> direction{};
-    std::array<double, 3> value{};
+    int count = 0;                        ///< independent directions
+    std::array<Direction, 3> direction{}; ///< global axes
+    std::array<double, 3> value{};        ///< one per direction; zero beyond `count`
   };
 
   /// `lengthScale`: what a displacement is compared with when two supports meet at a node (a body's size).
@@ -33,8 +33,8 @@ public:
   /// What the prescribed displacements at a node contribute along a direction.
   double heldValue(int node, const Direction& direction) const;
 
-  const std::map<int, Node>& nodes() const { return nodes_; }
-  int dim() const { return dim_; }
+  const std::map<int, Node>& nodes() const { return nodes_; } ///< by node number; those with constraints
+  int dim() const { return dim_; }                            ///< of space
 
 private:
   int dim_;

@@ -14,22 +14,22 @@ namespace ndframe
 class Frames
 {
 public:
-  Frames(int dim, int numNodes) : dim_(dim), index_(std::size_t(numNodes), -1) {}
+  Frames(int dim, int numNodes) : dim_(dim), index_(std::size_t(numNodes), -1) {} ///< x, y, z at all nodes
 
-  bool isTurned(int node) const { return index_[std::size_t(node)] >= 0; }
-  bool anyTurned() const { return !axes_.empty(); }
+  bool isTurned(int node) const { return index_[std::size_t(node)] >= 0; } ///< it has axes of its own
+  bool anyTurned() const { return !axes_.empty(); }                        ///< any node has
   /// dim x dim, row k = axis of component k; only for turned nodes.
   const double* axes(int node) const
   {
     return axes_.data() + std::size_t(index_[std::size_t(node)]) * std::size_t(dim_) * std::size_t(dim_);
   }
-  void turn(int node, const double* axes);
+  void turn(int node, const double* axes); ///< gives it these axes, as axes() has them; copied
 
   /// Components in the nodes' own axes from global components, and back; vectors of numNodes * dim.
   Vector toLocal(const Vector& global) const;
-  Vector toGlobal(const Vector& local) const;
+  Vector toGlobal(const Vector& local) const; ///< undoes toLocal()
 
-  bool operator==(const Frames& other) const;
+  bool operator==(const Frames& other) const; ///< exactly, nodes turned in the same order
 
 private:
   int dim_;
@@ -40,7 +40,7 @@ private:
 /// A point of an interface seen from one body: the normal displacement of this node is asked for.
 struct TraceNormal
 {
-  int node;
+  int node;         ///< of the body's NodeMap
   Direction normal; ///< n_c
 };
 
@@ -49,9 +49,9 @@ struct TraceNormal
 /// dofs of those before.
 struct TraceDof
 {
-  int dof;
-  double scale;
-  double offset;
+  int dof;               ///< that of s, Kept
+  double scale;          ///< dimensionless, not zero
+  double offset;         ///< a length: the part of u_N that supports prescribe
   SparseRow others = {}; ///< by places in the trace
 };
 
@@ -59,21 +59,21 @@ struct TraceDof
 /// supports leave free there: u_N = row u + offset.
 struct DependentTrace
 {
-  int given;     ///< its place in the list of trace normals
-  SparseRow row; ///< by places in DofLayout::trace, of their normal displacements
-  double offset = 0.0;
+  int given;           ///< its place in the list of trace normals
+  SparseRow row;       ///< by places in DofLayout::trace, of their normal displacements
+  double offset = 0.0; ///< a length
 };
 
 /// What every dof of a body is. dof = node * dim + component in the node's own axes.
 struct DofLayout
 {
-  Frames frames;
-  std::vector<DofRole> roles;
-  Vector prescribed;           ///< values of the fixed dofs, zero elsewhere
-  std::vector<TraceDof> trace; ///< one per trace normal that does not depend on others, in their order
-  std::vector<DependentTrace> dependents;
+  Frames frames;                          ///< axes of the components
+  std::vector<DofRole> roles;             ///< one per dof
+  Vector prescribed;                      ///< values of the fixed dofs, zero elsewhere
+  std::vector<TraceDof> trace;            ///< one per trace normal that does not depend on others, in their order
+  std::vector<DependentTrace> dependents; ///< the other trace normals, in their order
 
-  std::vector<int> keptDofs() const;
+  std::vector<int> keptDofs() const; ///< of `trace`, in its order: the condensed system's
   /// The same axes, the same dofs fixed and kept: K and its factor are the same, whatever the prescribed values.
   bool splitsLike(const DofLayout& other) const;
 };

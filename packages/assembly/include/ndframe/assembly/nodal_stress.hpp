@@ -18,8 +18,8 @@ std::vector<std::array<double, 6>> nodalStress(const BodyModel& body, const Vect
 /// are at most linear in a cell, so it lies at a vertex.
 struct CellStrain
 {
-  double value = 0.0;
-  int vertex = 0; ///< of the mesh
+  double value = 0.0; ///< dimensionless
+  int vertex = 0;     ///< of the mesh
 };
 std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement);
 

@@ -12,8 +12,8 @@ namespace ndframe
 /// A solution of a body at a point; zeros beyond dim.
 struct PointValues
 {
-  std::array<double, 3> displacement{};
-  std::array<double, 6> stress{}; ///< sigma_h as (xx, yy, zz, xy, yz, xz)
+  std::array<double, 3> displacement{}; ///< u_h, a length, global axes
+  std::array<double, 6> stress{};       ///< sigma_h as (xx, yy, zz, xy, yz, xz)
 };
 
 /// u_h and sigma_h = K eps(u_h) at a point. Where several cells hold it (cellsOfPoints), sigma_h has a value in each:

@@ -13,11 +13,11 @@ namespace ndframe
 /// y, z. Rotations are scaled by 1/length, so that all modes move the body by about 1.
 struct RigidBasis
 {
-  int dim = 0;
-  Direction centre{};
-  double length = 1.0;
+  int dim = 0;         ///< of space
+  Direction centre{};  ///< about which rotations turn
+  double length = 1.0; ///< distance from the centre at which rotations move by 1
 
-  int size() const { return dim == 2 ? 3 : 6; }
+  int size() const { return dim == 2 ? 3 : 6; } ///< number of modes
   /// Displacement of mode m at a point.
   Direction displacement(int mode, const double* point) const;
 };

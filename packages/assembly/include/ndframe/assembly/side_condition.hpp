@@ -20,9 +20,9 @@ using Direction = std::array<double, 3>;
 /// One scalar equation u . direction = value at a node (unit vector; a length).
 struct NodeConstraint
 {
-  int node;
-  Direction direction;
-  double value;
+  int node;            ///< of the body's NodeMap
+  Direction direction; ///< global axes
+  double value;        ///< a length
 };
 
 /// The expression of a key; a value that is not finite is the user's mistake.
@@ -34,19 +34,19 @@ SampledFunction sampledFunction(const Params& params, const char* key, const std
 class SideCondition
 {
 public:
-  explicit SideCondition(Params params) : params_(std::move(params)) {}
+  explicit SideCondition(Params params) : params_(std::move(params)) {} ///< params: its list in the deck
   virtual ~SideCondition() = default;
 
   /// Adds a mistake if the side that this condition names does not exist (saying which do) or does not suit it.
   virtual void check(const Mesh& mesh, Diagnostics& diagnostics) const;
   /// "clamp at bottom", for the header of a run.
   virtual std::string description() const;
-  const Params& params() const { return params_; }
+  const Params& params() const { return params_; } ///< its list in the deck
 
 protected:
   /// The side named by "Side"; check() has passed.
   const Side& side(const Mesh& mesh) const;
-  SampledFunction sampled(const char* key) const { return sampledFunction(params_, key); }
+  SampledFunction sampled(const char* key) const { return sampledFunction(params_, key); } ///< of its own list
 
 private:
   Params params_;
@@ -57,7 +57,7 @@ private:
 class Support : public SideCondition
 {
 public:
-  using SideCondition::SideCondition;
+  using SideCondition::SideCondition; ///< from its list in the deck
   /// The directions, unit vectors.
   virtual std::vector<Direction> directions(const Mesh& mesh) const = 0;
   /// The displacements along them as functions of the position: lengths. Empty: all are zero.
@@ -79,7 +79,7 @@ public:
 class Load : public SideCondition
 {
 public:
-  using SideCondition::SideCondition;
+  using SideCondition::SideCondition; ///< from its list in the deck
   /// The facets it acts on; null: it acts in all cells.
   const std::vector<Facet>* facets(const Mesh& mesh) const;
   /// Groups of cells that it acts in, where it acts in cells; none: in all.

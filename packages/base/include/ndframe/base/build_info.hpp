@@ -10,8 +10,9 @@ namespace ndframe
 /// What this program was built from.
 struct BuildInfo
 {
-  std::string commit, type, compiler;                         ///< "unknown" commit: built outside a clone
-  std::vector<std::pair<std::string, std::string>> libraries; ///< name, version of its headers
+  /// Git commit of the source.
+  std::string commit, type, /**< CMake build type */ compiler; ///< "unknown" commit: built outside a clone
+  std::vector<std::pair<std::string, std::string>> libraries;  ///< name, version of its headers
 };
 
 /// Of this program; the same in all its threads.

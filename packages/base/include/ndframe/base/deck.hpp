@@ -11,24 +11,24 @@ namespace ndframe
 /// A deck as written: a tree of lists and untyped entries that remember their lines.
 struct DeckEntry
 {
-  std::string name;
+  std::string name;  ///< unique in its list; may be a path, of what a study varies
   std::string type;  ///< "bool", "int", "double", "string", "Array(int)", ...; empty when it came from a setting
   std::string value; ///< as written
   std::string file;  ///< empty when it came from `--set`
-  int line = 0;
+  int line = 0;      ///< 1-based; 0 when it came from `--set`
 };
 
 /// A list with its entries and the lists in it, in the order in which they are written.
 struct DeckList
 {
-  std::string name;
-  std::string file;
-  int line = 0;
-  std::vector<DeckEntry> entries;
-  std::vector<DeckList> lists;
+  std::string name;               ///< of the deck itself: may be empty
+  std::string file;               ///< empty when `--set` made it
+  int line = 0;                   ///< 1-based; 0 when `--set` made it
+  std::vector<DeckEntry> entries; ///< its parameters
+  std::vector<DeckList> lists;    ///< its sublists; no name stands twice, of entries and lists
 
-  const DeckEntry* findEntry(const std::string& entryName) const;
-  const DeckList* findList(const std::string& listName) const;
+  const DeckEntry* findEntry(const std::string& entryName) const; ///< null if there is none
+  const DeckList* findList(const std::string& listName) const;    ///< null if there is none
 };
 
 /// Reads a Teuchos XML deck. Unreadable files, XML that does not parse, DOCTYPE and entity declarations (never
@@ -42,9 +42,10 @@ DeckList parseDeck(const std::string& xml, const std::string& name);
 /// A value for the entry at a path such as "Coupling/Stopping/Tolerance", and where that was written.
 struct Setting
 {
-  std::string path, value;
-  std::string file; ///< empty: `--set`
-  int line = 0;
+  /// Names of lists and key, with "/" between.
+  std::string path, value; ///< of the key, as a deck would have it
+  std::string file;        ///< empty: `--set`
+  int line = 0;            ///< 1-based; 0 for `--set`
 };
 
 /// Replaces the entry or adds it, creating lists on the way. It is validated later like the rest of the deck.

@@ -24,10 +24,10 @@ struct Diagnostic
 class Diagnostics
 {
 public:
-  void add(Diagnostic diagnostic);
-  void append(const Diagnostics& other);
-  bool empty() const { return list_.empty(); }
-  const std::vector<Diagnostic>& list() const { return list_; }
+  void add(Diagnostic diagnostic);                              ///< behind those there are
+  void append(const Diagnostics& other);                        ///< all of the other one, behind those there are
+  bool empty() const { return list_.empty(); }                  ///< no mistake so far
+  const std::vector<Diagnostic>& list() const { return list_; } ///< in the order in which they were added
 
   /// Throws InputError with everything collected so far, if there is anything.
   void throwIfAny() const;
@@ -40,11 +40,11 @@ private:
 class InputError : public std::runtime_error
 {
 public:
-  explicit InputError(std::vector<Diagnostic> list);
-  explicit InputError(Diagnostic single) : InputError(std::vector<Diagnostic>{std::move(single)}) {}
+  explicit InputError(std::vector<Diagnostic> list); ///< all mistakes of one reading
+  explicit InputError(Diagnostic single) : InputError(std::vector<Diagnostic>{std::move(single)}) {} ///< one mistake
   /// A mistake with no place in a deck, e.g. a file that cannot be opened.
   explicit InputError(const std::string& message) : InputError(Diagnostic{{}, 0, {}, message}) {}
-  const std::vector<Diagnostic>& list() const { return list_; }
+  const std::vector<Diagnostic>& list() const { return list_; } ///< as in what()
 
 private:
   std::vector<Diagnostic> list_;

@@ -13,8 +13,8 @@ public:
   /// Throws std::invalid_argument with muParser's reason and the position when `text` does not parse.
   explicit Expression(const std::string& text);
 
-  double operator()(double x, double y, double z) const;
-  const std::string& text() const { return text_; }
+  double operator()(double x, double y, double z) const; ///< value at a point; not finite where it is not defined
+  const std::string& text() const { return text_; }      ///< as given to the constructor
   /// True when the text uses none of x, y, z.
   bool isConstant() const;
 

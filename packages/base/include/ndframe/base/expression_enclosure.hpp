@@ -14,8 +14,9 @@ namespace ndframe
 /// directions between `directions`.
 struct Region
 {
-  using Point = std::array<double, 3>;
-  std::vector<Point> points, directions;
+  using Point = std::array<double, 3>; ///< x, y, z
+  /// The region is their convex hull.
+  std::vector<Point> points, directions; ///< v, along which derivatives are bounded, is in theirs
 
   /// A simplex, with the directions from its centroid to its points.
   static Region simplex(const std::vector<Point>& vertices);
@@ -30,8 +31,8 @@ using Curve = std::array<std::vector<double>, 3>;
 /// switches there.
 struct DecidedSwitch
 {
-  int place = -1;
-  double sign = 0.0;
+  int place = -1;    ///< in ExpressionTree::nodes(); -1: none is decided
+  double sign = 0.0; ///< > 0: the operation counts as >= 0, else as <= 0
 };
 
 /// What is known of an expression f on a region.
@@ -47,14 +48,15 @@ struct Enclosure
   static constexpr int order = 10;   ///< the highest derivative, unless more are asked for
   static constexpr int longest = 26; ///< that can be asked for
 
-  Interval range, slope, bend; ///< of f, and of D f and D^2 f / 2 along the directions
+  /// Of f.
+  Interval range, slope, /**< of D f */ bend; ///< of f, and of D f and D^2 f / 2 along the directions
   /// By n; n = 0: the radius of the range. Infinite beyond the highest derivative.
   std::array<double, longest + 1> remainder{};
   /// An affine function that changes its sign inside, where the expression switches: the region should be cut there.
   std::optional<AffineFunction> cut;
   int curved = -1; ///< an operation, not affine, whose sign may change inside, where the expression switches
 
-  double distance(int degree) const;
+  double distance(int degree) const; ///< the least remainder with n up to degree + 1, at most `order`
 };
 
 /// Encloses an expression on a region. A comparison of affine functions that touch only at the region's boundary (to

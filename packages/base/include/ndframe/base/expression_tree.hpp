@@ -59,14 +59,14 @@ using AffineFunction = std::array<double, 4>;
 /// One operation of an expression.
 struct ExpressionNode
 {
-  Operation operation = Operation::Constant;
-  std::array<int, 3> operands{-1, -1, -1};
-  double constant = 0.0;
-  int degree = -1;         ///< of the polynomial in x, y, z that it is; -1: it is none
-  AffineFunction affine{}; ///< its coefficients when degree <= 1
-  bool isFeature = false;  ///< an affine function that something not affine is made of
+  Operation operation = Operation::Constant; ///< what the node computes
+  std::array<int, 3> operands{-1, -1, -1};   ///< places in the tree, all before this one; -1: unused
+  double constant = 0.0;                     ///< the value of a Constant
+  int degree = -1;                           ///< of the polynomial in x, y, z that it is; -1: it is none
+  AffineFunction affine{};                   ///< its coefficients when degree <= 1
+  bool isFeature = false;                    ///< an affine function that something not affine is made of
 
-  bool isAffine() const { return degree == 0 || degree == 1; }
+  bool isAffine() const { return degree == 0 || degree == 1; } ///< constants are, too
 };
 
 /// An expression in x, y, z as its operations, operands first, the whole expression last. Equal operations stand once.
@@ -77,8 +77,8 @@ public:
   /// ?:, its functions, pi. Throws std::invalid_argument for what it does not know.
   explicit ExpressionTree(const std::string& text);
 
-  const std::vector<ExpressionNode>& nodes() const { return nodes_; }
-  const ExpressionNode& root() const { return nodes_.back(); }
+  const std::vector<ExpressionNode>& nodes() const { return nodes_; } ///< the last one is the whole expression
+  const ExpressionNode& root() const { return nodes_.back(); }        ///< the whole expression
   /// The text uses none of x, y, z.
   bool isConstant() const { return isConstant_; }
 
@@ -92,7 +92,7 @@ public:
 
   /// Adds an operation unless it is there; returns its place. Operations on constants are carried out.
   int add(Operation operation, int a, int b = -1, int c = -1);
-  int addConstant(double value);
+  int addConstant(double value); ///< place of a Constant of this value
 
 private:
   int place(const ExpressionNode& node);

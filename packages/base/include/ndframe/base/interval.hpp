@@ -15,19 +15,21 @@ namespace ndframe
 /// of polynomials vanish beyond their degree.
 struct Interval
 {
-  double lo = 0.0, hi = 0.0;
+  /// Lower end.
+  double lo = 0.0, hi = 0.0; ///< upper end
 
+  /// The interval of which nothing is known: both ends are infinite.
   static Interval everything()
   {
     return {-std::numeric_limits<double>::infinity(), std::numeric_limits<double>::infinity()};
   }
-  bool isZero() const { return lo == 0.0 && hi == 0.0; }
-  bool isBounded() const { return std::isfinite(lo) && std::isfinite(hi); }
-  bool contains(double value) const { return lo <= value && value <= hi; }
+  bool isZero() const { return lo == 0.0 && hi == 0.0; }                    ///< only the number 0
+  bool isBounded() const { return std::isfinite(lo) && std::isfinite(hi); } ///< both ends are finite
+  bool contains(double value) const { return lo <= value && value <= hi; }  ///< ends included; false for NaN
   /// Largest absolute value.
   double magnitude() const { return std::max(-lo, hi); }
-  double middle() const { return 0.5 * lo + 0.5 * hi; }
-  double radius() const { return 0.5 * hi - 0.5 * lo; }
+  double middle() const { return 0.5 * lo + 0.5 * hi; } ///< rounded; NaN for everything()
+  double radius() const { return 0.5 * hi - 0.5 * lo; } ///< half the width, rounded; infinite if an end is
 };
 
 /// [lo, hi] as computed with a relative rounding error below `relative`; results below 1e-300 may have underflowed.

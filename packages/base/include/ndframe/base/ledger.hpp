@@ -24,8 +24,8 @@ public:
   /// A stage of the run, all its passes together.
   struct Stage
   {
-    std::string name;
-    double seconds = 0.0;
+    std::string name;           ///< as given to time()
+    double seconds = 0.0;       ///< wall-clock time of all passes
     std::int64_t peakBytes = 0; ///< largest resident size while the stage ran (VmHWM, reset at its start)
   };
 
@@ -33,7 +33,7 @@ public:
   class Timer
   {
   public:
-    Timer(Ledger& ledger, std::string name);
+    Timer(Ledger& ledger, std::string name); ///< the stage begins; the ledger must outlive it
     ~Timer();
     Timer(const Timer&) = delete;
     Timer& operator=(const Timer&) = delete;
@@ -47,7 +47,7 @@ public:
   /// With a log given, its live line shows the stages and how far they are.
   explicit Ledger(const Log* live = nullptr) : live_(live) {}
 
-  void count(const std::string& what, std::int64_t amount = 1);
+  void count(const std::string& what, std::int64_t amount = 1); ///< adds to a count; new ones begin at 0
   /// How far something is: shown, not kept. Costs a lock.
   void tell(Depth depth, const Progress& progress) const;
   /// Forgets all counts and stages: another run begins, and factors of the last one may go on counting here.
@@ -56,8 +56,8 @@ public:
   void restore(std::map<std::string, std::int64_t> counts, std::vector<Stage> stages);
   /// 0 for what never happened.
   std::int64_t counted(const std::string& what) const;
-  const std::map<std::string, std::int64_t>& counts() const { return counts_; }
-  const std::vector<Stage>& stages() const { return stages_; }
+  const std::map<std::string, std::int64_t>& counts() const { return counts_; } ///< by name
+  const std::vector<Stage>& stages() const { return stages_; } ///< in the order in which they first ended
   /// Times a stage as long as the result lives.
   [[nodiscard]] Timer time(std::string stage) { return Timer(*this, std::move(stage)); }
 

@@ -11,6 +11,7 @@ namespace ndframe
 class ListPlace
 {
 public:
+  /// Without a list there is no place: mistake() must not be called then.
   explicit ListPlace(Params list = Params(nullptr)) : list_(std::move(list)) {}
 
   /// With the place of `key`, or of the list: empty key.

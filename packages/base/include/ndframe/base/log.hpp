@@ -43,7 +43,7 @@ public:
   /// Until endStage(), a live line "  <stage>, <how far> ... 12 s" may be shown (live_line.hpp); the seconds are those
   /// of this log.
   void beginStage(const std::string& stage) const;
-  void endStage(const std::string& stage) const;
+  void endStage(const std::string& stage) const; ///< ends the live line of the stage
   /// How far something is, for the live line.
   void tell(Depth depth, const Progress& progress) const;
 

@@ -54,22 +54,22 @@ struct ParamSpec
 {
   /// A parameter with a default; its kind follows from the default's type.
   ParamSpec(std::string name, Value defaultValue, Range range, std::string doc);
-  ParamSpec(std::string name, Value defaultValue, std::string doc);
+  ParamSpec(std::string name, Value defaultValue, std::string doc); ///< of any value of its kind
 
-  static ParamSpec required(std::string name, Kind kind, Range range, std::string doc);
-  static ParamSpec required(std::string name, Kind kind, std::string doc);
+  static ParamSpec required(std::string name, Kind kind, Range range, std::string doc); ///< must be given: no default
+  static ParamSpec required(std::string name, Kind kind, std::string doc);              ///< of any value of its kind
   /// May be absent; Params::has() tells.
   static ParamSpec optional(std::string name, Kind kind, Range range, std::string doc);
-  static ParamSpec optional(std::string name, Kind kind, std::string doc);
+  static ParamSpec optional(std::string name, Kind kind, std::string doc); ///< of any value of its kind
   /// An expression in x, y, z with a default such as "0".
   static ParamSpec expression(std::string name, std::string defaultText, std::string doc);
 
-  std::string name;
-  Kind kind;
-  bool isRequired = false;
-  std::optional<Value> defaultValue;
-  Range range;
-  std::string doc;
+  std::string name;                  ///< the key as decks have it
+  Kind kind;                         ///< type of its values
+  bool isRequired = false;           ///< absence is a mistake
+  std::optional<Value> defaultValue; ///< none: required or optional
+  Range range;                       ///< of the values
+  std::string doc;                   ///< for help and reference
 
 private:
   ParamSpec(std::string name, Kind kind, bool isRequired, Range range, std::string doc);
@@ -80,24 +80,24 @@ struct ListSpec;
 /// A component as help and validation see it.
 struct ComponentInfo
 {
-  std::string name;
-  std::string doc;
-  std::vector<ParamSpec> params;
-  std::vector<ListSpec> lists;
+  std::string name;              ///< the value of "Type"
+  std::string doc;               ///< for help and reference
+  std::vector<ParamSpec> params; ///< its keys, beside those of the list
+  std::vector<ListSpec> lists;   ///< its sublists, beside those of the list
 };
 
 /// The components that the key "Type" of a list chooses from.
 struct Choices
 {
-  std::vector<ComponentInfo> components;
-  std::string defaultType; ///< empty: "Type" is required
+  std::vector<ComponentInfo> components; ///< in the order of registration
+  std::string defaultType;               ///< empty: "Type" is required
 };
 
 /// One list of the deck.
 struct ListSpec
 {
-  std::string name;
-  std::string doc;
+  std::string name;                        ///< in the deck; what help calls user-named lists
+  std::string doc;                         ///< for help and reference
   bool isRequired = false;                 ///< absent lists that are not required are filled with their defaults ...
   bool onlyIfGiven = false;                ///< ... unless this is set: then absence means "not wanted"
   std::vector<std::string> requiredUnless; ///< a required list may be absent where one of these lists is given
@@ -118,8 +118,8 @@ template <class T>
 class Names
 {
 public:
-  Names(std::initializer_list<std::pair<std::string, T>> entries) : entries_(entries) {}
-
+  Names(std::initializer_list<std::pair<std::string, T>> entries) : entries_(entries) {} ///< each name and value once
+  /// One of the names, as a parameter's range.
   Range range() const
   {
     std::vector<std::string> names;
@@ -135,7 +135,7 @@ public:
         return entry.second;
     failUnknownName(name);
   }
-  const std::string& name(T value) const
+  const std::string& name(T value) const /// the name of a value; InternalError if it has none
   {
     for (const auto& entry : entries_)
       if (entry.second == value)

@@ -22,8 +22,8 @@ public:
 
   explicit Params(std::shared_ptr<const Node> node) : node_(std::move(node)) {}
 
-  const std::string& name() const;
-  std::string path() const; ///< "Bodies/punch/Material"; empty for the deck itself
+  const std::string& name() const; ///< of the list itself, without its path
+  std::string path() const;        ///< "Bodies/punch/Material"; empty for the deck itself
 
   /// True when the key was given or has a default.
   bool has(const std::string& key) const;
@@ -39,8 +39,8 @@ public:
   /// The compiled expression of a key of Kind::Expression.
   Expression expression(const std::string& key) const;
 
-  bool hasSub(const std::string& list) const;
-  Params sub(const std::string& list) const;
+  bool hasSub(const std::string& list) const; ///< true when the list was given or is filled with defaults
+  Params sub(const std::string& list) const;  ///< asking for one that is not there is a bug (InternalError)
   /// All sublists, in deck order (for user-named ones).
   std::vector<Params> subs() const;
 

@@ -20,7 +20,7 @@ template <class Product>
 class Registry
 {
 public:
-  using Builder = std::function<std::unique_ptr<Product>(const Params&)>;
+  using Builder = std::function<std::unique_ptr<Product>(const Params&)>; ///< from the validated list that chose it
 
   /// `kind` is what messages call the components, e.g. "relaxation".
   explicit Registry(std::string kind, std::string defaultType = {}) : kind_(std::move(kind))
@@ -28,6 +28,7 @@ public:
     choices_.defaultType = std::move(defaultType);
   }
 
+  /// Another component of the same name is a bug (InternalError). lists: its sublists.
   void add(std::string name, std::string doc, std::vector<ParamSpec> params, Builder builder,
            std::vector<ListSpec> lists = {})
   {
@@ -47,8 +48,8 @@ public:
     throw InternalError(kind_ + " \"" + type + "\" passed validation but is not registered");
   }
 
-  const std::string& kind() const { return kind_; }
-  const Choices& choices() const { return choices_; }
+  const std::string& kind() const { return kind_; }   ///< as given to the constructor
+  const Choices& choices() const { return choices_; } ///< for the specification of the deck (makeChoice)
 
 private:
   std::string kind_;

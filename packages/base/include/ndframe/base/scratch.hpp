@@ -10,12 +10,12 @@ namespace ndframe
 class Scratch
 {
 public:
-  explicit Scratch(std::filesystem::path path);
+  explicit Scratch(std::filesystem::path path); ///< makes nothing
   ~Scratch();
   Scratch(const Scratch&) = delete;
   Scratch& operator=(const Scratch&) = delete;
 
-  const std::filesystem::path& path() const { return path_; }
+  const std::filesystem::path& path() const { return path_; } ///< as given; may not exist
 
 private:
   std::filesystem::path path_;

@@ -10,7 +10,7 @@ namespace ndframe
 /// All that a run on given meshes needs.
 struct CertificateComponents : SceneComponents, SolverComponents
 {
-  Registry<StressRecovery> recoveries{"recovery", "Automatic"};
+  Registry<StressRecovery> recoveries{"recovery", "Automatic"}; ///< how equilibrated stresses are found
 };
 
 } // namespace ndframe

@@ -55,23 +55,23 @@ const Names<TractionMean>& tractionMeanNames();
 /// The list Error Estimation, read.
 struct ErrorOptions
 {
-  ListPlace place;
-  std::vector<Estimator> estimators; ///< those of the deck; without the key Global and, with interfaces, its two parts
-  ErrorMode mode = ErrorMode::Strict;
-  TractionType tractionType = TractionType::Automatic;
-  TractionMean tractionMean = TractionMean::Previous;
-  std::string recovery; ///< name of the component
-  bool checkEquilibrium = false;
-  bool requireGuarantee = false; ///< a bound that is not guaranteed is a failed run
-  int refinements = 0;           ///< of the reference: halvings of every edge
-  std::int64_t maximumDofs = 0;  ///< of the reference
-  bool touches = false;          ///< the deck has interfaces
+  ListPlace place;                    ///< for mistakes that show later
+  std::vector<Estimator> estimators;  ///< those of the deck; without the key Global and, with interfaces, its two parts
+  ErrorMode mode = ErrorMode::Strict; ///< what u^ is, and what a guarantee takes
+  TractionType tractionType = TractionType::Automatic; ///< as the deck has it; tractionWith() decides
+  TractionMean tractionMean = TractionMean::Previous;  ///< for the projection, from which Optimal begins, too
+  std::string recovery;                                ///< name of the component
+  bool checkEquilibrium = false;                       ///< of the recovered stresses, cell by cell
+  bool requireGuarantee = false;                       ///< a bound that is not guaranteed is a failed run
+  int refinements = 0;                                 ///< of the reference: halvings of every edge
+  std::int64_t maximumDofs = 0;                        ///< of the reference
+  bool touches = false;                                ///< the deck has interfaces
 
-  bool wants(Estimator estimator) const;
-  bool needsGlobalField() const;     ///< one admissible traction on both sides and the fields u~ in balance with it
-  bool needsTraction() const;        ///< that or the tractions of the separate problems
-  bool recoversGlobalStress() const; ///< the equilibrated stress of the bound
-  bool recoversStress() const;       ///< that or the one of the separate problems
+  bool wants(Estimator estimator) const; ///< it is among the estimators
+  bool needsGlobalField() const;         ///< one admissible traction on both sides and the fields u~ in balance with it
+  bool needsTraction() const;            ///< that or the tractions of the separate problems
+  bool recoversGlobalStress() const;     ///< the equilibrated stress of the bound
+  bool recoversStress() const;           ///< that or the one of the separate problems
   /// Optimal or Projected.
   TractionType tractionWith(const StressRecovery& component, int dim) const;
   /// The recovery changes the traction.

@@ -15,13 +15,13 @@ namespace ndframe
 /// The scene assembled, factored and condensed to the interfaces: what every sweep, tolerance and load case works on.
 struct CondensedModel
 {
-  std::vector<BodySystem> systems;
-  std::vector<Vector> loads; ///< effective loads, per body
-  std::vector<std::unique_ptr<CondensedBody>> condensed;
-  InterfaceSystem interface;  ///< no unknowns without interfaces
-  SceneRecipe recipe;         ///< of the model that was condensed
-  std::vector<int> exchanged; ///< bodies whose roles were exchanged since then, ascending
-  int threads = 1;            ///< that may solve with different bodies at the same time
+  std::vector<BodySystem> systems;                       ///< per body; the factors refer to their matrices
+  std::vector<Vector> loads;                             ///< effective loads, per body
+  std::vector<std::unique_ptr<CondensedBody>> condensed; ///< per body: its factor
+  InterfaceSystem interface;                             ///< no unknowns without interfaces
+  SceneRecipe recipe;                                    ///< of the model that was condensed
+  std::vector<int> exchanged;                            ///< bodies whose roles were exchanged since then, ascending
+  int threads = 1;                                       ///< that may solve with different bodies at the same time
 
   /// The trace of a body, null if it touches nothing.
   const BodyTrace* trace(int body) const;

@@ -10,10 +10,10 @@ namespace ndframe
 /// What solves scenes.
 struct SolverComponents
 {
-  Registry<LinearSolver> linearSolvers{"linear solver", "Automatic"};
-  Registry<InterfaceOperator> interfaceOperators{"interface operator", "Automatic"};
-  Registry<RelaxationController> relaxations{"relaxation", "Automatic"};
-  Registry<Coupling> couplings{"coupling", "Automatic"};
+  Registry<LinearSolver> linearSolvers{"linear solver", "Automatic"};                ///< list Linear Solver
+  Registry<InterfaceOperator> interfaceOperators{"interface operator", "Automatic"}; ///< list Interface Operator
+  Registry<RelaxationController> relaxations{"relaxation", "Automatic"};             ///< list Coupling/Relaxation
+  Registry<Coupling> couplings{"coupling", "Automatic"};                             ///< list Coupling
 };
 
 } // namespace ndframe

@@ -16,10 +16,13 @@ namespace ndframe
 /// The interface state after a sweep. The final state pairs u1, Lambda_dir(p) with u2, Lambda_neu(p-1).
 struct InterfaceState
 {
+  /// Normal displacements along n_c of the Dirichlet bodies, a length (InterfaceSystem).
   Vector uDirichlet, uNeumann; ///< normal displacements per unknown
   Vector motionsNeumann;  ///< amplitudes of the Neumann bodies' free motions, if the coupling finds them separately
   Vector strainedNeumann; ///< then uNeumann without them: a large motion costs the sum the digits of small strains
-  Vector forceDirichlet, forceNeumann;       ///< C Lambda_dir, C Lambda_neu per unknown
+  /// Nodal forces along n_c on the Dirichlet bodies, negative in compression.
+  Vector forceDirichlet, forceNeumann; ///< C Lambda_dir, C Lambda_neu per unknown
+  /// Nodal traction of the Dirichlet bodies along n_c, a stress; negative in compression.
   Vector tractionDirichlet, tractionNeumann; ///< Lambda per interface node (all nodes of the contact matrix)
   std::vector<char> closed;                  ///< status per unknown
   /// The interiors too where the coupling found them, in the order of InterfaceSystem::bodies: u in the nodes' own
@@ -30,27 +33,30 @@ struct InterfaceState
 /// One line of the history.
 struct SweepRecord
 {
-  int sweep = 0;
+  int sweep = 0;       ///< counted from 1
   double epsTau = 0.0; ///< |Lambda_dir - Lambda_neu| / (1/2 |Lambda_dir + Lambda_neu|)
   /// With a goal for it: half the distance between Lambda_dir and Lambda_neu in the energy norm of the bodies. FETI,
   /// whose forces are those of both: what its displacements are wrong by for their statuses, at most, and what makes
   /// them admissible.
   std::optional<double> iterationError;
   double theta = 0.0; ///< factor used for the next traction; 0 where there is none
-  int statusChanges = 0, statusPasses = 0;
-  int closed = 0, open = 0;
+  /// Number of unknowns whose status the sweep changed.
+  int statusChanges = 0, statusPasses = 0; ///< linear solves of the status method
+  /// Number of closed unknowns after the sweep.
+  int closed = 0, open = 0; ///< number of open unknowns
+  /// Sum of InterfaceState::forceDirichlet.
   double forceDirichlet = 0.0, forceNeumann = 0.0; ///< resultants int t_N dS of Lambda_dir and Lambda_neu
   bool turned = false;      ///< Lambda_dir - Lambda_neu points against that of the sweep before: a step too long
   double penetration = 0.0; ///< max (u1_N - u2_N - g), at least 0
-  std::string note;
+  std::string note;         ///< for the user; usually empty
 };
 
 /// What a coupling returns: the last state, how it came there, and why it stopped.
 struct CouplingResult
 {
-  InterfaceState state;
-  std::vector<SweepRecord> history;
-  bool converged = false;
+  InterfaceState state;             ///< after the last sweep
+  std::vector<SweepRecord> history; ///< one record per sweep
+  bool converged = false;           ///< else `state` is that of an unfinished iteration
   double contactTolerance = 0.0; ///< what the state may penetrate and pull by, relative, as the deck asked for no more
   std::string type;              ///< the coupling that solved it, where another one was asked to choose
   std::string reason;            ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
@@ -93,7 +99,7 @@ public:
   /// Throws NotConverged when there is no state to return at all (the load does not press the bodies together).
   virtual CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                                const CouplingStart& start = {}) const = 0;
-  virtual Roles roles() const = 0;
+  virtual Roles roles() const = 0; ///< what Dirichlet and Neumann body mean to it
   /// Whether solve() needs a role for every body (haveRoles). False where it can do without.
   virtual bool needsRoles() const { return roles() != Roles::None; }
   /// Whether roles and the eigenvalues of sweeps mean anything to solve() of this system.

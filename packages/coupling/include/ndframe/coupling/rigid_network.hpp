@@ -17,7 +17,7 @@ struct RigidNetwork
   Vector magnitude;                ///< sum of |force| |displacement| at the points where the loads act
   Vector reluctance;               ///< > 0; of several motions that do, the one with the least sum of these is told
 
-  int size() const { return int(work.size()); }
+  int size() const { return int(work.size()); } ///< number of motions
 };
 
 // What rigid motions say about a scene before anything is solved. Linear programs over the cone B R a <= 0; that no

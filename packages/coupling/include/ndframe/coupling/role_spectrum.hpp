@@ -17,14 +17,16 @@ namespace ndframe
 /// (mu infinite) adds nothing, for its amplitude is found by the unilateral problem.
 struct RoleSpectrum
 {
+  /// Extreme eigenvalues mu, dimensionless.
   double smallest = 0.0, largest = 0.0; ///< of the motions that strain both sides; 0 when there is none
-  bool dirichletFloats = false, neumannFloats = false;
+  /// A Dirichlet body has free motions: mu = 0, too.
+  bool dirichletFloats = false, neumannFloats = false; ///< a Neumann body has free motions, which add nothing
 
   /// False when a stiffness on the interface is lost in round-off; the eigenvalues are then NaN.
   bool isKnown() const;
   /// The factor max |1 - theta (1 + mu)| with the best theta = 2 / (2 + mu_min + mu_max), and that theta.
   double contraction() const;
-  double bestTheta() const;
+  double bestTheta() const; ///< theta: at most 1, NaN if nothing is known
   /// The same factor with a given theta; above 1 the iteration diverges.
   double contraction(double theta) const;
   /// With the roles exchanged: mu becomes 1/mu.
@@ -35,7 +37,7 @@ struct RoleSpectrum
 struct ConnectedBodies
 {
   std::vector<int> bodies; ///< their numbers in the list of bodies, ascending
-  RoleSpectrum spectrum;
+  RoleSpectrum spectrum;   ///< for the roles that they have; NaN: isKnown() is false
 };
 
 /// The connected parts of the network of bodies with the spectra of the roles they have; the extreme eigenvalues come

@@ -11,7 +11,8 @@ namespace ndframe
 /// What two sides of solids have in common.
 struct CommonFacets
 {
-  std::vector<std::pair<int, int>> vertices;    ///< at one place, first and second; ascending by the first
+  std::vector<std::pair<int, int>> vertices; ///< at one place, first and second; ascending by the first
+  /// Facets of the first side.
   std::vector<Facet> firstFacets, secondFacets; ///< of these vertices, in the same order
 };
 

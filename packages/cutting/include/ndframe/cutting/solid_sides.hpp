@@ -11,8 +11,10 @@ namespace ndframe
 /// Two sides of solids that may touch.
 struct SolidSides
 {
-  int firstBody = 0, secondBody = 0;
-  std::string firstSide, secondSide;
+  /// Place of the first body in the list of meshes.
+  int firstBody = 0, secondBody = 0; ///< place of the second body; may be the same
+  /// Name of the first body's side.
+  std::string firstSide, secondSide; ///< name of the second body's side
   bool isCut = false; ///< they do not match as they are; others are named for the edges they share with such sides
 };
 

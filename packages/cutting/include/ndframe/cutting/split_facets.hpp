@@ -13,7 +13,7 @@ namespace ndframe
 /// New vertices on the boundary of a tetrahedron mesh, and how facets are divided there.
 struct FacetSplits
 {
-  using Triangle = std::array<int, 3>;
+  using Triangle = std::array<int, 3>; ///< numbers of its vertices, old or new
 
   std::vector<double> points; ///< three coordinates each; numbered behind those of the mesh
   /// By the two vertices of an edge, ascending: the vertices between them, from the smaller one on.
@@ -24,7 +24,7 @@ struct FacetSplits
 
   std::map<int, std::array<double, 3>> moved; ///< vertices of the mesh with another place, in the plane of their facets
 
-  bool empty() const { return edges.empty() && facets.empty(); }
+  bool empty() const { return edges.empty() && facets.empty(); } ///< nothing is divided, whatever is moved
 };
 
 /// Divides facets of a tetrahedron mesh, and the cells behind them: a cell becomes the pyramids over the triangles of

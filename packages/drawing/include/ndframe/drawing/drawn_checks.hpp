@@ -20,8 +20,9 @@ void refuseNamesOfLists(const std::vector<std::string>& bodies);
 /// Two plane bodies of which one has a cell's centre inside the other.
 struct DrawnOverlap
 {
-  std::string first, second;
-  Vector3 place;
+  /// Name of the body in which the place lies.
+  std::string first, second; ///< name of the body whose cell it is
+  Vector3 place;             ///< centre of the cell
 };
 
 /// The first overlap of plane bodies, if there is one.

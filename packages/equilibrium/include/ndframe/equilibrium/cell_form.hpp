@@ -14,7 +14,7 @@ DenseCholesky stiffnessFactor(const Elasticity& law);
 class CellForm
 {
 public:
-  CellForm(const ReferenceStress& reference, const CellMap& map, const Elasticity& law);
+  CellForm(const ReferenceStress& reference, const CellMap& map, const Elasticity& law); ///< reference must outlive it
 
   /// The data's matrix once the bubbles take the least energy.
   DenseMatrix condensed() const;

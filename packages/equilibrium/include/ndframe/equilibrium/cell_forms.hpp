@@ -13,7 +13,7 @@ public:
   /// Cells of condensed().
   static constexpr int lanes = 8;
 
-  explicit CellForms(const ReferenceStress& reference);
+  explicit CellForms(const ReferenceStress& reference); ///< reference must outlive it
 
   /// CellForm::condensed of `lanes` cells, both per entry and lane.
   struct Condensed
@@ -23,7 +23,7 @@ public:
   };
   /// compliances: per entry (pulledBackCompliance) and lane. The result is valid until `work` is used again.
   Condensed condensed(const double* compliances, Vector& work) const;
-  std::size_t factorSize() const;
+  std::size_t factorSize() const; ///< entries a lane; 0 without bubbles
 
   /// forces = the same matrices times tractions T, without having the matrices: the stress of T, its bubbles, and back.
   /// Per entry and lane.

@@ -10,10 +10,10 @@ namespace ndframe
 /// ascending.
 struct CellStress
 {
-  int dim = 0;
-  double atVertex[4][6];
+  int dim = 0;           ///< of space
+  double atVertex[4][6]; ///< stress, Voigt: 3 or 6 components a vertex
   double gradient[4][3]; ///< of the barycentric coordinates
-  double measure = 0.0;
+  double measure = 0.0;  ///< area or volume
 };
 
 /// sigma_h = D eps(u_h) of a cell; displacement in global axes, node by node.

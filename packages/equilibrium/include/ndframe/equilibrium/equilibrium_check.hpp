@@ -17,7 +17,7 @@ struct EquilibriumDefects
   /// almost rigidly, smaller stresses are not resolved in double precision.
   double scale = 0.0;
 
-  double largest() const;
+  double largest() const; ///< of the four, relative to `scale`
 };
 
 /// Evaluates sigma^ in every cell and looks at the polynomials themselves; independent of how sigma^ was found.

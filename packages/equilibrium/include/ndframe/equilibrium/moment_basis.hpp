@@ -41,8 +41,8 @@ public:
   /// Constants on the sub-cells of the split simplex (dim 2, 3): what the divergence of a stress of degree 1 can be.
   static MomentBasis piecewiseConstant(int dim);
 
-  int dim() const { return dim_; }
-  int size() const { return size_; }
+  int dim() const { return dim_; }   ///< of the simplex
+  int size() const { return size_; } ///< number of functions
   /// Values of all functions at a point with barycentric coordinates lambda (dim + 1 values).
   void values(const double* lambda, double* m) const;
   /// Derivatives along lambda_1..lambda_dim, lambda_0 = 1 - their sum following; dm: size x dim, row-major. Zero inside

@@ -27,10 +27,10 @@ namespace ndframe
 /// coordinates of sub-cell `sub` (the barycentre takes the place of vertex `sub`).
 struct ReferenceStress
 {
-  int dim = 0, degree = 0;
-  int facetModes = 0, loadModes = 0;
-  int tractions = 0; ///< (dim + 1) * facetModes * dim
-  int loads = 0;     ///< loadModes * dim
+  int dim = 0, /**< of space */ degree = 0;                            ///< q of the stresses
+  int facetModes = 0, /**< functions of facetBasis() */ loadModes = 0; ///< functions of loadBasis()
+  int tractions = 0;                                                   ///< (dim + 1) * facetModes * dim
+  int loads = 0;                                                       ///< loadModes * dim
   int bubbles =
       0; ///< symmetric, divergence-free, traction-free: 0 / 3 / 9 (dim 2, q = 1, 2, 3), 0 / 18 (dim 3, q = 1, 2)
   int coefficients = 0; ///< (dim + 1) sub-cells x strains x modes (polynomials of degree <= q)
@@ -40,7 +40,7 @@ struct ReferenceStress
   DenseMatrix bubble;              ///< coefficients x bubbles
   std::vector<DenseMatrix> energy; ///< strains (strains + 1) / 2 matrices of size tractions + loads + bubbles
 
-  int data() const { return tractions + loads; }
+  int data() const { return tractions + loads; } ///< entries of (T^, G^)
 };
 
 /// Tables for dim 2 with degree 1..3 and dim 3 with degree 1..2; computed on first use, then kept (they depend on
@@ -50,9 +50,9 @@ const ReferenceStress& referenceStress(int dim, int degree);
 /// A cell's map from the reference simplex (vertices 0, e_1, .., e_dim), its sorted vertices in this order.
 struct CellMap
 {
-  int dim = 0;
-  std::array<double, 9> F{}, inverse{}; ///< row-major
-  double det = 0.0;                     ///< |det F|
+  int dim = 0;                                                     ///< of space
+  std::array<double, 9> F{}, /**< row-major, lengths */ inverse{}; ///< row-major
+  double det = 0.0;                                                ///< |det F|
 };
 
 /// x = F xi + x_0 from the reference simplex onto a cell, vertices in sorted order.
@@ -65,10 +65,10 @@ std::vector<double> pulledBackCompliance(const CellMap& map, const Elasticity& l
 /// A stress on one split cell as polynomials: for Check Equilibrium, for point values, for output.
 struct SplitStress
 {
-  int dim = 0, degree = 0;
-  SortedCell cell;
-  CellMap map;
-  std::vector<double> coefficients; ///< of S on the reference simplex
+  int dim = 0, /**< of space */ degree = 0; ///< q of the stress
+  SortedCell cell;                          ///< its vertices
+  CellMap map;                              ///< F and its determinant
+  std::vector<double> coefficients;         ///< of S on the reference simplex
   /// sigma (Voigt) in sub-cell `sub` (the one without vertex `sub`) at barycentric coordinates lambda of the cell, in
   /// sorted order.
   void stress(int sub, const double* lambda, double* sigma) const;

@@ -11,7 +11,7 @@ namespace ndframe
 /// A boundary facet where something is prescribed.
 struct BoundaryFacet
 {
-  Facet facet;
+  Facet facet;                           ///< of the body's mesh
   int supported = 0;                     ///< number of independent directions that supports prescribe on this facet
   std::array<Direction, 3> directions{}; ///< these, orthonormal: the traction along them is a reaction, unknown
 
@@ -27,7 +27,7 @@ struct BoundaryFacet
 /// at a (docs/theory.md), so that stars are balanced although rotations times phi_a are not in the space.
 struct StaticData
 {
-  int dim = 0, order = 0, degree = 0;
+  int dim = 0, /**< of space */ order = 0, /**< p, of the displacements */ degree = 0; ///< q, of the stresses
   std::vector<BoundaryFacet> boundary; ///< facets with supports or loads; facets not listed are free of traction
   /// Shares of p: per boundary facet, per facet vertex (ascending), per mode, per component: moments int p_a L_k.
   std::vector<double> facetShares;
@@ -52,7 +52,7 @@ struct StaticData
 class Shares
 {
 public:
-  Shares(const MomentBasis& basis, int order);
+  Shares(const MomentBasis& basis, int order); ///< basis: of a facet or of loads; order p: 1 or 2
   /// Moments (per mode) of the share of vertex a of the function 1, divided by the simplex's measure.
   const double* ofOne(int a) const { return one_.data() + std::size_t(a) * std::size_t(modes_); }
   /// Order 2: moments of the share of vertex a of the barycentric coordinate lambda_b (b = 0..n), over the measure.

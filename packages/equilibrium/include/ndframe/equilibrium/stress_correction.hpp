@@ -20,9 +20,9 @@ struct FieldInput
 /// tractions on the facets of every cell (outward) and of its divergence. Inside the cell c minimises its energy.
 struct StressCorrection
 {
-  int dim = 0, degree = 0;
-  Vector tractions; ///< per cell, facet (sorted), mode, component: int (c n) . L_k, a force
-  Vector loads;     ///< per cell, load mode, component: int (div c) m_k, a force
+  int dim = 0, /**< of space */ degree = 0; ///< q of the stress
+  Vector tractions;                         ///< per cell, facet (sorted), mode, component: int (c n) . L_k, a force
+  Vector loads;                             ///< per cell, load mode, component: int (div c) m_k, a force
 
   double imbalance = 0.0; ///< largest wrench of a star (moments over its size) that had no support to take it
   double force = 0.0;     ///< largest force in a star: what its data and sigma~ amount to

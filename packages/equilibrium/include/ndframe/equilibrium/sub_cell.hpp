@@ -7,7 +7,7 @@ namespace ndframe
 /// smallest.
 struct SubCell
 {
-  int dim, sub;
+  int dim, /**< of the simplex, 2 or 3 */ sub; ///< 0 to dim
 
   /// Barycentric coordinates in the sub-cell from those in the simplex.
   void coordinates(const double* lambda, double* mu) const

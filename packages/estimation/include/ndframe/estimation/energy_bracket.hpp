@@ -14,8 +14,8 @@ namespace ndframe
 /// complementary energy of the equilibrated stress and the energy of the admissible displacement.
 struct EnergyBracket
 {
-  double lower = -std::numeric_limits<double>::infinity();
-  double upper = std::numeric_limits<double>::infinity();
+  double lower = -std::numeric_limits<double>::infinity(); ///< force times length; infinite: nothing is known
+  double upper = std::numeric_limits<double>::infinity();  ///< not below `lower`, but for round-off
   double roundOff = 0.0; ///< what either may be wrong by in floating-point numbers, generously
 };
 
@@ -32,6 +32,7 @@ EnergyBracket bracketEnergy(const ErrorMeasure& measure, double strainEnergy, do
 /// Two certificates of one scene that cannot both hold.
 struct Contradiction
 {
+  /// Of the record's certificate, and of the one that was taken in.
   std::string earlier, later; ///< their names
   double lower = 0.0;         ///< by one of them the exact energy is not below this,
   double upper = 0.0;         ///< by the other one not above this, which is less
@@ -47,24 +48,25 @@ public:
   /// messages call it.
   std::optional<Contradiction> add(const EnergyBracket& bracket, const std::string& name);
 
-  double lower() const { return lower_.value; }
-  double upper() const { return upper_.value; }
-  bool holds() const { return holds_; } ///< no two certificates contradict each other
-  int certificates() const { return certificates_; }
+  double lower() const { return lower_.value; }      ///< the largest one; minus infinity without a certificate
+  double upper() const { return upper_.value; }      ///< the smallest one; infinite without a certificate
+  bool holds() const { return holds_; }              ///< no two certificates contradict each other
+  int certificates() const { return certificates_; } ///< number of those that were taken in
 
   /// An end of the bracket and the certificate that it is from.
   struct Side
   {
-    double value = 0.0, roundOff = 0.0;
-    std::string name;
+    /// Force times length; infinite without a certificate.
+    double value = 0.0, roundOff = 0.0; ///< what the value may be wrong by, absolute
+    std::string name;                   ///< of the certificate; empty without one
   };
   EnergyRecord() = default;
   /// Of certificates of an earlier process that hold together.
   EnergyRecord(Side lower, Side upper, int certificates)
       : lower_(std::move(lower)), upper_(std::move(upper)), certificates_(certificates)
   {}
-  const Side& lowerSide() const { return lower_; }
-  const Side& upperSide() const { return upper_; }
+  const Side& lowerSide() const { return lower_; } ///< lower() and where it is from
+  const Side& upperSide() const { return upper_; } ///< upper() and where it is from
 
 private:
   Side lower_{-std::numeric_limits<double>::infinity(), 0.0, {}},

@@ -9,21 +9,27 @@ namespace ndframe
 template <int dim>
 struct SimplexEdges;
 
+/// The edge itself.
 template <>
 struct SimplexEdges<1>
 {
+  /// Local vertices at its ends.
   static constexpr std::array<std::array<int, 2>, 1> vertices{{{0, 1}}};
 };
 
+/// Those of a triangle, once around.
 template <>
 struct SimplexEdges<2>
 {
+  /// Local vertices at the ends of each.
   static constexpr std::array<std::array<int, 2>, 3> vertices{{{0, 1}, {1, 2}, {2, 0}}};
 };
 
+/// Those of a tetrahedron: around the triangle 012, then those to vertex 3.
 template <>
 struct SimplexEdges<3>
 {
+  /// Local vertices at the ends of each.
   static constexpr std::array<std::array<int, 2>, 6> vertices{{{0, 1}, {1, 2}, {2, 0}, {0, 3}, {1, 3}, {2, 3}}};
 };
 
@@ -34,9 +40,9 @@ template <int dim, int order>
 struct Lagrange
 {
   static_assert(order == 1 || order == 2);
-  static constexpr int vertices = dim + 1;
-  static constexpr int edges = int(SimplexEdges<dim>::vertices.size());
-  static constexpr int nodes = order == 1 ? vertices : vertices + edges;
+  static constexpr int vertices = dim + 1;                               ///< of the simplex
+  static constexpr int edges = int(SimplexEdges<dim>::vertices.size());  ///< of the simplex
+  static constexpr int nodes = order == 1 ? vertices : vertices + edges; ///< basis functions
 
   /// Values of all basis functions at the point with barycentric coordinates lambda (dim + 1 values).
   static void values(const double* lambda, double* N)

@@ -15,16 +15,18 @@ namespace ndframe
 /// 01, 12, 20, 03, 13, 23 for tetrahedra.
 struct NodeMap
 {
-  int dim = 0;
-  int order = 0;
-  int nodesPerCell = 0;
-  int nodesPerFacet = 0;
+  int dim = 0;                ///< of space; 0: an empty map
+  int order = 0;              ///< 1 or 2
+  int nodesPerCell = 0;       ///< 3, 6 (dim 2) or 4, 10 (dim 3) for order 1, 2
+  int nodesPerFacet = 0;      ///< 2, 3 (dim 2) or 3, 6 (dim 3) for order 1, 2
   std::vector<int> cellNodes; ///< nodesPerCell * numCells
   std::vector<double> points; ///< dim * numNodes
 
-  int numNodes() const { return dim == 0 ? 0 : int(points.size()) / dim; }
-  int numCells() const { return nodesPerCell == 0 ? 0 : int(cellNodes.size()) / nodesPerCell; }
+  int numNodes() const { return dim == 0 ? 0 : int(points.size()) / dim; } ///< points, and edges for order 2
+  int numCells() const { return nodesPerCell == 0 ? 0 : int(cellNodes.size()) / nodesPerCell; } ///< of the mesh
+  /// The nodesPerCell nodes of a cell, in the local order.
   const int* cell(int c) const { return cellNodes.data() + std::size_t(c) * std::size_t(nodesPerCell); }
+  /// The dim coordinates of a node.
   const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
 };
 

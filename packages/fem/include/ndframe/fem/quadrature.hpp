@@ -8,11 +8,12 @@ namespace ndframe
 /// Points in barycentric coordinates with weights that add up to 1 (multiply by the measure of the simplex).
 struct QuadratureRule
 {
-  int dim = 0;
-  std::vector<double> lambda; ///< (dim + 1) per point
-  std::vector<double> weights;
+  int dim = 0;                 ///< of the simplex
+  std::vector<double> lambda;  ///< (dim + 1) per point
+  std::vector<double> weights; ///< one per point
 
-  int size() const { return int(weights.size()); }
+  int size() const { return int(weights.size()); } ///< number of points
+  /// The dim + 1 coordinates of a point.
   const double* point(int q) const { return lambda.data() + std::size_t(q) * std::size_t(dim + 1); }
 };
 

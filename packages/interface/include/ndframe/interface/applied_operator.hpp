@@ -17,14 +17,14 @@ namespace ndframe
 class AppliedOperator : public SymmetricOperator
 {
 public:
-  explicit AppliedOperator(double tolerance) : tolerance_(tolerance) {}
+  explicit AppliedOperator(double tolerance) : tolerance_(tolerance) {} ///< relative residual at which CG stops
   std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const override;
   const DenseMatrix* dense() const override { return nullptr; }
-  double tolerance() const { return tolerance_; }
+  double tolerance() const { return tolerance_; } ///< relative residual at which CG stops
 
   /// An approximate inverse, symmetric and positive definite; b itself where none is known.
   virtual Vector precondition(const Vector& b) const { return b; }
-  virtual bool hasPreconditioner() const { return false; }
+  virtual bool hasPreconditioner() const { return false; } ///< precondition() is not the identity
   /// The inverse of A_FF if the operator has it without iterations; else null.
   virtual std::unique_ptr<RestrictedInverse> directInverse(const std::vector<char>& /*isFree*/) const
   {

@@ -21,10 +21,10 @@ namespace ndframe
 /// u_N = row u + offset, u the values of the trace.
 struct DependentUnknown
 {
-  int unknown;
-  bool onDirichletSide;
-  SparseRow row;
-  double offset;
+  int unknown;          ///< number of the interface unknown
+  bool onDirichletSide; ///< the body is the Dirichlet body there, or meets an obstacle
+  SparseRow row;        ///< by places in the trace
+  double offset;        ///< what prescribed displacements add, a length
 };
 
 /// A vector that may take a solve to find, and is found when it is first read. Not for several threads.
@@ -32,18 +32,18 @@ class ReducedLoad
 {
 public:
   ReducedLoad() = default;
-  ReducedLoad(Vector values) : values_(std::move(values)) {}
-  explicit ReducedLoad(std::function<Vector()> find) : find_(std::move(find)) {}
+  ReducedLoad(Vector values) : values_(std::move(values)) {}                     ///< known from the start
+  explicit ReducedLoad(std::function<Vector()> find) : find_(std::move(find)) {} ///< called once, at the first reading
 
-  operator const Vector&() const { return found(); }
-  std::size_t size() const { return found().size(); }
-  double operator[](std::size_t i) const { return found()[i]; }
-  double& operator[](std::size_t i) { return found()[i]; }
-  auto begin() const { return std::as_const(found()).begin(); }
-  auto end() const { return std::as_const(found()).end(); }
-  auto begin() { return found().begin(); }
-  auto end() { return found().end(); }
-  void negate();
+  operator const Vector&() const { return found(); }            ///< finds it, as all that read do
+  std::size_t size() const { return found().size(); }           ///< number of entries; finds it
+  double operator[](std::size_t i) const { return found()[i]; } ///< an entry; finds it
+  double& operator[](std::size_t i) { return found()[i]; }      ///< an entry to be changed; finds it
+  auto begin() const { return std::as_const(found()).begin(); } ///< of the entries; finds it
+  auto end() const { return std::as_const(found()).end(); }     ///< of the entries; finds it
+  auto begin() { return found().begin(); }                      ///< of entries to be changed; finds it
+  auto end() { return found().end(); }                          ///< of entries to be changed; finds it
+  void negate();                                                ///< changes the sign; finds nothing
 
 private:
   Vector& found() const;
@@ -58,16 +58,16 @@ struct BodyTrace
   int body = 0;                      ///< index into the list of bodies
   std::vector<int> unknowns;         ///< the interface unknown of each kept dof
   std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there, or meets an obstacle
-  std::shared_ptr<const SymmetricOperator> S;
-  TraceMap map;                             ///< from the kept dofs to u_N
-  ReducedLoad g;                            ///< per value
-  std::vector<DependentUnknown> dependents; ///< where more unknowns meet than its nodes can follow one by one
-  const WholeSolver* whole = nullptr;       ///< of the body, null where it is none
-  const Vector* load = nullptr;             ///< its effective load
+  std::shared_ptr<const SymmetricOperator> S; ///< condensed stiffness in the trace's values (traceOperator)
+  TraceMap map;                               ///< from the kept dofs to u_N
+  ReducedLoad g;                              ///< per value
+  std::vector<DependentUnknown> dependents;   ///< where more unknowns meet than its nodes can follow one by one
+  const WholeSolver* whole = nullptr;         ///< of the body, null where it is none
+  const Vector* load = nullptr;               ///< its effective load
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
-  std::vector<std::string> motionNames;
+  std::vector<std::string> motionNames; ///< per column of freeMotions: with the body's name, for messages
 
-  bool isSolvedWhole() const { return whole != nullptr && whole->solvesWhole(); }
+  bool isSolvedWhole() const { return whole != nullptr && whole->solvesWhole(); } ///< by iterations on all its dofs
 
   /// The contact forces on this body along n_c, per value of the trace, from those per unknown; those of dependents are
   /// shared out.
@@ -78,8 +78,8 @@ struct BodyTrace
 /// pressed there stays inside the body, so that no force says it.
 struct SlitEnd
 {
-  int node;
-  std::vector<int> beside;
+  int node;                ///< numbered as in the contact matrix
+  std::vector<int> beside; ///< the same; once for every facet that has both
 };
 
 /// All interfaces as one system. An unknown is an interface node whose normal displacement is free on both bodies, or
@@ -94,12 +94,12 @@ struct InterfaceSystem
   Vector gap;                     ///< per unknown
   std::vector<char> isObstacle;   ///< per unknown: only one body is free
   Vector obstacle;                ///< per unknown: the held body's displacement along the free one's normal; else 0
-  std::vector<BodyTrace> bodies;
-  std::vector<SlitEnd> slitEnds;
-  std::shared_ptr<const ContactMatrix> C;
+  std::vector<BodyTrace> bodies;  ///< those that have unknowns, by ascending BodyTrace::body
+  std::vector<SlitEnd> slitEnds;  ///< of all interfaces; empty without slits
+  std::shared_ptr<const ContactMatrix> C;    ///< null without interfaces
   std::shared_ptr<const ContactBasis> basis; ///< null: values at the nodes
 
-  int size() const { return int(nodeOfUnknown.size()); }
+  int size() const { return int(nodeOfUnknown.size()); } ///< number of unknowns
   /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.
   bool isDirichlet(const BodyTrace& body) const;
   /// Displacements of the Neumann side with those of the obstacles filled in.
@@ -112,7 +112,7 @@ struct InterfaceSystem
   Vector traction(const Vector& force) const;
   /// The forces at the unknowns of nodal tractions, and of the traction that has these values or coefficients there.
   Vector force(const Vector& traction) const;
-  Vector forceOf(const Vector& tractionAtUnknowns) const;
+  Vector forceOf(const Vector& tractionAtUnknowns) const; ///< zero is taken where there is no unknown
 
 private:
   /// Per interface node; zero where there is no unknown.

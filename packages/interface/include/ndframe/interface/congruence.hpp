@@ -12,8 +12,8 @@ namespace ndframe
 /// One operator inside a larger system: its values are P x, row by row.
 struct CongruencePart
 {
-  std::shared_ptr<const SymmetricOperator> S;
-  std::vector<SparseRow> P;
+  std::shared_ptr<const SymmetricOperator> S; ///< on its own values; never null
+  std::vector<SparseRow> P;                   ///< one row per value; columns: unknowns of the larger system
 };
 
 /// sum_b P_b^T S_b P_b on `size` unknowns: stored when every part is stored, else applied. One part whose P is the unit

@@ -25,7 +25,7 @@ public:
   /// all nodes of bodies of first order.
   ContactBasis(const std::vector<InterfaceMesh>& interfaces, const std::vector<char>& isNodal);
 
-  int size() const { return int(rows_.size()); }
+  int size() const { return int(rows_.size()); } ///< number of interface nodes, of all interfaces
   /// Of B: the node itself first.
   const SparseRow& row(int node) const { return rows_[std::size_t(node)]; }
   Vector coefficients(const Vector& values) const; ///< B x

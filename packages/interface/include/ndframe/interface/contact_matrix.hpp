@@ -14,10 +14,10 @@ namespace ndframe
 class ContactMatrix
 {
 public:
-  explicit ContactMatrix(const std::vector<InterfaceMesh>& interfaces);
+  explicit ContactMatrix(const std::vector<InterfaceMesh>& interfaces); ///< from facets, measures and order
 
-  int size() const { return int(rowPtr_.size()) - 1; }
-  Vector apply(const Vector& traction) const;
+  int size() const { return int(rowPtr_.size()) - 1; } ///< number of interface nodes, of all interfaces
+  Vector apply(const Vector& traction) const;          ///< C Lambda: forces from tractions, per interface node
   /// C^-1 r by conjugate gradients with the diagonal: C is a mass matrix, so some 30 iterations reach round-off on any
   /// mesh.
   Vector solve(const Vector& nodalForce) const;

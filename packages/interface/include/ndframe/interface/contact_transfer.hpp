@@ -9,9 +9,9 @@ namespace ndframe
 /// A contact state with the interface meshes it lives on; per interface node, numbered one interface after another.
 struct CarriedContact
 {
-  std::vector<InterfaceMesh> interfaces;
-  Vector traction;
-  std::vector<char> closed; ///< 1: closed
+  std::vector<InterfaceMesh> interfaces; ///< empty: nothing is carried
+  Vector traction;                       ///< Lambda along n_c, a stress; negative in compression
+  std::vector<char> closed;              ///< 1: closed
 };
 
 /// What of the contact on one mesh the iteration on the next one begins with.

@@ -13,12 +13,12 @@ namespace ndframe
 /// A body whose sides are searched.
 struct SearchedBody
 {
-  const Mesh* mesh;
+  const Mesh* mesh;                   ///< not owned; without cells for a body that faces nothing
   std::vector<std::string> preferred; ///< sides that are taken before others that share facets with them
   std::vector<std::string> leftOut;   ///< sides that face nothing
 
-  bool prefers(const Side& side) const { return isOneOf(preferred, side.name); }
-  bool leavesOut(const Side& side) const { return isOneOf(leftOut, side.name); }
+  bool prefers(const Side& side) const { return isOneOf(preferred, side.name); } ///< by the name of the side
+  bool leavesOut(const Side& side) const { return isOneOf(leftOut, side.name); } ///< by the name of the side
 
 private:
   static bool isOneOf(const std::vector<std::string>& names, const std::string& name)
@@ -30,21 +30,25 @@ private:
 /// A side of a body and another one of this or of a later body, and what of the first one faces the second.
 struct FacingPair
 {
-  int firstBody, secondBody;
-  std::string firstSide, secondSide;
-  double length = 0.0;                  ///< of the first side; an area in space
+  /// Place of the first body in the list that is searched.
+  int firstBody, secondBody; ///< place of the second body; not smaller
+  /// Name of the first body's side.
+  std::string firstSide, secondSide; ///< name of the second body's side
+  double length = 0.0;               ///< of the first side; an area in space
+  /// Smallest opening, a length; for solids 0, as is the largest.
   double smallest = 0.0, largest = 0.0; ///< opening along the first side's normals; negative where polygons overlap
 };
 
 /// Facets of no named side that face another body or a side of their own.
 struct UnnamedFacing
 {
-  int body; ///< whose facets have no name
-  int other;
+  int body;            ///< whose facets have no name
+  int other;           ///< body that they face; may be the same
   Direction place;     ///< on the first of both bodies, in the middle of the longest such part
   double length = 0.0; ///< of all such parts
 };
 
+/// What searchFacing() or searchMatching() found.
 struct FacingSearch
 {
   std::vector<FacingPair> pairs;      ///< in the order of bodies and sides
@@ -71,10 +75,12 @@ FacingSearch searchMatching(const std::vector<SearchedBody>& bodies);
 /// Two named sides of different bodies, and how near they come.
 struct NearestSides
 {
-  int firstBody, secondBody;
-  std::string firstSide, secondSide;
-  double distance;
-  Direction place; ///< on one of them
+  /// Place of the first body in the list that is searched.
+  int firstBody, secondBody; ///< place of the second body; larger
+  /// Name of the first body's side.
+  std::string firstSide, secondSide; ///< name of the second body's side
+  double distance;                   ///< a length; 0: they touch
+  Direction place;                   ///< on one of them
 };
 
 /// The nearest of all; none for fewer than two bodies with sides.

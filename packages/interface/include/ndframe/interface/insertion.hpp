@@ -13,8 +13,10 @@ namespace ndframe
 /// An interface whose sides do not match.
 struct FacingSides
 {
-  int firstBody = 0, secondBody = 0;
-  std::string firstSide, secondSide;
+  /// Place of the first body in the list of meshes.
+  int firstBody = 0, secondBody = 0; ///< place of the second body; may be the same
+  /// Name of the first body's side.
+  std::string firstSide, secondSide;  ///< name of the second body's side
   std::shared_ptr<const SideMap> map; ///< in the plane
   bool isCut = false; ///< in space: sides that do not match as they are; the others are named for the edges they share
 };

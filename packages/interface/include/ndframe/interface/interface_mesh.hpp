@@ -19,10 +19,12 @@ namespace ndframe
 /// Sides that are drawn apart or as different polygons have two positions at a node, and the first side's measure.
 struct InterfaceMesh
 {
-  std::string name;
+  std::string name; ///< of its list in Interfaces
+  /// The body whose outward normal is n_c.
   int dirichletBody = 0, neumannBody = 0; ///< indices into the list of bodies
-  int dim = 0;
-  int order = 0;
+  int dim = 0;                            ///< of space, 2 or 3
+  int order = 0;                          ///< of the elements, 1 or 2
+  /// Of the Dirichlet body; nodes at split corners, or that face two others, stand more than once.
   std::vector<int> dirichletNodes, neumannNodes; ///< per interface node, node numbers in the two bodies
   std::vector<double> points;                    ///< dim per interface node, on the first side
   std::vector<double> partners;                  ///< the same on the second side; empty: the same points
@@ -36,6 +38,7 @@ struct InterfaceMesh
   std::vector<int> facets;             ///< interface nodes per facet, in the order of facetLocalNodes
   std::vector<double> measures;        ///< of the facets, on the first side
   std::vector<Direction> facetNormals; ///< of the first side's facets, seen from the Dirichlet body as n_c
+  /// Of the Dirichlet body, one for every facet of `facets`.
   std::vector<Facet> dirichletFacets, neumannFacets; ///< the same facet on the two sides
   /// n_c at the two vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
   /// their own normal. Empty where nothing turns.
@@ -44,17 +47,19 @@ struct InterfaceMesh
   std::shared_ptr<const SideMap> map; ///< in the plane which points face each other; null: sides match as drawn
   bool isCut = false;                 ///< the meshes were cut to match; each body is refined by itself
 
-  int numNodes() const { return int(dirichletNodes.size()); }
-  int numFacets() const { return int(measures.size()); }
-  int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); }
+  int numNodes() const { return int(dirichletNodes.size()); } ///< number of interface nodes
+  int numFacets() const { return int(measures.size()); }      ///< number of pairs of facets
+  int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); } ///< 0 without facets
   /// The sides are two of one body.
   bool touchesItself() const { return dirichletBody == neumannBody; }
+  /// Index of the body in this role.
   int body(bool isDirichlet) const { return isDirichlet ? dirichletBody : neumannBody; }
   /// Where a slit ends a node faces itself: nothing moves there against anything.
   bool facesItself(int node) const
   {
     return touchesItself() && dirichletNodes[std::size_t(node)] == neumannNodes[std::size_t(node)];
   }
+  /// dim coordinates of a node, on the first side.
   const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
   /// Where the node of the Dirichlet or of the Neumann body is.
   const double* pointOf(bool isDirichlet, int node) const

@@ -14,8 +14,8 @@ namespace ndframe
 /// body, an expression in x and y (a length along n) that is a part of the gap.
 struct ObstacleOutline
 {
-  SidePolygon polygon;
-  std::string gap; ///< empty: nothing
+  SidePolygon polygon; ///< rigid body to the left of its edges; without edges nothing of it faces the side
+  std::string gap;     ///< empty: nothing
 };
 
 /// A rigid body as one side of a solid sees it.

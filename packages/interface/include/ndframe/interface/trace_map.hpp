@@ -11,8 +11,8 @@ namespace ndframe
 /// y = A x + b.
 struct AffineRows
 {
-  std::vector<SparseRow> rows;
-  Vector offset;
+  std::vector<SparseRow> rows; ///< A: one row per entry of y, columns by entries of x
+  Vector offset;               ///< b: one entry per row
 
   /// A (B y + b') + b of x = B y + b'.
   AffineRows after(const AffineRows& inner) const;
@@ -32,7 +32,7 @@ public:
   /// Of values u' = B u_N + b; what inverseOf says of rows holds for B, too.
   TraceMap(const std::vector<TraceDof>& trace, const AffineRows& coefficients);
 
-  int size() const { return int(map_.rows.size()); }
+  int size() const { return int(map_.rows.size()); }                 ///< number of values, as many as kept dofs
   const std::vector<int>& dofs() const { return dofs_; }             ///< the kept dofs
   const std::vector<SparseRow>& rows() const { return map_.rows; }   ///< A
   const std::vector<SparseRow>& inverse() const { return inverse_; } ///< A^-1

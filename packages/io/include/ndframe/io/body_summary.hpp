@@ -10,39 +10,40 @@ namespace ndframe
 /// What one support does to its body. In the plane forces are per unit thickness.
 struct SupportSummary
 {
+  /// Of its list in the deck, and in words.
   std::string name, description; ///< "ground", "clamp at bottom"
   std::vector<double> force;     ///< resultant
   std::vector<double> moment;    ///< about the centre of its side: about z in the plane, about x, y, z in space
-  std::vector<double> centre;
+  std::vector<double> centre;    ///< of its side, or the mean of the nodes that it holds; dim coordinates
 };
 
 /// A largest value and where it is.
 struct PeakSummary
 {
-  double value = 0.0;
-  std::vector<double> point;
+  double value = 0.0;        ///< a length, or a strain (no unit)
+  std::vector<double> point; ///< the node or vertex where it is, undeformed; of equal values the first
 };
 
 /// A part of a body with a material of its own.
 struct RegionSummary
 {
-  std::string name; ///< empty: what is in no region that the deck names
-  std::int64_t elements = 0;
-  double energy = 0.0; ///< its part of a(u,u)
+  std::string name;          ///< empty: what is in no region that the deck names
+  std::int64_t elements = 0; ///< cells
+  double energy = 0.0;       ///< its part of a(u,u)
 };
 
 /// One body in NAME.summary.json.
 struct BodySummary
 {
-  std::string name;
-  std::int64_t dofs = 0; ///< dim * nodes, supports included
-  std::int64_t elements = 0;
-  int order = 0;
-  std::string solver;
-  std::string heldBy;            ///< "x: roller at left; y: contact only"
-  double energy = 0.0;           ///< a(u,u) = int K eps:eps, no 1/2
-  std::vector<double> loadForce; ///< resultant of its loads
-  std::vector<SupportSummary> supports;
+  std::string name;                     ///< of its list in the deck; bodies that are tied are one, "A + B"
+  std::int64_t dofs = 0;                ///< dim * nodes, supports included
+  std::int64_t elements = 0;            ///< cells of its mesh
+  int order = 0;                        ///< polynomial degree of the displacement, 1 or 2
+  std::string solver;                   ///< linear solver that factors it; "-": it is rigid
+  std::string heldBy;                   ///< "x: roller at left; y: contact only"
+  double energy = 0.0;                  ///< a(u,u) = int K eps:eps, no 1/2
+  std::vector<double> loadForce;        ///< resultant of its loads
+  std::vector<SupportSummary> supports; ///< in deck order; without a solution their vectors are empty
   PeakSummary displacement;             ///< |u|
   PeakSummary strain;                   ///< absolute principal strain, in the plane in plane scenes
   std::vector<RegionSummary> regions{}; ///< none: the body is one part

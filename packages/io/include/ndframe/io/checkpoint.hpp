@@ -27,38 +27,41 @@ struct LevelNumbers
 /// Where contact ends, on an interface of this length (2-D).
 struct EndOnSide
 {
-  EndBracket bracket;
-  double length = 0.0;
+  EndBracket bracket;  ///< the nodes on either side of the end
+  double length = 0.0; ///< of the whole interface, the sum of its facets
 };
 
 /// What the meshes after a level are made from.
 struct LevelLesson
 {
-  LevelNumbers errors;
+  LevelNumbers errors;                            ///< the bound and its parts
   std::vector<std::vector<double>> contributions; ///< eta_K per elastic body and cell of its mesh as it was refined
   std::vector<std::array<int, 2>> ends;           ///< body (among those) and vertex: where contact ends
-  std::vector<EndOnSide> brackets;
+  std::vector<EndOnSide> brackets;                ///< of all interfaces; none in space
 };
 
 /// One end of the bracket of the exact energy, and the certificate that it is from.
 struct EnergyEnd
 {
-  double value = 0.0, roundOff = 0.0;
-  std::string name;
+  /// Force times length; infinite without a certificate.
+  double value = 0.0, roundOff = 0.0; ///< what the value may be wrong by, absolute
+  std::string name;                   ///< of the certificate, "level 3"; empty without one
 };
 
 /// All that a level of a run with a target leaves to those after it, apart from what is made from it again: meshes by
 /// the same refinements, interfaces from the meshes.
 struct LevelRecord
 {
-  LevelSummary summary;
-  LevelLesson lesson;
-  std::int64_t maximumDofs = 0;                      ///< with which the next meshes were planned; 0: they were not
-  std::string meshes;                                ///< hash of the bodies' meshes, by which they are known again
+  LevelSummary summary;         ///< as NAME.summary.json has it
+  LevelLesson lesson;           ///< what the next meshes are planned with
+  std::int64_t maximumDofs = 0; ///< with which the next meshes were planned; 0: they were not
+  std::string meshes;           ///< hash of the bodies' meshes, by which they are known again
+  /// Traction with which the next sweep would begin, (27); zero at open nodes.
   std::vector<double> nextTraction, tractionNeumann; ///< per interface node, one interface after another
   std::vector<int> closed;                           ///< per interface node
   std::vector<int> dirichletBodies;                  ///< per interface
-  std::vector<RoleSummary> roles;
+  std::vector<RoleSummary> roles;                    ///< that were chosen; empty where they were given
+  /// The lower end of the bracket, and the upper one.
   EnergyEnd energyLower, energyUpper; ///< of the exact energy, by all certificates so far
   int certificates = 0;               ///< of them
 };
@@ -66,23 +69,24 @@ struct LevelRecord
 /// What a stage of the ledger took.
 struct StageRecord
 {
-  std::string name;
-  double seconds = 0.0;
-  std::int64_t peakBytes = 0;
+  std::string name;           ///< as the ledger calls it, "factor"
+  double seconds = 0.0;       ///< wall-clock time of all its passes
+  std::int64_t peakBytes = 0; ///< largest resident size while it ran
 };
 
 /// NAME.checkpoint: what a run with a target that was ended goes on from.
 struct Checkpoint
 {
-  std::string version;     ///< of ndframe
-  std::string deckJson;    ///< effective
-  bool isFinished = false; ///< the run has reached its target: nothing of what follows but its files
-  std::vector<std::string> results;
-  std::vector<LevelRecord> levels;
-  double seconds = 0.0;                         ///< since the run began
+  std::string version;              ///< of ndframe
+  std::string deckJson;             ///< effective
+  bool isFinished = false;          ///< the run has reached its target: nothing of what follows but its files
+  std::vector<std::string> results; ///< names of the files that a finished run wrote; else empty
+  std::vector<LevelRecord> levels;  ///< that are done, the first one first; none of a finished run
+  double seconds = 0.0;             ///< since the run began
+  /// Largest resident sizes of rank 0: when the first process began, and of all processes so far.
   std::int64_t firstMemory = 0, peakMemory = 0; ///< bytes, before there was a mesh and the most
   std::map<std::string, std::int64_t> counts;   ///< of the ledger
-  std::vector<StageRecord> stages;
+  std::vector<StageRecord> stages;              ///< of the ledger
 };
 
 /// CBOR (RFC 8949) of an object with the names above, all numbers bit by bit.

@@ -13,33 +13,33 @@ namespace ndframe
 /// One scalar variable with its values.
 struct NamedField
 {
-  std::string name;
-  Vector values;
+  std::string name; ///< of the variable
+  Vector values;    ///< as many as ExodusStep says
 };
 
 /// Some cells of a body, an element block of their own.
 struct ExodusPart
 {
-  std::string name;
-  std::vector<int> cells;
+  std::string name;       ///< of the block, "BODY:REGION"
+  std::vector<int> cells; ///< of the body's mesh, in the order of the block
 };
 
 /// One body becomes one element block, or one for each of its parts; its named sides become side sets "BODY:SIDE" (node
 /// numbers and element numbers of the bodies follow each other).
 struct ExodusBody
 {
-  std::string name;
-  const Mesh* mesh = nullptr;
-  const NodeMap* nodes = nullptr;
+  std::string name;                ///< of the block, if it has no parts, and in those of its side sets
+  const Mesh* mesh = nullptr;      ///< not owned; has the sides
+  const NodeMap* nodes = nullptr;  ///< not owned; nodes and cells of this mesh, at least one cell
   std::vector<ExodusPart> parts{}; ///< every cell in one of them; none: the body is one block
 };
 
 /// A side set that carries variables: the contact interface as seen from one body.
 struct ExodusContactSide
 {
-  std::string name; ///< of the side set, e.g. the interface's
-  int body = 0;     ///< index into the bodies
-  std::vector<Facet> facets;
+  std::string name;          ///< of the side set, e.g. the interface's
+  int body = 0;              ///< index into the bodies
+  std::vector<Facet> facets; ///< of the body's mesh; a side set without any carries no variables
 };
 
 /// The values of one step. Every body has the same nodal and the same element variables, every contact side the same

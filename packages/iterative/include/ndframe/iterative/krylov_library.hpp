@@ -20,15 +20,16 @@ class Preconditioner
 {
 public:
   virtual ~Preconditioner() = default;
+  /// Sets it up for the matrix of this system. Collective.
   virtual std::shared_ptr<PreconditionerHandle> build(const TpetraSystem& system) const = 0;
-  virtual std::string name() const = 0;
+  virtual std::string name() const = 0; ///< of library and method, as in "Ifpack2 RILUK"
 };
 
 /// What cycles on two levels cost since they were set up, the set-up included.
 struct CycleWork
 {
   int products = 0; ///< of the matrix of all nodes
-  int cycles = 0;
+  int cycles = 0;   ///< times that the preconditioner was applied
 };
 
 /// Preconditioned conjugate gradients on the interior problem of a body. All functions are collective.
@@ -37,7 +38,7 @@ class ConjugateGradients
 public:
   virtual ~ConjugateGradients() = default;
 
-  virtual CycleWork work() const { return {}; }
+  virtual CycleWork work() const { return {}; } ///< zeros where there are no two levels
 
   /// What a solve returns.
   struct Result
@@ -58,7 +59,7 @@ public:
 /// The unknowns of a joined system.
 struct JoinedUnknowns
 {
-  JoinedRows rows;
+  JoinedRows rows; ///< E and L
   Vector diagonal; ///< per kept dof that of E^T K E + springs, zero where no unknown stands
   Vector springs;  ///< per kept dof; empty: none
 };
@@ -68,13 +69,15 @@ struct JoinedBodies
 {
   std::vector<const SolverProblem*> problems; ///< kept dofs are interior ones
   std::vector<const LinearLevel*> levels;     ///< of them
-  std::vector<int> kept, keptOnVertices;      ///< numbers of the kept dofs among all; -1: not at a vertex
+  /// Numbers of the kept dofs among those of all nodes, and among those of all vertices.
+  std::vector<int> kept, keptOnVertices; ///< numbers of the kept dofs among all; -1: not at a vertex
 };
 
 /// Conjugate gradients on a joined system: b and x have all bodies' dofs, those of unknowns at their places.
 class JoinedGradients : public ConjugateGradients
 {
 public:
+  /// From now on. The coarse level stays as it is until setCoarse().
   virtual void follow(const JoinedUnknowns& unknowns) = 0;
   /// problem: that of all vertices; not needed any more when this returns.
   virtual void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal) = 0;
@@ -90,14 +93,14 @@ class KrylovLibrary
 public:
   virtual ~KrylovLibrary() = default;
 
-  virtual const Teuchos::ParameterList& validBelos() const = 0;
-  virtual const Teuchos::ParameterList& validIfpack2() const = 0;
-  virtual const Teuchos::ParameterList& validMueLu() const = 0;
+  virtual const Teuchos::ParameterList& validBelos() const = 0;   ///< of pseudo-block conjugate gradients
+  virtual const Teuchos::ParameterList& validIfpack2() const = 0; ///< of all its methods
+  virtual const Teuchos::ParameterList& validMueLu() const = 0;   ///< of its master list
 
   /// `list`: parameters of the library, conformed to its valid list.
   virtual std::unique_ptr<Preconditioner> ifpack2(const std::string& method,
                                                   const Teuchos::ParameterList& list) const = 0;
-  virtual std::unique_ptr<Preconditioner> mueLu(const Teuchos::ParameterList& list) const = 0;
+  virtual std::unique_ptr<Preconditioner> mueLu(const Teuchos::ParameterList& list) const = 0; ///< algebraic multigrid
 
   /// Needs MPI running. `decoupledDiagonal`: entry of the rows that stand for fixed and kept dofs. Throws
   /// Teuchos::Exceptions::InvalidParameter when the preconditioner refuses its parameters.

@@ -15,7 +15,7 @@ namespace ndframe
 ///   u_m = Q_m (Q_a^T c_a + Q_b^T c_b) / 2.
 struct LinearInterpolation
 {
-  LinearInterpolation(const EdgeNodes& nodes, int dim);
+  LinearInterpolation(const EdgeNodes& nodes, int dim); ///< nodes: with `ends`; dim: of space
 
   /// The dim x dim blocks of both ends; null where each is half the identity.
   const double* blocks(int node) const
@@ -24,11 +24,11 @@ struct LinearInterpolation
     return place < 0 ? nullptr : turnedBlocks.data() + std::size_t(place) * 2 * std::size_t(dim) * std::size_t(dim);
   }
 
-  int dim;
+  int dim;                              ///< of space
   std::vector<std::array<int, 2>> ends; ///< per node, numbers of vertices among vertices; a vertex is both
   std::vector<int> vertices;            ///< their nodes
   std::vector<int> turned;              ///< per node its place in turnedBlocks, -1: none; empty: none at all
-  std::vector<double> turnedBlocks;
+  std::vector<double> turnedBlocks;     ///< at each place Q_m Q_a^T / 2 and Q_m Q_b^T / 2, row-major
 };
 
 /// The coarse level of a body: P^T K P on the interior dofs of both levels, with all that a solver wants to know.
@@ -37,9 +37,9 @@ struct LinearLevel
   /// Collective. A rank has the rows of its vertices.
   LinearLevel(const SolverProblem& problem, const Comm& comm);
 
-  LinearInterpolation interpolation;
-  BlockMatrix matrix;
-  SolverProblem problem; ///< of `matrix`: this must stay where it is
+  LinearInterpolation interpolation; ///< P
+  BlockMatrix matrix;                ///< P^T K P, K masked to interior dofs; blocks by vertex
+  SolverProblem problem;             ///< of `matrix`: this must stay where it is
 
   LinearLevel(const LinearLevel&) = delete;
   LinearLevel& operator=(const LinearLevel&) = delete;

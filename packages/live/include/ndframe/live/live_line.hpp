@@ -19,15 +19,16 @@ namespace ndframe
 class LiveLine
 {
 public:
+  /// Starts the thread. The stream must live as long. terminal: it can erase a line. patience: above zero.
   LiveLine(std::ostream& stream, bool terminal, std::chrono::milliseconds patience);
   ~LiveLine();
   LiveLine(const LiveLine&) = delete;
   LiveLine& operator=(const LiveLine&) = delete;
 
-  void beginStage(const std::string& stage);
-  void endStage(const std::string& stage);
-  void tell(Depth depth, const Progress& progress);
-  void print(const std::string& text);
+  void beginStage(const std::string& stage);        ///< as ProgressState::beginStage
+  void endStage(const std::string& stage);          ///< as ProgressState::endStage
+  void tell(Depth depth, const Progress& progress); ///< shown with the next drawing
+  void print(const std::string& text);              ///< with a newline behind it; patience begins again
 
 private:
   using Clock = std::chrono::steady_clock;

@@ -46,11 +46,11 @@ class ProgressState
 public:
   /// Threads may have stages of their own at once; the one that began last is shown.
   void beginStage(const std::string& stage);
-  void endStage(const std::string& stage);
+  void endStage(const std::string& stage); ///< the one of this name that began last; ends steps in it, too
   /// Ends what goes on inside; the last of its parts ends it, too.
   void tell(Depth depth, const Progress& progress, double seconds);
 
-  bool isEmpty() const { return stages_.empty(); }
+  bool isEmpty() const { return stages_.empty(); } ///< no stage goes on
   /// "level 3, bound 0.02 (until 0.01), couple, sweep 4, eps_tau 0.1 (until 0.01, about 3 s left)"; without a stage
   /// empty.
   std::string text(double seconds) const;

@@ -24,16 +24,18 @@ const Names<Hypothesis>& hypothesisNames();
 /// dim 2: eps = (e_xx, e_yy, 2 e_xy); dim 3: eps = (e_xx, e_yy, e_zz, 2 e_xy, 2 e_yz, 2 e_xz). Unit: a stress.
 struct Elasticity
 {
-  int dim = 0;
+  int dim = 0;                        ///< 2 or 3
   std::array<double, 36> D{};         ///< strains() x strains(), row-major, symmetric positive definite
   std::array<double, 3> outOfPlane{}; ///< dim 2: sigma_zz = outOfPlane . eps (zero in plane stress)
 
+  /// Exactly, without a tolerance.
   bool operator==(const Elasticity& other) const
   {
     return dim == other.dim && D == other.D && outOfPlane == other.outOfPlane;
   }
 
-  int strains() const { return dim == 2 ? 3 : 6; }
+  int strains() const { return dim == 2 ? 3 : 6; } ///< Voigt components
+  /// D_ij, a stress.
   double operator()(int i, int j) const { return D[std::size_t(i) * std::size_t(strains()) + std::size_t(j)]; }
 };
 

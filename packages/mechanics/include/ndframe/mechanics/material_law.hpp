@@ -11,8 +11,8 @@ class MaterialLaw
 {
 public:
   virtual ~MaterialLaw() = default;
-  virtual Hypothesis hypothesis() const = 0;
-  virtual Elasticity elasticity() const = 0;
+  virtual Hypothesis hypothesis() const = 0; ///< as the deck says
+  virtual Elasticity elasticity() const = 0; ///< reduced to the hypothesis
 };
 
 /// "Isotropic", "Orthotropic".

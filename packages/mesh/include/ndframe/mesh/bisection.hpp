@@ -46,7 +46,7 @@ public:
   /// cell goes round (counterclockwise). A swap leaves each of the two new cells in the place of one of the old.
   void refine(const std::vector<std::vector<int>>& halvings);
 
-  const std::vector<Mesh>& meshes() const { return meshes_; }
+  const std::vector<Mesh>& meshes() const { return meshes_; } ///< refined so far, in the order given
   /// Per mesh and cell of meshes(): the cell before the last refine() in whose place it stands; it is a part of it
   /// unless its edges were swapped. Ascending.
   const std::vector<std::vector<int>>& parents() const { return parents_; }

@@ -17,13 +17,14 @@ public:
   /// The mesh must outlive this.
   explicit CellLocator(const Mesh& mesh);
 
+  /// The cell that is nearest to a point.
   struct Place
   {
     double squaredDistance = std::numeric_limits<double>::infinity(); ///< of the point from the cell
-    int cell = -1;
+    int cell = -1;                                                    ///< -1 for a point that is not finite
     std::array<double, 3> weights{}; ///< of the cell's vertices, for its point that is nearest; their sum is 1
   };
-  Place find(const std::array<double, 2>& point) const;
+  Place find(const std::array<double, 2>& point) const; ///< distance 0 for points in the mesh
 
 private:
   struct Box

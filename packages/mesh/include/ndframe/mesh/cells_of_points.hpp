@@ -11,8 +11,8 @@ namespace ndframe
 /// A point in a cell by its barycentric coordinates, dim + 1 of them.
 struct PointInCell
 {
-  int cell = -1;
-  std::array<double, 4> lambda{};
+  int cell = -1;                  ///< number in the mesh
+  std::array<double, 4> lambda{}; ///< in the order of the cell's vertices, their sum is 1
 };
 
 /// The cells in which each point lies, in ascending order: one inside, several on a face, an edge or at a vertex, to

@@ -12,7 +12,7 @@ namespace ndframe
 /// A mesh made of another one.
 struct DerivedMesh
 {
-  Mesh mesh;
+  Mesh mesh;                ///< the new one
   std::vector<int> parents; ///< per cell the cell of the other one that it is a part of
 };
 

@@ -11,10 +11,10 @@ namespace ndframe
 /// One facet seen from two meshes: a facet of each, and they lie on each other. `first` and `second` number the meshes.
 struct FacetTwin
 {
-  int first;
-  Facet firstFacet;
-  int second;
-  Facet secondFacet;
+  int first;         ///< number of a mesh
+  Facet firstFacet;  ///< of it
+  int second;        ///< number of the other mesh
+  Facet secondFacet; ///< of it
 };
 
 /// The vertices of two facets of tetrahedra that lie on each other, with their bodies on different sides: which are at

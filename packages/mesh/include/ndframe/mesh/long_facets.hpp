@@ -10,9 +10,9 @@ namespace ndframe
 /// A boundary facet of one of several meshes, and how long it is beside another one.
 struct MeasuredFacet
 {
-  int mesh;
-  Facet facet;
-  double length;
+  int mesh;      ///< its number among them
+  Facet facet;   ///< of this mesh
+  double length; ///< in any unit that both facets of a pair share
 };
 
 using MeasuredPair = std::array<MeasuredFacet, 2>;

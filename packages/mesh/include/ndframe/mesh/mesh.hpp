@@ -10,15 +10,15 @@ namespace ndframe
 /// A facet by its cell and its number there: local facet k is the one opposite to local vertex k.
 struct Facet
 {
-  int cell;
-  int local;
+  int cell;  ///< number in its mesh
+  int local; ///< 0 to dim
 };
 
 /// A named part of the boundary.
 struct Side
 {
-  std::string name;
-  std::vector<Facet> facets;
+  std::string name;          ///< as decks call it
+  std::vector<Facet> facets; ///< of the boundary, each once
 };
 
 /// The named groups of cells of a mesh. Groups may overlap; cells are of one kind when they belong to the same groups.
@@ -29,7 +29,7 @@ struct CellGroups
 
   /// Of cells that may be of different kinds.
   bool sameKind(int a, int b) const { return kind.empty() || kind[std::size_t(a)] == kind[std::size_t(b)]; }
-  bool has(const std::string& name) const;
+  bool has(const std::string& name) const; ///< cells of some kind belong to this group
   /// Per kind whether its cells belong to one of these groups.
   std::vector<char> kindsIn(const std::vector<std::string>& groups) const;
   /// Number of the kind of cells that belong to these groups (in any order), which is added when it is new.
@@ -44,19 +44,19 @@ struct CellGroups
 /// Every rank holds the whole mesh.
 struct Mesh
 {
-  int dim = 0;
+  int dim = 0;                ///< 2 or 3; 0: no mesh
   std::vector<double> points; ///< dim * numPoints, point by point
   std::vector<int> cells;     ///< (dim + 1) * numCells, cell by cell
-  std::vector<Side> sides;
+  std::vector<Side> sides;    ///< names differ; a facet may be on several
   std::vector<std::string>
-      notes; ///< what a user should know about how the mesh was read (e.g. curved edges straightened)
-  CellGroups groups{};
+      notes;           ///< what a user should know about how the mesh was read (e.g. curved edges straightened)
+  CellGroups groups{}; ///< of the cells
 
-  int numPoints() const { return dim == 0 ? 0 : int(points.size()) / dim; }
-  int numCells() const { return dim == 0 ? 0 : int(cells.size()) / (dim + 1); }
-  const double* point(int i) const { return points.data() + std::size_t(i) * std::size_t(dim); }
-  const int* cell(int c) const { return cells.data() + std::size_t(c) * std::size_t(dim + 1); }
-  const Side* findSide(const std::string& name) const;
+  int numPoints() const { return dim == 0 ? 0 : int(points.size()) / dim; }     ///< vertices
+  int numCells() const { return dim == 0 ? 0 : int(cells.size()) / (dim + 1); } ///< triangles or tetrahedra
+  const double* point(int i) const { return points.data() + std::size_t(i) * std::size_t(dim); } ///< dim coordinates
+  const int* cell(int c) const { return cells.data() + std::size_t(c) * std::size_t(dim + 1); }  ///< dim + 1 vertices
+  const Side* findSide(const std::string& name) const; ///< null if there is none
 };
 
 /// Coordinates of a cell's vertices, one after the other: (dim + 1) x dim.

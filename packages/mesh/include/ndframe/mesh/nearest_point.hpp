@@ -17,12 +17,13 @@ public:
   NearestPoint(const Points& all, const std::vector<int>& numbers) : NearestPoint(all.dim, coordinates(all, numbers))
   {}
 
+  /// The point that is nearest to one.
   struct Place
   {
-    std::size_t index = 0; ///< which of the points
-    double squaredDistance = 0.0;
+    std::size_t index = 0;        ///< which of the points
+    double squaredDistance = 0.0; ///< between the two
   };
-  Place find(const double* point) const;
+  Place find(const double* point) const; ///< point: dim coordinates
 
 private:
   template <class Points>

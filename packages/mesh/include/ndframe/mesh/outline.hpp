@@ -16,7 +16,7 @@ namespace ndframe
 /// below 1e-7 are round-off. A circle's polygon has a corner at every vertex, so that two meshes of it differ.
 struct Outline
 {
-  double measure = 0.0;
+  double measure = 0.0;        ///< length or area; of a group of cells area or volume
   double size = 0.0;           ///< largest coordinate, what round-off is relative to
   std::vector<double> corners; ///< coordinates, in an order that does not depend on the mesh
 };
@@ -24,7 +24,7 @@ struct Outline
 /// What a body is apart from how it is meshed.
 struct MeshOutline
 {
-  double measure = 0.0;
+  double measure = 0.0;                               ///< area or volume
   std::vector<std::pair<std::string, Outline>> sides; ///< by name; groups of cells are parts, too
 };
 

@@ -42,7 +42,7 @@ public:
   /// Descendants stand where the cell stood, the parts of a side's facet where it stood.
   void refine(const std::vector<std::vector<int>>& halvings);
 
-  const std::vector<Mesh>& meshes() const { return meshes_; }
+  const std::vector<Mesh>& meshes() const { return meshes_; } ///< refined so far, in the order given
   /// Per mesh and cell of meshes(): the cell before the last refine() of which it is a part. Ascending.
   const std::vector<std::vector<int>>& parents() const { return parents_; }
 

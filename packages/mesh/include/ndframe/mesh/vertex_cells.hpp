@@ -9,9 +9,9 @@ namespace ndframe
 class VertexCells
 {
 public:
-  explicit VertexCells(const Mesh& mesh);
-  const int* begin(int vertex) const { return cells_.data() + start_[std::size_t(vertex)]; }
-  const int* end(int vertex) const { return cells_.data() + start_[std::size_t(vertex) + 1]; }
+  explicit VertexCells(const Mesh& mesh); ///< the mesh need not outlive this
+  const int* begin(int vertex) const { return cells_.data() + start_[std::size_t(vertex)]; }   ///< its first cell
+  const int* end(int vertex) const { return cells_.data() + start_[std::size_t(vertex) + 1]; } ///< past its last
 
 private:
   std::vector<std::size_t> start_;

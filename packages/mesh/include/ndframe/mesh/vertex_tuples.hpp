@@ -17,7 +17,7 @@ public:
   /// `tuples`: `width` vertex numbers each, in [0, numVertices); their order within a tuple does not matter.
   VertexTuples(std::vector<int> tuples, int width, int numVertices);
 
-  int size() const { return int(order_.size()); }
+  int size() const { return int(order_.size()); } ///< number of tuples
   /// Tuple number at a place of the ordering.
   int at(int place) const { return order_[place]; }
   /// One past the last place whose tuple equals the one at `place`, which must be the first of its group.

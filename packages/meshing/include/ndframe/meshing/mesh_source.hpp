@@ -14,8 +14,8 @@ namespace ndframe
 /// A gmsh script that a body's mesh is made of, so that it can be made again (remesh.hpp).
 struct MeshScript
 {
-  Params list; ///< of the deck: the place of mistakes
-  std::string file;
+  Params list;                      ///< of the deck: the place of mistakes
+  std::string file;                 ///< its path, a .geo file
   std::vector<std::string> regions; ///< physical groups of cells that make the body; empty: all
   int maximumSeconds = 0;           ///< processor time
 };

@@ -13,10 +13,10 @@ namespace ndframe
 /// A side of each of two bodies that have the same facets.
 struct MatchingSides
 {
-  int first; ///< body; less than second
-  std::string firstSide;
-  int second;
-  std::string secondSide;
+  int first;              ///< body; less than second
+  std::string firstSide;  ///< name of its side
+  int second;             ///< body
+  std::string secondSide; ///< name of its side
 };
 
 /// The sides whose facets are each other's twins, all of them.
@@ -26,7 +26,7 @@ std::vector<MatchingSides> matchingSides(const std::vector<Mesh>& meshes, const 
 /// given there, linear in between.
 struct WantedMesh
 {
-  Mesh background;
+  Mesh background;             ///< a mesh of the body, triangles
   std::vector<double> lengths; ///< per vertex, positive
 };
 
@@ -42,7 +42,7 @@ enum class GmshAlgorithm
 class RemeshFailure final : public InputError
 {
 public:
-  using InputError::InputError;
+  using InputError::InputError; ///< with the place in the deck
 };
 
 /// Makes the meshes of all bodies anew, by gmsh from the script of each.

@@ -14,7 +14,7 @@ namespace ndframe
 class ScriptMeshes
 {
 public:
-  explicit ScriptMeshes(Ledger& ledger) : ledger_(ledger) {}
+  explicit ScriptMeshes(Ledger& ledger) : ledger_(ledger) {} ///< it must outlive this
 
   /// What `make` returned when it was first called for this script, meshed in this way.
   const std::string& find(const std::string& scriptAndWay, const std::function<std::string()>& make)

@@ -12,9 +12,9 @@ namespace ndframe
 /// All bodies and interfaces as recovery sees them.
 struct RecoveryScene
 {
-  std::vector<const BodyModel*> bodies;
-  std::vector<StaticData> data;     ///< per body; its contact facets are those of `facets` that it takes part in
-  std::vector<ContactFacet> facets; ///< of all interfaces; empty without contact
+  std::vector<const BodyModel*> bodies; ///< not owned; rigid ones, too, which carry no stress
+  std::vector<StaticData> data;         ///< per body; its contact facets are those of `facets` that it takes part in
+  std::vector<ContactFacet> facets;     ///< of all interfaces; empty without contact
 };
 
 /// Stresses of all bodies in finite element equilibrium with the loads and with tractions on the interfaces.
@@ -35,8 +35,8 @@ struct SceneField
 /// sigma^ = K eps(u~) + c on all bodies, and the tractions it carries on the interfaces.
 struct SceneStress
 {
-  std::vector<StressCorrection> corrections; ///< per body
-  ContactTraction onDirichlet, onNeumann;    ///< as given, or the optimised one twice
+  std::vector<StressCorrection> corrections;                               ///< per body
+  ContactTraction onDirichlet, /**< felt by Dirichlet bodies */ onNeumann; ///< as given, or the optimised one twice
 };
 
 /// How equilibrated stresses are found.

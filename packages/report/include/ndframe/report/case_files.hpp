@@ -14,7 +14,7 @@ namespace ndframe
 class CaseFiles
 {
 public:
-  CaseFiles(OutputOptions output, std::string deckName);
+  CaseFiles(OutputOptions output, std::string deckName); ///< deckName: the deck's file
 
   /// Takes what the files need of a run with a solution; number: of the case, from 1, the time of its step. Throws
   /// InputError when its meshes or interfaces are not those of the first one.

@@ -9,7 +9,7 @@ namespace ndframe
 /// NAME.checkpoint of a run with a target, as long as it runs.
 struct CheckpointFile
 {
-  Restart restart;
+  Restart restart;                ///< for runToTarget()
   std::optional<Checkpoint> last; ///< of a run that a limit has ended
 };
 

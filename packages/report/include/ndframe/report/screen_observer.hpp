@@ -10,7 +10,7 @@ namespace ndframe
 class ScreenObserver final : public RunObserver
 {
 public:
-  explicit ScreenObserver(const Log& log) : log_(log) {}
+  explicit ScreenObserver(const Log& log) : log_(log) {} ///< not owned
 
   void header(const RunSummary& outline, const Model& model, bool rolesAreKnown) override;
   void factor(const std::string& body, const std::string& description) override;

@@ -30,16 +30,17 @@ const Names<AccuracyStart>& accuracyStartNames();
 /// The list Accuracy, read.
 struct AccuracyOptions
 {
-  ListPlace place;
-  double target = 0.0;
-  bool relative = true; ///< to sqrt(a(u_h, u_h))
-  AccuracyOf of = AccuracyOf::Displacement;
-  AccuracyStart start = AccuracyStart::Coarsest;
-  std::int64_t maximumDofs = 0;
-  int maximumLevels = 0;
+  ListPlace place;                               ///< for mistakes that show later
+  double target = 0.0;                           ///< of the bound: a share, or absolute in the energy norm
+  bool relative = true;                          ///< to sqrt(a(u_h, u_h))
+  AccuracyOf of = AccuracyOf::Displacement;      ///< whose error the bound is of
+  AccuracyStart start = AccuracyStart::Coarsest; ///< the first meshes
+  std::int64_t maximumDofs = 0;                  ///< no mesh is refined to more
+  int maximumLevels = 0;                         ///< the first one included
   double maximumMemory = std::numeric_limits<double>::infinity();  ///< bytes
   double maximumSeconds = std::numeric_limits<double>::infinity(); ///< on the wall
-  double iterationShare = 0.0;
+  double iterationShare = 0.0; ///< sweeps end when their part of the error is below this share of the mesh's
+  /// Accuracy/Marking/Type and Accuracy/Refinement/Type.
   std::string marking, refinement; ///< names of the components
 };
 

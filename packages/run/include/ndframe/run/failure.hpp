@@ -25,10 +25,10 @@ enum class ExitCode
 /// What an exception is to the user.
 struct Failure
 {
-  ExitCode code = ExitCode::Bug;
-  std::string text;
-  std::size_t mistakes = 0; ///< in the user's input
-  bool outOfMemory = false; ///< then there is no text: it would need memory
+  ExitCode code = ExitCode::Bug; ///< that it makes the program end with
+  std::string text;              ///< for the user, without a last newline
+  std::size_t mistakes = 0;      ///< in the user's input
+  bool outOfMemory = false;      ///< then there is no text: it would need memory
 };
 
 /// What is said of a deck that the process has too little memory for.

@@ -19,10 +19,10 @@ public:
   virtual void header(const RunSummary& /*outline*/, const Model& /*model*/, bool /*rolesAreKnown*/) {}
   /// A body is factored.
   virtual void factor(const std::string& /*body*/, const std::string& /*description*/) {}
-  virtual void roles(const std::vector<RoleSummary>& /*parts*/) {}
+  virtual void roles(const std::vector<RoleSummary>& /*parts*/) {} ///< they are chosen; one a connected part
   /// Before the first sweep.
   virtual void sweeps(const Model& /*model*/) {}
-  virtual void sweep(const SweepRecord& /*record*/) {}
+  virtual void sweep(const SweepRecord& /*record*/) {} ///< a sweep is done
   /// After the last one.
   virtual void stopped(const CouplingResult& /*result*/) {}
   /// There is no solution.

@@ -15,35 +15,38 @@ namespace ndframe
 /// A number that the run must reproduce.
 struct Expectation
 {
-  ListPlace place;
-  std::string name;
+  ListPlace place;      ///< for mistakes that show later
+  std::string name;     ///< of the entry in Expect
   std::string quantity; ///< path in the summary
-  double value = 0.0, tolerance = 0.0;
+  /// In the unit of the quantity.
+  double value = 0.0, tolerance = 0.0; ///< largest absolute difference
 };
 
 /// What the deck says of the scene that decides which stages run.
 struct SceneOutline
 {
-  std::size_t bodies = 0, interfaces = 0;
-  bool findsInterfaces = false; ///< those of a list Automatic are not known yet, and count as one
-  bool needsGmsh = false;       ///< a mesh is a script that the library has to mesh
+  /// Bodies that are not rigid.
+  std::size_t bodies = 0, interfaces = 0; ///< in the list Interfaces
+  bool findsInterfaces = false;           ///< those of a list Automatic are not known yet, and count as one
+  bool needsGmsh = false;                 ///< a mesh is a script that the library has to mesh
 };
 
 /// What a deck says about a run, read once.
 struct RunSettings
 {
-  Params deck = Params(nullptr); ///< for those who build the scene and components
-  std::string title;
-  bool strictInput = false; ///< warnings are mistakes
-  SceneOutline scene;
-  std::vector<Diagnostic> unnamedFacing;   ///< warnings of Interfaces/Automatic: facets that it could not take
+  Params deck = Params(nullptr);         ///< for those who build the scene and components
+  std::string title;                     ///< of the deck
+  bool strictInput = false;              ///< warnings are mistakes
+  SceneOutline scene;                    ///< of the deck
+  std::vector<Diagnostic> unnamedFacing; ///< warnings of Interfaces/Automatic: facets that it could not take
+  /// Coupling/Type and Linear Solver/Type.
   std::string coupling, linearSolver;      ///< names of the components
   std::optional<double> solverTolerance;   ///< of a linear solver that has one
   bool namesTolerance = false;             ///< the deck has an entry that would stop the sweeps
   std::optional<ErrorOptions> errors;      ///< none without the list Error Estimation
   std::optional<AccuracyOptions> accuracy; ///< none without the list Accuracy
-  OutputOptions output;
-  std::vector<Expectation> expectations;
+  OutputOptions output;                    ///< the list Output
+  std::vector<Expectation> expectations;   ///< the list Expect, in its order
 };
 
 } // namespace ndframe

@@ -13,16 +13,17 @@ namespace ndframe
 /// What the steps of a run work with.
 struct RunTools
 {
+  /// Builds coupling and linear solver as the deck names them. Everything must live as long as the tools.
   RunTools(const RunSettings& settings, const CertificateComponents& components, const Comm& comm, Ledger& ledger);
 
-  const RunSettings& settings;
-  const Params& deck; ///< of the settings: what components are built from
-  const CertificateComponents& components;
-  const Comm& comm;
-  Ledger& ledger;
-  std::unique_ptr<Coupling> coupling;
-  std::unique_ptr<LinearSolver> solver;
-  std::optional<ErrorOptions> errors; ///< what is estimated; none without the list Error Estimation
+  const RunSettings& settings;             ///< of the deck
+  const Params& deck;                      ///< of the settings: what components are built from
+  const CertificateComponents& components; ///< that the deck may name
+  const Comm& comm;                        ///< all processes of the run
+  Ledger& ledger;                          ///< counts and times the steps
+  std::unique_ptr<Coupling> coupling;      ///< never null
+  std::unique_ptr<LinearSolver> solver;    ///< never null
+  std::optional<ErrorOptions> errors;      ///< what is estimated; none without the list Error Estimation
 };
 
 /// Makes an earlier (or empty) model the deck's and checks it. meshes: empty, or those to be used instead of the

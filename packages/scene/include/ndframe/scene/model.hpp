@@ -16,8 +16,8 @@ namespace ndframe
 /// A support Hold and what it holds (scene/holds.hpp).
 struct HeldMean
 {
-  int body = 0;
-  std::size_t support = 0;
+  int body = 0;                     ///< index into Model::bodies
+  std::size_t support = 0;          ///< index into the body's supports
   DenseMatrix motions;              ///< orthonormal columns in the body's rigid basis
   std::vector<NodeConstraint> pins; ///< as many, where the system is fixed
   std::vector<Vector> means;        ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
@@ -26,10 +26,11 @@ struct HeldMean
 /// One body at an interface node.
 struct NodeSide
 {
-  int body = 0, node = 0;
-  bool isDirichlet = false;
-  bool isFree = false; ///< false where supports prescribe its displacement along n_c
-  double held = 0.0;   ///< that displacement
+  /// Index into Model::bodies.
+  int body = 0, node = 0;   ///< node of the body
+  bool isDirichlet = false; ///< the body's role on the interface
+  bool isFree = false;      ///< false where supports prescribe its displacement along n_c
+  double held = 0.0;        ///< that displacement
 };
 
 /// What contact is asked of on bodies of second order: values at the nodes, or Bernstein coefficients (ContactBasis).
@@ -42,7 +43,7 @@ enum class ContactConditions
 /// The scene: what the deck says, read and checked, before anything is assembled.
 struct Model
 {
-  std::vector<BodyModel> bodies;
+  std::vector<BodyModel> bodies;            ///< in the order of the deck
   std::vector<ConstraintSet> constraints;   ///< per body
   std::vector<Vector> loads;                ///< per body: int q . v in global axes, as integrateLoads gives it
   std::vector<RigidBasis> rigid;            ///< per body
@@ -50,9 +51,9 @@ struct Model
   std::vector<DenseMatrix> balancedMotions; ///< per body: those of its rigid motions without support along which
                                             ///< contact pushes; its traction must balance the loads along them
   DenseMatrix jointMotions;                 ///< of all bodies together that Holds fix (freeTogether)
-  std::vector<HeldMean> holds;
-  std::vector<InterfaceMesh> interfaces;
-  ContactConditions conditions = ContactConditions::Nodal;
+  std::vector<HeldMean> holds;              ///< one per support Hold
+  std::vector<InterfaceMesh> interfaces;    ///< in the order of the deck
+  ContactConditions conditions = ContactConditions::Nodal; ///< on all interfaces
   bool solvesWhole = false; ///< whether bodies in contact may be solved by iterations on all of them together
   SceneRecipe recipe;       ///< what it was made from; empty when it is not to be reused
 
@@ -65,7 +66,7 @@ struct Model
   std::vector<int> elasticBodies() const;       ///< the numbers of the bodies that are not rigid
   std::vector<int> numDofs() const;             ///< per body
   BodyOutline outline(int body) const;          ///< for the choice of its solver
-  std::int64_t totalDofs() const;
+  std::int64_t totalDofs() const;               ///< of the elastic bodies
 };
 
 /// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is
@@ -81,9 +82,10 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
 /// A mesh and its node map, which is made when it is empty.
 struct GivenMesh
 {
+  /// givenNodes: of this mesh, with the order of the deck; empty: made when the body is built.
   GivenMesh(Mesh givenMesh, NodeMap givenNodes = {}) : mesh(std::move(givenMesh)), nodes(std::move(givenNodes)) {}
-  Mesh mesh;
-  NodeMap nodes;
+  Mesh mesh;     ///< before it is cut at others
+  NodeMap nodes; ///< empty: made when the body is built
 };
 
 /// The mesh of a body, given its list in the deck; of a rigid one an empty mesh if it has to be made.

@@ -14,8 +14,8 @@ void takeMaterials(BodyModel& body, const Params& definition, const SceneCompone
 /// A material of a body and where the deck describes it.
 struct PlacedMaterial
 {
-  Params list;
-  const Elasticity& law;
+  Params list;           ///< list Material of the body or of a region: place of mistakes
+  const Elasticity& law; ///< owned by the body, which must live as long
 };
 std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition);
 

@@ -11,11 +11,11 @@ namespace ndframe
 /// What scenes are made of. Builders keep references between registries: the object stays where it was made.
 struct SceneComponents
 {
-  Registry<MeshSource> meshSources{"mesh"};
-  Registry<MaterialLaw> materials{"material", "Isotropic"};
-  Registry<Support> supports{"support"};
-  Registry<Load> loads{"load"};
-  Registry<Obstacle> obstacles{"rigid body"};
+  Registry<MeshSource> meshSources{"mesh"};                 ///< lists Mesh
+  Registry<MaterialLaw> materials{"material", "Isotropic"}; ///< lists Material
+  Registry<Support> supports{"support"};                    ///< entries of Supports
+  Registry<Load> loads{"load"};                             ///< entries of Loads
+  Registry<Obstacle> obstacles{"rigid body"};               ///< lists Rigid
 
   SceneComponents() = default;
   SceneComponents(const SceneComponents&) = delete;

@@ -26,7 +26,7 @@ public:
   /// Kernels of a chosen instruction set: all give the same to round-off.
   BatchedStars(const BodyModel& body, const StaticData& data, const BatchedKernels& kernels);
   ~BatchedStars();
-  BatchedStars(BatchedStars&&) noexcept;
+  BatchedStars(BatchedStars&&) noexcept; ///< leaves the other one without tables: it solves no star
 
   /// Initial pass: adds c_a of these vertices to the corrections (one per field; sized and zeroed by the caller) and
   /// raises their defect. Returns the vertices left to the general solver, of which nothing was added.

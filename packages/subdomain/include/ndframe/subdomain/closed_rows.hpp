@@ -22,7 +22,7 @@ public:
 
   /// Numbers of the variables that stay free, -1 at pivots.
   const std::vector<int>& freeNumber() const { return freeNumber_; }
-  int numFree() const { return numFree_; }
+  int numFree() const { return numFree_; } ///< number of variables that are no pivots
 
   /// The rows chosen but those that follow from others.
   const std::vector<int>& independentRows() const { return independent_; }

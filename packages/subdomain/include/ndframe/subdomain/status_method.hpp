@@ -27,7 +27,9 @@ inline constexpr double statusRoundOff = 1e-11;
 /// One linear solve of the status method.
 struct StatusPass
 {
-  Vector u, force;                       ///< per condition
+  /// What the bounds are for: displacements or jumps along the normal, a length.
+  Vector u, force; ///< per condition
+  /// Largest displacement.
   double displacement = 0.0, load = 0.0; ///< the largest: what round-off is compared with
   double roundOff = statusRoundOff;      ///< larger where the solve is not exact
   bool isFinal = true;                   ///< else it stopped early: what its statuses say is a step, and may come back
@@ -57,7 +59,7 @@ public:
   /// Solves with the closed conditions as equations. proximal > 0: with the term  proximal |u - u_prev|^2 / 2, relative
   /// to the stiffness; `pass` is the one before (empty at first). Throws NotPositiveDefinite.
   virtual void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) = 0;
-  virtual ProximalLimits proximalLimits() const { return {}; }
+  virtual ProximalLimits proximalLimits() const { return {}; } ///< for passes without enough contact
   /// The rigid motions that supports leave free, for messages.
   virtual const std::vector<std::string>& motions() const = 0;
 };
