@@ -12,6 +12,7 @@ import re
 import shutil
 import subprocess
 import sys
+import tempfile
 
 HERE = pathlib.Path(__file__).resolve().parent
 ROOT = HERE.parents[1]
@@ -40,10 +41,28 @@ def pages(folder):
     return subprocess.run(command).returncode
 
 
+def headers():
+    """The folders of the public headers, as Doxygen's settings name them."""
+    return " ".join(f'"{path}"' for path in sorted((ROOT / "packages").glob("*/include")))
+
+
+def undocumented():
+    """A line for each type and member of the public headers that no comment explains."""
+    with tempfile.TemporaryDirectory() as folder:
+        settings = (HERE / "Doxyfile").read_text() + f"""INPUT = {headers()}
+OUTPUT_DIRECTORY = "{folder}"
+GENERATE_HTML = NO
+GENERATE_XML = YES
+EXTRACT_ALL = NO
+WARNINGS = YES
+"""
+        said = subprocess.run(["doxygen", "-"], input=settings, text=True, capture_output=True).stderr
+    return sorted({line for line in said.splitlines() if "is not documented" in line})
+
+
 def api(folder):
     """folder/html/api."""
-    settings = (HERE / "Doxyfile").read_text()
-    inputs = " ".join(f'"{path}"' for path in sorted((ROOT / "packages").glob("*/include")))
+    settings, inputs = (HERE / "Doxyfile").read_text(), headers()
     settings += f'INPUT = {inputs}\nSTRIP_FROM_PATH = {inputs}\nOUTPUT_DIRECTORY = "{folder / "html"}"\nHTML_OUTPUT = api\n'
     return subprocess.run(["doxygen", "-"], input=settings, text=True).returncode
 

@@ -77,6 +77,9 @@ class Site(unittest.TestCase):
         headers = [path.name for path in SOURCES.glob("packages/*/include/**/*.hpp")]
         self.assertEqual([name for name in headers if f">{name}<" not in pages], [])
 
+    def test_every_declaration_of_a_public_header_is_documented(self):
+        self.assertEqual(build.undocumented(), [])
+
 
 class Links(unittest.TestCase):
     def test_what_is_wrong_is_found(self):
