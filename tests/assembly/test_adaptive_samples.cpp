@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "assembly/sample_body.hpp"
+#include "assembly/sample_means.hpp"
 #include "ndframe/assembly/adaptive_samples.hpp"
 
 namespace ndframe
@@ -36,16 +37,6 @@ struct Simplex
     return sampler.sample(dim, vertices, scale > 0.0 ? scale : found);
   }
 };
-
-/// The mean value of f lambda_a^power by the samples.
-double mean(const Samples& samples, int a, int power)
-{
-  double sum = 0.0;
-  for (int q = 0; q < samples.rule.size(); ++q)
-    sum += samples.rule.weights[std::size_t(q)] * samples.values[std::size_t(q)] *
-           std::pow(samples.rule.point(q)[a], power);
-  return sum;
-}
 
 double sumOfWeights(const Samples& samples)
 {
@@ -111,12 +102,6 @@ TEST(AdaptiveSamples, AreOneExactRuleForPolynomials)
     const double exact[] = {2.0 + 1.0 / 4.0, 2.0 + 1.0 / 10.0, 2.0 + 1.0 / 20.0};
     EXPECT_NEAR(mean(samples, 1, 0), exact[dim - 1], 1e-14);
   }
-}
-
-/// int x^n y^m over the unit simplex times dim!.
-double meanOfMonomial(int dim, int n, int m)
-{
-  return std::tgamma(n + 1.0) * std::tgamma(m + 1.0) * std::tgamma(dim + 1.0) / std::tgamma(n + m + dim + 1.0);
 }
 
 TEST(AdaptiveSamples, IntegratePolynomialsOfEachDegreeAgainstThoseOfDegreeFiveLessTheDimension)

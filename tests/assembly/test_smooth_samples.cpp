@@ -6,23 +6,13 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "assembly/sample_means.hpp"
 
 namespace ndframe
 {
 
 namespace
 {
-
-/// The mean value of f lambda_a^power by the samples.
-double mean(const Samples& samples, int a, int power)
-{
-  double sum = 0.0;
-  for (int q = 0; q < samples.rule.size(); ++q)
-    sum += samples.rule.weights[std::size_t(q)] * samples.values[std::size_t(q)] *
-           std::pow(samples.rule.point(q)[a], power);
-  return sum;
-}
 
 /// The squares of a grid on [0, 1]^2, two triangles each.
 std::vector<std::array<double, 6>> trianglesOfGrid(int cells)
@@ -36,12 +26,6 @@ std::vector<std::array<double, 6>> trianglesOfGrid(int cells)
       triangles.push_back({x, y, x + h, y + h, x, y + h});
     }
   return triangles;
-}
-
-/// 2 int x^n y^m over the unit triangle.
-double meanOfMonomial(int n, int m)
-{
-  return 2.0 * std::tgamma(n + 1.0) * std::tgamma(m + 1.0) / std::tgamma(n + m + 3.0);
 }
 
 /// At barycentric coordinates of a triangle.
@@ -140,7 +124,7 @@ TEST(SmoothSamples, HaveRulesThatGrowWithTheWavesOfACell)
         for (int q = 0; q < samples.rule.size(); ++q)
           found += samples.rule.weights[std::size_t(q)] * std::pow(samples.rule.point(q)[0], i) *
                    std::pow(samples.rule.point(q)[1], exact - i);
-        isExact = std::abs(found - meanOfMonomial(i, exact - i)) < 1e-15;
+        isExact = std::abs(found - meanOfMonomial(2, i, exact - i)) < 1e-15;
       }
     EXPECT_GE(0.5 * exact * (exact + 1), 1.8 * samples.rule.size()) << radians; // 3 is the most that is possible
   }

@@ -44,7 +44,7 @@ private:
   /// By k: bound of the sum of the coefficients' sizes of degree k in the Taylor polynomial at any point, for
   /// coordinates of half widths.
   std::vector<double> derivatives_;
-  mutable double radius_ = 0.0; ///< of the last simplex; neighbours have the same
+  mutable double radius_ = -1.0; ///< of the last simplex; neighbours have the same
   mutable SmoothDistances distances_{};
 };
 

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cmath>
+
+#include "ndframe/assembly/adaptive_samples.hpp"
+
+namespace ndframe
+{
+
+/// The mean value of f lambda_a^power by the samples.
+inline double mean(const Samples& samples, int a, int power)
+{
+  double sum = 0.0;
+  for (int q = 0; q < samples.rule.size(); ++q)
+    sum += samples.rule.weights[std::size_t(q)] * samples.values[std::size_t(q)] *
+           std::pow(samples.rule.point(q)[a], power);
+  return sum;
+}
+
+/// int x^n y^m over the unit simplex times dim!.
+inline double meanOfMonomial(int dim, int n, int m)
+{
+  return std::tgamma(n + 1.0) * std::tgamma(m + 1.0) * std::tgamma(dim + 1.0) / std::tgamma(n + m + dim + 1.0);
+}
+
+} // namespace ndframe
