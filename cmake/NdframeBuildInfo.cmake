@@ -23,12 +23,14 @@ ndframe_header_version(openblas openblas_config.h "OPENBLAS_VERSION \" OpenBLAS 
 ndframe_header_version(clp ClpConfig.h "^#define CLP_VERSION +\"([0-9.]+)\"")
 ndframe_header_version(exodus exodusII.h "^#define EX_API_VERS +([0-9.]+)")
 ndframe_header_version(gmsh gmshc.h "^#define GMSH_API_VERSION +\"([0-9.]+)\"")
-
+if(NOT NDFRAME_SANITIZE)
+  ndframe_header_version(jemalloc jemalloc/jemalloc.h "^#define JEMALLOC_VERSION +\"([0-9.]+)")
+endif()
 ndframe_header_version(mpi mpi.h "^#define OMPI_[MR][A-Z]+_VERSION +([0-9]+)")
 
 set(libraries "")
 foreach(pair "Trilinos=${Trilinos_VERSION}" "CHOLMOD=${cholmod}" "MUMPS=${mumps}" "METIS=${metis}" "OpenBLAS=${openblas}"
-             "Clp=${clp}" "Exodus II=${exodus}" "gmsh=${gmsh}" "Open MPI=${mpi}")
+             "Clp=${clp}" "Exodus II=${exodus}" "gmsh=${gmsh}" "jemalloc=${jemalloc}" "Open MPI=${mpi}")
   string(REGEX MATCH "^([^=]+)=(.*)$" found "${pair}")
   if(NOT CMAKE_MATCH_2 STREQUAL "")
     string(APPEND libraries "{\"${CMAKE_MATCH_1}\", \"${CMAKE_MATCH_2}\"}, ")

@@ -12,9 +12,10 @@ foreach(pair "program=ndframe" "development=ndframe-dev" "documentation=ndframe-
   install(FILES CHANGELOG.md DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${CMAKE_MATCH_2} COMPONENT ${CMAKE_MATCH_1} EXCLUDE_FROM_ALL)
 endforeach()
 
-# What find_package(ndframe) looks for: the -dev packages that the build needs, without those of tests and of gmsh, which is not linked.
+# What find_package(ndframe) looks for: the -dev packages that the build needs, without those of tests, of
+# gmsh, which is not linked, and of the program's allocator.
 file(STRINGS packages.txt headers REGEX "-dev$")
-list(FILTER headers EXCLUDE REGEX "^lib(gtest|gmock|gmsh)-dev$")
+list(FILTER headers EXCLUDE REGEX "^lib(gtest|gmock|gmsh|jemalloc)-dev$")
 list(JOIN headers ", " headers)
 
 set(CPACK_GENERATOR DEB)
