@@ -164,8 +164,9 @@ double LoadMoments::distance(const LoadedSimplex& simplex, const MomentTables& t
   scaled_.resize(modes * size);
   for (std::size_t i = 0; i < scaled_.size(); ++i)
     scaled_[i] = moments_[i] / simplex.measure;
-  return std::sqrt(simplex.measure * squareOfRest(tables.values.data(), modes, tables.weights.size(), scaled_.data(),
-                                                  rows_.data(), size, tables.weights.data()));
+  const double ofValues = squareOfRest(tables.values.data(), modes, tables.weights.size(), scaled_.data(), rows_.data(),
+                                       size, tables.weights.data());
+  return std::sqrt(simplex.measure * (ofValues + simplex.samples.rest * simplex.samples.rest));
 }
 
 void LoadMoments::addRemainder(const LoadedSimplex& simplex, const MomentTables& tables)

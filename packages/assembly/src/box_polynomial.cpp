@@ -27,22 +27,23 @@ const Binomials& binomialCoefficients()
 
 } // namespace
 
-BoxPolynomial::BoxPolynomial(const Region::Point& middle, double halfWidth, int degree,
-                             std::vector<double> coefficients, double error)
-    : middle_(middle), halfWidth_(halfWidth), error_(error), degree_(degree), coefficients_(std::move(coefficients))
+BoxPolynomial::BoxPolynomial(const BoxPlace& place, int degree, std::vector<double> coefficients, double error)
+    : place_(place), error_(error), degree_(degree), coefficients_(std::move(coefficients))
 {
   boundDerivatives();
   error_ += 2.0 * std::numeric_limits<double>::epsilon() * derivatives_[0];
 }
 
-/// Of (xi + u)^i (eta + w)^j the coefficients of degree k in u and w add up to (i + j over k) at most.
+/// Of (xi + u)^i (eta + w)^j the coefficients of degree k in u and w add up to (i + j over k) at most; likewise with
+/// three factors.
 void BoxPolynomial::boundDerivatives()
 {
   std::array<double, highest + 1> ofDegree{};
   std::size_t next = 0;
-  for (int j = 0; j <= degree_; ++j)
-    for (int i = 0; i + j <= degree_; ++i)
-      ofDegree[std::size_t(i) + std::size_t(j)] += std::abs(coefficients_[next++]);
+  for (int k = 0; k <= (place_.dim == 3 ? degree_ : 0); ++k)
+    for (int j = 0; j + k <= degree_; ++j)
+      for (int i = 0; i + j + k <= degree_; ++i)
+        ofDegree[std::size_t(i + j + k)] += std::abs(coefficients_[next++]);
   derivatives_.assign(std::size_t(degree_) + 1, 0.0);
   const Binomials& binomials = binomialCoefficients();
   for (std::size_t d = 0; d < derivatives_.size(); ++d)
@@ -56,8 +57,8 @@ const SmoothDistances& BoxPolynomial::distances(double radius) const
     return distances_;
   radius_ = radius;
   distances_.fill(error_);
-  const PowerDistances& ofPowers = powerDistances();
-  const double ratio = radius / halfWidth_;
+  const PowerDistances& ofPowers = powerDistances(place_.dim);
+  const double ratio = radius / place_.halfWidth;
   double power = ratio;
   for (std::size_t k = 1; k < derivatives_.size(); ++k, power *= ratio)
     for (std::size_t m = 0; m < std::min(k, distances_.size()); ++m)
@@ -67,18 +68,19 @@ const SmoothDistances& BoxPolynomial::distances(double radius) const
 
 bool BoxPolynomial::holds(const Region::Point& centroid, double radius) const
 {
-  return std::abs(centroid[0] - middle_[0]) + radius <= halfWidth_ &&
-         std::abs(centroid[1] - middle_[1]) + radius <= halfWidth_;
+  for (std::size_t k = 0; k < std::size_t(place_.dim); ++k)
+    if (!(std::abs(centroid[k] - place_.middle[k]) + radius <= place_.halfWidth))
+      return false;
+  return true;
 }
 
 void BoxPolynomial::values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const
 {
-  TriangleCorners corners{};
-  for (std::size_t v = 0; v < 3; ++v) {
-    corners.xi[v] = (vertices[v][0] - middle_[0]) / halfWidth_;
-    corners.eta[v] = (vertices[v][1] - middle_[1]) / halfWidth_;
-  }
-  polynomialValues(coefficients_.data(), degree_, corners, sampling, result);
+  BoxCorners corners{};
+  for (std::size_t v = 0; v <= std::size_t(sampling.rule.dim); ++v)
+    for (std::size_t k = 0; k < std::size_t(place_.dim); ++k)
+      corners[k][v] = (vertices[v][k] - place_.middle[k]) / place_.halfWidth;
+  polynomialValues(coefficients_.data(), degree_, place_.dim, corners, sampling, result);
 }
 
 } // namespace ndframe

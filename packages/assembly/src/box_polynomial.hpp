@@ -13,32 +13,47 @@ namespace ndframe
 /// By the degrees that rules keep.
 using SmoothDistances = std::array<double, highestKeptWhole + 1>;
 
-/// A polynomial on a plane box that an expression is shown to be, to within `error`.
+/// A square or a cube.
+struct BoxPlace
+{
+  int dim = 0; ///< 2 or 3
+  Region::Point middle{};
+  double halfWidth = 0.0;
+};
+
+/// The number of products of powers of degree <= n in 2 or 3 coordinates.
+constexpr std::size_t numProducts(int dim, int n)
+{
+  const auto all = std::size_t(n + 1) * std::size_t(n + 2) / 2;
+  return dim == 3 ? all * std::size_t(n + 3) / 3 : all;
+}
+
+/// A polynomial on a box that an expression is shown to be, to within `error`.
 class BoxPolynomial
 {
 public:
   static constexpr int highest = Enclosure::longest - 1;
 
-  /// coefficients: of xi^i eta^j with i + j <= degree, j by j, the coordinates being 1 at the box's sides. To the error
-  /// that of rounding in the sum of its terms is added.
-  BoxPolynomial(const Region::Point& middle, double halfWidth, int degree, std::vector<double> coefficients,
-                double error);
+  /// coefficients: of xi^i eta^j zeta^k with i + j + k <= degree, k by k and j by j, the coordinates being 1 at the
+  /// box's sides. To the error that of rounding in the sum of its terms is added.
+  BoxPolynomial(const BoxPlace& place, int degree, std::vector<double> coefficients, double error);
 
   double error() const { return error_; }
   int degree() const { return degree_; }
+  std::size_t numTerms() const { return coefficients_.size(); }
   /// By m: a bound of what it misses of polynomials of degree m on simplices in the box, plus the error. radius: the
   /// largest distance along an axis of a vertex from the centroid.
   const SmoothDistances& distances(double radius) const;
   /// A simplex with this centroid and radius lies in the box.
   bool holds(const Region::Point& centroid, double radius) const;
-  /// Its values at the points of a rule on a triangle; as many as the rule's coordinates are padded to.
+  /// Its values at the points of a rule on a triangle or tetrahedron; as many as its coordinates are padded to.
   void values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const;
 
 private:
   void boundDerivatives();
 
-  Region::Point middle_{};
-  double halfWidth_, error_;
+  BoxPlace place_;
+  double error_;
   int degree_;
   std::vector<double> coefficients_;
   /// By k: bound of the sum of the coefficients' sizes of degree k in the Taylor polynomial at any point, for

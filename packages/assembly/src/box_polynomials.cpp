@@ -8,7 +8,10 @@ namespace
 {
 
 /// A degree for which a smaller box would not be cheaper.
-constexpr int cheap = 12;
+constexpr int cheapIn(int space)
+{
+  return space == 3 ? 8 : 12;
+}
 
 } // namespace
 
@@ -32,7 +35,7 @@ void BoxPolynomials::begin(bool isSame)
 /// The box of 2^(level + up), of cells of a radius between 2^(level - 1) and 2^level whose centroid lies in it.
 BoxPolynomials::Box& BoxPolynomials::boxAround(const Region::Point& centroid, int level, int up, double allowed)
 {
-  const TreeBox place(centroid, level + up, 2);
+  const TreeBox place(centroid, level + up, space_);
   const auto [found, isNew] = boxes_.try_emplace({place.place, up});
   if (isNew)
     make(found->second, place, level, up, allowed);
@@ -47,18 +50,18 @@ void BoxPolynomials::make(Box& box, const TreeBox& place, int level, int up, dou
     box.ofCells = around->ofCells;
     return;
   }
-  const double halfWidth = 0.5 * place.width + std::ldexp(1.0, level);
+  const BoxPlace widened{space_, place.middle, 0.5 * place.width + std::ldexp(1.0, level)};
   std::optional<ChebyshevBox> series;
   if (around != nullptr && around->series != nullptr) {
     const double share = 0.5 + 0.4 * (largest - up) / (largest - 1.0);
-    series = around->series->restricted(place.middle, halfWidth, share * allowed);
+    series = around->series->restricted(widened, share * allowed);
   } else {
-    series = ChebyshevBox::fit(tree_, place.middle, halfWidth, 0.5 * allowed);
+    series = ChebyshevBox::fit(tree_, widened, 0.5 * allowed);
     fitted_ += series ? 1 : 0;
   }
   if (!series)
     return;
-  if (series->degree() <= cheap || up == 1) {
+  if (series->degree() <= cheapIn(space_) || up == 1) {
     auto inPowers = series->inPowers();
     if (inPowers.error() <= allowed) {
       box.inPowers = std::make_unique<const BoxPolynomial>(std::move(inPowers));
@@ -81,7 +84,18 @@ const BoxPolynomial* BoxPolynomials::around(const Region::Point& centroid, doubl
       return last_;
   }
   lastUp_ = largest;
-  return nullptr;
+  return ofCell(centroid, radius, allowed);
+}
+
+/// On the simplex's own box, which is half as wide at least.
+const BoxPolynomial* BoxPolynomials::ofCell(const Region::Point& centroid, double radius, double allowed)
+{
+  const auto series = ChebyshevBox::fit(tree_, {space_, centroid, radius}, 0.5 * allowed);
+  if (!series)
+    return nullptr;
+  ++fitted_;
+  cell_.emplace(series->inPowers());
+  return cell_->error() <= allowed ? &*cell_ : nullptr;
 }
 
 } // namespace ndframe

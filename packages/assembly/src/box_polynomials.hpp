@@ -12,11 +12,12 @@ namespace ndframe
 
 /// Polynomials of one expression on a tree of boxes, made when they are asked for: the expression is interpolated on
 /// the largest boxes where that shows it to be a polynomial, smaller boxes inside have theirs from the next larger one,
-/// and a cell has that of the largest box around it where a low degree is enough.
+/// and a cell has that of the largest box around it where a low degree is enough, or one of its own.
 class BoxPolynomials
 {
 public:
-  explicit BoxPolynomials(const ExpressionTree& tree) : tree_(tree) {}
+  /// space: the number of coordinates, 2 or 3.
+  BoxPolynomials(const ExpressionTree& tree, int space) : tree_(tree), space_(space) {}
 
   /// What follows depends on no cell before; isSame: what is allowed will be the same as before.
   void begin(bool isSame);
@@ -46,12 +47,15 @@ private:
   };
 
   Box& boxAround(const Region::Point& centroid, int level, int up, double allowed);
+  const BoxPolynomial* ofCell(const Region::Point& centroid, double radius, double allowed);
   void make(Box& box, const TreeBox& place, int level, int up, double allowed);
 
   const ExpressionTree& tree_;
+  int space_;
   std::unordered_map<Place, Box, Hash> boxes_;
   int lastUp_ = largest;                ///< where the last one was found
   const BoxPolynomial* last_ = nullptr; ///< neighbours follow each other
+  std::optional<BoxPolynomial> cell_;   ///< of one simplex, where the smallest box is too large
   int fitted_ = 0;
 };
 

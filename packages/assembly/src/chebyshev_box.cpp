@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/lanes.hpp"
 
 namespace ndframe
@@ -10,6 +11,7 @@ namespace
 {
 
 using Matrix = ChebyshevBox::Matrix;
+using Slices = ChebyshevBox::Slices;
 constexpr std::size_t size = ChebyshevBox::size;
 
 /// T_i(c + r x) = sum_k result[i][k] T_k(x), by T_{i+1} = 2 (c + r x) T_i - T_{i-1}.
@@ -51,6 +53,24 @@ NDFRAME_EVERY_PROCESSOR void substitute(const double* c, const Matrix& x, const 
         b[q][p] += y[j][q] * half[j][p];
 }
 
+/// b_rqp = sum c_ijk x_ip y_jq z_kr, slice by slice; in a plane there is one and no z.
+Slices substitute(const std::vector<double>& c, const std::array<Matrix, 3>& xyz, int dim, int degree)
+{
+  const std::size_t slices = dim == 3 ? std::size_t(degree) + 1 : 1;
+  Slices b(slices);
+  const double* next = c.data();
+  for (std::size_t k = 0; k < slices; ++k) {
+    substitute(next, xyz[0], xyz[1], degree - int(k), b[k]);
+    next += numProducts(2, degree - int(k));
+  }
+  for (std::size_t r = 0; r < slices && dim == 3; ++r) // z is lower triangular: later slices are as they were
+    for (std::size_t k = r; k < slices; ++k)
+      for (std::size_t q = 0; q + k < slices; ++q)
+        for (std::size_t p = 0; p + q + k < slices; ++p)
+          b[r][q][p] = (k == r ? 0.0 : b[r][q][p]) + xyz[2][k][r] * b[k][q][p];
+  return b;
+}
+
 /// T_i(x) = sum_k result[i][k] x^k.
 const Matrix& powersOfChebyshev()
 {
@@ -79,27 +99,30 @@ const Matrix& atChebyshevPoints(int n)
   return all[std::size_t(n)];
 }
 
-/// Sums over i + j = degree of |c_ij|.
-double sizeOfProducts(const Matrix& c, int degree, int largest)
+/// Sums over i + j + k = degree of |c_ijk|, none of the three above `largest`.
+double sizeOfProducts(const Slices& c, int degree, int largest)
 {
   double sum = 0.0;
-  for (int j = std::max(0, degree - largest); j <= std::min(degree, largest); ++j)
-    sum += std::abs(c[std::size_t(j)][std::size_t(degree - j)]);
+  for (int k = 0; k < int(c.size()) && k <= degree; ++k)
+    for (int j = std::max(0, degree - k - largest); j <= std::min(degree - k, largest); ++j)
+      sum += std::abs(c[std::size_t(k)][std::size_t(j)][std::size_t(degree - k - j)]);
   return sum;
 }
 
-/// The coefficients of a degree at most, row by row.
-std::vector<double> listed(const Matrix& a, int degree)
+/// The coefficients of a degree at most, slice by slice and row by row.
+std::vector<double> listed(const Slices& a, int dim, int degree)
 {
   std::vector<double> all;
-  all.reserve(std::size_t(degree + 1) * std::size_t(degree + 2) / 2);
-  for (std::size_t j = 0; j <= std::size_t(degree); ++j)
-    all.insert(all.end(), a[j].begin(), a[j].begin() + (degree + 1 - int(j)));
+  all.reserve(numProducts(dim, degree));
+  NDFRAME_ASSERT(dim == 2 || a.size() > std::size_t(degree), "there is a slice for each degree along the third axis");
+  for (std::size_t k = 0; k < a.size() && k <= std::size_t(degree); ++k)
+    for (std::size_t j = 0; j + k <= std::size_t(degree); ++j)
+      all.insert(all.end(), a[k][j].begin(), a[k][j].begin() + (degree + 1 - int(j + k)));
   return all;
 }
 
-/// Of the interpolant at (n + 1)^2 Chebyshev points.
-Matrix interpolant(const ExpressionTree& tree, const Region::Point& middle, double halfWidth, int n)
+/// Of the interpolant at (n + 1)^2 Chebyshev points of the plane through the middle.
+Matrix interpolant(const ExpressionTree& tree, const BoxPlace& place, int n)
 {
   const auto end = std::size_t(n) + 1;
   const Matrix& T = atChebyshevPoints(n);
@@ -108,7 +131,8 @@ Matrix interpolant(const ExpressionTree& tree, const Region::Point& middle, doub
     std::array<Region::Point, size> points{};
     std::array<double, size> values{};
     for (std::size_t k = 0; k < end; ++k)
-      points[k] = {middle[0] + halfWidth * T[1][k], middle[1] + halfWidth * T[1][l], 0.0};
+      points[k] = {place.middle[0] + place.halfWidth * T[1][k], place.middle[1] + place.halfWidth * T[1][l],
+                   place.middle[2]};
     tree.values(points.front().data(), int(end), values.data());
     for (std::size_t i = 0; i < end; ++i)
       for (std::size_t k = 0; k < end; ++k)
@@ -121,36 +145,56 @@ Matrix interpolant(const ExpressionTree& tree, const Region::Point& middle, doub
   return c;
 }
 
+/// Of the one at (n + 1)^dim points. In space as many slices as the sum of the three degrees may need.
+Slices interpolants(const ExpressionTree& tree, const BoxPlace& place, int n)
+{
+  if (place.dim == 2)
+    return {interpolant(tree, place, n)};
+  const auto end = std::size_t(n) + 1;
+  const Matrix& T = atChebyshevPoints(n);
+  Slices c(size);
+  for (std::size_t l = 0; l < end; ++l) {
+    BoxPlace plane = place;
+    plane.middle[2] += place.halfWidth * T[1][l];
+    const Matrix slice = interpolant(tree, plane, n);
+    for (std::size_t k = 0; k < end; ++k)
+      for (std::size_t j = 0; j < end; ++j)
+        for (std::size_t i = 0; i < end; ++i)
+          c[k][j][i] += (k == 0 ? 1.0 : 2.0) / double(end) * T[k][l] * slice[j][i];
+  }
+  return c;
+}
+
 /// By n: Taylor's remainder on the box along one axis.
 std::array<double, Enclosure::longest + 1> remainderAlong(std::size_t axis, const ExpressionTree& tree,
-                                                          const Region::Point& middle, double halfWidth)
+                                                          const BoxPlace& place)
 {
-  Region region = Region::box(2, middle, halfWidth, halfWidth);
+  Region region = Region::box(place.dim, place.middle, place.halfWidth, place.halfWidth);
   region.directions.assign(1, {});
-  region.directions.front()[axis] = halfWidth;
+  region.directions.front()[axis] = place.halfWidth;
   return enclose(tree, region, -1, Enclosure::longest).remainder;
 }
 
 } // namespace
 
-std::optional<ChebyshevBox> ChebyshevBox::fit(const ExpressionTree& tree, const Region::Point& middle, double halfWidth,
-                                              double allowed)
+std::optional<ChebyshevBox> ChebyshevBox::fit(const ExpressionTree& tree, const BoxPlace& place, double allowed)
 {
   constexpr double share = 0.5; // of what is allowed; the rest is for the products that are left out
-  ChebyshevBox box;
-  box.middle_ = middle;
-  box.halfWidth_ = halfWidth;
-  const auto alongXi = remainderAlong(0, tree, middle, halfWidth);
-  if (!(std::ldexp(*std::min_element(alongXi.begin() + 1, alongXi.end()), 1 - int(size)) <= share * allowed))
-    return {};
-  const auto alongEta = remainderAlong(1, tree, middle, halfWidth);
+  ChebyshevBox box(place);
+  std::array<std::array<double, Enclosure::longest + 1>, 3> along{};
+  for (std::size_t k = 0; k < std::size_t(place.dim); ++k) {
+    along[k] = remainderAlong(k, tree, place);
+    if (!(std::ldexp(*std::min_element(along[k].begin() + 1, along[k].end()), 1 - int(size)) <= share * allowed))
+      return {};
+  }
   for (int m = 0; m <= highest; ++m) {
     const double lebesgue = 1.0 + 2.0 / M_PI * std::log(m + 1.0);
-    box.error_ = std::ldexp(alongXi[std::size_t(m) + 1] + lebesgue * alongEta[std::size_t(m) + 1], -m);
+    const auto n = std::size_t(m) + 1;
+    box.error_ = std::ldexp(along[0][n] + lebesgue * (along[1][n] + lebesgue * along[2][n]), -m);
     if (!(box.error_ <= share * allowed))
       continue;
-    box.degree_ = 2 * m;
-    box.keep(interpolant(tree, middle, halfWidth, m), m, allowed);
+    box.degree_ = place.dim * m;
+    box.keep(interpolants(tree, place, m), m, allowed);
     return box.error_ <= allowed && std::isfinite(box.coefficients_[0]) ? std::optional(std::move(box)) : std::nullopt;
   }
   return {};
@@ -158,7 +202,7 @@ std::optional<ChebyshevBox> ChebyshevBox::fit(const ExpressionTree& tree, const 
 
 /// Keeps no products of too high a degree, and of others those without which the error would be > allowed. largest: the
 /// highest degree along one axis.
-void ChebyshevBox::keep(const Matrix& c, int largest, double allowed)
+void ChebyshevBox::keep(const Slices& c, int largest, double allowed)
 {
   for (; degree_ > 0; --degree_) {
     const double last = sizeOfProducts(c, degree_, largest);
@@ -166,55 +210,82 @@ void ChebyshevBox::keep(const Matrix& c, int largest, double allowed)
       break;
     error_ += last;
   }
-  coefficients_ = listed(c, degree_);
+  coefficients_ = listed(c, place_.dim, degree_);
 }
 
-ChebyshevBox ChebyshevBox::restricted(const Region::Point& middle, double halfWidth, double allowed) const
+ChebyshevBox ChebyshevBox::restricted(const BoxPlace& place, double allowed) const
 {
-  const double ratio = halfWidth / halfWidth_;
-  Matrix x, y, c;
-  shiftedPolynomials((middle[0] - middle_[0]) / halfWidth_, ratio, degree_, x);
-  shiftedPolynomials((middle[1] - middle_[1]) / halfWidth_, ratio, degree_, y);
-  substitute(coefficients_.data(), x, y, degree_, c);
-  ChebyshevBox part;
-  part.middle_ = middle;
-  part.halfWidth_ = halfWidth;
+  const double ratio = place.halfWidth / place_.halfWidth;
+  std::array<Matrix, 3> xyz;
+  for (std::size_t k = 0; k < std::size_t(place.dim); ++k)
+    shiftedPolynomials((place.middle[k] - place_.middle[k]) / place_.halfWidth, ratio, degree_, xyz[k]);
+  ChebyshevBox part(place);
   part.error_ = error_;
   part.degree_ = degree_;
-  part.keep(c, degree_, allowed);
+  part.keep(substitute(coefficients_, xyz, place.dim, degree_), degree_, allowed);
   return part;
 }
 
 BoxPolynomial ChebyshevBox::inPowers() const
 {
-  Matrix powers;
-  substitute(coefficients_.data(), powersOfChebyshev(), powersOfChebyshev(), degree_, powers);
-  return BoxPolynomial(middle_, halfWidth_, degree_, listed(powers, degree_), error_);
+  const Matrix& T = powersOfChebyshev();
+  return {place_, degree_, listed(substitute(coefficients_, {T, T, T}, place_.dim, degree_), place_.dim, degree_),
+          error_};
 }
 
-const PowerDistances& powerDistances()
+namespace
 {
-  static const PowerDistances all = [] {
-    Matrix products{}; // of x^i, by p
+
+/// By i and p: the coefficient of T_p in x^i.
+const Matrix& chebyshevOfPowers()
+{
+  static const Matrix all = [] {
+    Matrix products{};
     products[0][0] = products[1][1] = 1.0;
     for (std::size_t i = 2; i < size; ++i) // x T_0 = T_1, x T_p = (T_{p+1} + T_{p-1}) / 2
       for (std::size_t p = 0; p < i; ++p) {
         products[i][p + 1] += (p == 0 ? 1.0 : 0.5) * products[i - 1][p];
         products[i][p > 0 ? p - 1 : 0] += p == 0 ? 0.0 : 0.5 * products[i - 1][p];
       }
-    PowerDistances most{};
-    for (std::size_t k = 0; k < size; ++k)
-      for (std::size_t m = 0; m < std::min(k, most[k].size()); ++m)
-        for (std::size_t i = 0; i <= k; ++i) {
-          double left = 0.0;
-          for (std::size_t p = 0; p <= i; ++p)
-            for (std::size_t q = m + 1 > p ? m + 1 - p : 0; q <= k - i; ++q)
-              left += products[i][p] * products[k - i][q];
-          most[k][m] = std::max(most[k][m], left);
-        }
-    return most;
+    return products;
   }();
   return all;
+}
+
+/// By the degrees' sum: the coefficients of the products of two polynomials with coefficients that are not negative.
+std::array<double, size> product(const std::array<double, size>& a, const std::array<double, size>& b)
+{
+  std::array<double, size> sums{};
+  for (std::size_t p = 0; p < size; ++p)
+    for (std::size_t q = 0; p + q < size; ++q)
+      sums[p + q] += a[p] * b[q];
+  return sums;
+}
+
+PowerDistances makePowerDistances(int dim)
+{
+  const Matrix& ofPowers = chebyshevOfPowers();
+  PowerDistances most{};
+  for (std::size_t n = 0; n < size; ++n)
+    for (std::size_t k = 0; k <= (dim == 3 ? n : 0); ++k)
+      for (std::size_t j = 0; j + k <= n; ++j) {
+        const auto sums = product(product(ofPowers[n - j - k], ofPowers[j]), ofPowers[k]);
+        double left = 0.0;
+        for (std::size_t m = n; m-- > 0;) {
+          left += sums[m + 1];
+          if (m < most[n].size())
+            most[n][m] = std::max(most[n][m], left);
+        }
+      }
+  return most;
+}
+
+} // namespace
+
+const PowerDistances& powerDistances(int dim)
+{
+  static const PowerDistances inPlane = makePowerDistances(2), inSpace = makePowerDistances(3);
+  return dim == 3 ? inSpace : inPlane;
 }
 
 } // namespace ndframe

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "load_projection.hpp"
 #include "ndframe/assembly/point_sums.hpp"
 #include "ndframe/fem/lagrange.hpp"
 
@@ -162,6 +163,16 @@ void visitConstant(const Load& load, const std::vector<SampledFunction>& functio
   });
 }
 
+void visitProjections(const Load& load, const LoadProjection& kept, const Mesh& mesh,
+                      const std::function<void(const LoadedSimplex&)>& visit)
+{
+  std::size_t number = 0;
+  visitSimplices(load, mesh, [&](LoadedSimplex& simplex, const Place&) {
+    kept.fill(number++, simplex.samples);
+    visit(simplex);
+  });
+}
+
 } // namespace
 
 void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(const LoadedSimplex&)>& visit)
@@ -169,6 +180,8 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
   const auto functions = load.functions(mesh.dim);
   if (areConstant(functions))
     return visitConstant(load, functions, mesh, visit);
+  if (const LoadProjection* kept = load.projection(); kept != nullptr && kept->isOf(mesh))
+    return visitProjections(load, *kept, mesh, visit);
   DataSampler& sampler = load.sampler(mesh.dim);
   Densities densities(load, mesh.dim, functions.size());
   const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
@@ -190,17 +203,25 @@ DataSampler& Load::sampler(int dim) const
 
 void Load::addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const
 {
+  projection_.reset();
+  std::shared_ptr<LoadProjection> next;
+  if (facets(mesh) == nullptr && !isConstant(mesh.dim))
+    next = std::make_shared<LoadProjection>(mesh);
   withDimAndOrder(mesh.dim, nodes.order, [&](auto d, auto p) {
     Scatter<d(), p()> onCells;
     Scatter<d() - 1, p()> onFacets;
     visitLoad(*this, mesh, [&](const LoadedSimplex& simplex) {
-      if (simplex.isCell)
+      if (simplex.isCell) {
+        if (next)
+          next->add(simplex);
         return onCells.add(simplex, nodes.cell(simplex.facet.cell), d(), load);
+      }
       int local[6];
       facetNodes(nodes, simplex.facet, local);
       onFacets.add(simplex, local, d(), load);
     });
   });
+  projection_ = next;
 }
 
 } // namespace ndframe

@@ -15,6 +15,20 @@ inline __attribute__((always_inline)) double total(const Pack& sum)
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+template <std::size_t packs>
+inline __attribute__((always_inline)) void combine(const double* table, std::size_t count, const double* values,
+                                                   double* sums)
+{
+  Pack sum[packs] = {}, t;
+  for (std::size_t g = 0; g < count; ++g)
+    for (std::size_t p = 0; p < packs; ++p) {
+      load(table + (g * packs + p) * lanes, t);
+      sum[p] += values[g] * t;
+    }
+  for (std::size_t p = 0; p < packs; ++p)
+    store(sum[p], sums + p * lanes);
+}
+
 } // namespace
 
 std::size_t paddedCount(int points)
@@ -46,6 +60,25 @@ NDFRAME_EVERY_PROCESSOR void sumOverPoints(const double* table, std::size_t coun
         sum += t * v;
       }
       sums[row * size + i] = factor * total(sum);
+    }
+}
+
+NDFRAME_EVERY_PROCESSOR void combineRows(const double* table, std::size_t count, std::size_t width,
+                                         const double* values, std::size_t stride, std::size_t size, double* sums)
+{
+  for (std::size_t i = 0; i < size; ++i, values += stride, sums += width)
+    switch (width / lanes) {
+    case 1:
+      combine<1>(table, count, values, sums);
+      break;
+    case 2:
+      combine<2>(table, count, values, sums);
+      break;
+    case 3:
+      combine<3>(table, count, values, sums);
+      break;
+    default:
+      combine<4>(table, count, values, sums);
     }
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "ndframe/assembly/point_sums.hpp"
+#include "tetrahedron_rules.hpp"
 #include "triangle_rules.hpp"
 
 namespace ndframe
@@ -21,13 +22,20 @@ std::vector<double> paddedCoordinates(const QuadratureRule& rule)
   return all;
 }
 
+QuadratureRule ruleOf(int dim, int degree)
+{
+  if (dim == 2 && hasSymmetricTriangleRule(degree))
+    return symmetricTriangleRule(degree);
+  if (dim == 3 && hasSymmetricTetrahedronRule(degree))
+    return symmetricTetrahedronRule(degree);
+  return simplexRule(dim, degree);
+}
+
 std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int highest)
 {
   std::vector<SamplingRule> rules;
   for (const int degree : degrees) {
-    const bool isSymmetric = dim == 2 && hasSymmetricTriangleRule(degree);
-    rules.push_back({isSymmetric ? symmetricTriangleRule(degree) : simplexRule(dim, degree),
-                     std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
+    rules.push_back({ruleOf(dim, degree), std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
     rules.back().padded = paddedCoordinates(rules.back().rule);
   }
   return rules;
@@ -48,15 +56,15 @@ const std::vector<SamplingRule>& samplingLadder(int dim)
 {
   static const auto edges = ladderForPieces(1, {6, 8, 12, 18}),
                     triangles = ladderForPieces(2, {4, 5, 6, 8, 9, 10, 12, 18}),
-                    tetrahedra =
-                        ladderForPieces(3, {5, 7, 9, 13}); // the collapsed rules of 4, 5, 6 and 8 points an axis
+                    tetrahedra = ladderForPieces(3, {5, 7, 9, 13});
   return dim == 1 ? edges : dim == 2 ? triangles : tetrahedra;
 }
 
 const std::vector<SamplingRule>& smoothLadder(int dim)
 {
-  static const auto triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 13, 15, 17, 19, 21, 23}, highestKeptWhole);
-  return dim == 2 ? triangles : samplingLadder(dim);
+  static const auto triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 13, 15, 17, 19, 21, 23, 25, 27}, highestKeptWhole),
+                    tetrahedra = ladderOf(3, {5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27}, highestKeptWhole);
+  return dim == 2 ? triangles : dim == 3 ? tetrahedra : samplingLadder(dim);
 }
 
 } // namespace ndframe

@@ -13,16 +13,24 @@ constexpr double agreementOn(int dim)
 {
   return dim == 1 ? 1e-13 : 1e-12;
 }
-/// The same in norms, where it is charged to the oscillation.
+/// The same where functions are smooth on whole cells and faces, which are most: fewer points in tetrahedra.
+constexpr double agreementOfSmoothMeans(int dim)
+{
+  return dim == 3 ? 4e-11 : agreementOn(dim);
+}
+/// And in norms, where it is charged to the oscillation.
 constexpr double agreementOfNorms = 1e-11;
-/// And where smooth functions on a plane's cells are concerned: what is charged is far below their oscillation, and the
-/// cells need fewer points.
-constexpr double agreementOfSmoothNorms = 1e-8;
+/// And where functions that are smooth on whole cells and faces are concerned: what is charged is far below their
+/// oscillation, and fewer points are needed.
+constexpr double agreementOfSmoothNorms(int dim)
+{
+  return dim == 3 ? 1e-6 : 1e-8;
+}
 
 /// The highest degree of the polynomials that functions are compared with, on pieces of cells.
 constexpr int highestKept = 9;
-/// And on whole triangles, where functions are known as polynomials of high degree.
-constexpr int highestKeptWhole = 17;
+/// And on whole triangles and tetrahedra, where functions are known as polynomials of high degree.
+constexpr int highestKeptWhole = 25;
 
 /// A Gauss rule and the degrees of the polynomials that it integrates exactly: with polynomials of degree 5 - dim (the
 /// highest that stars integrate: a hat function times a mode), and with themselves.
@@ -37,7 +45,8 @@ struct SamplingRule
 /// The rules that are tried one after the other. The last one, and those of edges, keep no more than they square: on an
 /// edge the points determine the polynomials that are kept.
 const std::vector<SamplingRule>& samplingLadder(int dim);
-/// For functions that are smooth on a whole simplex: more of them in triangles, none of which need square all it keeps.
+/// For functions that are smooth on a whole simplex: more of them in triangles and tetrahedra, none of which need
+/// square all it keeps.
 const std::vector<SamplingRule>& smoothLadder(int dim);
 
 } // namespace ndframe

@@ -15,6 +15,15 @@ int degreeOf(const SampledFunction& function)
   return function.tree->root().degree;
 }
 
+/// What a value of an expression costs, about, in terms of a polynomial.
+double termsOf(const ExpressionTree& tree)
+{
+  double terms = 0.0;
+  for (const ExpressionNode& node : tree.nodes())
+    terms += node.operation == Operation::Power || node.operation >= Operation::Sin ? 300.0 : 30.0;
+  return terms;
+}
+
 /// By 3 % at most, so that neighbours have the same.
 double roundedUp(double radius)
 {
@@ -38,11 +47,12 @@ void beginWhole(const SimplexGeometry& simplex, const QuadratureRule& rule, Samp
 SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int space)
     : functions_(functions),
       arePolynomials_(std::all_of(functions.begin(), functions.end(), [](const auto& f) { return degreeOf(f) >= 0; })),
-      isPlane_(space == 2), here_(functions.size())
+      here_(functions.size())
 {
   ofPolynomials_.reserve(functions.size());
   for (const auto& function : functions) {
-    boxes_.emplace_back(*function.tree);
+    boxes_.emplace_back(*function.tree, space);
+    terms_.push_back(termsOf(*function.tree));
     ofPolynomials_.emplace_back();
     for (int m = 0; m < degreeOf(function) && m <= highestKeptWhole; ++m)
       ofPolynomials_.back()[std::size_t(m)] = std::numeric_limits<double>::infinity();
@@ -69,7 +79,7 @@ bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allow
 {
   if (arePolynomials_)
     return true;
-  if (!isPlane_ || simplex.dim() != 2)
+  if (simplex.dim() == 1)
     return false;
   Region::Point centroid{};
   double radius = 0.0;
@@ -97,7 +107,7 @@ double SmoothSamples::distance(int degree) const
 bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples& samples)
 {
   constexpr double share = 0.5; // the box's, of what a function may miss
-  const double allowed = agreementOn(simplex.dim()) * scale;
+  const double allowed = agreementOfSmoothMeans(simplex.dim()) * scale;
   if (!findPolynomials(simplex, share * allowed))
     return false;
   for (const SamplingRule& sampling : smoothLadder(simplex.dim())) {
@@ -105,7 +115,7 @@ bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples
     if (!(error <= allowed))
       continue;
     const double ofNorm = distance(sampling.squared);
-    if (!(ofNorm <= agreementOfSmoothNorms * scale))
+    if (!(ofNorm <= agreementOfSmoothNorms(simplex.dim()) * scale))
       continue;
     beginWhole(simplex, sampling.rule, samples);
     samples.pieces.front().error = error;
@@ -125,7 +135,7 @@ void SmoothSamples::addValues(const SimplexGeometry& simplex, const SamplingRule
   values_.resize(std::max(count, sampling.padded.size() / std::size_t(simplex.dim() + 1)));
   samples.values.resize(count * size);
   for (std::size_t f = 0; f < size; ++f) {
-    if (here_[f] != nullptr)
+    if (here_[f] != nullptr && double(here_[f]->numTerms()) <= terms_[f])
       here_[f]->values(simplex.vertices(), sampling, values_.data());
     else
       evaluate(functions_[f], simplex, samples);

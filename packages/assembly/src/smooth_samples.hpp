@@ -30,8 +30,9 @@ private:
   void evaluate(const SampledFunction& function, const SimplexGeometry& simplex, Samples& samples);
 
   const std::vector<SampledFunction>& functions_;
-  bool arePolynomials_, isPlane_;
+  bool arePolynomials_;
   std::vector<BoxPolynomials> boxes_;
+  std::vector<double> terms_;                     ///< per function: those of a polynomial that costs as much
   double scale_ = 0.0;                            ///< that the boxes are for
   std::vector<const BoxPolynomial*> here_;        ///< null for what is a polynomial everywhere
   std::vector<SmoothDistances> ofPolynomials_;    ///< per function; infinite for degrees below its own

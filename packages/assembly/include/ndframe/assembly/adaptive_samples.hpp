@@ -39,6 +39,10 @@ struct Samples
   double uncertainty = 0.0;   ///< bound of what mean values may be wrong by, relative to the scale
   double spread = 0.0;        ///< the same as `error`, root mean square, for polynomials whose squares rules integrate
 
+  /// Root mean square of what the values leave out of the functions, which is orthogonal to polynomials of degree
+  /// <= 5 - dim; 0: nothing, they are the functions' own.
+  double rest = 0.0;
+
   /// Mean values and norms are right to 1e-10 of the scale, proven by enclosures.
   bool areCertain() const { return uncertainty <= 1e-10; }
 };

@@ -17,7 +17,7 @@ struct LoadedSimplex
 };
 
 /// Visits every facet or cell on which a load acts. A constant load costs a value per simplex; one that varies is
-/// sampled anew on every visit (samples are large, and taken two or three times in a run).
+/// sampled anew on facets and, in cells, where Load::addTo() has not kept its projections on this mesh.
 void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(const LoadedSimplex&)>& visit);
 
 } // namespace ndframe

@@ -75,6 +75,8 @@ public:
   virtual void pin(const std::vector<NodeConstraint>&) {}
 };
 
+class LoadProjection;
+
 /// A force per area on the facets of a side, or a force per volume in all cells, linear in functions of the position.
 class Load : public SideCondition
 {
@@ -93,11 +95,15 @@ public:
   bool isConstant(int dim) const;
   /// What samples the functions, kept because it knows polynomials that they are on boxes. One thread at a time.
   DataSampler& sampler(int dim) const;
-  /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp).
+  /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp). In cells
+  /// their projections are kept for the next visit. One thread at a time.
   void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const;
+  /// Those of the last call of addTo; null: of none.
+  const LoadProjection* projection() const { return projection_.get(); }
 
 private:
   mutable std::shared_ptr<DataSampler> sampler_;
+  mutable std::shared_ptr<LoadProjection> projection_;
 };
 
 /// All are constant.

@@ -1,0 +1,148 @@
+// Samples of functions that are smooth on tetrahedra and on their faces.
+
+#include <cmath>
+#include <map>
+#include <random>
+
+#include <fmt/format.h>
+#include <gmock/gmock.h>
+
+#include "assembly/sample_means.hpp"
+
+namespace ndframe
+{
+
+namespace
+{
+
+using Corners = std::vector<std::array<double, 3>>;
+
+/// A tetrahedron or a triangle in space of about this size, not flat.
+Corners randomSimplex(int dim, double size, std::mt19937& random)
+{
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
+  Corners corners{{uniform(0.0, 1.0), uniform(0.0, 1.0), uniform(0.0, 1.0)}};
+  for (std::size_t v = 0; v < std::size_t(dim); ++v) {
+    corners.push_back(corners.front());
+    for (std::size_t k = 0; k < 3; ++k)
+      corners.back()[k] += size * (k == v ? uniform(0.6, 1.0) : uniform(-0.2, 0.2));
+  }
+  return corners;
+}
+
+DataSampler::Vertices pointersTo(const Corners& corners)
+{
+  DataSampler::Vertices vertices{};
+  for (std::size_t v = 0; v < corners.size(); ++v)
+    vertices[v] = corners[v].data();
+  return vertices;
+}
+
+double valueAt(const ExpressionTree& tree, const Corners& corners, const double* lambda)
+{
+  double point[3] = {}, value = 0.0;
+  for (std::size_t v = 0; v < corners.size(); ++v)
+    for (std::size_t k = 0; k < 3; ++k)
+      point[k] += lambda[v] * corners[v][k];
+  tree.values(point, 1, &value);
+  return value;
+}
+
+/// A sum of a wave, a bell, a front, or a pole outside the unit cube, with length scales from 0.1 to 3.
+std::string randomSmoothFunction(std::mt19937& random)
+{
+  const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
+  std::string text = "0";
+  for (int term = 0; term < 2; ++term) {
+    const double inverse = std::pow(10.0, uniform(-0.5, 1.0));
+    const std::string s = fmt::format("({}*x+{}*y+{}*z+{})", inverse * uniform(-1.0, 1.0), inverse * uniform(-1.0, 1.0),
+                                      inverse * uniform(-1.0, 1.0), uniform(-1.0, 1.0));
+    const std::string all[] = {"sin" + s, "exp(-" + s + "^2)", "tanh" + s, "1/(1+" + s + "^2)", "sqrt(2+sin" + s + ")"};
+    text += fmt::format("+{}*{}", uniform(-1.0, 1.0), all[random() % 5]);
+  }
+  return text;
+}
+
+} // namespace
+
+/// Looks for a function whose samples are further from it than they say, at the points or in moments.
+TEST(SmoothSolids, OfRandomFunctionsAreNotFurtherFromThemThanTheySay)
+{
+  std::mt19937 random(3);
+  int whole = 0, all = 0;
+  for (int scene = 0; scene < 120; ++scene) {
+    const std::string text = randomSmoothFunction(random);
+    const auto tree = std::make_shared<const ExpressionTree>(text);
+    DataSampler sampler({{tree, {}}}, 3);
+    const double size = std::pow(10.0, std::uniform_real_distribution<>(-2.0, -0.3)(random));
+    for (const int dim : {2, 3}) {
+      const QuadratureRule fine = simplexRule(dim, 36);
+      for (int cell = 0; cell < 6; ++cell) {
+        const Corners corners = randomSimplex(dim, size, random);
+        const Samples samples = sampler.sample(dim, pointersTo(corners), 1.0);
+        ++all;
+        if (samples.pieces.size() > 1 || !samples.areCertain())
+          continue;
+        ++whole;
+        const double allowed = 1.1 * samples.pieces.front().error + 1e-13;
+        for (int q = 0; q < samples.rule.size(); ++q)
+          ASSERT_NEAR(samples.values[std::size_t(q)], valueAt(*tree, corners, samples.rule.point(q)), allowed) << text;
+        double exact = 0.0;
+        for (int q = 0; q < fine.size(); ++q)
+          exact += fine.weights[std::size_t(q)] * valueAt(*tree, corners, fine.point(q)) *
+                   std::pow(fine.point(q)[dim], 5 - dim);
+        ASSERT_NEAR(mean(samples, dim, 5 - dim), exact, 0.5 * samples.uncertainty + 1e-13) << text;
+      }
+    }
+  }
+  EXPECT_GE(whole, all * 9 / 10);
+}
+
+/// 6 x 10^3 tetrahedra: a handful of polynomials serves them, and the rule of 59 points.
+TEST(SmoothSolids, OfWavesOnAFineMeshComeFromAFewPolynomials)
+{
+  const auto tree = std::make_shared<const ExpressionTree>("sin(3*x-2*y+z)");
+  DataSampler sampler({{tree, {}}}, 3);
+  std::mt19937 random(5);
+  for (int cell = 0; cell < 1000; ++cell) {
+    const Samples samples = sampler.sample(3, pointersTo(randomSimplex(3, 0.05, random)), 1.0);
+    ASSERT_TRUE(samples.areCertain());
+    ASSERT_EQ(samples.pieces.size(), 1u);
+    ASSERT_LE(samples.rule.size(), 59);
+  }
+  EXPECT_LE(sampler.polynomials(), 8);
+}
+
+/// The rules of tetrahedra integrate all polynomials of some degree; their points are inside, their weights positive.
+TEST(SmoothSolids, HaveExactRules)
+{
+  std::map<int, int> degrees;
+  for (const double size : {1e-3, 0.02, 0.1, 0.3, 0.6, 1.0}) {
+    DataSampler sampler({{std::make_shared<const ExpressionTree>("sin(x)*cos(y)+exp(z)"), {}}}, 3);
+    const Corners corners{{0.1, 0.2, 0.0}, {0.1 + size, 0.2, 0.0}, {0.1, 0.2 + size, 0.0}, {0.1, 0.2, size}};
+    const Samples samples = sampler.sample(3, pointersTo(corners), 1.0);
+    ASSERT_EQ(samples.pieces.size(), 1u) << size;
+    int exact = 0;
+    for (bool isExact = true; isExact; exact += isExact ? 1 : 0)
+      for (int i = 0; i <= exact && isExact; ++i)
+        for (int j = 0; i + j <= exact && isExact; ++j) {
+          const int k = exact - i - j;
+          double found = 0.0;
+          for (int q = 0; q < samples.rule.size(); ++q) {
+            const double* lambda = samples.rule.point(q);
+            EXPECT_GT(std::min(std::min(lambda[0], lambda[1]), std::min(lambda[2], lambda[3])), 0.0);
+            found += samples.rule.weights[std::size_t(q)] * std::pow(lambda[0], i) * std::pow(lambda[1], j) *
+                     std::pow(lambda[2], k);
+          }
+          const double right =
+              6.0 * std::tgamma(i + 1.0) * std::tgamma(j + 1.0) * std::tgamma(k + 1.0) / std::tgamma(exact + 4.0);
+          isExact = std::abs(found - right) < 1e-15;
+        }
+    degrees[samples.rule.size()] = exact - 1;
+  }
+  for (const auto& [points, degree] : degrees)
+    EXPECT_GE(degree, points == 14 ? 5 : points == 35 ? 7 : 9) << points;
+  EXPECT_GE(degrees.size(), 4u);
+}
+
+} // namespace ndframe
