@@ -84,7 +84,7 @@ class Reads(unittest.TestCase):
         rest = run("punch", {**settings, "Accuracy/Maximum Levels": 20}, codes=(0, 4), restart=True)
         self.assertEqual((len(first.levels["dofs"]), rest.bound.absolute), (2, whole.bound.absolute))
         self.assertEqual(list(rest.levels["bound"]), list(whole.levels["bound"]))
-        self.assertIn("goes on from again.checkpoint", rest.screen)
+        self.assertIn("continues from again.checkpoint", rest.screen)
 
     def test_the_contact_table(self):
         with open(FOLDER / "punch.contact.csv", newline="") as file:

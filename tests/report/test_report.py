@@ -298,7 +298,7 @@ class Written(unittest.TestCase):
         self.assertIn("<h2>Scene</h2>", self.path("asked.report.html").read_text())
         done = self.runs.call("-i", DECKS / "punch.xml", *settings, "--set", "Output/Summary=false")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("a report is made of the summary; Summary must not be false", done.stderr)
+        self.assertIn("a report is made from the summary; Summary must not be false", done.stderr)
         done = self.runs.call("-q", "-i", DECKS / "study.xml", *settings)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("6 cases over", self.path("asked.report.html").read_text())

@@ -4,7 +4,7 @@ from robust import PROGRAM, PUNCH, RESULTS, RoughWorld, cells, limited, main, on
 
 MEGABYTES = (145, 150, 160, 175, 250, 300, 400, 500, 600, 650, 700, 900)
 # By the program, and by the dynamic linker where not even the libraries fit.
-REASONS = {2: ("more memory than the process may take", "does not fit into memory", "too little memory",
+REASONS = {2: ("more memory than the process may use", "does not fit into memory", "too little memory",
                "are left: use coarser meshes"),
            127: ("error while loading shared libraries",)}
 

@@ -254,7 +254,7 @@ constexpr const char* obstacle =
 const std::vector<DeckTemplate>& deckTemplates()
 {
   static const std::vector<DeckTemplate> all{
-      {"two-bodies", "a block pressed on a wider one", twoBodies},
+      {"two-bodies", "a block pressed onto a wider one", twoBodies},
       {"hertz", "a cylinder on a block, compared with Hertz: the curved side as a gap", hertz},
       {"obstacle", "an elastic block on a rigid cylinder", obstacle}};
   return all;
