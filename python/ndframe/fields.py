@@ -29,7 +29,7 @@ class Fields:
             raise ReadError(f"{path}: there is no such file; run the deck with Output/Exodus = true.")
         self.file = Exodus(str(path))
         if self.file.times.size == 0 or "disp_x" not in self.names("nodal"):
-            raise ReadError(f"{path}: has no displacements; the run did not end, or it is not a file of ndframe.")
+            raise ReadError(f"{path}: has no displacements; the run did not finish, or it is not an ndframe file.")
 
     @property
     def points(self) -> numpy.ndarray:
@@ -68,7 +68,7 @@ class Fields:
     def triangles(self, block: str) -> numpy.ndarray:
         """[elements, 3] vertices of a plane block, as matplotlib's tripcolor and Triangulation take them."""
         if self.dimension != 2:
-            raise ReadError(f"{self.path}: is a scene in space, which has no triangles; use nodes().")
+            raise ReadError(f"{self.path}: is a 3D scene, which has no triangles; use nodes().")
         return self.nodes(block)[:, :3]
 
     def nodal(self, name: str, step: int = -1) -> numpy.ndarray:

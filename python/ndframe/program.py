@@ -35,7 +35,7 @@ def find_program() -> str:
             return str(beside)
     if found := shutil.which("ndframe"):
         return found
-    raise Error("the program ndframe is neither beside this module nor on the path; name it in NDFRAME_PROGRAM or as program=.")
+    raise Error("the program ndframe is neither next to this module nor on the path; name it in NDFRAME_PROGRAM or as program=.")
 
 
 def run(deck: Deck, settings: Settings | None = None, *, folder: str | os.PathLike[str] = ".", ranks: int = 1,

@@ -250,7 +250,7 @@ def read_run(stem: str, path: pathlib.Path) -> Run | LoadCases:
                 results[key]
         summary["deck"]["Bodies"]
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ReadError(f"{path} cannot be read as a summary of ndframe ({type(error).__name__}: {error}); run the deck "
+        raise ReadError(f"{path} cannot be read as an ndframe summary ({type(error).__name__}: {error}); run the deck "
                         "again.") from None
     return LoadCases(stem, summary) if "cases" in summary else Run(stem, summary)
 
