@@ -275,7 +275,7 @@ class New(unittest.TestCase):
                                "the drawing has no Physical Surface, and 2 parts that share no edge, at ("),
                  "one name": (two.replace('Physical Surface("plate") = {1}; Physical Surface("block") = {11};',
                                           'Physical Surface("parts") = {1, 11};'),
-                              '): write Physical Surface("block") = {1}; with a name of its own for each.'),
+                              '): write Physical Surface("block") = {1}; with a separate name for each.'),
                  "lists": (two.replace('"block"', '"a, b"'), 'the name "a, b" of a body has a comma or a brace, which stand for lists in a deck'),
                  "all touch": (ALL_TOUCH, "every named side touches another body or is a plane of symmetry: name one more"),
                  "empty": ("// nothing", "empty.geo: "),

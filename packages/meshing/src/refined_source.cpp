@@ -72,7 +72,7 @@ private:
     if (largest == halvings_)
       return;
     const std::string why = canBeNumbered(mesh, halvings_)
-                                ? fmt::format("which need {:.3g} GB for the mesh alone, and {} are left",
+                                ? fmt::format("which need {:.3g} GB for the mesh alone, and {} are available",
                                               1e-9 * bytesAfter(mesh, halvings_), left.text())
                                 : "more than can be numbered";
     throw InputError(
