@@ -19,7 +19,7 @@ def missing_packages(find=importlib.util.find_spec):
 def main(arguments):
     sys.path[:0] = [str(place) for place in homes()]
     if missing := missing_packages():
-        print(f"the report needs packages of Python that {sys.executable} does not find; on Debian: apt-get install "
+        print(f"the report needs Python packages that {sys.executable} does not find; on Debian: apt-get install "
               f"{' '.join(missing)}", file=sys.stderr)
         return 2
     if arguments == ["--check"]:

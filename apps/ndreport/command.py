@@ -13,13 +13,13 @@ from .results import read_results
 
 def parse(arguments):
     parser = argparse.ArgumentParser(prog="ndframe report", description="Writes NAME.report.html, one file with all "
-                                     "that a run, its load cases or a study has left: scene, verdict, pictures, tables, deck.")
+                                     "that a run, its load cases or a study has written: scene, verdict, pictures, tables, deck.")
     parser.add_argument("name", metavar="NAME", help="beginning of the run's file names, or one of its files: punch, "
                         "results/punch, punch.summary.json, certificate.study.csv")
     parser.add_argument("-o", "--output", metavar="FILE", type=pathlib.Path, help="instead of NAME.report.html")
-    parser.add_argument("-c", "--case", metavar="CASE", help="of a run with load cases the report of this one, NAME.CASE.report.html; "
+    parser.add_argument("-c", "--case", metavar="CASE", help="for a run with load cases the report of this one, NAME.CASE.report.html; "
                         "without it, of all of them")
-    parser.add_argument("-q", "--quiet", action="store_true", help="do not say what was written")
+    parser.add_argument("-q", "--quiet", action="store_true", help="do not report what was written")
     return parser.parse_args(arguments)
 
 

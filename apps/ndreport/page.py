@@ -134,5 +134,5 @@ def guarantee(summary):
         return "The deck asks for indicators only, which bound nothing."
     if bound["guaranteed"]:
         return ("The error in the energy norm, of the displacement and of the stress, cannot be larger than the bound: every "
-                "condition of it was checked in this run. Local values such as a peak pressure have no bound of their own.")
+                "condition of the bound was checked in this run. Local values such as a peak pressure have no bound of their own.")
     return f"The bound is not guaranteed: {bound['reason']}"

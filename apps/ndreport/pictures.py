@@ -54,7 +54,7 @@ def add_bodies(found, bodies):
                       f"{vector(place)}; colours end at {number(norm.vmax)}.")
     share_caption = "What every element adds to the error: where a finer mesh would help most."
     if bodies.dim == 2:
-        add(found["scene"], scene_view.plane_scene(bodies), "The scene before loading. Arrows show where and in which sense loads act, "
+        add(found["scene"], scene_view.plane_scene(bodies), "The scene before loading. Arrows show where and in which direction loads act,  "
             "not how large they are.")
         add(found["fields"], plane_view.stress_picture(bodies, scale, norm), stress_caption)
         add_zooms(found, bodies, scale)
@@ -87,7 +87,7 @@ def add_zooms(found, bodies, scale):
         box = numpy.maximum(middle - reach, moved.min(axis=0)), numpy.minimum(middle + reach, moved.max(axis=0))
         if numpy.all(box[1] - box[0] > 0.2 * reach):
             figure = plane_view.stress_picture(bodies, scale, fields.norm_within(bodies, bodies.moved(scale), box), box=box)
-            add(found["fields"], figure, f"The same near {name}, with colours of its own.")
+            add(found["fields"], figure, f"The same near {name}, with its own colour scale.")
 
 
 def add_contact(found, results, bodies, name):

@@ -67,7 +67,7 @@ def together(rows, axes):
 
 
 def verdict(rows, failed, groups):
-    names = "factors of loads" if groups[0][0] == "name" else words.joined(short(group[0]) + (" (and what moves with it)" if len(group) > 1 else "") for group in groups)
+    names = "factors of loads" if groups[0][0] == "name" else words.joined(short(group[0]) + (" (and what varies with it)" if len(group) > 1 else "") for group in groups)
     text = f"{words.count(len(rows), 'case')} over {names}"
     energies = [number(row["energy"]) for row in rows if number(row["energy"]) is not None]
     if energies and min(energies) != max(energies):

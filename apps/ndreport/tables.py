@@ -42,7 +42,7 @@ def rest(forces):
     forces = list(forces)
     largest = max(abs(c) for force in forces for c in force)
     total = max(abs(sum(components)) for components in zip(*forces))
-    return f"0, but for {number(total / largest, 2)} of the largest" if largest > 0.0 else "0"
+    return f"0 to within {number(total / largest, 2)} of the largest" if largest > 0.0 else "0"
 
 
 def interfaces(summary):
@@ -65,10 +65,10 @@ def interfaces(summary):
 
 
 RESIDUALS = {
-    "equilibrium": "forces that do not balance, beside the largest nodal load or reaction",
-    "complementarity": "gap times contact force, beside the largest of each",
-    "penetration": "beside the largest displacement",
-    "tension": "nodal contact forces that pull, beside the largest",
+    "equilibrium": "unbalanced forces, relative to the largest nodal load or reaction",
+    "complementarity": "gap times contact force, relative to the largest of each",
+    "penetration": "relative to the largest displacement",
+    "tension": "nodal contact forces in tension, relative to the largest",
 }
 
 

@@ -94,7 +94,7 @@ def scene(summary):
     bodies, deck = summary["bodies"], summary["deck"]
     rigid = [name for name, body in deck["Bodies"].items() if "Rigid" in body]
     elastic = len(bodies) - len(rigid)
-    space = "plane scene, a slice of thickness 1" if summary["per_unit_thickness"] else "scene in space"
+    space = "plane scene, a slice of thickness 1" if summary["per_unit_thickness"] else "3D scene"
     text = count(elastic, "elastic body", "elastic bodies")
     if rigid:
         text += f" and {count(len(rigid), 'rigid one')}"
@@ -172,7 +172,7 @@ def advice(summary):
     mesh, iteration = errors.get("discretization"), errors.get("algorithm")
     if not mesh or not iteration:
         return ""
-    return "a finer mesh is what would help" if mesh["absolute"] > iteration["absolute"] else "more sweeps are what would help"
+    return "a finer mesh would help" if mesh["absolute"] > iteration["absolute"] else "more sweeps would help"
 
 
 def verdict(results):

@@ -1,10 +1,10 @@
 #!/usr/bin/python3
-"""Runs decks/bearing.xml to an accuracy and draws what it found: the pressure, the stress on the bodies, the bound level by level.
+"""Runs decks/bearing.xml to a given accuracy and plots the results: the pressure, the stress on the bodies, the bound level by level.
 
     PYTHONPATH=build/release/share/ndframe /usr/bin/python3 docs/examples/bearing.py decks/bearing.xml bearing.png
 
-Needs python3-netcdf4 and python3-matplotlib. Takes some seconds. In PYTHONPATH stands the folder with the module ndframe; with ndframe
-installed in /usr it is not needed.
+Needs python3-netcdf4 and python3-matplotlib. Takes a few seconds. PYTHONPATH is the folder with the
+module ndframe; with ndframe installed in /usr it is not needed.
 """
 
 import sys

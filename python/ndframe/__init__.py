@@ -1,4 +1,4 @@
-"""Runs of ndframe and what they leave, as numpy arrays.
+"""Runs of ndframe and their results, as numpy arrays.
 
     import ndframe
 

@@ -70,7 +70,7 @@ def _typed(value: Any) -> tuple[str, str]:
         if isinstance(value, python):
             return kind, text(value)
     if not isinstance(value, Sequence):
-        raise Error(f"{value!r} cannot stand in a deck; values are bool, int, float, str, or lists of one of them.")
+        raise Error(f"{value!r} is not allowed in a deck; values are bool, int, float, str, or lists of one of them.")
     parts = [_typed(entry) for entry in value]
     kinds = {kind for kind, _ in parts} or {"string"}
     kind = "double" if "double" in kinds else parts[0][0] if parts else "string"

@@ -69,7 +69,7 @@ class Exodus:
         try:
             self._read_mesh()
         except (IndexError, ValueError) as error:  # a variable is not there, or not as large as it must be
-            raise ReadError(f"{path}: is no whole Exodus file: {error}") from None
+            raise ReadError(f"{path}: is not a complete Exodus file: {error}") from None
 
     def _read_mesh(self):
         self.points = self._points()

@@ -17,9 +17,9 @@ SIDES = {2: ((0, 1), (1, 2), (2, 0)), 3: ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2
 class Fields:
     """Mesh and fields of a run. docs/results.md has the names of all variables; units are those of the deck.
 
-    A body is one block of elements, called like the body; with Regions each of them is a block `BODY:REGION` of its own. A side of
+    A body is one block of elements, called like the body; with Regions each of them is a separate block `BODY:REGION`. A side of
     an interface is called `INTERFACE:dirichlet` or `INTERFACE:neumann`, any other `BODY:SIDE`. Steps are sweeps if the deck says
-    Output/Steps = All Sweeps, load cases if it has some, else there is one; -1 is the last, and of the fields of a load case its own:
+    Output/Steps = All Sweeps, load cases if it has some, otherwise there is one; -1 is the last, and for the fields of a load case its own:
     `last`. Raises ReadError for files that are damaged and for unknown names.
     """
 
@@ -29,7 +29,7 @@ class Fields:
             raise ReadError(f"{path}: there is no such file; run the deck with Output/Exodus = true.")
         self.file = Exodus(str(path))
         if self.file.times.size == 0 or "disp_x" not in self.names("nodal"):
-            raise ReadError(f"{path}: has no displacements; the run did not end, or it is not a file of ndframe.")
+            raise ReadError(f"{path}: has no displacements; the run did not finish, or it is not an ndframe file.")
 
     @property
     def points(self) -> numpy.ndarray:
@@ -60,7 +60,7 @@ class Fields:
         return self.file.variables(kind)
 
     def nodes(self, block: str) -> numpy.ndarray:
-        """Node numbers of a block's elements, from 0: [elements, 3 or 6] in the plane, [elements, 4 or 10] in space; vertices first."""
+        """Node numbers of a block's elements, from 0: [elements, 3 or 6] in 2D, [elements, 4 or 10] in 3D; vertices first."""
         if block not in self.file.blocks:
             raise unknown(str(self.path), "block", block, self.blocks)
         return self.file.blocks[block].nodes
@@ -68,7 +68,7 @@ class Fields:
     def triangles(self, block: str) -> numpy.ndarray:
         """[elements, 3] vertices of a plane block, as matplotlib's tripcolor and Triangulation take them."""
         if self.dimension != 2:
-            raise ReadError(f"{self.path}: is a scene in space, which has no triangles; use nodes().")
+            raise ReadError(f"{self.path}: is a 3D scene, which has no triangles; use nodes().")
         return self.nodes(block)[:, :3]
 
     def nodal(self, name: str, step: int = -1) -> numpy.ndarray:
@@ -90,7 +90,7 @@ class Fields:
         return self._step(self._values("element", name, self.file.blocks[block].entity.number), step)
 
     def stress(self, block: str, step: int = -1) -> numpy.ndarray:
-        """[elements, 3, 3], means over the elements; also of plane scenes, where yz and zx vanish."""
+        """[elements, 3, 3], means over the elements; also for plane scenes, where yz and zx vanish."""
         tensor = numpy.zeros((len(self.nodes(block)), 3, 3))
         for axes in ("xx", "yy", "zz", "xy", "yz", "zx"):
             if f"stress_{axes}" in self.names("element"):
@@ -99,7 +99,7 @@ class Fields:
         return tensor
 
     def facets(self, side: str) -> numpy.ndarray:
-        """[facets, dimension] vertices of a side's edges (in space triangles), node numbers from 0."""
+        """[facets, dimension] vertices of a side's edges (in 3D triangles), node numbers from 0."""
         chosen, local = self._side(side), SIDES[self.dimension]
         found = [self.file.nodes_of(e)[list(local[s - 1])] for e, s in zip(chosen.elements, chosen.sides)]
         return numpy.array(found, int).reshape(-1, self.dimension)

@@ -35,17 +35,17 @@ def find_program() -> str:
             return str(beside)
     if found := shutil.which("ndframe"):
         return found
-    raise Error("the program ndframe is neither beside this module nor on the path; name it in NDFRAME_PROGRAM or as program=.")
+    raise Error("the program ndframe is neither next to this module nor on the path; name it in NDFRAME_PROGRAM or as program=.")
 
 
 def run(deck: Deck, settings: Settings | None = None, *, folder: str | os.PathLike[str] = ".", ranks: int = 1,
         program: str | os.PathLike[str] | None = None, codes: Sequence[int] = (0,), restart: bool = False) -> Run:
-    """Runs a deck and reads what it left.
+    """Runs a deck and reads its results.
 
     deck: a file, or a deck as nested mappings, which is written to folder/deck.xml. settings: as --set, {"Accuracy/Target": 0.01};
-    lists are sequences. folder: where the files are written, made if need be; paths in a deck count from the deck's folder. ranks: number
-    of processes. codes: exit codes that are no error; others raise RunError, whose `results` has the Run where one was written.
-    restart: goes on from the checkpoint that an earlier run with a target left in the folder (Output/Checkpoint).
+    lists are sequences. folder: where the files are written, created if needed; paths in a deck start from the deck's folder. ranks: number
+    of processes. codes: exit codes that are not errors; others raise RunError, whose `results` has the Run where one was written.
+    restart: continues from the checkpoint that an earlier run with a target wrote to the folder (Output/Checkpoint).
     """
     return _finish(_call(deck, settings or {}, {}, pathlib.Path(folder), ranks, program, ["--restart"] * restart), codes, Run)
 
@@ -53,10 +53,10 @@ def run(deck: Deck, settings: Settings | None = None, *, folder: str | os.PathLi
 def run_cases(deck: Deck, cases: Mapping[str, Mapping[str, float]] | None = None, settings: Settings | None = None, *,
               folder: str | os.PathLike[str] = ".", ranks: int = 1, program: str | os.PathLike[str] | None = None,
               codes: Sequence[int] = (0,)) -> LoadCases:
-    """Runs a deck for several states of its loads in one process: {"half": {"Bodies/punch/Loads/press": 0.5}, ...}.
+    """Runs a deck for several load states in one process: {"half": {"Bodies/punch/Loads/press": 0.5}, ...}.
 
-    Factors that a case does not name are 1. Without `cases` those of the deck's list Load Cases; the rest is as in run(), the code is
-    the gravest of all cases.
+    Factors that a case does not name are 1. Without `cases`, those of the deck's list Load Cases;
+    the rest is as in run(), the code is the most serious of all cases.
     """
     given: dict[str, Value] = dict(settings or {})
     if cases:
@@ -71,7 +71,7 @@ def run_study(deck: Deck, axes: Mapping[str, Sequence[Value]] | None = None, set
               codes: Sequence[int] = (0,)) -> Study:
     """Runs a deck for every combination of the values of the axes, {"Coupling/Stopping/Tolerance": [0.1, 0.01]}, in one process.
 
-    Axes are added to the list Study of the deck. The rest is as in run(); the code is the gravest of all cases.
+    Axes are added to the list Study of the deck. The rest is as in run(); the code is the most serious of all cases.
     """
     return _finish(_call(deck, settings or {}, axes or {}, pathlib.Path(folder), ranks, program), codes, Study)
 

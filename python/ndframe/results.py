@@ -35,11 +35,11 @@ class Bound:
 
 @dataclasses.dataclass(frozen=True)
 class Run:
-    """What a run left. Units are those of the deck; in plane scenes forces and energies are those of a slice of thickness 1.
+    """What a run has written. Units are those of the deck; in plane scenes forces and energies are those of a slice of thickness 1.
 
-    `stem`: folder and NAME, with which the names of all its files begin; `summary`: NAME.summary.json as it stands
-    (docs/summary.schema.json); `code`: exit code, None for a run that was not started here; `screen`: what it said. Files are read when
-    they are asked for; ReadError says which is missing or damaged.
+    `stem`: folder and NAME, with which the names of all its files begin; `summary`: NAME.summary.json as it is
+    (docs/summary.schema.json); `code`: exit code, None for a run that was not started here; `screen`:
+    its output. Files are read on first use; ReadError says which is missing or damaged.
     """
 
     stem: str
@@ -159,7 +159,7 @@ class Case(Run):
 
 @dataclasses.dataclass(frozen=True)
 class LoadCases:
-    """What a deck with the list Load Cases left: `cases["half"]` is a Run. `rows` of the table: one a case, as texts by column."""
+    """What a deck with the list Load Cases has written: `cases["half"]` is a Run. `rows` of the table: one per case, as texts by column."""
 
     stem: str
     summary: dict[str, Any]
@@ -190,13 +190,13 @@ class LoadCases:
         return read_rows(pathlib.Path(f"{self.stem}.cases.csv"))
 
     def column(self, name: str) -> numpy.ndarray:
-        """[cases] of one column of NAME.cases.csv, as of a study."""
+        """[cases] of one column of NAME.cases.csv, as for a study."""
         return Study(self.stem, self.rows).column(name)
 
 
 @dataclasses.dataclass(frozen=True)
 class Study:
-    """The table of a study. `rows`: one a case, as texts by column; `complete`: false for one that was interrupted."""
+    """The table of a study. `rows`: one per case, as texts by column; `complete`: false for one that was interrupted."""
 
     stem: str
     rows: list[dict[str, str]]
@@ -250,7 +250,7 @@ def read_run(stem: str, path: pathlib.Path) -> Run | LoadCases:
                 results[key]
         summary["deck"]["Bodies"]
     except (OSError, ValueError, KeyError, TypeError) as error:
-        raise ReadError(f"{path} cannot be read as a summary of ndframe ({type(error).__name__}: {error}); run the deck "
+        raise ReadError(f"{path} cannot be read as an ndframe summary ({type(error).__name__}: {error}); run the deck "
                         "again.") from None
     return LoadCases(stem, summary) if "cases" in summary else Run(stem, summary)
 

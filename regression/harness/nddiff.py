@@ -15,7 +15,7 @@ DESCRIPTION = ("Compares two Exodus files, NAME.summary.json, NAME.study.csv, NA
 EPILOG = f"""\
 Exodus files: blocks, side sets, node sets (by their names; ids, statuses and truth tables too), steps, coordinates and
 all variables. Where nodes or elements are numbered differently, as by another partition, they are matched by position;
-an element may begin at another corner, but not be turned inside out. Rules go by the names of variables, and by
+an element may begin at another corner, but not be turned inside out. Rules apply to names of variables, and to
 `coordinates` and `time`; without one: scaled 1e-9.
 
 Contact tables (files ending in contact.csv): rows are matched by interface and position, columns have the rules of an
@@ -51,8 +51,8 @@ def differ(gold, new, rules):
 def parse(arguments):
     parser = argparse.ArgumentParser("nddiff", description=DESCRIPTION, epilog=EPILOG,
                                      formatter_class=argparse.RawDescriptionHelpFormatter)
-    parser.add_argument("gold", metavar="GOLD", help="what is right")
-    parser.add_argument("new", metavar="NEW", help="what is to be judged")
+    parser.add_argument("gold", metavar="GOLD", help="the reference")
+    parser.add_argument("new", metavar="NEW", help="the file to be compared with it")
     parser.add_argument("--tolerances", metavar="FILE", help="rules, TOML")
     parser.add_argument("--set", metavar="PATTERN=RULE", action="append", default=[],
                         help='one more rule, e.g. "disp_*=relative 1e-8 floor 1e-12"; `default` is for all others')

@@ -20,7 +20,7 @@ from .run_case import Runner
 from .tolerance import read_toml, tables_of
 
 DESCRIPTION = """\
-Runs regression cases and compares what they write with their gold files. One line a run: what became of it, seconds,
+Runs regression cases and compares what they write with their gold files. One line per run: result, seconds,
 name, requirement. Exit codes: 0 all right, 1 a case failed, 2 wrong usage."""
 
 

@@ -114,5 +114,5 @@ def tables_of(table, where):
     unknown = set(table) - {"exodus", "summary"}
     if unknown or not all(isinstance(entry, dict) for entry in table.values()):
         found = ", ".join(unknown) or "values"
-        raise UsageError(f"{where}: rules stand in the tables exodus and summary, not in {found}")
+        raise UsageError(f"{where}: rules belong in the tables exodus and summary, not in {found}")
     return {kind: rules_of(table.get(kind, {}), f"{where}: {kind}") for kind in ("exodus", "summary")}

@@ -29,7 +29,7 @@ std::string endAfter(const std::vector<std::pair<int, double>>& dofsAndBounds)
   return endOfProgress(options, levels, coupling);
 }
 
-constexpr const char* stalled = "the bound does not fall with the mesh any more";
+constexpr const char* stalled = "the bound no longer falls with the mesh";
 
 } // namespace
 

@@ -94,12 +94,12 @@ INSTANTIATE_TEST_SUITE_P(
         WrongDeck{"ForeignElement", "<Parameter name=\"Gap\"", "<mesh name=\"Gap\"",
                   "deck.xml:8: <mesh> is unknown; a list holds <ParameterList> and <Parameter>."},
         WrongDeck{"StrayText", "<ParameterList name=\"Bodies\">", "hello <ParameterList name=\"Bodies\">",
-                  "deck.xml:9: \"hello\" stands between the tags; a deck has its values in attributes."},
+                  "deck.xml:9: \"hello\" is between the tags; a deck has its values in attributes."},
         WrongDeck{"TextInParameter", "value=\"0.5*x^2\"/>", "value=\"0.5*x^2\">1</Parameter>",
-                  "deck.xml:8: a <Parameter> holds nothing; its value stands in the attribute \"value\"."},
+                  "deck.xml:8: a <Parameter> has no content; its value is in the attribute \"value\"."},
         WrongDeck{"TwoRoots", "  <ParameterList name=\"Bodies\">",
                   "</ParameterList>\n<ParameterList name=\"more\">\n  <ParameterList name=\"Bodies\">",
-                  "deck.xml:10: the deck goes on after its outer </ParameterList>; only comments may stand there."},
+                  "deck.xml:10: the deck continues after its outer </ParameterList>; only comments may follow it."},
         WrongDeck{"DoubledKey", "name=\"Pattern\"", "name=\"Title\"",
                   "deck.xml:5: \"Title\" is given twice, first in line 4; remove one."},
         WrongDeck{"DoubledList", "name=\"lower\"", "name=\"upper\"",
@@ -299,5 +299,5 @@ TEST(WrongDeck, WithoutAListIsRefused)
 {
   EXPECT_EQ(test::complaint("<!-- nothing -->"), "deck.xml:1: holds no <ParameterList>.");
   EXPECT_EQ(test::complaint("<html/>"), "deck.xml:1: a deck is one <ParameterList>, not <html>.");
-  EXPECT_EQ(test::complaint("punch"), "deck.xml:1: is not valid XML: text stands outside the tags.");
+  EXPECT_EQ(test::complaint("punch"), "deck.xml:1: is not valid XML: there is text outside the tags.");
 }

@@ -17,7 +17,7 @@ constexpr double leastRoundOff = 1e-9;
 constexpr double largestDefect = 1e-11;
 
 /// Reasons for a bound without a guarantee that are limits of the theory, not mistakes.
-const std::vector<std::string> knownLimits{"not proven for tetrahedra", "charged in the plane only", "not certain near",
+const std::vector<std::string> knownLimits{"not proven for tetrahedra", "accounts for in 2D only", "not certain near",
                                            "field of finite energy", "where supports hold both"};
 
 bool isKnownLimit(const std::string& reason)

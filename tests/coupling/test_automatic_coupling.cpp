@@ -80,7 +80,7 @@ TEST(AutomaticCoupling, NeedsNoRoles)
     EXPECT_FALSE(haveRoles(system));
     const auto result = solve("Automatic", system);
     EXPECT_EQ(result.type, "Monolithic");
-    EXPECT_THAT(result.reason, HasSubstr("no roles suit both of them"));
+    EXPECT_THAT(result.reason, HasSubstr("no roles suit both bodies"));
     expectComplementarity(system, result.state);
   }
   const auto coupling = makeCoupling(text("Type", "Automatic"));

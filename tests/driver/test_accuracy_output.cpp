@@ -131,9 +131,9 @@ TEST_F(RunWithATarget, MayExpectNumbersOfItsLevels)
   EXPECT_EQ(reach(expect("accuracy/reached", "1")).exitCode, 0);
   EXPECT_EQ(reach(expect("accuracy/levels/1/level", "2")).exitCode, 0);
   EXPECT_EQ(reach(expect("accuracy/levels/99/level", "100")).exitCode, 4);
-  EXPECT_THAT(reach(expect("accuracy/reach", "1")).err, HasSubstr("is no number of this run's summary"));
+  EXPECT_THAT(reach(expect("accuracy/reach", "1")).err, HasSubstr("is not a number in this run's summary"));
   const auto without = callDeck("punch", expect("accuracy/reached", "1"));
-  EXPECT_THAT(without.err, HasSubstr("is no number of this run's summary"));
+  EXPECT_THAT(without.err, HasSubstr("is not a number in this run's summary"));
 }
 
 TEST_F(RunWithATarget, OfAStudyHasTheLastLevelInItsRow)
@@ -182,7 +182,7 @@ INSTANTIATE_TEST_SUITE_P(All, LimitOfATarget,
                                          Limit{"Accuracy/Maximum Time=1e-6", "Maximum Time = 1e-06 s"},
                                          Limit{"Accuracy/Maximum Memory=1e-6", "Maximum Memory = 1e-06 GB"},
                                          Limit{"Coupling/Stopping/Maximum Sweeps=1",
-                                               "the sweeps do not come to an end (iteration "}));
+                                               "the sweeps do not converge (iteration "}));
 
 TEST_F(RunWithATarget, WithoutASolutionEndsWithExitCode3)
 {

@@ -144,7 +144,7 @@ TEST_F(Program, ChecksWithoutSolvingOrWriting)
 {
   const auto result = call({"--check", shippedDeck("punch")});
   EXPECT_EQ(result.exitCode, 0);
-  EXPECT_THAT(result.out, HasSubstr("the deck is right"));
+  EXPECT_THAT(result.out, HasSubstr("the deck is valid"));
   EXPECT_THAT(result.out, Not(HasSubstr("sweep")));
   EXPECT_THAT(files(), IsEmpty());
 }
@@ -175,7 +175,7 @@ TEST_F(Program, NeedsTheKrylovModuleOnlyWhereADeckAsksForIt)
   const auto refused = copyCall({"-i", shippedDeck("krylov")});
   EXPECT_EQ(refused.exitCode, 2);
   for (const char* words : {"the linear solver Krylov needs the module libndframe_krylov", "cannot open shared object",
-                            "install ndframe as a whole, or use another linear solver."})
+                            "install all of ndframe, or use another linear solver."})
     EXPECT_THAT(refused.err, HasSubstr(words));
   EXPECT_THAT(files(), ElementsAre("ndframe"));
   EXPECT_EQ(copyCall({"--check", shippedDeck("punch")}).exitCode, 0);
@@ -214,7 +214,7 @@ TEST_F(Program, RefusesNamesOfBodiesAndInterfacesThatNoFieldCanHaveBeforeItSolve
       EXPECT_EQ(result.exitCode, length < 256 ? 0 : 2) << result.err;
       if (length < 256)
         continue;
-      EXPECT_THAT(result.err, AllOf(HasSubstr("characters in the Exodus file, which takes 256; shorten it"),
+      EXPECT_THAT(result.err, AllOf(HasSubstr("characters in the Exodus file, which allows 256; shorten it"),
                                     HasSubstr("1 error; nothing was computed.")));
       EXPECT_THAT(result.out, Not(HasSubstr("eps_tau")));
       EXPECT_EQ(call({"-i", path("long.xml"), "--set", "Output/Exodus=false"}).exitCode, 0);
@@ -266,7 +266,7 @@ TEST_F(Program, ExplainsItselfAndEveryList)
   const auto help = call({"--help"});
   EXPECT_EQ(help.exitCode, 0);
   for (const char* text : {"--input", "--check", "--plan", "--set", "--help", "--list", "--dump-defaults", "--version",
-                           "--quiet", "--verbose", "Exit codes: 0 right"})
+                           "--quiet", "--verbose", "Exit codes: 0 success"})
     EXPECT_THAT(help.out, HasSubstr(text));
   EXPECT_THAT(help.out, HasSubstr("To begin: `ndframe new two-bodies`"));
   const auto aitken = call({"--help", "Aitken"});

@@ -275,8 +275,8 @@ class LoadCases(unittest.TestCase):
         plan = self.call("load-cases", switches=["--plan"]).stdout
         self.assertIn("4 cases: the first runs these stages, later ones reuse", plan)
         self.assertIn("supports and loads of upper", plan)
-        self.assertIn("load-cases.cases.csv, one row a case; the other files hold all cases", plan)
-        self.assertIn("all 4 cases are right; nothing was solved.", self.call("load-cases", switches=["--check"]).stdout)
+        self.assertIn("load-cases.cases.csv, one row per case; the other files hold all cases", plan)
+        self.assertIn("all 4 cases are valid; nothing was solved.", self.call("load-cases", switches=["--check"]).stdout)
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_columns_are_checked_and_written(self):
@@ -284,7 +284,7 @@ class LoadCases(unittest.TestCase):
         lengths = [float(row["interfaces/contact/contact_length"]) for row in self.rows("load-cases").values()]
         self.assertTrue(all(math.isfinite(length) and 0.5 < length <= 1.0 for length in lengths), lengths)
         done = self.call("load-cases", "Load Cases/Columns={interfaces/contct/contact_length}", code=2)
-        self.assertIn("Load Cases: Columns: \"interfaces/contct/contact_length\" is no number of a case's summary", done.stderr)
+        self.assertIn("Load Cases: Columns: \"interfaces/contct/contact_length\" is not a number in a case's summary", done.stderr)
 
 
 if __name__ == "__main__":

@@ -240,7 +240,7 @@ class New(unittest.TestCase):
 
     def test_nothing_is_replaced_without_a_word(self):
         (self.folder / "hertz.xml").write_text("mine")
-        self.refused("hertz.xml is there already; name another file with --output, or say --force to replace it.", "hertz")
+        self.refused("hertz.xml exists already; name another file with --output, or use --force to replace it.", "hertz")
         self.assertEqual((self.folder / "hertz.xml").read_text(), "mine")
         self.write("hertz", "--output", "other.xml")
         self.write("hertz", "--force")
@@ -252,7 +252,7 @@ class New(unittest.TestCase):
         self.refused(f'there is no template "bolt"; there are {all_names}.', "bolt")
         self.refused("say which deck: ndframe new two-bodies|hertz|obstacle|from-geo.")
         self.refused("from-geo needs a file: ndframe new from-geo FILE.geo", "from-geo")
-        self.refused("a deck of a drawing is made by ndframe new from-geo 'my part.geo'.", "my part.geo")
+        self.refused("a deck for a drawing is made by ndframe new from-geo 'my part.geo'.", "my part.geo")
         self.refused("no.geo: there is no such file", "from-geo", "no.geo")
         self.refused("body.stl: from-geo reads .geo and .msh files of gmsh", "from-geo", "body.stl")
         self.refused("hertz takes no file; from-geo does", "hertz", "a.geo")
@@ -275,7 +275,7 @@ class New(unittest.TestCase):
                                "the drawing has no Physical Surface, and 2 parts that share no edge, at ("),
                  "one name": (two.replace('Physical Surface("plate") = {1}; Physical Surface("block") = {11};',
                                           'Physical Surface("parts") = {1, 11};'),
-                              '): write Physical Surface("block") = {1}; with a name of its own for each.'),
+                              '): write Physical Surface("block") = {1}; with a separate name for each.'),
                  "lists": (two.replace('"block"', '"a, b"'), 'the name "a, b" of a body has a comma or a brace, which stand for lists in a deck'),
                  "all touch": (ALL_TOUCH, "every named side touches another body or is a plane of symmetry: name one more"),
                  "empty": ("// nothing", "empty.geo: "),

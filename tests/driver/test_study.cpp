@@ -229,7 +229,7 @@ TEST_F(StudyProgram, RefusesColumnsThatNameNoNumber)
 {
   const auto result = study({"Coupling/Stopping/Tolerance=0.1; 0.05"}, {"--set", "Study/Columns={energi}"});
   EXPECT_EQ(result.exitCode, 2);
-  EXPECT_THAT(result.err, HasSubstr("\"energi\" is no number of a case's summary"));
+  EXPECT_THAT(result.err, HasSubstr("\"energi\" is not a number in a case's summary"));
 }
 
 TEST_F(StudyProgram, GoesOnAfterACaseInWhichConjugateGradientsBreakDown)
@@ -250,7 +250,7 @@ TEST_F(StudyProgram, ChecksAllItsCasesAndSolvesNone)
 {
   const auto right = study({"Bodies/punch/Loads/press/Side=top; right"}, {"--check"});
   EXPECT_EQ(right.exitCode, 0) << right.err;
-  EXPECT_THAT(right.out, HasSubstr("all 2 cases are right; nothing was solved."));
+  EXPECT_THAT(right.out, HasSubstr("all 2 cases are valid; nothing was solved."));
   const auto wrong = study({"Bodies/punch/Loads/press/Side=top; roof; wall"}, {"--check"});
   EXPECT_EQ(wrong.exitCode, 2);
   EXPECT_THAT(wrong.err, HasSubstr("there is no side \"roof\""));
@@ -266,7 +266,7 @@ TEST_F(StudyProgram, DoesWhatItsPlanSays)
   const auto plan = study(axes, {"--plan"});
   EXPECT_THAT(plan.out, HasSubstr("Tolerance           mesh, matrix and factor of punch\n"));
   EXPECT_THAT(plan.out, HasSubstr("Pattern             mesh, matrix and factor of punch\n"));
-  EXPECT_THAT(plan.out, HasSubstr(".study.csv, one row a case\n"));
+  EXPECT_THAT(plan.out, HasSubstr(".study.csv, one row per case\n"));
   ASSERT_EQ(study(axes).exitCode, 0);
   EXPECT_THAT(column("factorisations"), ElementsAre("2", "1", "1", "1"));
   EXPECT_THAT(column("meshes_reused"), ElementsAre("0", "1", "1", "1"));

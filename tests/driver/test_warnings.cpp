@@ -78,7 +78,7 @@ TEST(Warnings, SteelOnSteelHasNone)
 TEST(Warnings, OfStrainsTheTheoryDoesNotHoldFor)
 {
   const auto large = warningsOf(steelPunch().set("Bodies/punch/Loads/press/Value=30000"));
-  EXPECT_THAT(large, Contains(warning("strain", "the theory is one of small strains")));
+  EXPECT_THAT(large, Contains(warning("strain", "the theory assumes small strains")));
   EXPECT_THAT(large, Contains(warning("strain", "Bodies/punch: strains reach 0.3")));
   EXPECT_THAT(warningsOf(steelPunch().set("Bodies/punch/Loads/press/Value=30000").set("Strain Limit=0.5")), IsEmpty());
 }
@@ -101,7 +101,7 @@ TEST(Warnings, OfUnitsThatDoNotFit)
   const auto tiny = warningsOf(steelPunch()
                                    .set("Bodies/punch/Material/Young Modulus=210e9")
                                    .set("Bodies/foundation/Material/Young Modulus=210e9"));
-  EXPECT_THAT(tiny, ElementsAre(warning("strain", "such loads hardly do anything to bodies of such moduli")));
+  EXPECT_THAT(tiny, ElementsAre(warning("strain", "such loads hardly deform bodies with such moduli")));
   EXPECT_THAT(warningsOf(steelPunch().set("Bodies/punch/Loads/press/Value=1e6")), Contains(warning("strain", "units")));
 }
 
@@ -129,7 +129,7 @@ TEST(Warnings, OfBodiesThatAreMovedAndDoNotMeet)
   };
   EXPECT_THAT(
       warningsOf(moved("-4e-4")),
-      ElementsAre(warning("strain", "nothing touches, and no body is strained: the smallest opening that is left is "
+      ElementsAre(warning("strain", "nothing touches, and no body is strained: the smallest remaining opening is "
                                     "0.0006, in \"contact\" at ")));
   EXPECT_THAT(warningsOf(moved("-1.4e-3")), IsEmpty());
 }
@@ -207,9 +207,8 @@ TEST(Warnings, OfBodiesThatTouchWithoutAnInterface)
 
 TEST(Warnings, OfBodiesThatTheLoadBringsIntoEachOther)
 {
-  EXPECT_THAT(
-      warningsOf(twoBoxes("1.001", "2", "-10")),
-      ElementsAre(warning("overlapping bodies", "the displacements bring \"one\" and \"two\" into each other")));
+  EXPECT_THAT(warningsOf(twoBoxes("1.001", "2", "-10")),
+              ElementsAre(warning("overlapping bodies", "the displacements make \"one\" and \"two\" overlap")));
   EXPECT_THAT(warningsOf(twoBoxes("1.02", "2", "-10")), IsEmpty()) << "not as far";
 }
 
@@ -225,9 +224,10 @@ TEST(Warnings, OfContactThatReachesTheEndOfASideThatGoesOn)
         .set("Interfaces/contact/Dirichlet Side=contact");
   };
   const auto warnings = warningsOf(scene("0.4"));
-  EXPECT_THAT(warnings, Contains(warning("contact at the end of a side",
-                                         "Interfaces/contact: contact presses at the end of the sides, at (0.4, 0), "
-                                         "and the boundaries of both bodies go on close to each other")));
+  EXPECT_THAT(warnings,
+              Contains(warning("contact at the end of a side",
+                               "Interfaces/contact: there is contact pressure at the end of the sides, at (0.4, 0), "
+                               "and the boundaries of both bodies continue close to each other")));
   EXPECT_THAT(warnings, Contains(warning("touching bodies", "coincide at (0.4")));
 }
 

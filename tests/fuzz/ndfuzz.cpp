@@ -50,7 +50,7 @@ using Outcomes = std::map<std::string, std::uint64_t>;
 /// What a message says of the library that reads the file, and what that is called here.
 constexpr std::pair<const char*, const char*> libraryFailures[]{
     {" crashed on this file", "refused: the library crashed"},
-    {" did not come to an end", "refused: the library did not end"},
+    {" did not finish", "refused: the library did not end"},
     {" asks for more memory", "refused: the library wanted too much memory"},
     {"no child process can be started", "refused: no process for the library"}};
 

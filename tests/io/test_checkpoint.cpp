@@ -100,7 +100,7 @@ TEST(CheckpointFile, IsRefusedWhereverItEndsTooEarly)
   EXPECT_EQ(refusalOf(bytes), "");
   for (std::size_t length = 1; length < bytes.size(); ++length)
     EXPECT_THAT(refusalOf(bytes.substr(0, length)), testing::HasSubstr("ends too early")) << length;
-  EXPECT_THAT(refusalOf(bytes + "x"), testing::HasSubstr("is no checkpoint"));
+  EXPECT_THAT(refusalOf(bytes + "x"), testing::HasSubstr("is not an ndframe checkpoint"));
 }
 
 TEST(CheckpointFile, TellsWhichParametersDiffer)

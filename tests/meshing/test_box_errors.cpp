@@ -57,7 +57,7 @@ TEST(BoxErrors, MeshMustFitInMemory)
 {
   EXPECT_THAT(messageOf(box("0, 0", "1, 1", "100000, 100000")),
               HasSubstr("Cells make 2e+10 simplices, more than can be"));
-  EXPECT_THAT(messageOf(box("0, 0, 0", "1, 1, 1", "2000000000, 2000000000, 2000000000")), HasSubstr("take fewer"));
+  EXPECT_THAT(messageOf(box("0, 0, 0", "1, 1, 1", "2000000000, 2000000000, 2000000000")), HasSubstr("use fewer"));
 }
 
 TEST(BoxErrors, GradingMustBeModerate)
@@ -68,7 +68,7 @@ TEST(BoxErrors, GradingMustBeModerate)
 TEST(BoxErrors, CrossedIsTwoDimensional)
 {
   EXPECT_THAT(messageOf(box("0, 0, 0", "1, 1, 1", "2, 2, 2", text("Pattern", "Crossed"))),
-              HasSubstr("Crossed is for boxes in two dimensions; take Right or Alternating."));
+              HasSubstr("Crossed is for boxes in two dimensions; use Right or Alternating."));
 }
 
 TEST(BoxErrors, PatternMustExist)

@@ -112,11 +112,7 @@ TEST(ChildProcess, EndlessWorkIsEnded)
     for (volatile int i = 0;; i = i + 1)
       ;
   };
-  EXPECT_THAT(
-      [&] {
-        runInChild(forever, "it", {0, 1});
-      },
-      ThrowsMessage<FileError>(HasSubstr("did not come to an end")));
+  EXPECT_THAT([&] { runInChild(forever, "it", {0, 1}); }, ThrowsMessage<FileError>(HasSubstr("did not finish")));
 }
 
 TEST(ChildProcess, WorkThatTakesTooMuchMemoryIsRefused)
@@ -133,7 +129,7 @@ TEST(ChildProcess, WorkThatTakesTooMuchMemoryIsRefused)
       [&] {
         runInChild(taking(std::size_t(256) << 20), "it", {limit, 0});
       },
-      ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may take")));
+      ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may use")));
 }
 
 TEST(ChildProcess, ThreadThatTakesTooMuchMemoryIsNoCrash)
@@ -149,7 +145,7 @@ TEST(ChildProcess, ThreadThatTakesTooMuchMemoryIsNoCrash)
       [&] {
         runInChild(work, "it", {64 << 20, 0});
       },
-      ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may take")));
+      ThrowsMessage<FileError>(HasSubstr("it asks for more memory than the process may use")));
 }
 
 } // namespace

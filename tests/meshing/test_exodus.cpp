@@ -190,10 +190,10 @@ TEST(Exodus, RefusesOtherFiles)
 {
   const auto file = [](const std::string& path) { return text("Type", "Exodus") + text("File", path); };
   EXPECT_THAT(messageOf(file("/nowhere/mesh.e")),
-              HasSubstr("/nowhere/mesh.e: the file cannot be read; relative names count from the deck's folder."));
+              HasSubstr("/nowhere/mesh.e: the file cannot be read; relative paths start from the deck's folder."));
   EXPECT_THAT(messageOf(file(testing::TempDir())), HasSubstr("this is a directory, not a file."));
   EXPECT_THAT(messageOf(file(scratchFile("empty.e", ""))),
-              HasSubstr("the file is not netCDF, so it is no Exodus file."));
+              HasSubstr("the file is not netCDF, so it is not an Exodus file."));
   EXPECT_THAT(messageOf(file(dataPath("square.geo"))), HasSubstr("the file is not netCDF"));
 }
 

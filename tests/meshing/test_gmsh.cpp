@@ -136,7 +136,7 @@ TEST(Gmsh, TurnsNegativeElementsAround)
       facet.local = facet.local == 0 ? 0 : 3 - facet.local;
   const Mesh mesh = fromText(asMsh22(mirrored));
   EXPECT_NEAR(volume(mesh), 2.0, 1e-14);
-  EXPECT_THAT(mesh.notes, ElementsAre(HasSubstr("turned around")));
+  EXPECT_THAT(mesh.notes, ElementsAre(HasSubstr("reoriented")));
   const Mesh straight = flatBox();
   for (const Side& side : straight.sides) {
     double expected[2];

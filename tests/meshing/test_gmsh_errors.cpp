@@ -43,7 +43,7 @@ TEST(GmshErrors, NameTheDeckTheListAndTheFile)
   EXPECT_THAT(
       messageOf(gmsh("nowhere.msh")),
       HasSubstr(
-          "test.xml:4: Mesh: nowhere.msh: the file cannot be read; relative names count from the deck's folder."));
+          "test.xml:4: Mesh: nowhere.msh: the file cannot be read; relative paths start from the deck's folder."));
   EXPECT_THAT(messageOf(gmsh(testing::TempDir())), HasSubstr("this is a directory, not a file."));
 }
 
@@ -68,7 +68,7 @@ TEST(GmshErrors, SectionsMustBeThereOnce)
   EXPECT_THAT(messageFor(header + nodes), HasSubstr("the file has no section $Elements"));
   EXPECT_THAT(messageFor(header + nodes + nodes), HasSubstr("line 12: a second section $Nodes."));
   EXPECT_THAT(messageFor(header + nodes + "$NodeData\n1 2 3\n"), HasSubstr("the section $NodeData has no end"));
-  EXPECT_THAT(messageFor(header + nodes + "7 8 9\n"), HasSubstr("\"7 8 9\" stands where a section should begin."));
+  EXPECT_THAT(messageFor(header + nodes + "7 8 9\n"), HasSubstr("\"7 8 9\" is found where a section should begin."));
   EXPECT_THAT(messageFor("$MeshFormat\n4.1 0 8\n$EndMeshFormat\n$PartitionedEntities\n"),
               HasSubstr("the mesh is partitioned"));
 }
@@ -167,10 +167,10 @@ TEST(GmshErrors, ScriptsWithoutEndAreEnded)
 {
   const std::string loop = scratchFile("loop.geo", "For i In {0:1e9}\n x = i;\nEndFor\n");
   EXPECT_THAT(messageOf(gmsh(loop, integer("Maximum Seconds", "1"))),
-              AllOf(HasSubstr("test.xml:"), HasSubstr("loop.geo: gmsh did not come to an end within 1 s"),
+              AllOf(HasSubstr("test.xml:"), HasSubstr("loop.geo: gmsh did not finish within 1 s"),
                     HasSubstr("raise \"Maximum Seconds\" or mesh the script beforehand (gmsh -2 FILE.geo")));
   const std::string fine = scratchFile("fine.geo", square + "Mesh.MeshSizeFactor = 1e-4;\n");
-  EXPECT_THAT(messageOf(gmsh(fine, integer("Maximum Seconds", "1"))), HasSubstr("did not come to an end within 1 s"));
+  EXPECT_THAT(messageOf(gmsh(fine, integer("Maximum Seconds", "1"))), HasSubstr("did not finish within 1 s"));
 }
 
 TEST(GmshErrors, ScriptsTakeNoMoreThanTheFreeMemory)

@@ -122,9 +122,9 @@ TEST(RefineTooOften, IsRefusedWithTheNumberThatIsPossible)
 {
   const std::string large = text("Type", "Box") + doubles("Lower", "0, 0") + doubles("Upper", "1, 1");
   EXPECT_THAT(messageOf(large + ints("Cells", "300, 300") + refine(8)),
-              HasSubstr("Refine = 8 makes 1.18e+10 cells of 180 000, more than can be numbered; take at most "));
+              HasSubstr("Refine = 8 makes 1.18e+10 cells of 180 000, more than can be numbered; use at most "));
   const std::string far = text("Type", "Box") + doubles("Lower", "1e8, 1e8") + doubles("Upper", "100000001, 100000001");
   EXPECT_EQ(readMesh(far + ints("Cells", "2, 2") + refine(1)).numCells(), 32);
   EXPECT_THAT(messageOf(far + ints("Cells", "2, 2") + refine(8)),
-              testing::AllOf(HasSubstr("the refined mesh cannot be used: "), HasSubstr("Take a smaller number.")));
+              testing::AllOf(HasSubstr("the refined mesh cannot be used: "), HasSubstr("Use a smaller number.")));
 }

@@ -76,7 +76,7 @@ TEST(RemeshErrors, SolidsAreRefused)
   const ScriptScene scene = sceneOf({scriptOf(path)});
   scratchFile("square.geo", square + "Extrude {0, 0, 1} { Surface{1}; }");
   EXPECT_THAT([&] { remeshed(scene, third); },
-              ThrowsMessage<InputError>(HasSubstr("meshes are made again in two dimensions only.")));
+              ThrowsMessage<InputError>(HasSubstr("remeshing works in two dimensions only.")));
 }
 
 TEST(RemeshErrors, TimeIsLimited)
@@ -84,7 +84,7 @@ TEST(RemeshErrors, TimeIsLimited)
   ScriptScene scene = sceneOf({scriptOf(scratchFile("square.geo", square))});
   scene.scripts[0].maximumSeconds = 1;
   EXPECT_THAT([&] { remeshed(scene, [](double, double) { return 1e-5; }); },
-              ThrowsMessage<InputError>(HasSubstr("did not come to an end within 1 s")));
+              ThrowsMessage<InputError>(HasSubstr("did not finish within 1 s")));
 }
 
 TEST(RemeshErrors, OnlyGmshScriptsCanBeMeshedAgain)

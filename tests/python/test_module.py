@@ -84,7 +84,7 @@ class Reads(unittest.TestCase):
         rest = run("punch", {**settings, "Accuracy/Maximum Levels": 20}, codes=(0, 4), restart=True)
         self.assertEqual((len(first.levels["dofs"]), rest.bound.absolute), (2, whole.bound.absolute))
         self.assertEqual(list(rest.levels["bound"]), list(whole.levels["bound"]))
-        self.assertIn("goes on from again.checkpoint", rest.screen)
+        self.assertIn("continues from again.checkpoint", rest.screen)
 
     def test_the_contact_table(self):
         with open(FOLDER / "punch.contact.csv", newline="") as file:
@@ -236,7 +236,7 @@ class Refuses(unittest.TestCase):
         self.assert_says("torn.contact.csv is damaged; run the deck again", lambda: torn.contact)
         self.assert_says("torn.e: cannot be read as Exodus", lambda: torn.fields)
         (FOLDER / "torn.summary.json").write_text("{}")
-        self.assert_says("cannot be read as a summary of ndframe (KeyError: 'version'); run the deck again", ndframe.read, FOLDER / "torn")
+        self.assert_says("cannot be read as an ndframe summary (KeyError: 'version'); run the deck again", ndframe.read, FOLDER / "torn")
         (FOLDER / "torn.xml").write_text("<ParameterList")
         self.assert_says("torn.xml: the deck is not XML", ndframe.run, FOLDER / "torn.xml", program=PROGRAM)
 
@@ -264,7 +264,7 @@ class Refuses(unittest.TestCase):
         self.assert_says("the deck has a list Load Cases, which run_cases() runs", run, "load-cases")
 
     def test_values_that_no_deck_has(self):
-        self.assert_says("cannot stand in a deck", ndframe.deck_text, {"Title": {1, 2}}, kind=ndframe.Error)
+        self.assert_says("is not allowed in a deck", ndframe.deck_text, {"Title": {1, 2}}, kind=ndframe.Error)
 
     def test_a_program_that_is_not_there(self):
         self.assert_says("cannot be started", run, "punch", program="/no/ndframe", kind=ndframe.Error)

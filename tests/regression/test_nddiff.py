@@ -203,7 +203,7 @@ class ExodusFiles(Comparison):
         with netCDF4.Dataset(self.folder / "part.e", "w", format="NETCDF3_CLASSIC") as data:
             data.createDimension("num_dim", 2)
             data.createVariable("coordx", "f8", ())
-        self.assert_refused("is no whole Exodus file: coordy", gold, self.folder / "part.e")
+        self.assert_refused("is not a complete Exodus file: coordy", gold, self.folder / "part.e")
 
     def test_rules_that_make_no_sense_are_refused(self):
         gold, new = self.files()

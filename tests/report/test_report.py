@@ -159,7 +159,7 @@ class Written(unittest.TestCase):
 
     def test_forces_of_every_body_add_up(self):
         for name in ("certificate", "assembly", "solid"):
-            rests = re.findall(r"<td>sum</td><td[^>]*>0, but for ([\d.e−]+) of the largest", self.pages[name])
+            rests = re.findall(r"<td>sum</td><td[^>]*>0 to within ([\d.e−]+) of the largest", self.pages[name])
             self.assertGreaterEqual(len(rests), 2, name)
             self.assertLess(max(float(rest.replace("−", "-")) for rest in rests), 1e-9, name)
 
@@ -270,13 +270,13 @@ class Written(unittest.TestCase):
     def test_wrong_names_and_damaged_summaries_are_refused(self):
         self.assertIn("there is no nothing.summary.json and no nothing.study.csv; run the deck first", self.refused("nothing"))
         self.path("cut.summary.json").write_bytes(self.path("certificate.summary.json").read_bytes()[:500])
-        self.assertIn("cut.summary.json cannot be read as a summary of ndframe", self.refused("cut"))
+        self.assertIn("cut.summary.json cannot be read as an ndframe summary", self.refused("cut"))
         self.path("other.summary.json").write_text('{"version": 1}')
-        self.assertIn("other.summary.json cannot be read as a summary of ndframe", self.refused("other"))
+        self.assertIn("other.summary.json cannot be read as an ndframe summary", self.refused("other"))
         summary = self.summary("certificate")
         del summary["residuals"]
         self.path("older.summary.json").write_text(json.dumps(summary))
-        self.assertIn("cannot be read as a summary of ndframe (KeyError: 'residuals')", self.refused("older"))
+        self.assertIn("cannot be read as an ndframe summary (KeyError: 'residuals')", self.refused("older"))
         self.path("empty.study.csv").write_text("case,dofs\n")
         self.assertIn("is not the table of a study", self.refused("empty"))
         self.assertIn("usage: ndframe report", self.refused())
@@ -298,7 +298,7 @@ class Written(unittest.TestCase):
         self.assertIn("<h2>Scene</h2>", self.path("asked.report.html").read_text())
         done = self.runs.call("-i", DECKS / "punch.xml", *settings, "--set", "Output/Summary=false")
         self.assertEqual(done.returncode, 2)
-        self.assertIn("a report is made of the summary; Summary must not be false", done.stderr)
+        self.assertIn("a report is made from the summary; Summary must not be false", done.stderr)
         done = self.runs.call("-q", "-i", DECKS / "study.xml", *settings)
         self.assertEqual(done.returncode, 0, done.stderr)
         self.assertIn("6 cases over", self.path("asked.report.html").read_text())

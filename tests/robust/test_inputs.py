@@ -119,7 +119,7 @@ class Meshes(RoughWorld):
         (self.folder / "one.xml").write_text(deck_text({"Bodies": {"block": {"Mesh": mesh, **BODY}}}, "one"))
         (self.folder / "loop.geo").write_text("For i In {0:1e9}\n  x = i;\nEndFor\n")
         for command in ((PROGRAM, "-i", "one.xml"), on_ranks(2, PROGRAM, "-i", "one.xml")):
-            self.assert_refused(self.run_command(*command), "loop.geo: gmsh did not come to an end within 1 s")
+            self.assert_refused(self.run_command(*command), "loop.geo: gmsh did not finish within 1 s")
 
     def test_a_pipe_is_refused(self):
         for name in READERS:

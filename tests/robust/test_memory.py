@@ -4,8 +4,8 @@ from robust import PROGRAM, PUNCH, RESULTS, RoughWorld, cells, limited, main, on
 
 MEGABYTES = (145, 150, 160, 175, 250, 300, 400, 500, 600, 650, 700, 900)
 # By the program, and by the dynamic linker where not even the libraries fit.
-REASONS = {2: ("more memory than the process may take", "does not fit into memory", "too little memory",
-               "are left: use coarser meshes"),
+REASONS = {2: ("more memory than the process may use", "does not fit into memory", "too little memory",
+               "are available: use coarser meshes"),
            127: ("error while loading shared libraries",)}
 
 
@@ -31,7 +31,7 @@ class MemoryLimits(RoughWorld):
 
     def test_a_scene_that_cannot_fit_is_refused_before_it_is_assembled(self):
         done = self.run_command(*under(600, *cells(300)))
-        self.assert_refused(done, "dofs need about ", "(ulimit -v) are left: use coarser meshes, order 1, or Multigrid",
+        self.assert_refused(done, "dofs need about ", "(ulimit -v) are available: use coarser meshes, order 1, or Multigrid",
                             "nothing was computed")
 
     def test_threads_find_their_memory(self):

@@ -55,7 +55,7 @@ class ClosedFolder(RoughWorld):
         command = self.program_for_nobody()
         (self.folder / "closed").mkdir(mode=0o555)
         done = self.run_command(*command, "--set", "Output/Directory=closed", preexec_fn=self.as_nobody)
-        self.assert_refused(done, "closed\" is not a folder that can be written in", "nothing was computed")
+        self.assert_refused(done, "closed\" is not a writable folder", "nothing was computed")
         self.assertEqual(list((self.folder / "closed").iterdir()), [])
 
     def test_a_folder_that_takes_no_files_is_named(self):

@@ -199,7 +199,7 @@ class Refused(Restarts):
         return self.checkpoint("run")
 
     def test_without_a_checkpoint(self):
-        self.refuse('there is no "run/punch.checkpoint" to go on from', "Output/Checkpoint = true leaves it", BEGIN_AGAIN)
+        self.refuse('there is no "run/punch.checkpoint" to continue from', "Output/Checkpoint = true writes it", BEGIN_AGAIN)
 
     def test_a_run_that_has_reached_its_target(self):
         self.end("run", PUNCH, PRECISE)
@@ -207,8 +207,8 @@ class Refused(Restarts):
 
     def test_another_deck(self):
         self.ended()
-        self.refuse('"run/punch.checkpoint" is of another deck: ', "Bodies/punch/Material/Young Modulus is ", " and was ",
-                    "give the deck as it was, or run without --restart.",
+        self.refuse('"run/punch.checkpoint" belongs to another deck: ', "Bodies/punch/Material/Young Modulus is ", " and was ",
+                    "use the original deck, or run without --restart.",
                     settings=(*PRECISE, "Bodies/punch/Material/Young Modulus=7"))
         self.refuse("Accuracy/Target is 0.01 and was 0.0005;", settings=("Accuracy/Target=0.01",))
         self.refuse(", and 1 more", ranks=2, settings=("Accuracy/Target=0.01", "Bodies/punch/Material/Young Modulus=7"))
@@ -225,7 +225,7 @@ class Refused(Restarts):
         self.end("run", deck, ("Accuracy/Target=0.001", "Accuracy/Maximum Levels=2"), code=5)
         self.end("run", deck, ("Accuracy/Target=0.02",), "--restart", code=2)
         mesh.write_text(mesh.read_text() + "\nMesh.MeshSizeFactor = 0.9;\n")
-        self.refuse("is of other meshes: those of level 1 are not the same; give the mesh files as they were",
+        self.refuse("belongs to other meshes: those of level 1 are not the same; use the original mesh files",
                     deck=deck, settings=("Accuracy/Target=0.001",))
 
     def test_another_version(self):
@@ -238,9 +238,9 @@ class Refused(Restarts):
         whole = path.read_bytes()
         for length in (1, 100, len(whole) // 2, len(whole) - 1):
             path.write_bytes(whole[:length])
-            self.refuse('"run/punch.checkpoint" is no checkpoint of ndframe, or ends too early', BEGIN_AGAIN)
+            self.refuse('"run/punch.checkpoint" is not an ndframe checkpoint, or ends too early', BEGIN_AGAIN)
         path.write_bytes(whole.replace(b"tractionNeumann", b"tractionneumann", 1))
-        self.refuse("has lost a part of a checkpoint", BEGIN_AGAIN)
+        self.refuse("lacks a part of a checkpoint", BEGIN_AGAIN)
         path.write_bytes(b"")
         self.refuse('"run/punch.checkpoint" is empty', BEGIN_AGAIN, ranks=2)
         path.unlink()
@@ -249,9 +249,9 @@ class Refused(Restarts):
 
     def test_decks_without_levels(self):
         done = self.run_program("-i", PUNCH, "--restart")
-        self.assert_refused(done, "--restart goes on from the levels of a run with a target", "no list Accuracy")
+        self.assert_refused(done, "--restart continues from the levels of a run with a target", "no list Accuracy")
         done = self.run_program("-i", PUNCH, "--set", "Output/Checkpoint=true")
-        self.assert_refused(done, "Output: Checkpoint goes on from the levels", "no list Accuracy")
+        self.assert_refused(done, "Output: Checkpoint continues from the levels", "no list Accuracy")
 
     def test_studies(self):
         for more in (("--restart",), ("--set", "Output/Checkpoint=true")):

@@ -45,7 +45,7 @@ class Studies(RoughWorld):
         rows = self.rows(WHOLE)
         self.assertEqual([row["exit_code"] for row in rows], ["0", "2", "2", "0"])
         self.assertIn("does not fit into memory", rows[1]["reason"])
-        self.assertIn("are left: use coarser meshes", rows[2]["reason"])
+        self.assertIn("are available: use coarser meshes", rows[2]["reason"])
         self.assertEqual(self.files(), [WHOLE])
 
 

@@ -107,7 +107,7 @@ def judge(program, seed):
         deck = write_scene(folder, bodies, interfaces)
         solve = certified(program, deck, f"Discretization/Order={order}", f"Coupling/Type={coupling}")
         run = solve(refinements)
-        told = ("overlap", "tied sides lie on each other", "the tied mesh is not sound")
+        told = ("overlap", "tied sides must lie on each other", "the tied mesh is not sound")
         if run.code == 2 and kind == "bonded" and any(text in run.screen for text in told):
             return None, None, about  # chords of a curve
         return *judge_certificate(run, solve, refinements), about

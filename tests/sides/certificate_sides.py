@@ -118,7 +118,7 @@ def judge(program, seed):
         run = solve(REFINEMENTS)
         if run.code == 2 and "overlap at the start" in run.screen and kind in ("apart", "curve"):
             return None, None, about  # chords that reach into the other body
-        if run.code == 2 and "tied sides lie on each other" in run.screen:
+        if run.code == 2 and "tied sides must lie on each other" in run.screen:
             return None, None, about  # one edge for a whole wave
         if run.code == 3 and not (run.summary and run.summary["errors"]):
             return None, None, about

@@ -83,7 +83,7 @@ class Automatic(unittest.TestCase):
 
     def test_solids_that_do_not_match_are_told(self):
         deck = self.write("punch-3d", automatic(entry("Distance", "0.1", "double")))
-        self.assertIn("Distance means nothing in space", self.run_deck(deck, code=2).screen)
+        self.assertIn("Distance has no meaning in 3D", self.run_deck(deck, code=2).screen)
         deck = self.write("punch-3d", automatic())
         self.assertIn("sides that lie on each other", self.run_deck(deck).screen)
         moved = deck.read_text().replace("{1.0, 1.0, 1.0}", "{1.0, 1.0, 1.1}").replace("{0.0, 0.0, 0.0}", "{0.0, 0.0, 0.1}")

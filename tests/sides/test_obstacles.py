@@ -121,7 +121,7 @@ class Obstacles(unittest.TestCase):
         self.refused("give two", block(), side_scenes.plane((0.0, 0.0, 0.0), (0.0, 1.0, 0.0)))
         self.refused("has no sides; remove this", block(), plane, "Interfaces/contact/Neumann Side=top")
         self.refused("name it as Neumann Body", block(), plane, "Interfaces/contact/Dirichlet Body=floor")
-        self.refused("means nothing to a rigid body", block(), plane, "Bodies/floor/Loads/l/Type=Body Force",
+        self.refused("has no meaning for a rigid body", block(), plane, "Bodies/floor/Loads/l/Type=Body Force",
                      "Bodies/floor/Loads/l/Y=1")
 
 

@@ -144,7 +144,7 @@ class Tied(unittest.TestCase):
 
     def test_mistakes_are_told(self):
         contact = "Interfaces/contact/"
-        self.refused("means nothing where sides are tied", contact + "Gap=0.1")
+        self.refused("has no meaning where sides are tied", contact + "Gap=0.1")
         self.refused("there is no body \"uper\"", contact + "Dirichlet Body=uper")
         self.refused("there is no side \"botom\"", contact + "Dirichlet Side=botom")
         self.refused("the sides are apart by 0.1",

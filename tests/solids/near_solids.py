@@ -15,7 +15,7 @@ from solid_scenes import Solid, pressure, write_scene
 
 SMALL = (1e-12, 1e-10, 1e-9, 1e-7, 1e-6, 3e-6, 1e-5, 3e-5, 1e-4, 3e-4, 1e-3, 1e-2)
 EXACT = 1e-12  # a shift, lift or tilt below is round-off
-TOLD = ("no part of one side lies on the other", "the sides are apart by", "the bodies overlap at the start", "cannot be cut at each other")
+TOLD = ("no part of one side lies on the other", "the sides are apart by", "the bodies overlap at the start", "cannot be cut to match")
 
 
 def scenes():

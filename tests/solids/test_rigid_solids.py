@@ -177,7 +177,7 @@ class RigidSolids(unittest.TestCase):
         self.refused("Displacement", Rigid("Plane", {"Point": (0.0, 0.0, 0.0), "Normal": up, "Displacement": (0.0, 0.1)}))
         self.refused("has 0 coordinates", Rigid("Cylinder", {"Centre": (0.0, 0.0, -1.0), "Radius": 1.0}))
         self.refused("no part of side", Rigid("Cylinder", {"Centre": (0.0, 0.0, -1.0), "Radius": 1.0, "Axis": up}))
-        self.refused("faces a side that bends", Rigid("Sphere", {"Centre": (0.0, 0.0, -3.0), "Radius": 3.0}),
+        self.refused("faces a bent side", Rigid("Sphere", {"Centre": (0.0, 0.0, -3.0), "Radius": 3.0}),
                      place=lambda r, q, t: (r, q, 0.6 * t + 0.1 * (1 - t) * r * r))
 
 

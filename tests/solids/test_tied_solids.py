@@ -81,14 +81,14 @@ class TiedSolids(unittest.TestCase):
         lower.place = lambda r, s, t: (r + 3.0, 0.8 * s, 0.5 * t - 0.5)
         run = solve((upper, lower))
         self.assertEqual(run.code, 2, run.screen)
-        self.assertIn("no part of upper/bottom lies on lower/top; sides of solids that are tied are flat", run.screen)
+        self.assertIn("no part of upper/bottom lies on lower/top; tied sides of solids must be flat", run.screen)
 
     def test_sides_that_cannot_be_cut_are_refused(self):
         upper, lower = halves((3, 3))
         upper.place = lambda r, s, t: (r + 3e-4, 0.8 * s + 2e-4, 0.5 * t)
         run = solve((upper, lower))
         self.assertEqual(run.code, 2, run.screen)
-        self.assertIn("Bodies/upper + lower/Mesh: sides of solids that were meshed apart cannot be cut at each other", run.screen)
+        self.assertIn("Bodies/upper + lower/Mesh: sides of solids that were meshed independently cannot be cut to match", run.screen)
 
 
 if __name__ == "__main__":

@@ -29,12 +29,12 @@ std::string endOfProgress(const AccuracyOptions& options, const std::vector<Leve
                           const CouplingResult& coupling)
 {
   if (!coupling.converged && !coupling.history.empty())
-    return fmt::format("the sweeps do not come to an end ({})", coupling.reason);
+    return fmt::format("the sweeps do not converge ({})", coupling.reason);
   if (int(levels.size()) >= options.maximumLevels)
     return fmt::format("Maximum Levels = {}", options.maximumLevels);
   if (isStalled(levels))
-    return levels.back().relative < roundOff ? "the bound does not fall with the mesh any more: round-off"
-                                             : "the bound does not fall with the mesh any more";
+    return levels.back().relative < roundOff ? "the bound no longer falls with the mesh: round-off"
+                                             : "the bound no longer falls with the mesh";
   return {};
 }
 
@@ -51,7 +51,7 @@ std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSumm
                        growth * last);
   const double memory = firstMemory + growth * (peakMemory - firstMemory);
   if (memory > options.maximumMemory)
-    return fmt::format("Maximum Memory = {:g} GB: with the next mesh it would be some {:.3g} GB",
+    return fmt::format("Maximum Memory = {:g} GB: with the next mesh it would be about {:.3g} GB",
                        options.maximumMemory * 1e-9, memory * 1e-9);
   return {};
 }

@@ -219,7 +219,7 @@ void AdaptiveRun::refine()
   summary_.limit = limitMet(options_, summary_.levels, plan.dofs, double(firstMemory_),
                             double(std::max(earlierMemory_, peakMemory())));
   if (summary_.limit.empty() && plan.meshes->areUnchanged() && plan.dofs == summary_.levels.back().dofs)
-    summary_.limit = "cells are as small as their coordinates can tell apart";
+    summary_.limit = "cells are as small as their coordinates can resolve";
   if (!summary_.limit.empty())
     return;
   if (restart_.write)

@@ -106,7 +106,7 @@ void AdaptiveRun::refuseOtherDeck(const Checkpoint& checkpoint) const
 {
   const std::string difference = differenceOf(toJson(tools_.deck), checkpoint.deckJson);
   if (!difference.empty())
-    throw InputError(fmt::format("\"{}\" is of another deck: {}; give the deck as it was, or run without --restart.",
+    throw InputError(fmt::format("\"{}\" belongs to another deck: {}; use the original deck, or run without --restart.",
                                  restart_.file, difference));
 }
 
@@ -135,10 +135,10 @@ bool AdaptiveRun::resume(const Checkpoint& checkpoint)
 void AdaptiveRun::restore(const LevelRecord& level)
 {
   if (level.meshes != hashOf(planner_->meshes()) || !fits(level, run_.model))
-    throw InputError(fmt::format(
-        "\"{}\" is of other meshes: those of level {} are not the same; {}, or run without --restart.", restart_.file,
-        level.summary.level,
-        run_.level == 1 ? "give the mesh files as they were" : "use the program and the gmsh that they were made by"));
+    throw InputError(
+        fmt::format("\"{}\" belongs to other meshes: those of level {} are not the same; {}, or run without --restart.",
+                    restart_.file, level.summary.level,
+                    run_.level == 1 ? "use the original mesh files" : "use the program and the gmsh that made them"));
   orient(run_.model, level.dirichletBodies);
   if (run_.summary.coupling)
     run_.summary.coupling->roles = level.roles;

@@ -130,8 +130,8 @@ std::unique_ptr<RefinedMeshes> bisectedMeshes(std::vector<Mesh> meshes, const st
 void registerBisection(Registry<Refinement>& registry)
 {
   registry.add("Bisection",
-               "Triangles or tetrahedra are halved again and again, all bodies as one mesh, so that sides go on "
-               "matching. Works from any mesh; sides stay as straight as the first mesh has them.",
+               "Triangles or tetrahedra are bisected repeatedly, all bodies as one mesh, so that matching sides still "
+               "match. Works from any mesh; curved sides stay the polygons of the first mesh.",
                {}, [](const Params&) { return std::make_unique<BisectionRefinement>(); });
 }
 

@@ -127,14 +127,14 @@ public:
 
 void registerMarkings(Registry<Marking>& registry)
 {
-  registry.add(
-      "Predicted",
-      "Sizes with which all cells of the next mesh contribute the same, from how contributions fall: learned at "
-      "corners and edges, dofs^-1 (second order; in space dofs^-2/3) elsewhere. Three to six meshes to a target.",
-      {}, [](const Params&) { return std::make_unique<Predicted>(); });
+  registry.add("Predicted",
+               "Sizes for which all cells of the next mesh contribute equally, from the rate at which contributions "
+               "fall: learned at corners and edges, dofs^-1 (second order; in 3D dofs^-2/3) elsewhere. Three to six "
+               "meshes to a target.",
+               {}, [](const Params&) { return std::make_unique<Predicted>(); });
   registry.add("Doerfler",
-               "The cells with the largest contributions are halved, triangles twice: as few as make a fraction of the "
-               "sum of squares. Many meshes, and no prediction.",
+               "Doerfler marking: the cells with the largest contributions are bisected, triangles twice: as few as "
+               "make up a fraction of the sum of squares. Many meshes, and no prediction.",
                {{"Fraction", 0.6, inOpenRange(0.0, 1.0), "Of the sum of squared contributions."}},
                [](const Params& params) { return std::make_unique<Doerfler>(params.get<double>("Fraction")); });
   registry.add("Uniform", "All edges are halved: what a target costs without knowing where the error is.", {},

@@ -141,7 +141,7 @@ private:
   {
     const auto next = bisectedMeshes(meshes_, twinsOf(meshes_, scene_->matching))->refined(sizes);
     return std::make_unique<RemeshedMeshes>(scene_, next->meshes(), next->ancestors(),
-                                            "gmsh gave up on these sizes; the triangles before were halved");
+                                            "gmsh failed with these sizes; the previous triangles were bisected");
   }
 
   std::shared_ptr<const RemeshScene> scene_;
@@ -158,7 +158,7 @@ public:
   std::unique_ptr<RefinedMeshes> begin(FirstMeshes first, const Comm& comm) const override
   {
     if (first.meshes.front().dim == 3)
-      throw InputError(place_.mistake("Type", "gmsh makes meshes again in two dimensions only; refine by Bisection."));
+      throw InputError(place_.mistake("Type", "gmsh remeshes in two dimensions only; refine by Bisection."));
     auto scene = std::make_shared<RemeshScene>(RemeshScene{{}, matchingSides(first.meshes, first.twins), comm});
     for (const auto& source : first.sources)
       scene->scripts.push_back(source->script());
@@ -174,12 +174,11 @@ private:
 
 void registerRemesh(Registry<Refinement>& registry)
 {
-  registry.add(
-      "Remesh",
-      "gmsh makes the meshes of .geo scripts again with the wanted sizes. Vertices of a curved boundary lie on "
-      "the curve, matching sides go on matching. Costs 0.1 s a mesh and more. Where gmsh gives up, it is asked again "
-      "with other algorithms and slightly smaller sizes; in the end the triangles are halved. In two dimensions.",
-      {}, [](const Params& list) { return std::make_unique<RemeshRefinement>(list); });
+  registry.add("Remesh",
+               "gmsh remeshes .geo scripts with the required sizes. Vertices of a curved boundary lie on the curve, "
+               "matching sides still match. Costs 0.1 s per mesh and more. Where gmsh fails, it is tried again with "
+               "other algorithms and slightly smaller sizes; in the end the triangles are bisected. In 2D only.",
+               {}, [](const Params& list) { return std::make_unique<RemeshRefinement>(list); });
 }
 
 } // namespace ndframe

@@ -216,10 +216,9 @@ PrescribedCharge Charge::result() const
   for (const auto& entry : norms_)
     result.charge = std::hypot(result.charge, entry.second);
   if (uncharged_ > 0.0)
-    result.caveat +=
-        fmt::format("the displacements prescribed on {} are met at nodes only (up to {:.2g} between them), "
-                    "which is charged in the plane only. ",
-                    body_.name, uncharged_);
+    result.caveat += fmt::format("the displacements prescribed on {} are met at nodes only (off by up to {:.2g} "
+                                 "between them), which the bound accounts for in 2D only. ",
+                                 body_.name, uncharged_);
   if (doubt_)
     result.caveat += fmt::format("the displacements prescribed on {} are not certain near {} ({}). ", body_.name,
                                  doubt_.place, doubt_.size());

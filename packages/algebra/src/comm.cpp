@@ -52,11 +52,10 @@ Comm Comm::world(int& argc, char**& argv)
   initMpi(&argc, &argv);
   const Comm comm = of(MPI_Comm_c2f(MPI_COMM_WORLD));
   if (comm.size() == 1 && launcher.size > 1)
-    throw InputError(fmt::format(
-        "{} processes were started ({}), but this program's MPI joins only 1 of them: each would compute and write the "
-        "same. Start them with the mpirun of the MPI that ndframe was built with, or with srun --mpi=pmix; for runs "
-        "that have nothing to do with each other unset {}.",
-        launcher.size, launcher.sizeVariable, launcher.sizeVariable));
+    throw InputError(fmt::format("{} processes were started ({}), but this program's MPI joins only 1 of them: each "
+                                 "would compute and write the same. Start them with the mpirun of the MPI that ndframe "
+                                 "was built with, or with srun --mpi=pmix; for independent runs unset {}.",
+                                 launcher.size, launcher.sizeVariable, launcher.sizeVariable));
   return comm;
 }
 

@@ -39,7 +39,7 @@ constexpr std::array<Reason, 10> reasons = {{
     {-40, MumpsFailure::Kind::Singular, "the matrix is not positive definite"},
 }};
 
-constexpr Reason unknownReason = {0, MumpsFailure::Kind::Other, "see the manual of MUMPS"};
+constexpr Reason unknownReason = {0, MumpsFailure::Kind::Other, "see the MUMPS manual"};
 
 const Reason& reasonOf(int code)
 {

@@ -96,8 +96,8 @@ ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& su
         clash = constraint.node;
     if (clash >= 0)
       diagnostics.add(supports[s]->params().mistake(
-          "", fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of "
-                          "one of them (split the side) or let them agree.",
+          "", fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of one "
+                          "of them (split the side) or make them agree.",
                           heldByOthers(supports, s, mesh, nodes, clash), pointText(nodes.point(clash), mesh.dim))));
   }
   diagnostics.throwIfAny();

@@ -83,8 +83,8 @@ void registerLoads(Registry<Load>& registry)
   traction.insert(traction.begin(), sideSpec());
   registry.add("Traction", "A surface force on a side, by its components.", traction, build<VectorLoad>());
   auto force = components("a stress per length");
-  force.push_back({"Cells", std::vector<std::string>{},
-                   "Groups of cells that it acts in, as those of Regions. Empty: the whole body."});
+  force.push_back(
+      {"Cells", std::vector<std::string>{}, "Groups of cells in which it acts, as in Regions. Empty: the whole body."});
   registry.add("Body Force", "A force per volume in the whole body, or in a part of it, by its components.", force,
                build<VectorLoad>());
 }

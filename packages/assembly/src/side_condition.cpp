@@ -67,7 +67,7 @@ SampledFunction sampledFunction(const Params& params, const char* key, const std
 {
   return {std::make_shared<const ExpressionTree>(text), [params, key, text](const double* x, int dim, double value) {
             throw InputError(
-                params.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it counts.", key,
+                params.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it is used.", key,
                                                 text, std::abs(value), pointText(x, dim))));
           }};
 }

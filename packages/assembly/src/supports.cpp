@@ -216,14 +216,14 @@ void registerSupports(Registry<Support>& registry)
   registry.add("Clamp", "No displacement at all on a side.", {sideSpec()}, build<Clamp>());
   registry.add("Roller", "No displacement along the normal of a straight or flat side: a symmetry plane.", {sideSpec()},
                build<Roller>());
-  registry.add("Displacement", "Given displacement components on a side; components that are not given stay free.",
+  registry.add("Displacement", "Prescribed displacement components on a side; components that are not given stay free.",
                {sideSpec(), ParamSpec::optional("X", Kind::Expression, "u_x, a length."),
                 ParamSpec::optional("Y", Kind::Expression, "u_y, a length."),
                 ParamSpec::optional("Z", Kind::Expression, "u_z, a length (three-dimensional bodies).")},
                build<Displacement>());
   registry.add("Point",
-               "Given displacement components at one vertex, for bodies whose loads are in equilibrium without it: a "
-               "point can carry no force, and a bound is guaranteed only if it carries none.",
+               "Prescribed displacement components at one vertex, for bodies whose loads are in equilibrium without "
+               "it: a point cannot carry a force, and a bound is guaranteed only if it carries none.",
                {ParamSpec::required("At", Kind::Doubles, "Coordinates of the vertex."),
                 {"Tolerance", 1e-6, above(0.0), "How far from it a vertex may be, relative to the body's diameter."},
                 ParamSpec::optional("X", Kind::Expression, "u_x, a length."),
@@ -231,9 +231,9 @@ void registerSupports(Registry<Support>& registry)
                 ParamSpec::optional("Z", Kind::Expression, "u_z, a length (three-dimensional bodies).")},
                build<Point>());
   registry.add("Hold",
-               "The mean rigid motion, as far as neither other supports nor contact hold it: of the displacements that "
-               "differ by such motions the one without a mean motion. It carries no force: loads that are not in "
-               "equilibrium along these motions are refused.",
+               "Holds the mean rigid motion as far as neither other supports nor contact do: of the displacements that "
+               "differ by such motions it takes the one without a mean motion. It carries no force: loads that are not "
+               "in equilibrium along these motions are refused.",
                {ParamSpec::optional("Side", Kind::String, "The mean over this side; without it, over the body.")},
                build<Hold>());
 }

@@ -59,7 +59,7 @@ std::string parserMessage(const tinyxml2::XMLDocument& document)
   static const std::map<tinyxml2::XMLError, std::string> reasons{
       {tinyxml2::XML_ERROR_PARSING_ELEMENT, "a tag is malformed or does not end"},
       {tinyxml2::XML_ERROR_PARSING_ATTRIBUTE, "an attribute is malformed or given twice; write name=\"value\" once"},
-      {tinyxml2::XML_ERROR_PARSING_TEXT, "text stands outside the tags"},
+      {tinyxml2::XML_ERROR_PARSING_TEXT, "there is text outside the tags"},
       {tinyxml2::XML_ERROR_PARSING_CDATA, "a CDATA section does not end"},
       {tinyxml2::XML_ERROR_PARSING_COMMENT, "a comment does not end with \"-->\""},
       {tinyxml2::XML_ERROR_PARSING_DECLARATION, "\"<?...?>\" is malformed or not at the start of the file"},
@@ -89,7 +89,7 @@ public:
           file_, root->GetLineNum(), {}, fmt::format("a deck is one <ParameterList>, not <{}>.", root->Name())});
     for (const auto* node = root->NextSibling(); node != nullptr; node = node->NextSibling())
       if (node->ToComment() == nullptr)
-        mistake(*node, {}, "the deck goes on after its outer </ParameterList>; only comments may stand there.");
+        mistake(*node, {}, "the deck continues after its outer </ParameterList>; only comments may follow it.");
     checkAttributes(*root, {}, {}, {"name"});
     DeckList deck{attribute(*root, "name").value_or(""), file_, root->GetLineNum(), {}, {}};
     readChildren(*root, {}, deck);
@@ -154,7 +154,7 @@ private:
       const auto* child = node->ToElement();
       if (child == nullptr && node->ToComment() == nullptr)
         mistake(*node, path,
-                fmt::format("{} stands between the tags; a deck has its values in attributes.",
+                fmt::format("{} is between the tags; a deck has its values in attributes.",
                             inQuotes(trimmed(node->Value()))));
       else if (child != nullptr)
         readElement(*child, path, list);
@@ -190,7 +190,7 @@ private:
   {
     for (const auto* node = element.FirstChild(); node != nullptr; node = node->NextSibling())
       if (node->ToComment() == nullptr)
-        mistake(*node, path, "a <Parameter> holds nothing; its value stands in the attribute \"value\".");
+        mistake(*node, path, "a <Parameter> has no content; its value is in the attribute \"value\".");
     if (!checkAttributes(element, path, {"name", "type", "value"}, {}))
       return;
     DeckEntry entry{*attribute(element, "name"), *attribute(element, "type"), *attribute(element, "value"), file_,

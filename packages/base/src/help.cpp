@@ -59,7 +59,7 @@ std::string listText(const ListPlace& place)
   if (spec.each)
     section("Lists that you name", wrapped(spec.each->doc, 4));
   if (spec.passThrough)
-    text += "\n  Its parameters are handed on to the library.\n";
+    text += "\n  Its parameters are passed on to the library.\n";
   std::string components;
   if (spec.choices)
     for (const auto& component : spec.choices->components)

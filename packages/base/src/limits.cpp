@@ -25,22 +25,22 @@ const std::array<Limit, 11>& limits()
 {
   static const std::array<Limit, 11> all{{
       {{"friction", "coulomb", "stick", "slip", "frictional"},
-       "Tied in an interface glues two sides along the normal and along the side"},
+       "Tied in an interface glues two sides in normal and tangential direction"},
       {{"adhesion", "cohesion", "glue"}, "Tied in an interface; contact forces never pull"},
       {{"wear", "lubrication", "fluid"}, "a Gap as an expression stands for a worn side"},
       {{"plasticity", "creep", "damage", "rubber", "hyperelastic", "nonlinear"},
        "materials are linear elastic: `ndframe --help Material`"},
       {{"buckling", "large displacements", "large rotations", "finite strain", "nlgeom"},
-       "strains above Strain Limit get a warning; contact is asked where the drawing says"},
+       "strains above Strain Limit get a warning; contact is enforced in the drawn configuration"},
       {{"dynamics", "vibration", "impact", "modal", "eigenvalues", "frequency"}, "one static state"},
       {{"time steps", "load steps", "transient"},
-       "Load Cases solves a list of states in one process, each for itself: `ndframe --help \"Load Cases\"`"},
+       "Load Cases solves a list of states in one process, each independently: `ndframe --help \"Load Cases\"`"},
       {{"temperature", "thermal", "heat"},
-       "a Gap, a Displacement support or a rigid body's Displacement for what grows"},
+       "a Gap, a Displacement support or a rigid body's Displacement in place of the expansion"},
       {{"axisymmetry", "axisymmetric"}, "a quarter of the solid with two rollers"},
       {{"shells", "beams", "springs", "bolts", "trusses", "plates", "membranes", "shell", "spring", "bolt", "truss"},
-       "bodies are meshes of triangles or tetrahedra; decks/flange.xml has a bolt as a body, preloaded by a moved "
-       "support"},
+       "bodies are meshes of triangles or tetrahedra; decks/flange.xml has a bolt as a body, preloaded by a prescribed "
+       "displacement"},
       {{"gpu", "cuda"}, "threads and processes: OMP_NUM_THREADS, mpirun"},
   }};
   return all;

@@ -63,7 +63,7 @@ std::string listSection(const ListPlace& place)
 {
   const std::string title = place.path.empty() ? "The deck" : "`" + place.path + "`";
   const std::string owner = place.owner == nullptr ? "" : fmt::format(" (of `{}`)", place.owner->name);
-  const std::string handedOn = place.spec->passThrough ? "Its parameters are handed on to the library.\n\n" : "";
+  const std::string handedOn = place.spec->passThrough ? "Its parameters are passed on to the library.\n\n" : "";
   return fmt::format("## {}{}\n\n{}\n\n{}", title, owner, markdown(place.spec->doc), handedOn) +
          paramTable(viewOf(*place.spec, nullptr).params, place.spec->eachParam) +
          listTable(place.spec->lists, place.spec->each) + componentSections(place);

@@ -92,7 +92,7 @@ std::string message(const ListContext& context, const Wording& wording, const st
   if (!near.empty())
     return refusal + "did you mean " + inQuotes(near) + "?";
   if (const std::string limit = limitOf(name); !limit.empty())
-    return fmt::format("{} is {} docs/limits.md says what else is not.", inQuotes(name), limit);
+    return fmt::format("{} is {} docs/limits.md lists what else is not.", inQuotes(name), limit);
   const auto places = placesOf(context, wording, name);
   if (!places.empty() && places.size() <= fewPlaces)
     return refusal + fmt::format("it belongs to {}.", fmt::join(places, ", "));

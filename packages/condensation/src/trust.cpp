@@ -129,9 +129,10 @@ std::string undecidedContact(const Model& model, const CondensedModel& condensed
   for (const std::size_t b : floating) {
     const BodyTrace& trace = *condensed.trace(int(b));
     if (const double force = largestContactForce(trace, state); smallest > 0.0 && force <= smallest)
-      return fmt::format("contact is undecided: nothing presses \"{}\" on what could hold it (largest contact force "
-                         "{:.1e}, of which {:.1e} may be round-off), and nothing else stops {}; load it or support it",
-                         model.bodies[b].name, force, smallest, fmt::join(trace.motionNames, ", "));
+      return fmt::format(
+          "contact is undecided: nothing presses \"{}\" against what could hold it (largest contact force {:.1e}, of "
+          "which {:.1e} may be round-off), and nothing else stops {}; load it or support it",
+          model.bodies[b].name, force, smallest, fmt::join(trace.motionNames, ", "));
   }
   return {};
 }

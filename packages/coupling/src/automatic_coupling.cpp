@@ -48,13 +48,13 @@ private:
     if (system.bodies.size() > 2)
       return "there are more than two bodies";
     if (system.dim == 3)
-      return "statuses in space settle in fewer steps than sweeps take";
+      return "in 3D statuses settle in fewer steps than sweeps take";
     if (!haveRoles(system))
-      return system.bodies.size() == 1 ? "a body that touches itself has no role" : "no roles suit both of them";
+      return system.bodies.size() == 1 ? "a body that touches itself has no role" : "no roles suit both bodies";
     if (!start.spectrum)
       return {};
     if (!start.spectrum->isKnown())
-      return "a stiffness on the interface is lost in round-off, which sweeps go by";
+      return "a stiffness on the interface, on which sweeps depend, is lost in round-off";
     const double theta = givenTheta().value_or(start.spectrum->bestTheta());
     const double factor = std::max(start.spectrum->contraction(theta), 1.0 - theta); // closed contact, and what opens
     return factor < slowest ? std::string() : fmt::format("sweeps would contract by {:.4g}", factor);
@@ -70,10 +70,9 @@ void registerAutomaticCoupling(Registry<Coupling>& registry, const Registry<Rela
   registerSweeps(
       registry, relaxations,
       {"Automatic",
-       "Neumann-Dirichlet where its sweeps contract the error by 0.9 or better, closed contact and what opens alike, "
-       "which the bodies' "
-       "stiffnesses on the interface say before the first one; else, with more than two bodies, and in space, "
-       "Monolithic. The screen says which and why.",
+       "Neumann-Dirichlet where its sweeps contract the error by 0.9 or better, both for closed contact and for what "
+       "opens, as found from the bodies' stiffnesses on the interface before the first sweep; otherwise, with more "
+       "than two bodies, and in 3D, Monolithic. The screen says which and why.",
        [](std::unique_ptr<Coupling> sweeps) { return std::make_unique<AutomaticCoupling>(std::move(sweeps)); }});
 }
 

@@ -42,14 +42,13 @@ private:
 
 void registerNeumannNeumann(Registry<Coupling>& registry)
 {
-  registry.add(
-      "Neumann-Neumann",
-      "The displacements on the interfaces as unknowns: conjugate gradients balanced by the rigid motions of floating "
-      "bodies (Mandel 1993), statuses outside. About as many iterations as FETI for one set of statuses, but every "
-      "set is solved to the end.",
-      {{"Tolerance", 1e-12, inOpenRange(0.0, 1e-9),
-        "Where the iterations of a step end: error in the energy norm, relative."}},
-      [](const Params& params) { return std::make_unique<NeumannNeumann>(params.get<double>("Tolerance")); });
+  registry.add("Neumann-Neumann",
+               "The displacements on the interfaces as unknowns: conjugate gradients balanced by the rigid motions of "
+               "floating bodies (Mandel 1993), statuses in an outer loop. About as many iterations as FETI for one set "
+               "of statuses, but every set is solved fully.",
+               {{"Tolerance", 1e-12, inOpenRange(0.0, 1e-9),
+                 "Where the iterations of a step end: relative error in the energy norm."}},
+               [](const Params& params) { return std::make_unique<NeumannNeumann>(params.get<double>("Tolerance")); });
 }
 
 } // namespace ndframe

@@ -50,12 +50,12 @@ void registerFeti(Registry<Coupling>& registry)
 {
   registry.add(
       "FETI",
-      "The contact forces as unknowns: projected conjugate gradients with a Dirichlet preconditioner, a coarse "
-      "problem of the rigid motions of floating bodies, statuses outside. Iterations grow neither with the "
-      "number of bodies nor with jumps of their stiffness (Farhat and Roux 1991; docs/networks.md).",
+      "The contact forces as unknowns: projected conjugate gradients with a Dirichlet preconditioner, a coarse problem "
+      "of the rigid motions of floating bodies, statuses in an outer loop. Iterations grow neither with the number of "
+      "bodies nor with jumps of their stiffness (Farhat and Roux 1991; docs/networks.md).",
       {{"Tolerance", 1e-12, inOpenRange(0.0, 0.1),
         "Where the iterations of a step end: residual relative to the forces, in the energy norm. With Accuracy they "
-        "end where the mesh's part of the bound makes more of them useless."}},
+        "end where the mesh's part of the bound makes further ones useless."}},
       [](const Params& params) { return std::make_unique<Feti>(params.get<double>("Tolerance")); });
 }
 

@@ -197,12 +197,11 @@ void registerSweeps(Registry<Coupling>& registry, const Registry<RelaxationContr
 
 void registerNeumannDirichlet(Registry<Coupling>& registry, const Registry<RelaxationController>& relaxations)
 {
-  registerSweeps(
-      registry, relaxations,
-      {neumannDirichletName,
-       "Alternates a Neumann problem on one body and a unilateral problem on the other, as in the paper. More "
-       "bodies need two colours of them; chains converge slowly (docs/networks.md).",
-       [](std::unique_ptr<Coupling> sweeps) { return sweeps; }});
+  registerSweeps(registry, relaxations,
+                 {neumannDirichletName,
+                  "Alternates a Neumann problem on one body and a unilateral problem on the other, as in the paper. "
+                  "More than two bodies must be two-colourable; chains converge slowly (docs/networks.md).",
+                  [](std::unique_ptr<Coupling> sweeps) { return sweeps; }});
 }
 
 } // namespace ndframe

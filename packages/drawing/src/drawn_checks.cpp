@@ -65,10 +65,9 @@ void refuseUnconnectedParts(const DrawnScene& scene)
     const auto place = [&](int cell) { return pointText(cellCentre(body.mesh, cell).data(), scene.dim); };
     const std::string what = body.isWholeFile ? fmt::format("the drawing has no {}, and", nameOfBodies(scene.dim))
                                               : fmt::format("\"{}\" has", body.name);
-    throw InputError(fmt::format("{} {} parts that share no {}, at {} and {}: write {}(\"block\") = {{1}}; with a name "
-                                 "of its own for each.",
-                                 what, cells.size(), scene.dim == 2 ? "edge" : "face", place(cells[0]), place(cells[1]),
-                                 nameOfBodies(scene.dim)));
+    throw InputError(fmt::format(
+        "{} {} parts that share no {}, at {} and {}: write {}(\"block\") = {{1}}; with a separate name for each.", what,
+        cells.size(), scene.dim == 2 ? "edge" : "face", place(cells[0]), place(cells[1]), nameOfBodies(scene.dim)));
   }
 }
 

@@ -191,8 +191,8 @@ void GuessedScene::writeDriven(const DrawnBody& body, const DrawnSide& side, con
 {
   deck.open("Supports");
   writeSymmetry(body, deck);
-  deck.comment(
-      "Guessed: this side is moved, which presses the body on what it touches. Loads, Type = Pressure, is a force.");
+  deck.comment("Guessed: this side is moved, which presses the body against what it touches. Loads, Type = Pressure, "
+               "is a force.");
   deck.open("moved");
   deck.text("Type", "Displacement");
   deck.text("Side", side.name);
@@ -246,7 +246,7 @@ void GuessedScene::writeHeld(std::size_t index, const Vector3& push, DeckWriter&
   deck.open("Supports");
   writeSymmetry(body, deck);
   if (planes < scene_.dim - 1 && held_.count(index) == 0) {
-    deck.comment("Carries no force: takes the mean motion to be zero that neither supports nor contact hold.");
+    deck.comment("Carries no force: sets to zero the mean motion that neither supports nor contact hold.");
     deck.open(holdName);
     deck.text("Type", "Hold");
     deck.close();

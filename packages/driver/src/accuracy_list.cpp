@@ -58,13 +58,13 @@ ListSpec accuracySpec(const AccuracyComponents& components)
        "The sweeps on a mesh end when their part of the error is below this share of the mesh's."},
       {"Maximum Dofs", 1000000, atLeast(1), "No mesh is refined to more dofs than this."},
       {"Maximum Levels", 40, atLeast(1), "No more meshes than this, the first one included."},
-      ParamSpec::optional("Maximum Memory", Kind::Double, above(0.0), "GB that a process may take."),
+      ParamSpec::optional("Maximum Memory", Kind::Double, above(0.0), "GB that a process may use."),
       ParamSpec::optional("Maximum Time", Kind::Double, above(0.0),
-                          "Seconds of elapsed time; a mesh that would not be done in time is not begun.")};
+                          "Seconds of elapsed time; a mesh that would not be finished in time is not begun.")};
   list.lists = {
       makeChoice("Marking", "Which cells become smaller, and how small.", components.markings.choices()),
       makeChoice("Refinement", "How the meshes are made.", components.refinements.choices()),
-      makeChoice("Transfer", "What the sweeps on a finer mesh begin with.", components.contactTransfers.choices()),
+      makeChoice("Transfer", "What the sweeps on a finer mesh start from.", components.contactTransfers.choices()),
       makeChoice("Stopping", "When the sweeps on a mesh end.", components.levelStoppings.choices())};
   return list;
 }
@@ -110,9 +110,9 @@ void checkAccuracy(const RunSettings& settings, const AccuracyComponents& compon
   const OutputOptions& output = settings.output;
   if (!settings.accuracy) {
     if (output.checkpoint)
-      diagnostics.add(output.place.mistake("Checkpoint",
-                                           "Checkpoint goes on from the levels of a run with a target, and "
-                                           "the deck has no list Accuracy."));
+      diagnostics.add(output.place.mistake(
+          "Checkpoint",
+          "Checkpoint continues from the levels of a run with a target, and the deck has no list Accuracy."));
     if (output.allLevels)
       diagnostics.add(output.place.mistake("All Levels", "All Levels writes the meshes on the way to a target, and the "
                                                          "deck has no list Accuracy."));

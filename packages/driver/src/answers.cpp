@@ -44,7 +44,7 @@ std::string topicText(const std::string& word, const Components& components)
 {
   const std::string limit = limitOf(word);
   return limit.empty() ? helpText(makeDeckSpec(components), word)
-                       : fmt::format("{}: {}\ndocs/limits.md says what else is not.\n", word, limit);
+                       : fmt::format("{}: {}\ndocs/limits.md lists what else is not.\n", word, limit);
 }
 
 } // namespace
@@ -57,9 +57,8 @@ bool answer(const CommandLine& options, const CLI::App& app, const Components& c
     out << reportHelp;
   else if (options.help && app.get_subcommand("new")->parsed())
     out << app.get_subcommand("new")->help("ndframe") << templateHelp()
-        << "\nExit codes: 0 written, 2 the file is there already, the drawing cannot be used, or the deck was written "
-           "and "
-           "does not run yet.\n";
+        << "\nExit codes: 0 written, 2 the file exists already, the drawing cannot be used, or the deck was written "
+           "and does not run yet.\n";
   else if (options.help && options.help->empty())
     out << app.help() << exitCodeText() << "\n"
         << "To begin: `ndframe new two-bodies`, or `ndframe new from-geo FILE.geo` for a drawing of your own; then "

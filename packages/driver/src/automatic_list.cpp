@@ -26,21 +26,20 @@ ListSpec automaticSpec(const ListSpec& interface)
 {
   ListSpec list = makeList(
       "Automatic",
-      "Finds the named sides that face each other in the plane, of different bodies or two of one, in space those that "
-      "lie on each other, and makes an interface of every two, as if the deck had it. The screen says what was "
-      "found, as a table "
-      "and as text of a deck (of more than "
-      "ten with -v). The body that the deck names first is the Dirichlet body. What other lists of Interfaces say "
-      "of two sides counts instead. Of sides that share facets those count that other lists name, then the parts "
-      "of a side that make all of it, then the longer ones. Not found: a side that faces itself, sides behind "
-      "other bodies, facets without a named side (a warning), rigid bodies.");
+      "Finds the named sides, of different bodies or of one, that face each other in 2D or lie on each other in 3D, "
+      "and makes an interface of each pair, as if the deck had it. The screen shows what was found, as a table and as "
+      "deck text (more than ten only with -v). The body that the deck names first is the Dirichlet body. What other "
+      "lists of Interfaces say about two sides takes precedence. Of sides that share facets, those that other lists "
+      "name come first, then the parts of a side that make up all of it, then the longer ones. Not found: a side that "
+      "faces itself, sides behind other bodies, facets without a named side (a warning), rigid bodies.");
   list.onlyIfGiven = true;
-  list.params = {ParamSpec::optional(distance, Kind::Double, atLeast(0.0),
-                                     "Largest opening of sides that face each other: along the normals of the first "
-                                     "one, on some of its length, where they enclose less than 25 degrees. 0: sides "
-                                     "that touch, but for what chords of curves are apart. Without it: 1 % of the "
-                                     "diagonal of the box around all bodies. In the plane only."),
-                 {leaveOut, std::vector<std::string>{}, "Sides that face nothing, as \"BODY/SIDE\"."}};
+  list.params = {
+      ParamSpec::optional(
+          distance, Kind::Double, atLeast(0.0),
+          "Largest opening between sides that face each other, along the normals of the first one, over part of its "
+          "length, where they enclose less than 25 degrees. 0: sides that touch, except for the distance between "
+          "chords of curves. Default: 1 % of the diagonal of the box around all bodies. In 2D only."),
+      {leaveOut, std::vector<std::string>{}, "Sides to be left out, as \"BODY/SIDE\"."}};
   for (const ParamSpec& param : interface.params)
     if (!isOfOnePair(param))
       list.params.push_back(param);

@@ -29,38 +29,37 @@ void declareQuestions(CLI::App& app, CommandLine& options)
          "A script that completes options, lists and parameters, for bash, zsh or fish; installed with ndframe.")
       ->type_name("SHELL");
   app.add_flag("--man", options.manual, "The manual page, in roff; installed with ndframe.");
-  app.add_flag("--version", options.version, "The version, commit, kind of build and libraries.");
+  app.add_flag("--version", options.version, "The version, commit, build type and libraries.");
 }
 
 /// What is shown, and where.
 void declareScreen(CLI::App& app, CommandLine& options)
 {
-  app.add_flag("-q,--quiet", options.quiet, "Nothing on the screen but warnings and errors.");
+  app.add_flag("-q,--quiet", options.quiet, "Show only warnings and errors on the screen.");
   app.add_flag("-v,--verbose", options.verbose, "More: ordering, size of the factors.");
-  app.add_option(
-         "--log", options.logFile,
-         "Write all that the screen shows to a file, too, with a line \"# TIME STAGE\" where a stage begins. With "
-         "-q the file gets what the screen would show without it.")
+  app.add_option("--log", options.logFile,
+                 "Also write all that the screen shows to a file, with a line \"# TIME STAGE\" where a stage begins. "
+                 "With -q the file gets what the screen would show without -q.")
       ->type_name("FILE");
   app.add_option("--live", options.live,
-                 "After how long without output a line says what is being done and how far it is; 0: never. By "
-                 "default 1 on a terminal, where the line is erased again, and 10 elsewhere.")
+                 "How long without output before a line shows the current step and its progress; 0: never. By default "
+                 "1 on a terminal, where the line is erased again, and 10 elsewhere.")
       ->type_name("SECONDS")
       ->check(CLI::Range(0.0, 1e6));
 }
 
 void declareNew(CLI::App& app, CommandLine& options)
 {
-  CLI::App& one = *app.add_subcommand("new", "Write a commented deck that runs, to begin with.");
+  CLI::App& one = *app.add_subcommand("new", "Write a commented deck that runs, as a start.");
   one.set_help_flag();
   one.add_flag_callback(
       "-h,--help", [&options] { options.help = ""; }, "This text.");
   one.add_option("template", options.newDeck.name, "Which one, see below.")->type_name("TEMPLATE");
-  one.add_option("file", options.newDeck.drawing, "For from-geo: a drawing or mesh of gmsh, .geo or .msh.")
+  one.add_option("file", options.newDeck.drawing, "For from-geo: a gmsh drawing or mesh, .geo or .msh.")
       ->type_name("FILE");
   one.add_option("-o,--output", options.newDeck.output, "Instead of TEMPLATE.xml, or of the drawing's name with .xml.")
       ->type_name("DECK");
-  one.add_flag("-f,--force", options.newDeck.replace, "Replace a file that is there already.");
+  one.add_flag("-f,--force", options.newDeck.replace, "Replace a file that exists already.");
 }
 
 } // namespace
@@ -76,9 +75,9 @@ void declareOptions(CLI::App& app, CommandLine& options)
       ->expected(1)
       ->take_all();
   app.add_option("--study", options.axes,
-                 "Run the deck for every value of a parameter, one CSV row a case, e.g. --study "
+                 "Run the deck for every value of a parameter, one CSV row per case, e.g. --study "
                  "\"Coupling/Stopping/Tolerance=0.1; 0.01\"; repeated, every combination. Parameters joined by \"&&\" "
-                 "move together.")
+                 "vary together.")
       ->type_name("PATH=VALUE;VALUE")
       ->expected(1)
       ->take_all();
@@ -88,11 +87,11 @@ void declareOptions(CLI::App& app, CommandLine& options)
       "--yardstick", options.yardstick,
       "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
   app.add_flag("--restart", options.restart,
-               "Go on with a run that was ended from NAME.checkpoint, which Output/Checkpoint makes it leave.");
+               "Continue an interrupted run from NAME.checkpoint, which Output/Checkpoint writes.");
   declareQuestions(app, options);
   declareScreen(app, options);
   declareNew(app, options);
-  app.add_subcommand("report", "Write NAME.report.html, one page with everything that a run or a study has left "
+  app.add_subcommand("report", "Write NAME.report.html, one page with everything that a run or a study has written "
                                "(`ndframe report --help`).")
       ->prefix_command()
       ->set_help_flag();
@@ -112,11 +111,10 @@ std::string wayOut(int argc, const char* const* argv)
 
 const char* exitCodeText()
 {
-  return "\nExit codes: 0 right, 1 a bug, 2 the user's input, 3 not converged, or a bound "
-         "without the guarantee that the deck requires, or no certificate (results are written and marked; without "
-         "a solution only the summary), 4 an expectation missed, 5 the target of the list Accuracy missed (the "
-         "best answer is written with its bound), 6 the answer has warnings and the deck's Strict Input forbids "
-         "them (results are written).\n";
+  return "\nExit codes: 0 success, 1 a bug, 2 wrong input, 3 not converged, or a bound without the guarantee that the "
+         "deck requires, or no certificate (results are written and marked; without a solution only the summary), 4 an "
+         "expectation missed, 5 the target of the list Accuracy missed (the best answer is written with its bound), 6 "
+         "the answer has warnings and the deck's Strict Input forbids them (results are written).\n";
 }
 
 } // namespace ndframe

@@ -39,13 +39,13 @@ ListSpec bodySpec(const Components& components)
   ListSpec material = makeChoice("Material", "The elastic law.", components.materials.choices());
   mesh.isRequired = material.isRequired = true;
   ListSpec rigid = makeChoice("Rigid",
-                              "In place of Mesh and Material: an obstacle that does not deform, as a formula. Sides of "
-                              "other bodies touch it (Interfaces, as Neumann Body); it needs no mesh.",
+                              "In place of Mesh and Material: an obstacle that does not deform, given by a formula. "
+                              "Sides of other bodies touch it (Interfaces, as Neumann Body); it needs no mesh.",
                               components.obstacles.choices());
   rigid.onlyIfGiven = true;
   mesh.requiredUnless = {rigid.name};
   ListSpec regions =
-      makeNamed("Regions", "Parts of the body with materials of their own, one named list each.", regionSpec(material));
+      makeNamed("Regions", "Parts of the body with their own materials, one named list each.", regionSpec(material));
   regions.onlyIfGiven = true;
   material.requiredUnless = {regions.name, rigid.name};
   body.lists = {std::move(mesh),
@@ -53,8 +53,8 @@ ListSpec bodySpec(const Components& components)
                 std::move(regions),
                 std::move(rigid),
                 makeNamed("Supports",
-                          "Prescribed displacements, one named list each. A body that contact holds needs only what "
-                          "contact cannot hold.",
+                          "Prescribed displacements, one named list each. A body held by contact needs supports only "
+                          "for what contact cannot hold.",
                           makeChoice("SUPPORT", "One support.", components.supports.choices())),
                 makeNamed("Loads", "Forces on the body, one named list each; they add up.",
                           makeChoice("LOAD", "One load.", components.loads.choices()))};
@@ -63,29 +63,28 @@ ListSpec bodySpec(const Components& components)
 
 ListSpec interfaceSpec()
 {
-  ListSpec list = makeList("INTERFACE", "Two sides that may touch. In the plane their meshes need not match.");
+  ListSpec list = makeList("INTERFACE", "Two sides that may touch. In 2D their meshes need not match.");
   list.params = {
       ParamSpec::required("Dirichlet Body", Kind::String,
-                          "Body 1 of the paper: solves the unilateral problem; may float, held by contact alone."),
+                          "Body 1 of the paper: solves the unilateral problem; may float, held only by contact."),
       ParamSpec::required("Dirichlet Side", Kind::String, "Its side; the outward normal there is n_c."),
       ParamSpec::required("Neumann Body", Kind::String,
                           "Body 2 of the paper: receives the contact traction; may float, too. The Dirichlet body "
                           "again for self-contact: two sides of one body."),
       ParamSpec::optional("Neumann Side", Kind::String, "Its side; required unless the body is Rigid."),
       {"Tied", false,
-       "The sides are glued where they face each other, along the normal and along the side: no contact, the two "
-       "bodies become one with a region each, called \"BODY + BODY\". Solids need sides with one mesh."},
+       "The sides are glued where they face each other, in normal and tangential direction: no contact; the two bodies "
+       "become one with a region each, called \"BODY + BODY\". Solids need sides with one mesh."},
       ParamSpec::expression("Gap", "0",
-                            "Opening g >= 0 between the sides along n_c before loading, a length: "
-                            "u1_N - u2_N <= g, in addition to what the geometry says."),
+                            "Opening g >= 0 between the sides along n_c before loading, a length: u1_N - u2_N <= g, in "
+                            "addition to that of the geometry."),
       {"Gap From Geometry", std::string("Automatic"), oneOf({"Automatic", "Yes", "No"}),
-       "Whether the distance of the sides as they are drawn, along n_c, is a part of the gap. Automatic: yes, unless "
-       "the sides touch everywhere but for what chords of one curve are apart. No: points that face each other touch."},
+       "Whether the drawn distance between the sides, along n_c, is part of the gap. Automatic: yes, unless the sides "
+       "touch everywhere except for the distance between chords of one curve. No: points that face each other touch."},
       {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),
-       "In degrees. Where the side's facets meet at a smaller angle on the first mesh they stand for a curve, and n_c "
+       "In degrees. Where the side's facets meet at a smaller angle on the first mesh, they represent a curve, and n_c "
        "turns along them from vertex to vertex; at a larger one each facet keeps its own normal, and the corner has "
-       "the "
-       "conditions of both. 0: all facets keep their own, with one condition a vertex, along the mean."}};
+       "the conditions of both. 0: all facets keep their own, with one condition per vertex, along the mean."}};
   return list;
 }
 
@@ -101,12 +100,10 @@ ListSpec interfacesSpec()
 
 ListSpec makeDeckSpec(const Components& components)
 {
-  ListSpec deck = makeList(
-      "",
-      "The deck. Units are yours, all of one system: with lengths in mm and moduli in MPa (N/mm^2) pressures and "
-      "stresses "
-      "are in MPa, forces in N, energies in N mm; with m and Pa in Pa, N and N m. In plane scenes forces and energies "
-      "are those of a slice of thickness 1.");
+  ListSpec deck =
+      makeList("", "The deck. Use any consistent units: with lengths in mm and moduli in MPa (N/mm^2), pressures and "
+                   "stresses are in MPa, forces in N, energies in N mm; with m and Pa, they are in Pa, N and N m. In "
+                   "plane scenes forces and energies are those of a slice of thickness 1.");
   deck.params = {
       {"Title", std::string(""), "One line that describes the scene; shown on the screen and in the results."}};
   for (auto& param : warningParams())
@@ -117,14 +114,14 @@ ListSpec makeDeckSpec(const Components& components)
   discretization.params = {
       {"Order", 2, inClosedRange(1, 2), "Degree of the displacements on every simplex."},
       {"Contact Conditions", std::string("Automatic"), oneOf({"Automatic", "Nodal", "Bernstein"}),
-       "Where contact is decided on bodies of second order. Nodal: the displacements of the nodes; between them bodies "
-       "may penetrate, and in space vertices carry no load. Bernstein: the Bernstein coefficients of the gap on each "
-       "facet, so that no point of a straight side penetrates; bounds on coarse meshes with open contact are smaller. "
-       "Automatic: Bernstein in space, Nodal in the plane."}};
+       "Where contact is enforced on bodies of second order. Nodal: at the nodes; between them bodies may penetrate, "
+       "and in 3D vertices carry no load. Bernstein: on the Bernstein coefficients of the gap on each facet, so that "
+       "no point of a straight side penetrates; bounds on coarse meshes with open contact are smaller. Automatic: "
+       "Bernstein in 3D, Nodal in 2D."}};
   deck.lists = {std::move(bodies),
                 interfacesSpec(),
                 std::move(discretization),
-                makeChoice("Coupling", "How the bodies are brought together.", components.couplings.choices()),
+                makeChoice("Coupling", "How the bodies are coupled.", components.couplings.choices()),
                 makeChoice("Linear Solver", "How each body's matrix is factored.", components.linearSolvers.choices()),
                 makeChoice("Interface Operator", "How the bodies' Schur complements on the interface are represented.",
                            components.interfaceOperators.choices()),

@@ -7,13 +7,13 @@ namespace
 {
 
 constexpr const char* twoBodies =
-    R"xml(<!-- A block that a pressure presses on a wider one. Half of a symmetric scene: x = 0 is the plane of symmetry.
+    R"xml(<!-- A block that a pressure presses onto a wider one. Half of a symmetric scene: x = 0 is the plane of symmetry.
 
      Run it: ndframe two-bodies.xml. Then open two-bodies.e in ParaView, or make a page of the results: ndframe report two-bodies.
-     `ndframe -h Bodies` explains a list, `ndframe -h "young modulus"` finds any words. Units are yours, as long as they fit each
-     other: lengths in mm and moduli in MPa give pressures in MPa. -->
+     `ndframe -h Bodies` explains a list, `ndframe -h "young modulus"` searches for any words. Use
+     any consistent units: with lengths in mm and moduli in MPa, pressures are in MPa. -->
 <ParameterList name="two-bodies">
-  <Parameter name="Title" type="string" value="A block pressed on a wider one"/>
+  <Parameter name="Title" type="string" value="A block pressed onto a wider one"/>
 
   <ParameterList name="Bodies">
     <ParameterList name="upper">
@@ -38,7 +38,7 @@ constexpr const char* twoBodies =
         </ParameterList>
       </ParameterList>
       <ParameterList name="Loads">
-        <!-- On the boundary, against the normal; an expression in x and y will do, too: "0.01 * (1 + x)". -->
+        <!-- On the boundary, against the normal; an expression in x and y works, too: "0.01 * (1 + x)". -->
         <ParameterList name="press">
           <Parameter name="Type" type="string" value="Pressure"/>
           <Parameter name="Side" type="string" value="top"/>
@@ -73,7 +73,7 @@ constexpr const char* twoBodies =
   </ParameterList>
 
   <ParameterList name="Interfaces">
-    <!-- Two sides that may touch; their meshes and lengths may differ. What faces nothing carries nothing. -->
+    <!-- Two sides that may touch; their meshes and lengths may differ. Parts that face nothing carry nothing. -->
     <ParameterList name="contact">
       <Parameter name="Dirichlet Body" type="string" value="upper"/>
       <Parameter name="Dirichlet Side" type="string" value="bottom"/>
@@ -93,11 +93,11 @@ constexpr const char* twoBodies =
 constexpr const char* hertz =
     R"xml(<!-- A cylinder of radius 1 on a block of the same material, plane strain. The round side is a straight one with the gap x^2 / 2R.
      Hertz: a = sqrt(4 P R / (pi E*)), p0 = 2 P / (pi a), E* = E / (2 (1 - nu^2)). Pressure 0.002 on the top: P = 0.004, a = 0.0963,
-     p0 = 0.0265, for bodies that are large beside a.
+     p0 = 0.0265, for bodies that are large compared with a.
 
      Run it: ndframe hertz.xml. Then open hertz.e in ParaView, or make a page of the results: ndframe report hertz.
-     `ndframe -h Bodies` explains a list, `ndframe -h "young modulus"` finds any words. Units are yours, as long as they fit each
-     other: lengths in mm and moduli in MPa give pressures in MPa. -->
+     `ndframe -h Bodies` explains a list, `ndframe -h "young modulus"` searches for any words. Use
+     any consistent units: with lengths in mm and moduli in MPa, pressures are in MPa. -->
 <ParameterList name="hertz">
   <Parameter name="Title" type="string" value="A cylinder on a block (Hertz)"/>
 
@@ -121,7 +121,7 @@ constexpr const char* hertz =
         </ParameterList>
       </ParameterList>
       <ParameterList name="Loads">
-        <!-- P = 2 * 0.002 * 1, of both halves. -->
+        <!-- P = 2 * 0.002 * 1, for both halves. -->
         <ParameterList name="press">
           <Parameter name="Type" type="string" value="Pressure"/>
           <Parameter name="Side" type="string" value="top"/>
@@ -155,7 +155,7 @@ constexpr const char* hertz =
   </ParameterList>
 
   <ParameterList name="Interfaces">
-    <!-- Gap is added to the distance of the sides as they are drawn: an expression in x and y. -->
+    <!-- Gap is added to the drawn distance of the sides: an expression in x and y. -->
     <ParameterList name="contact">
       <Parameter name="Dirichlet Body" type="string" value="cylinder"/>
       <Parameter name="Dirichlet Side" type="string" value="bottom"/>
@@ -171,7 +171,7 @@ constexpr const char* hertz =
     <Parameter name="Target" type="double" value="0.02"/>
   </ParameterList>
 
-  <!-- What must come out; a miss is exit code 4. -->
+  <!-- Expected results; a miss is exit code 4. -->
   <ParameterList name="Expect">
     <ParameterList name="the peak pressure is that of Hertz, up to the size of the bodies">
       <Parameter name="Quantity" type="string" value="interfaces/contact/largest_pressure"/>
@@ -183,11 +183,11 @@ constexpr const char* hertz =
 )xml";
 
 constexpr const char* obstacle =
-    R"xml(<!-- An elastic block on a rigid cylinder. What does not deform needs no mesh and no material, only its shape.
+    R"xml(<!-- An elastic block on a rigid cylinder. A body that does not deform needs no mesh and no material, only its shape.
 
      Run it: ndframe obstacle.xml. Then open obstacle.e in ParaView, or make a page of the results: ndframe report obstacle.
-     `ndframe -h Bodies` explains a list, `ndframe -h "young modulus"` finds any words. Units are yours, as long as they fit each
-     other: lengths in mm and moduli in MPa give pressures in MPa. -->
+     `ndframe -h Bodies` explains a list, `ndframe -h "young modulus"` searches for any words. Use
+     any consistent units: with lengths in mm and moduli in MPa, pressures are in MPa. -->
 <ParameterList name="obstacle">
   <Parameter name="Title" type="string" value="A block on a rigid cylinder"/>
 
@@ -213,7 +213,7 @@ constexpr const char* obstacle =
         </ParameterList>
       </ParameterList>
       <ParameterList name="Loads">
-        <!-- Presses the block on the cylinder, which alone holds it vertically. -->
+        <!-- Presses the block onto the cylinder, which alone holds it vertically. -->
         <ParameterList name="press">
           <Parameter name="Type" type="string" value="Pressure"/>
           <Parameter name="Side" type="string" value="top"/>
@@ -233,7 +233,7 @@ constexpr const char* obstacle =
   </ParameterList>
 
   <ParameterList name="Interfaces">
-    <!-- The block's side that may touch; a rigid body has no side of its own. -->
+    <!-- The block's side that may touch; a rigid body has no sides. -->
     <ParameterList name="contact">
       <Parameter name="Dirichlet Body" type="string" value="block"/>
       <Parameter name="Dirichlet Side" type="string" value="bottom"/>
@@ -254,7 +254,7 @@ constexpr const char* obstacle =
 const std::vector<DeckTemplate>& deckTemplates()
 {
   static const std::vector<DeckTemplate> all{
-      {"two-bodies", "a block pressed on a wider one", twoBodies},
+      {"two-bodies", "a block pressed onto a wider one", twoBodies},
       {"hertz", "a cylinder on a block, compared with Hertz: the curved side as a gap", hertz},
       {"obstacle", "an elastic block on a rigid cylinder", obstacle}};
   return all;

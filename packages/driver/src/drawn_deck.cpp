@@ -39,7 +39,7 @@ void writeBody(const DrawnScene& scene, std::size_t index, const std::string& dr
     deck.entry("Regions", "Array(string)", "{" + body.name + "}");
   deck.close();
   deck.open("Material");
-  deck.comment("To be set: stresses come in the units of Young's modulus, lengths in those of the drawing.");
+  deck.comment("To be set: stresses have the unit of Young's modulus, lengths that of the drawing.");
   deck.entry("Young Modulus", "double", "1.0");
   deck.entry("Poisson Ratio", "double", "0.3");
   deck.text("Hypothesis", scene.dim == 2 ? "Plane Strain" : "Three Dimensional");

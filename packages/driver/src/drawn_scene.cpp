@@ -132,8 +132,8 @@ std::string whyNothingFaces(const DrawnScene& scene, const std::vector<UnnamedFa
 {
   const auto name = [&](int body) { return scene.bodies[std::size_t(body)].name; };
   if (const auto overlap = overlapOf(scene))
-    return fmt::format("\"{}\" and \"{}\" overlap at {}; draw bodies beside each other", overlap->first,
-                       overlap->second, pointText(overlap->place.data(), 2));
+    return fmt::format("\"{}\" and \"{}\" overlap at {}; draw bodies side by side", overlap->first, overlap->second,
+                       pointText(overlap->place.data(), 2));
   if (!unnamed.empty())
     return fmt::format("\"{}\" and \"{}\" do at {}, where the curve of \"{}\" has no name; name it as Physical Curve",
                        name(std::min(unnamed.front().body, unnamed.front().other)),

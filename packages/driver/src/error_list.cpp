@@ -15,12 +15,12 @@ ListSpec tractionSpec()
 {
   ListSpec list;
   list.name = "Interface Traction";
-  list.doc = "The admissible traction: pressing everywhere, equal on both bodies, in balance with the loads.";
+  list.doc = "The admissible traction: compressive everywhere, equal on both bodies, in balance with the loads.";
   list.params = {
       {"Type", std::string("Automatic"), tractionTypeNames().range(),
-       "Optimal: the one that makes the bound small, found by stars that span both bodies in the plane (Recovery/Type "
-       "Star), together with the stresses in space (Global). Projected: the one nearest to the computed tractions "
-       "(section 5.3 of the paper). Automatic: Optimal where the recovery can find it, else Projected."},
+       "Optimal: the one that makes the bound small, found in 2D by stars that span both bodies (Recovery/Type Star), "
+       "in 3D together with the stresses (Global). Projected: the one nearest to the computed tractions (section 5.3 "
+       "of the paper). Automatic: Optimal where the recovery can find it, otherwise Projected."},
       {"Mean", std::string("Previous"), tractionMeanNames().range(),
        "Which traction of the Neumann side enters the mean of the two sides: Previous, with which its body is in "
        "equilibrium, or Updated, the one for the next sweep."}};
@@ -32,11 +32,10 @@ ListSpec referenceSpec()
   ListSpec list;
   list.name = "Reference";
   list.doc = "The finer solution that the estimator Reference compares with: the same scene, all bodies at once.";
-  list.params = {
-      {"Refinements", 3, inClosedRange(1, 6), "How many times every edge is halved; 3 gives h/8."},
-      {"Maximum Dofs", 0, atLeast(0),
-       "Refinement stops before the scene gets more dofs than this; the summary says so. 0: 2 000 000 in the "
-       "plane, 400 000 in space."}};
+  list.params = {{"Refinements", 3, inClosedRange(1, 6), "How many times every edge is halved; 3 gives h/8."},
+                 {"Maximum Dofs", 0, atLeast(0),
+                  "Refinement stops before the scene gets more dofs than this; the summary says so. 0: 2 000 000 in "
+                  "2D, 400 000 in 3D."}};
   return list;
 }
 
@@ -84,10 +83,9 @@ void checkEstimators(const ErrorOptions& options, Diagnostics& diagnostics)
               "Estimators.");
   refuse.when(options.requireGuarantee && !hasBound, "Require Guarantee",
               "Require Guarantee asks for the bound; add \"Global\" to Estimators.");
-  refuse.when(
-      options.requireGuarantee && options.mode == ErrorMode::Paper, "Require Guarantee",
-      "Mode = Paper takes a displacement that may penetrate between the nodes, so its number is not guaranteed; "
-      "Mode = Strict is.");
+  refuse.when(options.requireGuarantee && options.mode == ErrorMode::Paper, "Require Guarantee",
+              "Mode = Paper uses a displacement that may penetrate between the nodes, so its number is not guaranteed; "
+              "that of Mode = Strict is.");
 }
 
 void checkStressOutput(const OutputOptions& output, bool hasBound, Diagnostics& diagnostics)
@@ -124,8 +122,8 @@ ListSpec errorEstimationSpec(const Choices& recoveries)
 {
   ListSpec list;
   list.name = "Error Estimation";
-  list.doc = "How wrong the answer is: a guaranteed bound of the error in energy, and its parts. Without this list "
-             "nothing of it runs.";
+  list.doc = "How wrong the answer is: a guaranteed bound on the error in energy, and its parts. Without this list "
+             "none of this is computed.";
   list.onlyIfGiven = true;
   list.params = {
       ParamSpec::optional(
@@ -135,11 +133,10 @@ ListSpec errorEstimationSpec(const Choices& recoveries)
           "solution. Zienkiewicz-Zhu, Residual: comparisons without a guarantee. Without this key Global and, in decks "
           "with an interface, Algorithm and Discretization."),
       {"Mode", std::string("Strict"), errorModeNames().range(),
-       "Strict: the displacement is made admissible between the nodes, so that the bound is one. Paper: as published, "
-       "not guaranteed."},
+       "Strict: the displacement is made admissible between the nodes too, so that the bound is a true bound. Paper: "
+       "as published, not guaranteed."},
       {"Check Equilibrium", false,
-       "Look at the recovered stresses themselves: divergence, jumps, loads, contact. The bound's own decides about "
-       "the "
+       "Check the recovered stresses themselves: divergence, jumps, loads, contact. That of the bound decides on the "
        "guarantee; that of the indicator Discretization is only reported."},
       {"Require Guarantee", false, "A run whose bound is not guaranteed ends with exit code 3."}};
   list.lists = {makeChoice("Recovery", "How the stress in equilibrium with the loads is found.", recoveries),

@@ -33,9 +33,8 @@ public:
       dim_ = std::max(dim_, body.uncut().dim);
     }
     if (dim_ == 3 && automatic_.has("Distance"))
-      throw InputError(automatic_.mistake("Distance",
-                                          "Distance means nothing in space, where sides are found that lie on "
-                                          "each other; remove it."));
+      throw InputError(automatic_.mistake(
+          "Distance", "Distance has no meaning in 3D, where sides are found that lie on each other; remove it."));
     for (const Params& given : givenInterfaces())
       for (const auto& [body, side] : sidesOf(given))
         prefer(body, side);
@@ -200,7 +199,7 @@ private:
 /// The text of a deck that names what was found.
 std::string deckText(const std::vector<Params>& interfaces)
 {
-  std::string text = "  as text of a deck, in the list Interfaces:\n\n";
+  std::string text = "  as deck text, in the list Interfaces:\n\n";
   for (const Params& interface : interfaces)
     text += toXml(withoutDefaults(interface)) + "\n";
   return text;

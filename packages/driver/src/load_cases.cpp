@@ -92,11 +92,11 @@ private:
     std::set<std::string> seen;
     for (const std::string& name : names_) {
       if (name.empty() || name.find('/') != std::string::npos)
-        refuse(fmt::format("\"{}\" cannot name a case: files and quantities are called by it, which needs a name "
-                           "without \"/\".",
-                           name));
+        refuse(fmt::format(
+            "\"{}\" cannot name a case: files and quantities are named after it, which needs a name without \"/\".",
+            name));
       if (!seen.insert(name).second)
-        refuse(fmt::format("two cases are called \"{}\"; give each a name of its own.", name));
+        refuse(fmt::format("two cases are called \"{}\"; give each its own name.", name));
     }
   }
 
@@ -120,11 +120,11 @@ private:
     for (const std::string& known : paths) // without the word that all begin with
       if (near.empty() && known.substr(known.find('/') + 1) == path)
         near = known;
-    std::string text = fmt::format("\"{}\" is nothing that a factor multiplies", path);
+    std::string text = fmt::format("\"{}\" is not something that a factor multiplies", path);
     if (!near.empty())
       return text + fmt::format("; did you mean \"{}\"?", near);
     return paths.empty() ? text + ": the deck gives no load, displacement or gap."
-                         : text + fmt::format(": a list with a given load, displacement or gap; those are {}.",
+                         : text + fmt::format(": a list with a load, a prescribed displacement or a gap; those are {}.",
                                               fmt::join(paths, ", "));
   }
 
@@ -140,9 +140,9 @@ void refuseOtherSteps(const DeckList& deck, const DeckList& list, Diagnostics& d
     diagnostics.add({list.file, list.line, listName,
                      "a deck has either load cases or a Study; an axis of a study can vary the values of loads."});
   if (deck.findList("Accuracy") == nullptr && outputEntry(deck, "Steps") == "All Sweeps")
-    diagnostics.add({list.file, list.line, listName,
-                     "the steps of the Exodus file are the cases; Output/Steps = All Sweeps would make them sweeps. "
-                     "Leave one out."});
+    diagnostics.add(
+        {list.file, list.line, listName,
+         "the steps of the Exodus file are the cases; Output/Steps = All Sweeps would make them sweeps. Remove one."});
 }
 
 void removeList(DeckList& deck, const std::string& name)
@@ -215,17 +215,15 @@ ListSpec loadCasesSpec()
   factors.isRequired = true;
   factors.eachParam = ParamSpec::required(
       "PATH", Kind::Doubles,
-      "The name is the path of a load (\"Bodies/punch/Loads/press\"), of a support with given displacements "
+      "The name is the path of a load (\"Bodies/punch/Loads/press\"), of a support with prescribed displacements "
       "(\"Bodies/block/Supports/top\"), of an interface with a Gap (\"Interfaces/contact\") or of a rigid body "
-      "(\"Bodies/ball/Rigid\": its Displacement); the value has one factor a case.");
+      "(\"Bodies/ball/Rigid\": its Displacement); the value has one factor per case.");
   ListSpec list = makeList(
       listName,
-      "Solves the scene for several states of its loads, each for itself, in one process: nothing is meshed or "
-      "factored "
-      "again, and contact begins with that of the case before. NAME.e has a time step a case, NAME.cases.csv a row, "
-      "NAME.summary.json a list. With the list Accuracy every case has meshes and files of its own, NAME.CASE.e, ... "
-      "An "
-      "expectation holds for all cases, or for one: its Quantity then begins with \"cases/CASE/\".");
+      "Solves the scene for several independent load states in one process: nothing is meshed or factored again, and "
+      "contact starts from that of the previous case. Each case is a time step in NAME.e, a row in NAME.cases.csv and "
+      "an entry in NAME.summary.json. With the list Accuracy every case has its own meshes and files, NAME.CASE.e, ... "
+      "An expectation holds for all cases, or for one: its Quantity then begins with \"cases/CASE/\".");
   list.onlyIfGiven = true;
   list.params = {
       ParamSpec::required("Names", Kind::Strings, "Names of the cases, in the order in which they are solved."),

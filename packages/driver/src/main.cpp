@@ -186,7 +186,7 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
     const RunSettings checked = checkDeck(model, settings, components, comm, ledger, log);
     for (const auto& warning : sceneWarnings(model, checked))
       complain(comm, warningText(warningSummary(warning)));
-    log.line("  the deck is right: meshes, sides, supports and expectations checked; nothing was solved.");
+    log.line("  the deck is valid: meshes, sides, supports and expectations checked; nothing was solved.");
     return ExitCode::Right;
   }
   if (options.yardstick) {

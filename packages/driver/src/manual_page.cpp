@@ -38,24 +38,21 @@ std::string optionText(const CLI::Option& option)
   return fmt::format(".TP\n{}\n{}\n", head, roff(option.get_description()));
 }
 
-constexpr const char* description = "solves unilateral, frictionless contact between elastic bodies by a "
-                                    "Neumann-Dirichlet domain decomposition and says, "
-                                    "with a guaranteed bound, how wrong the answer is. A scene is described in a deck, "
-                                    "a Teuchos parameter list in XML; "
-                                    "results are an Exodus file for ParaView, a summary in JSON and tables in CSV.";
+constexpr const char* description =
+    "solves unilateral, frictionless contact between elastic bodies by a Neumann-Dirichlet domain decomposition and "
+    "gives a guaranteed bound on the error of the answer. A scene is described in a deck, a Teuchos parameter list in "
+    "XML; results are an Exodus file for ParaView, a summary in JSON and tables in CSV.";
 
 constexpr const char* report =
-    "writes one page of everything that a run or a study has left, which needs no other file. NAME is the beginning of "
-    "the "
-    "files' names, or one of the files. Exit codes: 0 written, 2 a file or a package of Python is missing.";
+    "writes one self-contained page with everything that a run or a study has written. NAME is the beginning of the "
+    "files' names, or one of the files. Exit codes: 0 written, 2 a file or a Python package is missing.";
 
 std::string newText()
 {
-  return fmt::format(
-      "writes a commented deck that runs, to begin with: {}. from-geo takes a drawing or mesh of gmsh, whose "
-      "physical groups are the bodies and sides. A file that is there already is replaced only with --force. "
-      "Exit codes: 0 written, 2 not.",
-      fmt::join(templateNames(), ", "));
+  return fmt::format("writes a commented deck that runs, as a start: {}. from-geo takes a gmsh drawing or mesh, whose "
+                     "physical groups are the bodies and sides. A file that exists already is replaced only with "
+                     "--force. Exit codes: 0 written, 2 not.",
+                     fmt::join(templateNames(), ", "));
 }
 
 constexpr const char* environment = R"(.TP

@@ -42,7 +42,7 @@ std::string plainText(const NewDeck& wanted)
   if (wanted.name.empty())
     throw InputError(fmt::format("say which deck: ndframe new {}.", fmt::join(known, "|")));
   if (isDrawing(wanted.name))
-    throw InputError(fmt::format("a deck of a drawing is made by ndframe new from-geo {}.", forShell(wanted.name)));
+    throw InputError(fmt::format("a deck for a drawing is made by ndframe new from-geo {}.", forShell(wanted.name)));
   throw InputError(fmt::format("there is no template \"{}\"{}; there are {}.", wanted.name,
                                near.empty() ? "" : fmt::format("; did you mean \"{}\"", near), fmt::join(known, ", ")));
 }
@@ -100,7 +100,7 @@ WrittenDeck writeNewDeck(const NewDeck& wanted, const Components& components)
     throw InputError(fmt::format("{} takes no file; from-geo does.", wanted.name));
   const fs::path output = outputOf(wanted);
   if (!wanted.replace && fs::exists(output))
-    throw InputError(fmt::format("{} is there already; name another file with --output, or say --force to replace it.",
+    throw InputError(fmt::format("{} exists already; name another file with --output, or use --force to replace it.",
                                  output.string()));
   const DrawnDeck deck = isDrawn ? drawnDeck(wanted.drawing, output.string(), components) : DrawnDeck{plain, {}};
   writeTextAtomically(output.string(), deck.text);

@@ -28,25 +28,24 @@ ListSpec outputSpec()
       makeList("Output", "What is written, and where. Files appear under their final name only when complete.");
   list.params = {
       {"Directory", std::string("."), someFolder(),
-       "Folder of the results, relative to the working directory; made if missing."},
+       "Folder of the results, relative to the working directory; created if missing."},
       {"Name", std::string(""), plainFileName(),
-       "Beginning of the file names; empty: the deck's file name without its ending."},
+       "Beginning of the file names; empty: the deck's file name without its extension."},
       {"Exodus", true, "Write NAME.e for ParaView."},
       {"Summary", true, "Write NAME.summary.json."},
       {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
-      {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line a level."},
+      {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line per level."},
       {"All Levels", false,
        "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
       {"Checkpoint", false,
-       "Write NAME.checkpoint after every level (decks with the list Accuracy): with --restart a run that was ended "
-       "goes "
-       "on from there."},
+       "Write NAME.checkpoint after every level (decks with the list Accuracy): with --restart an interrupted run "
+       "continues from there."},
       {"Report", false,
-       "Write NAME.report.html: scene, verdict, pictures and tables of the files that are written, in one page without "
-       "links to other files; `ndframe report NAME` does it later. Needs Summary, and python3-netcdf4, "
-       "python3-matplotlib and python3-jinja2. A study gets one for its table."},
+       "Write NAME.report.html: scene, verdict, pictures and tables from the written files, on one self-contained "
+       "page; `ndframe report NAME` makes it later. Needs Summary, and python3-netcdf4, python3-matplotlib and "
+       "python3-jinja2. A study gets one for its table."},
       {"Steps", std::string("Final"), stepsNames().range(),
-       "Steps of NAME.e: the final state, or the state after every sweep (one back-solve a body and sweep)."},
+       "Steps of NAME.e: the final state, or the state after every sweep (one back substitution per body and sweep)."},
       {"Equilibrated Stress", false,
        "Add the stress in equilibrium with the loads to NAME.e, its mean in every element (sigma_hat_xx, ...; needs "
        "the estimator Global)."},

@@ -16,23 +16,23 @@ ListSpec probeSpec()
 {
   ListSpec probe = makeList(
       "PROBE", "One point (At), points of a line (From, To) or integrals over a side (Side) of a body. At points: "
-               "displacement, stress, von Mises stress, and on an interface contact pressure and gap. Of a side: mean "
-               "displacement, force and moment of the stress. The stress is that of the finite elements, of the cell "
-               "that holds the point; where several cells meet, the mean of theirs, weighted by their measure.");
+               "displacement, stress, von Mises stress, and on an interface contact pressure and gap. Over a side: "
+               "mean displacement, force and moment of the stress. The stress is that of the finite elements, in the "
+               "cell that contains the point; where several cells meet, their mean, weighted by their measure.");
   probe.params = {
       ParamSpec::required("Body", Kind::String, "Which body, also where several touch."),
       ParamSpec::optional("At", Kind::Doubles, "Coordinates of a point."),
       ParamSpec::optional("From", Kind::Doubles, "Where a line begins."),
       ParamSpec::optional("To", Kind::Doubles, "Where it ends."),
-      {"Points", 11, atLeast(2.0), "Of a line, equally spaced, both ends included."},
+      {"Points", 11, atLeast(2.0), "Number of points on a line, equally spaced, both ends included."},
       ParamSpec::optional("Side", Kind::String,
                           "Name of a side of the body's mesh. The force is int sigma n dS with the stress of the cells "
-                          "at the side, which converges with the mesh; what supports and contact carry is in the "
-                          "summary of bodies and interfaces to round-off."),
-      ParamSpec::optional("About", Kind::Doubles, "Point that the moment of a side is about; by default its centre."),
+                          "at the side, which converges with the mesh; the forces of supports and contact are in the "
+                          "summary of bodies and interfaces, to round-off."),
+      ParamSpec::optional("About", Kind::Doubles, "Reference point of the moment of a side; by default its centre."),
       {"Tolerance", 1e-6, atLeast(0.0),
-       "How far outside of the mesh a point may be, relative to the body's diameter; it has the values of the nearest "
-       "cell, continued. On curved sides, of which the mesh has chords, raise it."}};
+       "How far outside the mesh a point may be, relative to the body's diameter; it gets the values of the nearest "
+       "cell, extrapolated. Raise it on curved sides, where the mesh has only chords."}};
   return probe;
 }
 
@@ -40,11 +40,11 @@ ListSpec probeSpec()
 
 ListSpec probesSpec()
 {
-  ListSpec list = makeList(
-      "Probes", "Numbers at points, along lines and over sides, one named list each: in the summary, for Expect "
-                "(\"probes/NAME/displacement/1\", \"probes/NAME/stress/xx\", "
-                "\"probes/LINE/points/3/von_mises\", \"probes/SIDE/force/0\") and in "
-                "NAME.probes.csv. Of the final state; with Accuracy of the level that is written.");
+  ListSpec list =
+      makeList("Probes", "Numbers at points, along lines and over sides, one named list each: in the summary, for "
+                         "Expect (\"probes/NAME/displacement/1\", \"probes/NAME/stress/xx\", "
+                         "\"probes/LINE/points/3/von_mises\", \"probes/SIDE/force/0\") and in NAME.probes.csv. For the "
+                         "final state; with Accuracy, for the level that is written.");
   list.params = {{"Table", true, "Write NAME.probes.csv."}};
   list.onlyIfGiven = true;
   list.each = std::make_shared<ListSpec>(probeSpec());

@@ -90,7 +90,7 @@ void StudyRunner::checkColumns()
     });
     if (!known)
       diagnostics.add({deckName_, 0, study_.list(),
-                       fmt::format("Columns: \"{}\" is no number of a case's summary; examples are \"energy\", "
+                       fmt::format("Columns: \"{}\" is not a number in a case's summary; examples are \"energy\", "
                                    "\"residuals/equilibrium\".",
                                    column)});
   }
@@ -206,7 +206,7 @@ ExitCode StudyRunner::check()
   }
   mistakes.throwIfAny();
   checkColumns();
-  log_.line(fmt::format("  all {} cases are right; nothing was solved.", study_.cases.size()));
+  log_.line(fmt::format("  all {} cases are valid; nothing was solved.", study_.cases.size()));
   return ExitCode::Right;
 }
 

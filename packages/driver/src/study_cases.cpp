@@ -167,19 +167,17 @@ ListSpec studySpec()
 {
   ListSpec axis;
   axis.name = "AXIS";
-  axis.doc =
-      "Parameters that move together, their values separated by \";\". Axes are combined to a grid, the last one "
-      "is the fastest.";
+  axis.doc = "Parameters that vary together, their values separated by \";\". Axes are combined into a grid, the last "
+             "one varies fastest.";
   axis.eachParam = ParamSpec::required("PATH", Kind::String,
                                        "The name is the path of a parameter, e.g. \"Bodies/punch/Mesh/Cells\", the "
                                        "value lists what it is set to in turn, e.g. "
                                        "\"{15, 15}; {30, 30}\".");
   ListSpec study;
   study.name = "Study";
-  study.doc =
-      "Runs the deck once for every combination of values and writes one row a case to NAME.study.csv. What a "
-      "case does not change is not computed again, so name meshes first, then materials, then loads, and last what "
-      "concerns the solution (tolerances, couplings).";
+  study.doc = "Runs the deck once for every combination of values and writes one row per case to NAME.study.csv. What "
+              "a case does not change is not recomputed, so name meshes first, then materials, then loads, and last "
+              "what concerns the solution (tolerances, couplings).";
   study.onlyIfGiven = true;
   study.params = {{"Columns", std::vector<std::string>{},
                    "More columns: paths of numbers in the summary, e.g. \"interfaces/contact/largest_pressure\"."},

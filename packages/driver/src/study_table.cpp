@@ -242,7 +242,7 @@ std::string studyLine(const Study& study, const StudyRow& row)
 std::string studyPlan(const Study& study)
 {
   std::string text =
-      fmt::format("  {} case{}: the first runs these stages, later ones reuse; a step along an axis computes again\n",
+      fmt::format("  {} case{}: the first runs these stages, later ones reuse; a step along an axis recomputes\n",
                   study.cases.size(), study.cases.size() == 1 ? "" : "s");
   std::size_t stride = study.cases.size();
   for (const auto& axis : study.axes) {
@@ -252,7 +252,7 @@ std::string studyPlan(const Study& study)
                              : whatChanges(recipeOf(study.cases[stride - 1].deck), recipeOf(study.cases[stride].deck));
     text += fmt::format("  {:<19} {}\n", shortName(axis), changes);
   }
-  text += fmt::format("  {:<19} {}{}.csv, one row a case{}", "table", study.fileName, study.tableEnding(),
+  text += fmt::format("  {:<19} {}{}.csv, one row per case{}", "table", study.fileName, study.tableEnding(),
                       study.writesFiles ? "; and the files of every case" : "");
   return text + (study.loads && study.loads->sharesFiles ? "; the other files hold all cases" : "");
 }

@@ -81,7 +81,7 @@ private:
   {
     for (const char* key : {"Gap", "Gap From Geometry"})
       if (interface.isGiven(key))
-        diagnostics.add(interface.mistake(key, "means nothing where sides are tied; remove it, or Tied."));
+        diagnostics.add(interface.mistake(key, "has no meaning where sides are tied; remove it, or Tied."));
     std::vector<std::string> bodies;
     for (const char* key : {"Dirichlet Body", "Neumann Body"}) {
       const auto name = interface.get<std::string>(key);
@@ -205,9 +205,8 @@ private:
       diagnostics_.add(params_.sub("Bodies")
                            .sub(part.name)
                            .sub("Material")
-                           .mistake("", "of bodies that are tied one may have both Regions and a Material for the "
-                                        "rest; name the rest of this "
-                                        "one as a region."));
+                           .mistake("", "only one of the tied bodies may have both Regions and a Material for the "
+                                        "rest; name the rest of this one as a region."));
     whole.lists.push_back(*material);
   }
 

@@ -19,8 +19,8 @@ public:
 
 void registerCondensedOperator(Registry<InterfaceOperator>& registry)
 {
-  registry.add("Condensed", "The dense Schur complement of each body on its interface nodes (8 n^2 bytes a body).", {},
-               [](const Params&) { return std::make_unique<CondensedOperator>(); });
+  registry.add("Condensed", "The dense Schur complement of each body on its interface nodes (8 n^2 bytes per body).",
+               {}, [](const Params&) { return std::make_unique<CondensedOperator>(); });
 }
 
 } // namespace ndframe

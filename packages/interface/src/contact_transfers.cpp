@@ -25,10 +25,9 @@ public:
 
 void registerContactTransfers(Registry<ContactTransfer>& registry)
 {
-  registry.add("Carried",
-               "Traction and statuses as the mesh before had them at the same place. One or two sweeps a mesh.", {},
-               [](const Params&) { return std::make_unique<Carried>(); });
-  registry.add("None", "Every mesh begins with Coupling/Initial Traction: more sweeps.", {},
+  registry.add("Carried", "Traction and statuses of the previous mesh at the same place. One or two sweeps per mesh.",
+               {}, [](const Params&) { return std::make_unique<Carried>(); });
+  registry.add("None", "Every mesh starts from Coupling/Initial Traction: more sweeps.", {},
                [](const Params&) { return std::make_unique<None>(); });
 }
 

@@ -25,14 +25,13 @@ private:
 
 void registerAutomaticOperator(Registry<InterfaceOperator>& registry)
 {
-  registry.add(
-      "Automatic",
-      "Condensed where the dense Schur complement comes with the factorisation and the interface is not larger than "
-      "`Largest Condensed`; else matrix free.",
-      {ParamSpec("Largest Condensed", 10000, atLeast(0),
-                 "Interface nodes up to which S is stored (24 n^2 bytes a body with its factors). Stored is faster "
-                 "wherever it fits: 1.4 times at 500 nodes, 9 times at 2000.")},
-      [](const Params& p) { return std::make_unique<AutomaticOperator>(p.get<int>("Largest Condensed")); });
+  registry.add("Automatic",
+               "Condensed where the dense Schur complement comes with the factorisation and the interface is not "
+               "larger than `Largest Condensed`; otherwise matrix free.",
+               {ParamSpec("Largest Condensed", 10000, atLeast(0),
+                          "Interface nodes up to which S is stored (24 n^2 bytes per body with its factors). Stored is "
+                          "faster wherever it fits: 1.4 times at 500 nodes, 9 times at 2000.")},
+               [](const Params& p) { return std::make_unique<AutomaticOperator>(p.get<int>("Largest Condensed")); });
 }
 
 void registerInterfaceOperators(Registry<InterfaceOperator>& registry)

@@ -138,8 +138,8 @@ std::unique_ptr<SymmetricOperator> makeMatrixFree(const CondensedBody& body, int
 void registerMatrixFreeOperator(Registry<InterfaceOperator>& registry)
 {
   registry.add("Matrix Free",
-               "S applied from the body's factor or by one back-solve a time, inverted by one Neumann solve or "
-               "by conjugate gradients that Neumann solves precondition: no n^2 memory of its own.",
+               "S applied from the body's factor or by one back substitution each time, inverted by one Neumann solve "
+               "or by conjugate gradients preconditioned by Neumann solves: no n^2 memory.",
                {ParamSpec("Tolerance", interfaceTolerance, inOpenRange(0.0, 1.0),
                           "Relative residual of the conjugate gradients on the interface.")},
                [](const Params& p) { return std::make_unique<MatrixFreeOperator>(p.get<double>("Tolerance")); });

@@ -48,7 +48,7 @@ public:
     const Direction point = list_.vector("Point", 3), normal = outward(3);
     if (list_.list().isGiven("Extent"))
       throw InputError(list_.mistake(
-          "Extent", "Extent counts along a line; a plane that solids touch is without end: cut their sides."));
+          "Extent", "Extent counts along a line; a plane that solids touch is unbounded: cut their sides."));
     constexpr double roundOff = 1e-9; // a facet at 60 degrees faces it on every mesh
     ObstacleSurface surface{{}, plus({}, -1.0, normal), {}};
     for (const Facet facet : facets) {
@@ -164,26 +164,26 @@ void ObstacleList::checkDisplacement(int dim) const
 std::vector<ParamSpec> withDisplacement(std::vector<ParamSpec> params)
 {
   params.push_back({"Displacement", std::vector<double>{},
-                    "How far it is moved from there, a length in x and y, for solids in z, too: presses it on the "
+                    "How far it is moved from there, a length in x and y, for solids also in z: presses it against the "
                     "bodies that touch it. Empty: it stays there."});
   return params;
 }
 
 void registerObstacles(Registry<Obstacle>& registry)
 {
-  registry.add("Plane",
-               "A straight boundary; for solids a plane. Solids touch it along its own normal, also where their sides "
-               "are curved.",
-               withDisplacement({ParamSpec::required("Point", Kind::Doubles, "A point of it, x and y, for solids z."),
-                                 ParamSpec::required("Normal", Kind::Doubles,
-                                                     "Points out of the rigid body; of any length but zero."),
-                                 {"Extent", std::vector<double>{},
-                                  "In the plane: from where to where it goes, counted from Point along the normal "
-                                  "turned clockwise (for {0, 1}: along x). Empty: without end. Two planes leave a hole "
-                                  "between them."}}),
-               build<Plane>());
+  registry.add(
+      "Plane",
+      "A straight boundary; for solids a plane. Solids touch it along its own normal, also where their sides "
+      "are curved.",
+      withDisplacement(
+          {ParamSpec::required("Point", Kind::Doubles, "A point on it, x and y, for solids also z."),
+           ParamSpec::required("Normal", Kind::Doubles, "Points out of the rigid body; of any nonzero length."),
+           {"Extent", std::vector<double>{},
+            "In 2D: where it begins and ends, measured from Point along the normal rotated clockwise (for {0, 1}: "
+            "along x). Empty: unbounded. Two planes leave a hole between them."}}),
+      build<Plane>());
   registerRoundObstacles(registry);
-  registry.add("Expression", "Anything, by its distance.",
+  registry.add("Expression", "Any shape, given by its distance.",
                withDisplacement(
                    {ParamSpec::required("Distance", Kind::Expression,
                                         "From the side's points along their outward normal to the rigid body, >= 0, "

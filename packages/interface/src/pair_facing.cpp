@@ -90,11 +90,10 @@ void refuseOverlap(const Params& definition, const SideMap& map, SideMap::Shape 
 {
   const auto [deepest, where] = map.deepestOverlap(shape);
   if (deepest < 0.0)
-    throw InputError(definition.mistake(
-        "Gap From Geometry",
-        fmt::format("the bodies overlap at the start: by {:.3g} at {}; move one of the meshes, or take the drawn "
-                    "distance as none (Gap From Geometry = No).",
-                    -deepest, pointText(where.data(), 2))));
+    throw InputError(definition.mistake("Gap From Geometry",
+                                        fmt::format("the bodies overlap at the start: by {:.3g} at {}; move one of the "
+                                                    "meshes, or ignore the drawn distance (Gap From Geometry = No).",
+                                                    -deepest, pointText(where.data(), 2))));
 }
 
 } // namespace
@@ -106,10 +105,10 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
   const Side& second = findSide(definition, "Neumann Side", neumann);
   const auto pieces = facingPieces(*map, dirichlet.mesh, first.facets, neumann.mesh, second.facets);
   if (pieces.empty())
-    throw InputError(definition.mistake(
-        "", fmt::format("no part of {}/{} faces {}/{}: along n_c, the outward normal of the first, there is nothing of "
-                        "the second that looks back; name the sides that face each other.",
-                        dirichlet.name, first.name, neumann.name, second.name)));
+    throw InputError(
+        definition.mistake("", fmt::format("no part of {}/{} faces {}/{}: along n_c, the outward normal of the first, "
+                                           "no part of the second faces back; name the sides that face each other.",
+                                           dirichlet.name, first.name, neumann.name, second.name)));
   InterfaceMesh interface = emptyInterface(definition, dirichlet);
   addFacingNodes(interface, *map, pieces, dirichlet.nodes, neumann.nodes);
   std::vector<Facet> facets;

@@ -178,11 +178,10 @@ Diagnostic liesOnNothing(const Params& definition, const Comparison& sides, cons
   const auto nearest =
       std::size_t(std::min_element(sides.distance.begin(), sides.distance.end()) - sides.distance.begin());
   return definition.mistake(
-      "",
-      fmt::format("no part of one side lies on the other ({}): their nearest nodes are {:.3g} apart, at {}. Sides of "
-                  "solids that are meshed apart touch where they are flat and lie on each other; curved ones need the "
-                  "same nodes (one gmsh script with a common face).",
-                  names, sides.distance[nearest], pointText(sides.from.map.point(sides.from.nodes[nearest]), 3)));
+      "", fmt::format("no part of one side lies on the other ({}): their nearest nodes are {:.3g} apart, at {}. Sides "
+                      "of solids that are meshed independently touch where they are flat and lie on each other; curved "
+                      "ones need the same nodes (one gmsh script with a common face).",
+                      names, sides.distance[nearest], pointText(sides.from.map.point(sides.from.nodes[nearest]), 3)));
 }
 
 } // namespace

@@ -128,8 +128,8 @@ ObstacleSurface roundFacing(const ObstacleList& list, const std::optional<Direct
   const auto normal = flatNormal(mesh, facets);
   if (!normal)
     throw InputError(
-        list.mistake("", "faces a side that bends; in space a side that meets a round rigid body must be flat: cut "
-                         "the side so that each interface has one plane, or give the distance as an Expression."));
+        list.mistake("", "faces a bent side; in 3D a side that meets a round rigid body must be flat: cut the side so "
+                         "that each interface has one plane, or give the distance as an Expression."));
   if (!RoundSurface::canFace(*normal, axis))
     return {};
   const RoundSurface surface(list.vector("Centre", 3), list.list().get<double>("Radius"), signOf(list.list()), axis,
@@ -150,7 +150,7 @@ public:
   {
     list_.checkDisplacement(2);
     if (!list_.list().get<std::vector<double>>("Axis").empty())
-      throw InputError(list_.mistake("Axis", "in the plane the axis is that of z; remove Axis."));
+      throw InputError(list_.mistake("Axis", "in 2D the axis is z; remove Axis."));
     const Circle circle(list_.vector("Centre", 2), list_.list().get<double>("Radius"), signOf(list_.list()));
     std::vector<SideEdge> straight, curved;
     std::string gap;
@@ -182,8 +182,7 @@ public:
 
   ObstacleOutline facing(const SidePolygon&) const override
   {
-    throw InputError(
-        list_.mistake("Type", "in the plane there is no Sphere; take Cylinder, whose section is a circle."));
+    throw InputError(list_.mistake("Type", "in 2D there is no Sphere; use Cylinder, whose section is a circle."));
   }
 
   ObstacleSurface facing(const Mesh& mesh, const std::vector<Facet>& facets) const override
@@ -206,20 +205,19 @@ std::vector<ParamSpec> roundParams(const char* centre)
 
 void registerRoundObstacles(Registry<Obstacle>& registry)
 {
-  std::vector<ParamSpec> cylinder = roundParams("Its centre, x and y; for solids a point of its axis.");
-  cylinder.push_back({"Axis", std::vector<double>{}, "For solids: the direction of its axis, of any length but zero."});
-  registry.add(
-      "Cylinder",
-      "A circle in the plane, a cylinder without end for solids. A flat side sees its exact distance along the "
-      "side's normal; a curved side in the plane sees the arcs between the points that its vertices face, as "
-      "parabolas. Solids see it go on flat where it turns away by more than 60 degrees.",
-      withDisplacement(std::move(cylinder)), [](const Params& list) { return std::make_unique<Cylinder>(list); });
-  registry.add(
-      "Sphere",
-      "A sphere that flat sides of solids touch, at its exact distance along the side's normal. It goes on flat "
-      "where it turns away by more than 60 degrees.",
-      withDisplacement(roundParams("Its centre, x, y and z.")),
-      [](const Params& list) { return std::make_unique<Sphere>(list); });
+  std::vector<ParamSpec> cylinder = roundParams("Its centre, x and y; for solids a point on its axis.");
+  cylinder.push_back({"Axis", std::vector<double>{}, "For solids: the direction of its axis, of any nonzero length."});
+  registry.add("Cylinder",
+               "A circle in 2D, an infinite cylinder for solids. A flat side sees its exact distance along the side's "
+               "normal; a curved side in 2D sees the arcs between the points that its vertices face, as parabolas. For "
+               "solids it continues flat where it turns away by more than 60 degrees.",
+               withDisplacement(std::move(cylinder)),
+               [](const Params& list) { return std::make_unique<Cylinder>(list); });
+  registry.add("Sphere",
+               "A sphere that flat sides of solids touch, at its exact distance along the side's normal. It continues "
+               "flat where it turns away by more than 60 degrees.",
+               withDisplacement(roundParams("Its centre, x, y and z.")),
+               [](const Params& list) { return std::make_unique<Sphere>(list); });
 }
 
 } // namespace ndframe

@@ -87,7 +87,7 @@ Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path
 {
   const Json file = Json::from_cbor(bytes, true, false);
   if (!file.is_object() || file.value(kindKey, Json()) != kind)
-    throw InputError(refusal(path, "is no checkpoint of ndframe, or ends too early"));
+    throw InputError(refusal(path, "is not an ndframe checkpoint, or ends too early"));
   try {
     const std::string writer = file.at(contentKey).at("version");
     if (file.at(formatKey) != format || writer != version)
@@ -98,7 +98,7 @@ Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path
       throw InputError(refusal(path, "has no level"));
     return checkpoint;
   } catch (const Json::exception&) {
-    throw InputError(refusal(path, "has lost a part of a checkpoint"));
+    throw InputError(refusal(path, "lacks a part of a checkpoint"));
   }
 }
 

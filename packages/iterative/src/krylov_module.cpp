@@ -20,9 +20,8 @@ const KrylovLibrary* load()
   void* const module = dlopen(NDFRAME_KRYLOV_MODULE, RTLD_NOW | RTLD_LOCAL);
   if (!module)
     throw InputError(
-        fmt::format("the linear solver Krylov needs the module {} in {} of the folder that ndframe is "
-                    "installed in, and it cannot be loaded ({}); install ndframe as a whole, or use another "
-                    "linear solver.",
+        fmt::format("the linear solver Krylov needs the module {} in {} of the folder that ndframe is installed in, "
+                    "and it cannot be loaded ({}); install all of ndframe, or use another linear solver.",
                     NDFRAME_KRYLOV_MODULE, NDFRAME_MODULE_DIR, dlerror()));
   void* const entry = dlsym(module, "ndframeKrylovLibrary");
   NDFRAME_ASSERT(entry, NDFRAME_KRYLOV_MODULE " has no entry");

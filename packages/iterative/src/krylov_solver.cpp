@@ -135,8 +135,8 @@ void registerMultigrid(Registry<LinearSolver>& registry)
 {
   registry.add(
       "Multigrid",
-      "Conjugate gradients preconditioned on two levels: Chebyshev's polynomials on all nodes, algebraic multigrid of "
-      "MueLu on the vertices (with order 1 these are all). Any number of ranks; for large solids.",
+      "Conjugate gradients with a two-level preconditioner: Chebyshev polynomials on all nodes, algebraic multigrid of "
+      "MueLu on the vertices (with order 1 these are all nodes). Any number of ranks; for large solids.",
       iterationParameters(),
       [](const Params& params) {
         return makeKrylov("Multigrid", params, makeVertexMueLu(params.sub("MueLu").teuchos()));

@@ -50,9 +50,9 @@ private:
 void registerAutomatic(Registry<LinearSolver>& registry)
 {
   registry.add("Automatic",
-               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more, of 60 000 "
-               "where bodies touch and Monolithic couples them, unless they are nearly incompressible (Poisson ratio "
-               "above 0.48); with a factor after all where that takes more than 200 iterations.",
+               "Cholmod on one rank, Mumps on several; Multigrid for solids of 40 000 dofs and more, of 60 000 where "
+               "bodies touch and Monolithic couples them, unless they are nearly incompressible (Poisson ratio above "
+               "0.48); a factor after all where Multigrid takes more than 200 iterations.",
                {}, [](const Params&) { return std::make_unique<Automatic>(); });
 }
 

@@ -47,7 +47,7 @@ std::string openTranscript(const std::string& file, const std::string& title)
     begin = Clock::now();
     if (!*transcript) {
       transcript.reset();
-      return errno != 0 ? std::strerror(errno) : "it is no file";
+      return errno != 0 ? std::strerror(errno) : "it is not a file";
     }
   }
   writeLine(fmt::format("# {:%Y-%m-%d %H:%M:%S} UTC  {}", utc(), title));

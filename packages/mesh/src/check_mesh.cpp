@@ -110,11 +110,10 @@ bool checkCells(const Mesh& mesh, std::vector<std::string>& mistakes)
       mistakes.push_back(fmt::format("{} of {} cells are {}; the first is cell {} at {}.", tally.count, mesh.numCells(),
                                      what, tally.first, cellPosition(mesh, tally.first)));
   if (unresolved.count > 0)
-    mistakes.push_back(fmt::format("{} of {} cells are too small so far from the origin, their coordinates are rounded "
-                                   "to less than six digits of an edge; the first is cell {} at {}; move the mesh "
-                                   "towards the origin.",
-                                   unresolved.count, mesh.numCells(), unresolved.first,
-                                   cellPosition(mesh, unresolved.first)));
+    mistakes.push_back(
+        fmt::format("{} of {} cells are too small so far from the origin, their coordinates are rounded to fewer than "
+                    "six digits of an edge; the first is cell {} at {}; move the mesh towards the origin.",
+                    unresolved.count, mesh.numCells(), unresolved.first, cellPosition(mesh, unresolved.first)));
   return inverted.count + degenerate.count == 0;
 }
 

@@ -49,15 +49,15 @@ ListSpec sizesSpec(int direction)
 ListSpec splitsSpec()
 {
   auto split = std::make_shared<ListSpec>();
-  split->doc = "Cuts a side into named parts; the side's own name stays valid for the whole of it.";
+  split->doc = "Cuts a side into named parts; the side's own name stays valid for all of it.";
   split->params = {
-      ParamSpec::required("Side", Kind::String, "The side to be cut, or a part that a list before this one makes."),
+      ParamSpec::required("Side", Kind::String, "The side to be cut, or a part made by an earlier list."),
       ParamSpec::required(
           "At", Kind::Doubles,
           "Increasing coordinates along the side, before the rotation; a grid line falls exactly on each."),
       ParamSpec::required("Names", Kind::Strings, "Names of the parts in increasing direction, one more than At."),
       ParamSpec::optional("Direction", Kind::String, boxDirections.range(),
-                          "Direction in which At counts; by default the first that the side extends in.")};
+                          "Direction in which At counts; by default the first in which the side extends.")};
   ListSpec spec;
   spec.name = "Splits";
   spec.doc = "Sides cut into named parts, one list each with any name.";
@@ -68,7 +68,7 @@ ListSpec splitsSpec()
 ListSpec partsSpec()
 {
   auto part = std::make_shared<ListSpec>();
-  part->doc = "The cells between two corners, a group by the list's name. Parts may overlap.";
+  part->doc = "The cells between two corners, a group with the list's name. Parts may overlap.";
   part->params = {ParamSpec::required("Lower", Kind::Doubles,
                                       "Corner with the smallest coordinates, before the rotation; a grid line falls "
                                       "exactly on it."),
@@ -100,7 +100,7 @@ void registerBox(Registry<MeshSource>& registry)
         "How a brick is cut. Right: by parallel diagonals into 2 triangles or 6 tetrahedra (Kuhn). Alternating: by "
         "diagonals of changing direction into 2 triangles or 5 tetrahedra. Crossed: by both diagonals into 4 "
         "triangles."},
-       {"Rotation", 0.0, "Angle in degrees by which the finished box is turned about the origin (the z axis)."}},
+       {"Rotation", 0.0, "Angle in degrees by which the finished box is rotated about the origin (the z axis)."}},
       [](const Params& params) { return std::make_unique<Box>(params); },
       {sizesSpec(0), sizesSpec(1), sizesSpec(2), splitsSpec(), partsSpec()});
 }

@@ -37,7 +37,7 @@ BoxGrid BoxDeck::grid()
   grid_.pattern = boxPatterns.value(params_.get<std::string>("Pattern"));
   grid_.rotation = params_.get<double>("Rotation");
   if (dim_ == 3 && grid_.pattern == BoxPattern::Crossed)
-    mistake(params_, "Pattern", "Crossed is for boxes in two dimensions; take Right or Alternating.");
+    mistake(params_, "Pattern", "Crossed is for boxes in two dimensions; use Right or Alternating.");
   readProfiles();
   nameSides();
   for (const Params& list : params_.sub("Splits").subs())
@@ -87,7 +87,7 @@ void BoxDeck::checkSize()
   // Points and facets are numbered by int.
   if (simplices * (dim_ + 1) > std::numeric_limits<int>::max() || 4 * bricks > std::numeric_limits<int>::max())
     mistake(params_, "Cells",
-            fmt::format("Cells make {:.3g} simplices, more than can be numbered; take fewer.", simplices));
+            fmt::format("Cells make {:.3g} simplices, more than can be numbered; use fewer.", simplices));
   else if (bytes > memory)
     mistake(
         params_, "Cells",

@@ -181,16 +181,16 @@ int waitFor(pid_t child)
   const int signal = WIFSIGNALED(status) ? WTERMSIG(status) : 0;
   const int exitStatus = WIFEXITED(status) ? WEXITSTATUS(status) : 0;
   if (signal == SIGXCPU)
-    throw ChildFailure(Kind::OutOfTime, fmt::format("{} did not come to an end on this file; it is damaged.", library));
+    throw ChildFailure(Kind::OutOfTime, fmt::format("{} did not finish on this file; it is damaged.", library));
   if (signal == SIGSYS)
     throw ChildFailure(Kind::StartsProgram, fmt::format("{} tried to start another program.", library));
   if (exitStatus == unwatchedStatus)
     throw ChildFailure(Kind::Unwatched,
                        fmt::format("this system has no way to keep {} from starting programs.", library));
   if (exitStatus == noMemoryStatus)
-    throw ChildFailure(Kind::OutOfMemory, fmt::format("{} asks for more memory than the process may take.", library));
+    throw ChildFailure(Kind::OutOfMemory, fmt::format("{} asks for more memory than the process may use.", library));
   if (exitStatus == exitedStatus)
-    throw ChildFailure(Kind::Exited, fmt::format("{} gave up on this file; it is damaged.", library));
+    throw ChildFailure(Kind::Exited, fmt::format("{} failed on this file; it is damaged.", library));
   throw ChildFailure(Kind::Crashed, fmt::format("{} crashed on this file{}; it may be damaged.", library,
                                                 signal > 0 ? fmt::format(" (signal {})", signal) : ""));
 }

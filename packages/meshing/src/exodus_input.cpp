@@ -29,7 +29,7 @@ ExodusInput::Handle::Handle(const std::string& path)
   float version = 0;
   id_ = ex_open(path.c_str(), EX_READ, &wordSize, &fileWordSize, &version);
   if (id_ < 0)
-    throw FileError("the file is damaged or no Exodus file.");
+    throw FileError("the file is damaged or not an Exodus file.");
   ex_set_max_name_length(id_, maxNameLength);
   ex_set_int64_status(id_, 0); // all integers come as int, whatever the file's own attribute says
 }

@@ -277,12 +277,11 @@ void registerExodus(Registry<MeshSource>& registry)
   addMeshSource(
       registry, "Exodus",
       "A mesh of triangles or tetrahedra in an Exodus II file; quadrilaterals, hexahedra, wedges and pyramids are cut "
-      "into these. Side sets are the sides, by their names (unnamed ones: sideset_ID). Second-order elements are read "
-      "by "
-      "their vertices.",
-      {ParamSpec::required("File", Kind::String, "The Exodus file; relative names count from the deck's folder."),
+      "into these. Side sets are the sides, by their names (unnamed ones: sideset_ID). Second-order elements are "
+      "reduced to their vertices.",
+      {ParamSpec::required("File", Kind::String, "The Exodus file; relative paths start from the deck's folder."),
        {"Blocks", std::vector<std::string>{},
-        "Names or numbers of the element blocks that make the body. Empty: all of the highest dimension."}},
+        "Names or numbers of the element blocks that make up the body. Empty: all of the highest dimension."}},
       [](const Params& params) { return std::make_unique<Exodus>(params); });
 }
 

@@ -109,20 +109,19 @@ void registerGmsh(Registry<MeshSource>& registry)
       registry, "Gmsh",
       "A mesh of triangles or tetrahedra by gmsh; quadrilaterals, hexahedra, prisms and pyramids are cut into these. "
       "Physical groups of facets are the sides, by their names (unnamed ones: physical_TAG). Second-order elements are "
-      "read by their vertices. Bodies of one .geo script share one run of gmsh.",
+      "reduced to their vertices. Bodies of one .geo script share one run of gmsh.",
       {ParamSpec::required("File", Kind::String,
                            "A .msh file (format 2.2 or 4.1, ASCII or binary) or a .geo script to be meshed on the fly; "
-                           "relative names count from the deck's folder."),
+                           "relative paths start from the deck's folder."),
        {"Regions", std::vector<std::string>{},
-        "Physical groups of cells that make the body, e.g. one of two bodies in the file. Empty: all of them, or all "
-        "cells if there are no such groups."},
+        "Physical groups of cells that make up the body, e.g. one of two bodies in the file. Empty: all of them, or "
+        "all cells if there are no such groups."},
        {"Mesh Size Factor", 1.0, above(0.0), "Multiplies the mesh sizes of a .geo script."},
        {"Maximum Seconds", 300, atLeast(1),
         "Processor time that gmsh may take for a .geo script. A million triangles take about half a minute."},
        {"Allow Commands", false,
-        "Let a .geo script start other programs (SystemCall, OnelabRun and the like); else it is refused when it "
-        "tries. "
-        "Scripts that are meshed again (Refinement Remesh) may only if all of them may."}},
+        "Let a .geo script start other programs (SystemCall, OnelabRun and the like); otherwise it is refused when it "
+        "tries. Scripts that are remeshed (Refinement Remesh) may do so only if all of them may."}},
       [](const Params& params) { return std::make_unique<Gmsh>(params); });
 }
 

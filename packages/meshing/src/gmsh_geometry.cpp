@@ -60,7 +60,7 @@ GmshGeometry::GmshGeometry(const MeshScript& script) : regions_(script.regions)
 {
   session_.open(script.file);
   if (session_.dimension() != 2)
-    throw FileError("meshes are made again in two dimensions only.");
+    throw FileError("remeshing works in two dimensions only.");
   forgetOwnSizes();
   showOnly(entitiesOf(2, regions_));
 }

@@ -62,7 +62,7 @@ private:
   /// In the direction of the parameter.
   std::array<Node, 2> endsOf(int curve) const;
   CurvePoint project(int curve, Point point) const;
-  void require(int error) const { session_.requireSuccess(error, "gmsh cannot mesh the script again"); }
+  void require(int error) const { session_.requireSuccess(error, "gmsh cannot remesh the script"); }
 
   GmshSession session_;
   const GmshFunctions& gmsh_ = GmshFunctions::get();

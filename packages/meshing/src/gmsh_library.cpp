@@ -44,8 +44,8 @@ std::string gmshAdvice(const ChildFailure& failure, ChildLimits limits)
   const std::string beforehand = "mesh the script beforehand (gmsh -2 FILE.geo; -3 for a solid)";
   switch (failure.kind()) {
   case Kind::OutOfTime:
-    return fmt::format("gmsh did not come to an end within {} s of processor time. Look for a loop without end and for "
-                       "too small mesh sizes; if it needs more, raise \"Maximum Seconds\" or {}.",
+    return fmt::format("gmsh did not finish within {} s of processor time. Look for an infinite loop and for too small "
+                       "mesh sizes; if it needs more, raise \"Maximum Seconds\" or {}.",
                        limits.cpuSeconds, beforehand);
   case Kind::OutOfMemory:
     return fmt::format("gmsh asks for more memory than is free. Look for too small mesh sizes; if it needs more, {} on "

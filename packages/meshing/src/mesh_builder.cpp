@@ -185,7 +185,7 @@ void MeshBuilder::turnAround()
   for (Side& side : mesh_.sides)
     for (Facet& facet : side.facets)
       facet.local = facet.local < 2 ? 1 - facet.local : facet.local;
-  addNote("All elements were negatively oriented and have been turned around.");
+  addNote("All elements were negatively oriented and have been reoriented.");
 }
 
 void MeshBuilder::noteCurvedEdges()

@@ -13,9 +13,8 @@ void registerMeshSources(Registry<MeshSource>& registry)
 
 void refuseRemesh(const Params& list, const char* key)
 {
-  throw InputError(list.mistake(key,
-                                "Accuracy/Refinement/Type = Remesh has gmsh mesh scripts (.geo) again, and this mesh "
-                                "comes from none; give a script, or refine by Bisection."));
+  throw InputError(list.mistake(key, "Accuracy/Refinement/Type = Remesh lets gmsh remesh scripts (.geo), and this mesh "
+                                     "comes from none; give a script, or refine by Bisection."));
 }
 
 } // namespace ndframe

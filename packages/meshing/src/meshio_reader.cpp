@@ -42,7 +42,7 @@ std::string convertedByMeshio(const std::string& path)
     if (code == refused)
       throw FileError(readText(in("message")));
     if (code != 0)
-      throw FileError("meshio gave up on this file, or ran out of memory or time.");
+      throw FileError("meshio failed on this file, or ran out of memory or time.");
     return readText(in("mesh.msh"));
   };
   return runInChild(work, "meshio", {freeMemory(), meshioSeconds, 20 * meshioSeconds});
@@ -89,19 +89,16 @@ private:
 
 void registerMeshio(Registry<MeshSource>& registry)
 {
-  addMeshSource(
-      registry, "Meshio",
-      "A mesh of another program: Abaqus or CalculiX (.inp), VTK (.vtu), MED of Salome and code_aster (.med). Read by "
-      "meshio for Python (Debian: python3-meshio, for .med python3-h5py), by the vertices of the cells; what is no "
-      "simplex is cut. Groups of cells: *ELSET, groups of MED, integer cell data of VTU (\"NAME VALUE\"). Sides: sets "
-      "of "
-      "nodes (the facets of the boundary all of whose vertices are in one), sets of cells of one dimension less, and "
-      "*SURFACE of sets of elements; surfaces that name elements by number are refused. Nodal data, parts and "
-      "assemblies "
-      "of .inp are not read.",
-      {ParamSpec::required("File", Kind::String, "The file; relative names count from the deck's folder."),
-       {"Regions", std::vector<std::string>{}, "Groups of cells that make the body. Empty: all cells."}},
-      [](const Params& params) { return std::make_unique<Meshio>(params); });
+  addMeshSource(registry, "Meshio",
+                "A mesh of another program: Abaqus or CalculiX (.inp), VTK (.vtu), MED of Salome and code_aster "
+                "(.med). Read by meshio for Python (Debian: python3-meshio, for .med python3-h5py), cells reduced to "
+                "their vertices and cut into simplices. Groups of cells: *ELSET, groups of MED, integer cell data of "
+                "VTU (\"NAME VALUE\"). Sides: node sets (the boundary facets all of whose vertices are in one), sets "
+                "of cells of one dimension less, and *SURFACE of element sets; surfaces that name elements by number "
+                "are refused. Nodal data, parts and assemblies of .inp are not read.",
+                {ParamSpec::required("File", Kind::String, "The file; relative paths start from the deck's folder."),
+                 {"Regions", std::vector<std::string>{}, "Groups of cells that make up the body. Empty: all cells."}},
+                [](const Params& params) { return std::make_unique<Meshio>(params); });
 }
 
 } // namespace ndframe

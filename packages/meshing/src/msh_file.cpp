@@ -65,7 +65,7 @@ MshFile MshParser::parse()
   while (!in_.atEnd()) {
     const std::string_view line = in_.line();
     if (line.size() < 2 || line[0] != '$')
-      in_.fail(fmt::format("\"{:.20}\" stands where a section should begin", line));
+      in_.fail(fmt::format("\"{:.20}\" is found where a section should begin", line));
     const std::string name(line.substr(1));
     if (!seen_.insert(name).second && (name == "Nodes" || name == "Elements"))
       in_.fail(fmt::format("a second section ${}", name));
@@ -82,7 +82,7 @@ void MshParser::header()
   if (in_.atEnd())
     throw FileError("the file is empty.");
   if (in_.line() != "$MeshFormat")
-    throw FileError("the file does not begin with $MeshFormat, so it is no .msh file.");
+    throw FileError("the file does not begin with $MeshFormat, so it is not a .msh file.");
   const double version = in_.wordReal();
   is41_ = version == 4.1;
   if (!is41_ && version != 2.2)

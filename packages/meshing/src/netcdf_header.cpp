@@ -217,7 +217,7 @@ void checkNetcdfHeader(const std::string& path)
 {
   std::ifstream in(path, std::ios::binary);
   if (!in)
-    throw FileError("the file cannot be read; relative names count from the deck's folder.");
+    throw FileError("the file cannot be read; relative paths start from the deck's folder.");
   const std::uint64_t fileSize = std::filesystem::file_size(path);
   std::array<char, 52> head{};
   in.read(head.data(), head.size());
@@ -225,7 +225,7 @@ void checkNetcdfHeader(const std::string& path)
   if (std::memcmp(head.data(), "\x89HDF\r\n\x1a\n", 8) == 0)
     return checkHdf5Length(head, fileSize);
   if (std::memcmp(head.data(), "CDF", 3) != 0 || (version != 1 && version != 2 && version != 5))
-    throw FileError("the file is not netCDF, so it is no Exodus file.");
+    throw FileError("the file is not netCDF, so it is not an Exodus file.");
   in.clear();
   in.seekg(4);
   ClassicHeader(in, fileSize, version).check();

@@ -58,7 +58,7 @@ private:
     const auto mistakes = checkMesh(mesh);
     if (!mistakes.empty())
       throw InputError(
-          list_.mistake(key, fmt::format("the refined mesh cannot be used: {} Take a smaller number.", mistakes[0])));
+          list_.mistake(key, fmt::format("the refined mesh cannot be used: {} Use a smaller number.", mistakes[0])));
     return mesh;
   }
 
@@ -72,11 +72,11 @@ private:
     if (largest == halvings_)
       return;
     const std::string why = canBeNumbered(mesh, halvings_)
-                                ? fmt::format("which need {:.3g} GB for the mesh alone, and {} are left",
+                                ? fmt::format("which need {:.3g} GB for the mesh alone, and {} are available",
                                               1e-9 * bytesAfter(mesh, halvings_), left.text())
                                 : "more than can be numbered";
     throw InputError(
-        list_.mistake(key, fmt::format("Refine = {} makes {:.3g} cells of {}, {}; take at most {}.", halvings_,
+        list_.mistake(key, fmt::format("Refine = {} makes {:.3g} cells of {}, {}; use at most {}.", halvings_,
                                        cellsAfter(mesh, halvings_), grouped(mesh.numCells()), why, largest)));
   }
 
@@ -98,8 +98,8 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
   params.push_back(
       {key, 0, inClosedRange(0, most),
        "How many times, k, every edge is halved when the mesh is read: a triangle becomes 4^k triangles, a tetrahedron "
-       "8^k. Sides and groups are kept, and sides that match go on matching with the same number on both. A curve "
-       "remains the polygon that the mesh has, with its corners: draw it finely."});
+       "8^k. Sides and groups are kept, and matching sides still match with the same number on both. A curve stays the "
+       "polygon of the mesh, with its corners: mesh it finely from the start."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

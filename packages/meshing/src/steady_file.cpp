@@ -37,7 +37,7 @@ std::string readText(const std::string& path)
   std::ostringstream text;
   text << stream.rdbuf();
   if (!stream)
-    throw FileError("the file cannot be read; relative names count from the deck's folder.");
+    throw FileError("the file cannot be read; relative paths start from the deck's folder.");
   return std::move(text).str();
 }
 

@@ -41,11 +41,10 @@ private:
 void registerAutomaticRecovery(Registry<StressRecovery>& registry)
 {
   registry.add(
-      "Automatic", "Star in the plane, Global in space.",
+      "Automatic", "Star in 2D, Global in 3D.",
       {{"Degree", 0, inClosedRange(0, 3),
         "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
-       {"Sweeps", 0, atLeast(0),
-        "Makes the bound lower: sweeps over the stars in the plane, ten steps more each in space."}},
+       {"Sweeps", 0, atLeast(0), "Makes the bound lower: sweeps over the stars in 2D, ten more steps each in 3D."}},
       [](const Params& p) { return std::make_unique<AutomaticRecovery>(p.get<int>("Degree"), p.get<int>("Sweeps")); });
 }
 

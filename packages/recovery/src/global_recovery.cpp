@@ -233,8 +233,8 @@ std::unique_ptr<StressRecovery> makeGlobalRecovery(int degree, int steps)
 void registerGlobalRecovery(Registry<StressRecovery>& registry)
 {
   registry.add("Global",
-               "Solids: all tractions of a body together, some steps of conjugate gradients towards the least energy; "
-               "faster and sharper than stars there.",
+               "Solids: all tractions of a body together, some steps of conjugate gradients towards the minimum "
+               "energy; faster and sharper than stars there.",
                {{"Degree", 0, inClosedRange(0, highestDegree),
                  "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
                 {"Steps", 10, atLeast(0), "Steps of conjugate gradients; 20 are a few per cent sharper than 10."}},

@@ -158,7 +158,8 @@ std::unique_ptr<StressRecovery> makeStarRecovery(int degree, int sweeps)
 void registerStarRecovery(Registry<StressRecovery>& registry)
 {
   registry.add(
-      "Star", "Least energy on the star of every vertex, all loads carried exactly; sharp also on stretched meshes.",
+      "Star",
+      "Minimum energy on the star (patch) of every vertex, all loads carried exactly; sharp also on stretched meshes.",
       {{"Degree", 0, inClosedRange(0, 3),
         "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
        {"Sweeps", 0, atLeast(0),

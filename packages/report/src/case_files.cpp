@@ -116,8 +116,8 @@ void CaseFiles::addFields(const Run& run, int number, const std::string& name)
   if (steps_.empty())
     keepMeshes(run);
   else if (!sameMeshes(run))
-    throw InputError(fmt::format("the case \"{}\" has other meshes than the first one, so they have no file together; "
-                                 "give Output/Exodus = false, or run it as a deck of its own.",
+    throw InputError(fmt::format("the case \"{}\" has different meshes from the first one, so they cannot share a "
+                                 "file; set Output/Exodus = false, or run it as a separate deck.",
                                  name));
   steps_.push_back(exodusStep(run, output_, run.solved.states.size() - 1));
   steps_.back().time = number;

@@ -27,8 +27,8 @@ std::string contentsOf(const std::string& path)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
-    throw InputError(fmt::format("there is no \"{}\" to go on from: a run with Output/Checkpoint = true leaves it when "
-                                 "its first level is done; run without --restart, from the beginning.",
+    throw InputError(fmt::format("there is no \"{}\" to continue from: a run with Output/Checkpoint = true writes it "
+                                 "when its first level is done; run without --restart, from the beginning.",
                                  path));
   std::ifstream file(path, std::ios::binary);
   if (!std::filesystem::is_regular_file(path, ignored) || !file)
@@ -58,8 +58,8 @@ void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std
 {
   const OutputOptions& output = settings.output;
   if (goesOn && !settings.accuracy)
-    throw InputError("--restart goes on from the levels of a run with a target, and the deck has no list Accuracy; run "
-                     "without --restart.");
+    throw InputError("--restart continues from the levels of a run with a target, and the deck has no list Accuracy; "
+                     "run without --restart.");
   if (!goesOn && !output.checkpoint)
     return;
   Restart& restart = file.restart;
@@ -68,7 +68,7 @@ void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std
   if (goesOn) {
     restart.from = readCheckpoint(restart.file, comm);
     const std::size_t levels = restart.from->levels.size();
-    log.line(fmt::format("  goes on from {}: {} not solved again\n", restart.file,
+    log.line(fmt::format("  continues from {}: {} not solved again\n", restart.file,
                          levels == 1 ? "level 1 is" : fmt::format("levels 1 to {} are", levels)));
   }
   if (!output.checkpoint)

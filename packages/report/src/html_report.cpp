@@ -27,7 +27,7 @@ fs::path scriptFolder()
                              : (program.parent_path().parent_path() / NDFRAME_SHARE_DIR).lexically_normal();
   fs::path scripts = share / "ndreport";
   if (!fs::exists(scripts / "__main__.py", failure))
-    throw InputError(fmt::format("the report's scripts are not in {}; install ndframe as a whole, or name the folder "
+    throw InputError(fmt::format("the report's scripts are not in {}; install all of ndframe, or name the folder "
                                  "share/ndframe of an installation in NDFRAME_SHARE.",
                                  scripts.string()));
   return scripts;
@@ -48,7 +48,7 @@ int runReport(const std::vector<std::string>& arguments)
 void checkReport(const ListPlace& output)
 {
   if (runReport({"--check"}) != 0)
-    throw InputError(output.mistake("Report", "packages of Python are missing, see above."));
+    throw InputError(output.mistake("Report", "Python packages are missing, see above."));
 }
 
 void checkReport(const OutputOptions& output)
@@ -56,7 +56,7 @@ void checkReport(const OutputOptions& output)
   if (!output.report)
     return;
   if (!output.summary)
-    throw InputError(output.place.mistake("Report", "a report is made of the summary; Summary must not be false."));
+    throw InputError(output.place.mistake("Report", "a report is made from the summary; Summary must not be false."));
   checkReport(output.place);
 }
 

@@ -67,9 +67,9 @@ void checkOutput(const RunSettings& settings, const std::string& deckName)
     folder = folder.parent_path(); // missing folders are made
   const bool isFolder = std::filesystem::is_directory(folder, none);
   if (!isFolder || access(folder.c_str(), W_OK) != 0)
-    throw InputError(output.place.mistake(
-        "Directory", fmt::format("\"{}\" is not a folder that can be written in; name another Directory.",
-                                 isFolder ? folder.string() : output.directory)));
+    throw InputError(
+        output.place.mistake("Directory", fmt::format("\"{}\" is not a writable folder; name another Directory.",
+                                                      isFolder ? folder.string() : output.directory)));
 }
 
 std::filesystem::path outputStem(const OutputOptions& output, const std::string& deckName)

@@ -68,7 +68,7 @@ std::string gapText(const InterfaceMesh& interface)
   if (!interface.drawnGap.empty())
     return text + " with what is drawn";
   const double drawn = interface.map->largestOpening();
-  return drawn > 0.0 ? fmt::format("{} (drawn up to {:.2g} apart, taken as none)", text, drawn) : text;
+  return drawn > 0.0 ? fmt::format("{} (drawn up to {:.2g} apart, ignored)", text, drawn) : text;
 }
 
 double areaOf(const Mesh& mesh, const std::vector<Facet>& facets)

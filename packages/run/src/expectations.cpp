@@ -103,10 +103,9 @@ void checkWantedNumbers(const Model& model, const RunSettings& settings, const L
     const std::string& quantity = expectation.quantity;
     if (!isQuantity(quantity, outline, settings))
       diagnostics.add(expectation.place.mistake(
-          "Quantity",
-          fmt::format("\"{}\" is no number of this run's summary; examples are \"energy\", \"bodies/{}/energy\", "
-                      "\"residuals/equilibrium\".",
-                      quantity, outline.bodies.front().name)));
+          "Quantity", fmt::format("\"{}\" is not a number in this run's summary; examples are \"energy\", "
+                                  "\"bodies/{}/energy\", \"residuals/equilibrium\".",
+                                  quantity, outline.bodies.front().name)));
   }
 }
 

@@ -11,7 +11,7 @@ void checkFieldNames(const Model& model, const Params& deck, Diagnostics& diagno
   const auto check = [&](const Params& list, const std::string& name) {
     if (name.size() > longest)
       diagnostics.add(list.mistake("", fmt::format("its name makes names of {} characters in the Exodus file, which "
-                                                   "takes {}; shorten it, or set Output/Exodus = false.",
+                                                   "allows {}; shorten it, or set Output/Exodus = false.",
                                                    name.size(), longest)));
   };
   for (const auto& body : model.bodies) {

@@ -113,10 +113,11 @@ void checkMemory(const Model& model, const Params& deck, const LinearSolver& sol
     return;
   const bool isInterface = ofInterfaces > 0.5 * bytes;
   diagnostics.add(deck.sub("Bodies").mistake(
-      "", fmt::format("{} dofs need about {:.2g} GB of memory{}, and {} are left: use {}.", grouped(model.totalDofs()),
-                      1e-9 * bytes, isInterface ? ", most of it for stored interface operators" : "", left.text(),
-                      isInterface ? "Interface Operator/Type = Matrix Free or a coarser interface"
-                                  : "coarser meshes, order 1, or Multigrid as linear solver")));
+      "",
+      fmt::format("{} dofs need about {:.2g} GB of memory{}, and {} are available: use {}.", grouped(model.totalDofs()),
+                  1e-9 * bytes, isInterface ? ", most of it for stored interface operators" : "", left.text(),
+                  isInterface ? "Interface Operator/Type = Matrix Free or a coarser interface"
+                              : "coarser meshes, order 1, or Multigrid as linear solver")));
 }
 
 } // namespace ndframe

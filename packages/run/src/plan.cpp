@@ -49,7 +49,7 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
       "one process: MPI is not started");
   add(Stage::Krylov, iterates(settings.linearSolver),
-      fmt::format("linear solver {}: Tpetra, Belos and their like are loaded", settings.linearSolver),
+      fmt::format("linear solver {}: Tpetra, Belos and the like are loaded", settings.linearSolver),
       "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
   const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
@@ -61,7 +61,7 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
                                                          : counted(interfaces, "interface", "interfaces");
   add(Stage::Interface, touches, met + " condensed" + again, noInterface);
   add(Stage::Couple, touches, settings.coupling + again, noInterface);
-  add(Stage::Recover, true, "interior displacements, one back-solve a body and state" + again, {});
+  add(Stage::Recover, true, "interior displacements, one back substitution per body and state" + again, {});
   addCertificate(settings);
   add(Stage::Refine, toTarget, toTarget ? refinementOf(*settings.accuracy) : "", "the deck has no list Accuracy");
   add(Stage::Stress, exodus, "for the Exodus file", "no Exodus file is written");

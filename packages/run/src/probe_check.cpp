@@ -103,7 +103,7 @@ private:
         probe_.isLine() ? fmt::format("{} of its {} points, the first at {},", outside, wanted.size(), place) : place;
     refuse(probe_.isLine() ? "From" : "At",
            fmt::format("{} lie{} outside of \"{}\", which extends from {}. Name places in the body; Tolerance allows "
-                       "for curved sides, of which the mesh has chords.",
+                       "for curved sides, where the mesh has only chords.",
                        which, outside == 1 ? "s" : "", body_->name, extent()));
   }
 

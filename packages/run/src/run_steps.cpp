@@ -85,8 +85,8 @@ std::string looseSolver(const RunSummary& summary, std::optional<double> toleran
       tolerance && imbalance > ResidualLimits().equilibrium && imbalance <= amplification * *tolerance;
   if (!explains)
     return {};
-  return fmt::format("the forces are out of balance by {:.1e}, which results are trusted with up to {:g}: the linear "
-                     "solver's Tolerance {:g} is too loose; lower it",
+  return fmt::format("the forces are out of balance by {:.1e}, above the limit of {:g}: the linear solver's Tolerance "
+                     "{:g} is too loose; lower it",
                      imbalance, ResidualLimits().equilibrium, *tolerance);
 }
 
@@ -152,8 +152,8 @@ void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagn
       !reason.empty())
     diagnostics.add(list.mistake("", reason + "."));
   if (errors->touches && errors->mode == ErrorMode::Paper && nodes.dim == 3 && nodes.order == 2)
-    diagnostics.add(errors->place.mistake("Mode", "Paper asks for signs at the nodes, and in space the vertices of "
-                                                  "second order carry no traction; Strict works."));
+    diagnostics.add(errors->place.mistake(
+        "Mode", "Paper needs signs at the nodes, and in 3D second-order vertices carry no traction; use Strict."));
 }
 
 } // namespace

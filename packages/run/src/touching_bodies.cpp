@@ -133,14 +133,11 @@ void findOverlaps(const Run& run, const Params& deck, Diagnostics& found)
   });
   forEveryPair(run.model, after, boundaries, [&](int a, int b, const Encounter& encounter) {
     if (known.count({a, b}) == 0 && encounter.depth > secondOrder * motion)
-      found.add(
-          deck.sub("Interfaces")
-              .mistake(
-                  "",
-                  fmt::format("the displacements bring {} into each other, by {:.2g} near {}, where no interface joins "
-                              "them. Name the sides that meet there in an interface.",
-                              bodyNames(run.model, a, b), encounter.depth / factor,
-                              pointText(encounter.deepest.data(), after.front()->dim))));
+      found.add(deck.sub("Interfaces")
+                    .mistake("", fmt::format("the displacements make {} overlap, by {:.2g} near {}, where no interface "
+                                             "joins them. Name the sides that meet there in an interface.",
+                                             bodyNames(run.model, a, b), encounter.depth / factor,
+                                             pointText(encounter.deepest.data(), after.front()->dim))));
   });
 }
 

@@ -14,10 +14,9 @@ std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::v
     return insertion(meshes, facing);
   } catch (const CannotCut& error) {
     throw InputError(list.mistake(
-        "",
-        fmt::format("sides of solids that were meshed apart cannot be cut at each other ({}): give one of the meshes "
-                    "another size, or mesh both bodies in one gmsh script with a common face.",
-                    error.what())));
+        "", fmt::format("sides of solids that were meshed independently cannot be cut to match ({}): give one of the "
+                        "meshes another size, or mesh both bodies in one gmsh script with a common face.",
+                        error.what())));
   }
 }
 

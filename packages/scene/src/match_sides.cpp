@@ -89,10 +89,10 @@ bool suits(const std::shared_ptr<const SideMap>& map, const Mesh& mesh, const Si
 
 Diagnostic facesNothing(const Params& definition, const std::string& side)
 {
-  return definition.mistake("",
-                            fmt::format("no part of side \"{}\" faces the rigid body: along the side's outward normal "
-                                        "there is nothing of it that looks back.",
-                                        side));
+  return definition.mistake(
+      "", fmt::format(
+              "no part of side \"{}\" faces the rigid body: along the side's outward normal no part of it faces back.",
+              side));
 }
 
 /// The pairing of a solid's side with a rigid body, which gets its layer unless it has one.

@@ -19,8 +19,8 @@ void refuseConditions(const Params& rigid, Diagnostics& diagnostics)
   for (const char* list : {"Mesh", "Material", "Regions", "Supports", "Loads"})
     if (rigid.hasSub(list) &&
         (list == std::string("Mesh") || list == std::string("Material") || !rigid.sub(list).subs().empty()))
-      diagnostics.add(rigid.sub(list).mistake("", "means nothing to a rigid body, which is where its list Rigid says; "
-                                                  "remove one of the two."));
+      diagnostics.add(rigid.sub(list).mistake(
+          "", "has no meaning for a rigid body, which is where its list Rigid says; remove one of the two."));
 }
 
 /// Builds one body; mistakes are collected and leave the body incomplete.
@@ -109,9 +109,9 @@ void checkInterfaces(Model& model, const Params& deck, Diagnostics& diagnostics)
   const Params discretization = deck.sub("Discretization");
   if (dim == 3 && model.conditions == ContactConditions::Nodal && discretization.get<int>("Order") == 2 &&
       !model.interfaces.empty())
-    diagnostics.add(discretization.mistake(
-        "Contact Conditions", "in space the vertices of second order carry no load, and nodal conditions are noise "
-                              "there; take Bernstein (or Automatic)."));
+    diagnostics.add(discretization.mistake("Contact Conditions",
+                                           "in 3D the vertices of second order carry no load, and nodal "
+                                           "conditions are noise there; use Bernstein (or Automatic)."));
   refuseSharedFacets(model, deck, diagnostics);
   refuseIdleInterfaces(model, deck, diagnostics);
   diagnostics.throwIfAny();

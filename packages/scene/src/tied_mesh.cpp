@@ -59,8 +59,8 @@ public:
 
   MeshScript script() const override
   {
-    throw InputError(list_.mistake("Type", "gmsh cannot make a tied mesh again: choose Accuracy/Refinement/Type = "
-                                           "Bisection."));
+    throw InputError(
+        list_.mistake("Type", "gmsh cannot remesh a tied mesh: choose Accuracy/Refinement/Type = Bisection."));
   }
 
 private:
@@ -127,12 +127,10 @@ void TiedMesh::joinSolids(const Params& joint, const FacingSides& sides, const s
   const CommonFacets common =
       commonFacets(first, *first.findSide(sides.firstSide), second, *second.findSide(sides.secondSide));
   if (common.firstFacets.empty())
-    throw InputError(joint.mistake(
-        "",
-        fmt::format("no part of {}/{} lies on {}/{}; sides of solids that are tied are flat and lie on each other, or "
-                    "have the same nodes.",
-                    names_[std::size_t(sides.firstBody)], sides.firstSide, names_[std::size_t(sides.secondBody)],
-                    sides.secondSide)));
+    throw InputError(joint.mistake("", fmt::format("no part of {}/{} lies on {}/{}; tied sides of solids must be flat "
+                                                   "and lie on each other, or have the same nodes.",
+                                                   names_[std::size_t(sides.firstBody)], sides.firstSide,
+                                                   names_[std::size_t(sides.secondBody)], sides.secondSide)));
   const auto add = [&](int body, const std::vector<Facet>& facets) {
     for (const Facet facet : facets)
       inside[std::size_t(body)].insert({facet.cell, facet.local});
@@ -170,8 +168,8 @@ void TiedMesh::join(const Params& joint, const FacingSides& sides, const std::ve
       const double apart = std::hypot(first.point(x)[0] - second.point(y)[0], first.point(x)[1] - second.point(y)[1]);
       if (apart > allowedDistance(*sides.map, sides.map->segments()[piece.segment], length))
         throw InputError(joint.mistake(
-            "", fmt::format("the sides are apart by {:.3g} at {}, where facets are {:.3g} long; tied sides lie on each "
-                            "other: move one of the meshes, or refine both where they are curved.",
+            "", fmt::format("the sides are apart by {:.3g} at {}, where facets are {:.3g} long; tied sides must lie on "
+                            "each other: move one of the meshes, or refine both where they are curved.",
                             apart, pointText(first.point(x), 2), length)));
       glue.join(glue.number(sides.firstBody, x), glue.number(sides.secondBody, y));
     }
@@ -260,16 +258,15 @@ void registerTied(Registry<MeshSource>& registry)
                   ParamSpec::required("Second Part", Kind::String, "The other part."),
                   ParamSpec::required("Second Side", Kind::String, "Its side."),
                   {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),
-                   "In degrees. Where the sides' facets meet at a smaller angle they stand for a curve."}};
+                   "In degrees. Where the sides' facets meet at a smaller angle, they represent a curve."}};
   ListSpec joints;
   joints.name = "Joints";
   joints.doc = "Where parts are glued, one named list each.";
   joints.isRequired = true;
   joints.each = std::make_shared<ListSpec>(joint);
   addMeshSource(registry, "Tied",
-                "Several meshes as one, glued at sides (that need not match): what tied interfaces become. "
-                "The cells of a "
-                "part are the group of its name, its sides are called \"PART: SIDE\".",
+                "Several meshes as one, glued at sides (that need not match): what tied interfaces become. The cells "
+                "of a part form a group with its name, its sides are called \"PART: SIDE\".",
                 {}, [&registry](const Params& list) { return std::make_unique<TiedMesh>(list, registry); },
                 {parts, joints});
 }

@@ -40,7 +40,7 @@ void solvePass(StatusSystem& system, const std::vector<char>& closed, double pro
   } catch (const NotPositiveDefinite&) {
     const auto& motions = system.motions();
     throw NotConverged(fmt::format("the closed nodes do not hold the bodies{}: nothing but contact does, and it hardly "
-                                   "presses; add a support, for a body in balance a Point",
+                                   "presses; add a support (a Point if the body is in balance)",
                                    motions.empty() ? "" : " against " + joined(motions)));
   }
 }

@@ -97,10 +97,11 @@ private:
 
 void registerAutomatic(Registry<RelaxationController>& registry)
 {
-  registry.add("Automatic",
-               "The best constant factor, from the bodies' stiffnesses on the interface, which some steps as expensive "
-               "as a sweep each find before the first; where that would be slow, with earlier sweeps mixed in.",
-               {}, [](const Params&) { return std::make_unique<Automatic>(); });
+  registry.add(
+      "Automatic",
+      "The best constant factor, from the bodies' stiffnesses on the interface, found before the first sweep by a few "
+      "steps that cost as much as a sweep each; where that would be slow, earlier sweeps are mixed in.",
+      {}, [](const Params&) { return std::make_unique<Automatic>(); });
 }
 
 } // namespace ndframe

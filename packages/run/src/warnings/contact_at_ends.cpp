@@ -119,10 +119,10 @@ void findContactAtEnds(const Run& run, const Params& deck, Diagnostics& found)
           deck.sub("Interfaces")
               .sub(interface.name)
               .mistake(
-                  "",
-                  fmt::format("contact presses at the end of the sides, at {}, and the boundaries of both bodies go on "
-                              "close to each other: they may touch beyond the sides. Make the sides longer.",
-                              pointText(mesh.point(rim.front()), mesh.dim))));
+                  "", fmt::format(
+                          "there is contact pressure at the end of the sides, at {}, and the boundaries of both bodies "
+                          "continue close to each other: they may touch beyond the sides. Make the sides longer.",
+                          pointText(mesh.point(rim.front()), mesh.dim))));
     contact += interface.numNodes();
   }
 }

@@ -21,7 +21,7 @@ void add(std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching, 
     const std::size_t others = i + 1 == named ? touching.size() - named : 0;
     found.add(deck.sub("Interfaces")
                   .sub(interface->name)
-                  .mistake("", fmt::format("contact is on {} of {} nodes{}: its width and pressure are those of the "
+                  .mistake("", fmt::format("contact is on {} of {} nodes{}: its width and pressure are set by the "
                                            "mesh. Use smaller cells where the bodies touch.",
                                            nodes, interface->numNodes(),
                                            others > 0 ? fmt::format(" (so on {} more interfaces)", others) : "")));

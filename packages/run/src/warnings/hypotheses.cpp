@@ -23,10 +23,9 @@ void findDifferentHypotheses(const Model& model, const Params& deck, Diagnostics
   const auto first = std::size_t(bodies.front());
   for (const int body : bodies)
     if (const auto b = std::size_t(body); hypothesis(b) != hypothesis(first)) {
-      found.add(
-          materialOf(b).mistake("Hypothesis", fmt::format("{} here, {} for body \"{}\": bodies of one scene have one "
-                                                          "hypothesis.",
-                                                          hypothesis(b), hypothesis(first), model.bodies[first].name)));
+      found.add(materialOf(b).mistake(
+          "Hypothesis", fmt::format("{} here, {} for body \"{}\": all bodies of a scene must have the same hypothesis.",
+                                    hypothesis(b), hypothesis(first), model.bodies[first].name)));
       return;
     }
 }

@@ -64,25 +64,23 @@ void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
     motion = std::max(motion, run.summary.bodies[b].displacement.value / diameter(body.mesh));
     if (strain.share > smallPart)
       found.add(deck.sub("Bodies").sub(body.name).mistake(
-          "", fmt::format("strains reach {:.2g} at {} and are above {:g} in {:.3g} % of the body: the theory is one of "
-                          "small strains. Check the units of loads and moduli; where only proportions count, raise "
-                          "Strain Limit.",
-                          peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * strain.share)));
+          "",
+          fmt::format("strains reach {:.2g} at {} and are above {:g} in {:.3g} % of the body: the theory assumes small "
+                      "strains. Check the units of loads and moduli; where only ratios matter, raise Strain Limit.",
+                      peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * strain.share)));
   }
   if (const ContactNode* const node = nearestOpenNode(run); node != nullptr && motion > 0.0 && largest < hardlyAny)
     found.add(
         deck.sub("Interfaces")
-            .mistake(
-                "",
-                fmt::format(
-                    "nothing touches, and no body is strained: the smallest opening that is left is {:.4g}, in \"{}\" "
-                    "at {}. Move the bodies further towards each other, or look at the gaps.",
-                    node->gap, node->interface, pointText(node->point.data(), int(node->point.size())))));
+            .mistake("",
+                     fmt::format("nothing touches, and no body is strained: the smallest remaining opening is {:.4g}, "
+                                 "in \"{}\" at {}. Move the bodies further towards each other, or look at the gaps.",
+                                 node->gap, node->interface, pointText(node->point.data(), int(node->point.size())))));
   else if (largest > 0.0 && largest < hardlyAny && largest > roundOff * motion)
-    found.add(deck.sub("Bodies").mistake(
-        "", fmt::format("the largest strain is {:.1e}: such loads hardly do anything to bodies of such moduli. Check "
-                        "their units (modulus in Pa, loads in MPa?).",
-                        largest)));
+    found.add(
+        deck.sub("Bodies").mistake("", fmt::format("the largest strain is {:.1e}: such loads hardly deform bodies with "
+                                                   "such moduli. Check their units (modulus in Pa, loads in MPa?).",
+                                                   largest)));
 }
 
 } // namespace ndframe

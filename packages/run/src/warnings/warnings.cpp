@@ -87,10 +87,10 @@ std::string warningText(const WarningSummary& warning)
 std::vector<ParamSpec> warningParams()
 {
   return {{"Strict Input", false,
-           "Warnings are errors: exit code 2 when the scene shows it before the solve, 6 when only the answer does."},
+           "Warnings are errors: exit code 2 when the scene shows them before the solve, 6 when only the answer does."},
           {"Strain Limit", 0.05, above(0.0),
-           "Strains above it are warned of: the theory is one of small strains. Raise it where only proportions count, "
-           "such as loads and moduli of 1."}};
+           "Larger strains give a warning: the theory assumes small strains. Raise it where only ratios matter, as "
+           "with loads and moduli of 1."}};
 }
 
 } // namespace ndframe

@@ -48,7 +48,7 @@ class InfeasibleTraction : public std::runtime_error
 public:
   /// along: as `motion`.
   explicit InfeasibleTraction(const std::string& along)
-      : std::runtime_error("no traction that presses balances the loads along " + along), motion(along)
+      : std::runtime_error("no compressive traction balances the loads along " + along), motion(along)
   {}
   std::string motion; ///< along which the loads pull: names of the conditions, joined by "and"
 };

@@ -32,9 +32,8 @@ struct Failure
 };
 
 /// What is said of a deck that the process has too little memory for.
-constexpr const char* needsMoreMemory =
-    "this deck needs more memory than the process may take; use a coarser mesh, fewer threads (OMP_NUM_THREADS), more "
-    "ranks or Multigrid as linear solver.";
+constexpr const char* needsMoreMemory = "this deck needs more memory than the process may use; use a coarser mesh, "
+                                        "fewer threads (OMP_NUM_THREADS), more ranks or Multigrid as linear solver.";
 
 /// The exception that is being handled; to be called in a handler.
 Failure currentFailure();
