@@ -252,7 +252,8 @@ def comment(options, arguments):
     """What stands above a deck: the scene's own words, and how it was made."""
     lines = [line.strip() for line in SCENES[options.scene][0].__doc__.splitlines()]
     indented = "\n".join(5 * " " + line if line else "" for line in lines).strip()
-    return f"<!-- {indented}\n\n     Made by tests/networks/network_decks.py {' '.join(arguments)} -->\n"
+    made_by = " ".join(arguments).replace("--", "")  # which comments of XML may not have
+    return f"<!-- {indented}\n\n     Made by tests/networks/network_decks.py {made_by} -->\n"
 
 
 def entry(name, value):

@@ -18,7 +18,10 @@ constexpr int degreeIn(int dim)
   return 5 - dim;
 }
 
-/// The first rule that integrates their products.
+/// Rules give the distance of functions from polynomials of this degree at least.
+constexpr int degreeOfNorms = 2;
+
+/// The first rule that integrates the polynomials' products.
 const QuadratureRule& ruleOfProjections(int dim)
 {
   const auto& ladder = samplingLadder(dim);
@@ -37,7 +40,8 @@ std::uint64_t mixed(std::uint64_t sum, std::uint64_t next)
 
 LoadProjection::LoadProjection(const Mesh& mesh)
     : dim_(std::size_t(mesh.dim)), basis_(MomentBasis::polynomials(mesh.dim, degreeIn(mesh.dim))),
-      stamp_(stampOf(mesh)), rule_(ruleOfProjections(mesh.dim))
+      low_(std::size_t(MomentBasis::polynomials(mesh.dim, degreeOfNorms).size())), stamp_(stampOf(mesh)),
+      rule_(ruleOfProjections(mesh.dim))
 {
   atRule_ = makeTables(rule_).values;
   coefficients_.resize(paddedCount(basis_.size()) * dim_);
@@ -102,9 +106,11 @@ void LoadProjection::add(const LoadedSimplex& cell)
   for (std::size_t i = 0; i < dim_; ++i)
     for (std::size_t k = 0; k < modes; ++k)
       factors_[k * dim_ + i] = coefficients_[i * row + k];
-  const double square =
-      squareOfRest(tables.values.data(), modes, stride, factors_.data(), rows_.data(), dim_, tables.weights.data());
-  cells_.push_back({samples.scale, samples.uncertainty, samples.spread, std::sqrt(square)});
+  double square =
+      squareOfRest(tables.values.data(), low_, stride, factors_.data(), rows_.data(), dim_, tables.weights.data());
+  for (std::size_t k = low_ * dim_; k < factors_.size(); ++k)
+    square -= factors_[k] * factors_[k];
+  cells_.push_back({samples.scale, samples.uncertainty, samples.spread, std::sqrt(std::max(0.0, square))});
   values_.resize(values_.size() + width * dim_);
   combineRows(atRule_.data(), modes, width, coefficients_.data(), row, dim_,
               values_.data() + values_.size() - width * dim_);

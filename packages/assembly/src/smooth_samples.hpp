@@ -9,7 +9,7 @@
 namespace ndframe
 {
 
-/// Samples on simplices where every function is a polynomial or, in a plane, shown to be one on a box that holds many
+/// Samples on cells and faces where every function is a polynomial or shown to be one on a box, most often of many
 /// simplices: one rule, and the values of the box's polynomials. Costs little more than constants do.
 class SmoothSamples
 {

@@ -63,7 +63,8 @@ ListSpec bodySpec(const Components& components)
 
 ListSpec interfaceSpec()
 {
-  ListSpec list = makeList("INTERFACE", "Two sides that may touch. In 2D their meshes need not match.");
+  ListSpec list = makeList(
+      "INTERFACE", "Two sides that may touch. Their meshes need not match; bent sides of solids need common nodes.");
   list.params = {
       ParamSpec::required("Dirichlet Body", Kind::String,
                           "Body 1 of the paper: solves the unilateral problem; may float, held only by contact."),
@@ -74,7 +75,7 @@ ListSpec interfaceSpec()
       ParamSpec::optional("Neumann Side", Kind::String, "Its side; required unless the body is Rigid."),
       {"Tied", false,
        "The sides are glued where they face each other, in normal and tangential direction: no contact; the two bodies "
-       "become one with a region each, called \"BODY + BODY\". Solids need sides with one mesh."},
+       "become one with a region each, called \"BODY + BODY\". Bent sides of solids need common nodes."},
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: u1_N - u2_N <= g, in "
                             "addition to that of the geometry."),

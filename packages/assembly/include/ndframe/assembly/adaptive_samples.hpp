@@ -57,9 +57,8 @@ struct SampledFunction
 /// Samples functions of the position on many simplices. Nothing is decided by looking at values: expressions are
 /// enclosed (expression_enclosure.hpp), so nothing between the points stays unseen.
 ///
-/// Polynomials get one exact rule. In a plane, functions that are shown to be polynomials of degree <= 19 on a box that
-/// holds many cells are replaced by them, and these by ones of lower degree on parts of the box: functions are not
-/// evaluated in every cell. Otherwise Gauss rules are tried
+/// Polynomials get one exact rule. Functions that are shown to be polynomials of degree <= 25 on a box that holds many
+/// cells (or one) are replaced by them: they are not evaluated in every cell. Otherwise Gauss rules are tried
 /// (sampling_rules.cpp); a simplex on which none is shown to be good enough is cut: where comparisons and kinks of
 /// affine functions change their sign, else across the function that varies most, the worst piece first. What is
 /// smaller than 1e-12 of the scale (1e-13 on edges) counts as settled. Where a smooth function that is not affine
