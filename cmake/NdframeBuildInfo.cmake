@@ -45,7 +45,13 @@ file(CONFIGURE OUTPUT ${NDFRAME_GENERATED_DIR}/ndframe_build.hpp CONTENT
 set(NDFRAME_COMMIT_HEADER ${NDFRAME_GENERATED_DIR}/ndframe_commit.hpp)
 function(ndframe_commit_header)
   set(script "commit=$(git -C '${PROJECT_SOURCE_DIR}' describe --always --abbrev=10 --exclude='*' 2>/dev/null || echo unknown)")
-  set(head_log ${PROJECT_SOURCE_DIR}/.git/logs/HEAD) # one line more with every commit and every other one that is checked out
+  # One line more with every commit and every other one that is checked out; elsewhere than in .git for a second working tree.
+  execute_process(COMMAND git rev-parse --git-path logs/HEAD WORKING_DIRECTORY ${PROJECT_SOURCE_DIR}
+                  OUTPUT_VARIABLE head_log OUTPUT_STRIP_TRAILING_WHITESPACE ERROR_QUIET RESULT_VARIABLE status)
+  if(NOT status EQUAL 0)
+    set(head_log .git/logs/HEAD)
+  endif()
+  get_filename_component(head_log "${head_log}" ABSOLUTE BASE_DIR ${PROJECT_SOURCE_DIR})
   if(NOT EXISTS ${head_log})
     set(head_log "")
   endif()

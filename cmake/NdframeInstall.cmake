@@ -11,9 +11,12 @@ install(FILES ${PROJECT_BINARY_DIR}/ndframeConfig.cmake ${PROJECT_BINARY_DIR}/nd
               cmake/NdframeThirdParty.cmake
         DESTINATION ${NDFRAME_CMAKE_DIR} COMPONENT development)
 
-# nddiff compares any two Exodus files; `ndframe report` makes pages. Both look for their modules in ../share/ndframe.
-install(PROGRAMS regression/nddiff DESTINATION ${CMAKE_INSTALL_BINDIR})
-install(DIRECTORY regression/harness apps/ndreport python/ndframe DESTINATION ${NDFRAME_SHARE_DIR} PATTERN __pycache__ EXCLUDE)
+# nddiff compares any two Exodus files; ndregress runs the regression cases, the test of an installation; `ndframe report` makes pages.
+# All look for their modules in ../share/ndframe.
+install(PROGRAMS regression/nddiff regression/ndregress DESTINATION ${CMAKE_INSTALL_BINDIR})
+install(DIRECTORY regression/harness regression/cases DESTINATION ${NDFRAME_SHARE_DIR}/regression PATTERN __pycache__ EXCLUDE)
+install(FILES regression/tolerances.toml DESTINATION ${NDFRAME_SHARE_DIR}/regression)
+install(DIRECTORY apps/ndreport python/ndframe DESTINATION ${NDFRAME_SHARE_DIR} PATTERN __pycache__ EXCLUDE)
 # Where Debian's Python looks below the prefix /usr; it finds `import ndframe` there.
 set(NDFRAME_PYTHON_DIR lib/python3/dist-packages)
 file(RELATIVE_PATH NDFRAME_PYTHON_LINK /prefix/${NDFRAME_PYTHON_DIR} /prefix/${NDFRAME_SHARE_DIR}/ndframe)

@@ -3,7 +3,6 @@
 import pathlib
 import sys
 
-# Beside this folder where it is installed; elsewhere in the sources.
-SOURCES = pathlib.Path(__file__).resolve().parents[2] / "python"
-if SOURCES.is_dir():
-    sys.path.append(str(SOURCES))
+# The module's folder: python in the sources, share/ndframe of an installation.
+ROOT = pathlib.Path(__file__).resolve().parents[2]
+sys.path.append(str(ROOT / "python" if (ROOT / "python").is_dir() else ROOT))

@@ -33,7 +33,7 @@ def parse(arguments, root):
     parser.add_argument("-j", "--jobs", metavar="N", type=int, default=1, help="runs at the same time (1)")
     parser.add_argument("--np", metavar="N", type=int, help="only the runs on N ranks")
     parser.add_argument("--program", metavar="[NAME=]FILE", action="append", default=[],
-                        help="ndframe, or the program NAME that a case asks for (build/release/bin/ndframe)")
+                        help="ndframe, or the program NAME that a case asks for (installed: beside ndregress; in a clone: build/release/bin/ndframe)")
     parser.add_argument("--keep", metavar="FOLDER", type=pathlib.Path,
                         help="where outputs of failures go (a temporary folder)")
     parser.add_argument("--bless", action="store_true", help="show what changed, then rewrite gold of the cases named")
@@ -60,9 +60,9 @@ def choose(cases, names, labels):
             and (not labels or set(labels) & set(case.labels))]
 
 
-def find_programs(given, root):
+def find_programs(given, ndframe):
     """Name -> file."""
-    programs = {"ndframe": root.parent / "build" / "release" / "bin" / "ndframe"}
+    programs = {"ndframe": ndframe}
     for text in given:
         name, equals, path = text.partition("=")
         programs |= {name: pathlib.Path(path)} if equals else {"ndframe": pathlib.Path(text)}
@@ -115,7 +115,7 @@ def conclude(results, work, options):
     return 1 if failed else 0
 
 
-def carry_out(options, root):
+def carry_out(options, root, ndframe):
     # Runs have folders of their own, where relative names would mean something else.
     cases = choose(read_cases(options.cases.resolve()), options.names, options.label)
     if options.list:
@@ -123,7 +123,7 @@ def carry_out(options, root):
         return 0
     if options.bless and not options.names:
         raise UsageError("--bless rewrites gold: name the cases that it is for")
-    programs, rules = find_programs(options.program, root), read_rules(root / "tolerances.toml")
+    programs, rules = find_programs(options.program, ndframe), read_rules(root / "tolerances.toml")
     work = (options.keep or pathlib.Path(tempfile.mkdtemp(prefix="ndregress-"))).resolve()
     runner = Runner(programs, rules, work, options.timeout)
     try:
@@ -135,10 +135,10 @@ def carry_out(options, root):
             shutil.rmtree(work)
 
 
-def main(root, arguments=None):
-    """`root`: the folder with cases/ and tolerances.toml."""
+def main(root, ndframe, arguments=None):
+    """`root`: the folder with cases/ and tolerances.toml; `ndframe`: the program that is run unless --program names another."""
     try:
-        return carry_out(parse(arguments, root), root)
+        return carry_out(parse(arguments, root), root, ndframe)
     except Error as error:
         print(f"ndregress: {error}", file=sys.stderr)
         return 2

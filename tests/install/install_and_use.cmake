@@ -11,6 +11,7 @@ run(${CMAKE_COMMAND} --install ${NDFRAME_BUILD} --prefix ${WORK}/prefix)
 run(${WORK}/prefix/bin/ndframe --version)
 run(${WORK}/prefix/bin/ndframe --check ${client}/../../../decks/krylov.xml)
 run(${WORK}/prefix/bin/ndframe -q -i ${client}/../../../decks/patch.xml --set Output/Report=true)
+run(${WORK}/prefix/bin/ndregress --np 1 punch rings) # the test of the installation
 foreach(place share/ndframe lib/python3/dist-packages)
   run(${CMAKE_COMMAND} -E env PYTHONPATH=${WORK}/prefix/${place} /usr/bin/python3 -B -c
       "import ndframe; run = ndframe.run('${client}/../../../decks/patch.xml'); assert run.fields.blocks == ('upper', 'lower'), run.fields.blocks; assert ndframe.find_program() == '${WORK}/prefix/bin/ndframe', ndframe.find_program()")

@@ -1,5 +1,6 @@
 """The Debian packages, unpacked: test_packages.py BUILD. They are not installed; that needs root and apt."""
 
+import gzip
 import os
 import pathlib
 import re
@@ -41,13 +42,29 @@ class Packages(unittest.TestCase):
     def test_program_and_development_files_are_packages_of_their_own(self):
         self.assertEqual(sorted(set(self.packages) - {"ndframe-doc"}), ["ndframe", "ndframe-dev"])
         contents = {name: call("dpkg-deb", "-c", path, check=True).stdout for name, path in self.packages.items()}
-        for place in ("usr/bin/ndframe", "usr/share/ndframe/decks/punch.xml", "usr/share/ndframe/ndreport/page.py", "usr/share/man/man1/ndframe.1",
-                      "usr/lib/python3/dist-packages/ndframe"):
+        for place in ("usr/bin/ndframe", "usr/share/ndframe/decks/punch.xml", "usr/share/ndframe/ndreport/page.py", "usr/share/man/man1/ndframe.1.gz",
+                      "usr/bin/ndregress", "usr/share/ndframe/regression/cases/punch/gold.e", "usr/lib/python3/dist-packages/ndframe"):
             self.assertIn(place, contents["ndframe"])
         for place in ("usr/include/ndframe/driver/main.hpp", "usr/lib/libndframe_driver.a", "usr/lib/cmake/ndframe/ndframeConfig.cmake"):
             self.assertIn(place, contents["ndframe-dev"])
             self.assertNotIn(place, contents["ndframe"])
         self.assertNotIn("__pycache__", contents["ndframe"])
+
+    def test_each_has_debians_papers(self):
+        for package in self.packages:
+            folder = self.usr / "share/doc" / package
+            copyright = (folder / "copyright").read_text()
+            for words in ("\nLicense: BSD-3-Clause\n BSD 3-Clause License\n .\n Copyright (c)", "CGAL (GPL 3 or later)", "Eclipse Public License"):
+                self.assertIn(words, copyright)
+            changelog = gzip.decompress((folder / "changelog.gz").read_bytes()).decode()
+            self.assertRegex(changelog, r"^ndframe \([\d.]+\) bookworm; urgency=medium\n\n  \* .*\n\n -- .* <.*@.*>  \w{3}, \d\d \w{3} \d{4} ")
+
+    def test_the_installation_tests_itself(self):
+        done = call(self.usr / "bin/ndregress", "--np", "1", "punch", "rings", "target-remesh", "wrong-deck", cwd=self.folder)
+        self.assertIn("4 cases, 4 runs: 4 ok", done.stdout, done.stderr)
+        done = call(self.usr / "bin/nddiff", *[self.usr / "share/ndframe/regression/cases/punch/gold.e"] * 2)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertEqual(list(self.usr.rglob("__pycache__")), [])
 
     @unittest.skipUnless(CAN_BUILD_SITE, "the packages of docs/site/packages.txt are not installed")
     def test_the_site_is_a_package(self):

@@ -78,6 +78,11 @@ class Cases(unittest.TestCase):
         self.assertEqual(len(set(requirements)), len(requirements))
         self.assertEqual([name for name, case in self.cases.items() if not case.labels], [])
 
+    def test_cases_read_only_what_is_installed_with_them(self):
+        outside = [(path.name, name) for path in REGRESSION.glob("cases/*/*.xml") for name in re.findall(r'value="(\.\./[^"]*)"', path.read_text())
+                   if not name.startswith("../../../decks/")]
+        self.assertEqual(outside, [])
+
     def test_cases_are_small(self):
         sizes = {str(path): path.stat().st_size for path in REGRESSION.glob("cases/*/*")}
         self.assertEqual([path for path, size in sizes.items() if size > 110_000], [])

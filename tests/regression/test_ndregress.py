@@ -57,7 +57,7 @@ class Regression(Called):
 
     def program(self, arguments):
         fixed = ["--cases", self.cases, "--program", self.script, "--keep", self.keep]
-        return main(REGRESSION, [*arguments, *map(str, fixed)])
+        return main(REGRESSION, self.script, [*arguments, *map(str, fixed)])
 
     def test_cases_that_are_right_are_one_line_each_and_leave_nothing(self):
         self.case("one")

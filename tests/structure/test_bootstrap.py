@@ -5,6 +5,7 @@ test_bootstrap.py ROOT
 
 import os
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -120,6 +121,11 @@ class Bootstrap(unittest.TestCase):
         self.assertEqual(len(self.notes()), 1)
         self.assertIn(" -n ", self.notes()[0])
 
+    def test_nothing_that_cmake_checks_at_every_build_makes_a_second_run_build(self):
+        files = [path for folder in ("cmake", "packages", "apps", "tests") for path in (ROOT / folder).rglob("*") if path.name == "CMakeLists.txt" or path.suffix == ".cmake"]
+        self.assertGreater(len(files), 30)
+        self.assertEqual([str(path) for path in files if re.search(r"GLOB[^)]* CONFIGURE_DEPENDS", path.read_text())], [])
+
     def test_test_builds_everything_and_hands_on_ctests_verdict(self):
         run = self.call("test", "-R", "Aitken")
         self.assertTrue(self.notes()[-2].endswith(" all"))
@@ -178,6 +184,16 @@ class Bootstrap(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertIn("a.cpp:1: error: no such thing", run.stderr)
         self.assertEqual(run.stdout, "")
+
+    def test_a_terminal_shows_the_last_line_of_what_takes_long(self):
+        self.write_program(self.tools / "ninja", '#!/bin/bash\n[[ $* == *" -n "* ]] || printf "0 %%\\r[1/2] a.cpp\\r\\n \\n[2/2] b.cpp\\n"\n')
+        ours, theirs = os.openpty()
+        places = {name.upper(): str(self.folder / name) for name in ("notes", "installed", "built")}
+        subprocess.run([self.clone / "bootstrap", "build"], env={"PATH": str(self.tools), **places}, stderr=theirs, check=True)
+        os.close(theirs)
+        shown = os.read(ours, 10000).decode()
+        os.close(ours)
+        self.assertIn("\r\033[K[1/2] a.cpp\r\033[K[2/2] b.cpp\r\033[K", shown)
 
     def test_unknown_command_prints_the_usage(self):
         run = self.call("rum")

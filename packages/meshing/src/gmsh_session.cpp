@@ -19,8 +19,8 @@ void* GmshFunctions::find(const char* name)
 {
   static void* const handle = dlopen(NDFRAME_GMSH_SONAME, RTLD_LAZY | RTLD_LOCAL);
   if (!handle)
-    throw FileError(fmt::format("a .geo file needs the gmsh library, which cannot be loaded ({}); install it or mesh "
-                                "the file beforehand (gmsh -2 FILE.geo).",
+    throw FileError(fmt::format("a .geo file needs the gmsh library, which cannot be loaded ({}); on Debian 12: "
+                                "apt-get install libgmsh4.8, or mesh the file beforehand (gmsh -2 FILE.geo).",
                                 dlerror()));
   void* const symbol = dlsym(handle, name);
   NDFRAME_ASSERT(symbol, fmt::format("{} has no function {}", NDFRAME_GMSH_SONAME, name));
