@@ -21,7 +21,7 @@ struct FacetEdges
   int size;                       ///< number of edges: 1 or 3
   const std::array<int, 2>* ends; ///< per edge, places among the facet's vertices; static
 };
-FacetEdges facetEdges(int dim);
+FacetEdges facetEdges(int dim); ///< dim: of the body, 2 or 3
 
 /// The places of `dim` numbers, those of a facet's vertices, in ascending order of the numbers.
 std::array<int, 3> ascendingPlaces(int dim, const int* numbers);

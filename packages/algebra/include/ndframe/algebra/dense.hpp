@@ -40,11 +40,11 @@ private:
 Vector multiplySymmetric(const DenseMatrix& A, const Vector& x);
 /// A x and A^T x, BLAS dgemv.
 Vector multiply(const DenseMatrix& A, const Vector& x);
-Vector multiplyTransposed(const DenseMatrix& A, const Vector& x);
+Vector multiplyTransposed(const DenseMatrix& A, const Vector& x); ///< A^T x, dgemv
 
 /// A B and A^T B, BLAS dgemm.
 DenseMatrix multiply(const DenseMatrix& A, const DenseMatrix& B);
-DenseMatrix multiplyTransposed(const DenseMatrix& A, const DenseMatrix& B);
+DenseMatrix multiplyTransposed(const DenseMatrix& A, const DenseMatrix& B); ///< A^T B, dgemm
 
 /// Cholesky factor of a dense symmetric positive definite matrix (LAPACK dpotrf).
 class DenseCholesky
@@ -88,7 +88,7 @@ Vector symmetricEigenvalues(DenseMatrix A);
 
 /// sum a_i b_i, and the Euclidean norm; of vectors of one length.
 double dot(const Vector& a, const Vector& b);
-double norm(const Vector& a);
+double norm(const Vector& a); ///< (sum a_i^2)^(1/2)
 /// The largest absolute value; 0 without entries.
 double largestEntry(const Vector& a);
 

@@ -10,7 +10,7 @@
 namespace ndframe
 {
 
-inline constexpr double unbounded = std::numeric_limits<double>::infinity();
+inline constexpr double unbounded = std::numeric_limits<double>::infinity(); ///< as a bound: none
 
 /// maximise c . x  subject to  lower <= x <= upper  and  rowLower <= A x <= rowUpper.
 struct LinearProgram

@@ -21,6 +21,6 @@ struct CellStrain
   double value = 0.0; ///< dimensionless
   int vertex = 0;     ///< of the mesh
 };
-std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement);
+std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement); ///< one a cell
 
 } // namespace ndframe

@@ -40,11 +40,13 @@ inline Interval widened(double lo, double hi, double relative = 0x1p-52)
   return {lo - std::abs(lo) * relative - 1e-300, hi + std::abs(hi) * relative + 1e-300};
 }
 
+/// The negatives, without rounding.
 inline Interval operator-(Interval a)
 {
   return {-a.hi, -a.lo};
 }
 
+/// All sums; zero adds no rounding.
 inline Interval operator+(Interval a, Interval b)
 {
   if (a.isZero() || b.isZero())
@@ -52,6 +54,7 @@ inline Interval operator+(Interval a, Interval b)
   return widened(a.lo + b.lo, a.hi + b.hi);
 }
 
+/// All differences.
 inline Interval operator-(Interval a, Interval b)
 {
   return a + -b;
@@ -68,6 +71,7 @@ inline Interval operator*(Interval a, Interval b)
   return widened(std::min(std::min(p, q), std::min(r, s)), std::max(std::max(p, q), std::max(r, s)));
 }
 
+/// All multiples.
 inline Interval operator*(double a, Interval b)
 {
   return Interval{a, a} * b;

@@ -44,10 +44,10 @@ struct Range
 
 /// Ranges with their text: (low, high), [low, high], > low, >= low, and one of some names.
 Range inOpenRange(double low, double high);
-Range inClosedRange(double low, double high);
-Range above(double low);
-Range atLeast(double low);
-Range oneOf(std::vector<std::string> names);
+Range inClosedRange(double low, double high); ///< [low, high]
+Range above(double low);                      ///< > low
+Range atLeast(double low);                    ///< >= low
+Range oneOf(std::vector<std::string> names);  ///< names of a choice
 
 /// One key of a list: name, kind, default, range and documentation stand here and nowhere else.
 struct ParamSpec
@@ -110,7 +110,7 @@ struct ListSpec
   std::function<std::vector<std::string>(const Teuchos::ParameterList&)> passThrough;
 };
 
-[[noreturn]] void failUnknownName(const std::string& name);
+[[noreturn]] void failUnknownName(const std::string& name); ///< a bug: no enumeration has this name
 
 /// Names with the values they stand for: gives the range of a parameter and its conversion, so that names are written
 /// once.

@@ -12,7 +12,7 @@ namespace ndframe
 void noteStage(const std::string& stage);
 /// A file stands complete under its name, or is gone again.
 void noteWritten(const std::string& file);
-void noteRemoved(const std::string& file);
+void noteRemoved(const std::string& file); ///< takes noteWritten back
 
 /// "interrupted by Ctrl-C (SIGINT) in the stage "factor"; complete files of this run: punch.study.partial.csv."
 std::string lastWords(const std::string& cause);

@@ -48,9 +48,9 @@ enum class TractionMean
 
 /// How a deck calls the values of each enumeration.
 const Names<Estimator>& estimatorNames();
-const Names<ErrorMode>& errorModeNames();
-const Names<TractionType>& tractionTypeNames();
-const Names<TractionMean>& tractionMeanNames();
+const Names<ErrorMode>& errorModeNames();       ///< of Mode
+const Names<TractionType>& tractionTypeNames(); ///< of Traction
+const Names<TractionMean>& tractionMeanNames(); ///< of the traction's mean
 
 /// The list Error Estimation, read.
 struct ErrorOptions

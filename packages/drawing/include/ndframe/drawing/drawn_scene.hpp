@@ -12,7 +12,7 @@ namespace ndframe
 /// Zero beyond the dimension of the scene.
 using Vector3 = std::array<double, 3>;
 
-double dot(const Vector3& a, const Vector3& b);
+double dot(const Vector3& a, const Vector3& b); ///< sum a_k b_k
 
 /// A named side as it is drawn.
 struct DrawnSide

@@ -15,7 +15,7 @@ struct MeasuredFacet
   double length; ///< in any unit that both facets of a pair share
 };
 
-using MeasuredPair = std::array<MeasuredFacet, 2>;
+using MeasuredPair = std::array<MeasuredFacet, 2>; ///< facets that touch
 
 /// Halves cells (Bisection, TetrahedronBisection), each mesh for itself, until no facet of a pair is more than twice as
 /// long as the other one.

@@ -70,7 +70,7 @@ double facetNormal(const Mesh& mesh, Facet facet, double* normal);
 
 /// Mean of a cell's, or a facet's, vertices; zeros beyond dim.
 std::array<double, 3> cellCentre(const Mesh& mesh, int cell);
-std::array<double, 3> facetCentre(const Mesh& mesh, Facet facet);
+std::array<double, 3> facetCentre(const Mesh& mesh, Facet facet); ///< of its vertices
 
 /// Signed measure of a cell (area or volume).
 double cellMeasure(const Mesh& mesh, int cell);

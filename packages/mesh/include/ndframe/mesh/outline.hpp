@@ -28,7 +28,7 @@ struct MeshOutline
   std::vector<std::pair<std::string, Outline>> sides; ///< by name; groups of cells are parts, too
 };
 
-MeshOutline outlineOf(const Mesh& mesh);
+MeshOutline outlineOf(const Mesh& mesh); ///< by sums over cells and facets
 
 /// Equal but for round-off (1e-11): two meshes of the same polygons with the same sides.
 /// Limit: of parts of the boundary that no side names only what they do to the measure is seen.

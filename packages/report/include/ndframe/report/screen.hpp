@@ -18,7 +18,7 @@ std::string rolesText(const std::vector<RoleSummary>& roles);
 
 /// Title line of the sweeps, and one line a sweep.
 std::string sweepTitle(const InterfaceMesh& interface, const Model& model);
-std::string sweepLine(const SweepRecord& record);
+std::string sweepLine(const SweepRecord& record); ///< below sweepTitle
 
 /// The closing tables: energies, contact, residuals.
 std::string closingText(const RunSummary& summary);

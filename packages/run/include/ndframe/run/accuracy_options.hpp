@@ -25,7 +25,7 @@ enum class AccuracyStart
 
 /// How a deck calls the values of each enumeration.
 const Names<AccuracyOf>& accuracyOfNames();
-const Names<AccuracyStart>& accuracyStartNames();
+const Names<AccuracyStart>& accuracyStartNames(); ///< of Start
 
 /// The list Accuracy, read.
 struct AccuracyOptions

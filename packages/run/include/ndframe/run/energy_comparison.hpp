@@ -20,6 +20,6 @@ std::optional<EnergySummary> summarizeEnergy(const Run& run);
 
 /// What a user is told, in short and with the numbers.
 std::string contradictingText(const Contradiction& contradiction);
-std::string contradictionText(const Contradiction& contradiction);
+std::string contradictionText(const Contradiction& contradiction); ///< with the numbers
 
 } // namespace ndframe

@@ -17,6 +17,6 @@ struct PlacedMaterial
   Params list;           ///< list Material of the body or of a region: place of mistakes
   const Elasticity& law; ///< owned by the body, which must live as long
 };
-std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition);
+std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition); ///< per region
 
 } // namespace ndframe

@@ -35,7 +35,7 @@ enum class Stage
   Expect
 };
 
-const Names<Stage>& stageNames();
+const Names<Stage>& stageNames(); ///< as the stage table calls them
 
 /// Times a stage as long as the result lives.
 [[nodiscard]] Ledger::Timer timeStage(Ledger& ledger, Stage stage);
