@@ -1,6 +1,8 @@
 #include "ndframe/interface/facing_search.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <map>
 
 #include "rays.hpp"
@@ -239,11 +241,15 @@ FacingSearch searchFacing(const std::vector<SearchedBody>& bodies, double distan
 
 double extentOf(const std::vector<SearchedBody>& bodies)
 {
-  PlaneBounds all;
+  std::array<double, 3> low{HUGE_VAL, HUGE_VAL, HUGE_VAL}, high{-HUGE_VAL, -HUGE_VAL, -HUGE_VAL}, size{};
   for (const SearchedBody& body : bodies)
     for (int v = 0; v < body.mesh->numPoints(); ++v)
-      all.add(body.mesh->point(v));
-  return std::hypot(all.high[0] - all.low[0], all.high[1] - all.low[1]);
+      for (std::size_t k = 0; k < std::size_t(body.mesh->dim); ++k) {
+        low[k] = std::min(low[k], body.mesh->point(v)[k]);
+        high[k] = std::max(high[k], body.mesh->point(v)[k]);
+        size[k] = high[k] - low[k];
+      }
+  return std::hypot(size[0], size[1], size[2]);
 }
 
 } // namespace ndframe

@@ -46,7 +46,7 @@ struct ExodusContactSide
 /// side-set variables.
 struct ExodusStep
 {
-  double time = 0.0;                                ///< sweep number
+  double time = 0.0;                                ///< number of the sweep, level or load case
   std::vector<std::vector<NamedField>> nodal;       ///< per body, one value per node
   std::vector<std::vector<NamedField>> element;     ///< per body, one value per cell
   std::vector<std::vector<NamedField>> contactSide; ///< per contact side, one value per facet
