@@ -122,8 +122,7 @@ class Scale:
     def words(self):
         if self.factor == 1.0:
             return "displacements and gaps true to scale"
-        times = f"{self.factor:g} times" if self.factor >= 1.0 else f"multiplied by {self.factor:g}"
-        return f"displacements {'and gaps ' if self.gaps else ''}{times}"
+        return f"displacements {'and gaps ' if self.gaps else ''}multiplied by {self.factor:g}"
 
 
 def choose_scale(bodies):

@@ -287,6 +287,8 @@ TEST_F(Program, ShowsItsVersion)
               testing::ContainsRegex("^ndframe [0-9]+\\.[0-9]+\\.[0-9]+\ncommit [0-9a-z]+, [A-Za-z]+ build, GNU"));
   for (const char* library : {"\nTrilinos ", "\nCHOLMOD ", "\nOpen MPI "})
     EXPECT_THAT(result.out, HasSubstr(library));
+  EXPECT_THAT(result.out,
+              testing::ContainsRegex("\nhere: [0-9]+ threads? per process .OMP_NUM_THREADS., 1 process .mpirun.\n"));
 }
 
 TEST_F(Program, DumpsDefaultsThatRunAndDumpToThemselves)

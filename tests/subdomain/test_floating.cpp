@@ -176,6 +176,6 @@ TEST(FloatingBody, SupportsThatWereNotDeclaredFreeAreNotConverged)
   // A is singular although no free motion was named: an answer would be arbitrary.
   EXPECT_THAT(
       failureOf(floating(floatingChain(3), 0, {-1.0, -1.0, -1.0}, Vector(3, 0.0))),
-      EndsWith("do not hold the bodies: nothing but contact does, and it hardly presses; add a support, for a body in "
-               "balance a Point"));
+      EndsWith("do not hold the bodies: nothing but contact does, and it hardly presses; add a support (a Point if the "
+               "body is in balance)"));
 }

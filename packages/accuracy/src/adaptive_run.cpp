@@ -19,12 +19,19 @@ namespace
 /// Sweeps that go on make the bound fall by a tenth at least; another digit where only that may help.
 constexpr double falling = 0.9, oneMoreDigit = 0.1;
 
+/// By the deck, which has to say how errors are estimated.
+const std::vector<Estimator>& estimatorsOf(const RunTools& tools)
+{
+  NDFRAME_ASSERT(tools.errors && tools.settings.accuracy, "a target needs the lists Accuracy and Error Estimation");
+  return tools.errors->estimators;
+}
+
 } // namespace
 
 AdaptiveRun::AdaptiveRun(RunTools tools, const AccuracyComponents& components, RunObserver& observer,
                          const LevelObserver& onLevel, EnergyRecords energies, const Restart& restart)
     : components_(components), observer_(observer), onLevel_(onLevel), restart_(restart), tools_(std::move(tools)),
-      options_(*tools_.settings.accuracy), wanted_(tools_.errors->estimators),
+      options_(*tools_.settings.accuracy), wanted_(estimatorsOf(tools_)),
       transfer_(components.contactTransfers.build(tools_.deck.sub("Accuracy").sub("Transfer"))),
       stopping_(components.levelStoppings.build(tools_.deck.sub("Accuracy").sub("Stopping"))),
       balances_(stopping_->allowed(1.0, 1.0) > 0.0)

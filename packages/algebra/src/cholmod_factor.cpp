@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <numeric>
+#include <optional>
 #include <string>
 
 #include <fmt/format.h>
@@ -20,7 +21,8 @@ namespace
 /// (length over height)^-3 only; those of singular ones were measured up to 5e-13 with 250 000 dofs.
 constexpr double smallestPivot = 1e-12;
 
-constexpr double small = 4e6; ///< bytes
+constexpr double small = 4e6;    ///< bytes
+constexpr double longWork = 2e9; ///< operations, which take a second or so; how far they are is told
 
 /// In bytes: the factor, and T and S of the interface's Schur complement.
 double neededMemory(const cholmod_factor& factor, int numKept)
@@ -85,7 +87,8 @@ cholmod_dense viewOf(DenseMatrix& X)
   return view;
 }
 
-CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept) : numKept_(numKept)
+CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept, const FactorProgress::Tell& tell)
+    : numKept_(numKept)
 {
   startCholmod(common_);
   try {
@@ -96,7 +99,13 @@ CholmodFactor::CholmodFactor(UpperTriangle A, std::vector<int> order, int numKep
     if (const double needed = neededMemory(*factor_, numKept_); needed > small)
       if (const MemoryLeft left = memoryLeft(); needed > double(left.bytes))
         failForMemory(common_, numKept_, ", and " + left.text() + " is left");
-    const SerialOpenMp serial;
+    std::optional<FactorProgress> progress;
+    std::function<void()> count;
+    if (tell && common_.fl > longWork) {
+      progress.emplace(*factor_, tell);
+      count = [&] { progress->enterRegion(); };
+    }
+    const SerialOpenMp serial(count);
     cholmod_factorize(&view, factor_, &common_);
     if (common_.status < CHOLMOD_OK)
       failCholmod(common_, numKept_);

@@ -7,6 +7,7 @@
 
 #include <cholmod.h>
 
+#include "factor_progress.hpp"
 #include "ndframe/algebra/dense.hpp"
 
 namespace ndframe
@@ -49,8 +50,8 @@ class CholmodFactor
 {
 public:
   /// `order`: position -> column; its last numKept positions are not moved. Throws BadPivot when a pivot is not above
-  /// round-off relative to its diagonal entry.
-  CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept);
+  /// round-off relative to its diagonal entry. tell: hears how far a long factorisation is.
+  CholmodFactor(UpperTriangle A, std::vector<int> order, int numKept, const FactorProgress::Tell& tell = {});
   CholmodFactor(const CholmodFactor&) = delete;
   CholmodFactor& operator=(const CholmodFactor&) = delete;
   ~CholmodFactor();

@@ -176,11 +176,14 @@ private:
 };
 
 std::unique_ptr<CholmodFactor> factorFree(const SolverProblem& problem, const FreeDofs& free, UpperTriangle A,
-                                          const Vector& shift, std::vector<int> order)
+                                          const Vector& shift, std::vector<int> order, const Ledger& ledger)
 {
   shiftKept(A, problem, free, shift);
+  const auto tell = [&](double done, double all) {
+    ledger.tell(Depth::Step, Progress::part("Gflop", std::llround(1e-9 * done), std::llround(1e-9 * all), done / all));
+  };
   try {
-    return std::make_unique<CholmodFactor>(std::move(A), std::move(order), int(problem.kept.size()));
+    return std::make_unique<CholmodFactor>(std::move(A), std::move(order), int(problem.kept.size()), tell);
   } catch (const BadPivot& bad) {
     const int dof = free.dofs[std::size_t(bad.column)];
     throw SingularBody(fmt::format("the stiffness matrix is not positive definite at dof {}", dof), dof);
@@ -218,12 +221,12 @@ public:
     const auto timer = ledger.time("factor");
     std::unique_ptr<CholmodFactor> factor;
     try {
-      factor = factorFree(problem, free, matrix.get(), shift, order);
+      factor = factorFree(problem, free, matrix.get(), shift, order, ledger);
     } catch (const SingularBody& singular) {
       if (problem.roles[std::size_t(singular.dof)] != DofRole::Kept)
         throw;
       std::fill(shift.begin(), shift.end(), size); // more than its rigid motions is free
-      factor = factorFree(problem, free, freeUpperTriangle(problem, free), shift, order);
+      factor = factorFree(problem, free, freeUpperTriangle(problem, free), shift, order, ledger);
     }
     ledger.count("factorisations");
     ledger.count("factor nonzeros", factor->numNonzeros());

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 namespace ndframe
 {
 
@@ -11,13 +13,16 @@ namespace ndframe
 class SerialOpenMp
 {
 public:
-  SerialOpenMp();
+  /// onRegion: called after each loop of this thread, where loops are called as functions.
+  explicit SerialOpenMp(std::function<void()> onRegion = {});
   ~SerialOpenMp();
   SerialOpenMp(const SerialOpenMp&) = delete;
   SerialOpenMp& operator=(const SerialOpenMp&) = delete;
 
 private:
   int levelsBefore_;
+  std::function<void()> onRegion_;
+  const std::function<void()>* observerBefore_;
 };
 
 } // namespace ndframe

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/algebra/threads.hpp"
 #include "ndframe/base/build_info.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/base/help.hpp"
@@ -29,13 +30,16 @@ constexpr const char* reportHelp =
     "  or a package is missing. docs/results.md, Report, describes the page.\n";
 
 /// What --version says.
-std::string versionLines()
+std::string versionLines(const Comm& comm)
 {
   const BuildInfo& build = buildInfo();
   std::string text =
       fmt::format("ndframe {}\ncommit {}, {} build, {}\n", versionText(), build.commit, build.type, build.compiler);
   for (const auto& [name, version] : build.libraries)
     text += fmt::format("{} {}\n", name, version);
+  const int threads = numThreads(comm), processes = comm.size();
+  text += fmt::format("here: {} {} per process (OMP_NUM_THREADS), {} {} (mpirun)\n", threads,
+                      threads == 1 ? "thread" : "threads", processes, processes == 1 ? "process" : "processes");
   return text;
 }
 
@@ -49,10 +53,11 @@ std::string topicText(const std::string& word, const Components& components)
 
 } // namespace
 
-bool answer(const CommandLine& options, const CLI::App& app, const Components& components, std::ostream& out)
+bool answer(const CommandLine& options, const CLI::App& app, const Components& components, const Comm& comm,
+            std::ostream& out)
 {
   if (options.version)
-    out << versionLines();
+    out << versionLines(comm);
   else if (options.help && app.get_subcommand("report")->parsed()) // --help report
     out << reportHelp;
   else if (options.help && app.get_subcommand("new")->parsed())

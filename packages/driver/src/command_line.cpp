@@ -29,7 +29,7 @@ void declareQuestions(CLI::App& app, CommandLine& options)
          "A script that completes options, lists and parameters, for bash, zsh or fish; installed with ndframe.")
       ->type_name("SHELL");
   app.add_flag("--man", options.manual, "The manual page, in roff; installed with ndframe.");
-  app.add_flag("--version", options.version, "The version, commit, build type and libraries.");
+  app.add_flag("--version", options.version, "The version, commit, build type, libraries, threads and processes.");
 }
 
 /// What is shown, and where.

@@ -250,7 +250,7 @@ ExitCode obey(const CommandLine& options, const CLI::App& app, const Extension& 
     return writeNew(options, *components, comm, log);
   beginTranscript(options, comm);
   std::ostream nobody(nullptr);
-  if (answer(options, app, *components, comm.rank() == 0 ? std::cout : nobody))
+  if (answer(options, app, *components, comm, comm.rank() == 0 ? std::cout : nobody))
     return ExitCode::Right;
   return runInput(options, *components, comm, log, computed);
 }

@@ -63,7 +63,8 @@ ListSpec expectationSpec()
                                      "Path of the number in the summary, e.g. \"energy\", \"bodies/punch/energy\", "
                                      "\"interfaces/contact/contact_force\", \"coupling/sweeps\"."),
                  ParamSpec::required("Value", Kind::Double, "Expected value, in the unit of the quantity."),
-                 ParamSpec::required("Tolerance", Kind::Double, atLeast(0.0), "Largest absolute difference.")};
+                 ParamSpec::required("Tolerance", Kind::Double, atLeast(0.0),
+                                     "Largest absolute difference, in the unit of the quantity.")};
   return list;
 }
 

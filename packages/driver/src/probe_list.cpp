@@ -22,14 +22,15 @@ ListSpec probeSpec()
   probe.params = {
       ParamSpec::required("Body", Kind::String, "Which body, also where several touch."),
       ParamSpec::optional("At", Kind::Doubles, "Coordinates of a point."),
-      ParamSpec::optional("From", Kind::Doubles, "Where a line begins."),
-      ParamSpec::optional("To", Kind::Doubles, "Where it ends."),
+      ParamSpec::optional("From", Kind::Doubles, "Where a line begins: lengths."),
+      ParamSpec::optional("To", Kind::Doubles, "Where it ends: lengths."),
       {"Points", 11, atLeast(2.0), "Number of points on a line, equally spaced, both ends included."},
       ParamSpec::optional("Side", Kind::String,
                           "Name of a side of the body's mesh. The force is int sigma n dS with the stress of the cells "
                           "at the side, which converges with the mesh; the forces of supports and contact are in the "
                           "summary of bodies and interfaces, to round-off."),
-      ParamSpec::optional("About", Kind::Doubles, "Reference point of the moment of a side; by default its centre."),
+      ParamSpec::optional("About", Kind::Doubles,
+                          "Reference point of the moment of a side, lengths; by default its centre."),
       {"Tolerance", 1e-6, atLeast(0.0),
        "How far outside the mesh a point may be, relative to the body's diameter; it gets the values of the nearest "
        "cell, extrapolated. Raise it on curved sides, where the mesh has only chords."}};

@@ -176,10 +176,11 @@ void registerObstacles(Registry<Obstacle>& registry)
       "A straight boundary; for solids a plane. Solids touch it along its own normal, also where their sides "
       "are curved.",
       withDisplacement(
-          {ParamSpec::required("Point", Kind::Doubles, "A point on it, x and y, for solids also z."),
+          {ParamSpec::required("Point", Kind::Doubles, "A point on it: lengths x and y, for solids also z."),
            ParamSpec::required("Normal", Kind::Doubles, "Points out of the rigid body; of any nonzero length."),
            {"Extent", std::vector<double>{},
-            "In 2D: where it begins and ends, measured from Point along the normal rotated clockwise (for {0, 1}: "
+            "In 2D: where it begins and ends, lengths measured from Point along the normal rotated clockwise (for {0, "
+            "1}: "
             "along x). Empty: unbounded. Two planes leave a hole between them."}}),
       build<Plane>());
   registerRoundObstacles(registry);

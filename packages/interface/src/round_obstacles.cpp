@@ -197,7 +197,7 @@ private:
 std::vector<ParamSpec> roundParams(const char* centre)
 {
   return {ParamSpec::required("Centre", Kind::Doubles, centre),
-          ParamSpec::required("Radius", Kind::Double, above(0.0), "Its radius."),
+          ParamSpec::required("Radius", Kind::Double, above(0.0), "Its radius, a length."),
           {"Hollow", false, "The rigid body is what lies outside: a hole around a pin, a socket around a ball."}};
 }
 
@@ -205,7 +205,7 @@ std::vector<ParamSpec> roundParams(const char* centre)
 
 void registerRoundObstacles(Registry<Obstacle>& registry)
 {
-  std::vector<ParamSpec> cylinder = roundParams("Its centre, x and y; for solids a point on its axis.");
+  std::vector<ParamSpec> cylinder = roundParams("Its centre: lengths x and y; for solids a point on its axis.");
   cylinder.push_back({"Axis", std::vector<double>{}, "For solids: the direction of its axis, of any nonzero length."});
   registry.add("Cylinder",
                "A circle in 2D, an infinite cylinder for solids. A flat side sees its exact distance along the side's "
@@ -216,7 +216,7 @@ void registerRoundObstacles(Registry<Obstacle>& registry)
   registry.add("Sphere",
                "A sphere that flat sides of solids touch, at its exact distance along the side's normal. It continues "
                "flat where it turns away by more than 60 degrees.",
-               withDisplacement(roundParams("Its centre, x, y and z.")),
+               withDisplacement(roundParams("Its centre: lengths x, y and z.")),
                [](const Params& list) { return std::make_unique<Sphere>(list); });
 }
 

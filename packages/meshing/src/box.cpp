@@ -72,7 +72,7 @@ ListSpec partsSpec()
   part->params = {ParamSpec::required("Lower", Kind::Doubles,
                                       "Corner with the smallest coordinates, before the rotation; a grid line falls "
                                       "exactly on it."),
-                  ParamSpec::required("Upper", Kind::Doubles, "Opposite corner.")};
+                  ParamSpec::required("Upper", Kind::Doubles, "Opposite corner: lengths.")};
   ListSpec spec;
   spec.name = "Parts";
   spec.doc = "Named groups of cells, one list each, for the Regions of a body.";
@@ -91,7 +91,7 @@ void registerBox(Registry<MeshSource>& registry)
       "(y), "
       "bottom, top (z) in three.",
       {ParamSpec::required("Lower", Kind::Doubles, "Corner with the smallest coordinates, two or three lengths."),
-       ParamSpec::required("Upper", Kind::Doubles, "Opposite corner."),
+       ParamSpec::required("Upper", Kind::Doubles, "Opposite corner: lengths."),
        ParamSpec::required("Cells", Kind::Ints, "Bricks per direction."),
        ParamSpec::optional("Grading", Kind::Doubles,
                            "Length of the last brick over that of the first, per direction; bricks in between grow "

@@ -70,7 +70,7 @@ public:
     if (!(condition))                                                                                                  \
       ::ndframe::failAssertion(#condition, (message), __FILE__, __LINE__);                                             \
   } while (false)
-/// Throws Bug with all of these in its text.
+/// Throws InternalError with all of these in its text.
 [[noreturn]] void failAssertion(const char* condition, const std::string& message, const char* file, int line);
 
 } // namespace ndframe

@@ -1,0 +1,47 @@
+// Assembles a square that is pulled at its right side and shows that the exact solution solves the linear system.
+#include <cmath>
+
+#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/assembly/constraint_set.hpp"
+#include "ndframe/assembly/fields.hpp"
+
+using namespace ndframe;
+
+/// A support or a load as a deck would have it.
+template <class Product>
+std::unique_ptr<Product> make(void (*fill)(Registry<Product>&), const std::vector<std::string>& settings)
+{
+  Registry<Product> registry("condition");
+  fill(registry);
+  ListSpec spec;
+  spec.choices = registry.choices();
+  DeckList list;
+  Diagnostics diagnostics;
+  for (const std::string& setting : settings)
+    applySetting(list, setting, diagnostics);
+  const Params params = validate(list, spec, diagnostics);
+  diagnostics.throwIfAny();
+  return registry.build(params);
+}
+
+int main()
+{
+  BodyModel body; // the unit square as two triangles; Young's modulus 1, no lateral contraction
+  body.mesh.dim = 2;
+  body.mesh.points = {0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0};
+  body.mesh.cells = {0, 1, 2, 0, 2, 3};
+  body.mesh.sides = {{"right", {{0, 0}}}, {"left", {{1, 1}}}};
+  body.nodes = makeNodeMap(body.mesh, 1);
+  body.laws = Elasticity{2, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.5}, {}};
+  body.supports.push_back(make<Support>(registerSupports, {"Type=Clamp", "Side=left"}));
+  body.loads.push_back(make<Load>(registerLoads, {"Type=Traction", "Side=right", "X=3"}));
+
+  const ConstraintSet held = collectConstraints(body.supports, body.mesh, body.nodes);
+  const BodySystem system = assembleBody(body, makeDofLayout(body.nodes, held, {}), {0, 1, 2, 3});
+  const Vector u{0.0, 0.0, 3.0, 0.0, 3.0, 0.0, 0.0, 0.0}; // u = 3 x, the stress is 3
+  const Vector force = multiply(system.K, u, Comm::single());
+  bool ok = std::abs(energy(body, u) - 9.0) < 1e-14; // a(u, u) = E strain^2
+  for (std::size_t dof = 0; dof < u.size(); ++dof)
+    ok = ok && (system.dofs.roles[dof] == DofRole::Fixed || std::abs(force[dof] - system.load[dof]) < 1e-14);
+  return ok ? 0 : 1;
+}

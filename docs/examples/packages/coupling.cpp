@@ -1,0 +1,67 @@
+// Brings two bodies into contact, directly and by the Neumann-Dirichlet iteration: one node closes, one opens.
+#include <cmath>
+
+#include "ndframe/coupling/coupling.hpp"
+
+using namespace ndframe;
+
+/// A body that is a spring at each of two nodes, with these loads along the normal.
+BodyTrace springs(bool isDirichlet, double stiffness, const Vector& load)
+{
+  BodyTrace body;
+  body.body = isDirichlet ? 0 : 1;
+  body.unknowns = {0, 1};
+  body.onDirichletSide.assign(2, isDirichlet);
+  DenseMatrix S(2, 2);
+  S(0, 0) = S(1, 1) = stiffness;
+  body.S = makeDenseOperator(S);
+  body.g = load;
+  body.freeMotions = DenseMatrix(2, 0); // the springs are held
+  return body;
+}
+
+/// Two nodes, at the ends of one edge of length 1, where the two bodies touch.
+InterfaceSystem twoNodes()
+{
+  InterfaceMesh edge;
+  edge.dim = 2, edge.order = 1;
+  edge.points = {0.0, 0.0, 1.0, 0.0};
+  edge.dirichletNodes = edge.neumannNodes = edge.facets = {0, 1};
+  edge.measures = {1.0};
+  InterfaceSystem system;
+  system.C = std::make_shared<ContactMatrix>(std::vector<InterfaceMesh>{edge});
+  system.nodeOfUnknown = {0, 1};
+  system.gap = system.obstacle = {0.0, 0.0};
+  system.isObstacle = {0, 0};
+  system.bodies = {springs(true, 1.0, {4.0, -1.0}), springs(false, 3.0, {0.0, 0.0})};
+  return system;
+}
+
+int main()
+{
+  const InterfaceSystem system = twoNodes();
+  Registry<RelaxationController> relaxations("relaxation", "Automatic");
+  registerRelaxations(relaxations);
+  Registry<Coupling> couplings("coupling");
+  registerCouplings(couplings, relaxations);
+  ListSpec spec;
+  spec.choices = couplings.choices();
+  bool ok = true;
+  for (const std::string type : {"Monolithic", "Neumann-Dirichlet"}) {
+    DeckList list;
+    Diagnostics diagnostics;
+    applySetting(list, "Type=" + type, diagnostics);
+    const Params params = validate(list, spec, diagnostics);
+    diagnostics.throwIfAny();
+    Ledger ledger;
+    const auto observe = [](const SweepRecord&, const InterfaceState&) {}; // a program may show the sweeps here
+    const CouplingResult result = couplings.build(params)->solve(system, observe, ledger);
+    // Closed: 1 u + 3 u = 4, the force on the first body is 1 u - 4. Open: each spring by itself. All springs of a body
+    // are alike, so that the sweeps have one eigenvalue and the best relaxation makes them exact.
+    const InterfaceState& state = result.state;
+    ok = ok && result.converged && state.closed == std::vector<char>{1, 0};
+    ok = ok && std::abs(state.uDirichlet[0] - 1.0) < 1e-12 && std::abs(state.forceDirichlet[0] + 3.0) < 1e-12;
+    ok = ok && std::abs(state.uDirichlet[1] + 1.0) < 1e-12 && std::abs(state.forceDirichlet[1]) < 1e-12;
+  }
+  return ok ? 0 : 1;
+}
