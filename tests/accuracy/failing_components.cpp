@@ -26,15 +26,7 @@ std::unique_ptr<Component> byDefault(void (*registerAll)(Registry<Component>&), 
 {
   Registry<Component> registry("component", type);
   registerAll(registry);
-  ListSpec spec;
-  spec.name = "List";
-  spec.choices = registry.choices();
-  DeckList list;
-  list.name = spec.name;
-  Diagnostics diagnostics;
-  const Params params = validate(list, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return registry.build(params);
+  return registry.build({"Type=" + type});
 }
 
 class FailingSolver final : public LinearSolver

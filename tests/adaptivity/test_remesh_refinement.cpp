@@ -33,28 +33,11 @@ Curve Loop(1) = {1, 2, 3, 4}; Plane Surface(1) = {1}; Curve Loop(2) = {-1, 5, 6,
 Physical Curve("contact") = {1}; Physical Surface("up") = {1}; Physical Surface("down") = {2};
 )";
 
-/// The component of a registry with these entries.
-template <class Component>
-std::unique_ptr<Component> make(const Registry<Component>& registry, const std::vector<std::string>& settings)
-{
-  ListSpec spec;
-  spec.name = "List";
-  spec.choices = registry.choices();
-  DeckList list;
-  list.name = spec.name;
-  Diagnostics diagnostics;
-  for (const std::string& setting : settings)
-    applySetting(list, setting, diagnostics);
-  const Params params = validate(list, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return registry.build(params);
-}
-
 std::shared_ptr<const MeshSource> source(const std::vector<std::string>& settings)
 {
   Registry<MeshSource> registry("mesh");
   registerMeshSources(registry);
-  return make(registry, settings);
+  return registry.build(settings);
 }
 
 std::unique_ptr<RefinedMeshes> begin(const FirstMeshes& first)
@@ -62,7 +45,7 @@ std::unique_ptr<RefinedMeshes> begin(const FirstMeshes& first)
   Registry<Refinement> registry("refinement", "Bisection");
   registerRefinements(registry);
   static const Comm comm = Comm::single();
-  return make(registry, {"Type=Remesh"})->begin(first, comm);
+  return registry.build({"Type=Remesh"})->begin(first, comm);
 }
 
 /// The facets of both meshes' side "contact", by their middles.

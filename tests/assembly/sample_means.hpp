@@ -17,6 +17,18 @@ inline double mean(const Samples& samples, int a, int power)
   return sum;
 }
 
+/// Of a function at a point of a simplex, by the vertices of the simplex and barycentric coordinates.
+inline double valueAt(const ExpressionTree& tree, const DataSampler::Vertices& vertices, int dim, int space,
+                      const double* lambda)
+{
+  double point[3] = {}, value = 0.0;
+  for (std::size_t v = 0; v <= std::size_t(dim); ++v)
+    for (std::size_t k = 0; k < std::size_t(space); ++k)
+      point[k] += lambda[v] * vertices[v][k];
+  tree.values(point, 1, &value);
+  return value;
+}
+
 /// int x^n y^m over the unit simplex times dim!.
 inline double meanOfMonomial(int dim, int n, int m)
 {

@@ -61,10 +61,10 @@ std::vector<CellMoments> momentsOf(const BodyModel& body)
   return all;
 }
 
-void integrate(const BodyModel& body)
+void integrate(const BodyModel& body, Load::Keep keep = Load::Keep::Projections)
 {
   Vector forces(std::size_t(body.numDofs()), 0.0);
-  body.loads.front()->addTo(forces, body.mesh, body.nodes);
+  body.loads.front()->addTo(forces, body.mesh, body.nodes, keep);
 }
 
 } // namespace
@@ -103,6 +103,16 @@ TEST_P(LoadProjections, AreNotThoseOfAnotherMesh)
     coordinate *= 1.0 + 1e-9;
   const auto sampled = momentsOf(body), fresh = momentsOf(loaded(GetParam(), "sin(2*x-y)", "0"));
   EXPECT_EQ(sampled.front().points, fresh.front().points);
+}
+
+/// A run without a certificate does not pay for them.
+TEST(LoadProjections, AreNotKeptUnlessAskedFor)
+{
+  const BodyModel body = loaded(2, "sin(2*x-y)", "0");
+  integrate(body);
+  EXPECT_NE(body.loads.front()->projection(), nullptr);
+  integrate(body, Load::Keep::Nothing);
+  EXPECT_EQ(body.loads.front()->projection(), nullptr);
 }
 
 /// A load that is not certain somewhere is sampled again, so that its doubts are told with their place.

@@ -31,12 +31,7 @@ std::vector<std::array<double, 6>> trianglesOfGrid(int cells)
 /// At barycentric coordinates of a triangle.
 double valueAt(const ExpressionTree& tree, const std::array<double, 6>& triangle, const double* lambda)
 {
-  double point[3] = {}, value = 0.0;
-  for (std::size_t v = 0; v < 3; ++v)
-    for (std::size_t k = 0; k < 2; ++k)
-      point[k] += lambda[v] * triangle[2 * v + k];
-  tree.values(point, 1, &value);
-  return value;
+  return valueAt(tree, {triangle.data(), triangle.data() + 2, triangle.data() + 4, nullptr}, 2, 2, lambda);
 }
 
 } // namespace

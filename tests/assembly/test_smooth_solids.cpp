@@ -38,25 +38,35 @@ DataSampler::Vertices pointersTo(const Corners& corners)
   return vertices;
 }
 
-double valueAt(const ExpressionTree& tree, const Corners& corners, const double* lambda)
+/// A unit cube that is scaled and moved.
+struct Frame
 {
-  double point[3] = {}, value = 0.0;
-  for (std::size_t v = 0; v < corners.size(); ++v)
-    for (std::size_t k = 0; k < 3; ++k)
-      point[k] += lambda[v] * corners[v][k];
-  tree.values(point, 1, &value);
-  return value;
-}
+  double length = 1.0;
+  std::array<double, 3> origin{};
 
-/// A sum of a wave, a bell, a front, or a pole outside the unit cube, with length scales from 0.2 to 3.
-std::string randomSmoothFunction(std::mt19937& random)
+  Corners moved(Corners corners) const
+  {
+    for (auto& corner : corners)
+      for (std::size_t k = 0; k < 3; ++k)
+        corner[k] = origin[k] + length * corner[k];
+    return corners;
+  }
+  std::string coordinate(std::size_t k) const
+  {
+    return fmt::format("(({}-({:.17g}))/{:.17g})", "xyz"[k], origin[k], length);
+  }
+};
+
+/// A sum of a wave, a bell, a front, or a pole outside the cube, with length scales from 0.2 to 3 of it.
+std::string randomSmoothFunction(const Frame& frame, std::mt19937& random)
 {
   const auto uniform = [&](double a, double b) { return std::uniform_real_distribution<>(a, b)(random); };
   std::string text = "0";
   for (int term = 0; term < 2; ++term) {
     const double inverse = std::pow(10.0, uniform(-0.5, 0.7));
-    const std::string s = fmt::format("({}*x+{}*y+{}*z+{})", inverse * uniform(-1.0, 1.0), inverse * uniform(-1.0, 1.0),
-                                      inverse * uniform(-1.0, 1.0), uniform(-1.0, 1.0));
+    const std::string s = fmt::format("({}*{}+{}*{}+{}*{}+{})", inverse * uniform(-1.0, 1.0), frame.coordinate(0),
+                                      inverse * uniform(-1.0, 1.0), frame.coordinate(1), inverse * uniform(-1.0, 1.0),
+                                      frame.coordinate(2), uniform(-1.0, 1.0));
     const std::string all[] = {"sin" + s, "exp(-" + s + "^2)", "tanh" + s, "1/(1+" + s + "^2)", "sqrt(2+sin" + s + ")"};
     text += fmt::format("+{}*{}", uniform(-1.0, 1.0), all[random() % 5]);
   }
@@ -65,31 +75,44 @@ std::string randomSmoothFunction(std::mt19937& random)
 
 } // namespace
 
-/// Looks for a function whose samples are further from it than they say, at the points or in moments.
+/// Looks for a function whose samples are further from it than they say, at the points or in moments: in cubes of any
+/// size, far from the origin, on slivers.
 TEST(SmoothSolids, OfRandomFunctionsAreNotFurtherFromThemThanTheySay)
 {
   std::mt19937 random(3);
   int whole = 0, all = 0;
   for (int scene = 0; scene < 60; ++scene) {
-    const std::string text = randomSmoothFunction(random);
+    Frame frame;
+    if (scene % 2 == 1) {
+      frame.length = std::pow(10.0, std::uniform_real_distribution<>(-3.0, 3.0)(random));
+      for (double& coordinate : frame.origin)
+        coordinate = std::uniform_real_distribution<>(-30.0, 30.0)(random) * frame.length;
+    }
+    const std::string text = randomSmoothFunction(frame, random);
     const auto tree = std::make_shared<const ExpressionTree>(text);
     DataSampler sampler({{tree, {}}}, 3);
     const double size = std::pow(10.0, std::uniform_real_distribution<>(-2.0, -0.6)(random));
     for (const int dim : {2, 3}) {
       const QuadratureRule fine = simplexRule(dim, 36);
       for (int cell = 0; cell < 6; ++cell) {
-        const Corners corners = randomSimplex(dim, size, random);
-        const Samples samples = sampler.sample(dim, pointersTo(corners), 1.0);
+        Corners corners = randomSimplex(dim, size, random);
+        if (cell % 3 == 0) // a sliver
+          for (auto& corner : corners)
+            corner[2] *= 0.01;
+        corners = frame.moved(corners);
+        const auto vertices = pointersTo(corners);
+        const Samples samples = sampler.sample(dim, vertices, 1.0);
         ++all;
         if (samples.pieces.size() > 1 || !samples.areCertain())
           continue;
         ++whole;
         const double allowed = 1.1 * samples.pieces.front().error + 1e-13;
         for (int q = 0; q < samples.rule.size(); ++q)
-          ASSERT_NEAR(samples.values[std::size_t(q)], valueAt(*tree, corners, samples.rule.point(q)), allowed) << text;
+          ASSERT_NEAR(samples.values[std::size_t(q)], valueAt(*tree, vertices, dim, 3, samples.rule.point(q)), allowed)
+              << text;
         double exact = 0.0;
         for (int q = 0; q < fine.size(); ++q)
-          exact += fine.weights[std::size_t(q)] * valueAt(*tree, corners, fine.point(q)) *
+          exact += fine.weights[std::size_t(q)] * valueAt(*tree, vertices, dim, 3, fine.point(q)) *
                    std::pow(fine.point(q)[dim], 5 - dim);
         ASSERT_NEAR(mean(samples, dim, 5 - dim), exact, 0.5 * samples.uncertainty + 1e-13) << text;
       }

@@ -1,5 +1,6 @@
 #include <sstream>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 
 #include "base/sample_spec.hpp"
@@ -10,6 +11,7 @@ using namespace ndframe;
 using test::sampleSpec;
 using testing::HasSubstr;
 using testing::Not;
+using testing::ThrowsMessage;
 
 TEST(Help, OfTheDeckShowsItsParametersAndLists)
 {
@@ -51,12 +53,10 @@ TEST(Help, FindsAComponent)
 
 TEST(Help, AnswersUnknownNamesWithTheNearest)
 {
-  try {
-    helpText(sampleSpec(), "Relaxtion");
-    FAIL() << "nothing was thrown";
-  } catch (const InputError& error) {
-    EXPECT_STREQ(error.what(), "there is no list or component \"Relaxtion\"; did you mean \"Relaxation\"?");
-  }
+  for (const auto& [word, nearest] : {std::pair("Relaxtion", "Relaxation"), {"frction", "friction"}})
+    EXPECT_THAT([word = word] { helpText(sampleSpec(), word); },
+                ThrowsMessage<InputError>(
+                    fmt::format("there is no list or component \"{}\"; did you mean \"{}\"?", word, nearest)));
   EXPECT_THROW(helpText(sampleSpec(), "quite another thing"), InputError);
 }
 

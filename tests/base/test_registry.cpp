@@ -46,6 +46,16 @@ TEST(Registry, BuildsWhatTypeNames)
   EXPECT_EQ(registry.build(test::validated("<ParameterList/>", shapeDeck(registry)))->area(), 4.0);
 }
 
+TEST(Registry, BuildsFromSettingsWithoutADeck)
+{
+  const auto registry = shapes();
+  EXPECT_EQ(registry.build({"Type=Square", "Side=3"})->area(), 9.0);
+  EXPECT_EQ(registry.build({"Side=5"})->area(), 25.0);
+  EXPECT_EQ(registry.validated({"Type=Square"}).get<double>("Side"), 2.0);
+  EXPECT_THROW(registry.build({"Type=Square", "Side=-1"}), InputError);
+  EXPECT_THROW(registry.build({"Type=Squar"}), InputError);
+}
+
 TEST(Registry, CallsASecondRegistrationABug)
 {
   auto registry = shapes();

@@ -11,7 +11,7 @@ CASES = [
     (2, "Linear Solver/Type=Cholmod", "Cholmod"),
     (2, "Coupling/Stopping/Tolerence=1", 'did you mean "Tolerance"?'),
     (2, "Interfaces/contact/Neumann Side=roof", 'has no side "roof"'),
-    (2, "Output/Directory=/dev/null", "is not a folder"),
+    (2, "Output/Directory=/dev/null", "is not a writable folder"),
     (3, "Coupling/Stopping/Maximum Sweeps=2", "has not fallen below 0.1 in 2 sweeps"),
     (3, "Bodies/punch/Loads/press/Value=-1", "the load does not press the bodies together"),
     (5, "Accuracy/Absolute Target=1e-3 && Accuracy/Maximum Levels=1", "missed: Maximum Levels = 1"),

@@ -4,35 +4,24 @@
 #include "ndframe/adaptivity/marking.hpp"
 #include "ndframe/adaptivity/refinement.hpp"
 
-using namespace ndframe;
-
-/// A component with the parameters of a deck that only names it.
-template <class Product>
-std::unique_ptr<Product> make(void (*fill)(Registry<Product>&), const std::string& type)
-{
-  Registry<Product> registry("component", type);
-  fill(registry);
-  ListSpec spec;
-  spec.choices = registry.choices();
-  Diagnostics diagnostics;
-  const Params params = validate(DeckList{}, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return registry.build(params);
-}
-
 int main()
 {
+  using namespace ndframe;
   Mesh square; // two triangles
   square.dim = 2;
   square.points = {0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0};
   square.cells = {0, 1, 2, 0, 2, 3};
-  const auto first = make<Refinement>(registerRefinements, "Bisection")->begin({{square}, {}, {}}, Comm::single());
+  Registry<Refinement> refinements("refinement");
+  registerRefinements(refinements);
+  Registry<Marking> markings("marking");
+  registerMarkings(markings);
+  const auto first = refinements.build({"Type=Bisection"})->begin({{square}, {}, {}}, Comm::single());
 
   // Displacements of degree 1 without corners where stresses are large: both cells contribute alike to the error 5.
   const int degree = 1;
   const Vector contributions(2, 5.0 / std::sqrt(2.0)), exponents(4, ErrorDecay{degree, 2}.smoothExponent());
   const ContributionModel model(first->meshes(), {contributions}, {exponents}, degree);
-  const auto marking = make<Marking>(registerMarkings, "Predicted");
+  const auto marking = markings.build({"Type=Predicted"});
   const auto refined = first->refined(marking->sizes(model, 2.5));
 
   // The error falls like the size of the cells: it takes half the size, four times as many cells.

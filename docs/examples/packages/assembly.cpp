@@ -5,27 +5,13 @@
 #include "ndframe/assembly/constraint_set.hpp"
 #include "ndframe/assembly/fields.hpp"
 
-using namespace ndframe;
-
-/// A support or a load as a deck would have it.
-template <class Product>
-std::unique_ptr<Product> make(void (*fill)(Registry<Product>&), const std::vector<std::string>& settings)
-{
-  Registry<Product> registry("condition");
-  fill(registry);
-  ListSpec spec;
-  spec.choices = registry.choices();
-  DeckList list;
-  Diagnostics diagnostics;
-  for (const std::string& setting : settings)
-    applySetting(list, setting, diagnostics);
-  const Params params = validate(list, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return registry.build(params);
-}
-
 int main()
 {
+  using namespace ndframe;
+  Registry<Support> supports("support");
+  registerSupports(supports);
+  Registry<Load> loads("load");
+  registerLoads(loads);
   BodyModel body; // the unit square as two triangles; Young's modulus 1, no lateral contraction
   body.mesh.dim = 2;
   body.mesh.points = {0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0};
@@ -33,8 +19,8 @@ int main()
   body.mesh.sides = {{"right", {{0, 0}}}, {"left", {{1, 1}}}};
   body.nodes = makeNodeMap(body.mesh, 1);
   body.laws = Elasticity{2, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.5}, {}};
-  body.supports.push_back(make<Support>(registerSupports, {"Type=Clamp", "Side=left"}));
-  body.loads.push_back(make<Load>(registerLoads, {"Type=Traction", "Side=right", "X=3"}));
+  body.supports.push_back(supports.build({"Type=Clamp", "Side=left"}));
+  body.loads.push_back(loads.build({"Type=Traction", "Side=right", "X=3"}));
 
   const ConstraintSet held = collectConstraints(body.supports, body.mesh, body.nodes);
   const BodySystem system = assembleBody(body, makeDofLayout(body.nodes, held, {}), {0, 1, 2, 3});

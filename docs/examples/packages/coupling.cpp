@@ -44,18 +44,11 @@ int main()
   registerRelaxations(relaxations);
   Registry<Coupling> couplings("coupling");
   registerCouplings(couplings, relaxations);
-  ListSpec spec;
-  spec.choices = couplings.choices();
   bool ok = true;
   for (const std::string type : {"Monolithic", "Neumann-Dirichlet"}) {
-    DeckList list;
-    Diagnostics diagnostics;
-    applySetting(list, "Type=" + type, diagnostics);
-    const Params params = validate(list, spec, diagnostics);
-    diagnostics.throwIfAny();
     Ledger ledger;
     const auto observe = [](const SweepRecord&, const InterfaceState&) {}; // a program may show the sweeps here
-    const CouplingResult result = couplings.build(params)->solve(system, observe, ledger);
+    const CouplingResult result = couplings.build({"Type=" + type})->solve(system, observe, ledger);
     // Closed: 1 u + 3 u = 4, the force on the first body is 1 u - 4. Open: each spring by itself. All springs of a body
     // are alike, so that the sweeps have one eigenvalue and the best relaxation makes them exact.
     const InterfaceState& state = result.state;

@@ -10,14 +10,7 @@ std::unique_ptr<LinearSolver> makeSolver(const std::string& type)
 {
   Registry<LinearSolver> solvers("linear solver", "Automatic");
   registerLinearSolvers(solvers);
-  ListSpec spec;
-  spec.choices = solvers.choices();
-  DeckList list;
-  Diagnostics mistakes;
-  applySetting(list, "Type=" + type, mistakes);
-  const Params params = validate(list, spec, mistakes);
-  mistakes.throwIfAny();
-  return solvers.build(params);
+  return solvers.build({"Type=" + type});
 }
 
 /// n x n nodes, springs of stiffness 1 from each to its four neighbours, or to a wall.

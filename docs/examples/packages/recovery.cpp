@@ -6,27 +6,15 @@
 #include "ndframe/equilibrium/equilibrium_check.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
-using namespace ndframe;
-
-/// A component as a deck would have it.
-template <class Product>
-std::unique_ptr<Product> make(void (*fill)(Registry<Product>&), const std::vector<std::string>& settings)
-{
-  Registry<Product> registry("component");
-  fill(registry);
-  ListSpec spec;
-  spec.choices = registry.choices();
-  DeckList list;
-  Diagnostics diagnostics;
-  for (const std::string& setting : settings)
-    applySetting(list, setting, diagnostics);
-  const Params params = validate(list, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return registry.build(params);
-}
-
 int main()
 {
+  using namespace ndframe;
+  Registry<Support> supports("support");
+  registerSupports(supports);
+  Registry<Load> loads("load");
+  registerLoads(loads);
+  Registry<StressRecovery> recoveries("recovery");
+  registerRecoveries(recoveries);
   BodyModel body; // four triangles around one node; Young's modulus 1, no lateral contraction
   body.mesh.dim = 2;
   body.mesh.points = {0.0, 0.0, 1.0, 0.0, 1.0, 1.0, 0.0, 1.0, 0.5, 0.5};
@@ -34,8 +22,8 @@ int main()
   body.mesh.sides = {{"walls", {{0, 2}, {1, 2}, {2, 2}, {3, 2}}}};
   body.nodes = makeNodeMap(body.mesh, 1);
   body.laws = Elasticity{2, {1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 0.5}, {}};
-  body.supports.push_back(make<Support>(registerSupports, {"Type=Clamp", "Side=walls"}));
-  body.loads.push_back(make<Load>(registerLoads, {"Type=Body Force", "Y=-1"}));
+  body.supports.push_back(supports.build({"Type=Clamp", "Side=walls"}));
+  body.loads.push_back(loads.build({"Type=Body Force", "Y=-1"}));
 
   Vector sag(10, 0.0);
   sag[9] = 1.0;                                 // the node in the middle, along y
@@ -43,7 +31,7 @@ int main()
   sag[9] = integrateLoads(body)[9] / stiffness; // - 1/3 of the load on its cells: u = - 1/9
   bool ok = std::abs(sag[9] + 1.0 / 9.0) < 1e-14;
 
-  const auto recovery = make<StressRecovery>(registerRecoveries, {"Type=Star"});
+  const auto recovery = recoveries.build({"Type=Star"});
   RecoveryScene scene;
   scene.bodies = {&body};
   scene.data.push_back(makeStaticData(body, recovery->degree(body.nodes.order), {}));

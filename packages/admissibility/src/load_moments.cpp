@@ -71,7 +71,7 @@ LoadMoments LoadMoments::onFacets(int dim, int order, int degree, int fine)
 {
   const MomentBasis basis = facetBasis(dim, degree);
   LoadMoments result(dim, order, basis, facetBasis(dim, fine), order == 1 ? dim : basis.size()); // order 1: affine
-  result.all_ = MomentBasis::polynomials(dim - 1, std::max(fine, order == 2 ? degree + 1 : 1));
+  result.all_ = SampledBasis(MomentBasis::polynomials(dim - 1, std::max(fine, order == 2 ? degree + 1 : 1)));
   result.testByHats();
   return result;
 }
@@ -83,7 +83,7 @@ LoadMoments LoadMoments::inCells(int dim, int order, int degree, int fine)
   const int ofFine = std::max(1, fine - 1);
   LoadMoments result(dim, order, basis, MomentBasis::polynomials(dim, ofFine), basis.size());
   result.isPiecewise_ = degree == 1;
-  result.all_ = MomentBasis::polynomials(dim, std::max(ofFine, order == 2 ? degree : 1));
+  result.all_ = SampledBasis(MomentBasis::polynomials(dim, std::max(ofFine, order == 2 ? degree : 1)));
   result.testByHats();
   return result;
 }
@@ -91,51 +91,18 @@ LoadMoments LoadMoments::inCells(int dim, int order, int degree, int fine)
 /// phi_a m_j = sum_k <phi_a m_j, M_k> M_k.
 void LoadMoments::testByHats()
 {
-  const std::size_t vertices = std::size_t(all_.dim()) + 1, tested = std::size_t(tested_.size());
+  const std::size_t vertices = std::size_t(all_.basis().dim()) + 1, tested = std::size_t(tested_.size());
   const auto all = std::size_t(all_.size());
-  const QuadratureRule rule = simplexRule(all_.dim(), 10);
+  const QuadratureRule rule = simplexRule(all_.basis().dim(), 10);
   ofHats_.assign(vertices * tested * all, 0.0);
   std::vector<double> m(tested), M(all);
   for (int g = 0; g < rule.size(); ++g) {
     tested_.values(rule.point(g), m.data());
-    all_.values(rule.point(g), M.data());
+    all_.basis().values(rule.point(g), M.data());
     for (std::size_t row = 0; row < vertices * tested; ++row)
       for (std::size_t k = 0; k < all; ++k)
         ofHats_[row * all + k] += rule.weights[std::size_t(g)] * rule.point(g)[row / tested] * m[row % tested] * M[k];
   }
-}
-
-MomentTables LoadMoments::makeTables(const QuadratureRule& rule, const std::array<int, 4>& places) const
-{
-  const std::size_t vertices = std::size_t(rule.dim) + 1, points = std::size_t(rule.size());
-  const std::size_t modes = std::size_t(all_.size()), stride = paddedCount(rule.size());
-  MomentTables tables{std::vector<double>(modes * stride), std::vector<double>(modes * stride),
-                      std::vector<double>(stride)};
-  std::vector<double> lambda(vertices), at(modes);
-  std::copy(rule.weights.begin(), rule.weights.end(), tables.weights.begin());
-  for (std::size_t g = 0; g < points; ++g) {
-    for (std::size_t v = 0; v < vertices; ++v)
-      lambda[std::size_t(places[v])] = rule.point(int(g))[v];
-    all_.values(lambda.data(), at.data());
-    for (std::size_t k = 0; k < modes; ++k) {
-      tables.values[k * stride + g] = at[k];
-      tables.weighted[k * stride + g] = rule.weights[g] * at[k];
-    }
-  }
-  return tables;
-}
-
-/// Most simplices are one piece, so that their points are those of a rule in one of a few orders of the vertices.
-const MomentTables& LoadMoments::tablesOf(const LoadedSimplex& simplex)
-{
-  const Samples& samples = simplex.samples;
-  const auto places = ascendingPlaces(simplex);
-  if (samples.pieces.size() > 1)
-    return many_ = makeTables(samples.rule, places);
-  auto& known = known_[{samples.pieces.front().rule, places}];
-  if (known.values.empty())
-    known = makeTables(samples.rule, places);
-  return known;
 }
 
 /// Per vertex the force times the share of a unit force there.
@@ -158,7 +125,7 @@ void LoadMoments::addShares(std::size_t size)
 }
 
 /// |q - q_h| for q_h with the moments of the finer basis.
-double LoadMoments::distance(const LoadedSimplex& simplex, const MomentTables& tables)
+double LoadMoments::distance(const LoadedSimplex& simplex, const BasisTables& tables)
 {
   const auto modes = std::size_t(fine_.size()), size = std::size_t(dim_);
   scaled_.resize(modes * size);
@@ -169,7 +136,7 @@ double LoadMoments::distance(const LoadedSimplex& simplex, const MomentTables& t
   return std::sqrt(simplex.measure * (ofValues + simplex.samples.rest * simplex.samples.rest));
 }
 
-void LoadMoments::addRemainder(const LoadedSimplex& simplex, const MomentTables& tables)
+void LoadMoments::addRemainder(const LoadedSimplex& simplex, const BasisTables& tables)
 {
   const double root = std::sqrt(simplex.measure), small = roundOff * simplex.samples.scale * root;
   double rest = distance(simplex, tables);
@@ -196,11 +163,11 @@ const SimplexMoments& LoadMoments::of(const LoadedSimplex& simplex)
   result_.beyond.clear();
   result_.rest = result_.beyondNorm = 0.0;
   if (!simplex.samples.pieces.empty()) {
-    const MomentTables& tables = tablesOf(simplex);
+    const BasisTables& tables = all_.at(simplex.samples, ascendingPlaces(simplex));
     rowsOf(simplex.samples, dim_, rows_);
     moments_.resize(std::size_t(all_.size()) * std::size_t(dim_));
-    sumOverPoints(tables.weighted.data(), std::size_t(all_.size()), tables.weights.size(), simplex.measure,
-                  rows_.data(), std::size_t(dim_), moments_.data());
+    sumOverPoints(tables.weighted.data(), simplex.samples.rule.size(), all_.size(), simplex.measure,
+                  simplex.samples.values.data(), std::size_t(dim_), moments_.data());
     addShares(std::size_t(dim_));
     addRemainder(simplex, tables);
     return result_;

@@ -1,9 +1,9 @@
 #pragma once
 
-#include <map>
-#include <utility>
+#include <vector>
 
 #include "ndframe/assembly/load_samples.hpp"
+#include "ndframe/assembly/sampled_basis.hpp"
 #include "ndframe/equilibrium/static_data.hpp"
 
 namespace ndframe
@@ -19,13 +19,6 @@ struct SimplexMoments
   double beyondNorm = 0.0; ///< what they amount to in L2
   /// Bound of what is left in L2; 0 when it is round-off.
   double rest = 0.0;
-};
-
-/// A basis at the points of samples, for the vertices in ascending order: per mode a row of the points, padded
-/// (point_sums.hpp).
-struct MomentTables
-{
-  std::vector<double> weighted, values, weights; ///< weight m_k, m_k, the weights alone
 };
 
 /// Moments of loads on the simplices of one kind, from the samples that the load vector is made of: facets with
@@ -46,22 +39,18 @@ private:
   LoadMoments(int dim, int order, const MomentBasis& basis, const MomentBasis& fine, int carried);
   void testByHats();
   void addShares(std::size_t size);
-  void addRemainder(const LoadedSimplex& simplex, const MomentTables& tables);
-  double distance(const LoadedSimplex& simplex, const MomentTables& tables);
+  void addRemainder(const LoadedSimplex& simplex, const BasisTables& tables);
+  double distance(const LoadedSimplex& simplex, const BasisTables& tables);
   void spreadForces();
-
-  const MomentTables& tablesOf(const LoadedSimplex& simplex);
-  MomentTables makeTables(const QuadratureRule& rule, const std::array<int, 4>& places) const;
 
   int dim_, order_; ///< of the body
   bool isPiecewise_;
   /// tested: what hat functions are multiplied with. all: `fine` and these products; it begins with `fine`.
-  MomentBasis basis_, tested_, fine_, all_;
+  MomentBasis basis_, tested_, fine_;
+  SampledBasis all_;
   std::vector<double> ofHats_; ///< per vertex, mode of `tested`: its product with the hat function in terms of `all`
   std::size_t carried_; ///< functions of `fine` that the shares carry (of their affine twin when piecewise constant)
   Shares unit_;
-  std::map<std::pair<const QuadratureRule*, std::array<int, 4>>, MomentTables> known_; ///< by the order of the vertices
-  MomentTables many_; ///< of the last simplex that is not one piece
   SimplexMoments result_;
   std::vector<double> forces_, moments_, rows_, scaled_; ///< at the vertices, of `all`, at the points; by the measure
 };

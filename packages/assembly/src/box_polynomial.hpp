@@ -39,7 +39,6 @@ public:
   BoxPolynomial(const BoxPlace& place, int degree, std::vector<double> coefficients, double error);
 
   double error() const { return error_; }
-  int degree() const { return degree_; }
   std::size_t numTerms() const { return coefficients_.size(); }
   /// By m: a bound of what it misses of polynomials of degree m on simplices in the box, plus the error. radius: the
   /// largest distance along an axis of a vertex from the centroid.

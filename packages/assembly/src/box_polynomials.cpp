@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "ndframe/base/mixed_hash.hpp"
+
 namespace ndframe
 {
 namespace
@@ -20,7 +22,7 @@ std::size_t BoxPolynomials::Hash::operator()(const Place& place) const
   const auto& [level, x, y, z] = place.box;
   std::uint64_t all = 0;
   for (const std::int64_t part : {std::int64_t(level), x, y, z, std::int64_t(place.up)})
-    all = (all ^ std::uint64_t(part)) * 0x9e3779b97f4a7c15u ^ all >> 29;
+    all = mixedHash(all, std::uint64_t(part));
   return all ^ all >> 32;
 }
 

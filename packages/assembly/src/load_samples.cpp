@@ -115,10 +115,9 @@ public:
     if (rule == nullptr || rule != rule_)
       tabulate(samples.rule);
     rule_ = rule;
-    rowsOf(samples, dim, rows_);
     double forces[3 * count];
-    sumOverPoints(table_.data(), count, paddedCount(samples.rule.size()), simplex.measure, rows_.data(),
-                  std::size_t(dim), forces);
+    sumOverPoints(table_.data(), samples.rule.size(), count, simplex.measure, samples.values.data(), std::size_t(dim),
+                  forces);
     const double* force = forces;
     for (int a = 0; a < count; ++a)
       for (int k = 0; k < dim; ++k)
@@ -130,18 +129,18 @@ private:
 
   void tabulate(const QuadratureRule& rule)
   {
-    const std::size_t stride = paddedCount(rule.size());
-    table_.assign(std::size_t(count) * stride, 0.0);
+    const std::size_t row = paddedCount(count);
+    table_.assign(std::size_t(rule.size()) * row, 0.0);
     double N[count];
     for (int g = 0; g < rule.size(); ++g) {
       Lagrange<simplexDim, order>::values(rule.point(g), N);
       for (std::size_t a = 0; a < std::size_t(count); ++a)
-        table_[a * stride + std::size_t(g)] = rule.weights[std::size_t(g)] * N[a];
+        table_[std::size_t(g) * row + a] = rule.weights[std::size_t(g)] * N[a];
     }
   }
 
   const QuadratureRule* rule_ = nullptr;
-  std::vector<double> table_, rows_;
+  std::vector<double> table_; ///< weight N_a, a row a point, padded
 };
 
 } // namespace
@@ -201,11 +200,11 @@ DataSampler& Load::sampler(int dim) const
   return *sampler_;
 }
 
-void Load::addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const
+void Load::addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes, Keep keep) const
 {
   projection_.reset();
   std::shared_ptr<LoadProjection> next;
-  if (facets(mesh) == nullptr && !isConstant(mesh.dim))
+  if (keep == Keep::Projections && facets(mesh) == nullptr && !isConstant(mesh.dim))
     next = std::make_shared<LoadProjection>(mesh);
   withDimAndOrder(mesh.dim, nodes.order, [&](auto d, auto p) {
     Scatter<d(), p()> onCells;
@@ -221,7 +220,8 @@ void Load::addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const
       onFacets.add(simplex, local, d(), load);
     });
   });
-  projection_ = next;
+  if (next && next->isKept())
+    projection_ = std::move(next);
 }
 
 } // namespace ndframe

@@ -1,5 +1,6 @@
 #include "ndframe/assembly/point_sums.hpp"
 
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/lanes.hpp"
 
 namespace ndframe
@@ -15,15 +16,16 @@ inline __attribute__((always_inline)) double total(const Pack& sum)
   return (sum[0] + sum[1]) + (sum[2] + sum[3]);
 }
 
+/// Of one component.
 template <std::size_t packs>
-inline __attribute__((always_inline)) void combine(const double* table, std::size_t count, const double* values,
-                                                   double* sums)
+inline __attribute__((always_inline)) void sumUp(const double* table, std::size_t points, const double* values,
+                                                 std::size_t size, double* sums)
 {
   Pack sum[packs] = {}, t;
-  for (std::size_t g = 0; g < count; ++g)
+  for (std::size_t g = 0; g < points; ++g)
     for (std::size_t p = 0; p < packs; ++p) {
       load(table + (g * packs + p) * lanes, t);
-      sum[p] += values[g] * t;
+      sum[p] += values[g * size] * t;
     }
   for (std::size_t p = 0; p < packs; ++p)
     store(sum[p], sums + p * lanes);
@@ -48,38 +50,29 @@ void rowsOf(const Samples& samples, int size, std::vector<double>& rows)
   }
 }
 
-NDFRAME_EVERY_PROCESSOR void sumOverPoints(const double* table, std::size_t count, std::size_t stride, double factor,
+NDFRAME_EVERY_PROCESSOR void sumOverPoints(const double* table, int points, int count, double factor,
                                            const double* values, std::size_t size, double* sums)
 {
-  for (std::size_t row = 0; row < count; ++row)
-    for (std::size_t i = 0; i < size; ++i) {
-      Pack sum{}, t, v;
-      for (std::size_t g = 0; g < stride; g += lanes) {
-        load(table + row * stride + g, t);
-        load(values + i * stride + g, v);
-        sum += t * v;
-      }
-      sums[row * size + i] = factor * total(sum);
-    }
-}
-
-NDFRAME_EVERY_PROCESSOR void combineRows(const double* table, std::size_t count, std::size_t width,
-                                         const double* values, std::size_t stride, std::size_t size, double* sums)
-{
-  for (std::size_t i = 0; i < size; ++i, values += stride, sums += width)
-    switch (width / lanes) {
+  const std::size_t packs = paddedCount(count) / lanes;
+  NDFRAME_ASSERT(packs <= 4, "sums for 16 functions at most");
+  double ofComponent[4 * lanes];
+  for (std::size_t i = 0; i < size; ++i) {
+    switch (packs) {
     case 1:
-      combine<1>(table, count, values, sums);
+      sumUp<1>(table, std::size_t(points), values + i, size, ofComponent);
       break;
     case 2:
-      combine<2>(table, count, values, sums);
+      sumUp<2>(table, std::size_t(points), values + i, size, ofComponent);
       break;
     case 3:
-      combine<3>(table, count, values, sums);
+      sumUp<3>(table, std::size_t(points), values + i, size, ofComponent);
       break;
     default:
-      combine<4>(table, count, values, sums);
+      sumUp<4>(table, std::size_t(points), values + i, size, ofComponent);
     }
+    for (std::size_t k = 0; k < std::size_t(count); ++k)
+      sums[k * size + i] = factor * ofComponent[k];
+  }
 }
 
 NDFRAME_EVERY_PROCESSOR double squareOfRest(const double* table, std::size_t count, std::size_t stride,

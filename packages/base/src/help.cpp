@@ -117,6 +117,8 @@ std::string helpText(const ListSpec& deck, const std::string& listName)
   text += text.empty() ? searchHelp(deck, listName) : parametersNamed(deck, listName);
   if (!text.empty())
     return text;
+  const auto limits = limitWords();
+  known.insert(known.end(), limits.begin(), limits.end());
   const std::string near = nearestName(listName, known);
   throw InputError(fmt::format("there is no list or component {}; {}", inQuotes(listName),
                                near.empty() ? "--help shows the lists, --list the components."

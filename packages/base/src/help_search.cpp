@@ -25,12 +25,6 @@ struct Hit
   std::string path, name, what, doc; ///< `what`: "parameter", "list" or "component"
 };
 
-std::string lowered(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
-  return text;
-}
-
 bool isPartOfWord(char c)
 {
   return std::isalnum(static_cast<unsigned char>(c)) != 0;

@@ -1,11 +1,11 @@
 #include <algorithm>
 #include <array>
-#include <cctype>
 #include <string_view>
 #include <vector>
 
 #include <fmt/format.h>
 
+#include "help_search.hpp"
 #include "ndframe/base/help.hpp"
 #include "text.hpp"
 
@@ -48,10 +48,17 @@ const std::array<Limit, 11>& limits()
 
 } // namespace
 
+std::vector<std::string> limitWords()
+{
+  std::vector<std::string> all;
+  for (const Limit& limit : limits())
+    all.insert(all.end(), limit.words.begin(), limit.words.end());
+  return all;
+}
+
 std::string limitOf(const std::string& words)
 {
-  std::string low = words;
-  std::transform(low.begin(), low.end(), low.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string low = lowered(words);
   std::vector<std::string> parts = split(low, " ");
   parts.push_back(low);
   for (const Limit& limit : limits())

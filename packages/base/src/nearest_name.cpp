@@ -1,20 +1,13 @@
 #include <algorithm>
-#include <cctype>
 
 #include "ndframe/base/help.hpp"
+#include "text.hpp"
 
 namespace ndframe
 {
 
 namespace
 {
-
-std::string lowered(std::string text)
-{
-  std::transform(text.begin(), text.end(), text.begin(),
-                 [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return text;
-}
 
 /// Insertions, deletions, substitutions and swaps of neighbours that lead from `a` to `b` (optimal string alignment).
 std::size_t editDistance(const std::string& a, const std::string& b)

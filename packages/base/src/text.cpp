@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cctype>
 #include <sstream>
 
 #include <fmt/format.h>
@@ -91,6 +92,12 @@ std::string inQuotes(std::string_view text)
   while (cut < longest)
     cut += std::max<std::size_t>(1, characterLength(text.substr(cut)));
   return fmt::format("\"{}...\"", text.substr(0, cut));
+}
+
+std::string lowered(std::string text)
+{
+  std::transform(text.begin(), text.end(), text.begin(), [](unsigned char c) { return char(std::tolower(c)); });
+  return text;
 }
 
 std::string wrapped(const std::string& text, std::size_t indent, std::size_t width)

@@ -19,6 +19,9 @@ std::vector<std::string> split(std::string_view text, std::string_view separator
 /// that does not belong to well-formed UTF-8.
 std::optional<std::size_t> findInvalidByte(std::string_view text);
 
+/// With ASCII's capitals as small letters.
+std::string lowered(std::string text);
+
 /// A text as messages quote it: in quotes, and cut when it is long.
 std::string inQuotes(std::string_view text);
 

@@ -9,6 +9,7 @@
 #include "contact_scene.hpp"
 #include "fine_traction.hpp"
 #include "ndframe/admissibility/contact_moments.hpp"
+#include "ndframe/algebra/threads.hpp"
 #include "ndframe/base/log.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/condensation/solution.hpp"
@@ -20,25 +21,13 @@ namespace ndframe
 namespace
 {
 
-/// A component's parameters at their defaults.
-Params defaultsOf(const Choices& choices, const std::string& type)
-{
-  ListSpec spec;
-  spec.name = type;
-  spec.choices = choices;
-  Diagnostics diagnostics;
-  Params params = validate(DeckList{type, {}, 0, {{"Type", "string", type, {}, 0}}, {}}, spec, diagnostics);
-  diagnostics.throwIfAny();
-  return params;
-}
-
 std::unique_ptr<LinearSolver> chooseSolver(const Params& deck, const CertificateComponents& components)
 {
   const Params asked = deck.sub("Linear Solver");
   const auto& solvers = components.linearSolvers;
   const std::string type = asked.get<std::string>("Type");
   const bool isIterative = type == "Krylov" || type == "Multigrid"; // chosen for its memory
-  return solvers.build(isIterative ? asked : defaultsOf(solvers.choices(), "Automatic"));
+  return isIterative ? solvers.build(asked) : solvers.build({"Type=Automatic"});
 }
 
 /// The meshes with the vertices of paired sides at the same place: pairing compares distances with the shortest facet,
@@ -114,14 +103,14 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const CertificateCompon
   model_ = buildModel(
       deck, components,
       [&](const Params& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name()))]); },
-      model.interfaces);
+      model.interfaces, numThreads(comm));
   orientLike(model_, model.interfaces);
 
   Ledger ledger;
   const auto solver = chooseSolver(deck, components);
-  const Params operatorList = defaultsOf(components.interfaceOperators.choices(), "Automatic");
+  const Params operatorList = components.interfaceOperators.validated({"Type=Automatic"});
   const auto representation = components.interfaceOperators.build(operatorList);
-  const auto coupling = components.couplings.build(defaultsOf(components.couplings.choices(), "Monolithic"));
+  const auto coupling = components.couplings.build({"Type=Monolithic"});
   offerWhole(model_, *coupling, operatorList);
   CondensedModel condensed = condense(model_, *solver, *representation, comm, ledger);
   InterfaceState state;

@@ -170,7 +170,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   const Params& deck = tools.deck;
   Diagnostics diagnostics;
   if (meshes)
-    remeshModel(model, deck, tools.components, meshes, tools.ledger);
+    remeshModel(model, deck, tools.components, meshes, tools.comm, tools.ledger);
   else
     updateModel(model, deck, tools.components, tools.comm, tools.ledger);
   offerWhole(model, *tools.coupling, deck.sub("Interface Operator"));

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "add_interface.hpp"
+#include "ndframe/algebra/threads.hpp"
 #include "ndframe/scene/holds.hpp"
 #include "ndframe/scene/regions.hpp"
 #include "ndframe/scene/shared_mesh.hpp"
@@ -75,13 +76,29 @@ void collecting(Diagnostics& diagnostics, const Step& step)
   }
 }
 
-/// The integrals of all loads. Those that are not finite somewhere are found before anything is solved.
-Vector evaluateLoads(const BodyModel& body, Diagnostics& diagnostics)
+/// Per body the integrals of all its loads, bodies side by side where more than one has to be sampled. Those that are
+/// not finite somewhere are found before anything is solved.
+std::vector<Vector> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Keep keep, int threads,
+                                  Diagnostics& diagnostics)
 {
-  Vector sum(std::size_t(body.numDofs()), 0.0);
-  for (const auto& load : body.loads)
-    collecting(diagnostics, [&] { load->addTo(sum, body.mesh, body.nodes); });
-  return sum;
+  std::vector<Vector> sums;
+  std::vector<int> sampledCells;
+  for (const auto& body : bodies) {
+    sums.emplace_back(std::size_t(body.numDofs()), 0.0);
+    const bool isSampled = std::any_of(body.loads.begin(), body.loads.end(),
+                                       [&](const auto& load) { return !load->isConstant(body.mesh.dim); });
+    sampledCells.push_back(isSampled ? body.mesh.numCells() : 0);
+  }
+  const auto sampled = sampledCells.size() - std::size_t(std::count(sampledCells.begin(), sampledCells.end(), 0));
+  std::vector<Diagnostics> mistakes(bodies.size());
+  runLargestFirst(sampledCells, sampled > 1 ? threads : 1, [&](int b) {
+    const BodyModel& body = bodies[std::size_t(b)];
+    for (const auto& load : body.loads)
+      collecting(mistakes[std::size_t(b)], [&] { load->addTo(sums[std::size_t(b)], body.mesh, body.nodes, keep); });
+  });
+  for (const auto& ofBody : mistakes)
+    diagnostics.append(ofBody);
+  return sums;
 }
 
 /// Counts what evaluateLoads() integrated over cells.
@@ -190,31 +207,34 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
   const bool comparable = recipe.bodies.size() == model.recipe.bodies.size();
   std::size_t next = 0;
   ScriptMeshes scripts(ledger);
-  Model updated = buildModel(deck, components, [&](const Params& body) -> GivenMesh {
-    const std::size_t b = next++;
-    if (body.hasSub("Rigid"))
-      return Mesh();
-    if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
-      return readShared(*components.meshSources.build(body.sub("Mesh")), comm, scripts);
-    ledger.count("meshes reused");
-    const BodyModel& known = model.bodies[b];
-    return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);
-  });
+  Model updated = buildModel(
+      deck, components,
+      [&](const Params& body) -> GivenMesh {
+        const std::size_t b = next++;
+        if (body.hasSub("Rigid"))
+          return Mesh();
+        if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
+          return readShared(*components.meshSources.build(body.sub("Mesh")), comm, scripts);
+        ledger.count("meshes reused");
+        const BodyModel& known = model.bodies[b];
+        return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);
+      },
+      {}, numThreads(comm));
   updated.recipe = std::move(recipe);
   countBodyForces(updated, ledger);
   model = std::move(updated);
 }
 
 void remeshModel(Model& model, const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
-                 Ledger& ledger)
+                 const Comm& comm, Ledger& ledger)
 {
   const auto timer = timeStage(ledger, Stage::Read);
-  model = buildModel(deck, components, meshOf, model.interfaces);
+  model = buildModel(deck, components, meshOf, model.interfaces, numThreads(comm));
   countBodyForces(model, ledger);
 }
 
 Model buildModel(const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
-                 const std::vector<InterfaceMesh>& earlier)
+                 const std::vector<InterfaceMesh>& earlier, int threads)
 {
   Model model;
   Diagnostics diagnostics;
@@ -235,8 +255,8 @@ Model buildModel(const Params& deck, const SceneComponents& components, const Me
   for (const auto& body : model.bodies)
     collecting(diagnostics,
                [&] { model.constraints.push_back(collectConstraints(body.supports, body.mesh, body.nodes)); });
-  for (const auto& body : model.bodies)
-    model.loads.push_back(evaluateLoads(body, diagnostics));
+  const auto keep = deck.hasSub("Error Estimation") ? Load::Keep::Projections : Load::Keep::Nothing;
+  model.loads = evaluateLoads(model.bodies, keep, threads, diagnostics);
   for (const auto& definition : deck.sub("Interfaces").subs())
     collecting(diagnostics,
                [&] { addInterface(model, definition, pairings.at(definition.name()), earlier, diagnostics); });

@@ -14,15 +14,10 @@ std::size_t paddedCount(int points);
 /// Samples of `size` components as one row a component. Memory of `rows` is reused.
 void rowsOf(const Samples& samples, int size, std::vector<double>& rows);
 
-/// sums[row size + i] = factor sum_g table[row][g] values[i][g] for `count` rows and `size` components, all rows of the
-/// length `stride`.
-void sumOverPoints(const double* table, std::size_t count, std::size_t stride, double factor, const double* values,
-                   std::size_t size, double* sums);
-
-/// sums[i][k] = sum_g values[i][g] table[g][k] for k < width (a multiple of four, 16 at most) and `count` rows of the
-/// table: for few k faster than sumOverPoints. stride: the length of the rows of `values`; those of sums have `width`.
-void combineRows(const double* table, std::size_t count, std::size_t width, const double* values, std::size_t stride,
-                 std::size_t size, double* sums);
+/// sums[k size + i] = factor sum_g table[g][k] values[g size + i] for k < count (16 at most), g < points and `size`
+/// components; the rows of the table are padded.
+void sumOverPoints(const double* table, int points, int count, double factor, const double* values, std::size_t size,
+                   double* sums);
 
 /// sum_i sum_g weights[g] (values[i][g] - sum_k factors[k size + i] table[k][g])^2: the mean square of what is left of
 /// components when `count` functions are taken off.

@@ -95,10 +95,16 @@ public:
   bool isConstant(int dim) const;
   /// What samples the functions, kept because it knows polynomials that they are on boxes. One thread at a time.
   DataSampler& sampler(int dim) const;
-  /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp). In cells
-  /// their projections are kept for the next visit. One thread at a time.
-  void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes) const;
-  /// Those of the last call of addTo; null: of none.
+  /// What is kept of the samples in cells once they are integrated.
+  enum class Keep
+  {
+    Nothing,
+    Projections ///< for a certificate on this mesh
+  };
+  /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp). One thread
+  /// at a time.
+  void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes, Keep keep = Keep::Nothing) const;
+  /// Those of the last call of addTo; null: none are kept.
   const LoadProjection* projection() const { return projection_.get(); }
 
 private:

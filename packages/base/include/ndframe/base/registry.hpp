@@ -13,6 +13,10 @@
 namespace ndframe
 {
 
+/// The validated list of a choice with these entries, as `--set` has them ("Tolerance=1e-8"), and all defaults: for
+/// those who have no deck. name: of the list. Throws InputError.
+Params validatedChoice(const std::string& name, const Choices& choices, const std::vector<std::string>& settings);
+
 /// The components of one kind: name, documentation, valid parameters and builder stand together in one entry.
 ///
 /// Filled by explicit registerX(registry) calls (a static initialiser would be dropped from a static archive).
@@ -47,6 +51,15 @@ public:
         return builders_[i](params);
     throw InternalError(kind_ + " \"" + type + "\" passed validation but is not registered");
   }
+
+  /// The list that a deck with these entries would have, e.g. {"Type=Krylov", "Tolerance=1e-8"}.
+  Params validated(const std::vector<std::string>& settings) const
+  {
+    return validatedChoice(kind_, choices_, settings);
+  }
+
+  /// Builds what such a list's "Type" names.
+  std::unique_ptr<Product> build(const std::vector<std::string>& settings) const { return build(validated(settings)); }
 
   const std::string& kind() const { return kind_; }   ///< as given to the constructor
   const Choices& choices() const { return choices_; } ///< for the specification of the deck (makeChoice)

@@ -92,13 +92,14 @@ struct GivenMesh
 using MeshOfBody = std::function<GivenMesh(const Params& body)>;
 
 /// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes
-/// before; a side that still is the same polygon keeps their normals (inheritNormals).
+/// before; a side that still is the same polygon keeps their normals (inheritNormals). threads: for loads that are
+/// sampled; their number changes no bit.
 Model buildModel(const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
-                 const std::vector<InterfaceMesh>& earlier = {});
+                 const std::vector<InterfaceMesh>& earlier = {}, int threads = 1);
 
 /// The same as a stage of a run; model.interfaces are the earlier ones. Not to be reused: the model has no recipe.
 void remeshModel(Model& model, const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
-                 Ledger& ledger);
+                 const Comm& comm, Ledger& ledger);
 
 /// Refuses bodies that are the Dirichlet body of one interface and the Neumann body of another: a coupling that solves
 /// the bodies one after the other needs one role per body. Looks at the deck only.
