@@ -27,6 +27,7 @@ ndframe_third_party(Cholmod HEADER cholmod.h HEADER_SUFFIXES suitesparse LIBRARI
 ndframe_third_party(Mumps HEADER dmumps_c.h LIBRARIES dmumps)
 ndframe_third_party(Metis HEADER metis.h LIBRARIES metis)
 ndframe_third_party(Lapack HEADER cblas.h HEADER_SUFFIXES x86_64-linux-gnu LIBRARIES openblas)
+ndframe_third_party(Basix HEADER basix/quadrature.h LIBRARIES basix)
 # The exact numbers behind the predicates of CGAL, which itself is headers only.
 ndframe_third_party(Cgal HEADER CGAL/Constrained_Delaunay_triangulation_2.h LIBRARIES mpfr gmp)
 ndframe_third_party(Clp HEADER ClpSimplex.hpp HEADER_SUFFIXES coin LIBRARIES Clp CoinUtils)

@@ -15,6 +15,7 @@ namespace
 struct Case
 {
   int dim, degree;
+  bool isCompact = false;
 };
 
 std::vector<Case> allCases()
@@ -23,12 +24,16 @@ std::vector<Case> allCases()
   for (int dim = 1; dim <= 3; ++dim)
     for (int degree = 0; degree <= 10; ++degree)
       cases.push_back({dim, degree});
+  for (int dim = 2; dim <= 3; ++dim)
+    for (int degree = 1; degree <= (dim == 2 ? 31 : 17); ++degree) // one beyond the tables
+      cases.push_back({dim, degree, true});
   return cases;
 }
 
 std::string caseName(const testing::TestParamInfo<Case>& test)
 {
-  return "Dim" + std::to_string(test.param.dim) + "Degree" + std::to_string(test.param.degree);
+  return "Dim" + std::to_string(test.param.dim) + "Degree" + std::to_string(test.param.degree) +
+         (test.param.isCompact ? "Compact" : "");
 }
 
 /// Mean of lambda_1^a lambda_2^b lambda_3^c over the simplex: dim! a! b! c! / (a + b + c + dim)!.
@@ -53,12 +58,13 @@ double ruleOnMonomial(const QuadratureRule& rule, int a, int b, int c)
 
 struct SimplexRule : testing::TestWithParam<Case>
 {
-  QuadratureRule rule = simplexRule(GetParam().dim, GetParam().degree);
+  QuadratureRule rule = GetParam().isCompact ? compactRule(GetParam().dim, GetParam().degree)
+                                             : simplexRule(GetParam().dim, GetParam().degree);
 };
 
 TEST_P(SimplexRule, IsExactForEveryMonomialUpToItsDegree)
 {
-  const auto [dim, degree] = GetParam();
+  const int dim = GetParam().dim, degree = GetParam().degree;
   for (int a = 0; a <= degree; ++a)
     for (int b = 0; b <= (dim >= 2 ? degree - a : 0); ++b)
       for (int c = 0; c <= (dim == 3 ? degree - a - b : 0); ++c) {
@@ -92,11 +98,21 @@ TEST(SimplexRuleSize, IsDimPlusOneUpToDegreeTwo)
     EXPECT_EQ(simplexRule(dim, 2).size(), dim + 1);
 }
 
+/// Numbers of points in Xiao and Gimbutas (2010).
+TEST(SimplexRuleSize, OfCompactRulesIsThatOfTheTables)
+{
+  EXPECT_EQ(compactRule(2, 9).size(), 19);
+  EXPECT_EQ(compactRule(2, 17).size(), 60);
+  EXPECT_EQ(compactRule(3, 11).size(), 95);
+  EXPECT_EQ(compactRule(3, 15).size(), 214);
+}
+
 TEST(SimplexRuleSize, UnknownKindsAreABug)
 {
   EXPECT_THROW(simplexRule(4, 1), InternalError);
   EXPECT_THROW(simplexRule(0, 1), InternalError);
   EXPECT_THROW(simplexRule(2, -1), InternalError);
+  EXPECT_THROW(compactRule(1, 4), InternalError);
 }
 
 } // namespace ndframe

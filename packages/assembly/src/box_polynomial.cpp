@@ -1,5 +1,6 @@
 #include "box_polynomial.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -27,8 +28,39 @@ const Binomials& binomialCoefficients()
 
 } // namespace
 
-BoxPolynomial::BoxPolynomial(const BoxPlace& place, int degree, std::vector<double> coefficients, double error)
-    : place_(place), error_(error), degree_(degree), coefficients_(std::move(coefficients))
+void PlacedPolynomial::values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const
+{
+  BoxCorners corners{};
+  for (std::size_t v = 0; v <= std::size_t(sampling.rule.dim); ++v)
+    for (std::size_t k = 0; k < std::size_t(place.dim); ++k)
+      corners[k][v] = (vertices[v][k] - place.middle[k]) / place.halfWidth;
+  polynomialValues(coefficients.data(), degree, place.dim, corners, sampling, result);
+}
+
+std::array<double, Enclosure::longest> PlacedPolynomial::sizes() const
+{
+  std::array<double, Enclosure::longest> sums{};
+  const double* next = coefficients.data();
+  for (int k = 0; k <= (place.dim == 3 ? degree : 0); ++k)
+    for (int j = 0; j + k <= degree; ++j)
+      for (int i = 0; i + j + k <= degree; ++i)
+        sums[std::size_t(i + j + k)] += std::abs(*next++);
+  return sums;
+}
+
+void PlacedPolynomial::truncate(int lower)
+{
+  double* last = coefficients.data();
+  const double* row = coefficients.data();
+  for (int k = 0; k <= (place.dim == 3 ? degree : 0); ++k)
+    for (int j = 0; j + k <= degree; row += degree - j - k + 1, ++j)
+      last = std::copy_n(row, std::max(0, lower - j - k + 1), last);
+  coefficients.resize(std::size_t(last - coefficients.data()));
+  degree = lower;
+}
+
+BoxPolynomial::BoxPolynomial(PlacedPolynomial polynomial, double error)
+    : polynomial_(std::move(polynomial)), error_(error)
 {
   boundDerivatives();
   error_ += 2.0 * std::numeric_limits<double>::epsilon() * derivatives_[0];
@@ -38,13 +70,8 @@ BoxPolynomial::BoxPolynomial(const BoxPlace& place, int degree, std::vector<doub
 /// three factors.
 void BoxPolynomial::boundDerivatives()
 {
-  std::array<double, highest + 1> ofDegree{};
-  std::size_t next = 0;
-  for (int k = 0; k <= (place_.dim == 3 ? degree_ : 0); ++k)
-    for (int j = 0; j + k <= degree_; ++j)
-      for (int i = 0; i + j + k <= degree_; ++i)
-        ofDegree[std::size_t(i + j + k)] += std::abs(coefficients_[next++]);
-  derivatives_.assign(std::size_t(degree_) + 1, 0.0);
+  const auto ofDegree = polynomial_.sizes();
+  derivatives_.assign(std::size_t(polynomial_.degree) + 1, 0.0);
   const Binomials& binomials = binomialCoefficients();
   for (std::size_t d = 0; d < derivatives_.size(); ++d)
     for (std::size_t k = 0; k <= d; ++k)
@@ -57,8 +84,8 @@ const SmoothDistances& BoxPolynomial::distances(double radius) const
     return distances_;
   radius_ = radius;
   distances_.fill(error_);
-  const PowerDistances& ofPowers = powerDistances(place_.dim);
-  const double ratio = radius / place_.halfWidth;
+  const PowerDistances& ofPowers = powerDistances(polynomial_.place.dim);
+  const double ratio = radius / polynomial_.place.halfWidth;
   double power = ratio;
   for (std::size_t k = 1; k < derivatives_.size(); ++k, power *= ratio)
     for (std::size_t m = 0; m < std::min(k, distances_.size()); ++m)
@@ -68,19 +95,10 @@ const SmoothDistances& BoxPolynomial::distances(double radius) const
 
 bool BoxPolynomial::holds(const Region::Point& centroid, double radius) const
 {
-  for (std::size_t k = 0; k < std::size_t(place_.dim); ++k)
-    if (!(std::abs(centroid[k] - place_.middle[k]) + radius <= place_.halfWidth))
+  for (std::size_t k = 0; k < std::size_t(polynomial_.place.dim); ++k)
+    if (!(std::abs(centroid[k] - polynomial_.place.middle[k]) + radius <= polynomial_.place.halfWidth))
       return false;
   return true;
-}
-
-void BoxPolynomial::values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const
-{
-  BoxCorners corners{};
-  for (std::size_t v = 0; v <= std::size_t(sampling.rule.dim); ++v)
-    for (std::size_t k = 0; k < std::size_t(place_.dim); ++k)
-      corners[k][v] = (vertices[v][k] - place_.middle[k]) / place_.halfWidth;
-  polynomialValues(coefficients_.data(), degree_, place_.dim, corners, sampling, result);
 }
 
 } // namespace ndframe

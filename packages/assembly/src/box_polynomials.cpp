@@ -9,10 +9,12 @@ namespace ndframe
 namespace
 {
 
-/// A degree for which a smaller box would not be cheaper.
-constexpr int cheapIn(int space)
+/// A degree for which smaller boxes would not be cheaper: the fewer cells a box holds, the less they save.
+constexpr int cheap(int space, int up)
 {
-  return space == 3 ? 8 : 12;
+  if (up == 1)
+    return BoxPolynomial::highest;
+  return space == 3 ? 8 : up == 2 ? 18 : up == 3 ? 14 : 12;
 }
 
 } // namespace
@@ -63,7 +65,7 @@ void BoxPolynomials::make(Box& box, const TreeBox& place, int level, int up, dou
   }
   if (!series)
     return;
-  if (series->degree() <= cheapIn(space_) || up == 1) {
+  if (series->degree() <= cheap(space_, up)) {
     auto inPowers = series->inPowers();
     if (inPowers.error() <= allowed) {
       box.inPowers = std::make_unique<const BoxPolynomial>(std::move(inPowers));

@@ -229,7 +229,7 @@ ChebyshevBox ChebyshevBox::restricted(const BoxPlace& place, double allowed) con
 BoxPolynomial ChebyshevBox::inPowers() const
 {
   const Matrix& T = powersOfChebyshev();
-  return {place_, degree_, listed(substitute(coefficients_, {T, T, T}, place_.dim, degree_), place_.dim, degree_),
+  return {{place_, degree_, listed(substitute(coefficients_, {T, T, T}, place_.dim, degree_), place_.dim, degree_)},
           error_};
 }
 

@@ -13,12 +13,6 @@ namespace ndframe
 namespace
 {
 
-/// Of the polynomials, whose products a rule has to integrate: the highest that samples have the moments of.
-constexpr int degreeIn(int dim)
-{
-  return 5 - dim;
-}
-
 /// Rules give the distance of functions from polynomials of this degree at least.
 constexpr int degreeOfNorms = 2;
 
@@ -26,8 +20,9 @@ constexpr int degreeOfNorms = 2;
 const QuadratureRule& ruleOfProjections(int dim)
 {
   const auto& ladder = samplingLadder(dim);
-  const auto found = std::find_if(ladder.begin(), ladder.end(),
-                                  [&](const SamplingRule& sampling) { return sampling.squared >= degreeIn(dim); });
+  const auto found = std::find_if(ladder.begin(), ladder.end(), [&](const SamplingRule& sampling) {
+    return sampling.squared >= degreeOfMoments(dim);
+  });
   NDFRAME_ASSERT(found != ladder.end(), "a rule integrates the products of projections");
   return found->rule;
 }
@@ -35,7 +30,7 @@ const QuadratureRule& ruleOfProjections(int dim)
 } // namespace
 
 LoadProjection::LoadProjection(const Mesh& mesh)
-    : dim_(std::size_t(mesh.dim)), basis_(MomentBasis::polynomials(mesh.dim, degreeIn(mesh.dim))),
+    : dim_(std::size_t(mesh.dim)), basis_(MomentBasis::polynomials(mesh.dim, degreeOfMoments(mesh.dim))),
       low_(std::size_t(MomentBasis::polynomials(mesh.dim, degreeOfNorms).size())), stamp_(stampOf(mesh)),
       rule_(ruleOfProjections(mesh.dim))
 {

@@ -3,8 +3,6 @@
 #include <algorithm>
 
 #include "ndframe/assembly/point_sums.hpp"
-#include "tetrahedron_rules.hpp"
-#include "triangle_rules.hpp"
 
 namespace ndframe
 {
@@ -22,20 +20,12 @@ std::vector<double> paddedCoordinates(const QuadratureRule& rule)
   return all;
 }
 
-QuadratureRule ruleOf(int dim, int degree)
-{
-  if (dim == 2 && hasSymmetricTriangleRule(degree))
-    return symmetricTriangleRule(degree);
-  if (dim == 3 && hasSymmetricTetrahedronRule(degree))
-    return symmetricTetrahedronRule(degree);
-  return simplexRule(dim, degree);
-}
-
 std::vector<SamplingRule> ladderOf(int dim, const std::vector<int>& degrees, int highest)
 {
   std::vector<SamplingRule> rules;
   for (const int degree : degrees) {
-    rules.push_back({ruleOf(dim, degree), std::min(degree - (5 - dim), highest), std::min(degree / 2, highest)});
+    rules.push_back({dim == 1 ? simplexRule(dim, degree) : compactRule(dim, degree),
+                     std::min(degree - degreeOfMoments(dim), highest), std::min(degree / 2, highest)});
     rules.back().padded = paddedCoordinates(rules.back().rule);
   }
   return rules;
@@ -62,8 +52,10 @@ const std::vector<SamplingRule>& samplingLadder(int dim)
 
 const std::vector<SamplingRule>& smoothLadder(int dim)
 {
-  static const auto triangles = ladderOf(2, {4, 5, 6, 8, 9, 10, 12, 13, 15, 17, 19, 21, 23, 25, 27}, highestKeptWhole),
-                    tetrahedra = ladderOf(3, {5, 7, 9, 11, 13, 15, 17, 19, 21, 23, 25, 27}, highestKeptWhole);
+  static const auto triangles =
+                        ladderOf(2, {4, 5, 6, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 21, 23, 25, 27}, highestKeptWhole),
+                    tetrahedra =
+                        ladderOf(3, {5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15, 17, 19, 21, 23, 25, 27}, highestKeptWhole);
   return dim == 2 ? triangles : dim == 3 ? tetrahedra : samplingLadder(dim);
 }
 

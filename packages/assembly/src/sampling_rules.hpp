@@ -20,6 +20,11 @@ constexpr double agreementOfSmoothMeans(int dim)
 }
 /// And in norms, where it is charged to the oscillation.
 constexpr double agreementOfNorms = 1e-11;
+/// Of the polynomials whose moments with samples are right, and from which functions' distances are taken.
+constexpr int degreeOfMoments(int dim)
+{
+  return 5 - dim;
+}
 /// And where functions that are smooth on whole cells and faces are concerned: what is charged is far below their
 /// oscillation, and fewer points are needed.
 constexpr double agreementOfSmoothNorms(int dim)
@@ -27,13 +32,16 @@ constexpr double agreementOfSmoothNorms(int dim)
   return dim == 3 ? 1e-6 : 1e-8;
 }
 
+/// Or this part of what they may miss of polynomials of degreeOfMoments().
+constexpr double shareOfOscillation = 1e-4;
+
 /// The highest degree of the polynomials that functions are compared with, on pieces of cells.
 constexpr int highestKept = 9;
 /// And on whole triangles and tetrahedra, where functions are known as polynomials of high degree.
 constexpr int highestKeptWhole = 25;
 
-/// A Gauss rule and the degrees of the polynomials that it integrates exactly: with polynomials of degree 5 - dim (the
-/// highest that stars integrate: a hat function times a mode), and with themselves.
+/// A Gauss rule and the degrees of the polynomials that it integrates exactly: with polynomials of degreeOfMoments()
+/// (the highest that stars integrate: a hat function times a mode), and with themselves.
 struct SamplingRule
 {
   QuadratureRule rule;

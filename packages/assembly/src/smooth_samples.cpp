@@ -47,7 +47,7 @@ void beginWhole(const SimplexGeometry& simplex, const QuadratureRule& rule, Samp
 SmoothSamples::SmoothSamples(const std::vector<SampledFunction>& functions, int space)
     : functions_(functions),
       arePolynomials_(std::all_of(functions.begin(), functions.end(), [](const auto& f) { return degreeOf(f) >= 0; })),
-      here_(functions.size())
+      here_(functions.size()), cells_(functions.size()), chosen_(functions.size())
 {
   ofPolynomials_.reserve(functions.size());
   for (const auto& function : functions) {
@@ -75,24 +75,27 @@ int SmoothSamples::polynomials() const
   return sum;
 }
 
-bool SmoothSamples::findPolynomials(const SimplexGeometry& simplex, double allowed)
+bool SmoothSamples::findPolynomials(const Place& place, double allowed)
 {
-  if (arePolynomials_)
-    return true;
-  if (simplex.dim() == 1)
-    return false;
-  Region::Point centroid{};
-  double radius = 0.0;
-  simplex.extent(centroid, radius);
-  radius = roundedUp(radius);
   for (std::size_t f = 0; f < functions_.size(); ++f)
     if (degreeOf(functions_[f]) < 0) {
-      here_[f] = boxes_[f].around(centroid, radius, allowed);
+      here_[f] = boxes_[f].around(place.centroid, place.radius, allowed);
       if (here_[f] == nullptr)
         return false;
-      distances_[f] = &here_[f]->distances(radius);
+      distances_[f] = &here_[f]->distances(place.radius);
+      chosen_[f] = &here_[f]->polynomial();
     }
   return true;
+}
+
+void SmoothSamples::recentre(const Place& place, double leftOut)
+{
+  for (std::size_t f = 0; f < functions_.size(); ++f)
+    if (here_[f] != nullptr) {
+      cells_[f].recentre(*here_[f], place.centroid, place.radius, leftOut);
+      distances_[f] = &cells_[f].distances();
+      chosen_[f] = &cells_[f].polynomial();
+    }
 }
 
 /// What the functions miss of polynomials.
@@ -104,29 +107,48 @@ double SmoothSamples::distance(int degree) const
   return largest;
 }
 
+/// The one of fewest points that serves all functions; null: none does.
+const SamplingRule* SmoothSamples::findRule(int dim, double scale) const
+{
+  const double oscillation = distance(degreeOfMoments(dim)); // infinite for polynomials of a higher degree
+  const double ofMeans = agreementOfSmoothMeans(dim) * scale,
+               ofNorms = std::max(agreementOfSmoothNorms(dim) * scale,
+                                  std::isfinite(oscillation) ? shareOfOscillation * oscillation : 0.0);
+  for (const SamplingRule& sampling : smoothLadder(dim))
+    if (distance(sampling.kept) <= ofMeans && distance(sampling.squared) <= ofNorms)
+      return &sampling;
+  return nullptr;
+}
+
 bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples& samples)
 {
-  constexpr double share = 0.5; // the box's, of what a function may miss
+  constexpr double share = 0.5, shareOfPowers = 0.1; // of what a function may miss: the box's, of powers left out
+  constexpr int many = 100;                          // points, where it pays to write the polynomials about the cell
   const double allowed = agreementOfSmoothMeans(simplex.dim()) * scale;
-  if (!findPolynomials(simplex, share * allowed))
-    return false;
-  for (const SamplingRule& sampling : smoothLadder(simplex.dim())) {
-    const double error = distance(sampling.kept);
-    if (!(error <= allowed))
-      continue;
-    const double ofNorm = distance(sampling.squared);
-    if (!(ofNorm <= agreementOfSmoothNorms(simplex.dim()) * scale))
-      continue;
-    beginWhole(simplex, sampling.rule, samples);
-    samples.pieces.front().error = error;
-    samples.pieces.front().normError = ofNorm;
-    samples.scale = scale;
-    samples.spread = ofNorm;
-    samples.uncertainty = error == 0.0 ? 0.0 : 2.0 * error / scale;
-    addValues(simplex, sampling, samples);
-    return true;
+  Place place;
+  if (!arePolynomials_) {
+    if (simplex.dim() == 1)
+      return false;
+    simplex.extent(place.centroid, place.radius);
+    place.radius = roundedUp(place.radius);
+    if (!findPolynomials(place, share * allowed))
+      return false;
   }
-  return false;
+  const SamplingRule* sampling = findRule(simplex.dim(), scale);
+  if (!arePolynomials_ && (sampling == nullptr || sampling->rule.size() > many)) {
+    recentre(place, shareOfPowers * allowed);
+    sampling = findRule(simplex.dim(), scale);
+  }
+  if (sampling == nullptr)
+    return false;
+  const double error = distance(sampling->kept);
+  beginWhole(simplex, sampling->rule, samples);
+  samples.pieces.front().error = error;
+  samples.pieces.front().normError = samples.spread = distance(sampling->squared);
+  samples.scale = scale;
+  samples.uncertainty = error == 0.0 ? 0.0 : 2.0 * error / scale;
+  addValues(simplex, *sampling, samples);
+  return true;
 }
 
 void SmoothSamples::addValues(const SimplexGeometry& simplex, const SamplingRule& sampling, Samples& samples)
@@ -135,8 +157,8 @@ void SmoothSamples::addValues(const SimplexGeometry& simplex, const SamplingRule
   values_.resize(std::max(count, sampling.padded.size() / std::size_t(simplex.dim() + 1)));
   samples.values.resize(count * size);
   for (std::size_t f = 0; f < size; ++f) {
-    if (here_[f] != nullptr && double(here_[f]->numTerms()) <= terms_[f])
-      here_[f]->values(simplex.vertices(), sampling, values_.data());
+    if (chosen_[f] != nullptr && double(chosen_[f]->numTerms()) <= terms_[f])
+      chosen_[f]->values(simplex.vertices(), sampling, values_.data());
     else
       evaluate(functions_[f], simplex, samples);
     for (std::size_t q = 0; q < count; ++q)

@@ -3,6 +3,7 @@
 #include <vector>
 
 #include "box_polynomials.hpp"
+#include "cell_polynomial.hpp"
 #include "ndframe/assembly/adaptive_samples.hpp"
 #include "simplex_piece.hpp"
 
@@ -24,8 +25,16 @@ public:
   int polynomials() const;
 
 private:
-  bool findPolynomials(const SimplexGeometry& simplex, double allowed);
+  struct Place ///< a simplex's centroid, and its radius, rounded up
+  {
+    Region::Point centroid{};
+    double radius = 0.0;
+  };
+
+  bool findPolynomials(const Place& place, double allowed);
+  void recentre(const Place& place, double leftOut);
   double distance(int degree) const;
+  const SamplingRule* findRule(int dim, double scale) const;
   void addValues(const SimplexGeometry& simplex, const SamplingRule& sampling, Samples& samples);
   void evaluate(const SampledFunction& function, const SimplexGeometry& simplex, Samples& samples);
 
@@ -35,6 +44,8 @@ private:
   std::vector<double> terms_;                     ///< per function: those of a polynomial that costs as much
   double scale_ = 0.0;                            ///< that the boxes are for
   std::vector<const BoxPolynomial*> here_;        ///< null for what is a polynomial everywhere
+  std::vector<CellPolynomial> cells_;             ///< the same about a simplex
+  std::vector<const PlacedPolynomial*> chosen_;   ///< one of both
   std::vector<SmoothDistances> ofPolynomials_;    ///< per function; infinite for degrees below its own
   std::vector<const SmoothDistances*> distances_; ///< per function, on the simplex
   std::vector<double> points_, values_;

@@ -22,4 +22,9 @@ struct QuadratureRule
 /// product.
 QuadratureRule simplexRule(int dim, int degree);
 
+/// A rule for triangles (dim 2) or tetrahedra (3) with about as few points as are known: of Xiao and Gimbutas (2010) up
+/// to degree 30 and 15, with symmetric points in triangles; beyond, the collapsed product of Gauss-Jacobi rules. All
+/// weights are positive and all points inside. Tables and roots are Basix's.
+QuadratureRule compactRule(int dim, int degree);
+
 } // namespace ndframe
