@@ -13,17 +13,6 @@ namespace
 /// What a load may differ from its polynomial by, relative to its size, and still be that polynomial.
 constexpr double roundOff = 1e-12;
 
-/// Where the simplex's vertices stand in ascending order.
-std::array<int, 4> ascendingPlaces(const LoadedSimplex& simplex)
-{
-  const int count = simplex.samples.rule.dim + 1;
-  std::array<int, 4> places{};
-  for (int v = 0; v < count; ++v)
-    places[std::size_t(v)] = int(std::count_if(simplex.vertices.begin(), simplex.vertices.begin() + count,
-                                               [&](int w) { return w < simplex.vertices[std::size_t(v)]; }));
-  return places;
-}
-
 /// factor sum_g rows_g q_g, per row and component: rows of `count` numbers.
 template <std::size_t size>
 void addUp(const std::vector<double>& rows, std::size_t count, double factor, const double* q, double* sums)
@@ -124,22 +113,37 @@ void LoadMoments::addShares(std::size_t size)
     spreadForces();
 }
 
-/// |q - q_h| for q_h with the moments of the finer basis.
-double LoadMoments::distance(const LoadedSimplex& simplex, const BasisTables& tables)
+/// The moments of samples. Returns |q - q_h| for q_h with those of the finer basis.
+double LoadMoments::takeSamples(const LoadedSimplex& simplex)
 {
   const auto modes = std::size_t(fine_.size()), size = std::size_t(dim_);
+  const BasisTables& tables = all_.at(simplex.samples, ascendingPlaces(simplex));
+  rowsOf(simplex.samples, dim_, rows_);
+  sumOverPoints(tables.weighted.data(), simplex.samples.rule.size(), all_.size(), simplex.measure,
+                simplex.samples.values.data(), size, moments_.data());
   scaled_.resize(modes * size);
   for (std::size_t i = 0; i < scaled_.size(); ++i)
     scaled_[i] = moments_[i] / simplex.measure;
-  const double ofValues = squareOfRest(tables.values.data(), modes, tables.weights.size(), scaled_.data(), rows_.data(),
-                                       size, tables.weights.data());
-  return std::sqrt(simplex.measure * (ofValues + simplex.samples.rest * simplex.samples.rest));
+  return std::sqrt(simplex.measure * squareOfRest(tables.values.data(), modes, tables.weights.size(), scaled_.data(),
+                                                  rows_.data(), size, tables.weights.data()));
 }
 
-void LoadMoments::addRemainder(const LoadedSimplex& simplex, const BasisTables& tables)
+/// The same of a projection, whose functions the basis begins with, or it with the basis.
+double LoadMoments::takeProjection(const LoadedSimplex& simplex)
+{
+  const auto size = std::size_t(dim_), given = std::size_t(simplex.functions) * size;
+  for (std::size_t i = 0; i < moments_.size(); ++i)
+    moments_[i] = i < given ? simplex.measure * simplex.projection[i] : 0.0;
+  double square = simplex.samples.rest * simplex.samples.rest;
+  for (std::size_t i = std::size_t(fine_.size()) * size; i < given; ++i)
+    square += simplex.projection[i] * simplex.projection[i];
+  return std::sqrt(simplex.measure * square);
+}
+
+/// rest: |q - q_h| for q_h with the moments of the finer basis.
+void LoadMoments::addRemainder(const LoadedSimplex& simplex, double rest)
 {
   const double root = std::sqrt(simplex.measure), small = roundOff * simplex.samples.scale * root;
-  double rest = distance(simplex, tables);
   if (isPiecewise_)
     rest += distanceToPiecewise(simplex, {moments_.begin(), moments_.begin() + std::ptrdiff_t(dim_ + 1) * dim_}, dim_,
                                 dim_);
@@ -162,14 +166,11 @@ const SimplexMoments& LoadMoments::of(const LoadedSimplex& simplex)
 {
   result_.beyond.clear();
   result_.rest = result_.beyondNorm = 0.0;
-  if (!simplex.samples.pieces.empty()) {
-    const BasisTables& tables = all_.at(simplex.samples, ascendingPlaces(simplex));
-    rowsOf(simplex.samples, dim_, rows_);
+  if (simplex.projection != nullptr || !simplex.samples.pieces.empty()) {
     moments_.resize(std::size_t(all_.size()) * std::size_t(dim_));
-    sumOverPoints(tables.weighted.data(), simplex.samples.rule.size(), all_.size(), simplex.measure,
-                  simplex.samples.values.data(), std::size_t(dim_), moments_.data());
+    const double rest = simplex.projection != nullptr ? takeProjection(simplex) : takeSamples(simplex);
     addShares(std::size_t(dim_));
-    addRemainder(simplex, tables);
+    addRemainder(simplex, rest);
     return result_;
   }
   const std::size_t vertices = std::size_t(basis_.dim()) + 1, size = std::size_t(dim_); // constant

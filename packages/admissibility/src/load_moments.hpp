@@ -39,8 +39,9 @@ private:
   LoadMoments(int dim, int order, const MomentBasis& basis, const MomentBasis& fine, int carried);
   void testByHats();
   void addShares(std::size_t size);
-  void addRemainder(const LoadedSimplex& simplex, const BasisTables& tables);
-  double distance(const LoadedSimplex& simplex, const BasisTables& tables);
+  double takeSamples(const LoadedSimplex& simplex);
+  double takeProjection(const LoadedSimplex& simplex);
+  void addRemainder(const LoadedSimplex& simplex, double rest);
   void spreadForces();
 
   int dim_, order_; ///< of the body

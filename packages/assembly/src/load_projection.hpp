@@ -10,7 +10,7 @@ namespace ndframe
 {
 
 /// A load in the cells of a mesh as what the certificate needs of it: per cell its L2 projection on polynomials of
-/// degree 5 - dim, whose moments the load's samples have right, and its distance from the projection. 230 bytes a
+/// degree 5 - dim, whose moments the load's samples have right, and its distance from the projection. 190 bytes a
 /// triangle.
 class LoadProjection
 {
@@ -22,8 +22,8 @@ public:
   bool isKept() const { return isKept_; } ///< samples were certain in all cells
   /// It was made on this mesh.
   bool isOf(const Mesh& mesh) const { return stamp_ == stampOf(mesh); }
-  /// Samples of the projection in a cell by the order of the calls of add(). Memory of `samples` is reused.
-  void fill(std::size_t number, Samples& samples) const;
+  /// The projection in a cell by the order of the calls of add(), and what Samples say of it.
+  void fill(std::size_t number, LoadedSimplex& cell) const;
 
 private:
   struct Cell
@@ -38,11 +38,9 @@ private:
   std::size_t low_;     ///< functions of it of degree <= 2: rules give norms with these only
   std::uint64_t stamp_; ///< tells meshes apart
   bool isKept_ = true;
-  const QuadratureRule& rule_; ///< of the samples of projections
-  std::vector<double> atRule_; ///< the basis at its points, a row a function, padded
   std::vector<Cell> cells_;
-  std::vector<double> values_;         ///< at the rule's points, as in Samples, cell by cell
-  std::vector<double> factors_, rows_; ///< of the last cell: of the functions; its samples by component
+  std::vector<double> coefficients_; ///< cell by cell, as in LoadedSimplex
+  std::vector<double> rows_;         ///< samples of the last cell by component
 };
 
 } // namespace ndframe

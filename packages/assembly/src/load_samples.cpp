@@ -167,7 +167,7 @@ void visitProjections(const Load& load, const LoadProjection& kept, const Mesh& 
 {
   std::size_t number = 0;
   visitSimplices(load, mesh, [&](LoadedSimplex& simplex, const Place&) {
-    kept.fill(number++, simplex.samples);
+    kept.fill(number++, simplex);
     visit(simplex);
   });
 }
@@ -191,6 +191,16 @@ void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(cons
     densities.apply(place.outward(), simplex.samples);
     visit(simplex);
   });
+}
+
+std::array<int, 4> ascendingPlaces(const LoadedSimplex& simplex)
+{
+  const int count = simplex.samples.rule.dim + 1;
+  std::array<int, 4> places{};
+  for (int v = 0; v < count; ++v)
+    places[std::size_t(v)] = int(std::count_if(simplex.vertices.begin(), simplex.vertices.begin() + count,
+                                               [&](int w) { return w < simplex.vertices[std::size_t(v)]; }));
+  return places;
 }
 
 DataSampler& Load::sampler(int dim) const
