@@ -76,8 +76,13 @@ nlohmann::json yardstickOf(const std::string& deck, const std::vector<std::strin
 
 TEST(Speed, ThreadsDoNotChangeABit)
 {
-  for (const char* deck : {"punch", "contact-loss", "certificate", "beam-3d", "punch-3d"}) {
-    const Scene scene(deck);
+  Scene waves("certificate"); // sampled in both bodies
+  for (const std::string load : {"Bodies/punch/Loads/weight/", "Bodies/foundation/Loads/weight/"})
+    waves.set(load + "Type=Body Force").set(load + "Y=-0.01*sin(8*x)*cos(5*y)");
+  std::vector<std::pair<std::string, Scene>> scenes{{"waves", waves}};
+  for (const char* deck : {"punch", "contact-loss", "certificate", "beam-3d", "punch-3d"})
+    scenes.emplace_back(deck, Scene(deck));
+  for (const auto& [deck, scene] : scenes) {
     const auto one = withThreads("1", scene);
     for (const char* threads : {"2", "3", "2"}) {
       const auto several = withThreads(threads, scene);

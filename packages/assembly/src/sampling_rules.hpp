@@ -32,7 +32,7 @@ constexpr double agreementOfSmoothNorms(int dim)
   return dim == 3 ? 1e-6 : 1e-8;
 }
 
-/// Or this part of what they may miss of polynomials of degreeOfMoments().
+/// Or, in cells, this part of what they may miss of polynomials of degreeOfMoments().
 constexpr double shareOfOscillation = 1e-4;
 
 /// The highest degree of the polynomials that functions are compared with, on pieces of cells.

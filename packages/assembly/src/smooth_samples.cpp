@@ -108,12 +108,14 @@ double SmoothSamples::distance(int degree) const
 }
 
 /// The one of fewest points that serves all functions; null: none does.
-const SamplingRule* SmoothSamples::findRule(int dim, double scale) const
+const SamplingRule* SmoothSamples::findRule(const SimplexGeometry& simplex, double scale) const
 {
+  const int dim = simplex.dim();
   const double oscillation = distance(degreeOfMoments(dim)); // infinite for polynomials of a higher degree
+  const bool isLoadOfCell = dim == simplex.space() && std::isfinite(oscillation);
   const double ofMeans = agreementOfSmoothMeans(dim) * scale,
-               ofNorms = std::max(agreementOfSmoothNorms(dim) * scale,
-                                  std::isfinite(oscillation) ? shareOfOscillation * oscillation : 0.0);
+               ofNorms =
+                   std::max(agreementOfSmoothNorms(dim) * scale, isLoadOfCell ? shareOfOscillation * oscillation : 0.0);
   for (const SamplingRule& sampling : smoothLadder(dim))
     if (distance(sampling.kept) <= ofMeans && distance(sampling.squared) <= ofNorms)
       return &sampling;
@@ -134,10 +136,10 @@ bool SmoothSamples::sample(const SimplexGeometry& simplex, double scale, Samples
     if (!findPolynomials(place, share * allowed))
       return false;
   }
-  const SamplingRule* sampling = findRule(simplex.dim(), scale);
+  const SamplingRule* sampling = findRule(simplex, scale);
   if (!arePolynomials_ && (sampling == nullptr || sampling->rule.size() > many)) {
     recentre(place, shareOfPowers * allowed);
-    sampling = findRule(simplex.dim(), scale);
+    sampling = findRule(simplex, scale);
   }
   if (sampling == nullptr)
     return false;

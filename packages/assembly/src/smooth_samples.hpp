@@ -34,7 +34,7 @@ private:
   bool findPolynomials(const Place& place, double allowed);
   void recentre(const Place& place, double leftOut);
   double distance(int degree) const;
-  const SamplingRule* findRule(int dim, double scale) const;
+  const SamplingRule* findRule(const SimplexGeometry& simplex, double scale) const;
   void addValues(const SimplexGeometry& simplex, const SamplingRule& sampling, Samples& samples);
   void evaluate(const SampledFunction& function, const SimplexGeometry& simplex, Samples& samples);
 
