@@ -41,10 +41,11 @@ std::array<double, Enclosure::longest> PlacedPolynomial::sizes() const
 {
   std::array<double, Enclosure::longest> sums{};
   const double* next = coefficients.data();
-  for (int k = 0; k <= (place.dim == 3 ? degree : 0); ++k)
-    for (int j = 0; j + k <= degree; ++j)
-      for (int i = 0; i + j + k <= degree; ++i)
-        sums[std::size_t(i + j + k)] += std::abs(*next++);
+  const auto rows = std::size_t(degree) + 1;
+  for (std::size_t k = 0; k < (place.dim == 3 ? rows : 1); ++k)
+    for (std::size_t j = 0; j + k < rows; ++j)
+      for (std::size_t i = 0; i + j + k < rows; ++i)
+        sums[i + j + k] += std::abs(*next++);
   return sums;
 }
 
