@@ -7,16 +7,14 @@
 
 #include "chebyshev_box.hpp"
 #include "ndframe/assembly/point_sums.hpp"
-#include "ndframe/base/lanes.hpp"
+#include "packed_rows.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-constexpr std::size_t lanes = 4;
-using Pack = double __attribute__((vector_size(lanes * sizeof(double))));
-static_assert(BoxPolynomial::highest < 7 * lanes, "rows of seven packs at most");
+static_assert(BoxPolynomial::highest < mostPacks * packLanes, "powers fill that many packs at most");
 
 /// (c + r u)^i = sum_p powers[i * stride + p] u^p for i <= degree; the rest of a row is zero.
 void powersOf(double c, double r, int degree, std::size_t stride, double* powers)
@@ -39,65 +37,41 @@ struct Rows
   std::size_t slices, rows, stride;
 
   double* at(std::size_t k, std::size_t j) const { return first + (k * rows + j) * stride; }
-  std::size_t length(std::size_t k, std::size_t j) const { return rows - j - k; }
 };
 
-/// sum_m factors[m] addends[m], for rows of packs; m < count.
-template <std::size_t packs>
-inline __attribute__((always_inline)) void combine(const double* factors, std::size_t factorStep, const double* addends,
-                                                   std::size_t step, std::size_t count, double* result)
+enum class Along
 {
-  Pack sum[packs] = {}, addend;
-  for (std::size_t m = 0; m < count; ++m)
-    for (std::size_t p = 0; p < packs; ++p) {
-      load(addends + m * step + p * lanes, addend);
-      sum[p] += factors[m * factorStep] * addend;
-    }
-  for (std::size_t p = 0; p < packs; ++p)
-    store(sum[p], result + p * lanes);
-}
+  I,
+  J,
+  K
+};
 
-/// The same for rows of a length of `count` at most, as those of all addends are.
-inline __attribute__((always_inline)) void combine(const double* factors, std::size_t factorStep, const double* addends,
-                                                   std::size_t step, std::size_t count, double* result)
+/// Replaces one coordinate. Along j and k a row takes up itself and later ones, which are as they were.
+template <Along along>
+inline __attribute__((always_inline)) void substitute(const Rows& b, const double* powers)
 {
-  switch ((count + lanes - 1) / lanes) {
-  case 1:
-    return combine<1>(factors, factorStep, addends, step, count, result);
-  case 2:
-    return combine<2>(factors, factorStep, addends, step, count, result);
-  case 3:
-    return combine<3>(factors, factorStep, addends, step, count, result);
-  case 4:
-    return combine<4>(factors, factorStep, addends, step, count, result);
-  case 5:
-    return combine<5>(factors, factorStep, addends, step, count, result);
-  case 6:
-    return combine<6>(factors, factorStep, addends, step, count, result);
-  default:
-    return combine<7>(factors, factorStep, addends, step, count, result);
-  }
+  for (std::size_t k = 0; k < b.slices; ++k)
+    for (std::size_t j = 0; j + k < b.rows; ++j) {
+      double* const row = b.at(k, j);
+      const std::size_t count = b.rows - j - k, packs = (count + packLanes - 1) / packLanes;
+      if constexpr (along == Along::I)
+        combineRows(packs, row, 1, powers, b.stride, count, row);
+      else {
+        constexpr bool ofSlices = along == Along::K;
+        combineRows(packs, powers + (ofSlices ? k : j) * (b.stride + 1), b.stride, row,
+                    ofSlices ? b.rows * b.stride : b.stride, count, row);
+      }
+    }
 }
 
 /// Replaces the coordinates by c + r times new ones, whose powers are given axis by axis.
 NDFRAME_EVERY_PROCESSOR void substitute(const Rows& b, const double* powers)
 {
-  const std::size_t ofAxis = b.rows * b.stride, diagonal = b.stride + 1;
-  for (std::size_t k = 0; k < b.slices; ++k)
-    for (std::size_t j = 0; j + k < b.rows; ++j) {
-      double* const row = b.at(k, j);
-      combine(row, 1, powers, b.stride, b.length(k, j), row);
-    }
-  for (std::size_t k = 0; k < b.slices; ++k)
-    for (std::size_t j = 0; j + k < b.rows; ++j) {
-      double* const row = b.at(k, j);
-      combine(powers + ofAxis + j * diagonal, b.stride, row, b.stride, b.length(k, j), row);
-    }
-  for (std::size_t k = 0; k < b.slices && b.slices > 1; ++k)
-    for (std::size_t j = 0; j + k < b.rows; ++j) {
-      double* const row = b.at(k, j);
-      combine(powers + 2 * ofAxis + k * diagonal, b.stride, row, b.rows * b.stride, b.length(k, j), row);
-    }
+  const std::size_t ofAxis = b.rows * b.stride;
+  substitute<Along::I>(b, powers);
+  substitute<Along::J>(b, powers + ofAxis);
+  if (b.slices > 1)
+    substitute<Along::K>(b, powers + 2 * ofAxis);
 }
 
 } // namespace

@@ -1,16 +1,12 @@
 #include "polynomial_values.hpp"
 
 #include "box_polynomial.hpp"
-#include "ndframe/base/lanes.hpp"
+#include "packed_rows.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Points that are worked on side by side. Wider ones are slower where the processor has no such registers.
-using Pack = double __attribute__((vector_size(4 * sizeof(double))));
-constexpr std::size_t lanes = 4;
 
 /// Horner's scheme in the first two coordinates. row: one past the last coefficient; comes back at the first.
 template <int packs>
@@ -47,7 +43,7 @@ inline __attribute__((always_inline)) void place(const Points& at, std::size_t a
     x[p] = Pack{};
     for (int v = 0; v < at.vertices; ++v) {
       Pack lambda;
-      load(at.lambda + std::size_t(v) * at.stride + lanes * std::size_t(p), lambda);
+      load(at.lambda + std::size_t(v) * at.stride + packLanes * std::size_t(p), lambda);
       x[p] += lambda * at.corners[axis][std::size_t(v)];
     }
   }
@@ -76,7 +72,7 @@ inline __attribute__((always_inline)) int evaluate(const double* coefficients, i
     }
   }
   for (int p = 0; p < packs; ++p)
-    store(sum[p], result + lanes * std::size_t(p));
+    store(sum[p], result + packLanes * std::size_t(p));
   return packs;
 }
 
@@ -106,11 +102,11 @@ void polynomialValues(const double* coefficients, int degree, int dim, const Box
                       const SamplingRule& sampling, double* result)
 {
   const int vertices = sampling.rule.dim + 1;
-  const std::size_t stride = sampling.padded.size() / std::size_t(vertices), packs = stride / lanes;
+  const std::size_t stride = sampling.padded.size() / std::size_t(vertices), packs = stride / packLanes;
   for (std::size_t pack = 0; pack < packs;)
     pack += std::size_t(evaluate(coefficients, degree, dim, int(packs - pack),
-                                 {corners, sampling.padded.data() + lanes * pack, stride, vertices},
-                                 result + lanes * pack));
+                                 {corners, sampling.padded.data() + packLanes * pack, stride, vertices},
+                                 result + packLanes * pack));
 }
 
 } // namespace ndframe

@@ -14,7 +14,7 @@ std::size_t paddedCount(int points);
 /// Samples of `size` components as one row a component. Memory of `rows` is reused.
 void rowsOf(const Samples& samples, int size, std::vector<double>& rows);
 
-/// sums[k size + i] = factor sum_g table[g][k] values[g size + i] for k < count (16 at most), g < points and `size`
+/// sums[k size + i] = factor sum_g table[g][k] values[g size + i] for k < count (28 at most), g < points and `size`
 /// components; the rows of the table are padded.
 void sumOverPoints(const double* table, int points, int count, double factor, const double* values, std::size_t size,
                    double* sums);
