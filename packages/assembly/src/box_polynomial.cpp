@@ -49,8 +49,13 @@ std::array<double, Enclosure::longest> PlacedPolynomial::sizes() const
   return sums;
 }
 
-void PlacedPolynomial::truncate(int lower)
+double PlacedPolynomial::shorten(double most)
 {
+  const auto ofDegree = sizes();
+  int lower = degree;
+  double left = 0.0;
+  for (; lower > 0 && left + ofDegree[std::size_t(lower)] <= most; --lower)
+    left += ofDegree[std::size_t(lower)];
   double* last = coefficients.data();
   const double* row = coefficients.data();
   for (int k = 0; k <= (place.dim == 3 ? degree : 0); ++k)
@@ -58,6 +63,7 @@ void PlacedPolynomial::truncate(int lower)
       last = std::copy_n(row, std::max(0, lower - j - k + 1), last);
   coefficients.resize(std::size_t(last - coefficients.data()));
   degree = lower;
+  return left;
 }
 
 BoxPolynomial::BoxPolynomial(PlacedPolynomial polynomial, double error)

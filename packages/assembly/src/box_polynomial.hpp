@@ -39,8 +39,8 @@ struct PlacedPolynomial
   std::size_t numTerms() const { return coefficients.size(); }
   /// By i + j + k: the sum of |a_ijk|.
   std::array<double, Enclosure::longest> sizes() const;
-  /// Leaves out what is of a higher degree.
-  void truncate(int lower);
+  /// Leaves out the highest degrees whose sizes add up to `most` at most; returns their sum.
+  double shorten(double most);
   /// Its values at the points of a rule on a triangle or tetrahedron; as many as its coordinates are padded to.
   void values(const DataSampler::Vertices& vertices, const SamplingRule& sampling, double* result) const;
 };

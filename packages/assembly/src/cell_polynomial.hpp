@@ -1,6 +1,6 @@
 #pragma once
 
-#include "box_polynomial.hpp"
+#include "substitution.hpp"
 
 namespace ndframe
 {
@@ -22,12 +22,12 @@ public:
   const PlacedPolynomial& polynomial() const { return polynomial_; }
 
 private:
-  void shorten(double error, double leftOut);
+  void findDistances(double error);
 
   PlacedPolynomial polynomial_;
   SmoothDistances distances_{};
-  /// Rows of coefficients with the same j and k, and by axis the coefficients of (c + r u)^i, row by row; both padded.
-  std::vector<double> rows_, powers_;
+  std::array<SubstitutionMatrix, 3> powers_; ///< by axis, of c + r u
+  std::vector<double> rows_;
 };
 
 } // namespace ndframe

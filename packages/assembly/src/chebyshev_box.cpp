@@ -11,7 +11,7 @@ namespace
 {
 
 using Matrix = ChebyshevBox::Matrix;
-using Slices = ChebyshevBox::Slices;
+using Slices = std::vector<Matrix>; ///< by k, j and i
 constexpr std::size_t size = ChebyshevBox::size;
 
 /// T_i(c + r x) = sum_k result[i][k] T_k(x), by T_{i+1} = 2 (c + r x) T_i - T_{i-1}.
@@ -33,42 +33,6 @@ void shiftedPolynomials(double c, double r, int degree, Matrix& result)
       next[k] = 2.0 * c * last[k] + r * (last[k - 1] + (k < i ? last[k + 1] : 0.0)) - before[k];
     next[i + 1] = r * last[i];
   }
-}
-
-/// b_qp = sum c_ij x_ip y_jq with lower triangular matrices x and y, for i + j <= degree. c: row by row.
-NDFRAME_EVERY_PROCESSOR void substitute(const double* c, const Matrix& x, const Matrix& y, int degree, Matrix& b)
-{
-  const auto end = std::size_t(degree) + 1;
-  Matrix half;
-  for (std::size_t j = 0; j < end; c += end - j, ++j) {
-    std::fill_n(half[j].begin(), end - j, 0.0);
-    std::fill_n(b[j].begin(), end - j, 0.0);
-    for (std::size_t i = 0; i + j < end; ++i)
-      for (std::size_t p = 0; p <= i; ++p)
-        half[j][p] += c[i] * x[i][p];
-  }
-  for (std::size_t j = 0; j < end; ++j)
-    for (std::size_t q = 0; q <= j; ++q)
-      for (std::size_t p = 0; p + j < end; ++p)
-        b[q][p] += y[j][q] * half[j][p];
-}
-
-/// b_rqp = sum c_ijk x_ip y_jq z_kr, slice by slice; in a plane there is one and no z.
-Slices substitute(const std::vector<double>& c, const std::array<Matrix, 3>& xyz, int dim, int degree)
-{
-  const std::size_t slices = dim == 3 ? std::size_t(degree) + 1 : 1;
-  Slices b(slices);
-  const double* next = c.data();
-  for (std::size_t k = 0; k < slices; ++k) {
-    substitute(next, xyz[0], xyz[1], degree - int(k), b[k]);
-    next += numProducts(2, degree - int(k));
-  }
-  for (std::size_t r = 0; r < slices && dim == 3; ++r) // z is lower triangular: later slices are as they were
-    for (std::size_t k = r; k < slices; ++k)
-      for (std::size_t q = 0; q + k < slices; ++q)
-        for (std::size_t p = 0; p + q + k < slices; ++p)
-          b[r][q][p] = (k == r ? 0.0 : b[r][q][p]) + xyz[2][k][r] * b[k][q][p];
-  return b;
 }
 
 /// T_i(x) = sum_k result[i][k] x^k.
@@ -180,7 +144,6 @@ std::array<double, Enclosure::longest + 1> remainderAlong(std::size_t axis, cons
 std::optional<ChebyshevBox> ChebyshevBox::fit(const ExpressionTree& tree, const BoxPlace& place, double allowed)
 {
   constexpr double share = 0.5; // of what is allowed; the rest is for the products that are left out
-  ChebyshevBox box(place);
   std::array<std::array<double, Enclosure::longest + 1>, 3> along{};
   for (std::size_t k = 0; k < std::size_t(place.dim); ++k) {
     along[k] = remainderAlong(k, tree, place);
@@ -190,47 +153,47 @@ std::optional<ChebyshevBox> ChebyshevBox::fit(const ExpressionTree& tree, const 
   for (int m = 0; m <= highest; ++m) {
     const double lebesgue = 1.0 + 2.0 / M_PI * std::log(m + 1.0);
     const auto n = std::size_t(m) + 1;
-    box.error_ = std::ldexp(along[0][n] + lebesgue * (along[1][n] + lebesgue * along[2][n]), -m);
-    if (!(box.error_ <= share * allowed))
+    double error = std::ldexp(along[0][n] + lebesgue * (along[1][n] + lebesgue * along[2][n]), -m);
+    if (!(error <= share * allowed))
       continue;
-    box.degree_ = place.dim * m;
-    box.keep(interpolants(tree, place, m), m, allowed);
-    return box.error_ <= allowed && std::isfinite(box.coefficients_[0]) ? std::optional(std::move(box)) : std::nullopt;
+    const Slices c = interpolants(tree, place, m);
+    int degree = place.dim * m;
+    for (; degree > highest; --degree)
+      error += sizeOfProducts(c, degree, m);
+    ChebyshevBox box({place, degree, listed(c, place.dim, degree)}, error, allowed);
+    const bool isShown = box.error_ <= allowed && std::isfinite(box.products_.coefficients.front());
+    return isShown ? std::optional(std::move(box)) : std::nullopt;
   }
   return {};
 }
 
-/// Keeps no products of too high a degree, and of others those without which the error would be > allowed. largest: the
-/// highest degree along one axis.
-void ChebyshevBox::keep(const Slices& c, int largest, double allowed)
+/// Leaves out products of high degrees without which the error is <= allowed.
+ChebyshevBox::ChebyshevBox(PlacedPolynomial products, double error, double allowed)
+    : products_(std::move(products)), error_(error)
 {
-  for (; degree_ > 0; --degree_) {
-    const double last = sizeOfProducts(c, degree_, largest);
-    if (degree_ <= highest && !(error_ + last <= allowed))
-      break;
-    error_ += last;
-  }
-  coefficients_ = listed(c, place_.dim, degree_);
+  error_ += products_.shorten(allowed - error);
 }
 
 ChebyshevBox ChebyshevBox::restricted(const BoxPlace& place, double allowed) const
 {
-  const double ratio = place.halfWidth / place_.halfWidth;
+  PlacedPolynomial part = products_;
   std::array<Matrix, 3> xyz;
   for (std::size_t k = 0; k < std::size_t(place.dim); ++k)
-    shiftedPolynomials((place.middle[k] - place_.middle[k]) / place_.halfWidth, ratio, degree_, xyz[k]);
-  ChebyshevBox part(place);
-  part.error_ = error_;
-  part.degree_ = degree_;
-  part.keep(substitute(coefficients_, xyz, place.dim, degree_), degree_, allowed);
-  return part;
+    shiftedPolynomials((place.middle[k] - part.place.middle[k]) / part.place.halfWidth,
+                       place.halfWidth / part.place.halfWidth, part.degree, xyz[k]);
+  std::vector<double> rows;
+  substitute(part, {&xyz[0], &xyz[1], &xyz[2]}, rows);
+  part.place = place;
+  return {std::move(part), error_, allowed};
 }
 
 BoxPolynomial ChebyshevBox::inPowers() const
 {
   const Matrix& T = powersOfChebyshev();
-  return {{place_, degree_, listed(substitute(coefficients_, {T, T, T}, place_.dim, degree_), place_.dim, degree_)},
-          error_};
+  PlacedPolynomial polynomial = products_;
+  std::vector<double> rows;
+  substitute(polynomial, {&T, &T, &T}, rows);
+  return {std::move(polynomial), error_};
 }
 
 namespace
@@ -253,9 +216,9 @@ const Matrix& chebyshevOfPowers()
 }
 
 /// By the degrees' sum: the coefficients of the products of two polynomials with coefficients that are not negative.
-std::array<double, size> product(const std::array<double, size>& a, const std::array<double, size>& b)
+Matrix::value_type product(const Matrix::value_type& a, const Matrix::value_type& b)
 {
-  std::array<double, size> sums{};
+  Matrix::value_type sums{};
   for (std::size_t p = 0; p < size; ++p)
     for (std::size_t q = 0; p + q < size; ++q)
       sums[p + q] += a[p] * b[q];

@@ -2,8 +2,8 @@
 
 #include <optional>
 
-#include "box_polynomial.hpp"
 #include "ndframe/base/expression_enclosure.hpp"
+#include "substitution.hpp"
 
 namespace ndframe
 {
@@ -23,9 +23,7 @@ class ChebyshevBox
 public:
   static constexpr int highest = BoxPolynomial::highest;
   static constexpr std::size_t size = highest + 1;
-  using Matrix = std::array<std::array<double, size>, size>;
-
-  using Slices = std::vector<Matrix>; ///< by k, j and i
+  using Matrix = SubstitutionMatrix;
 
   /// Nothing if no degree shows an error <= `allowed`.
   static std::optional<ChebyshevBox> fit(const ExpressionTree& tree, const BoxPlace& place, double allowed);
@@ -35,16 +33,13 @@ public:
   BoxPolynomial inPowers() const;
 
   double error() const { return error_; }
-  int degree() const { return degree_; }
+  int degree() const { return products_.degree; }
 
 private:
-  explicit ChebyshevBox(const BoxPlace& place) : place_(place) {}
-  void keep(const Slices& c, int largest, double allowed);
+  ChebyshevBox(PlacedPolynomial products, double error, double allowed);
 
-  BoxPlace place_;
-  double error_ = 0.0;
-  int degree_ = 0;
-  std::vector<double> coefficients_; ///< c_ijk, k by k, j by j
+  PlacedPolynomial products_; ///< of Chebyshev polynomials: c_ijk
+  double error_;
 };
 
 /// Row n, column m: the most that a product of powers of degree n misses of polynomials of degree m on the box. Of
