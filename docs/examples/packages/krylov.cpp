@@ -30,13 +30,10 @@ int main()
   problem.matrix = &K;
   problem.roles.assign(10, DofRole::Interior);
   Ledger ledger; // counts what the solver does
-  const Vector u =
-      solvers
-          .build({"Type=Krylov", "Tolerance=1e-13", "Preconditioner/Type=Ifpack2"}) // as a deck's list has them
-
-          ->factor(problem, Comm::single(), ledger)
-          ->expand(DenseMatrix(Vector(10, 1.0)), DenseMatrix(0, 1))
-          .column(0);
+  const Vector u = solvers.build({"Type=Krylov", "Tolerance=1e-13", "Preconditioner/Type=Ifpack2"})
+                       ->factor(problem, Comm::single(), ledger)
+                       ->expand(DenseMatrix(Vector(10, 1.0)), DenseMatrix(0, 1))
+                       .column(0);
   bool ok = ledger.counted("Krylov iterations") > 0;
   for (int node = 0; node < 10; ++node) // the deflection is a parabola
     ok = ok && std::abs(u[std::size_t(node)] - 0.5 * (node + 1) * (10 - node)) < 1e-11;
