@@ -52,9 +52,12 @@ def missed_without_reason(run):
 
 
 def worse_than_before(run):
-    """Where the answer that is written is not the best one."""
+    """Where the answer that is written is not the best one, of those with a guarantee if there are any."""
+    guaranteed = [level["bound"] for level in run.levels if level["guaranteed"]]
     bounds = [level["bound"] for level in run.levels]
-    best, written = min(bounds), run.summary["errors"]["global"]["absolute"]
+    best, written = min(guaranteed or bounds), run.summary["errors"]["global"]["absolute"]
+    if guaranteed and not run.summary["errors"]["global"]["guaranteed"]:
+        return [f"no guarantee, but {best:.3g} on level {bounds.index(best) + 1} has one"]
     return [f"bound {written:.3g}, but {best:.3g} on level {bounds.index(best) + 1}"] if written > 1.001 * best else []
 
 

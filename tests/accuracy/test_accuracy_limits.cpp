@@ -52,6 +52,30 @@ TEST(EndOfProgress, MeshesOfAFewCellsMoreMayHaveALargerBound)
   EXPECT_EQ(endAfter({{4746, 0.0571}, {4778, 0.0535}, {4898, 0.0581}}), "");
 }
 
+TEST(EndOfProgress, ATargetThatIsReachedWithoutTheGuaranteeThatALevelBeforeHad)
+{
+  std::vector<LevelSummary> levels(2);
+  levels[0].bound = levels[0].relative = 0.055;
+  levels[1].bound = levels[1].relative = 0.026;
+  levels[1].doubt = "forces are out of balance";
+  AccuracyOptions options;
+  options.target = 0.05;
+  options.maximumLevels = 20;
+  const auto end = [&] { return endOfProgress(options, levels, {}); };
+  EXPECT_EQ(end(), "level 2 reaches it without a guarantee: forces are out of balance");
+  EXPECT_TRUE(lostGuarantee(levels));
+  EXPECT_TRUE(isBetter(levels[0], levels[1]));
+
+  levels[1].bound = levels[1].relative = 0.051; // the next one may have it again
+  EXPECT_EQ(end(), "");
+
+  levels[0].doubt = levels[1].doubt; // there never was one
+  levels[1].bound = levels[1].relative = 0.026;
+  EXPECT_EQ(end(), "");
+  EXPECT_FALSE(lostGuarantee(levels));
+  EXPECT_TRUE(isBetter(levels[1], levels[0]));
+}
+
 TEST(EndOfProgress, FewCellsMoreEachTimeAreNoProgressEither)
 {
   EXPECT_EQ(endAfter({{100, 0.2}, {101, 0.2}, {102, 0.2}, {103, 0.2}, {104, 0.2}, {105, 0.2}}), "");

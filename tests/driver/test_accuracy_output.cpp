@@ -74,7 +74,7 @@ TEST_F(RunWithATarget, WritesItsHistoryAsATable)
   const auto levels = summary("punch")["accuracy"]["levels"];
   EXPECT_THAT(rows.front(), ElementsAre("level", "dofs", "elements", "worst_shape", "sweeps", "bound", "relative",
                                         "mesh", "iteration", "largest_body", "largest_x", "largest_y", "dofs_to_target",
-                                        "seconds", "energy_lower", "energy_upper"));
+                                        "seconds", "energy_lower", "energy_upper", "guaranteed"));
   ASSERT_EQ(rows.size(), levels.size() + 1);
   for (std::size_t i = 0; i < levels.size(); ++i) {
     ASSERT_EQ(rows[i + 1].size(), rows.front().size());

@@ -91,14 +91,15 @@ TEST(LevelTable, HasOneRowALevelAndNoNumberThatIsNotKnown)
 {
   auto levels = contactSummary().accuracy->levels;
   levels[0].worstBody = "a, b";
+  levels[0].doubt = "round-off";
   levels[1].energy = {-0.75, -0.5};
   EXPECT_EQ(levelsCsv(levels),
             "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,"
-            "largest_y,dofs_to_target,seconds,energy_lower,energy_upper\n"
+            "largest_y,dofs_to_target,seconds,energy_lower,energy_upper,guaranteed\n"
             "1,48,6,0.875,2,0.25,0.20000000000000001,0.23999999999999999,0.070000000000000007,\"a, b\","
-            "0.5,-0.25,832,0.010000,,\n"
+            "0.5,-0.25,832,0.010000,,,0\n"
             "2,910,201,0.5,1,0.0625,0.050000000000000003,0.059999999999999998,0.01,foundation,"
-            "1.5,0.75,,0.040000,-0.75,-0.5\n");
+            "1.5,0.75,,0.040000,-0.75,-0.5,1\n");
 }
 
 TEST(LevelTable, HasThreeCoordinatesInSpace)

@@ -51,8 +51,8 @@ def main():
             if broken or not reached:
                 why = run.screen.strip().splitlines()[-1]
                 print(f"{scene.name} to {target} ({scene.title}): {'; '.join(broken) or 'not reached'}: {why}", flush=True)
-    print(f"{counts['reached']} of {given.scenes} scenes reach their target, {counts['broken']} break a rule; work: median "
-          f"{statistics.median(works):.2f}, most {max(works):.2f}")
+    print(f"{counts['reached']} of {given.scenes} scenes reach their target, {counts['broken']} break a rule" +
+          (f"; work: median {statistics.median(works):.2f}, most {max(works):.2f}" if works else ""))
     return 1 if counts["broken"] or counts["reached"] < given.share * given.scenes else 0
 
 

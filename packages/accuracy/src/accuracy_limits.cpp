@@ -1,5 +1,8 @@
 #include "accuracy_limits.hpp"
 
+#include <algorithm>
+#include <utility>
+
 #include <fmt/format.h>
 
 namespace ndframe
@@ -23,13 +26,31 @@ bool isStalled(const std::vector<LevelSummary>& levels)
   return back < levels.size() && levels.back().bound > stalled * levels[levels.size() - 1 - back].bound;
 }
 
+bool isWithinTarget(const AccuracyOptions& options, const LevelSummary& level)
+{
+  return (options.relative ? level.relative : level.bound) <= options.target;
+}
+
 } // namespace
+
+bool isBetter(const LevelSummary& level, const LevelSummary& other)
+{
+  return std::pair(!level.doubt.empty(), level.bound) < std::pair(!other.doubt.empty(), other.bound);
+}
+
+bool lostGuarantee(const std::vector<LevelSummary>& levels)
+{
+  const auto isGuaranteed = [](const LevelSummary& level) { return level.doubt.empty(); };
+  return !isGuaranteed(levels.back()) && std::any_of(levels.begin(), levels.end(), isGuaranteed);
+}
 
 std::string endOfProgress(const AccuracyOptions& options, const std::vector<LevelSummary>& levels,
                           const CouplingResult& coupling)
 {
   if (!coupling.converged && !coupling.history.empty())
     return fmt::format("the sweeps do not converge ({})", coupling.reason);
+  if (lostGuarantee(levels) && isWithinTarget(options, levels.back()))
+    return fmt::format("level {} reaches it without a guarantee: {}", levels.size(), levels.back().doubt);
   if (int(levels.size()) >= options.maximumLevels)
     return fmt::format("Maximum Levels = {}", options.maximumLevels);
   if (isStalled(levels))

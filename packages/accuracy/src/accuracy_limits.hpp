@@ -11,6 +11,13 @@
 namespace ndframe
 {
 
+/// Whether this answer is to be preferred: by its guarantee first, by its bound then.
+bool isBetter(const LevelSummary& level, const LevelSummary& other);
+
+/// Whether the bound of the last level is not guaranteed and that of one before is. Round-off in the smallest cells may
+/// do that, and then finer meshes do not help. levels: at least one.
+bool lostGuarantee(const std::vector<LevelSummary>& levels);
+
 /// Why a finer mesh would not help or is not wanted; empty when it is. levels: up to the present one.
 std::string endOfProgress(const AccuracyOptions& options, const std::vector<LevelSummary>& levels,
                           const CouplingResult& coupling);

@@ -78,7 +78,7 @@ bool AdaptiveRun::needsAnother()
   LevelLesson lesson = lessonOf(run_, errors);
   planner_->learn(run_.model, lesson);
   record(errors, std::move(lesson));
-  summary_.reached = errors.reached() && !run_.contradiction;
+  summary_.reached = errors.reached() && !run_.contradiction && !lostGuarantee(summary_.levels);
   if (run_.contradiction)
     summary_.limit = contradictingText(*run_.contradiction);
   else if (!summary_.reached)
@@ -215,7 +215,7 @@ void AdaptiveRun::enter(const LevelSummary& level, const CarriedContact& contact
     observer_.levels(summary_, balances_ && tools_.settings.namesTolerance);
   summary_.levels.push_back(level);
   observer_.level(level, planner_->note());
-  if (best_.level == 0 || level.bound < summary_.levels[std::size_t(best_.level) - 1].bound)
+  if (best_.level == 0 || isBetter(level, summary_.levels[std::size_t(best_.level) - 1]))
     best_ = {level.level, planner_->meshes(), contact, rolesOf(run_)};
 }
 

@@ -73,6 +73,8 @@ LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
   level.iteration = errors.iteration;
   level.mesh = errors.mesh;
   level.energy = bracketOf(run.energy);
+  if (!run.certificate->summary.guaranteed)
+    level.doubt = run.certificate->summary.reason;
   findWorst(run, level);
   return level;
 }

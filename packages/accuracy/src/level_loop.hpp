@@ -9,7 +9,7 @@
 namespace ndframe
 {
 
-/// The level with the smallest bound so far.
+/// The level with the smallest bound so far, of those with a guarantee if there are any.
 struct BestLevel
 {
   int level = 0; ///< from 1; 0: none

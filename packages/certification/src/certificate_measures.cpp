@@ -211,9 +211,11 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   guarantee.accept(admissible.gap.caveat);
   guarantee.accept(admissible.displacement.caveat);
   const double imbalance = largestImbalance(scene, recovered);
-  guarantee.require(imbalance <= largestDefect, fmt::format("the forces are out of balance by {:.1e} of the largest at "
-                                                            "a node (limit {:.0e}): solve to a tighter tolerance",
-                                                            imbalance, largestDefect));
+  guarantee.require(
+      imbalance <= largestDefect,
+      fmt::format("the forces are out of balance by {:.1e} of the largest at a node (limit {:.0e}): a loose "
+                  "tolerance of the linear solver, or round-off in small cells",
+                  imbalance, largestDefect));
   guarantee.require(equilibrium <= largestDefect,
                     fmt::format("the equilibrated stress is out of balance by {:.1e}", equilibrium));
   if (scene.facets.empty() || mode == ErrorMode::Paper)

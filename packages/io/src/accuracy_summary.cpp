@@ -29,7 +29,9 @@ Json levelJson(const LevelSummary& level)
           {"largest", {{"body", level.worstBody}, {"point", level.worstPoint}}},
           {"dofs_to_target", level.dofsToTarget > 0 ? Json(level.dofsToTarget) : Json()},
           {"seconds", level.seconds},
-          {"energy_bracket", bracketOrNull(level.energy)}};
+          {"energy_bracket", bracketOrNull(level.energy)},
+          {"guaranteed", level.doubt.empty()},
+          {"reason", level.doubt}};
 }
 
 } // namespace
@@ -78,15 +80,16 @@ std::string levelsCsv(const std::vector<LevelSummary>& levels)
   fmt::format_to(
       out,
       "level,dofs,elements,worst_shape,sweeps,bound,relative,mesh,iteration,largest_body,largest_x,largest_y,"
-      "{}dofs_to_target,seconds,energy_lower,energy_upper\n",
+      "{}dofs_to_target,seconds,energy_lower,energy_upper,guaranteed\n",
       plane ? "" : "largest_z,");
   for (const auto& level : levels) {
     fmt::format_to(out, "{},{},{},{:.17g},{},{:.17g},{:.17g},{:.17g},{:.17g},", level.level, level.dofs, level.elements,
                    level.worstShape, level.sweeps, level.bound, level.relative, level.mesh, level.iteration);
     fmt::format_to(out, "{},{:.17g},{},{:.6f},", csvField(level.worstBody), fmt::join(level.worstPoint, ","),
                    level.dofsToTarget > 0 ? fmt::format("{}", level.dofsToTarget) : "", level.seconds);
-    fmt::format_to(out, "{}\n",
-                   level.energy ? fmt::format("{:.17g},{:.17g}", level.energy->lower, level.energy->upper) : ",");
+    fmt::format_to(out, "{},{:d}\n",
+                   level.energy ? fmt::format("{:.17g},{:.17g}", level.energy->lower, level.energy->upper) : ",",
+                   int(level.doubt.empty()));
   }
   return fmt::to_string(buffer);
 }

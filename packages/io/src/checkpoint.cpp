@@ -30,7 +30,7 @@ using Json = nlohmann::json;
 
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(NumberBracket, lower, upper)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelSummary, level, dofs, elements, worstShape, sweeps, bound, relative, iteration,
-                                   mesh, worstBody, worstPoint, dofsToTarget, seconds, energy)
+                                   mesh, worstBody, worstPoint, dofsToTarget, seconds, energy, doubt)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(RoleSummary, dirichletBodies, neumannBodies, exchanged, contraction, theta,
                                    bestTheta, contractionExchanged)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelNumbers, bound, target, relative, iteration, mesh, contact)
@@ -49,7 +49,7 @@ namespace
 
 constexpr const char *kindKey = "kind", *formatKey = "format", *contentKey = "content";
 constexpr const char* kind = "ndframe checkpoint";
-constexpr int format = 2;
+constexpr int format = 3;
 
 std::string refusal(const std::string& path, const std::string& why)
 {

@@ -39,10 +39,11 @@ std::string levelTitle(const AccuracySummary& summary, bool replacesTolerance)
 std::string levelLine(const LevelSummary& level, const std::string& note)
 {
   return fmt::format(
-      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {}  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g} in {}{}",
+      "  {:>5} {:>9}  {:>6}  {:>10.4g}  {}  {:>10.4g}  {:>10.2e}   {:>14}   {:>7.3f}   {:>5.2f}   {:.3g} in {}{}{}",
       level.level, grouped(level.dofs), level.sweeps, level.bound, relativeText(level), level.mesh, level.iteration,
       level.dofsToTarget > 0 ? grouped(level.dofsToTarget) : "-", level.seconds, level.worstShape,
-      fmt::join(level.worstPoint, ", "), level.worstBody, note.empty() ? "" : "   note: " + note);
+      fmt::join(level.worstPoint, ", "), level.worstBody, level.doubt.empty() ? "" : "   not guaranteed",
+      note.empty() ? "" : "   note: " + note);
 }
 
 std::string accuracyText(const AccuracySummary& summary, bool guaranteed)

@@ -27,18 +27,19 @@ struct LevelSummary
   std::int64_t dofsToTarget = 0;       ///< predicted for the target; 0 when it is reached
   double seconds = 0.0;                ///< since the run began
   std::optional<NumberBracket> energy; ///< of the exact solution, the best so far; absent without a guaranteed bound
+  std::string doubt;                   ///< why the bound is not guaranteed; empty when it is
 };
 
 /// How a target was reached, or why not.
 struct AccuracySummary
 {
-  std::string of;                   ///< "Displacement", "Mean Stress"
-  double target = 0.0;              ///< of the bound: a share, or absolute in the energy norm
-  bool relative = true;             ///< the target is over sqrt(a(u_h, u_h))
-  bool reached = false;             ///< the last bound is at most the target, and no certificate contradicts another
-  std::string limit;                ///< why it was not; empty when it was
+  std::string of;       ///< "Displacement", "Mean Stress"
+  double target = 0.0;  ///< of the bound: a share, or absolute in the energy norm
+  bool relative = true; ///< the target is over sqrt(a(u_h, u_h))
+  bool reached = false; ///< the last bound is at most the target and guaranteed if one before is; none is contradicted
+  std::string limit;    ///< why it was not; empty when it was
   std::vector<LevelSummary> levels; ///< in the order in which they were solved
-  int written = 0; ///< the level whose answer is written, from 1: the last, or one with a smaller bound before it
+  int written = 0;                  ///< the level whose answer is written, from 1: the last, or a better one before it
 
   /// The level that is written; needs written > 0.
   const LevelSummary& answer() const { return levels[std::size_t(written) - 1]; }
