@@ -6,6 +6,7 @@
 #include <gmock/gmock.h>
 
 #include "assembly/sample_body.hpp"
+#include "ndframe/assembly/body_loads.hpp"
 #include "ndframe/assembly/load_samples.hpp"
 #include "ndframe/fem/moment_basis.hpp"
 
@@ -77,8 +78,7 @@ std::vector<CellMoments> momentsOf(const BodyModel& body)
 
 void integrate(const BodyModel& body, Load::Keep keep = Load::Keep::Projections)
 {
-  Vector forces(std::size_t(body.numDofs()), 0.0);
-  body.loads.front()->addTo(forces, body.mesh, body.nodes, keep);
+  integrateLoads(body, keep);
 }
 
 } // namespace

@@ -8,6 +8,7 @@
 
 #include "driver/program.hpp"
 #include "driver/scene.hpp"
+#include "ndframe/assembly/body_loads.hpp"
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/deck_spec.hpp"
 

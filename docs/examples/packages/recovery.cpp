@@ -2,6 +2,7 @@
 #include <cmath>
 
 #include "ndframe/admissibility/make_static_data.hpp"
+#include "ndframe/assembly/body_loads.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/equilibrium/equilibrium_check.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"

@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/mesh/mesh.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/assembly/point_sums.hpp"
+#include "ndframe/sampling/point_sums.hpp"
 
 namespace ndframe
 {

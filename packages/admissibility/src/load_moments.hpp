@@ -3,8 +3,8 @@
 #include <vector>
 
 #include "ndframe/assembly/load_samples.hpp"
-#include "ndframe/assembly/sampled_basis.hpp"
 #include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/sampling/sampled_basis.hpp"
 
 namespace ndframe
 {

@@ -45,13 +45,13 @@ public:
         inCells_(LoadMoments::inCells(data.dim, data.order, data.degree, richestDegree(data.dim)))
   {
     data_.oscillation.assign(std::size_t(body.mesh.numCells()), 0.0);
-    byConstants_ = data_.oscillation;
+    data_.rest = data_.oscillation;
   }
 
   void listBoundary();
   void addLoad(const Load& load);
   /// Turns the sums over each cell's loads, which are bounds for |eps(v)|, into squared bounds for the energy norm.
-  void finish(double negligible);
+  void finish();
 
 private:
   int number(Facet facet) const { return facet.cell * (body_.mesh.dim + 1) + facet.local; }
@@ -60,15 +60,11 @@ private:
   static void addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values,
                     double factor = 1.0);
   void addBound(std::size_t cell, double constant, const SimplexMoments& moments);
-  bool boundByConstants(const Vector& stiffness, double negligible);
-  Vector liftedEnergies();
 
   const BodyModel& body_;
   StaticData& data_;
   LoadMoments onFacets_, inCells_;
   std::map<int, std::size_t> place_; ///< in data.boundary, by facet
-  StressCorrection lifted_;          ///< carries what the shares leave over; empty until there is some
-  Vector byConstants_;               ///< per cell the bound without it
 };
 
 void DataBuilder::listBoundary()
@@ -106,8 +102,8 @@ void DataBuilder::addOnFacet(LoadedSimplex simplex)
   addTo(data_.facetShares, place, moments.shares);
   if (!moments.beyond.empty()) {
     const std::size_t facets = dim + 1, cell = std::size_t(simplex.facet.cell);
-    lifted_.tractions.resize(data_.oscillation.size() * facets * moments.beyond.size(), 0.0);
-    addTo(lifted_.tractions, cell * facets + std::size_t(sortedFacet(body_.mesh, simplex.facet)), moments.beyond);
+    data_.lifted.tractions.resize(data_.oscillation.size() * facets * moments.beyond.size(), 0.0);
+    addTo(data_.lifted.tractions, cell * facets + std::size_t(sortedFacet(body_.mesh, simplex.facet)), moments.beyond);
   }
   if (moments.rest + moments.beyondNorm > 0.0)
     addBound(std::size_t(simplex.facet.cell), facetOscillationConstant(body_.mesh, simplex.facet), moments);
@@ -120,8 +116,8 @@ void DataBuilder::addInCell(const LoadedSimplex& simplex)
   data_.cellShares.resize(moments.shares.size() * std::size_t(body_.mesh.numCells()), 0.0);
   addTo(data_.cellShares, cell, moments.shares);
   if (!moments.beyond.empty()) {
-    lifted_.loads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
-    addTo(lifted_.loads, cell, moments.beyond, -1.0); // moments of the divergence
+    data_.lifted.loads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
+    addTo(data_.lifted.loads, cell, moments.beyond, -1.0); // moments of the divergence
   }
   if (moments.rest + moments.beyondNorm > 0.0)
     addBound(cell, cellOscillationConstant(body_.mesh, int(cell)), moments);
@@ -145,57 +141,39 @@ void DataBuilder::addLoad(const Load& load)
 
 void DataBuilder::addBound(std::size_t cell, double constant, const SimplexMoments& moments)
 {
-  data_.oscillation[cell] += constant * moments.rest;
-  byConstants_[cell] += constant * (moments.rest + moments.beyondNorm);
+  data_.rest[cell] += constant * moments.rest;
+  data_.oscillation[cell] += constant * (moments.rest + moments.beyondNorm);
 }
 
-/// Where the constants alone show that all is negligible there is no need for the stress tau.
-bool DataBuilder::boundByConstants(const Vector& stiffness, double negligible)
+void DataBuilder::finish()
 {
-  const auto squareIn = [&](std::size_t cell) {
-    return byConstants_[cell] * byConstants_[cell] / stiffness[std::size_t(body_.laws.number(int(cell)))];
-  };
-  double square = 0.0;
-  for (std::size_t cell = 0; cell < byConstants_.size(); ++cell)
-    square += squareIn(cell);
-  if (data_.dim != 2 || square > negligible * negligible)
-    return false;
-  for (std::size_t cell = 0; cell < byConstants_.size(); ++cell)
-    data_.oscillation[cell] = squareIn(cell);
-  return true;
+  const Vector stiffness = smallestStiffness(body_.laws);
+  double largest = 0.0;
+  for (std::size_t cell = 0; cell < data_.oscillation.size(); ++cell) {
+    double& bound = data_.oscillation[cell];
+    bound *= bound / stiffness[std::size_t(body_.laws.number(int(cell)))];
+    largest = std::max(largest, bound);
+  }
+  if (largest == 0.0)
+    data_.rest.clear();
 }
 
 /// Of the stress that carries what the shares leave over.
-Vector DataBuilder::liftedEnergies()
+Vector liftedEnergies(const BodyModel& body, StressCorrection& lifted)
 {
-  if (lifted_.tractions.empty() && lifted_.loads.empty())
-    return Vector(data_.oscillation.size(), 0.0);
-  StressCorrection whole = zeroCorrection(body_.mesh, richestDegree(data_.dim));
-  if (!lifted_.tractions.empty())
-    whole.tractions = std::move(lifted_.tractions);
-  if (!lifted_.loads.empty())
-    whole.loads = std::move(lifted_.loads);
-  return cellDistances(body_, whole, nullptr);
-}
-
-/// The stress tau with div tau = - (b - b_h) in a cell and tau n = p - p_h on its facets gives
-/// (b - b_h, v) + (p - p_h, v) = (tau, eps(v)) <= |tau| |v|; the constants bound what it does not carry.
-void DataBuilder::finish(double negligible)
-{
-  const Vector stiffness = smallestStiffness(body_.laws);
-  if (boundByConstants(stiffness, negligible))
-    return;
-  const Vector carried = liftedEnergies();
-  for (std::size_t cell = 0; cell < carried.size(); ++cell) {
-    double& bound = data_.oscillation[cell];
-    bound =
-        std::pow(std::sqrt(carried[cell]) + bound / std::sqrt(stiffness[std::size_t(body_.laws.number(int(cell)))]), 2);
-  }
+  if (lifted.tractions.empty() && lifted.loads.empty())
+    return Vector(std::size_t(body.mesh.numCells()), 0.0);
+  StressCorrection whole = zeroCorrection(body.mesh, richestDegree(body.mesh.dim));
+  if (!lifted.tractions.empty())
+    whole.tractions = std::move(lifted.tractions);
+  if (!lifted.loads.empty())
+    whole.loads = std::move(lifted.loads);
+  return cellDistances(body, whole, nullptr);
 }
 
 } // namespace
 
-StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact, double negligible)
+StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> contact, OscillationBound bound)
 {
   StaticData data;
   data.dim = body.mesh.dim;
@@ -206,8 +184,25 @@ StaticData makeStaticData(const BodyModel& body, int degree, std::vector<Facet> 
   builder.listBoundary();
   for (const auto& load : body.loads)
     builder.addLoad(*load);
-  builder.finish(negligible);
+  builder.finish();
+  if (bound == OscillationBound::Sharp)
+    sharpenOscillation(body, data);
   return data;
+}
+
+/// The stress tau with div tau = - (b - b_h) in a cell and tau n = p - p_h on its facets gives
+/// (b - b_h, v) + (p - p_h, v) = (tau, eps(v)) <= |tau| |v|; the constants bound what it does not carry.
+void sharpenOscillation(const BodyModel& body, StaticData& data)
+{
+  if (data.rest.empty())
+    return;
+  const Vector stiffness = smallestStiffness(body.laws), carried = liftedEnergies(body, data.lifted);
+  for (std::size_t cell = 0; cell < carried.size(); ++cell) {
+    const double rest = data.rest[cell] / std::sqrt(stiffness[std::size_t(body.laws.number(int(cell)))]);
+    data.oscillation[cell] = std::min(data.oscillation[cell], std::pow(std::sqrt(carried[cell]) + rest, 2));
+  }
+  data.lifted = {};
+  data.rest.clear();
 }
 
 } // namespace ndframe

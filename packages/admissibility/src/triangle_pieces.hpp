@@ -4,8 +4,8 @@
 #include <map>
 
 #include "ndframe/algebra/dense.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/equilibrium/moment_basis.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ndframe/assembly/body_loads.hpp"
 #include "ndframe/mechanics/kernels.hpp"
 #include "sparsity.hpp"
 
@@ -73,14 +74,6 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
 }
 
 } // namespace
-
-Vector integrateLoads(const BodyModel& body)
-{
-  Vector load(std::size_t(body.numDofs()), 0.0);
-  for (const auto& term : body.loads)
-    term->addTo(load, body.mesh, body.nodes);
-  return load;
-}
 
 Vector assembleLoad(const BodyModel& body, const Frames& frames)
 {

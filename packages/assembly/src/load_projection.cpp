@@ -4,9 +4,9 @@
 #include <cmath>
 #include <cstring>
 
-#include "ndframe/assembly/point_sums.hpp"
 #include "ndframe/base/mixed_hash.hpp"
-#include "sampling_rules.hpp"
+#include "ndframe/sampling/point_sums.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 
 namespace ndframe
 {
@@ -18,12 +18,52 @@ constexpr int degreeOfNorms = 2;
 
 } // namespace
 
-LoadProjection::LoadProjection(const Mesh& mesh)
-    : dim_(std::size_t(mesh.dim)), basis_(MomentBasis::polynomials(mesh.dim, degreeOfMoments(mesh.dim))),
-      low_(std::size_t(MomentBasis::polynomials(mesh.dim, degreeOfNorms).size())), stamp_(stampOf(mesh))
+ProjectedCells::ProjectedCells(int dim, int cells)
+    : dim_(std::size_t(dim)), basis_(MomentBasis::polynomials(dim, degreeOfMoments(dim))),
+      low_(std::size_t(MomentBasis::polynomials(dim, degreeOfNorms).size()))
 {
-  cells_.reserve(std::size_t(mesh.numCells()));
-  coefficients_.reserve(std::size_t(mesh.numCells()) * std::size_t(basis_.size()) * dim_);
+  cells_.reserve(std::size_t(cells));
+  coefficients_.reserve(std::size_t(cells) * std::size_t(basis_.size()) * dim_);
+}
+
+void ProjectedCells::add(const LoadedSimplex& cell)
+{
+  const Samples& samples = cell.samples;
+  areCertain_ = areCertain_ && samples.areCertain() && !samples.pieces.empty();
+  if (!areCertain_)
+    return;
+  const BasisTables& tables = basis_.at(samples, ascendingPlaces(cell));
+  const std::size_t count = std::size_t(basis_.size()) * dim_;
+  coefficients_.resize(coefficients_.size() + count);
+  double* const coefficients = coefficients_.data() + coefficients_.size() - count;
+  sumOverPoints(tables.weighted.data(), samples.rule.size(), basis_.size(), 1.0, samples.values.data(), dim_,
+                coefficients);
+  rowsOf(samples, int(dim_), rows_);
+  double square = squareOfRest(tables.values.data(), low_, tables.weights.size(), coefficients, rows_.data(), dim_,
+                               tables.weights.data());
+  for (std::size_t k = low_ * dim_; k < count; ++k)
+    square -= coefficients[k] * coefficients[k];
+  cells_.push_back({samples.scale, samples.uncertainty, samples.spread, std::sqrt(std::max(0.0, square))});
+}
+
+void ProjectedCells::fill(std::size_t number, LoadedSimplex& cell) const
+{
+  const Cell& known = cells_[number];
+  cell.samples.scale = known.scale;
+  cell.samples.uncertainty = known.uncertainty;
+  cell.samples.spread = known.spread;
+  cell.samples.rest = known.rest;
+  cell.functions = basis_.size();
+  cell.projection = coefficients_.data() + number * std::size_t(cell.functions) * dim_;
+}
+
+LoadProjection::LoadProjection(const Mesh& mesh, std::vector<ProjectedCells> parts)
+    : stamp_(stampOf(mesh)), parts_(std::move(parts))
+{}
+
+bool LoadProjection::areCertain(const std::vector<ProjectedCells>& parts)
+{
+  return std::all_of(parts.begin(), parts.end(), [](const ProjectedCells& part) { return part.areCertain(); });
 }
 
 std::uint64_t LoadProjection::stampOf(const Mesh& mesh)
@@ -40,35 +80,10 @@ std::uint64_t LoadProjection::stampOf(const Mesh& mesh)
   return sum;
 }
 
-void LoadProjection::add(const LoadedSimplex& cell)
-{
-  const Samples& samples = cell.samples;
-  isKept_ = isKept_ && samples.areCertain() && !samples.pieces.empty();
-  if (!isKept_)
-    return;
-  const BasisTables& tables = basis_.at(samples, ascendingPlaces(cell));
-  const std::size_t count = std::size_t(basis_.size()) * dim_;
-  coefficients_.resize(coefficients_.size() + count);
-  double* const coefficients = coefficients_.data() + coefficients_.size() - count;
-  sumOverPoints(tables.weighted.data(), samples.rule.size(), basis_.size(), 1.0, samples.values.data(), dim_,
-                coefficients);
-  rowsOf(samples, int(dim_), rows_);
-  double square = squareOfRest(tables.values.data(), low_, tables.weights.size(), coefficients, rows_.data(), dim_,
-                               tables.weights.data());
-  for (std::size_t k = low_ * dim_; k < count; ++k)
-    square -= coefficients[k] * coefficients[k];
-  cells_.push_back({samples.scale, samples.uncertainty, samples.spread, std::sqrt(std::max(0.0, square))});
-}
-
 void LoadProjection::fill(std::size_t number, LoadedSimplex& cell) const
 {
-  const Cell& known = cells_[number];
-  cell.samples.scale = known.scale;
-  cell.samples.uncertainty = known.uncertainty;
-  cell.samples.spread = known.spread;
-  cell.samples.rest = known.rest;
-  cell.functions = basis_.size();
-  cell.projection = coefficients_.data() + number * std::size_t(cell.functions) * dim_;
+  const std::size_t size = parts_.front().size();
+  parts_[number / size].fill(number % size, cell);
 }
 
 } // namespace ndframe

@@ -8,7 +8,6 @@
 #include "element_distances.hpp"
 #include "intermediate_fields.hpp"
 #include "ndframe/admissibility/contact_moments.hpp"
-#include "ndframe/admissibility/contact_oscillation.hpp"
 #include "ndframe/admissibility/prescribed_charge.hpp"
 #include "ndframe/admissibility/tighten_displacement.hpp"
 #include "ndframe/algebra/threads.hpp"
@@ -108,7 +107,6 @@ AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& rec
   result.gap = contactGap(scene, mode);
   result.displacement = admitDisplacements(scene, result.gap, mode);
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    result.oscillation.push_back(recovery.data[b].oscillation);
     if (scene.bodies[b]->isRigid)
       continue;
     const auto prescribed = chargePrescribed(*scene.bodies[b]);
@@ -118,19 +116,6 @@ AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& rec
         result.caveat = caveat;
   }
   return result;
-}
-
-void addContactOscillation(const CertifiedScene& scene, const RecoveredField& recovered, ErrorMode mode,
-                           AdmissibleScene& admissible)
-{
-  if (mode == ErrorMode::Paper)
-    return;
-  const auto contact = contactOscillation(scene.bodies, scene.facets, recovered.stress.onDirichlet);
-  for (std::size_t b = 0; b < contact.size(); ++b)
-    for (std::size_t cell = 0; cell < contact[b].size(); ++cell) {
-      double& square = admissible.oscillation[b][cell];
-      square = std::pow(std::sqrt(square) + std::sqrt(contact[b][cell]), 2);
-    }
 }
 
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,

@@ -24,12 +24,16 @@ struct AdmissibleScene
   std::string caveat;              ///< why these are not proven; empty when they are
 };
 
-/// u^, the gap and the data's oscillation.
+/// u^ and the gap.
 AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& recovery, ErrorMode mode);
 
-/// Adds to the oscillation what the stress leaves over of t^ n where n turns along a facet; not in Paper mode.
-void addContactOscillation(const CertifiedScene& scene, const RecoveredField& recovered, ErrorMode mode,
-                           AdmissibleScene& admissible);
+/// The data's oscillation and what the stress, if there is one, leaves over of t^ n where n turns along a facet; not in
+/// Paper mode.
+void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered,
+                    ErrorMode mode, AdmissibleScene& admissible);
+
+/// Bounds the data's oscillation sharper where it is more than a small share of a measure; false where it is not.
+bool sharpenOscillation(const CertifiedScene& scene, RecoveryScene& recovery, const ErrorMeasure& measure);
 
 /// (39): distance of the stress from K eps(u^), contact term, what is added.
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,

@@ -117,8 +117,7 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
       result.data[b] = withoutData(*scene.bodies[b], scene.degree);
       return;
     }
-    constexpr double negligible = 1e-7; // of the solution, to be bounded without a stress of its own
-    result.data[b] = makeStaticData(*scene.bodies[b], scene.degree, std::move(contact), negligible * scene.norm);
+    result.data[b] = makeStaticData(*scene.bodies[b], scene.degree, std::move(contact), OscillationBound::ByConstants);
   });
   return result;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include <fmt/format.h>
 
@@ -12,7 +13,7 @@ namespace ndframe
 namespace
 {
 
-/// Of the largest force on a node: as what the stars of the equilibrated stress may be out of balance.
+/// Of all loads and reactions together, which a reaction sums up with their round-off.
 constexpr double roundOff = 1e-9;
 
 bool holdsPoint(const Support& support, const Mesh& mesh)
@@ -30,12 +31,14 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
   });
   if (!any)
     return {};
-  double largest = 0.0;
+  double total = 0.0;
   std::vector<Vector> reactions;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Vector u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
     reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
-    largest = std::max({largest, largestEntry(reactions[b]), largestEntry(scene.condensed.systems[b].load)});
+    for (const Vector* forces : {&std::as_const(reactions[b]), &scene.condensed.systems[b].load})
+      for (const double force : *forces)
+        total += std::abs(force);
   }
   for (const int b : scene.model.elasticBodies())
     for (const auto& support : scene.bodies[std::size_t(b)]->supports)
@@ -47,7 +50,7 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
               held.direction[std::size_t(k)] *
               reactions[std::size_t(b)]
                        [std::size_t(held.node) * std::size_t(scene.bodies[std::size_t(b)]->mesh.dim) + std::size_t(k)];
-        if (holdsPoint(*support, scene.bodies[std::size_t(b)]->mesh) && std::abs(force) > roundOff * largest)
+        if (holdsPoint(*support, scene.bodies[std::size_t(b)]->mesh) && std::abs(force) > roundOff * total)
           return fmt::format(
               "{} holds a point with a force of {:.3g}, and no stress of finite energy is in equilibrium "
               "with a force on a point: hold a side, or balance the loads. ",

@@ -4,6 +4,7 @@
 
 #include "add_interface.hpp"
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/assembly/body_loads.hpp"
 #include "ndframe/scene/holds.hpp"
 #include "ndframe/scene/regions.hpp"
 #include "ndframe/scene/shared_mesh.hpp"
@@ -76,28 +77,28 @@ void collecting(Diagnostics& diagnostics, const Step& step)
   }
 }
 
-/// Per body the integrals of all its loads, bodies side by side where more than one has to be sampled. Those that are
-/// not finite somewhere are found before anything is solved.
+/// Per body the integrals of all its loads; threads compute their parts side by side where some have to be sampled.
+/// Loads that are not finite somewhere are found before anything is solved.
 std::vector<Vector> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Keep keep, int threads,
                                   Diagnostics& diagnostics)
 {
-  std::vector<Vector> sums;
-  std::vector<int> sampledCells;
-  for (const auto& body : bodies) {
-    sums.emplace_back(std::size_t(body.numDofs()), 0.0);
-    const bool isSampled = std::any_of(body.loads.begin(), body.loads.end(),
-                                       [&](const auto& load) { return !load->isConstant(body.mesh.dim); });
-    sampledCells.push_back(isSampled ? body.mesh.numCells() : 0);
+  std::vector<BodyLoads> loads;
+  std::vector<std::pair<std::size_t, int>> parts; // of bodies
+  bool areSampled = false;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    loads.emplace_back(bodies[b], keep);
+    for (int part = 0; part < loads.back().numParts(); ++part)
+      parts.emplace_back(b, part);
+    for (const auto& load : bodies[b].loads)
+      areSampled = areSampled || !load->isConstant(bodies[b].mesh.dim);
   }
-  const auto sampled = sampledCells.size() - std::size_t(std::count(sampledCells.begin(), sampledCells.end(), 0));
-  std::vector<Diagnostics> mistakes(bodies.size());
-  runLargestFirst(sampledCells, sampled > 1 ? threads : 1, [&](int b) {
-    const BodyModel& body = bodies[std::size_t(b)];
-    for (const auto& load : body.loads)
-      collecting(mistakes[std::size_t(b)], [&] { load->addTo(sums[std::size_t(b)], body.mesh, body.nodes, keep); });
+  runConcurrently(int(parts.size()), areSampled ? threads : 1, [&](int task) {
+    const auto [body, part] = parts[std::size_t(task)];
+    loads[body].compute(part);
   });
-  for (const auto& ofBody : mistakes)
-    diagnostics.append(ofBody);
+  std::vector<Vector> sums(bodies.size());
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    collecting(diagnostics, [&] { sums[b] = loads[b].take(); });
   return sums;
 }
 

@@ -3,8 +3,8 @@
 #include <string>
 
 #include "ndframe/admissibility/contact_traction.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/assembly/body_system.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -57,9 +57,6 @@ struct BodySystem
   Vector effectiveLoad(const Comm& comm) const;
 };
 
-/// int q . v of all loads of a body, global axes (numNodes * dim). Loads that vary are sampled: take it once.
-Vector integrateLoads(const BodyModel& body);
-
 /// Assembles K on the owned nodes; `load`: what integrateLoads gave. Kernels are exact for straight elements.
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes, const Vector& load);
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/assembly/side_condition.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {
@@ -25,8 +25,8 @@ struct LoadedSimplex
 std::array<int, 4> ascendingPlaces(const LoadedSimplex& simplex);
 
 /// Visits every facet or cell on which a load acts. A constant load costs a value per simplex; one that varies is
-/// sampled anew on facets and, in cells, where Load::addTo() has not kept its projections on this mesh; these are
-/// visited then.
+/// sampled anew on facets and, in cells, where the load has not kept its projections (BodyLoads) on this mesh; these
+/// are visited then.
 void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(const LoadedSimplex&)>& visit);
 
 } // namespace ndframe

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/fem/node_map.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {
@@ -101,15 +101,13 @@ public:
     Nothing,
     Projections ///< for a certificate on this mesh
   };
-  /// Adds int q . v to `load` (numNodes * dim, global axes), by the samples of visitLoad (load_samples.hpp). One thread
-  /// at a time.
-  void addTo(Vector& load, const Mesh& mesh, const NodeMap& nodes, Keep keep = Keep::Nothing) const;
-  /// Those of the last call of addTo; null: none are kept.
+  /// Those of the last integral (BodyLoads); null: none are kept.
   const LoadProjection* projection() const { return projection_.get(); }
+  void keep(std::shared_ptr<const LoadProjection> projection) const { projection_ = std::move(projection); }
 
 private:
   mutable std::shared_ptr<DataSampler> sampler_;
-  mutable std::shared_ptr<LoadProjection> projection_;
+  mutable std::shared_ptr<const LoadProjection> projection_;
 };
 
 /// All are constant.

@@ -4,6 +4,7 @@
 
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/equilibrium/moment_basis.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {
@@ -38,9 +39,14 @@ struct StaticData
   std::vector<Facet> contact;
 
   /// Bound of the data's oscillation, squared, per cell: |(b - b_h, v)_E + (p - p_h, v)_f| <= osc_E |v|_E in the energy
-  /// norm. Most of it is the energy of a stress of the richest degree that carries b - b_h and p - p_h; constants for
-  /// what is left, docs/theory.md has their sources. 0 when the data are carried to round-off.
+  /// norm, by constants (docs/theory.md has their sources) or sharper (sharpenOscillation). 0 when the data are carried
+  /// to round-off.
   std::vector<double> oscillation;
+  /// What a sharper bound is made of: a stress of the richest degree that carries most of b - b_h and p - p_h (its
+  /// tractions or loads empty where these are zero), and per cell the constants' bound for |eps(v)| of what it leaves.
+  /// Both empty when the bound is that already.
+  StressCorrection lifted;
+  std::vector<double> rest;
   std::string caveat; ///< why the oscillation is not a proven bound in this run; empty when it is
 };
 

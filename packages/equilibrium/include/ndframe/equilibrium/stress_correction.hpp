@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/algebra/comm.hpp"
 
 namespace ndframe
 {

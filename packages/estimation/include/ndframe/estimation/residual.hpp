@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/equilibrium/stress_correction.hpp"
+#include "ndframe/equilibrium/static_data.hpp"
 
 namespace ndframe
 {

@@ -4,10 +4,10 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/base/params.hpp"
 #include "ndframe/interface/obstacle.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

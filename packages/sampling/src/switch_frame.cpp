@@ -2,8 +2,6 @@
 
 #include <cmath>
 
-#include "ndframe/assembly/constraint_set.hpp"
-
 namespace ndframe
 {
 namespace
@@ -14,6 +12,11 @@ using Position = Region::Point;
 Position combined(const Position& a, double factor, const Position& b)
 {
   return {a[0] + factor * b[0], a[1] + factor * b[1], a[2] + factor * b[2]};
+}
+
+double dotProduct(const Position& a, const Position& b)
+{
+  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
 }
 
 double norm(const Position& a)

@@ -5,9 +5,9 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "assembly/sample_body.hpp"
-#include "assembly/sample_means.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "fem/sample_meshes.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
+#include "sampling/sample_means.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include <algorithm>
 
-#include "ndframe/assembly/point_sums.hpp"
+#include "ndframe/sampling/point_sums.hpp"
 
 namespace ndframe
 {

@@ -1,4 +1,4 @@
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 #include <algorithm>
 #include <cmath>

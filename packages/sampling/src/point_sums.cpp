@@ -1,4 +1,4 @@
-#include "ndframe/assembly/point_sums.hpp"
+#include "ndframe/sampling/point_sums.hpp"
 
 #include "ndframe/base/diagnostics.hpp"
 #include "packed_rows.hpp"

@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "assembly/sample_body.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "fem/sample_meshes.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "sampling_rules.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 
 namespace ndframe
 {

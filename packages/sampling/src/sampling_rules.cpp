@@ -1,8 +1,8 @@
-#include "sampling_rules.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 
 #include <algorithm>
 
-#include "ndframe/assembly/point_sums.hpp"
+#include "ndframe/sampling/point_sums.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include <array>
 
-#include "sampling_rules.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 
 namespace ndframe
 {

@@ -4,8 +4,8 @@
 #include <vector>
 
 #include "data_enclosures.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 #include "sampled_slab.hpp"
-#include "sampling_rules.hpp"
 
 namespace ndframe
 {

@@ -3,9 +3,9 @@
 #include <array>
 #include <vector>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/base/expression_enclosure.hpp"
-#include "sampling_rules.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 
 namespace ndframe
 {

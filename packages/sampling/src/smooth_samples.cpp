@@ -3,7 +3,7 @@
 #include <cmath>
 #include <limits>
 
-#include "sampling_rules.hpp"
+#include "ndframe/sampling/sampling_rules.hpp"
 
 namespace ndframe
 {

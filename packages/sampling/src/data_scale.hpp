@@ -1,7 +1,7 @@
 #pragma once
 
 #include "data_enclosures.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -5,8 +5,8 @@
 #include <utility>
 #include <vector>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/fem/moment_basis.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -1,6 +1,6 @@
-#include "ndframe/assembly/sampled_basis.hpp"
+#include "ndframe/sampling/sampled_basis.hpp"
 
-#include "ndframe/assembly/point_sums.hpp"
+#include "ndframe/sampling/point_sums.hpp"
 
 namespace ndframe
 {

@@ -4,7 +4,7 @@
 
 #include "box_polynomials.hpp"
 #include "cell_polynomial.hpp"
-#include "ndframe/assembly/adaptive_samples.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 #include "simplex_piece.hpp"
 
 namespace ndframe

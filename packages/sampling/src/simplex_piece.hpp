@@ -2,8 +2,8 @@
 
 #include <vector>
 
-#include "ndframe/assembly/adaptive_samples.hpp"
 #include "ndframe/base/expression_enclosure.hpp"
+#include "ndframe/sampling/adaptive_samples.hpp"
 
 namespace ndframe
 {

@@ -6,7 +6,7 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "assembly/sample_means.hpp"
+#include "sampling/sample_means.hpp"
 
 namespace ndframe
 {

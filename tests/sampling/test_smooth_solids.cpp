@@ -6,8 +6,8 @@
 #include <fmt/format.h>
 #include <gmock/gmock.h>
 
-#include "assembly/sample_means.hpp"
 #include "ndframe/fem/moment_basis.hpp"
+#include "sampling/sample_means.hpp"
 
 namespace ndframe
 {
