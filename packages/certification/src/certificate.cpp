@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "certificate_measures.hpp"
 #include "coarse_tractions.hpp"
+#include "element_distances.hpp"
 #include "interface_misfit.hpp"
 #include "ndframe/certification/advice.hpp"
 #include "ndframe/estimation/residual.hpp"
@@ -174,13 +174,14 @@ ErrorMeasure Certifier::measureStressOf(const RecoveredField& field)
 {
   const auto addUp = [&] { addOscillation(scene_, recoveryScene_, global_, options_.mode, admissible_); };
   addUp();
+  ElementDistances distances(scene_, field);
   const bool tightens = &field == &global_ && options_.mode == ErrorMode::Strict && !scene_.facets.empty();
   const ErrorMeasure measure =
-      tightens ? tighten(scene_, global_, admissible_) : measureStress(scene_, field, admissible_);
+      tightens ? tighten(scene_, field, admissible_, distances) : measureStress(scene_, field, admissible_, distances);
   if (!sharpenOscillation(scene_, recoveryScene_, measure))
     return measure;
   addUp();
-  return measureStress(scene_, field, admissible_);
+  return measureStress(scene_, field, admissible_, distances);
 }
 
 void Certifier::measureGlobal()

@@ -81,24 +81,6 @@ double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recov
   return 0.5 * totalOf(squares);
 }
 
-ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
-                           const AdmissibleScene& admissible, ElementDistances& distances)
-{
-  Vector contact;
-  if (!scene.facets.empty()) {
-    contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
-                                   openings(scene, admissible.displacement.displacement, admissible.gap));
-    addUnsureGap(scene.facets, recovered.stress.onDirichlet, admissible.gap.unsure, contact);
-  }
-  ErrorMeasure measure = assembleMeasure(distances.to(admissible.displacement.displacement), scene.facets, contact,
-                                         admissible.oscillation);
-  measure.prescribed = admissible.prescribed;
-  measure.projection = admissible.displacement.charge;
-  if (measure.projection > 0.0)
-    measure.aside = distanceFromMean(scene, recovered, admissible);
-  return measure;
-}
-
 } // namespace
 
 AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& recovery, ErrorMode mode)
@@ -119,10 +101,21 @@ AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& rec
 }
 
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
-                           const AdmissibleScene& admissible)
+                           const AdmissibleScene& admissible, ElementDistances& distances)
 {
-  ElementDistances distances(scene, recovered);
-  return measureStress(scene, recovered, admissible, distances);
+  Vector contact;
+  if (!scene.facets.empty()) {
+    contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
+                                   openings(scene, admissible.displacement.displacement, admissible.gap));
+    addUnsureGap(scene.facets, recovered.stress.onDirichlet, admissible.gap.unsure, contact);
+  }
+  ErrorMeasure measure = assembleMeasure(distances.to(admissible.displacement.displacement), scene.facets, contact,
+                                         admissible.oscillation);
+  measure.prescribed = admissible.prescribed;
+  measure.projection = admissible.displacement.charge;
+  if (measure.projection > 0.0)
+    measure.aside = distanceFromMean(scene, recovered, admissible);
+  return measure;
 }
 
 ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateField& field)
@@ -215,11 +208,11 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
   return guarantee;
 }
 
-ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible)
+ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible,
+                     ElementDistances& distances)
 {
   AdmissibleScene asSolved = admissible;
   asSolved.displacement = {scene.solved, 0.0, 0, {}};
-  ElementDistances distances(scene, recovered);
   ErrorMeasure measure = measureStress(scene, recovered, asSolved, distances);
   if (admissible.displacement.moved == 0 && measure.contact <= seen * measure.elements * measure.elements)
     return measure; // u^ is u_h

@@ -7,6 +7,8 @@
 namespace ndframe
 {
 
+class ElementDistances;
+
 /// A recovered stress sigma^ = K eps(u~) + c with the fields it was made from.
 struct RecoveredField
 {
@@ -35,9 +37,9 @@ void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, 
 /// Bounds the data's oscillation sharper where it is more than a small share of a measure; false where it is not.
 bool sharpenOscillation(const CertifiedScene& scene, RecoveryScene& recovery, const ErrorMeasure& measure);
 
-/// (39): distance of the stress from K eps(u^), contact term, what is added.
+/// (39): distance of the stress from K eps(u^), contact term, what is added. distances: of this stress.
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
-                           const AdmissibleScene& admissible);
+                           const AdmissibleScene& admissible, ElementDistances& distances);
 
 /// (50): distance of K eps(u~) from K eps(u_h), contact term with the projected traction at the nodes.
 ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateField& field);
@@ -64,7 +66,8 @@ std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const Recover
 
 /// Moves u^ to where the bound with this stress is smallest (tightenDisplacement); the measure with it. Strict mode,
 /// scenes with interfaces.
-ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible);
+ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovered, AdmissibleScene& admissible,
+                     ElementDistances& distances);
 
 /// Strict: the sharpest bound; Paper: the sum (39).
 double boundOf(const ErrorMeasure& measure, ErrorMode mode);

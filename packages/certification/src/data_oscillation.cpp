@@ -28,7 +28,7 @@ void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, 
 
 bool sharpenOscillation(const CertifiedScene& scene, RecoveryScene& recovery, const ErrorMeasure& measure)
 {
-  constexpr double share = 0.003; // of the bound, at most, that constants may cost
+  constexpr double share = 0.005; // of the bound, at most, that constants may cost
   if (measure.oscillation <= share * measure.elements)
     return false;
   runLargestFirst(scene.model.numDofs(), scene.condensed.threads,

@@ -73,7 +73,7 @@ const std::vector<Vector>& ElementDistances::to(const std::vector<Vector>& displ
   if (scene_.dim() == 2)
     runLargestFirst(scene_.model.numDofs(), scene_.condensed.threads, [&](int body) {
       const auto b = std::size_t(body);
-      if (!scene_.bodies[b]->isRigid)
+      if (!scene_.bodies[b]->isRigid && v[b] != last_[b])
         distances_[b] = elementDistances(scene_, b, recovered_.stress.corrections[b], v[b]);
     });
   last_ = std::move(v);

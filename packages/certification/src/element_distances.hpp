@@ -9,8 +9,8 @@ namespace ndframe
 Vector elementDistances(const CertifiedScene& scene, std::size_t body, const StressCorrection& correction,
                         const Vector& v, const std::vector<int>* cells = nullptr);
 
-/// cellDistances of all bodies for admissible displacements that come one after the other. Cells of solids where the
-/// displacement stays as it was are not measured again.
+/// cellDistances of all bodies for admissible displacements that come one after the other. Cells of solids, and
+/// plane bodies, where the displacement stays as it was are not measured again.
 class ElementDistances
 {
 public:
