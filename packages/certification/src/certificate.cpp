@@ -176,7 +176,7 @@ ErrorMeasure Certifier::measureStressOf(const RecoveredField& field)
   addUp();
   ElementDistances distances(scene_, field);
   const bool tightens = &field == &global_ && options_.mode == ErrorMode::Strict && !scene_.facets.empty();
-  const ErrorMeasure measure =
+  ErrorMeasure measure =
       tightens ? tighten(scene_, field, admissible_, distances) : measureStress(scene_, field, admissible_, distances);
   if (!sharpenOscillation(scene_, recoveryScene_, measure))
     return measure;
