@@ -74,6 +74,12 @@ private:
   Region::Point low_{infinity, infinity, infinity}, high_{-infinity, -infinity, -infinity};
 };
 
+/// All of a few simplices, few of many.
+bool isLookedAtFirst(int number)
+{
+  return number < 256 || number % 64 == 0;
+}
+
 using Candidates = std::vector<std::pair<SimplexGeometry, Samples::Piece>>;
 
 /// Branch and bound: the piece with the largest bound is split until no bound is above twice the largest value found.
@@ -112,14 +118,24 @@ double findScale(const std::vector<SampledFunction>& functions, DataEnclosures& 
 {
   LargestValue largest(functions);
   Surroundings box;
+  int number = 0;
   visit([&](int dim, const DataSampler::Vertices& vertices) {
-    largest.add(SimplexGeometry(dim, space, vertices).centroid());
+    if (isLookedAtFirst(number++))
+      largest.add(SimplexGeometry(dim, space, vertices).centroid());
     for (int v = 0; v <= dim; ++v)
       box.add(vertices[std::size_t(v)], space);
   });
+  if (box.areEmpty())
+    return 0.0;
+  const double most = data.largestBetween(box.corners(space));
+  if (most <= 2.0 * largest.found())
+    return largest.found();
+  visit([&](int dim, const DataSampler::Vertices& vertices) {
+    largest.add(SimplexGeometry(dim, space, vertices).centroid());
+  });
   const double found = largest.found();
   Candidates candidates;
-  if (!box.areEmpty() && !data.arePolynomials() && data.largestBetween(box.corners(space)) > 2.0 * found)
+  if (!data.arePolynomials() && most > 2.0 * found)
     visit([&](int dim, const DataSampler::Vertices& vertices) {
       const SimplexGeometry simplex(dim, space, vertices);
       if (data.largestAround(simplex) > 2.0 * found)
