@@ -8,7 +8,7 @@
 #include "assembly/sample_body.hpp"
 #include "ndframe/equilibrium/cell_energy.hpp"
 #include "ndframe/equilibrium/equilibrium_check.hpp"
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe::test
 {

@@ -149,7 +149,51 @@ Mesh triangle(std::vector<double> points)
   return mesh;
 }
 
+/// |A|^2, by LAPACK.
+double squaredNorm(const DenseMatrix& A)
+{
+  return symmetricEigenvalues(multiplyTransposed(A, A)).back();
+}
+
+/// |F|^4 |F^-1|^2, the least of all orders of the vertices.
+double leastOfAllOrders(const Mesh& mesh)
+{
+  double points[12], gradients[12], least = HUGE_VAL;
+  cellPoints(mesh, 0, points);
+  barycentricGradients<3>(points, gradients);
+  std::array<int, 4> order{0, 1, 2, 3};
+  do {
+    DenseMatrix F(3, 3), inverse(3, 3);
+    for (int step = 0; step < 3; ++step)
+      for (int k = 0; k < 3; ++k) {
+        F(k, step) = points[3 * order[std::size_t(step) + 1] + k] - points[3 * order[std::size_t(step)] + k];
+        for (std::size_t after = std::size_t(step) + 1; after < 4; ++after)
+          inverse(k, step) += gradients[3 * order[after] + k];
+      }
+    least = std::min(least, std::pow(squaredNorm(F), 2) * squaredNorm(inverse));
+  } while (std::next_permutation(order.begin(), order.end()));
+  return least;
+}
+
 } // namespace
+
+/// Tetrahedra of any size and shape, the regular ones (double eigenvalues) and slivers of a millionth among them.
+TEST(OscillationConstants, OfTetrahedraAreThoseOfTheBestOrderOfTheirVertices)
+{
+  test::Random random(31);
+  for (unsigned seed = 0; seed < 400; ++seed) {
+    const double size = std::pow(10.0, 30.0 * random()), thin = std::pow(10.0, -3.0 * (1.0 + random()));
+    Mesh mesh = seed % 8 == 0 ? test::box({1, 1, 1}) : test::randomCell(3, seed);
+    if (seed % 8 == 4)
+      mesh.points = {1, 1, 1, 1, -1, -1, -1, 1, -1, -1, -1, 1};
+    mesh = test::moved(mesh, [&](double* x) {
+      for (int k = 0; k < 3; ++k)
+        x[k] *= size * (k == 2 && seed % 2 == 1 ? thin : 1.0);
+    });
+    const double expected = std::sqrt(0.61 * leastOfAllOrders(mesh));
+    EXPECT_NEAR(cellOscillationConstant(mesh, 0), expected, 1e-9 * expected) << seed;
+  }
+}
 
 TEST(OscillationConstants, HoldOnRandomCellsForTheWorstFields)
 {

@@ -101,9 +101,10 @@ void DataBuilder::addOnFacet(LoadedSimplex simplex)
   const SimplexMoments& moments = onFacets_.of(simplex);
   addTo(data_.facetShares, place, moments.shares);
   if (!moments.beyond.empty()) {
-    const std::size_t facets = dim + 1, cell = std::size_t(simplex.facet.cell);
-    data_.lifted.tractions.resize(data_.oscillation.size() * facets * moments.beyond.size(), 0.0);
-    addTo(data_.lifted.tractions, cell * facets + std::size_t(sortedFacet(body_.mesh, simplex.facet)), moments.beyond);
+    const std::size_t first = std::size_t(simplex.facet.cell) * (dim + 1);
+    Vector& traction = data_.liftedTractions[first + std::size_t(sortedFacet(body_.mesh, simplex.facet))];
+    traction.resize(moments.beyond.size(), 0.0);
+    addTo(traction, 0, moments.beyond);
   }
   if (moments.rest + moments.beyondNorm > 0.0)
     addBound(std::size_t(simplex.facet.cell), facetOscillationConstant(body_.mesh, simplex.facet), moments);
@@ -116,8 +117,8 @@ void DataBuilder::addInCell(const LoadedSimplex& simplex)
   data_.cellShares.resize(moments.shares.size() * std::size_t(body_.mesh.numCells()), 0.0);
   addTo(data_.cellShares, cell, moments.shares);
   if (!moments.beyond.empty()) {
-    data_.lifted.loads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
-    addTo(data_.lifted.loads, cell, moments.beyond, -1.0); // moments of the divergence
+    data_.liftedLoads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
+    addTo(data_.liftedLoads, cell, moments.beyond, -1.0); // moments of the divergence
   }
   if (moments.rest + moments.beyondNorm > 0.0)
     addBound(cell, cellOscillationConstant(body_.mesh, int(cell)), moments);
@@ -155,19 +156,19 @@ void DataBuilder::finish()
     largest = std::max(largest, bound);
   }
   if (largest == 0.0)
-    data_.rest.clear();
+    data_.rest = {};
 }
 
 /// Of the stress that carries what the shares leave over.
-Vector liftedEnergies(const BodyModel& body, StressCorrection& lifted)
+Vector liftedEnergies(const BodyModel& body, StaticData& data)
 {
-  if (lifted.tractions.empty() && lifted.loads.empty())
-    return Vector(std::size_t(body.mesh.numCells()), 0.0);
+  if (data.liftedTractions.empty() && data.liftedLoads.empty())
+    return Vector(data.oscillation.size(), 0.0);
   StressCorrection whole = zeroCorrection(body.mesh, richestDegree(body.mesh.dim));
-  if (!lifted.tractions.empty())
-    whole.tractions = std::move(lifted.tractions);
-  if (!lifted.loads.empty())
-    whole.loads = std::move(lifted.loads);
+  for (const auto& [place, traction] : data.liftedTractions)
+    std::copy(traction.begin(), traction.end(), whole.tractions.data() + place * traction.size());
+  if (!data.liftedLoads.empty())
+    whole.loads = std::move(data.liftedLoads);
   return cellDistances(body, whole, nullptr);
 }
 
@@ -196,13 +197,14 @@ void sharpenOscillation(const BodyModel& body, StaticData& data)
 {
   if (data.rest.empty())
     return;
-  const Vector stiffness = smallestStiffness(body.laws), carried = liftedEnergies(body, data.lifted);
+  const Vector stiffness = smallestStiffness(body.laws), carried = liftedEnergies(body, data);
   for (std::size_t cell = 0; cell < carried.size(); ++cell) {
     const double rest = data.rest[cell] / std::sqrt(stiffness[std::size_t(body.laws.number(int(cell)))]);
     data.oscillation[cell] = std::min(data.oscillation[cell], std::pow(std::sqrt(carried[cell]) + rest, 2));
   }
-  data.lifted = {};
-  data.rest.clear();
+  data.liftedTractions.clear();
+  data.liftedLoads = {};
+  data.rest = {};
 }
 
 } // namespace ndframe

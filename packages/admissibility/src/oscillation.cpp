@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "ndframe/algebra/dense.hpp"
+#include "ndframe/assembly/constraint_set.hpp"
+#include "ndframe/fem/lagrange.hpp"
 
 namespace ndframe
 {
@@ -66,29 +68,20 @@ double kornConstant(const Mesh& mesh, int cell)
 /// Squares for Kuhn's tetrahedron, rounded up from 0.6043 and 11.48 (test_oscillation_constants).
 constexpr double kuhnCell = 0.61, kuhnFacet = 11.5;
 
-using Vector3 = std::array<double, 3>;
-
-double dot(const Vector3& a, const Vector3& b)
+/// |A|^2, the largest eigenvalue of A A^T, for the matrix of three rows: by the cosine of a third of an angle.
+double squaredNorm(const std::array<Direction, 3>& A)
 {
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-/// |A|^2, the largest eigenvalue of A^T A, for the matrix of three columns: by the cosines of a third of an angle.
-double squaredNorm(const std::array<Vector3, 3>& A)
-{
-  const double d0 = dot(A[0], A[0]), d1 = dot(A[1], A[1]), d2 = dot(A[2], A[2]);
-  const double o01 = dot(A[0], A[1]), o02 = dot(A[0], A[2]), o12 = dot(A[1], A[2]), mean = (d0 + d1 + d2) / 3.0;
-  const double a = d0 - mean, b = d1 - mean, c = d2 - mean, off = o01 * o01 + o02 * o02 + o12 * o12;
-  const double p = std::sqrt((a * a + b * b + c * c + 2.0 * off) / 6.0);
-  if (p == 0.0)
+  const double d0 = dotProduct(A[0], A[0]), d1 = dotProduct(A[1], A[1]), d2 = dotProduct(A[2], A[2]);
+  const double o01 = dotProduct(A[0], A[1]), o02 = dotProduct(A[0], A[2]), o12 = dotProduct(A[1], A[2]);
+  const double mean = (d0 + d1 + d2) / 3.0;
+  const double p = std::sqrt((std::pow(d0 - mean, 2) + std::pow(d1 - mean, 2) + std::pow(d2 - mean, 2) +
+                              2.0 * (o01 * o01 + o02 * o02 + o12 * o12)) /
+                             6.0);
+  if (!(p > 0.0))
     return mean;
-  const double det = a * (b * c - o12 * o12) - o01 * (o01 * c - o12 * o02) + o02 * (o01 * o12 - b * o02);
-  return mean + 2.0 * p * std::cos(std::acos(std::clamp(det / (2.0 * p * p * p), -1.0, 1.0)) / 3.0);
+  const double a = (d0 - mean) / p, b = (d1 - mean) / p, c = (d2 - mean) / p, x = o01 / p, y = o02 / p, z = o12 / p;
+  const double det = a * (b * c - z * z) - x * (x * c - z * y) + y * (x * z - b * y);
+  return mean + 2.0 * p * std::cos(std::acos(std::clamp(0.5 * det, -1.0, 1.0)) / 3.0);
 }
 
 /// A cell as the image F of Kuhn's tetrahedron for one order of its vertices.
@@ -96,16 +89,18 @@ struct KuhnMap
 {
   double norm2, inverse2; ///< |F|^2, |F^-1|^2
 
-  KuhnMap(const Mesh& mesh, int cell, const std::array<int, 4>& order)
+  /// points: of its vertices; gradients: of its barycentric coordinates.
+  KuhnMap(const double* points, const double* gradients, const std::array<int, 4>& order)
   {
-    std::array<Vector3, 3> F{}; // maps the steps e1, e2, e3 from vertex to vertex
-    for (std::size_t step = 0; step < 3; ++step)
-      for (std::size_t k = 0; k < 3; ++k)
-        F[step][k] = mesh.point(mesh.cell(cell)[order[step + 1]])[k] - mesh.point(mesh.cell(cell)[order[step]])[k];
-    const std::array<Vector3, 3> adjugate{cross(F[1], F[2]), cross(F[2], F[0]), cross(F[0], F[1])};
-    const double det = dot(F[0], adjugate[0]);
+    std::array<Direction, 3> F{}, inverse{}; // the steps from vertex to vertex; gradients of their coordinates
+    for (std::size_t step = 3; step-- > 0;)
+      for (std::size_t k = 0; k < 3; ++k) {
+        const std::size_t from = 3 * std::size_t(order[step]) + k, to = 3 * std::size_t(order[step + 1]) + k;
+        F[step][k] = points[to] - points[from];
+        inverse[step][k] = gradients[to] + (step < 2 ? inverse[step + 1][k] : 0.0);
+      }
     norm2 = squaredNorm(F);
-    inverse2 = squaredNorm(adjugate) / (det * det);
+    inverse2 = squaredNorm(inverse);
   }
 };
 
@@ -113,11 +108,13 @@ struct KuhnMap
 template <class Value>
 double best(const Mesh& mesh, int cell, const Value& value)
 {
+  double points[12], gradients[12], least = HUGE_VAL;
+  cellPoints(mesh, cell, points);
+  barycentricGradients<3>(points, gradients);
   std::array<int, 4> order{0, 1, 2, 3};
-  double least = HUGE_VAL;
   do
     if (order.front() < order.back())
-      least = std::min(least, value(KuhnMap(mesh, cell, order), order));
+      least = std::min(least, value(KuhnMap(points, gradients, order), order));
   while (std::next_permutation(order.begin(), order.end()));
   return least;
 }

@@ -36,7 +36,6 @@ struct Part
 {
   Term* term;
   LoadPlaces::Range range;
-  bool isWhole; ///< they are all of them
   bool isComputed = false;
   std::vector<double> forces{}; ///< simplex by simplex, node by node
   std::optional<ProjectedCells> projections{};
@@ -49,7 +48,7 @@ std::vector<Part> cut(Term& term)
   const int count = (size + most - 1) / most, each = count > 0 ? (size + count - 1) / count : 0;
   std::vector<Part> parts;
   for (int first = 0; first < size; first += each)
-    parts.push_back({&term, {first, std::min(first + each, size)}, count == 1});
+    parts.push_back({&term, {first, std::min(first + each, size)}});
   return parts;
 }
 
@@ -72,12 +71,13 @@ void findForces(const BodyModel& body, Part& part, DataSampler* sampler)
 void sample(const BodyModel& body, Part& part)
 {
   const int dim = body.mesh.dim;
+  const int count = part.range.last - part.range.first;
   const Term& term = *part.term;
   std::optional<DataSampler> ofPart;
-  if (term.sampler != nullptr && !part.isWhole)
+  if (term.sampler != nullptr && count < term.places.size())
     ofPart.emplace(term.load->functions(dim), dim, DataSampler::Cuts::Curved);
   if (term.keeps)
-    part.projections.emplace(dim, part.range.last - part.range.first);
+    part.projections.emplace(dim, count);
   withDimAndOrder(dim, body.nodes.order, [&](auto d, auto p) {
     DataSampler* const sampler = ofPart ? &*ofPart : term.sampler;
     if (term.places.areCells())
@@ -113,6 +113,7 @@ public:
   Implementation(const BodyModel& body, Load::Keep keep);
 
   int numParts() const { return int(parts_.size()); }
+  bool areSampled() const;
   void compute(int part) { compute(parts_[std::size_t(part)]); }
   Vector take();
 
@@ -147,12 +148,16 @@ BodyLoads::Implementation::Implementation(const BodyModel& body, Load::Keep keep
   }
 }
 
+bool BodyLoads::Implementation::areSampled() const
+{
+  return std::any_of(terms_.begin(), terms_.end(), [](const Term& term) { return term.sampler != nullptr; });
+}
+
 void BodyLoads::Implementation::begin(Term& term, Load::Keep keep) const
 {
-  const int dim = body_.mesh.dim;
-  if (term.load->isConstant(dim))
+  if (term.places.isConstant())
     return;
-  term.sampler = &term.load->sampler(dim);
+  term.sampler = &term.load->sampler(body_.mesh.dim);
   term.scale = term.places.scaleOf(*term.sampler);
   term.keeps = keep == Load::Keep::Projections && term.places.areCells();
 }
@@ -216,6 +221,11 @@ BodyLoads::~BodyLoads() = default;
 int BodyLoads::numParts() const
 {
   return implementation_->numParts();
+}
+
+bool BodyLoads::areSampled() const
+{
+  return implementation_->areSampled();
 }
 
 void BodyLoads::compute(int part) noexcept

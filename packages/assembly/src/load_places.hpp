@@ -16,6 +16,7 @@ public:
 
   int size() const { return size_; }
   bool areCells() const { return facets_ == nullptr; }
+  bool isConstant() const { return areConstant(functions_); } ///< the load
   /// Only the cell counts where it acts in cells.
   Facet at(int number) const;
   /// A lower bound of the load's largest value on all of them, as DataSampler::scaleOn has it.

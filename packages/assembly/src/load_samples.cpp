@@ -11,7 +11,7 @@ namespace ndframe
 void visitLoad(const Load& load, const Mesh& mesh, const std::function<void(const LoadedSimplex&)>& visit)
 {
   const LoadPlaces places(load, mesh);
-  if (load.isConstant(mesh.dim))
+  if (places.isConstant())
     return places.visit(places.all(), nullptr, 0.0, visit);
   if (const LoadProjection* kept = load.projection(); kept != nullptr && kept->isOf(mesh)) {
     std::size_t number = 0;

@@ -3,7 +3,7 @@
 #include <map>
 #include <utility>
 
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include "element_circulation.hpp"
 #include "element_edges.hpp"
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

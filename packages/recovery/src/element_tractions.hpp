@@ -1,7 +1,7 @@
 #pragma once
 
 #include "element_edges.hpp"
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

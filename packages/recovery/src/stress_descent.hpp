@@ -3,7 +3,7 @@
 #include <functional>
 #include <memory>
 
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 #include "stress_matrices.hpp"
 #include "stress_unknowns.hpp"
 

@@ -89,8 +89,7 @@ std::vector<Vector> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Ke
     loads.emplace_back(bodies[b], keep);
     for (int part = 0; part < loads.back().numParts(); ++part)
       parts.emplace_back(b, part);
-    for (const auto& load : bodies[b].loads)
-      areSampled = areSampled || !load->isConstant(bodies[b].mesh.dim);
+    areSampled = areSampled || loads.back().areSampled();
   }
   runConcurrently(int(parts.size()), areSampled ? threads : 1, [&](int task) {
     const auto [body, part] = parts[std::size_t(task)];

@@ -2,7 +2,7 @@
 
 #include "batched_kernels.hpp"
 #include "ndframe/assembly/body_system.hpp"
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

@@ -18,6 +18,7 @@ public:
   ~BodyLoads();
 
   int numParts() const;
+  bool areSampled() const; ///< some of them are not constant: parts are worth threads
   /// Computes a part, once; several may be computed at a time. Memory is least when they are begun in ascending order.
   void compute(int part) noexcept;
   /// When all parts are computed: the integral in global axes (numNodes * dim). Throws InputError that names every load

@@ -103,6 +103,7 @@ public:
   };
   /// Those of the last integral (BodyLoads); null: none are kept.
   const LoadProjection* projection() const { return projection_.get(); }
+  /// projection: null to forget them.
   void keep(std::shared_ptr<const LoadProjection> projection) const { projection_ = std::move(projection); }
 
 private:

@@ -3,7 +3,7 @@
 #include <functional>
 
 #include "ndframe/equilibrium/reference_stress.hpp"
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

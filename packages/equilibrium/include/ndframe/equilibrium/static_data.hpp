@@ -1,10 +1,10 @@
 #pragma once
 
+#include <map>
 #include <vector>
 
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/equilibrium/moment_basis.hpp"
-#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {
@@ -42,11 +42,11 @@ struct StaticData
   /// norm, by constants (docs/theory.md has their sources) or sharper (sharpenOscillation). 0 when the data are carried
   /// to round-off.
   std::vector<double> oscillation;
-  /// What a sharper bound is made of: a stress of the richest degree that carries most of b - b_h and p - p_h (its
-  /// tractions or loads empty where these are zero), and per cell the constants' bound for |eps(v)| of what it leaves.
-  /// Both empty when the bound is that already.
-  StressCorrection lifted;
-  std::vector<double> rest;
+  /// What a sharper bound is made of: tractions and loads of a stress of the richest degree that carries most of p -
+  /// p_h and b - b_h (as in StressCorrection; tractions of facets, by cell and sorted facet, that have any), and per
+  /// cell the constants' bound for |eps(v)| of what it leaves. All empty when the bound is that already.
+  std::map<std::size_t, std::vector<double>> liftedTractions;
+  std::vector<double> liftedLoads, rest;
   std::string caveat; ///< why the oscillation is not a proven bound in this run; empty when it is
 };
 

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ndframe/algebra/comm.hpp"
+#include "ndframe/equilibrium/static_data.hpp"
 
 namespace ndframe
 {

@@ -4,7 +4,7 @@
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/ledger.hpp"
 #include "ndframe/base/registry.hpp"
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {

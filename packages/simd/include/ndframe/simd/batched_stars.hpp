@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "ndframe/equilibrium/static_data.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe
 {
