@@ -2,7 +2,8 @@
 
 Two rectangles of one material on rollers, pressed evenly: uniaxial stress, whatever the meshes. The certificate of a
 state without error is round-off, and so are its contact pressures' distances from the load's. Ratios, random columns, a
-side that ends inside a facet, first and second order, upright and turned, and with the roles of the sides exchanged.
+side that ends inside a facet, first and second order, upright and turned, with the roles of the sides exchanged, and
+with contact asked at all nodes or in means.
 """
 
 import argparse
@@ -45,7 +46,7 @@ def written(folder, ending):
     return next(pathlib.Path(folder).glob("*" + ending))
 
 
-def judge(program, columns, width, order, turn, exchanged):
+def judge(program, columns, width, order, turn, exchanged, pairing):
     upper = side_scenes.Block("upper", columns[0], 3, side_scenes.box(0, 0, width, 0.5, turn), "bottom",
                               supports={"left": "Roller"}, pressure="1")
     lower = side_scenes.Block("lower", columns[1], 3, side_scenes.box(0, -0.5, width, 0, turn), "top",
@@ -58,6 +59,7 @@ def judge(program, columns, width, order, turn, exchanged):
         pair = (lower, upper) if exchanged else (upper, lower)
         deck = side_scenes.write_scene(folder, *pair)
         run = program.run(deck, f"Discretization/Order={order}", "Coupling/Type=Monolithic", f"Output/Directory={folder}",
+                          f"Interfaces/contact/Pairing/Type={pairing}",
                           "Error Estimation/Check Equilibrium=true", "Error Estimation/Estimators={Global}")
         if run.code != 0:
             return f"exit code {run.code}: {run.screen[-400:]}"
@@ -79,12 +81,13 @@ def main():
     parser = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     parser.add_argument("ndframe")
     program, wrong, count = Program(parser.parse_args().ndframe), 0, 0
-    for ratio, width, order, turn, exchanged in itertools.product(COLUMNS, WIDTHS, (1, 2), (0.0, 0.4), (False, True)):
+    for ratio, width, order, turn, exchanged, pairing in itertools.product(COLUMNS, WIDTHS, (1, 2), (0.0, 0.4), (False, True),
+                                                                           ("Cut", "Mortar")):
         count += 1
         drawn = DRAW.uniform(*WIDTHS[width])
-        if found := judge(program, COLUMNS[ratio], drawn, order, turn, exchanged):
+        if found := judge(program, COLUMNS[ratio], drawn, order, turn, exchanged, pairing):
             wrong += 1
-            print(f"{ratio}, {width}, width {drawn}, order {order}, turned by {turn}, exchanged {exchanged}: {found}", flush=True)
+            print(f"{ratio}, {width}, width {drawn}, order {order}, turned by {turn}, exchanged {exchanged}, {pairing}: {found}", flush=True)
     print(f"{count} scenes, {wrong} wrong")
     sys.exit(1 if wrong else 0)
 

@@ -116,6 +116,28 @@ TEST_P(ClosedRowsOf, GiveBackTheForces)
     EXPECT_NEAR(back[k], q[k], 1e-8);
 }
 
+/// Rows as of an inverse mass matrix: every coefficient counts that double precision can tell from zero.
+TEST(ClosedRows, HoldToRoundOffWhereCoefficientsDecay)
+{
+  constexpr int size = 40;
+  std::vector<SparseRow> rows(size);
+  std::vector<int> all;
+  Vector values(size, 0.0), free(size, 1.0);
+  for (int i = 0; i < size; ++i) {
+    for (int j = 0; j < size; ++j)
+      for (const int side : {0, 1})
+        rows[std::size_t(i)].emplace_back(side * size + j, (side == 0 ? 1.0 : -1.0) * std::pow(-0.4, std::abs(i - j)));
+    all.push_back(i);
+  }
+  const ClosedRows closed(rows, all, values, 2 * size);
+  ASSERT_EQ(closed.numFree(), size);
+  for (std::size_t i = 0; i < free.size(); ++i)
+    free[i] = std::sin(double(i));
+  const Vector v = closed.expanded(free);
+  for (const SparseRow& row : rows)
+    EXPECT_NEAR(times(row, v), 0.0, 1e-13);
+}
+
 INSTANTIATE_TEST_SUITE_P(Samples, ClosedRowsOf, testing::Range(0, 40));
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "body_progress.hpp"
+#include "mortar_conditions.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/mesh/partition.hpp"
 #include "ndframe/scene/stage.hpp"
@@ -128,6 +129,7 @@ public:
     const auto traceNodes = numberUnknowns(model_, result_.interface);
     if (!model_.interfaces.empty())
       result_.interface.C = std::make_shared<ContactMatrix>(model_.interfaces);
+    result_.interface.mortar = mortarSpace(model_, result_.interface);
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
       layOutBody(b, traceNodes[b]);
     const std::vector<int> sizes = model_.numDofs();

@@ -207,6 +207,20 @@ void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagno
     }
 }
 
+void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const Params& deck)
+{
+  const auto refuse = [&](const std::string& reason) {
+    throw InputError(deck.sub("Coupling").mistake("Type", reason));
+  };
+  if (system.mortar)
+    refuse("Neumann-Dirichlet does not ask for contact in means, as Pairing/Type = Mortar wants; use Monolithic, FETI "
+           "or Neumann-Neumann.");
+  for (const BodyTrace& body : system.bodies)
+    if (!body.dependents.empty())
+      refuse("several interfaces of \"" + model.bodies[std::size_t(body.body)].name +
+             "\" meet at a node, which Neumann-Dirichlet cannot solve; use Monolithic or FETI.");
+}
+
 ChosenRoles chooseRoles(Model& model, CondensedModel& condensed, const std::vector<ConnectedBodies>& parts,
                         std::optional<double> givenTheta, const std::vector<RoleSummary>& before)
 {

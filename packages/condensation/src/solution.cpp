@@ -114,10 +114,35 @@ Balance balance(const BodySystem& system, const BodyTrace* trace, const Interfac
   return result;
 }
 
-/// The pressure of a node is its force over its share of the side, the integral of its function: never tension, zero
-/// where contact is open, and with the resultant of the forces, which the nodal values C^-1 r are not.
-void addPressures(std::vector<ContactNode>& nodes, const Vector& share)
+double ratio(double value, double scale)
 {
+  return scale > 0.0 ? value / scale : 0.0;
+}
+
+Vector atUnknowns(const Vector& ofNodes, const InterfaceSystem& system)
+{
+  Vector values;
+  for (const int node : system.nodeOfUnknown)
+    values.push_back(ofNodes[std::size_t(node)]);
+  return values;
+}
+
+/// The pressure of a node is its force over its share of the side, the integral of its function: never tension, zero
+/// where contact is open, and with the resultant of the forces, which the nodal values C^-1 r are not. The same of the
+/// functions of means, where contact is asked of these. force: per unknown.
+void addPressures(std::vector<ContactNode>& nodes, const InterfaceSystem& system, const Vector& force)
+{
+  const Vector share = system.shares();
+  if (system.mortar) {
+    Vector pressure = system.mortar->forcesOf(force);
+    const Vector shares = system.mortar->forcesOf(atUnknowns(share, system));
+    for (std::size_t j = 0; j < pressure.size(); ++j)
+      pressure[j] = std::max(0.0, ratio(-pressure[j], shares[j]));
+    pressure = system.mortar->valuesAtUnknowns(pressure);
+    for (std::size_t k = 0; k < pressure.size(); ++k)
+      nodes[std::size_t(system.nodeOfUnknown[k])].pressure = std::max(0.0, pressure[k]);
+    return;
+  }
   for (std::size_t i = 0; i < nodes.size(); ++i)
     if (nodes[i].closed) {
       NDFRAME_ASSERT(share[i] > 0.0, "every node of an interface has a share of it");
@@ -142,9 +167,23 @@ void addConditions(std::vector<ContactNode>& nodes, const InterfaceSystem& syste
   }
 }
 
-double ratio(double value, double scale)
+/// Per condition what is left of it and its force, one of which is zero.
+std::vector<std::pair<double, double>> conditionsOf(const std::vector<ContactNode>& nodes,
+                                                    const InterfaceSystem& system)
 {
-  return scale > 0.0 ? value / scale : 0.0;
+  Vector left, force;
+  for (const ContactNode& node : nodes) {
+    left.push_back(node.condition);
+    force.push_back(node.nodalForce);
+  }
+  if (system.mortar) {
+    left = system.mortar->meansOf(atUnknowns(left, system));
+    force = system.mortar->forcesOf(atUnknowns(force, system));
+  }
+  std::vector<std::pair<double, double>> conditions;
+  for (std::size_t i = 0; i < left.size(); ++i)
+    conditions.emplace_back(left[i], force[i]);
+  return conditions;
 }
 
 /// The imbalance over the body's largest force. A body without loads that only follows another or its supports has no
@@ -215,7 +254,7 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
     entry.closed = state.closed[k] != 0;
   }
   if (!all.empty())
-    addPressures(all, condensed.interface.shares());
+    addPressures(all, condensed.interface, state.forceDirichlet);
   return all;
 }
 
@@ -235,11 +274,12 @@ ResidualSummary residuals(const Model& model, const CondensedModel& condensed, c
   for (const auto& body : bodies)
     result.equilibrium = std::max(result.equilibrium, relativeImbalance(body, force, roundOff));
   double complementarity = 0.0, penetration = 0.0, tension = 0.0;
-  for (const auto& node : contact) {
+  for (const auto& node : contact)
     opening = std::max(opening, std::abs(node.gap));
-    complementarity = std::max(complementarity, std::abs(node.condition * node.nodalForce));
-    penetration = std::max(penetration, -node.condition);
-    tension = std::max(tension, node.nodalForce - roundOff);
+  for (const auto& [condition, pull] : conditionsOf(contact, condensed.interface)) {
+    complementarity = std::max(complementarity, std::abs(condition * pull));
+    penetration = std::max(penetration, -condition);
+    tension = std::max(tension, pull - roundOff);
   }
   result.complementarity = ratio(complementarity, force * opening);
   result.penetration = ratio(penetration, opening);

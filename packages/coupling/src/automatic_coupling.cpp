@@ -49,6 +49,8 @@ private:
       return "there are more than two bodies";
     if (system.dim == 3)
       return "in 3D statuses settle in fewer steps than sweeps take";
+    if (system.mortar)
+      return "sweeps do not ask for contact in means (Pairing/Type = Mortar)";
     if (!haveRoles(system))
       return system.bodies.size() == 1 ? "a body that touches itself has no role" : "no roles suit both bodies";
     if (!start.spectrum)

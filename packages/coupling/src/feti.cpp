@@ -27,7 +27,7 @@ public:
     const Network network = networkOf(system);
     FetiProblem problem(network, {tolerance_, start.iterationError.value_or(0.0)}, ledger);
     if (!start.traction.empty())
-      problem.startFrom(system.force(start.traction));
+      problem.startFrom(conditionForces(system, start.traction));
     const std::int64_t before = ledger.counted("FETI iterations");
     const UnilateralState status = findStatuses(problem, network, system, start, ledger);
     CouplingResult result = settled(system, stateAt(network, system, problem.displacement(), status), status,

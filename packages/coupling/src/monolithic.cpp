@@ -69,10 +69,12 @@ private:
   {
     const bool areStored = std::all_of(system.bodies.begin(), system.bodies.end(),
                                        [](const BodyTrace& body) { return body.S->dense() != nullptr; });
-    if (!areStored && hasDependents(system))
-      throw NotConverged("a node belongs to several interfaces, which needs stored interface operators: choose "
-                         "Interface Operator/Type = Condensed");
-    return areStored && (system.bodies.size() > 2 || hasDependents(system));
+    const bool isPair = !hasDependents(system) && !system.mortar;
+    if (!areStored && !isPair)
+      throw NotConverged(
+          (system.mortar ? std::string("Pairing/Type = Mortar") : "a node belongs to several interfaces, which") +
+          " needs stored interface operators: choose Interface Operator/Type = Condensed");
+    return areStored && (system.bodies.size() > 2 || !isPair);
   }
 
   static UnilateralState solveNetwork(const InterfaceSystem& system, const CouplingStart& start, Ledger& ledger,

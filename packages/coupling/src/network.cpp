@@ -30,6 +30,20 @@ void addBody(Network& network, const BodyTrace& body)
   network.offsets.push_back(first + int(body.unknowns.size()));
 }
 
+/// The conditions W (D - N) v <= W bound.
+void takeMeans(Network& network, const MortarSpace& mortar)
+{
+  std::vector<SparseRow> jump;
+  SparseSum sum(network.size());
+  for (const SparseRow& mean : mortar.means()) {
+    for (const auto& [unknown, share] : mean)
+      sum.add(network.jump[std::size_t(unknown)], share);
+    jump.push_back(sum.take());
+  }
+  network.jump = std::move(jump);
+  network.bound = mortar.meansOf(network.bound);
+}
+
 } // namespace
 
 Network unloadedNetworkOf(const InterfaceSystem& system)
@@ -50,6 +64,8 @@ Network unloadedNetworkOf(const InterfaceSystem& system)
     network.jump.push_back(std::move(row));
     network.bound.push_back(system.gap[i] + system.obstacle[i] - network.dirichletOffset[i] + network.neumannOffset[i]);
   }
+  if (system.mortar)
+    takeMeans(network, *system.mortar);
   return network;
 }
 
@@ -89,6 +105,12 @@ std::vector<int> tightestFirst(const Network& network, const std::vector<char>& 
   return chosen;
 }
 
+Vector conditionForces(const InterfaceSystem& system, const Vector& traction)
+{
+  const Vector force = system.force(traction);
+  return system.mortar ? system.mortar->forcesOf(force) : force;
+}
+
 void setDisplacement(const Network& network, const Vector& v, StatusPass& pass)
 {
   pass.u = rowValues(network.jump, Vector(network.jump.size(), 0.0), v);
@@ -99,8 +121,10 @@ void setDisplacement(const Network& network, const Vector& v, StatusPass& pass)
 UnilateralState findStatuses(StatusSystem& problem, const Network& network, const InterfaceSystem& system,
                              const CouplingStart& start, Ledger& ledger)
 {
-  return findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
-                      firstStatuses(system, floats(system), start), ledger);
+  std::vector<char> first = firstStatuses(system, floats(system), start);
+  if (system.mortar)
+    first = system.mortar->statusesOf(first);
+  return findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound, std::move(first), ledger);
 }
 
 InterfaceState stateAt(const Network& network, const InterfaceSystem& system, const Vector& v,
@@ -109,9 +133,10 @@ InterfaceState stateAt(const Network& network, const InterfaceSystem& system, co
   InterfaceState state;
   state.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, v);
   state.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, v));
-  state.closed = status.closed;
-  state.forceDirichlet = state.forceNeumann = status.force;
-  state.tractionDirichlet = state.tractionNeumann = system.traction(status.force);
+  state.closed = system.mortar ? system.mortar->statusesAtUnknowns(status.closed) : status.closed;
+  state.forceDirichlet = system.mortar ? system.mortar->forcesAtUnknowns(status.force) : status.force;
+  state.forceNeumann = state.forceDirichlet;
+  state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
   return state;
 }
 

@@ -13,8 +13,9 @@ namespace ndframe
 ///
 ///   uDirichlet_i = D_i v + d_i,   uNeumann_i = N_i v + n_i,   min 1/2 v^T S v - g^T v  with  (D - N) v <= bound,
 ///
-/// S with one block a body, bound = gap + obstacle - d + n. An unknown may stand in rows of a body that other unknowns
-/// follow already, so that any number of interfaces may meet at a node.
+/// S with one block a body, bound = gap + obstacle - d + n. Where contact is asked in means (MortarSpace), the rows of
+/// both sides of the conditions are those, W (D - N) and W bound, and statuses and forces belong to them. An unknown
+/// may stand in rows of a body that other unknowns follow already, so that any number of interfaces may meet at a node.
 struct Network
 {
   std::vector<const BodyTrace*> bodies;
@@ -22,7 +23,7 @@ struct Network
   Vector g;
   std::vector<SparseRow> dirichlet, neumann; ///< D, N
   Vector dirichletOffset, neumannOffset;     ///< d, n
-  std::vector<SparseRow> jump;               ///< D - N
+  std::vector<SparseRow> jump;               ///< D - N, one row a condition
   Vector bound;
 
   int size() const { return offsets.back(); }
@@ -41,6 +42,9 @@ std::vector<std::string> motionNames(const Network& network);
 
 /// The closed unknowns, tightest bounds first.
 std::vector<int> tightestFirst(const Network& network, const std::vector<char>& closed);
+
+/// The forces of a traction, per condition.
+Vector conditionForces(const InterfaceSystem& system, const Vector& traction);
 
 /// What a pass found, but for its forces: the unknowns at v, and what round-off is compared with.
 void setDisplacement(const Network& network, const Vector& v, StatusPass& pass);

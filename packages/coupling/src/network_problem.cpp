@@ -36,9 +36,9 @@ void NetworkProblem::addBody(std::size_t body, std::vector<int>& local, Symmetri
     for (const auto& [place, share] : inFree[std::size_t(k)])
       for (int i = 0; i < size; ++i)
         half(i, place) += share * S(i, k);
-  for (int k = 0; k < size; ++k)
-    for (const auto& [place, share] : inFree[std::size_t(k)])
-      for (int j = 0; j < numFree; ++j)
+  for (int j = 0; j < numFree; ++j)
+    for (int k = 0; k < size; ++k)
+      for (const auto& [place, share] : inFree[std::size_t(k)])
         whole(place, j) += share * half(k, j);
   for (int i = 0; i < numFree; ++i)
     for (int j = 0; j < numFree; ++j)

@@ -54,6 +54,8 @@ void append(RoleSystem& role, const BodyTrace& body, std::vector<SparseRow> P, c
 
 bool haveRoles(const InterfaceSystem& system)
 {
+  if (system.mortar)
+    return false;
   return std::all_of(system.bodies.begin(), system.bodies.end(),
                      [&](const BodyTrace& body) { return hasOneRole(system, body); });
 }

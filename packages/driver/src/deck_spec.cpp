@@ -86,6 +86,14 @@ ListSpec interfaceSpec()
        "In degrees. Where the side's facets meet at a smaller angle on the first mesh, they represent a curve, and n_c "
        "turns along them from vertex to vertex; at a larger one each facet keeps its own normal, and the corner has "
        "the conditions of both. 0: all facets keep their own, with one condition per vertex, along the mean."}};
+  ListSpec pairing = makeList("Pairing", "How sides in the plane whose meshes do not match are brought together.");
+  pairing.params = {
+      {"Type", std::string("Cut"), oneOf({"Cut", "Mortar"}),
+       "Both meshes are cut at the vertices of the other side. Cut: contact is asked at all nodes of the cut sides. "
+       "Mortar: in weighted means, with tractions that are polynomials on the facets, as they were, of the side that "
+       "has more of them; short pieces do not show in the pressure, and between the means sides may penetrate. Needs "
+       "the coupling Monolithic, FETI or Neumann-Neumann. The same where the meshes match."}};
+  list.lists = {std::move(pairing)};
   return list;
 }
 

@@ -82,6 +82,8 @@ private:
     for (const char* key : {"Gap", "Gap From Geometry"})
       if (interface.isGiven(key))
         diagnostics.add(interface.mistake(key, "has no meaning where sides are tied; remove it, or Tied."));
+    if (interface.sub("Pairing").isGiven("Type"))
+      diagnostics.add(interface.sub("Pairing").mistake("Type", "has no meaning where sides are tied; remove it."));
     std::vector<std::string> bodies;
     for (const char* key : {"Dirichlet Body", "Neumann Body"}) {
       const auto name = interface.get<std::string>(key);

@@ -61,6 +61,14 @@ ContactMatrix::ContactMatrix(const std::vector<InterfaceMesh>& interfaces)
   }
 }
 
+SparseRow ContactMatrix::row(int node) const
+{
+  SparseRow entries;
+  for (int k = rowPtr_[std::size_t(node)]; k < rowPtr_[std::size_t(node) + 1]; ++k)
+    entries.emplace_back(cols_[std::size_t(k)], values_[std::size_t(k)]);
+  return entries;
+}
+
 Vector ContactMatrix::apply(const Vector& traction) const
 {
   Vector force(traction.size(), 0.0);

@@ -133,7 +133,9 @@ private:
 DerivedMesh cutFacets(const Mesh& mesh, const FacetCuts& cuts)
 {
   NDFRAME_ASSERT(mesh.dim == 2, "facets of triangles are cut");
-  return Cutter(mesh).run(cuts);
+  DerivedMesh result = Cutter(mesh).run(cuts);
+  result.uncutPoints = mesh.numPoints();
+  return result;
 }
 
 std::vector<int> ownNumbers(const Mesh& mesh)

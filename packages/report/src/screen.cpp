@@ -100,7 +100,7 @@ std::string meshText(const InterfaceMesh& interface, const Model& model)
   if (!interface.isCut)
     return "matching";
   if (interface.dim == 2)
-    return "cut to match";
+    return interface.isMortar ? "cut to match, contact in weighted means" : "cut to match";
   return fmt::format("cut to match where sides lie on each other ({:.3g} % of {}'s, {:.3g} % of {}'s)",
                      partOfSide(dirichlet.mesh, interface.dirichletFacets), dirichlet.name,
                      partOfSide(neumann.mesh, interface.neumannFacets), neumann.name);

@@ -126,19 +126,6 @@ void giveUp(Solved& solved, const std::string& reason, RunObserver& observer)
   observer.gaveUp(reason);
 }
 
-/// A node of a body that several interfaces share has one displacement for more tractions than roles can tell apart.
-void refuseSharedNodes(const Run& run, const RunTools& tools)
-{
-  for (const BodyTrace& body : run.condensed.interface.bodies)
-    if (tools.coupling->needsRoles() && !body.dependents.empty()) {
-      const std::string& name = run.model.bodies[std::size_t(body.body)].name;
-      throw InputError(tools.deck.sub("Coupling")
-                           .mistake("Type", "several interfaces of \"" + name +
-                                                "\" meet at a node, which Neumann-Dirichlet cannot solve; use "
-                                                "Monolithic or FETI."));
-    }
-}
-
 /// Refuses recoveries that are not defined for bodies of this dimension and order, or that cannot change tractions.
 void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagnostics)
 {
@@ -206,7 +193,8 @@ void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
 
 void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
 {
-  refuseSharedNodes(run, tools);
+  if (tools.coupling->needsRoles())
+    refuseSharedNodes(run.model, run.condensed.interface, tools.deck);
   const bool chooses = tools.coupling->roles() == Roles::Automatic;
   run.spectrum.reset();
   if (!run.plan.runs(Stage::Couple) || !(chooses || tools.coupling->needsSpectrum()) ||

@@ -53,6 +53,17 @@ std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& inter
   return without;
 }
 
+void refuseMeans(const InterfaceMesh& interface, const Params& definition, const BodyModel& neumann)
+{
+  const std::string reason = !interface.isMortar  ? ""
+                             : interface.dim == 3 ? "Mortar is for plane scenes; the sides of solids are cut: use Cut."
+                             : neumann.isRigid
+                                 ? fmt::format("\"{}\" is rigid and has no mesh to match: remove this.", neumann.name)
+                                 : "";
+  if (!reason.empty())
+    throw InputError(definition.sub("Pairing").mistake("Type", reason));
+}
+
 } // namespace
 
 void addInterface(Model& model, const Params& definition, const SidePairing& pairing,
@@ -77,6 +88,8 @@ void addInterface(Model& model, const Params& definition, const SidePairing& pai
       pairing.map     ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
       : pairing.isCut ? pairCutSides(definition, dirichlet, neumann)
                       : pairSides(definition, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
+  interface.isMortar = definition.sub("Pairing").get<std::string>("Type") == "Mortar";
+  refuseMeans(interface, definition, neumann);
   if (!interface.map)
     keepNormals(interface, earlier);
   interface.dirichletBody = first;

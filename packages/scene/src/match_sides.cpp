@@ -178,6 +178,7 @@ void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& fac
       meshes[b].base = std::move(before[b]);
       meshes[b].mesh = std::move(cut[b].mesh);
       meshes[b].parents = std::move(cut[b].parents);
+      meshes[b].uncutPoints = cut[b].uncutPoints;
       meshes[b].nodes = {};
     }
 }

@@ -15,6 +15,7 @@ struct CutMesh : GivenMesh
   explicit CutMesh(GivenMesh given) : GivenMesh(std::move(given)) {}
   Mesh base;
   std::vector<int> parents;
+  int uncutPoints = 0;
 };
 
 /// Which points of an interface face each other, if that takes more than sides that match.

@@ -34,6 +34,7 @@ BodyModel buildBody(const Params& params, const SceneComponents& components, Cut
   body.mesh = std::move(given.mesh);
   body.base = std::move(given.base);
   body.parents = std::move(given.parents);
+  body.uncutPoints = given.uncutPoints;
   body.isRigid = params.hasSub("Rigid");
   if (body.isRigid) {
     body.supports.push_back(makeRigidSupport(params.sub("Rigid")));

@@ -8,18 +8,49 @@ namespace ndframe
 namespace
 {
 
-/// Coefficients below this part of a row's largest are round-off.
-constexpr double nothing = 1e-10;
+/// Of a row's largest coefficient: below this all that others leave of a row is round-off, and it follows from them.
+constexpr double follows = 1e-10;
+/// The same of a single coefficient, which rows that decay have in earnest.
+constexpr double nothing = 1e-15;
 
-void addTo(SparseRow& row, int column, double value)
+/// A row to which much is added: knows the places of its entries. New ones are appended.
+class GrowingRow
 {
-  const auto found =
-      std::find_if(row.begin(), row.end(), [column](const auto& entry) { return entry.first == column; });
-  if (found == row.end())
-    row.emplace_back(column, value);
-  else
-    found->second += value;
-}
+public:
+  /// places: -1 for every column; is so again when this ends.
+  GrowingRow(SparseRow& row, std::vector<int>& places) : row_(row), places_(places)
+  {
+    for (std::size_t i = 0; i < row.size(); ++i)
+      places[std::size_t(row[i].first)] = int(i);
+  }
+  GrowingRow(const GrowingRow&) = delete;
+  GrowingRow& operator=(const GrowingRow&) = delete;
+  ~GrowingRow()
+  {
+    for (const auto& entry : row_)
+      places_[std::size_t(entry.first)] = -1;
+  }
+
+  void add(int column, double value)
+  {
+    int& place = places_[std::size_t(column)];
+    if (place < 0) {
+      place = int(row_.size());
+      row_.emplace_back(column, value);
+    } else {
+      row_[std::size_t(place)].second += value;
+    }
+  }
+  void add(const SparseRow& other, double factor)
+  {
+    for (const auto& [column, value] : other)
+      add(column, factor * value);
+  }
+
+private:
+  SparseRow& row_;
+  std::vector<int>& places_;
+};
 
 /// Takes an entry out of a row; 0 when it is not there.
 double taken(SparseRow& row, int column)
@@ -52,7 +83,8 @@ void drop(SparseRow& row, double below)
 ClosedRows::ClosedRows(const std::vector<SparseRow>& rows, const std::vector<int>& chosen, const Vector& values,
                        int numVariables)
     : rowOf_(std::size_t(numVariables), -1), readers_(std::size_t(numVariables)),
-      freeNumber_(std::size_t(numVariables), -1), numRows_(rows.size())
+      freeNumber_(std::size_t(numVariables), -1), numRows_(rows.size()), columnPlaces_(std::size_t(numVariables), -1),
+      rowPlaces_(rows.size(), -1)
 {
   for (const int row : chosen)
     add(row, rows[std::size_t(row)], values[std::size_t(row)]);
@@ -62,26 +94,37 @@ ClosedRows::ClosedRows(const std::vector<SparseRow>& rows, const std::vector<int
 }
 
 /// row += factor * known, the pivot of `known` taken out already.
-void ClosedRows::use(const Reduced& known, double factor, Reduced& row) const
+void ClosedRows::use(const Reduced& known, double factor, Reduced& row)
 {
-  for (const auto& [column, value] : known.others)
-    addTo(row.others, column, factor * value);
-  for (const auto& [given, value] : known.combination)
-    addTo(row.combination, given, factor * value);
+  GrowingRow(row.others, columnPlaces_).add(known.others, factor);
+  GrowingRow(row.combination, rowPlaces_).add(known.combination, factor);
   row.value += factor * known.value;
+}
+
+/// Adds a row with what is known of its variables in it.
+void ClosedRows::addWithKnown(const SparseRow& entries, Reduced& next)
+{
+  GrowingRow others(next.others, columnPlaces_), combination(next.combination, rowPlaces_);
+  for (const auto& [column, coefficient] : entries) {
+    const int number = rowOf_[std::size_t(column)];
+    if (number < 0) {
+      others.add(column, coefficient);
+      continue;
+    }
+    const Reduced& known = rows_[std::size_t(number)];
+    others.add(known.others, -coefficient);
+    combination.add(known.combination, -coefficient);
+    next.value -= coefficient * known.value;
+  }
 }
 
 void ClosedRows::add(int row, const SparseRow& entries, double value)
 {
   Reduced next{-1, {}, {{row, 1.0}}, value};
+  addWithKnown(entries, next);
   const double size = largestCoefficient(entries);
-  for (const auto& [column, coefficient] : entries)
-    if (const int known = rowOf_[std::size_t(column)]; known >= 0)
-      use(rows_[std::size_t(known)], -coefficient, next);
-    else
-      addTo(next.others, column, coefficient);
   drop(next.others, nothing * size);
-  if (next.others.empty())
+  if (largestCoefficient(next.others) <= follows * size)
     return;
   const auto pivot = std::max_element(next.others.begin(), next.others.end(), [](const auto& a, const auto& b) {
     return std::abs(a.second) < std::abs(b.second);
@@ -99,9 +142,12 @@ void ClosedRows::add(int row, const SparseRow& entries, double value)
     const double coefficient = taken(other.others, next.pivot);
     if (coefficient == 0.0)
       continue;
+    const std::size_t before = other.others.size();
     use(next, -coefficient, other);
-    for (const auto& entry : next.others)
-      readers_[std::size_t(entry.first)].push_back(reader);
+    for (std::size_t i = before; i < other.others.size(); ++i)
+      readers_[std::size_t(other.others[i].first)].push_back(reader);
+    for (SparseRow* part : {&other.others, &other.combination})
+      drop(*part, nothing * largestCoefficient(*part));
   }
   for (const auto& entry : next.others)
     readers_[std::size_t(entry.first)].push_back(number);

@@ -18,6 +18,10 @@ void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics&
 /// Refuses Neumann bodies at nodes where supports hold the other body: their problem has no contact conditions.
 void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics);
 
+/// Refuses what sweeps cannot solve: nodes of a body that several interfaces share, which has one displacement there
+/// for more tractions than roles can tell apart, and contact in means, which are of many nodes. InputError.
+void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const Params& deck);
+
 /// The roles that were chosen.
 struct ChosenRoles
 {

@@ -88,7 +88,8 @@ enum class Roles
   Automatic ///< chosen by the driver before solve(): the better contraction (role_spectrum.hpp)
 };
 
-/// Whether every body has one role on all its interfaces, and none that is a Neumann body meets an obstacle.
+/// Whether every body has one role on all its interfaces, none that is a Neumann body meets an obstacle, and contact is
+/// asked of every unknown by itself.
 bool haveRoles(const InterfaceSystem& system);
 
 /// How the bodies are brought together on the interface.

@@ -12,6 +12,7 @@
 #include "ndframe/interface/contact_basis.hpp"
 #include "ndframe/interface/contact_matrix.hpp"
 #include "ndframe/interface/interface_operators.hpp"
+#include "ndframe/interface/mortar_space.hpp"
 #include "ndframe/interface/trace_map.hpp"
 
 namespace ndframe
@@ -98,6 +99,7 @@ struct InterfaceSystem
   std::vector<SlitEnd> slitEnds;  ///< of all interfaces; empty without slits
   std::shared_ptr<const ContactMatrix> C;    ///< null without interfaces
   std::shared_ptr<const ContactBasis> basis; ///< null: values at the nodes
+  std::shared_ptr<const MortarSpace> mortar; ///< null: contact is asked of every unknown by itself
 
   int size() const { return int(nodeOfUnknown.size()); } ///< number of unknowns
   /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ndframe/algebra/sparse_row.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
 
 namespace ndframe
@@ -17,6 +18,7 @@ public:
   explicit ContactMatrix(const std::vector<InterfaceMesh>& interfaces); ///< from facets, measures and order
 
   int size() const { return int(rowPtr_.size()) - 1; } ///< number of interface nodes, of all interfaces
+  SparseRow row(int node) const;                       ///< C_ij of node i by j
   Vector apply(const Vector& traction) const;          ///< C Lambda: forces from tractions, per interface node
   /// C^-1 r by conjugate gradients with the diagonal: C is a mass matrix, so some 30 iterations reach round-off on any
   /// mesh.

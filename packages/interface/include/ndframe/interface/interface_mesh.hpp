@@ -46,6 +46,7 @@ struct InterfaceMesh
   std::shared_ptr<const InterfaceMesh> firstMesh; ///< the side as first meshed, which gave the normals; null: this one
   std::shared_ptr<const SideMap> map; ///< in the plane which points face each other; null: sides match as drawn
   bool isCut = false;                 ///< the meshes were cut to match; each body is refined by itself
+  bool isMortar = false;              ///< contact is asked in weighted means (MortarSpace)
 
   int numNodes() const { return int(dirichletNodes.size()); } ///< number of interface nodes
   int numFacets() const { return int(measures.size()); }      ///< number of pairs of facets

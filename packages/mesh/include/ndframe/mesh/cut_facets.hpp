@@ -14,6 +14,7 @@ struct DerivedMesh
 {
   Mesh mesh;                ///< the new one
   std::vector<int> parents; ///< per cell the cell of the other one that it is a part of
+  int uncutPoints = 0;      ///< points that were there before cutFacets(); those that cut follow
 };
 
 /// Places on facets of a triangle mesh where vertices are wanted: by cell and local number of the facet, from 0 at its

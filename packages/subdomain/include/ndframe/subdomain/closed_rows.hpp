@@ -47,7 +47,8 @@ private:
     double value;
   };
   void add(int row, const SparseRow& entries, double value);
-  void use(const Reduced& known, double factor, Reduced& row) const;
+  void use(const Reduced& known, double factor, Reduced& row);
+  void addWithKnown(const SparseRow& entries, Reduced& next);
 
   std::vector<Reduced> rows_;
   std::vector<int> independent_;
@@ -56,6 +57,7 @@ private:
   std::vector<int> freeNumber_;
   int numFree_ = 0;
   std::size_t numRows_;
+  std::vector<int> columnPlaces_, rowPlaces_; ///< all -1 but while a row grows
 };
 
 } // namespace ndframe
