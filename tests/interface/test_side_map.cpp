@@ -150,6 +150,25 @@ TEST(SideMap, FindsTheGapOfARoundBodyAboveAFlatOne)
   EXPECT_LT(before, 2e-5);
 }
 
+/// Where a side is kinked, rays from both edges cross behind it, and what both claim is divided: nothing that is left
+/// over is a part, for such parts would cut meshes one after the other (1e-8 of an edge once did).
+TEST(SideMap, HasNoPartsOfRoundOffLength)
+{
+  std::mt19937 random(8007);
+  for (int trial = 0; trial < 400; ++trial) {
+    std::uniform_real_distribution<double> draw(0.0, 1.0);
+    const double gap = 0.02 * draw(random), slope = 0.05 * draw(random), bow = 0.1 * draw(random);
+    const auto above = [&](double x) { return gap + slope * x + bow * x * x; };
+    const auto below = [&](double x) { return -0.5 * bow * x * x; };
+    const SideMap map = mapOf(strip(spread(random, 1 + trial % 7, 0.0, 1.0), above, 1.0),
+                              strip(spread(random, 1 + trial % 5, 0.0, 1.0), below, -1.0));
+    for (const SideSegment& segment : map.segments()) {
+      EXPECT_GT(std::abs(segment.first[1] - segment.first[0]), 1e-7);
+      EXPECT_GT(std::abs(segment.second[1] - segment.second[0]), 1e-7);
+    }
+  }
+}
+
 TEST(SideMap, HasNoPartWhereSidesLookAway)
 {
   const Curve flat = [](double) { return 0.0; };

@@ -33,16 +33,33 @@ def couplings(draw):
     return ["Coupling/Type=Neumann-Dirichlet", f"Coupling/Stopping/Maximum Sweeps={sweeps}"], False
 
 
+def mesh_apart(draw, deck, settings):
+    """Other numbers of cells for every body, so that sides do not match, or some still do; contact in means on some interfaces
+    where the coupling asks for them. Returns how it was changed."""
+    if draw.random() < 0.5:
+        return ""
+    for body in deck["Bodies"].values():
+        n, m = body["Mesh"]["Cells"]
+        body["Mesh"]["Cells"] = (n + draw.randint(0, 4), m + draw.randint(0, 4))
+    if "Coupling/Type=Neumann-Dirichlet" in settings:
+        return ", apart"
+    for contact in deck["Interfaces"].values():
+        if draw.random() < 0.5:
+            contact["Pairing"] = {"Type": "Mortar"}
+    return ", apart, some in means"
+
+
 def judge(program, seed):
     """(what is wrong or None, bound / error of a run that ends where it should, what it is about)"""
     draw = random.Random(f"certificate {seed}")
     arguments, deck = network_sweep.network(seed, pulls=draw.random() < 0.2)
     settings, ends = couplings(draw)
+    apart = mesh_apart(random.Random(f"apart {seed}"), deck, settings)
     with tempfile.TemporaryDirectory() as folder:
         path = pathlib.Path(folder) / "network.xml"
         path.write_text(network_decks.to_xml("network", deck))
         run = program.run(path, *settings, *ESTIMATES)
-    about = f"{seed}: {' '.join(arguments)}, {', '.join(settings)}"
+    about = f"{seed}: {' '.join(arguments)}, {', '.join(settings)}{apart}"
     if run.code not in (0, 2, 3):
         return f"exit code {run.code}: {run.screen[-300:]}", None, about
     if run.code == 2 and "ring of" not in run.screen and "meet at a node" not in run.screen:

@@ -22,7 +22,7 @@ constexpr double sameEndStraight = 1e-9;
 /// edges that are not parallel have rays that lean by so much.
 constexpr double sameEndApart = 1e-3, lean = 0.1;
 constexpr double sameLine = 1e-9;
-/// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates.
+/// Overlaps that are smaller, relative to the shorter edge, are round-off of the coordinates; segments are nothing.
 constexpr double roundOff = 1e-6;
 
 bool faces(const SideEdge& first, const SideEdge& second)
@@ -124,7 +124,8 @@ void SideMap::addSegments(int firstEdge)
   }
 }
 
-/// No point of the second side belongs to two segments: what two of them claim is divided in the middle.
+/// No point of the second side belongs to two segments: what two of them claim is divided in the middle. A segment of
+/// which nothing is left has no partner.
 void SideMap::keepApart()
 {
   std::vector<std::size_t> order(segments_.size());
@@ -151,6 +152,11 @@ void SideMap::keepApart()
     end(a, middle, true);
     end(b, middle, false);
   }
+  const auto isNothing = [](const SideSegment& segment) {
+    return std::abs(segment.first[1] - segment.first[0]) < roundOff ||
+           std::abs(segment.second[1] - segment.second[0]) < roundOff;
+  };
+  segments_.erase(std::remove_if(segments_.begin(), segments_.end(), isNothing), segments_.end());
 }
 
 Direction SideMap::pointOnFirst(const SideSegment& segment, double t) const

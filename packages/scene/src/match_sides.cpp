@@ -157,10 +157,41 @@ void checkRigid(const Params& deck, const std::vector<Params>& bodies)
       throw InputError(body.mistake("", "is rigid, and nothing touches it; name it in an interface as Neumann Body."));
 }
 
-/// The meshes as they were get a place beside those that match. isFirst: the meshes are not made of earlier ones.
-void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& facing, const std::vector<char>& isRigid,
-               const Params& deck, bool isFirst)
+/// Sides in the plane that match as they are, by the interface.
+using MatchingSides = std::vector<std::pair<Params, FacingSides>>;
+
+/// Cells that are halved for one side may have a facet on another one, which does not match any more then: those that
+/// do not get a map and a place among the facing sides. False where all do.
+bool faceWhereCut(const std::vector<Mesh>& before, const std::vector<DerivedMesh>& cut, MatchingSides& matching,
+                  std::vector<FacingSides>& facing, std::map<std::string, SidePairing>& pairings)
 {
+  bool any = false;
+  for (auto& [definition, sides] : matching) {
+    const auto sideOf = [&](const Mesh& mesh, const std::string& name) -> const Side& { return *mesh.findSide(name); };
+    const Mesh &first = cut[std::size_t(sides.firstBody)].mesh, &second = cut[std::size_t(sides.secondBody)].mesh;
+    if (sides.map || sidesMatch(first, sideOf(first, sides.firstSide), second, sideOf(second, sides.secondSide)))
+      continue;
+    const double angle = definition.get<double>("Corner Angle");
+    const auto polygon = [&](int body, const std::string& side) {
+      const Mesh& mesh = before[std::size_t(body)];
+      return SidePolygon(mesh, sideOf(mesh, side).facets, angle);
+    };
+    sides.map = std::make_shared<const SideMap>(polygon(sides.firstBody, sides.firstSide),
+                                                polygon(sides.secondBody, sides.secondSide));
+    pairings[definition.name()].map = sides.map;
+    facing.push_back(sides);
+    any = true;
+  }
+  return any;
+}
+
+/// The meshes as they were get a place beside those that match. isFirst: the meshes are not made of earlier ones.
+void insertAll(std::vector<CutMesh>& meshes, std::vector<FacingSides> facing, MatchingSides matching,
+               const Params& deck, bool isFirst, std::map<std::string, SidePairing>& pairings)
+{
+  std::vector<char> isRigid;
+  for (const Params& body : deck.sub("Bodies").subs())
+    isRigid.push_back(body.hasSub("Rigid"));
   std::vector<Mesh> before;
   for (const CutMesh& mesh : meshes)
     before.push_back(mesh.mesh);
@@ -173,6 +204,8 @@ void insertAll(std::vector<CutMesh>& meshes, const std::vector<FacingSides>& fac
       }
   }
   std::vector<DerivedMesh> cut = cutMeshes(before, facing, deck.sub("Interfaces"));
+  while (faceWhereCut(before, cut, matching, facing, pairings))
+    cut = cutMeshes(before, facing, deck.sub("Interfaces"));
   for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!cut[b].parents.empty()) {
       meshes[b].base = std::move(before[b]);
@@ -211,32 +244,30 @@ std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneCom
     isMeshed.push_back(mesh.mesh.numCells() > 0);
   std::map<std::string, SidePairing> pairings;
   std::vector<FacingSides> facing;
+  MatchingSides matching;
   bool isCut = false;
-  const auto definitions = deck.sub("Interfaces").subs();
-  for (const Params& definition : definitions) {
+  for (const Params& definition : deck.sub("Interfaces").subs()) {
     FacingSides sides = sidesOf(definition, bodies);
     SidePairing& pairing = pairings[definition.name()];
     if (sides.firstBody < 0 || sides.secondBody < 0)
       continue;
     const Params& second = bodies[std::size_t(sides.secondBody)];
     if (!second.hasSub("Rigid"))
-      pairing.isCut = haveOtherFacets(sides, meshes);
-    if (!second.hasSub("Rigid"))
-      pairing.map = mapOf(definition, sides, earlier, meshes);
+      pairing = {mapOf(definition, sides, earlier, meshes), {}, {}, haveOtherFacets(sides, meshes)};
     else if (!isSolid(sides, meshes))
       pairing =
           obstaclePairing(scene, definition, second.sub("Rigid"), isMeshed[std::size_t(sides.secondBody)] != 0, sides);
     sides.map = pairing.map;
     sides.isCut = pairing.isCut;
     isCut = isCut || pairing.map || pairing.isCut;
-    if (sides.map || (!second.hasSub("Rigid") && bothExist(sides, meshes) && isSolid(sides, meshes)))
+    const bool areMeshed = !second.hasSub("Rigid") && bothExist(sides, meshes);
+    if (sides.map || (areMeshed && isSolid(sides, meshes)))
       facing.push_back(std::move(sides));
+    else if (areMeshed)
+      matching.emplace_back(definition, std::move(sides));
   }
-  std::vector<char> isRigid;
-  for (const Params& body : bodies)
-    isRigid.push_back(body.hasSub("Rigid"));
   if (isCut)
-    insertAll(meshes, facing, isRigid, deck, earlier.empty());
+    insertAll(meshes, std::move(facing), std::move(matching), deck, earlier.empty(), pairings);
   pairSurfaces(scene, bodies, isMeshed, pairings);
   return pairings;
 }

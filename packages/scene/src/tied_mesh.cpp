@@ -233,7 +233,11 @@ Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
   mesh.notes.push_back(fmt::format("tied parts: {}", fmt::join(names_, ", ")));
   const auto mistakes = checkMesh(mesh);
   if (!mistakes.empty())
-    throw InputError(list_.mistake("", fmt::format("the tied mesh is not sound: {}", fmt::join(mistakes, "; "))));
+    throw InputError(
+        list_.mistake("", fmt::format("the tied mesh is not sound: {}{}", fmt::join(mistakes, "; "),
+                                      isPlane ? " The second part's vertices move onto the first side: refine both "
+                                                "parts where tied sides are curved."
+                                              : "")));
   return mesh;
 }
 
