@@ -1,3 +1,6 @@
+#include <cmath>
+#include <random>
+
 #include <gtest/gtest.h>
 
 #include "algebra/sample_bodies.hpp"
@@ -61,6 +64,67 @@ TEST(DenseOperator, InverseOnNothingIsZero)
 {
   const auto A = makeDenseOperator(chain(3));
   EXPECT_EQ(A->inverseOn({0, 0, 0}, 0.0)->solve({1.0, 2.0, 3.0}), Vector(3, 0.0));
+}
+
+/// Sets that wander about: rows leave and come back, alone and many at once.
+TEST(DenseOperator, MovedInverseIsThatOfTheNewSet)
+{
+  for (const double shift : {0.0, 0.3}) {
+    DenseMatrix matrix = chain(500);
+    for (int i = 0; i < 500; ++i)
+      for (int j = 0; j < 500; ++j)
+        matrix(i, j) += std::exp(-0.05 * std::abs(i - j));
+    const auto A = makeDenseOperator(matrix);
+    std::mt19937 random(7);
+    std::vector<char> isFree(500);
+    for (char& flag : isFree)
+      flag = char(random() % 5 != 0);
+    auto inverse = A->inverseOn(isFree, shift);
+    int moves = 0;
+    for (int step = 0; step < 40; ++step) {
+      for (unsigned flips = 1 + random() % 4; flips > 0; --flips)
+        isFree[random() % (step < 20 ? 30 : 500)] ^= 1;
+      const bool isMoved = inverse->moveTo(isFree);
+      moves += int(isMoved);
+      if (!isMoved)
+        inverse = A->inverseOn(isFree, shift);
+      const Vector b = test::randomVector(500, unsigned(step)), x = inverse->solve(b),
+                   fresh = A->inverseOn(isFree, shift)->solve(b);
+      for (std::size_t i = 0; i < 500; ++i)
+        if (isFree[i])
+          ASSERT_NEAR(x[i], fresh[i], 1e-10 * largestEntry(fresh)) << step;
+        else
+          ASSERT_EQ(x[i], 0.0);
+    }
+    EXPECT_GT(moves, 30);
+    EXPECT_LT(moves, 40); // after so many other rows a new factor is cheaper
+  }
+}
+
+TEST(DenseOperator, InverseIsNotMovedToSingularSets)
+{
+  const auto A = makeDenseOperator(chain(300));
+  std::vector<char> isFree(300, 1);
+  isFree[17] = 0;
+  const auto inverse = A->inverseOn(isFree, 0.0);
+  const Vector b = test::randomVector(300, 3), before = inverse->solve(b);
+  EXPECT_FALSE(inverse->moveTo(std::vector<char>(300, 1)));
+  EXPECT_EQ(inverse->solve(b), before);
+  isFree[18] = 0; // another row holds it instead
+  EXPECT_TRUE(inverse->moveTo(isFree));
+  isFree[17] = 1;
+  EXPECT_TRUE(inverse->moveTo(isFree));
+  const Vector product = A->apply(inverse->solve(b));
+  for (std::size_t i = 0; i < 300; ++i)
+    if (isFree[i])
+      EXPECT_NEAR(product[i], b[i], 1e-9);
+}
+
+TEST(DenseOperator, SmallInversesAreMadeAnew)
+{
+  const auto A = makeDenseOperator(chain(20));
+  const auto inverse = A->inverseOn(std::vector<char>(20, 0), 0.0);
+  EXPECT_FALSE(inverse->moveTo(std::vector<char>(20, 0)));
 }
 
 TEST(DenseOperator, SingularSetIsRefusedWithARowOfTheMatrix)

@@ -201,6 +201,20 @@ TEST(Ledger, CountsOnePassASweepWhereAllNodesStayClosed)
   EXPECT_EQ(outcome.ledger->counted("interface factorisations"), 2); // of the Neumann body and of the closed set
 }
 
+/// A few nodes change in a pass: the factor of the first set serves the others.
+TEST(Ledger, CountsOneFactorForAllStatusesOfALongInterface)
+{
+  const auto outcome = Scene("contact-loss")
+                           .set("Coupling/Type=Monolithic")
+                           .set("Bodies/upper/Mesh/Cells={200, 4}")
+                           .set("Bodies/lower/Mesh/Cells={400, 4}")
+                           .run();
+  EXPECT_TRUE(outcome.run.failure.empty()) << outcome.run.failure;
+  EXPECT_GT(outcome.ledger->counted("status passes"), 3);
+  EXPECT_EQ(outcome.ledger->counted("interface factorisations"), 1);
+  EXPECT_EQ(outcome.ledger->counted("interface factors moved"), outcome.ledger->counted("status passes") - 1);
+}
+
 TEST(Ledger, CountsOnePassForBodiesThatStayApart)
 {
   for (const char* coupling : {"Neumann-Dirichlet", "Monolithic"}) {

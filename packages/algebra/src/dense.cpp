@@ -115,6 +115,16 @@ Vector DenseCholesky::solveUpper(Vector b) const
   return solveTriangle(factor_, CblasTrans, std::move(b));
 }
 
+DenseMatrix DenseCholesky::solveLower(DenseMatrix B) const
+{
+  const int n = factor_.rows();
+  NDFRAME_ASSERT(B.rows() == n, "shapes do not match");
+  if (n > 0 && B.cols() > 0)
+    cblas_dtrsm(CblasColMajor, CblasLeft, CblasLower, CblasNoTrans, CblasNonUnit, n, B.cols(), 1.0, factor_.data(), n,
+                B.data(), n);
+  return B;
+}
+
 DenseMatrix DenseCholesky::inverse() const
 {
   DenseMatrix result = factor_;

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "moved_set.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -42,30 +43,57 @@ DenseCholesky factorOf(const DenseMatrix& A, const std::vector<int>& indices, do
   }
 }
 
+/// Sets that differ little from the factored one are solved from its factor (MovedSet), where factors are dear.
 class DenseInverse final : public RestrictedInverse
 {
 public:
-  DenseInverse(const DenseMatrix& A, std::vector<int> indices, double shift)
-      : size_(std::size_t(A.rows())), indices_(std::move(indices)), factor_(factorOf(A, indices_, shift))
+  DenseInverse(const DenseMatrix& A, std::vector<char> isFree, double shift)
+      : indices_(indicesOf(isFree)), isFree_(std::move(isFree)), factor_(factorOf(A, indices_, shift)),
+        moved_(A, factor_, placesOf(indices_, isFree_.size()), shift)
   {}
+  DenseInverse(const DenseInverse&) = delete;
+  DenseInverse& operator=(const DenseInverse&) = delete;
 
   Vector solve(const Vector& b) const override
   {
-    NDFRAME_ASSERT(b.size() == size_, "shapes do not match");
+    NDFRAME_ASSERT(b.size() == isFree_.size(), "shapes do not match");
     Vector restricted(indices_.size());
     for (std::size_t i = 0; i < indices_.size(); ++i)
-      restricted[i] = b[std::size_t(indices_[i])];
-    restricted = factor_.solve(std::move(restricted));
-    Vector x(size_, 0.0);
+      restricted[i] = isFree_[std::size_t(indices_[i])] ? b[std::size_t(indices_[i])] : 0.0;
+    Vector x(isFree_.size(), 0.0);
+    if (moved_.isMoved())
+      restricted = factor_.solveUpper(moved_.corrected(factor_.solveLower(std::move(restricted)), b, x));
+    else
+      restricted = factor_.solve(std::move(restricted));
     for (std::size_t i = 0; i < indices_.size(); ++i)
-      x[std::size_t(indices_[i])] = restricted[i];
+      if (isFree_[std::size_t(indices_[i])]) // else a zero, but for round-off
+        x[std::size_t(indices_[i])] = restricted[i];
     return x;
   }
 
+  bool moveTo(const std::vector<char>& isFree) override
+  {
+    constexpr int smallest = 200, rows = 8; // a factor costs as much as that of a third of its rows moved
+    const auto size = int(indices_.size());
+    if (size < smallest || !moved_.moveTo(isFree, size / rows))
+      return false;
+    isFree_ = isFree;
+    return true;
+  }
+
 private:
-  std::size_t size_;
-  std::vector<int> indices_;
+  static std::vector<int> placesOf(const std::vector<int>& indices, std::size_t size)
+  {
+    std::vector<int> places(size, -1);
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      places[std::size_t(indices[i])] = int(i);
+    return places;
+  }
+
+  std::vector<int> indices_; ///< that are factored
+  std::vector<char> isFree_; ///< that are solved for
   DenseCholesky factor_;
+  MovedSet moved_;
 };
 
 class DenseOperator final : public SymmetricOperator
@@ -81,7 +109,7 @@ public:
   std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const override
   {
     NDFRAME_ASSERT(int(isFree.size()) == size(), "one flag per entry is needed");
-    return std::make_unique<DenseInverse>(A_, indicesOf(isFree), shift);
+    return std::make_unique<DenseInverse>(A_, isFree, shift);
   }
   const DenseMatrix* dense() const override { return &A_; }
 

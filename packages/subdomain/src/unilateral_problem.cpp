@@ -51,6 +51,21 @@ Vector UnilateralProblem::applied(const Vector& x) const
   return A_.apply(x);
 }
 
+void UnilateralProblem::factor(const std::vector<char>& closed, const std::vector<char>& isFree, double shift)
+{
+  if (factor_ && closed == factoredSet_ && shift == factoredShift_)
+    return;
+  if (factor_ && shift == factoredShift_ && factor_->moveTo(isFree)) {
+    ledger_.count("interface factors moved");
+  } else {
+    factor_.reset(); // its memory is needed
+    factor_ = A_.inverseOn(isFree, shift);
+    ledger_.count("interface factorisations");
+  }
+  factoredSet_ = closed;
+  factoredShift_ = shift;
+}
+
 void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
                                     StatusPass& pass)
 {
@@ -62,13 +77,7 @@ void UnilateralProblem::solveClosed(const Vector& b, const Vector& bound, const 
       given[i] = bound[i];
       isFree[i] = 0;
     }
-  if (!factor_ || closed != factoredSet_ || shift != factoredShift_) {
-    factor_.reset();
-    factor_ = A_.inverseOn(isFree, shift);
-    factoredSet_ = closed;
-    factoredShift_ = shift;
-    ledger_.count("interface factorisations");
-  }
+  factor(closed, isFree, shift);
   const Vector fromGiven = applied(given);
   Vector rhs(n);
   for (std::size_t i = 0; i < n; ++i)

@@ -56,7 +56,8 @@ public:
   Vector solve(Vector b) const; ///< A^-1 b
   /// L^-1 b and L^-T b, A = L L^T: half a solution each.
   Vector solveLower(Vector b) const;
-  Vector solveUpper(Vector b) const; ///< L^-T b
+  Vector solveUpper(Vector b) const;           ///< L^-T b
+  DenseMatrix solveLower(DenseMatrix B) const; ///< L^-1 B, BLAS dtrsm
   /// A^-1.
   DenseMatrix inverse() const;
   int size() const { return factor_.rows(); } ///< rows of A

@@ -14,6 +14,9 @@ class RestrictedInverse
 public:
   virtual ~RestrictedInverse() = default;
   virtual Vector solve(const Vector& b) const = 0; ///< x_F for b_F, both among all rows of A
+  /// Becomes the inverse of A_GG + shift I for another set G, with the shift that it has. False where a new one is
+  /// cheaper, or G may be singular: then nothing has changed.
+  virtual bool moveTo(const std::vector<char>& /*isFree*/) { return false; }
 };
 
 /// A symmetric positive semi-definite operator on a small replicated vector (an interface), stored or applied.

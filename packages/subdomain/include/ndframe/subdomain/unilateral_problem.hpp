@@ -32,6 +32,7 @@ private:
   class Conditions;
   bool holds(const std::vector<char>& closed) const;
   Vector applied(const Vector& x) const;
+  void factor(const std::vector<char>& closed, const std::vector<char>& isFree, double shift);
   void solveClosed(const Vector& b, const Vector& bound, const std::vector<char>& closed, double shift,
                    StatusPass& pass);
   void refine(const Vector& rhs, const std::vector<char>& isFree, StatusPass& pass) const;
