@@ -181,8 +181,8 @@ InterfaceMesh straightInterface(const std::vector<double>& x, int order)
     interface.points.insert(interface.points.end(), {along, 0.0});
     interface.normals.push_back({0.0, -1.0, 0.0});
     interface.gap.push_back(0.0);
-    interface.dirichletNodes.push_back(i);
-    interface.neumannNodes.push_back(i);
+    interface.sides[0].nodes.push_back(i);
+    interface.sides[1].nodes.push_back(i);
   }
   for (int e = 0; e < elements; ++e) {
     interface.measures.push_back(x[std::size_t(e + 1)] - x[std::size_t(e)]);

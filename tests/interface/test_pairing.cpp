@@ -84,20 +84,20 @@ protected:
 
 TEST_P(Pairing, PairedNodesAreOnePoint)
 {
-  ASSERT_EQ(interface.neumannNodes.size(), interface.dirichletNodes.size());
+  ASSERT_EQ(interface.neumann().nodes.size(), interface.dirichlet().nodes.size());
   for (int i = 0; i < interface.numNodes(); ++i)
     for (int k = 0; k < interface.dim; ++k) {
       const double x = interface.point(i)[k];
-      EXPECT_EQ(upper.nodes.point(interface.dirichletNodes[std::size_t(i)])[k], x);
-      EXPECT_NEAR(lower.nodes.point(interface.neumannNodes[std::size_t(i)])[k], x, 1e-14);
+      EXPECT_EQ(upper.nodes.point(interface.dirichlet().nodes[std::size_t(i)])[k], x);
+      EXPECT_NEAR(lower.nodes.point(interface.neumann().nodes[std::size_t(i)])[k], x, 1e-14);
     }
 }
 
 TEST_P(Pairing, EveryNodeOfBothSidesIsPairedOnce)
 {
   const auto& pair = std::get<0>(GetParam());
-  EXPECT_EQ(interface.dirichletNodes, sideNodes(upper.nodes, *upper.side(pair.upperSide)));
-  auto theirs = interface.neumannNodes;
+  EXPECT_EQ(interface.dirichlet().nodes, sideNodes(upper.nodes, *upper.side(pair.upperSide)));
+  auto theirs = interface.neumann().nodes;
   std::sort(theirs.begin(), theirs.end());
   EXPECT_EQ(theirs, sideNodes(lower.nodes, *lower.side(pair.lowerSide)));
 }
@@ -105,15 +105,15 @@ TEST_P(Pairing, EveryNodeOfBothSidesIsPairedOnce)
 TEST_P(Pairing, FacetsAreTheSameOnBothSides)
 {
   const auto size = std::size_t(interface.nodesPerFacet());
-  ASSERT_EQ(interface.neumannFacets.size(), interface.dirichletFacets.size());
-  for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
+  ASSERT_EQ(interface.neumann().facets.size(), interface.dirichlet().facets.size());
+  for (std::size_t f = 0; f < interface.dirichlet().facets.size(); ++f) {
     std::vector<int> mine(size), theirs(size), expectedMine, expectedTheirs;
-    facetNodes(upper.nodes, interface.dirichletFacets[f], mine.data());
-    facetNodes(lower.nodes, interface.neumannFacets[f], theirs.data());
+    facetNodes(upper.nodes, interface.dirichlet().facets[f], mine.data());
+    facetNodes(lower.nodes, interface.neumann().facets[f], theirs.data());
     for (std::size_t a = 0; a < size; ++a) {
       const auto node = std::size_t(interface.facets[f * size + a]);
-      expectedMine.push_back(interface.dirichletNodes[node]);
-      expectedTheirs.push_back(interface.neumannNodes[node]);
+      expectedMine.push_back(interface.dirichlet().nodes[node]);
+      expectedTheirs.push_back(interface.neumann().nodes[node]);
     }
     EXPECT_EQ(mine, expectedMine);
     std::sort(theirs.begin(), theirs.end());

@@ -64,7 +64,7 @@ InterfaceMesh ring(int cells, double phase)
   for (int i = 0; i < cells; ++i) {
     const double angle = phase + 2.0 * M_PI * i / cells;
     interface.points.insert(interface.points.end(), {std::cos(angle), std::sin(angle)});
-    interface.dirichletNodes.push_back(i);
+    interface.sides[0].nodes.push_back(i);
     interface.facets.insert(interface.facets.end(), {i, (i + 1) % cells});
     interface.measures.push_back(2.0 * std::sin(M_PI / cells));
   }
@@ -202,7 +202,7 @@ TEST(TractionTransfer, FindsItsFacetBetweenNearbyBranchesOfOneInterface)
       both.facets.push_back(node + both.numNodes());
     both.points.insert(both.points.end(), upper.points.begin(), upper.points.end());
     both.measures.insert(both.measures.end(), upper.measures.begin(), upper.measures.end());
-    both.dirichletNodes.resize(both.points.size() / 2);
+    both.sides[0].nodes.resize(both.points.size() / 2);
     return both;
   };
   const auto sideValues = [](const InterfaceMesh& mesh) {

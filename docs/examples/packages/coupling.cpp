@@ -26,7 +26,7 @@ InterfaceSystem twoNodes()
   InterfaceMesh edge;
   edge.dim = 2, edge.order = 1;
   edge.points = {0.0, 0.0, 1.0, 0.0};
-  edge.dirichletNodes = edge.neumannNodes = edge.facets = {0, 1};
+  edge.sides[0].nodes = edge.sides[1].nodes = edge.facets = {0, 1};
   edge.measures = {1.0};
   InterfaceSystem system;
   system.C = std::make_shared<ContactMatrix>(std::vector<InterfaceMesh>{edge});

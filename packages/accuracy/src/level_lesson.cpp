@@ -55,8 +55,8 @@ std::vector<std::array<int, 2>> endsOfContact(const Run& run)
   const char* ofInterface = closed.data();
   for (const InterfaceMesh& interface : run.model.interfaces) {
     for (const int node : endVertices(interface, ofInterface)) {
-      add(interface.dirichletBody, interface.dirichletNodes[std::size_t(node)]);
-      add(interface.neumannBody, interface.neumannNodes[std::size_t(node)]);
+      add(interface.dirichlet().body, interface.dirichlet().nodes[std::size_t(node)]);
+      add(interface.neumann().body, interface.neumann().nodes[std::size_t(node)]);
     }
     ofInterface += interface.numNodes();
   }

@@ -98,14 +98,14 @@ std::vector<FacetTwin> twinsOf(const Model& model)
   const std::vector<int> place = placesOf(model);
   std::set<std::array<int, 3>> known; // several parts may be of one facet
   for (const auto& interface : model.interfaces) {
-    if (interface.isCut || model.bodies[std::size_t(interface.neumannBody)].isRigid)
+    if (interface.isCut || model.bodies[std::size_t(interface.neumann().body)].isRigid)
       continue;
-    const int first = interface.dirichletBody, second = interface.neumannBody;
-    for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
-      const Facet ours = uncutFacet(model.bodies[std::size_t(first)], interface.dirichletFacets[f]);
+    const int first = interface.dirichlet().body, second = interface.neumann().body;
+    for (std::size_t f = 0; f < interface.dirichlet().facets.size(); ++f) {
+      const Facet ours = uncutFacet(model.bodies[std::size_t(first)], interface.dirichlet().facets[f]);
       if (known.insert({first, ours.cell, ours.local}).second)
         twins.push_back({place[std::size_t(first)], ours, place[std::size_t(second)],
-                         uncutFacet(model.bodies[std::size_t(second)], interface.neumannFacets[f])});
+                         uncutFacet(model.bodies[std::size_t(second)], interface.neumann().facets[f])});
     }
   }
   return twins;

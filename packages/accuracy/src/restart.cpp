@@ -38,7 +38,7 @@ void orient(Model& model, const std::vector<int>& dirichletBodies)
 {
   std::vector<InterfaceMesh> others(model.interfaces.size());
   for (std::size_t i = 0; i < others.size(); ++i)
-    others[i].dirichletBody = dirichletBodies[i];
+    others[i].sides[0].body = dirichletBodies[i];
   orientLike(model, others);
 }
 
@@ -72,7 +72,7 @@ LevelRecord AdaptiveRun::recordOf(const LevelSummary& level, LevelLesson&& lesso
   record.tractionNeumann = contact.traction;
   record.closed.assign(contact.closed.begin(), contact.closed.end());
   for (const InterfaceMesh& interface : run_.model.interfaces)
-    record.dirichletBodies.push_back(interface.dirichletBody);
+    record.dirichletBodies.push_back(interface.dirichlet().body);
   record.roles = rolesOf(run_);
   const auto &lower = run_.energy.lowerSide(), &upper = run_.energy.upperSide();
   record.energyLower = {lower.value, lower.roundOff, lower.name};

@@ -23,7 +23,7 @@ int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
 {
   const int* nodes = interface.facets.data() + std::ptrdiff_t(facet) * interface.nodesPerFacet();
   const int* found = std::find_if(nodes, nodes + interface.nodesPerFacet(),
-                                  [&](int node) { return interface.dirichletNodes[std::size_t(node)] == bodyNode; });
+                                  [&](int node) { return interface.dirichlet().nodes[std::size_t(node)] == bodyNode; });
   return *found;
 }
 
@@ -34,7 +34,7 @@ std::vector<int> firstOfPairs(const InterfaceMesh& interface)
   std::vector<int> pairs;
   for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
     pairs.push_back(
-        first.emplace(std::pair(interface.dirichletNodes[i], interface.neumannNodes[i]), int(i)).first->second);
+        first.emplace(std::pair(interface.dirichlet().nodes[i], interface.neumann().nodes[i]), int(i)).first->second);
   return pairs;
 }
 
@@ -43,10 +43,10 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
 {
   ContactFacet facet;
   facet.dim = interface.dim;
-  facet.dirichletBody = interface.dirichletBody;
-  facet.neumannBody = interface.neumannBody;
-  facet.dirichlet = interface.dirichletFacets[std::size_t(f)];
-  facet.neumann = interface.neumannFacets[std::size_t(f)];
+  facet.dirichletBody = interface.dirichlet().body;
+  facet.neumannBody = interface.neumann().body;
+  facet.dirichlet = interface.dirichlet().facets[std::size_t(f)];
+  facet.neumann = interface.neumann().facets[std::size_t(f)];
   const BodyModel& body = model.bodies[std::size_t(facet.dirichletBody)];
   facet.measure = interface.measures[std::size_t(f)];
   facet.normal = interface.facetNormals[std::size_t(f)];
@@ -62,9 +62,9 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
     std::copy_n(interface.point(ours[a]), facet.dim, facet.points[a].begin());
   FacetNodes theirs{};
   for (std::size_t a = 0; a < std::size_t(facet.dim); ++a)
-    theirs[a] = interface.neumannNodes[std::size_t(ours[a])];
+    theirs[a] = interface.neumann().nodes[std::size_t(ours[a])];
   facet.theirs = ascendingPlaces(facet.dim, theirs.data());
-  const double sign = interface.dirichletIsFirst ? -1.0 : 1.0;
+  const double sign = interface.dirichletSide == 0 ? -1.0 : 1.0;
   for (std::size_t i = 0; facet.isDrawnApart && i < std::size_t(body.nodes.nodesPerFacet); ++i)
     for (std::size_t k = 0; k < 2; ++k)
       facet.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
@@ -97,12 +97,12 @@ std::string geometryCaveat(const Model& model)
   for (const auto& interface : model.interfaces) {
     if (interface.map) // which points face each other is a part of the scene, not of the meshes
       continue;
-    const BodyModel &first = model.bodies[std::size_t(interface.dirichletBody)],
-                    &second = model.bodies[std::size_t(interface.neumannBody)];
+    const BodyModel &first = model.bodies[std::size_t(interface.dirichlet().body)],
+                    &second = model.bodies[std::size_t(interface.neumann().body)];
     const double shortest = *std::min_element(interface.measures.begin(), interface.measures.end());
     for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
-      const double *x = first.nodes.point(interface.dirichletNodes[i]),
-                   *y = second.nodes.point(interface.neumannNodes[i]);
+      const double *x = first.nodes.point(interface.dirichlet().nodes[i]),
+                   *y = second.nodes.point(interface.neumann().nodes[i]);
       double squared = 0.0, fromOrigin = 0.0;
       for (int k = 0; k < interface.dim; ++k) {
         squared += (x[k] - y[k]) * (x[k] - y[k]);

@@ -40,11 +40,11 @@ std::vector<Mesh> matchingMeshes(const Model& model)
   for (const auto& interface : model.interfaces) {
     if (interface.map)
       continue;
-    const Mesh& fixed = meshes[std::size_t(interface.dirichletBody)];
-    Mesh& moved = meshes[std::size_t(interface.neumannBody)];
-    for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i)
-      if (const int node = interface.neumannNodes[i]; node < moved.numPoints())
-        std::copy_n(fixed.point(interface.dirichletNodes[i]), moved.dim,
+    const Mesh& fixed = meshes[std::size_t(interface.dirichlet().body)];
+    Mesh& moved = meshes[std::size_t(interface.neumann().body)];
+    for (std::size_t i = 0; i < interface.dirichlet().nodes.size(); ++i)
+      if (const int node = interface.neumann().nodes[i]; node < moved.numPoints())
+        std::copy_n(fixed.point(interface.dirichlet().nodes[i]), moved.dim,
                     moved.points.begin() + std::ptrdiff_t(node) * moved.dim);
   }
   return meshes;
@@ -127,7 +127,7 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const CertificateCompon
 bool ReferenceSolution::suits(const Model& coarse, int refinements) const
 {
   const auto sameRoles = [](const InterfaceMesh& a, const InterfaceMesh& b) {
-    return a.dirichletBody == b.dirichletBody;
+    return a.dirichlet().body == b.dirichlet().body;
   };
   return refinements == refinements_ && coarse.recipe.sameModel(recipe_) && coarse.recipe.sameSolver(recipe_) &&
          std::equal(coarse.interfaces.begin(), coarse.interfaces.end(), model_.interfaces.begin(),

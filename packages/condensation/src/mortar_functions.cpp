@@ -44,14 +44,12 @@ MortarFunctions::MortarFunctions(const InterfaceMesh& interface, const std::vect
     : interface_(interface), isBernstein_(isBernstein), values_(std::size_t(interface.numNodes()))
 {
   NDFRAME_ASSERT(interface.dim == 2, "only sides in the plane have mortar functions");
-  const auto ofBody = [&](bool isDirichlet) {
-    return uncutFacets(interface, bodies[std::size_t(interface.body(isDirichlet))],
-                       isDirichlet ? interface.dirichletNodes : interface.neumannNodes);
-  };
-  const auto first = ofBody(interface.dirichletIsFirst), second = ofBody(!interface.dirichletIsFirst);
-  const bool isFirst = first.size() >= second.size();
-  ofDirichlet_ = isFirst == interface.dirichletIsFirst;
-  for (const Pieces& facet : isFirst ? first : second)
+  std::array<std::vector<Pieces>, 2> facets;
+  for (std::size_t k = 0; k < 2; ++k)
+    facets[k] = uncutFacets(interface, bodies[std::size_t(interface.sides[k].body)], interface.sides[k].nodes);
+  const std::size_t finer = facets[0].size() >= facets[1].size() ? 0 : 1;
+  ofDirichlet_ = int(finer) == interface.dirichletSide;
+  for (const Pieces& facet : facets[finer])
     add(facet);
 }
 

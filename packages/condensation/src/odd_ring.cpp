@@ -11,7 +11,7 @@ std::string oddRing(const Model& model)
 {
   std::vector<std::pair<int, int>> neighbours;
   for (const auto& interface : model.interfaces)
-    neighbours.emplace_back(interface.dirichletBody, interface.neumannBody);
+    neighbours.emplace_back(interface.dirichlet().body, interface.neumann().body);
   const std::vector<int> ring = oddCycle(int(model.bodies.size()), neighbours);
   if (ring.empty())
     return {};

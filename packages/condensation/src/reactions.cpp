@@ -85,10 +85,10 @@ Vector contactForces(const Model& model, const CondensedModel& condensed, const 
         forces[std::size_t(nodes[i]) * std::size_t(interface.dim) + k] += along[first + i] * interface.normals[i][k];
   };
   for (const auto& interface : model.interfaces) {
-    if (interface.dirichletBody == body)
-      add(interface, interface.dirichletNodes, dirichlet);
-    if (interface.neumannBody == body)
-      add(interface, interface.neumannNodes, neumann);
+    if (interface.dirichlet().body == body)
+      add(interface, interface.dirichlet().nodes, dirichlet);
+    if (interface.neumann().body == body)
+      add(interface, interface.neumann().nodes, neumann);
     first += std::size_t(interface.numNodes());
   }
   return forces;

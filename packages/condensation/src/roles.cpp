@@ -16,39 +16,18 @@ namespace
 /// Other roles must need less than this part of the sweeps: estimates that agree leave the deck's roles.
 constexpr double clearly = 0.9;
 
-/// Makes the Neumann body of an interface the Dirichlet body; the interface's nodes keep their numbers.
-void exchange(Model& model, InterfaceMesh& interface)
+/// Makes the Neumann body of an interface the Dirichlet body: what is seen along n_c is seen from the other side.
+void exchange(InterfaceMesh& interface)
 {
-  std::swap(interface.dirichletBody, interface.neumannBody);
-  interface.dirichletIsFirst = !interface.dirichletIsFirst;
-  std::swap(interface.dirichletNodes, interface.neumannNodes);
-  std::swap(interface.dirichletFacets, interface.neumannFacets);
+  interface.dirichletSide = 1 - interface.dirichletSide;
+  const auto turn = [](Direction& normal) {
+    for (double& component : normal)
+      component = -component;
+  };
   for (auto* normals : {&interface.normals, &interface.facetNormals})
-    for (auto& normal : *normals)
-      for (double& component : normal)
-        component = -component;
+    std::for_each(normals->begin(), normals->end(), turn);
   for (auto& ends : interface.endNormals)
-    for (auto& normal : ends)
-      for (double& component : normal)
-        component = -component;
-  const NodeMap& nodes = model.bodies[std::size_t(interface.dirichletBody)].nodes;
-  const auto numNodes = std::size_t(interface.nodesPerFacet());
-  std::vector<int> bodyNodes(numNodes);
-  // A facet's nodes stand in the order of the Dirichlet body's facet.
-  for (std::size_t f = 0; f < interface.dirichletFacets.size(); ++f) {
-    facetNodes(nodes, interface.dirichletFacets[f], bodyNodes.data());
-    const auto first = interface.facets.begin() + std::ptrdiff_t(f) * std::ptrdiff_t(numNodes),
-               last = first + std::ptrdiff_t(numNodes);
-    const int firstVertex = *first;
-    std::sort(first, last, [&](int a, int b) {
-      const auto place = [&](int node) {
-        return std::find(bodyNodes.begin(), bodyNodes.end(), interface.dirichletNodes[std::size_t(node)]);
-      };
-      return place(a) < place(b);
-    });
-    if (!interface.endNormals.empty() && *first != firstVertex)
-      std::swap(interface.endNormals[f][0], interface.endNormals[f][1]);
-  }
+    std::for_each(ends.begin(), ends.end(), turn);
 }
 
 /// The same for a body that is already condensed: S stays.
@@ -67,8 +46,8 @@ void exchange(Model& model, CondensedModel& condensed, const std::vector<int>& b
 {
   const auto isOne = [&](int body) { return std::binary_search(bodies.begin(), bodies.end(), body); };
   for (auto& interface : model.interfaces)
-    if (isOne(interface.dirichletBody))
-      exchange(model, interface);
+    if (isOne(interface.dirichlet().body))
+      exchange(interface);
   for (auto& trace : condensed.interface.bodies)
     if (isOne(trace.body))
       exchange(trace);
@@ -84,7 +63,7 @@ struct Obstacle
 std::optional<Obstacle> obstacleOf(const Model& model, int body)
 {
   for (const auto& interface : model.interfaces)
-    if (interface.dirichletBody == body || interface.neumannBody == body)
+    if (interface.dirichlet().body == body || interface.neumann().body == body)
       for (int i = 0; i < interface.numNodes(); ++i) {
         const auto sides = model.sidesAt(interface, i);
         const auto& [own, other] =
@@ -102,10 +81,10 @@ public:
   explicit RoleMap(const Model& model) : interfaces_(model.interfaces), role_(model.bodies.size(), -1)
   {
     for (const auto& interface : interfaces_) {
-      if (role(interface.dirichletBody) >= 0 || role(interface.neumannBody) >= 0)
+      if (role(interface.dirichlet().body) >= 0 || role(interface.neumann().body) >= 0)
         continue;
       const std::vector<int> before = role_;
-      role(interface.dirichletBody) = 1;
+      role(interface.dirichlet().body) = 1;
       spread();
       turnForObstacles(model, before);
     }
@@ -132,8 +111,8 @@ private:
     for (bool changes = true; changes;) {
       changes = false;
       for (const auto& interface : interfaces_)
-        for (const auto& [known, other] : {std::pair(interface.dirichletBody, interface.neumannBody),
-                                           std::pair(interface.neumannBody, interface.dirichletBody)})
+        for (const auto& [known, other] : {std::pair(interface.dirichlet().body, interface.neumann().body),
+                                           std::pair(interface.neumann().body, interface.dirichlet().body)})
           if (role(known) >= 0 && role(other) < 0) {
             role(other) = 1 - role(known);
             changes = true;
@@ -161,9 +140,9 @@ RoleSummary summarize(const Model& model, const std::vector<int>& bodies)
 {
   RoleSummary summary;
   for (const auto& interface : model.interfaces)
-    if (std::binary_search(bodies.begin(), bodies.end(), interface.dirichletBody)) {
-      summary.dirichletBodies.push_back(model.bodies[std::size_t(interface.dirichletBody)].name);
-      summary.neumannBodies.push_back(model.bodies[std::size_t(interface.neumannBody)].name);
+    if (std::binary_search(bodies.begin(), bodies.end(), interface.dirichlet().body)) {
+      summary.dirichletBodies.push_back(model.bodies[std::size_t(interface.dirichlet().body)].name);
+      summary.neumannBodies.push_back(model.bodies[std::size_t(interface.neumann().body)].name);
     }
   for (auto* names : {&summary.dirichletBodies, &summary.neumannBodies}) {
     std::sort(names->begin(), names->end());
@@ -183,8 +162,8 @@ void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics&
     return;
   }
   for (auto& interface : model.interfaces)
-    if (!roles.isDirichlet(interface.dirichletBody)) {
-      exchange(model, interface);
+    if (!roles.isDirichlet(interface.dirichlet().body)) {
+      exchange(interface);
       model.recipe.interfaces += "; exchanged: " + interface.name;
     }
 }
@@ -192,8 +171,8 @@ void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics&
 void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics)
 {
   for (const auto& interface : model.interfaces)
-    if (const auto obstacle = obstacleOf(model, interface.neumannBody)) {
-      const BodyModel &body = model.bodies[std::size_t(interface.neumannBody)],
+    if (const auto obstacle = obstacleOf(model, interface.neumann().body)) {
+      const BodyModel &body = model.bodies[std::size_t(interface.neumann().body)],
                       &held = model.bodies[std::size_t(obstacle->held)];
       diagnostics.add(
           deck.sub("Interfaces")
@@ -259,8 +238,8 @@ void giveBackRoles(Model& model, CondensedModel& condensed)
 void orientLike(Model& model, const std::vector<InterfaceMesh>& others)
 {
   for (std::size_t i = 0; i < model.interfaces.size(); ++i)
-    if (model.interfaces[i].dirichletBody != others[i].dirichletBody)
-      exchange(model, model.interfaces[i]);
+    if (model.interfaces[i].dirichlet().body != others[i].dirichlet().body)
+      exchange(model.interfaces[i]);
 }
 
 } // namespace ndframe

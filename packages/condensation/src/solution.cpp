@@ -238,10 +238,10 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
       ContactNode entry;
       entry.interface = interface.name;
       entry.point.assign(interface.point(i), interface.point(i) + interface.dim);
-      entry.uDirichlet = normalDisplacement(fields[std::size_t(interface.dirichletBody)].displacement[step],
-                                            interface.dirichletNodes[std::size_t(i)], normal, interface.dim);
-      entry.uNeumann = normalDisplacement(fields[std::size_t(interface.neumannBody)].displacement[step],
-                                          interface.neumannNodes[std::size_t(i)], normal, interface.dim);
+      entry.uDirichlet = normalDisplacement(fields[std::size_t(interface.dirichlet().body)].displacement[step],
+                                            interface.dirichlet().nodes[std::size_t(i)], normal, interface.dim);
+      entry.uNeumann = normalDisplacement(fields[std::size_t(interface.neumann().body)].displacement[step],
+                                          interface.neumann().nodes[std::size_t(i)], normal, interface.dim);
       entry.gap = interface.gap[std::size_t(i)] - (entry.uDirichlet - entry.uNeumann);
       entry.tractionDirichlet = state.tractionDirichlet[node];
       entry.tractionNeumann = state.tractionNeumann[node];

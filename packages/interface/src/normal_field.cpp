@@ -33,7 +33,7 @@ public:
   {
     for (int f = 0; f < mesh.numFacets(); ++f) {
       own_.emplace_back();
-      facetNormal(dirichletMesh, mesh.dirichletFacets[std::size_t(f)], own_.back().data());
+      facetNormal(dirichletMesh, mesh.sides[0].facets[std::size_t(f)], own_.back().data());
       for (const int end : {0, 1})
         around_[std::size_t(vertex(f, end))].push_back(f);
     }
@@ -76,8 +76,8 @@ public:
     const auto at = std::size_t(corner);
     const int twin = mesh_.numNodes(), first = around_[at][0], second = around_[at][1];
     const Direction ofFirst = valueAt(first, corner), ofSecond = valueAt(second, corner);
-    mesh_.dirichletNodes.push_back(mesh_.dirichletNodes[at]);
-    mesh_.neumannNodes.push_back(mesh_.neumannNodes[at]);
+    mesh_.sides[0].nodes.push_back(mesh_.sides[0].nodes[at]);
+    mesh_.sides[1].nodes.push_back(mesh_.sides[1].nodes[at]);
     for (int k = 0; k < mesh_.dim; ++k)
       mesh_.points.push_back(mesh_.point(corner)[k]);
     for (int k = 0; k < mesh_.dim && !mesh_.partners.empty(); ++k)

@@ -55,8 +55,8 @@ void addFacingNodes(InterfaceMesh& interface, const SideMap& map, const std::vec
   int next = 0;
   for (auto& [nodes, place] : number) {
     place = next++;
-    interface.dirichletNodes.push_back(nodes.first);
-    interface.neumannNodes.push_back(nodes.second);
+    interface.sides[0].nodes.push_back(nodes.first);
+    interface.sides[1].nodes.push_back(nodes.second);
     addPoints(interface.points, first, nodes.first);
     addPoints(interface.partners, second, nodes.second);
   }
@@ -114,7 +114,7 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
   std::vector<Facet> facets;
   for (const FacingPiece& piece : pieces) {
     facets.push_back(piece.first);
-    interface.neumannFacets.push_back(piece.second);
+    interface.sides[1].facets.push_back(piece.second);
     interface.endNormals.push_back(normalsOf(*map, piece));
   }
   addNormals(interface, dirichlet.mesh, facets);

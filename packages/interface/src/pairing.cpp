@@ -108,12 +108,12 @@ bool matchFacets(InterfaceMesh& interface, const BodyModel& neumann, const Side&
   }
   for (int f = 0; f < interface.numFacets(); ++f) {
     for (std::size_t a = 0; a < nodes.size(); ++a)
-      nodes[a] = interface.neumannNodes[std::size_t(interface.facets[std::size_t(f) * nodes.size() + a])];
+      nodes[a] = interface.sides[1].nodes[std::size_t(interface.facets[std::size_t(f) * nodes.size() + a])];
     std::sort(nodes.begin(), nodes.end());
     const auto found = byNodes.find(nodes);
     if (found == byNodes.end())
       return false;
-    interface.neumannFacets.push_back(found->second);
+    interface.sides[1].facets.push_back(found->second);
   }
   return byNodes.size() == interface.measures.size();
 }
@@ -130,8 +130,8 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
 {
   for (int f = 0; f < interface.numFacets(); ++f) {
     Direction n1{}, n2{};
-    facetNormal(dirichlet.mesh, interface.dirichletFacets[std::size_t(f)], n1.data());
-    facetNormal(neumann.mesh, interface.neumannFacets[std::size_t(f)], n2.data());
+    facetNormal(dirichlet.mesh, interface.sides[0].facets[std::size_t(f)], n1.data());
+    facetNormal(neumann.mesh, interface.sides[1].facets[std::size_t(f)], n2.data());
     if (dotProduct(n1, n2) > 0.0)
       throw InputError(definition.mistake(
           "", fmt::format(
@@ -166,9 +166,9 @@ InterfaceMesh firstSideOf(const Params& definition, const BodyModel& dirichlet, 
 /// The nodes of the second side that are at those of the first.
 void addPartners(InterfaceMesh& interface, const NodeMap& dirichlet, const Comparison& sides)
 {
-  for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i) {
-    interface.neumannNodes.push_back(sides.to.nodes[sides.nearest[i]]);
-    const double* x = dirichlet.point(interface.dirichletNodes[i]);
+  for (std::size_t i = 0; i < interface.sides[0].nodes.size(); ++i) {
+    interface.sides[1].nodes.push_back(sides.to.nodes[sides.nearest[i]]);
+    const double* x = dirichlet.point(interface.sides[0].nodes[i]);
     interface.points.insert(interface.points.end(), x, x + interface.dim);
   }
 }

@@ -35,11 +35,11 @@ InterfaceMesh emptyInterface(const Params& definition, const BodyModel& body)
 
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets)
 {
-  if (interface.dirichletNodes.empty())
-    interface.dirichletNodes = sideNodes(nodes, {"", facets});
+  if (interface.sides[0].nodes.empty())
+    interface.sides[0].nodes = sideNodes(nodes, {"", facets});
   std::map<int, int> number;
-  for (std::size_t i = 0; i < interface.dirichletNodes.size(); ++i)
-    number[interface.dirichletNodes[i]] = int(i);
+  for (std::size_t i = 0; i < interface.sides[0].nodes.size(); ++i)
+    number[interface.sides[0].nodes[i]] = int(i);
   int ofFacet[6];
   for (const Facet facet : facets) {
     facetNodes(nodes, facet, ofFacet);
@@ -51,8 +51,8 @@ void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& no
 
 void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Facet>& facets)
 {
-  interface.dirichletFacets = facets;
-  interface.normals.assign(interface.dirichletNodes.size(), Direction{});
+  interface.sides[0].facets = facets;
+  interface.normals.assign(interface.sides[0].nodes.size(), Direction{});
   const std::size_t nodes = interface.facets.size() / facets.size();
   for (std::size_t f = 0; f < facets.size(); ++f) {
     Direction normal{};

@@ -36,14 +36,14 @@ std::vector<Piece> facetEdges(const Mesh& mesh, const std::vector<Facet>& facets
   InterfaceMesh side;
   side.dim = 2;
   addSideFacets(side, mesh, makeNodeMap(mesh, 1), facets);
-  for (const int node : side.dirichletNodes)
+  for (const int node : side.sides[0].nodes)
     side.points.insert(side.points.end(), mesh.point(node), mesh.point(node) + 2);
   turnNormals(side, mesh, cornerAngle);
   std::vector<Piece> pieces;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const Direction& own = side.facetNormals[f];
     const std::array<int, 2> local{side.facets[2 * f], side.facets[2 * f + 1]};
-    Piece piece{{}, {side.dirichletNodes[std::size_t(local[0])], side.dirichletNodes[std::size_t(local[1])]}};
+    Piece piece{{}, {side.sides[0].nodes[std::size_t(local[0])], side.sides[0].nodes[std::size_t(local[1])]}};
     piece.edge = {{pointAt(mesh, piece.vertices[0]), pointAt(mesh, piece.vertices[1])}, {own, own}};
     if (!side.endNormals.empty() && dotProduct(side.endNormals[f][0], side.endNormals[f][0]) > 0.0) {
       piece.edge.normals = side.endNormals[f];

@@ -75,10 +75,9 @@ NamedField nodalPressure(const Run& run, std::size_t body, const std::vector<Con
   std::size_t firstNode = 0;
   for (const auto& interface : run.model.interfaces) {
     for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
-      for (const auto& [side, nodes] : {std::pair(interface.dirichletBody, &interface.dirichletNodes),
-                                        std::pair(interface.neumannBody, &interface.neumannNodes)})
-        if (side == int(body)) {
-          double& value = field.values[std::size_t((*nodes)[i])];
+      for (const InterfaceSide& side : interface.sides)
+        if (side.body == int(body)) {
+          double& value = field.values[std::size_t(side.nodes[i])];
           value = std::max(value, contact[firstNode + i].pressure); // a corner has one on each side of it
         }
     }
@@ -141,8 +140,8 @@ ExodusScene exodusScene(const Run& run)
   for (const auto& body : run.model.bodies)
     scene.bodies.push_back({body.name, &body.mesh, &body.nodes, partsOf(body)});
   for (const auto& interface : run.model.interfaces) {
-    scene.sides.push_back({interface.name + ":dirichlet", interface.dirichletBody, interface.dirichletFacets});
-    scene.sides.push_back({interface.name + ":neumann", interface.neumannBody, interface.neumannFacets});
+    scene.sides.push_back({interface.name + ":dirichlet", interface.dirichlet().body, interface.dirichlet().facets});
+    scene.sides.push_back({interface.name + ":neumann", interface.neumann().body, interface.neumann().facets});
   }
   return scene;
 }

@@ -93,8 +93,8 @@ double partOfSide(const Mesh& mesh, const std::vector<Facet>& facets)
 
 std::string meshText(const InterfaceMesh& interface, const Model& model)
 {
-  const BodyModel &dirichlet = model.bodies[std::size_t(interface.dirichletBody)],
-                  &neumann = model.bodies[std::size_t(interface.neumannBody)];
+  const BodyModel &dirichlet = model.bodies[std::size_t(interface.dirichlet().body)],
+                  &neumann = model.bodies[std::size_t(interface.neumann().body)];
   if (neumann.isRigid)
     return "on a rigid body";
   if (!interface.isCut)
@@ -102,8 +102,8 @@ std::string meshText(const InterfaceMesh& interface, const Model& model)
   if (interface.dim == 2)
     return interface.isMortar ? "cut to match, contact in weighted means" : "cut to match";
   return fmt::format("cut to match where sides lie on each other ({:.3g} % of {}'s, {:.3g} % of {}'s)",
-                     partOfSide(dirichlet.mesh, interface.dirichletFacets), dirichlet.name,
-                     partOfSide(neumann.mesh, interface.neumannFacets), neumann.name);
+                     partOfSide(dirichlet.mesh, interface.dirichlet().facets), dirichlet.name,
+                     partOfSide(neumann.mesh, interface.neumann().facets), neumann.name);
 }
 
 } // namespace
@@ -142,7 +142,7 @@ std::string sweepTitle(const InterfaceMesh& interface, const Model& model)
   const auto on = [&](bool isDirichlet) {
     return model.interfaces.size() > 1 || interface.touchesItself()
                ? std::string("force on ") + (isDirichlet ? "Dirichlet" : "Neumann")
-               : "force on " + model.bodies[std::size_t(interface.body(isDirichlet))].name;
+               : "force on " + model.bodies[std::size_t(interface.side(isDirichlet).body)].name;
   };
   return fmt::format("  sweep    eps_tau   theta     closed/open   changed   {:>18}   {:>18}   penetration", on(true),
                      on(false));

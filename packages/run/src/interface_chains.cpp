@@ -58,7 +58,7 @@ std::vector<std::vector<int>> neighboursAlong(const InterfaceMesh& interface)
   }
   std::map<int, int> first; // the two nodes of a corner
   for (int i = 0; i < interface.numNodes(); ++i)
-    if (const auto [known, isNew] = first.emplace(interface.dirichletNodes[std::size_t(i)], i); !isNew)
+    if (const auto [known, isNew] = first.emplace(interface.dirichlet().nodes[std::size_t(i)], i); !isNew)
       link(known->second, i);
   return neighbours;
 }

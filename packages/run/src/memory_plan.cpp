@@ -54,7 +54,7 @@ double memoryOfInterfaces(const Model& model, const Params& representation)
   const bool isStored = representation.get<std::string>("Type") == "Condensed";
   std::vector<double> sizes(model.bodies.size(), 0.0);
   for (const InterfaceMesh& interface : model.interfaces)
-    for (const int body : {interface.dirichletBody, interface.neumannBody})
+    for (const int body : {interface.dirichlet().body, interface.neumann().body})
       sizes[std::size_t(body)] += interface.numNodes();
   double bytes = 0.0;
   for (const double size : sizes)

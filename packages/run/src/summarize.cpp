@@ -179,8 +179,8 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
     InterfaceSummary outline;
     outline.name = interface.name;
     outline.isArea = interface.dim == 3;
-    outline.dirichletBody = model.bodies[std::size_t(interface.dirichletBody)].name;
-    outline.neumannBody = model.bodies[std::size_t(interface.neumannBody)].name;
+    outline.dirichletBody = model.bodies[std::size_t(interface.dirichlet().body)].name;
+    outline.neumannBody = model.bodies[std::size_t(interface.neumann().body)].name;
     outline.nodes = interface.numNodes();
     summary.interfaces.push_back(std::move(outline));
   }
@@ -201,8 +201,8 @@ void nameSides(RunSummary& summary, const Model& model)
 {
   for (std::size_t i = 0; i < model.interfaces.size(); ++i) {
     const auto& interface = model.interfaces[i];
-    summary.interfaces[i].dirichletBody = model.bodies[std::size_t(interface.dirichletBody)].name;
-    summary.interfaces[i].neumannBody = model.bodies[std::size_t(interface.neumannBody)].name;
+    summary.interfaces[i].dirichletBody = model.bodies[std::size_t(interface.dirichlet().body)].name;
+    summary.interfaces[i].neumannBody = model.bodies[std::size_t(interface.neumann().body)].name;
   }
 }
 

@@ -30,8 +30,8 @@ std::map<std::pair<int, int>, FacetSet> pairedFacets(const Model& model)
       paired[{body, other}].insert({facet.cell, facet.local});
   };
   for (const auto& interface : model.interfaces) {
-    add(interface.dirichletBody, interface.neumannBody, interface.dirichletFacets);
-    add(interface.neumannBody, interface.dirichletBody, interface.neumannFacets);
+    add(interface.dirichlet().body, interface.neumann().body, interface.dirichlet().facets);
+    add(interface.neumann().body, interface.dirichlet().body, interface.neumann().facets);
   }
   return paired;
 }

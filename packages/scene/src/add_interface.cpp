@@ -48,8 +48,8 @@ std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& inter
   const auto isHeld = [&](int body, int node) { return model.constraints[std::size_t(body)].nodes().count(node) > 0; };
   std::vector<char> without;
   for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i)
-    without.push_back(!isHeld(interface.dirichletBody, interface.dirichletNodes[i]) &&
-                      !isHeld(interface.neumannBody, interface.neumannNodes[i]));
+    without.push_back(!isHeld(interface.dirichlet().body, interface.dirichlet().nodes[i]) &&
+                      !isHeld(interface.neumann().body, interface.neumann().nodes[i]));
   return without;
 }
 
@@ -92,8 +92,8 @@ void addInterface(Model& model, const Params& definition, const SidePairing& pai
   refuseMeans(interface, definition, neumann);
   if (!interface.map)
     keepNormals(interface, earlier);
-  interface.dirichletBody = first;
-  interface.neumannBody = second;
+  interface.sides[0].body = first;
+  interface.sides[1].body = second;
   if (diagnostics.empty() && interface.dim == 2) // else constraints may be missing
     splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));
   addDrawnGap(definition, interface);
@@ -104,13 +104,12 @@ void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& dia
 {
   std::map<std::array<int, 3>, const InterfaceMesh*> taken; // by body, cell and local number
   for (const auto& interface : model.interfaces)
-    for (const auto& [body, facets] : {std::pair(interface.dirichletBody, &interface.dirichletFacets),
-                                       std::pair(interface.neumannBody, &interface.neumannFacets)})
-      for (const Facet facet : *facets) {
-        const auto [before, isNew] = taken.insert({{body, facet.cell, facet.local}, &interface});
+    for (const InterfaceSide& side : interface.sides)
+      for (const Facet facet : side.facets) {
+        const auto [before, isNew] = taken.insert({{side.body, facet.cell, facet.local}, &interface});
         if (isNew)
           continue;
-        const BodyModel& owner = model.bodies[std::size_t(body)];
+        const BodyModel& owner = model.bodies[std::size_t(side.body)];
         diagnostics.add(deck.sub("Interfaces")
                             .sub(interface.name)
                             .mistake("", fmt::format("contains the facet at {} of \"{}\", which \"{}\" contains, too; "

@@ -26,16 +26,15 @@ std::vector<OffsetSide> sidesOf(const Model& model, int body)
   std::vector<OffsetSide> sides;
   for (const auto& interface : model.interfaces)
     for (const bool isDirichlet : {true, false}) {
-      if (interface.body(isDirichlet) != body)
+      if (interface.side(isDirichlet).body != body)
         continue;
-      const bool moves = isDirichlet != model.bodies[std::size_t(interface.neumannBody)].isRigid;
+      const bool moves = isDirichlet != model.bodies[std::size_t(interface.neumann().body)].isRigid;
       Vector along(interface.gap.size(), 0.0);
       for (std::size_t i = 0; moves && i < along.size(); ++i) { // what is drawn needs no offset
         const double opening = interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]);
         along[i] = isDirichlet ? -opening : opening;
       }
-      sides.push_back(
-          {map, isDirichlet ? interface.dirichletNodes : interface.neumannNodes, interface.normals, std::move(along)});
+      sides.push_back({map, interface.side(isDirichlet).nodes, interface.normals, std::move(along)});
     }
   return sides;
 }

@@ -28,10 +28,9 @@ std::vector<int> untouchedNodes(const Model& model, int body)
   for (const auto& entry : model.constraints[std::size_t(body)].nodes())
     isTouched[std::size_t(entry.first)] = 1;
   for (const auto& interface : model.interfaces)
-    for (const auto& [side, nodes] : {std::pair(interface.dirichletBody, &interface.dirichletNodes),
-                                      std::pair(interface.neumannBody, &interface.neumannNodes)})
-      for (const int node : *nodes)
-        if (side == body)
+    for (const InterfaceSide& side : interface.sides)
+      for (const int node : side.nodes)
+        if (side.body == body)
           isTouched[std::size_t(node)] = 1;
   std::vector<int> untouched;
   for (int node = 0; node < here.nodes.numNodes(); ++node)
@@ -83,7 +82,8 @@ DenseMatrix pushedByContact(const Model& model, int body, const DenseMatrix& mot
   for (const auto& interface : model.interfaces)
     for (int i = 0; i < interface.numNodes(); ++i)
       for (const bool isDirichlet : {true, false})
-        if (interface.body(isDirichlet) == body && !interface.touchesItself() && model.carriesContact(interface, i)) {
+        if (interface.side(isDirichlet).body == body && !interface.touchesItself() &&
+            model.carriesContact(interface, i)) {
           points.push_back(interface.pointOf(isDirichlet, i));
           normals.push_back(interface.normals[std::size_t(i)]);
         }

@@ -165,7 +165,7 @@ BodyOutline Model::outline(int body) const
 {
   const auto touches = [&](int one) {
     return std::any_of(interfaces.begin(), interfaces.end(), [one](const InterfaceMesh& interface) {
-      return interface.dirichletBody == one || interface.neumannBody == one;
+      return interface.dirichlet().body == one || interface.neumann().body == one;
     });
   };
   BodyOutline outline{bodies[std::size_t(body)].mesh.dim, 0, 0, touches(body) && !solvesWhole, 0.0};

@@ -6,8 +6,8 @@ namespace ndframe
 std::array<NodeSide, 2> Model::sidesAt(const InterfaceMesh& interface, int node) const
 {
   const auto i = std::size_t(node);
-  std::array<NodeSide, 2> sides{{{interface.dirichletBody, interface.dirichletNodes[i], true},
-                                 {interface.neumannBody, interface.neumannNodes[i], false}}};
+  std::array<NodeSide, 2> sides{{{interface.dirichlet().body, interface.dirichlet().nodes[i], true},
+                                 {interface.neumann().body, interface.neumann().nodes[i], false}}};
   if (interface.facesItself(node))
     return sides;
   for (NodeSide& side : sides) {

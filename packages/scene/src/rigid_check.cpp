@@ -75,7 +75,7 @@ void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh
                   const std::vector<int>& firstMotion)
 {
   const auto freeMotions = [&](bool isDirichlet) -> const DenseMatrix& {
-    return model.freeMotions[std::size_t(interface.body(isDirichlet))];
+    return model.freeMotions[std::size_t(interface.side(isDirichlet).body)];
   };
   if (interface.touchesItself() || freeMotions(true).cols() + freeMotions(false).cols() == 0)
     return;
@@ -86,7 +86,7 @@ void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh
   const std::size_t first = network.approach.size();
   network.approach.resize(first + nodes.size());
   for (const bool isDirichlet : {true, false}) {
-    const auto b = std::size_t(interface.body(isDirichlet));
+    const auto b = std::size_t(interface.side(isDirichlet).body);
     std::vector<const double*> points;
     for (const int node : nodes)
       points.push_back(interface.pointOf(isDirichlet, node));

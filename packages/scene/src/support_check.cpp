@@ -22,7 +22,7 @@ DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, bo
       points.push_back(interface.pointOf(isDirichlet, i));
       normals.push_back(interface.normals[std::size_t(i)]);
     }
-  const RigidBasis& basis = model.rigid[std::size_t(interface.body(isDirichlet))];
+  const RigidBasis& basis = model.rigid[std::size_t(interface.side(isDirichlet).body)];
   DenseMatrix all(basis.size(), basis.size());
   for (int m = 0; m < basis.size(); ++m)
     all(m, m) = 1.0;
@@ -110,7 +110,7 @@ DenseMatrix freeTogether(const Model& model)
       continue;
     const int first = rows.size();
     for (const bool isDirichlet : {true, false})
-      rows.add(interfaceRows(model, interface, isDirichlet), offset[std::size_t(interface.body(isDirichlet))],
+      rows.add(interfaceRows(model, interface, isDirichlet), offset[std::size_t(interface.side(isDirichlet).body)],
                isDirichlet ? 1.0 : -1.0, first);
   }
   return rows.areIndependent() ? DenseMatrix(total, 0) : nullSpace(rows.matrix(), rigidTolerance);

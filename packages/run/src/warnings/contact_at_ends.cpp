@@ -83,7 +83,7 @@ std::map<int, int> pressedNodes(const InterfaceMesh& interface, const ContactNod
   std::map<int, int> nodes;
   for (int i = 0; i < interface.numNodes(); ++i)
     if (contact[i].closed && largest > 0.0 && -contact[i].nodalForce > pressed * largest)
-      nodes[interface.dirichletNodes[std::size_t(i)]] = interface.neumannNodes[std::size_t(i)];
+      nodes[interface.dirichlet().nodes[std::size_t(i)]] = interface.neumann().nodes[std::size_t(i)];
   return nodes;
 }
 
@@ -91,8 +91,8 @@ std::map<int, int> pressedNodes(const InterfaceMesh& interface, const ContactNod
 Rim openRim(const Model& model, const InterfaceMesh& interface, const ContactNode* contact)
 {
   const auto nodes = pressedNodes(interface, contact);
-  const auto first = beyond(model.bodies[std::size_t(interface.dirichletBody)].mesh, interface.dirichletFacets);
-  const auto second = beyond(model.bodies[std::size_t(interface.neumannBody)].mesh, interface.neumannFacets);
+  const auto first = beyond(model.bodies[std::size_t(interface.dirichlet().body)].mesh, interface.dirichlet().facets);
+  const auto second = beyond(model.bodies[std::size_t(interface.neumann().body)].mesh, interface.neumann().facets);
   for (const auto& [rim, direction] : first) {
     Rim other;
     for (const int vertex : rim)
@@ -113,7 +113,7 @@ void findContactAtEnds(const Run& run, const Params& deck, Diagnostics& found)
 {
   const ContactNode* contact = run.solved.contact.data();
   for (const auto& interface : run.model.interfaces) {
-    const Mesh& mesh = run.model.bodies[std::size_t(interface.dirichletBody)].mesh;
+    const Mesh& mesh = run.model.bodies[std::size_t(interface.dirichlet().body)].mesh;
     if (const Rim rim = openRim(run.model, interface, contact); !rim.empty())
       found.add(
           deck.sub("Interfaces")

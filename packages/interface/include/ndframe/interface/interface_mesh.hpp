@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <memory>
 #include <string>
 #include <vector>
@@ -12,6 +13,14 @@
 namespace ndframe
 {
 
+/// One of the two sides of an interface.
+struct InterfaceSide
+{
+  int body = 0;              ///< index into the list of bodies
+  std::vector<int> nodes;    ///< per interface node, node numbers in the body
+  std::vector<Facet> facets; ///< per facet of the interface, on the body's mesh
+};
+
 /// Two sides that may touch, whose meshes match: each facet has one that it faces. Everything is seen from the
 /// Dirichlet body: n_c = n_1.
 ///
@@ -20,26 +29,23 @@ namespace ndframe
 struct InterfaceMesh
 {
   std::string name; ///< of its list in Interfaces
-  /// The body whose outward normal is n_c.
-  int dirichletBody = 0, neumannBody = 0; ///< indices into the list of bodies
-  int dim = 0;                            ///< of space, 2 or 3
-  int order = 0;                          ///< of the elements, 1 or 2
-  /// Of the Dirichlet body; nodes at split corners, or that face two others, stand more than once.
-  std::vector<int> dirichletNodes, neumannNodes; ///< per interface node, node numbers in the two bodies
-  std::vector<double> points;                    ///< dim per interface node, on the first side
-  std::vector<double> partners;                  ///< the same on the second side; empty: the same points
-  std::vector<Direction> apart;                  ///< pi x - x at the nodes as the outlines are drawn; empty: zero
-  bool dirichletIsFirst = true;                  ///< roles may be exchanged, sides are not
-  std::vector<Direction> normals;                ///< n_c at the nodes: mean of the facets', weighted by their measure,
-                                                 ///< or the value of the turning field (normal_field.hpp)
-  Vector gap;                                    ///< g at the nodes, a length
-  SampledFunction gapFunction;         ///< the deck's Gap on the first side: g, without what the geometry says
-  Vector drawnGap;                     ///< n . (pi x - x) at the nodes where it counts, a part of g; or empty
-  std::vector<int> facets;             ///< interface nodes per facet, in the order of facetLocalNodes
-  std::vector<double> measures;        ///< of the facets, on the first side
+  /// The Dirichlet side of the deck and the Neumann side; nodes at split corners, or that face two others, stand more
+  /// than once.
+  std::array<InterfaceSide, 2> sides;
+  int dirichletSide = 0;          ///< number of the side whose body is the Dirichlet body: its outward normal is n_c
+  int dim = 0;                    ///< of space, 2 or 3
+  int order = 0;                  ///< of the elements, 1 or 2
+  std::vector<double> points;     ///< dim per interface node, on the first side
+  std::vector<double> partners;   ///< the same on the second side; empty: the same points
+  std::vector<Direction> apart;   ///< pi x - x at the nodes as the outlines are drawn; empty: zero
+  std::vector<Direction> normals; ///< n_c at the nodes: mean of the facets', weighted by their measure,
+                                  ///< or the value of the turning field (normal_field.hpp)
+  Vector gap;                     ///< g at the nodes, a length
+  SampledFunction gapFunction;    ///< the deck's Gap on the first side: g, without what the geometry says
+  Vector drawnGap;                ///< n . (pi x - x) at the nodes where it counts, a part of g; or empty
+  std::vector<int> facets;        ///< interface nodes per facet, as facetLocalNodes has them on the first side
+  std::vector<double> measures;   ///< of the facets, on the first side
   std::vector<Direction> facetNormals; ///< of the first side's facets, seen from the Dirichlet body as n_c
-  /// Of the Dirichlet body, one for every facet of `facets`.
-  std::vector<Facet> dirichletFacets, neumannFacets; ///< the same facet on the two sides
   /// n_c at the two vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
   /// their own normal. Empty where nothing turns.
   std::vector<std::array<Direction, 2>> endNormals;
@@ -48,25 +54,28 @@ struct InterfaceMesh
   bool isCut = false;                 ///< the meshes were cut to match; each body is refined by itself
   bool isMortar = false;              ///< contact is asked in weighted means (MortarSpace)
 
-  int numNodes() const { return int(dirichletNodes.size()); } ///< number of interface nodes
+  const InterfaceSide& dirichlet() const { return sides[std::size_t(dirichletSide)]; }   ///< the Dirichlet body's side
+  const InterfaceSide& neumann() const { return sides[std::size_t(1 - dirichletSide)]; } ///< the Neumann body's side
+  /// The side of the body in this role.
+  const InterfaceSide& side(bool isDirichlet) const { return isDirichlet ? dirichlet() : neumann(); }
+  int numNodes() const { return int(sides[0].nodes.size()); } ///< number of interface nodes
   int numFacets() const { return int(measures.size()); }      ///< number of pairs of facets
   int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); } ///< 0 without facets
   /// The sides are two of one body.
-  bool touchesItself() const { return dirichletBody == neumannBody; }
-  /// Index of the body in this role.
-  int body(bool isDirichlet) const { return isDirichlet ? dirichletBody : neumannBody; }
+  bool touchesItself() const { return sides[0].body == sides[1].body; }
   /// Where a slit ends a node faces itself: nothing moves there against anything.
   bool facesItself(int node) const
   {
-    return touchesItself() && dirichletNodes[std::size_t(node)] == neumannNodes[std::size_t(node)];
+    return touchesItself() && sides[0].nodes[std::size_t(node)] == sides[1].nodes[std::size_t(node)];
   }
   /// dim coordinates of a node, on the first side.
   const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
   /// Where the node of the Dirichlet or of the Neumann body is.
   const double* pointOf(bool isDirichlet, int node) const
   {
-    return isDirichlet == dirichletIsFirst || partners.empty() ? point(node)
-                                                               : partners.data() + std::size_t(node) * std::size_t(dim);
+    return isDirichlet == (dirichletSide == 0) || partners.empty()
+               ? point(node)
+               : partners.data() + std::size_t(node) * std::size_t(dim);
   }
 };
 
