@@ -100,6 +100,16 @@ def judge_table(program, deck, judge, pairing):
                   is_right)
 
 
+def judge_rate(program, deck, judge):
+    """Halved cells lower the error as they do with matching sides: by the corner's singularity."""
+    rate = lambda cells, *settings: math.log2(solve(program, deck, cells, settings=settings)[0] / solve(
+        program, deck, [[2 * n for n in body] for body in cells], settings=settings)[0])
+    matching = rate(((8, 8), (16, 8)))
+    for settings in ((), (MEANS,)):
+        found = rate(((8, 8), (24, 12)), *settings)
+        judge(f"rate{' in means' * bool(settings)} {found:.4f}, matching {matching:.4f}", abs(found - matching) < 0.01)
+
+
 def judge_sharpness(program, deck, judge):
     """Up to a ratio of two, and where a side ends inside a facet, as sharp as with matching sides."""
     error, bound = solve(program, deck, ((8, 8), (16, 8)))
@@ -119,6 +129,7 @@ def main():
     program, deck, judge = Program(sys.argv[1]), pathlib.Path(sys.argv[2]) / "punch.xml", Judge()
     judge_table(program, deck, judge, ())
     judge_table(program, deck, judge, (MEANS,))
+    judge_rate(program, deck, judge)
     judge_sharpness(program, deck, judge)
     for bow in (0.1, -0.1):
         for edges in ((6, 9), (9, 6), (12, 18)):
