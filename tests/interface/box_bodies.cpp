@@ -25,7 +25,7 @@ std::string entry(const std::string& key, const std::string& type, const std::st
 Params validated(const std::string& entries, const ListSpec& spec, const std::string& name)
 {
   Diagnostics diagnostics;
-  const Params params = validate(parseDeck(list(name, entries), "test.xml"), spec, diagnostics);
+  Params params = validate(parseDeck(list(name, entries), "test.xml"), spec, diagnostics);
   diagnostics.throwIfAny();
   return params;
 }
