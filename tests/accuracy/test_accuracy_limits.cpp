@@ -50,6 +50,9 @@ TEST(EndOfProgress, MeshesOfAFewCellsMoreMayHaveALargerBound)
 {
   EXPECT_EQ(endAfter({{4328, 0.069}, {4746, 0.0571}, {4778, 0.0535}, {4898, 0.0581}}), ""); // decks/flange.xml to 5 %
   EXPECT_EQ(endAfter({{4746, 0.0571}, {4778, 0.0535}, {4898, 0.0581}}), "");
+  // a round body on two triangles, to 10 %: the next level, of 258 dofs, reaches it
+  EXPECT_EQ(endAfter({{146, 0.191}, {160, 0.131}, {190, 0.125}, {220, 0.13}}), "");
+  EXPECT_EQ(endAfter({{110, 0.131}, {190, 0.13}, {220, 0.13}}), stalled);
 }
 
 TEST(EndOfProgress, ATargetThatIsReachedWithoutTheGuaranteeThatALevelBeforeHad)

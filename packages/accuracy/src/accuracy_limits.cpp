@@ -12,7 +12,7 @@ namespace
 
 /// A bound that falls by less than this, in two levels that make meshes so much larger, or in so many levels at most,
 /// does not follow the mesh any more. On a mesh with a few cells more it may rise: contact ends at another place.
-constexpr double stalled = 0.98, larger = 1.2;
+constexpr double stalled = 0.98, larger = 2.0;
 constexpr std::size_t mostLevels = 6;
 /// Relative bounds below this may be nothing but round-off of the residuals, which stays when cells become smaller.
 constexpr double roundOff = 1e-8;
