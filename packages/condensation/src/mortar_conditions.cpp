@@ -13,18 +13,6 @@ namespace
 
 constexpr double roundOff = 1e-18; ///< of the largest entry of a row of an inverse mass matrix, which decays
 
-std::vector<SparseRow> product(const std::vector<SparseRow>& A, const std::vector<SparseRow>& B, int columns)
-{
-  std::vector<SparseRow> result;
-  SparseSum sum(columns);
-  for (const SparseRow& row : A) {
-    for (const auto& [k, share] : row)
-      sum.add(B[std::size_t(k)], share);
-    result.push_back(sum.take());
-  }
-  return result;
-}
-
 /// The entries in columns that get a number, by that.
 void renumber(std::vector<SparseRow>& rows, const std::vector<int>& numbers)
 {

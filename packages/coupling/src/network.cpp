@@ -33,14 +33,7 @@ void addBody(Network& network, const BodyTrace& body)
 /// The conditions W (D - N) v <= W bound.
 void takeMeans(Network& network, const MortarSpace& mortar)
 {
-  std::vector<SparseRow> jump;
-  SparseSum sum(network.size());
-  for (const SparseRow& mean : mortar.means()) {
-    for (const auto& [unknown, share] : mean)
-      sum.add(network.jump[std::size_t(unknown)], share);
-    jump.push_back(sum.take());
-  }
-  network.jump = std::move(jump);
+  network.jump = product(mortar.means(), network.jump, network.size());
   network.bound = mortar.meansOf(network.bound);
 }
 

@@ -39,11 +39,7 @@ ContactBasis::ContactBasis(const std::vector<InterfaceMesh>& interfaces, const s
 
 Vector ContactBasis::coefficients(const Vector& values) const
 {
-  Vector result(rows_.size(), 0.0);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (const auto& [node, share] : rows_[i])
-      result[i] += share * values[std::size_t(node)];
-  return result;
+  return product(rows_, values);
 }
 
 Vector ContactBasis::values(const Vector& coefficients) const
@@ -60,11 +56,7 @@ Vector ContactBasis::values(const Vector& coefficients) const
 
 Vector ContactBasis::nodalForces(const Vector& forces) const
 {
-  Vector result(rows_.size(), 0.0);
-  for (std::size_t i = 0; i < rows_.size(); ++i)
-    for (const auto& [node, share] : rows_[i])
-      result[std::size_t(node)] += share * forces[i];
-  return result;
+  return transposedProduct(rows_, forces, size());
 }
 
 Vector ContactBasis::forces(const Vector& nodalForces) const

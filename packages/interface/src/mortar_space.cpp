@@ -5,28 +5,6 @@
 
 namespace ndframe
 {
-namespace
-{
-
-Vector product(const std::vector<SparseRow>& rows, const Vector& x)
-{
-  Vector result(rows.size(), 0.0);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (const auto& [j, value] : rows[i])
-      result[i] += value * x[std::size_t(j)];
-  return result;
-}
-
-Vector transposedProduct(const std::vector<SparseRow>& rows, const Vector& x, std::size_t columns)
-{
-  Vector result(columns, 0.0);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (const auto& [j, value] : rows[i])
-      result[std::size_t(j)] += value * x[i];
-  return result;
-}
-
-} // namespace
 
 MortarSpace::MortarSpace(std::vector<SparseRow> functions, std::vector<SparseRow> means)
     : functions_(std::move(functions)), means_(std::move(means)), unknownOf_(means_.size(), 0)
@@ -47,12 +25,12 @@ Vector MortarSpace::meansOf(const Vector& unknowns) const
 
 Vector MortarSpace::forcesOf(const Vector& unknowns) const
 {
-  return transposedProduct(functions_, unknowns, means_.size());
+  return transposedProduct(functions_, unknowns, numConditions());
 }
 
 Vector MortarSpace::forcesAtUnknowns(const Vector& forces) const
 {
-  return transposedProduct(means_, forces, functions_.size());
+  return transposedProduct(means_, forces, int(functions_.size()));
 }
 
 Vector MortarSpace::valuesAtUnknowns(const Vector& coefficients) const

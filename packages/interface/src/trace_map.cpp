@@ -22,24 +22,6 @@ AffineRows normalRows(const std::vector<TraceDof>& trace)
   return result;
 }
 
-Vector transposedProduct(const std::vector<SparseRow>& rows, const Vector& x)
-{
-  Vector result(rows.size(), 0.0);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (const auto& [j, value] : rows[i])
-      result[std::size_t(j)] += value * x[i];
-  return result;
-}
-
-Vector product(const std::vector<SparseRow>& rows, const Vector& x)
-{
-  Vector result(rows.size(), 0.0);
-  for (std::size_t i = 0; i < rows.size(); ++i)
-    for (const auto& [j, value] : rows[i])
-      result[i] += value * x[std::size_t(j)];
-  return result;
-}
-
 } // namespace
 
 AffineRows AffineRows::after(const AffineRows& inner) const
@@ -48,15 +30,10 @@ AffineRows AffineRows::after(const AffineRows& inner) const
   for (const SparseRow& row : inner.rows)
     for (const auto& [column, value] : row)
       columns = std::max(columns, column + 1);
-  SparseSum sum(columns);
-  AffineRows result{{}, offset};
-  for (std::size_t i = 0; i < rows.size(); ++i) {
-    for (const auto& [j, value] : rows[i]) {
-      sum.add(inner.rows[std::size_t(j)], value);
+  AffineRows result{product(rows, inner.rows, columns), offset};
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [j, value] : rows[i])
       result.offset[i] += value * inner.offset[std::size_t(j)];
-    }
-    result.rows.push_back(sum.take());
-  }
   return result;
 }
 
@@ -117,12 +94,12 @@ Vector TraceMap::keptValues(const Vector& values) const
 
 Vector TraceMap::keptForces(const Vector& forces) const
 {
-  return transposedProduct(map_.rows, forces);
+  return transposedProduct(map_.rows, forces, size());
 }
 
 Vector TraceMap::forces(const Vector& keptForces) const
 {
-  return transposedProduct(inverse_, keptForces);
+  return transposedProduct(inverse_, keptForces, size());
 }
 
 void TraceMap::exchange()

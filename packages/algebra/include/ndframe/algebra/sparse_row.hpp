@@ -63,4 +63,37 @@ private:
   std::vector<int> written_;
 };
 
+/// A x of a matrix that is given by its rows.
+inline Vector product(const std::vector<SparseRow>& rows, const Vector& x)
+{
+  Vector result(rows.size(), 0.0);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [j, value] : rows[i])
+      result[i] += value * x[std::size_t(j)];
+  return result;
+}
+
+/// A^T x of such a matrix with so many columns.
+inline Vector transposedProduct(const std::vector<SparseRow>& rows, const Vector& x, int columns)
+{
+  Vector result(std::size_t(columns), 0.0);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    for (const auto& [j, value] : rows[i])
+      result[std::size_t(j)] += value * x[i];
+  return result;
+}
+
+/// A B, B with so many columns.
+inline std::vector<SparseRow> product(const std::vector<SparseRow>& A, const std::vector<SparseRow>& B, int columns)
+{
+  std::vector<SparseRow> result;
+  SparseSum sum(columns);
+  for (const SparseRow& row : A) {
+    for (const auto& [k, share] : row)
+      sum.add(B[std::size_t(k)], share);
+    result.push_back(sum.take());
+  }
+  return result;
+}
+
 } // namespace ndframe
