@@ -126,6 +126,34 @@ TEST(Mortar, IsNothingWhereSidesMatch)
     EXPECT_EQ(displacement(means.run, body), displacement(cut.run, body));
 }
 
+/// In a scene with both pairings the unknowns of the other interface are conditions of their own, in every basis.
+TEST(Mortar, LeavesOtherInterfacesAsTheyAre)
+{
+  for (const char* conditions : {"Nodal", "Bernstein"}) {
+    const auto stack = [&](const char* pairing) {
+      Scene scene("stack");
+      scene.set("Bodies/middle/Mesh/Cells={6, 3}").set("Output/Exodus=false");
+      scene.set(std::string("Discretization/Contact Conditions=") + conditions);
+      return scene.set(std::string("Interfaces/upper on middle/Pairing/Type=") + pairing).run();
+    };
+    const Outcome outcome = stack("Mortar"), cut = stack("Cut");
+    EXPECT_TRUE(outcome.run.failure.empty()) << outcome.run.failure;
+    EXPECT_LT(outcome.run.summary.residuals.tension, 1e-12);
+    EXPECT_NEAR(outcome.run.summary.energy / cut.run.summary.energy, 1.0, 1e-3);
+    const InterfaceSystem& system = outcome.run.condensed.interface;
+    ASSERT_NE(system.mortar, nullptr);
+    const int others = outcome.run.model.interfaces.front().numNodes(); // "middle on lower"
+    int found = 0;
+    for (const SparseRow& mean : system.mortar->means())
+      if (!mean.empty() && system.nodeOfUnknown[std::size_t(mean.front().first)] < others) {
+        EXPECT_EQ(mean.size(), 1U);
+        EXPECT_EQ(mean.front().second, 1.0);
+        ++found;
+      }
+    EXPECT_EQ(found, others);
+  }
+}
+
 /// Longer facets are halved first, and then there are vertices enough.
 TEST(Mortar, IsNothingWhereOneSideIsThePartsOfTheOther)
 {

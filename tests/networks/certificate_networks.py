@@ -46,7 +46,9 @@ def mesh_apart(draw, deck, settings):
     for contact in deck["Interfaces"].values():
         if draw.random() < 0.5:
             contact["Pairing"] = {"Type": "Mortar"}
-    return ", apart, some in means"
+    conditions = draw.choice(("Nodal", "Bernstein"))
+    deck["Discretization"] = {"Contact Conditions": conditions}
+    return f", apart, some in means, {conditions}"
 
 
 def judge(program, seed):

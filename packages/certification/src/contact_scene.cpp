@@ -21,7 +21,7 @@ constexpr double sameLine = 1e-11;
 /// The interface node at a body's node; the facet's nodes are few.
 int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
 {
-  const int* nodes = interface.facets.data() + std::ptrdiff_t(facet) * interface.nodesPerFacet();
+  const int* nodes = interface.nodesOf(facet);
   const int* found = std::find_if(nodes, nodes + interface.nodesPerFacet(),
                                   [&](int node) { return interface.dirichlet().nodes[std::size_t(node)] == bodyNode; });
   return *found;
@@ -70,7 +70,7 @@ ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f
       facet.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
-    const bool backwards = ours[0] != interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())];
+    const bool backwards = ours[0] != *interface.nodesOf(f);
     facet.turns = dotProduct(ends[0], ends[0]) > 0.0;
     facet.ends = backwards ? std::array{ends[1], ends[0]} : ends;
   }

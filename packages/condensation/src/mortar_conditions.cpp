@@ -31,7 +31,8 @@ struct AllFunctions
   std::vector<SparseRow> values; ///< per node
   std::vector<int> nodes;        ///< per function, -1 where it has none
   std::vector<char> isMortar;    ///< per function: of an interface with isMortar
-  bool differ = false;           ///< from the nodes
+  bool isMean(int node) const { return isMortar[std::size_t(values[std::size_t(node)].front().first)] != 0; }
+  bool differ = false; ///< from the nodes
 
   void add(const InterfaceMesh& interface, const std::vector<BodyModel>& bodies, bool isBernstein)
   {
@@ -74,14 +75,15 @@ std::vector<SparseRow> massOfUnknowns(const InterfaceSystem& system, const std::
   return product(transposed(nodal, system.size()), product(C, nodal, system.size()), system.size());
 }
 
-/// E: per unknown the functions that carry contact, numbered anew; those of nodes without unknown do not.
+/// E: per unknown the functions that carry contact, numbered anew; those of nodes without unknown do not. An unknown of
+/// an interface without means is its own function, in whatever basis.
 std::vector<SparseRow> functionsAtUnknowns(const InterfaceSystem& system, const std::vector<int>& unknownAt,
                                            AllFunctions& all)
 {
   const auto coefficients = product(basisRows(system), all.values, int(all.nodes.size()));
   std::vector<SparseRow> E;
   for (const int node : system.nodeOfUnknown)
-    E.push_back(coefficients[std::size_t(node)]);
+    E.push_back((all.isMean(node) ? coefficients : all.values)[std::size_t(node)]);
   std::vector<int> number(all.nodes.size(), -1);
   for (SparseRow& row : E) {
     row.erase(std::remove_if(row.begin(), row.end(), [](const auto& entry) { return entry.second == 0.0; }), row.end());
@@ -115,8 +117,9 @@ std::vector<SparseRow> meansOf(const std::vector<SparseRow>& E, const std::vecto
                                const std::vector<char>& isMean)
 {
   const auto size = int(isMean.size()), unknowns = int(E.size());
-  const std::vector<SparseRow> Et = transposed(E, size), right = product(Et, C, unknowns),
-                               mass = product(right, E, size);
+  const std::vector<SparseRow> Et = transposed(E, size);
+  std::vector<SparseRow> right = product(Et, C, unknowns);
+  const std::vector<SparseRow> mass = product(right, E, size);
   SymmetricEntries entries;
   entries.size = size;
   for (int i = 0; i < size; ++i)
@@ -125,8 +128,7 @@ std::vector<SparseRow> meansOf(const std::vector<SparseRow>& E, const std::vecto
         entries.add(i, j, value);
   const SparseCholesky factor(entries);
   const std::vector<char> alone = areFunctions(Et, E.size());
-  std::vector<SparseRow> others = right;
-  for (SparseRow& row : others)
+  for (SparseRow& row : right)
     row.erase(std::remove_if(row.begin(), row.end(), [&](const auto& e) { return alone[std::size_t(e.first)] != 0; }),
               row.end());
   std::vector<SparseRow> W;
@@ -144,7 +146,7 @@ std::vector<SparseRow> meansOf(const std::vector<SparseRow>& E, const std::vecto
     const double least = roundOff * largestEntry(inverse);
     for (std::size_t j = 0; j < inverse.size(); ++j)
       if (std::abs(inverse[j]) > least)
-        sum.add(others[j], inverse[j]);
+        sum.add(right[j], inverse[j]);
     W.push_back(sum.take());
   }
   return W;

@@ -22,7 +22,7 @@ std::vector<std::vector<int>> uncutFacets(const InterfaceMesh& interface, const 
   std::map<int, int> pieceAt; // by the vertex that cut the facet
   for (int piece = 0; piece < interface.numFacets() && body.uncutPoints > 0; ++piece)
     for (int k = 0; k < 2; ++k) {
-      const int node = interface.facets[std::size_t(piece) * std::size_t(interface.nodesPerFacet()) + std::size_t(k)];
+      const int node = interface.nodesOf(piece)[k];
       if (nodes[std::size_t(node)] < body.uncutPoints)
         continue;
       const auto [other, isNew] = pieceAt.insert({node, piece});
@@ -61,7 +61,7 @@ void MortarFunctions::add(const Pieces& facet)
   const double start = placeOf(from, along), length = placeOf(to, along) - start;
   std::array<int, 3> number{numberAt(from), numberAt(to), -1};
   if (interface_.order == 2 && facet.size() == 1) {
-    number[2] = numberAt(nodesOf(facet.front())[2]);
+    number[2] = numberAt(interface_.nodesOf(facet.front())[2]);
   } else if (interface_.order == 2) {
     number[2] = size();
     nodes_.push_back(-1);
@@ -69,7 +69,7 @@ void MortarFunctions::add(const Pieces& facet)
   differ_ = differ_ || facet.size() > 1;
   for (const int piece : facet)
     for (int k = 0; k < interface_.nodesPerFacet(); ++k)
-      if (const int node = nodesOf(piece)[k]; node != from && node != to)
+      if (const int node = interface_.nodesOf(piece)[k]; node != from && node != to)
         values_[std::size_t(node)] = row(number, (placeOf(node, along) - start) / length);
   values_[std::size_t(from)] = {{number[0], 1.0}};
   values_[std::size_t(to)] = {{number[1], 1.0}};
@@ -81,7 +81,7 @@ std::array<int, 2> MortarFunctions::ends(const Pieces& facet, const Direction& a
   std::vector<std::pair<double, int>> places;
   for (const int piece : facet)
     for (int k = 0; k < 2; ++k)
-      places.emplace_back(placeOf(nodesOf(piece)[k], along), nodesOf(piece)[k]);
+      places.emplace_back(placeOf(interface_.nodesOf(piece)[k], along), interface_.nodesOf(piece)[k]);
   const auto [low, high] = std::minmax_element(places.begin(), places.end());
   return {low->second, high->second};
 }
@@ -98,11 +98,6 @@ SparseRow MortarFunctions::row(const std::array<int, 3>& number, double place) c
     if (number[a] >= 0 && std::abs(values[a]) > nothing)
       result.emplace_back(number[a], values[a]);
   return result;
-}
-
-const int* MortarFunctions::nodesOf(int piece) const
-{
-  return interface_.facets.data() + std::ptrdiff_t(piece) * interface_.nodesPerFacet();
 }
 
 double MortarFunctions::placeOf(int node, const Direction& along) const

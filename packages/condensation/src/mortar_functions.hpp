@@ -31,7 +31,6 @@ private:
   void add(const Pieces& facet);
   std::array<int, 2> ends(const Pieces& facet, const Direction& along) const;
   SparseRow row(const std::array<int, 3>& number, double place) const;
-  const int* nodesOf(int piece) const;
   double placeOf(int node, const Direction& along) const;
   int numberAt(int node);
 

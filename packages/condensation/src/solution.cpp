@@ -119,14 +119,6 @@ double ratio(double value, double scale)
   return scale > 0.0 ? value / scale : 0.0;
 }
 
-Vector atUnknowns(const Vector& ofNodes, const InterfaceSystem& system)
-{
-  Vector values;
-  for (const int node : system.nodeOfUnknown)
-    values.push_back(ofNodes[std::size_t(node)]);
-  return values;
-}
-
 /// The pressure of a node is its force over its share of the side, the integral of its function: never tension, zero
 /// where contact is open, and with the resultant of the forces, which the nodal values C^-1 r are not. The same of the
 /// functions of means, where contact is asked of these. force: per unknown.
@@ -135,7 +127,7 @@ void addPressures(std::vector<ContactNode>& nodes, const InterfaceSystem& system
   const Vector share = system.shares();
   if (system.mortar) {
     Vector pressure = system.mortar->forcesOf(force);
-    const Vector shares = system.mortar->forcesOf(atUnknowns(share, system));
+    const Vector shares = system.mortar->forcesOf(system.atUnknowns(share));
     for (std::size_t j = 0; j < pressure.size(); ++j)
       pressure[j] = std::max(0.0, ratio(-pressure[j], shares[j]));
     pressure = system.mortar->valuesAtUnknowns(pressure);
@@ -177,8 +169,8 @@ std::vector<std::pair<double, double>> conditionsOf(const std::vector<ContactNod
     force.push_back(node.nodalForce);
   }
   if (system.mortar) {
-    left = system.mortar->meansOf(atUnknowns(left, system));
-    force = system.mortar->forcesOf(atUnknowns(force, system));
+    left = system.mortar->meansOf(system.atUnknowns(left));
+    force = system.mortar->forcesOf(system.atUnknowns(force));
   }
   std::vector<std::pair<double, double>> conditions;
   for (std::size_t i = 0; i < left.size(); ++i)

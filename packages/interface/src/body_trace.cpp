@@ -104,6 +104,14 @@ Vector InterfaceSystem::shares() const
   return basis ? basis->forces(nodal) : nodal;
 }
 
+Vector InterfaceSystem::atUnknowns(const Vector& ofNodes) const
+{
+  Vector ofUnknowns;
+  for (const int node : nodeOfUnknown)
+    ofUnknowns.push_back(ofNodes[std::size_t(node)]);
+  return ofUnknowns;
+}
+
 Vector InterfaceSystem::atNodes(const Vector& ofUnknowns) const
 {
   Vector all(std::size_t(C ? C->size() : 0), 0.0); // a scene without interfaces has no contact matrix
@@ -139,10 +147,7 @@ Vector InterfaceSystem::force(const Vector& nodalTraction) const
   Vector nodal = C->apply(nodalTraction);
   if (basis)
     nodal = basis->forces(nodal);
-  Vector atUnknowns;
-  for (const int node : nodeOfUnknown)
-    atUnknowns.push_back(nodal[std::size_t(node)]);
-  return atUnknowns;
+  return atUnknowns(nodal);
 }
 
 Vector InterfaceSystem::forceOf(const Vector& tractionAtUnknowns) const

@@ -25,7 +25,7 @@ ContactBasis::ContactBasis(const std::vector<InterfaceMesh>& interfaces, const s
       rows_.push_back({{first + i, 1.0}});
     const auto edges = edgeEnds(interface.dim);
     for (int f = 0; interface.order == 2 && f < interface.numFacets(); ++f) {
-      const int* nodes = interface.facets.data() + std::ptrdiff_t(f) * interface.nodesPerFacet();
+      const int* nodes = interface.nodesOf(f);
       for (std::size_t e = 0; e < edges.size(); ++e) {
         const int middle = first + nodes[interface.dim + int(e)];
         if (!isNodal[std::size_t(middle)])

@@ -44,9 +44,7 @@ ContactMatrix::ContactMatrix(const std::vector<InterfaceMesh>& interfaces)
     for (int f = 0; f < interface.numFacets(); ++f)
       for (int a = 0; a < nodes; ++a)
         for (int b = 0; b < nodes; ++b)
-          rows[std::size_t(offset) +
-               std::size_t(interface.facets[std::size_t(f) * std::size_t(nodes) + std::size_t(a)])]
-              [offset + interface.facets[std::size_t(f) * std::size_t(nodes) + std::size_t(b)]] +=
+          rows[std::size_t(offset) + std::size_t(interface.nodesOf(f)[a])][offset + interface.nodesOf(f)[b]] +=
               interface.measures[std::size_t(f)] * mass[std::size_t(a) * std::size_t(nodes) + std::size_t(b)];
     offset += interface.numNodes();
   }

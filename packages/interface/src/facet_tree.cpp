@@ -47,8 +47,7 @@ FacetTree::FacetTree(const InterfaceMesh& mesh) : mesh_(mesh)
 FacetTree::Point FacetTree::vertex(int facet, int local) const
 {
   Point x{};
-  std::copy_n(mesh_.point(mesh_.facets[std::size_t(facet) * std::size_t(mesh_.nodesPerFacet()) + std::size_t(local)]),
-              mesh_.dim, x.begin());
+  std::copy_n(mesh_.point(mesh_.nodesOf(facet)[local]), mesh_.dim, x.begin());
   return x;
 }
 

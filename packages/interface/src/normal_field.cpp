@@ -99,10 +99,7 @@ private:
     Turning
   };
 
-  int vertex(int facet, int end) const
-  {
-    return mesh_.facets[std::size_t(facet) * std::size_t(mesh_.nodesPerFacet()) + std::size_t(end)];
-  }
+  int vertex(int facet, int end) const { return mesh_.nodesOf(facet)[end]; }
 
   Kind kind(int node, double cornerAngle) const
   {
@@ -168,7 +165,7 @@ void setNodeNormals(InterfaceMesh& mesh)
   std::vector<char> keeps(mesh.normals.size(), 0);
   for (int f = 0; f < mesh.numFacets(); ++f)
     for (int i = 0; i < nodes; ++i) {
-      const auto node = std::size_t(mesh.facets[std::size_t(f) * std::size_t(nodes) + std::size_t(i)]);
+      const auto node = std::size_t(mesh.nodesOf(f)[i]);
       const auto& ends = mesh.endNormals[std::size_t(f)];
       const Direction n = i < 2 ? ends[std::size_t(i)] : combine(0.5, ends[0], 0.5, ends[1]);
       const Direction change = combine(1.0, n, -1.0, value[node]);
@@ -200,7 +197,7 @@ bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
 {
   const FacetTree tree(earlier);
   const auto vertex = [](const InterfaceMesh& side, int facet, int end) {
-    return side.point(side.facets[std::size_t(facet) * std::size_t(side.nodesPerFacet()) + std::size_t(end)]);
+    return side.point(side.nodesOf(facet)[end]);
   };
   std::vector<std::array<Direction, 2>> normals(std::size_t(mesh.numFacets()));
   for (int f = 0; f < mesh.numFacets(); ++f) {
@@ -212,7 +209,7 @@ bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
     if (std::isnan(place[0]) || std::isnan(place[1]))
       return false;
     const auto& ends = earlier.endNormals[std::size_t(parent)];
-    const Direction& ours = mesh.normals[std::size_t(mesh.facets[std::size_t(f) * std::size_t(mesh.nodesPerFacet())])];
+    const Direction& ours = mesh.normals[std::size_t(*mesh.nodesOf(f))];
     const double sign = dotProduct(ends[0], ours) < 0.0 ? -1.0 : 1.0; // seen from the other body
     for (std::size_t i = 0; i < 2; ++i)
       normals[std::size_t(f)][i] = combine(sign * (1.0 - place[i]), ends[0], sign * place[i], ends[1]);

@@ -108,7 +108,7 @@ bool matchFacets(InterfaceMesh& interface, const BodyModel& neumann, const Side&
   }
   for (int f = 0; f < interface.numFacets(); ++f) {
     for (std::size_t a = 0; a < nodes.size(); ++a)
-      nodes[a] = interface.sides[1].nodes[std::size_t(interface.facets[std::size_t(f) * nodes.size() + a])];
+      nodes[a] = interface.sides[1].nodes[std::size_t(interface.nodesOf(f)[a])];
     std::sort(nodes.begin(), nodes.end());
     const auto found = byNodes.find(nodes);
     if (found == byNodes.end())
@@ -134,12 +134,10 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
     facetNormal(neumann.mesh, interface.sides[1].facets[std::size_t(f)], n2.data());
     if (dotProduct(n1, n2) > 0.0)
       throw InputError(definition.mistake(
-          "", fmt::format(
-                  "the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
-                  "name the sides that face each other.",
-                  dirichlet.name, neumann.name,
-                  pointText(interface.point(interface.facets[std::size_t(f) * std::size_t(interface.nodesPerFacet())]),
-                            interface.dim))));
+          "",
+          fmt::format("the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
+                      "name the sides that face each other.",
+                      dirichlet.name, neumann.name, pointText(interface.point(*interface.nodesOf(f)), interface.dim))));
   }
 }
 

@@ -22,7 +22,7 @@ double valueAt(const InterfaceMesh& mesh, const double* values, const FacetTree:
     double N[Shape::nodes], value = 0.0;
     Shape::values(place.lambda.data(), N);
     for (int a = 0; a < Shape::nodes; ++a)
-      value += N[a] * values[mesh.facets[std::size_t(place.facet) * std::size_t(Shape::nodes) + std::size_t(a)]];
+      value += N[a] * values[mesh.nodesOf(place.facet)[a]];
     return value;
   });
 }
@@ -40,7 +40,7 @@ char closedAt(const InterfaceMesh& mesh, const char* closed, const FacetTree::Pl
 {
   double nearest[] = {std::numeric_limits<double>::max(), std::numeric_limits<double>::max()}; // open, closed
   for (int a = 0; a < mesh.nodesPerFacet(); ++a) {
-    const int node = mesh.facets[std::size_t(place.facet) * std::size_t(mesh.nodesPerFacet()) + std::size_t(a)];
+    const int node = mesh.nodesOf(place.facet)[a];
     double& best = nearest[closed[node] ? 1 : 0];
     best = std::min(best, squaredDistance(x, mesh.point(node), mesh.dim));
   }

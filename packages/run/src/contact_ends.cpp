@@ -90,7 +90,7 @@ std::vector<int> endVertices(const InterfaceMesh& interface, const char* closed)
   std::vector<int> vertices;
   const int perFacet = interface.nodesPerFacet();
   for (int f = 0; f < interface.numFacets(); ++f) {
-    const int* nodes = interface.facets.data() + std::ptrdiff_t(f) * perFacet;
+    const int* nodes = interface.nodesOf(f);
     for (int v = 0; v < 2; ++v)
       if (closed[nodes[v]] != closed[perFacet == 3 ? nodes[2] : nodes[1 - v]])
         vertices.push_back(nodes[v]);

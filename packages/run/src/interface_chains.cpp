@@ -48,7 +48,7 @@ std::vector<std::vector<int>> neighboursAlong(const InterfaceMesh& interface)
     neighbours[std::size_t(b)].push_back(a);
   };
   for (int f = 0; f < interface.numFacets(); ++f) {
-    const int* nodes = interface.facets.data() + std::ptrdiff_t(f) * interface.nodesPerFacet();
+    const int* nodes = interface.nodesOf(f);
     if (interface.order == 1)
       link(nodes[0], nodes[1]);
     else { // the node between the ends comes last

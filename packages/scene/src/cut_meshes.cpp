@@ -7,6 +7,13 @@
 namespace ndframe
 {
 
+std::shared_ptr<const SideMap> mapBetween(const FacingSides& sides, const Mesh& first, const Mesh& second,
+                                          double cornerAngle)
+{
+  return std::make_shared<const SideMap>(SidePolygon(first, first.findSide(sides.firstSide)->facets, cornerAngle),
+                                         SidePolygon(second, second.findSide(sides.secondSide)->facets, cornerAngle));
+}
+
 std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& facing,
                                    const Params& list)
 {

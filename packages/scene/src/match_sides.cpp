@@ -76,9 +76,7 @@ std::shared_ptr<const SideMap> mapOf(const Params& definition, const FacingSides
     return before;
   if (sidesMatch(first, *ours, second, *theirs))
     return nullptr;
-  const double angle = definition.get<double>("Corner Angle");
-  return std::make_shared<const SideMap>(SidePolygon(first, ours->facets, angle),
-                                         SidePolygon(second, theirs->facets, angle));
+  return mapBetween(sides, first, second, definition.get<double>("Corner Angle"));
 }
 
 /// Whether a map of earlier meshes still is one of this side.
@@ -167,17 +165,11 @@ bool faceWhereCut(const std::vector<Mesh>& before, const std::vector<DerivedMesh
 {
   bool any = false;
   for (auto& [definition, sides] : matching) {
-    const auto sideOf = [&](const Mesh& mesh, const std::string& name) -> const Side& { return *mesh.findSide(name); };
     const Mesh &first = cut[std::size_t(sides.firstBody)].mesh, &second = cut[std::size_t(sides.secondBody)].mesh;
-    if (sides.map || sidesMatch(first, sideOf(first, sides.firstSide), second, sideOf(second, sides.secondSide)))
+    if (sides.map || sidesMatch(first, *first.findSide(sides.firstSide), second, *second.findSide(sides.secondSide)))
       continue;
-    const double angle = definition.get<double>("Corner Angle");
-    const auto polygon = [&](int body, const std::string& side) {
-      const Mesh& mesh = before[std::size_t(body)];
-      return SidePolygon(mesh, sideOf(mesh, side).facets, angle);
-    };
-    sides.map = std::make_shared<const SideMap>(polygon(sides.firstBody, sides.firstSide),
-                                                polygon(sides.secondBody, sides.secondSide));
+    sides.map = mapBetween(sides, before[std::size_t(sides.firstBody)], before[std::size_t(sides.secondBody)],
+                           definition.get<double>("Corner Angle"));
     pairings[definition.name()].map = sides.map;
     facing.push_back(sides);
     any = true;

@@ -111,9 +111,7 @@ std::vector<FacingSides> TiedMesh::facingSides(const std::vector<Mesh>& parts) c
       facing.push_back(std::move(sides));
       continue;
     }
-    const double angle = joint.get<double>("Corner Angle");
-    sides.map = std::make_shared<const SideMap>(SidePolygon(first, first.findSide(sides.firstSide)->facets, angle),
-                                                SidePolygon(second, second.findSide(sides.secondSide)->facets, angle));
+    sides.map = mapBetween(sides, first, second, joint.get<double>("Corner Angle"));
     facing.push_back(std::move(sides));
   }
   return facing;

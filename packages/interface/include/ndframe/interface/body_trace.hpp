@@ -104,6 +104,8 @@ struct InterfaceSystem
   int size() const { return int(nodeOfUnknown.size()); } ///< number of unknowns
   /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.
   bool isDirichlet(const BodyTrace& body) const;
+  /// At the unknowns' own nodes.
+  Vector atUnknowns(const Vector& ofNodes) const;
   /// Displacements of the Neumann side with those of the obstacles filled in.
   Vector withObstacles(Vector uNeumann) const;
   /// Per interface node the integral of its function: what a traction of 1 makes of it.

@@ -61,6 +61,8 @@ struct InterfaceMesh
   int numNodes() const { return int(sides[0].nodes.size()); } ///< number of interface nodes
   int numFacets() const { return int(measures.size()); }      ///< number of pairs of facets
   int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); } ///< 0 without facets
+  /// The nodesPerFacet() interface nodes of a facet.
+  const int* nodesOf(int facet) const { return facets.data() + std::ptrdiff_t(facet) * nodesPerFacet(); }
   /// The sides are two of one body.
   bool touchesItself() const { return sides[0].body == sides[1].body; }
   /// Where a slit ends a node faces itself: nothing moves there against anything.
