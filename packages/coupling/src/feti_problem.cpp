@@ -21,7 +21,7 @@ constexpr double largestError = 0.1; ///< relative to the forces, whatever the g
 /// small, and at least a digit more.
 constexpr double amplification = 1e2, leastAmplification = 10.0, amplifiedUpTo = 1e-3;
 
-constexpr double wantedRoundOff = 1e-13, refinedTolerance = 1e-12; ///< of refinedForces()
+constexpr double wantedRoundOff = 1e-13; ///< of refinedForces()
 
 /// What S v may have lost: eps max |D v|, D the diagonal of S.
 double forceRoundOff(const Network& network, const Vector& v)

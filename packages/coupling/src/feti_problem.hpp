@@ -69,6 +69,9 @@ private:
   double error_ = 0.0, relativeError_ = 0.0;
 };
 
+/// Where forces are to be as good as those of factors.
+inline constexpr double refinedTolerance = 1e-12;
+
 /// Soft bodies let stiff ones move far, and a product with a stiff operator loses the strain in that motion. Forces as
 /// unknowns do not: where digits are lost those of the settled set are found again, in a few iterations. v: the
 /// network's displacements; returned with the changes, as is the state.

@@ -2,7 +2,7 @@
 
 #include "feti_problem.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "network_problem.hpp"
+#include "network_statuses.hpp"
 #include "sweep.hpp"
 #include "whole_problem.hpp"
 
@@ -81,7 +81,7 @@ private:
                                       InterfaceState& state)
   {
     const Network network = networkOf(system);
-    NetworkProblem problem(network, ledger);
+    NetworkStatuses problem(network, refinedTolerance, ledger);
     UnilateralState status = findStatuses(problem, network, system, start, ledger);
     const Vector v = refinedForces(network, problem.displacement(), status, ledger);
     state = stateAt(network, system, v, status);

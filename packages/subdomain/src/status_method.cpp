@@ -100,7 +100,7 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
   UnilateralState state;
   StatusPass pass;
   Exchange exchange;
-  for (int proximal = 0; state.passes < mostPasses;) {
+  for (int proximal = 0; state.passes < mostPasses;) { // proximal: passes in a row that needed the term
     const bool held = system.holds(closed);
     proximal = held ? 0 : proximal + 1;
     if (proximal > limits.passes)
@@ -111,7 +111,8 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
     ++state.passes;
     ledger.count("status passes");
     const auto wrong = violations(pass, constrained, bound, closed);
-    if (wrong.empty() && (held || pass.unbalanced <= pass.roundOff * pass.load)) {
+    const bool isBalanced = held || pass.unbalanced <= pass.roundOff * pass.load;
+    if (wrong.empty() && isBalanced) {
       state.changes = countDifferences(start, closed);
       ledger.count("status changes", state.changes);
       state.u = std::move(pass.u);
@@ -120,7 +121,8 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
       state.cycled = exchange.cycled();
       return state;
     }
-    if (held && pass.isFinal)
+    proximal = isBalanced ? 0 : proximal;
+    if (isBalanced && pass.isFinal)
       exchange.look(closed, wrong.size());
     exchange.apply(wrong, closed);
   }
