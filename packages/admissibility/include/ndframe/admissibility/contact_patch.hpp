@@ -34,12 +34,12 @@ struct ContactPatch
   std::array<PatchSide, 2> sides{}; ///< first that of the Dirichlet body, then that of the Neumann body
   Direction normal{};               ///< n_c: outward normal of side 0
   double measure = 0.0;             ///< length or area, on the interface's first side
-  FacetNodes nodes{};               ///< interface nodes: vertices, then (order 2) the middles (FacetEdges)
-  FacetNodes pairs{};               ///< their pairs of body nodes: nodes, but for the second node of a corner the first
-  bool turns = false;               ///< only in the plane: n_c turns along the patch, linear between `ends`
-  std::array<Direction, 2> ends{};  ///< n_c at the vertices (nodes 0, 1) where it turns
-  bool isDrawnApart = false;        ///< the distance of the two sides as they are drawn is a part of the gap
-  std::array<Direction, 3> drawn{}; ///< then (in the plane) x1 - x2 at the nodes, of the displacements' order between
+  FacetNodes nodes{}; ///< interface nodes: vertices (in any order), then (order 2) the middles (FacetEdges)
+  FacetNodes pairs{}; ///< their pairs of body nodes: nodes, but for the second node of a corner the first
+  bool turns = false; ///< only in the plane: n_c turns along the patch, linear between `ends`
+  std::array<Direction, 2> ends{};   ///< n_c at the vertices (nodes 0, 1) where it turns
+  bool isDrawnApart = false;         ///< the distance of the two sides as they are drawn is a part of the gap
+  std::array<Direction, 3> drawn{};  ///< then (in the plane) x1 - x2 at the nodes, of the displacements' order
   std::array<Direction, 3> points{}; ///< its vertices on the interface's first side
 
   std::size_t numVertices() const { return std::size_t(dim); } ///< those of a simplex of dimension dim - 1
@@ -58,7 +58,7 @@ struct BodyPatch
   std::size_t side;  ///< the body's side of it
 };
 
-/// The patches that a body takes part in, in their order; one where it touches itself twice, side 0 first.
+/// The patches that a body takes part in, in their order; those where it touches itself twice, side 0 first.
 std::vector<BodyPatch> patchesOfBody(const std::vector<ContactPatch>& patches, int body);
 
 /// Of space; all patches have the same. 2 without any.
