@@ -37,27 +37,26 @@ Facet opposite(const Mesh& mesh, const Side& side, const std::array<double, 2>& 
   return side.facets.front();
 }
 
-std::vector<ContactFacet> pairFacets(const BodyModel& upper, const BodyModel& lower)
+std::vector<ContactPatch> pairFacets(const BodyModel& upper, const BodyModel& lower)
 {
-  std::vector<ContactFacet> facets;
+  std::vector<ContactPatch> patches;
   std::map<int, int> number; // of interface nodes, by the upper body's
   for (const Facet mine : upper.side("bottom")->facets) {
-    ContactFacet facet;
-    facet.neumannBody = 1;
-    facet.dirichlet = mine;
-    facet.neumann = opposite(lower.mesh, *lower.side("top"), middle(upper.mesh, mine));
-    facet.measure = facetNormal(upper.mesh, mine, facet.normal.data());
-    const auto ours = contactNodes(upper, facet, true);
-    if (!isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, facet, false)[0])))
-      facet.theirs = {1, 0, 2};
+    ContactPatch patch;
+    const Facet other = opposite(lower.mesh, *lower.side("top"), middle(upper.mesh, mine));
+    patch.sides = {{{0, mine}, {1, other}}};
+    patch.measure = facetNormal(upper.mesh, mine, patch.normal.data());
+    const auto ours = contactNodes(upper, patch.sides[0]);
+    if (!isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, patch.sides[1])[0])))
+      patch.sides[1].places = {1, 0, 2};
     for (std::size_t i = 0; i <= std::size_t(upper.nodes.order); ++i)
-      facet.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
-    facet.pairs = facet.nodes;
+      patch.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
+    patch.pairs = patch.nodes;
     for (std::size_t end = 0; end < 2; ++end)
-      std::copy_n(upper.nodes.point(ours[end]), 2, facet.points[end].begin());
-    facets.push_back(facet);
+      std::copy_n(upper.nodes.point(ours[end]), 2, patch.points[end].begin());
+    patches.push_back(patch);
   }
-  return facets;
+  return patches;
 }
 
 } // namespace
@@ -72,33 +71,33 @@ std::vector<const ConstraintSet*> ContactStrip::constraintPointers() const
   return {&constraints[0], &constraints[1]};
 }
 
-const double* ContactStrip::at(const std::vector<Vector>& displacement, std::size_t facet, std::size_t number,
+const double* ContactStrip::at(const std::vector<Vector>& displacement, std::size_t patch, std::size_t number,
                                bool isUpper) const
 {
   const std::size_t body = isUpper ? 0 : 1;
-  const int node = contactNodes(bodies[body], facets[facet], isUpper)[number];
+  const int node = contactNodes(bodies[body], patches[patch].sides[body])[number];
   return displacement[body].data() + std::size_t(node) * 2;
 }
 
-double ContactStrip::jump(const std::vector<Vector>& displacement, std::size_t facet, double t) const
+double ContactStrip::jump(const std::vector<Vector>& displacement, std::size_t patch, double t) const
 {
   const double lambda[2] = {1.0 - t, t};
   double N[3], value = 0.0;
   const int order = bodies[0].nodes.order;
-  const ContactFacet& here = facets[facet];
+  const ContactPatch& here = patches[patch];
   Direction normal = here.normal;
   for (std::size_t k = 0; here.turns && k < 2; ++k)
     normal[k] = lambda[0] * here.ends[0][k] + lambda[1] * here.ends[1][k];
   order == 1 ? Lagrange<1, 1>::values(lambda, N) : Lagrange<1, 2>::values(lambda, N);
   for (std::size_t i = 0; i <= std::size_t(order); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      value += N[i] * normal[k] * (at(displacement, facet, i, true)[k] - at(displacement, facet, i, false)[k]);
+      value += N[i] * normal[k] * (at(displacement, patch, i, true)[k] - at(displacement, patch, i, false)[k]);
   return value;
 }
 
-std::array<double, 2> ContactStrip::point(std::size_t facet, double t) const
+std::array<double, 2> ContactStrip::point(std::size_t patch, double t) const
 {
-  const auto nodes = contactNodes(bodies[0], facets[facet], true);
+  const auto nodes = contactNodes(bodies[0], patches[patch].sides[0]);
   const double *a = bodies[0].nodes.point(nodes[0]), *b = bodies[0].nodes.point(nodes[1]);
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
 }
@@ -120,14 +119,14 @@ ContactStrip contactStrip(int numFacets, int order, double bend, const Condition
   strip.bodies[1].laws = law;
   for (const auto& body : strip.bodies)
     strip.constraints.push_back(constraintsOf(body));
-  strip.facets = pairFacets(strip.bodies[0], strip.bodies[1]);
+  strip.patches = pairFacets(strip.bodies[0], strip.bodies[1]);
   return strip;
 }
 
 ContactStrip turningStrip(int numFacets, int order, double bend)
 {
   ContactStrip strip = contactStrip(numFacets, order, bend);
-  turnFacets(strip.facets);
+  turnFacets(strip.patches);
   return strip;
 }
 

@@ -22,18 +22,18 @@ Chain makeChain(const std::vector<double>& lengths, int order, bool closed)
   double start = 0.0;
   for (int e = 0; e < edges; ++e) {
     const double length = lengths[std::size_t(e)];
-    ContactFacet facet;
-    facet.neumannBody = 1;
-    facet.normal = {0.0, -1.0, 0.0};
-    facet.measure = length;
-    facet.nodes = {e, (e + 1) % vertices, order == 2 ? vertices + e : 0};
+    ContactPatch patch;
+    patch.sides[1].body = 1;
+    patch.normal = {0.0, -1.0, 0.0};
+    patch.measure = length;
+    patch.nodes = {e, (e + 1) % vertices, order == 2 ? vertices + e : 0};
     chain.x[std::size_t(e)] = start;
     if (order == 2)
       chain.x[std::size_t(vertices + e)] = start + 0.5 * length;
     start += length;
     if (!closed)
       chain.x[std::size_t(e + 1)] = start;
-    chain.facets.push_back(facet);
+    chain.patches.push_back(patch);
   }
   return chain;
 }
@@ -63,10 +63,10 @@ Chain disjoint(const Chain& first, const Chain& second)
 {
   Chain both = first;
   both.x.insert(both.x.end(), second.x.begin(), second.x.end());
-  for (ContactFacet facet : second.facets) {
+  for (ContactPatch patch : second.patches) {
     for (int i = 0; i <= second.order; ++i)
-      facet.nodes[std::size_t(i)] += first.numNodes();
-    both.facets.push_back(facet);
+      patch.nodes[std::size_t(i)] += first.numNodes();
+    both.patches.push_back(patch);
   }
   return both;
 }
@@ -79,13 +79,13 @@ Chain shuffled(const Chain& chain, std::mt19937& random, std::vector<int>& newNu
   Chain other = chain;
   for (std::size_t node = 0; node < chain.x.size(); ++node)
     other.x[std::size_t(newNumber[node])] = chain.x[node];
-  for (ContactFacet& facet : other.facets) {
+  for (ContactPatch& patch : other.patches) {
     for (int i = 0; i <= chain.order; ++i)
-      facet.nodes[std::size_t(i)] = newNumber[std::size_t(facet.nodes[std::size_t(i)])];
+      patch.nodes[std::size_t(i)] = newNumber[std::size_t(patch.nodes[std::size_t(i)])];
     if (random() % 2 == 0)
-      std::swap(facet.nodes[0], facet.nodes[1]);
+      std::swap(patch.nodes[0], patch.nodes[1]);
   }
-  std::shuffle(other.facets.begin(), other.facets.end(), random);
+  std::shuffle(other.patches.begin(), other.patches.end(), random);
   return other;
 }
 
@@ -113,32 +113,32 @@ std::vector<double> randomLengths(int count, std::mt19937& random)
   return lengths;
 }
 
-double valueAt(const ContactFacet& facet, const Vector& nodal, int order, double lambda)
+double valueAt(const ContactPatch& patch, const Vector& nodal, int order, double lambda)
 {
   double N[3], value = 0.0;
   nodalFunctions(order, lambda, N);
   for (int i = 0; i <= order; ++i)
-    value += N[i] * nodal[std::size_t(facet.nodes[std::size_t(i)])];
+    value += N[i] * nodal[std::size_t(patch.nodes[std::size_t(i)])];
   return value;
 }
 
-double valueAt(const ContactFacet& facet, const ContactTraction& traction, int number, double lambda)
+double valueAt(const ContactPatch& patch, const ContactTraction& traction, int number, double lambda)
 {
   const double barycentric[2] = {1.0 - lambda, lambda};
   const Vector moments = traction.moments(number);
   Vector L(moments.size());
   facetBasis(2, traction.degree).values(barycentric, L.data());
-  return std::inner_product(L.begin(), L.end(), moments.begin(), 0.0) / facet.measure;
+  return std::inner_product(L.begin(), L.end(), moments.begin(), 0.0) / patch.measure;
 }
 
 double innerProduct(const Chain& chain, const Vector& s, const Vector& t)
 {
   const QuadratureRule rule = simplexRule(1, 4);
   double sum = 0.0;
-  for (const ContactFacet& facet : chain.facets)
+  for (const ContactPatch& patch : chain.patches)
     for (int q = 0; q < rule.size(); ++q)
-      sum += facet.measure * rule.weights[std::size_t(q)] * valueAt(facet, s, chain.order, rule.point(q)[1]) *
-             valueAt(facet, t, chain.order, rule.point(q)[1]);
+      sum += patch.measure * rule.weights[std::size_t(q)] * valueAt(patch, s, chain.order, rule.point(q)[1]) *
+             valueAt(patch, t, chain.order, rule.point(q)[1]);
   return sum;
 }
 
@@ -161,10 +161,10 @@ Vector admissibleNodes(const Chain& chain, std::mt19937& random)
   Vector t;
   for (std::size_t i = 0; i < chain.x.size(); ++i)
     t.push_back(std::min(value(random), 0.0));
-  for (const ContactFacet& facet : chain.facets)
+  for (const ContactPatch& patch : chain.patches)
     if (chain.order == 2) {
-      double& middle = t[std::size_t(facet.nodes[2])];
-      middle = 0.5 * middle + 0.25 * (t[std::size_t(facet.nodes[0])] + t[std::size_t(facet.nodes[1])]);
+      double& middle = t[std::size_t(patch.nodes[2])];
+      middle = 0.5 * middle + 0.25 * (t[std::size_t(patch.nodes[0])] + t[std::size_t(patch.nodes[1])]);
     }
   return t;
 }

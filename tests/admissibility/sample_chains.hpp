@@ -10,7 +10,7 @@ namespace ndframe::test
 /// Contact facets without bodies: chains of edges with numbers as bodies would give them.
 struct Chain
 {
-  std::vector<ContactFacet> facets;
+  std::vector<ContactPatch> patches;
   std::vector<double> x; ///< per node: arc length
   int order = 0;
 
@@ -33,8 +33,8 @@ std::vector<Chain> sampleChains(std::mt19937& random);
 std::vector<double> randomLengths(int count, std::mt19937& random);
 
 /// t at lambda (from the facet's first vertex 0 to its second 1) of a traction given by nodal values or by moments.
-double valueAt(const ContactFacet& facet, const Vector& nodal, int order, double lambda);
-double valueAt(const ContactFacet& facet, const ContactTraction& traction, int number, double lambda);
+double valueAt(const ContactPatch& patch, const Vector& nodal, int order, double lambda);
+double valueAt(const ContactPatch& patch, const ContactTraction& traction, int number, double lambda);
 
 /// int s t dS of two nodal fields.
 double innerProduct(const Chain& chain, const Vector& s, const Vector& t);

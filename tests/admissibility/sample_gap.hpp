@@ -19,7 +19,7 @@ public:
     return value;
   }
   /// For boundGap on all facets of a strip.
-  std::vector<FacetGap> on(const ContactStrip& strip) const { return {{int(strip.facets.size()), {tree_, {}}}}; }
+  std::vector<PatchGap> on(const ContactStrip& strip) const { return {{int(strip.patches.size()), {tree_, {}}}}; }
   const std::string& text() const { return text_; }
 
 private:

@@ -23,12 +23,12 @@ const Gap roundedGap = "0.01 + 0.02*exp(2*x)";
 
 GapBound bound(const ContactStrip& strip, const Gap& gap)
 {
-  return boundGap(strip.bodyPointers(), strip.facets, 2, gap.on(strip));
+  return boundGap(strip.bodyPointers(), strip.patches, 2, gap.on(strip));
 }
 
 AdmissibleDisplacement admit(const ContactStrip& strip, const Gap& gap, const std::vector<Vector>& displacement)
 {
-  return admitDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.facets, bound(strip, gap),
+  return admitDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.patches, bound(strip, gap),
                            displacement);
 }
 
@@ -48,7 +48,7 @@ std::vector<Vector> randomDisplacement(const ContactStrip& strip, unsigned seed,
 double deepest(const ContactStrip& strip, const Gap& gap, const std::vector<Vector>& displacement)
 {
   double depth = -1e300;
-  for (std::size_t f = 0; f < strip.facets.size(); ++f)
+  for (std::size_t f = 0; f < strip.patches.size(); ++f)
     for (int i = 0; i <= 200; ++i) {
       const double t = i / 200.0;
       depth = std::max(depth, strip.jump(displacement, f, t) - gap(strip.point(f, t)[0]));
@@ -140,8 +140,8 @@ TEST_P(Admission, MovesInterfaceNodesOnly)
   int moved = 0;
   for (std::size_t b = 0; b < 2; ++b) {
     std::set<int> interface;
-    for (const auto& facet : strip.facets) {
-      const auto nodes = contactNodes(strip.bodies[b], facet, b == 0);
+    for (const auto& patch : strip.patches) {
+      const auto nodes = contactNodes(strip.bodies[b], patch.sides[b]);
       interface.insert(nodes.begin(), nodes.begin() + GetParam().order + 1);
     }
     for (int node = 0; node < strip.bodies[b].nodes.numNodes(); ++node) {
@@ -212,7 +212,7 @@ TEST(AdmissionByStiffness, MovesTheSofterBodyMore)
   for (const auto& body : strip.bodies)
     closed.emplace_back(std::size_t(body.numDofs()), 0.0);
   const AdmissibleDisplacement after = admit(strip, "-0.1", closed);
-  for (std::size_t f = 0; f < strip.facets.size(); ++f)
+  for (std::size_t f = 0; f < strip.patches.size(); ++f)
     for (std::size_t i = 0; i < 3; ++i) {
       const double up = strip.at(after.displacement, f, i, true)[1],
                    down = strip.at(after.displacement, f, i, false)[1];

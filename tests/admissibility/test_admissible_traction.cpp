@@ -15,17 +15,17 @@ using test::Chain;
 
 Vector project(const Chain& chain, const Vector& mean, const BalanceConditions& balance = {})
 {
-  return projectTraction(chain.facets, chain.numNodes(), chain.order, mean, balance);
+  return projectTraction(chain.patches, chain.numNodes(), chain.order, mean, balance);
 }
 
 /// The largest Bernstein coefficient from the nodal values themselves.
 double largestCoefficient(const Chain& chain, const Vector& t)
 {
   double largest = *std::max_element(t.begin(), t.end());
-  for (const ContactFacet& facet : chain.facets)
+  for (const ContactPatch& patch : chain.patches)
     if (chain.order == 2)
-      largest = std::max(largest, 2.0 * t[std::size_t(facet.nodes[2])] -
-                                      0.5 * (t[std::size_t(facet.nodes[0])] + t[std::size_t(facet.nodes[1])]));
+      largest = std::max(largest, 2.0 * t[std::size_t(patch.nodes[2])] -
+                                      0.5 * (t[std::size_t(patch.nodes[0])] + t[std::size_t(patch.nodes[1])]));
   return largest;
 }
 
@@ -92,7 +92,8 @@ TEST(AdmissibleTraction, BernsteinCoefficientsAreNotPositive)
   for (const Chain& chain : test::sampleChains(random)) {
     const Vector t = project(chain, test::randomNodes(chain.numNodes(), random));
     EXPECT_LT(largestCoefficient(chain, t), 1e-15);
-    EXPECT_LT(largestBernstein(tractionFromNodes(chain.facets, t, chain.order, chain.order + 1), chain.facets), 1e-14);
+    EXPECT_LT(largestBernstein(tractionFromNodes(chain.patches, t, chain.order, chain.order + 1), chain.patches),
+              1e-14);
   }
 }
 
@@ -174,8 +175,8 @@ TEST(AdmissibleTraction, UnitsDoNotMatter)
   const Chain chain = test::straightChain(test::randomLengths(12, random), 2);
   Chain scaled = chain;
   const double length = 1e-9, stress = 1e11;
-  for (ContactFacet& facet : scaled.facets)
-    facet.measure *= length;
+  for (ContactPatch& patch : scaled.patches)
+    patch.measure *= length;
   Vector mean = test::randomNodes(chain.numNodes(), random), load = test::admissibleNodes(chain, random);
   const double force = test::innerProduct(chain, load, Vector(load.size(), 1.0)),
                moment = test::innerProduct(chain, load, chain.x); // per unit of length, as RigidBasis scales rotations

@@ -13,8 +13,8 @@ namespace
 
 using test::Chain;
 
-/// t of a body's contact facet at lambda (ascending vertices of that body), from the sum of its shares in global axes.
-std::array<double, 2> fromShares(const Vector& shares, int facet, int degree, double measure, double lambda)
+/// t of a body's patch at lambda (ascending vertices of that body), from the sum of its shares in global axes.
+std::array<double, 2> fromShares(const Vector& shares, int patch, int degree, double measure, double lambda)
 {
   const auto modes = std::size_t(degree + 1);
   const double barycentric[2] = {1.0 - lambda, lambda};
@@ -24,7 +24,7 @@ std::array<double, 2> fromShares(const Vector& shares, int facet, int degree, do
   for (std::size_t a = 0; a < 2; ++a)
     for (std::size_t k = 0; k < modes; ++k)
       for (std::size_t i = 0; i < 2; ++i)
-        t[i] += shares[((std::size_t(facet) * 2 + a) * modes + k) * 2 + i] * L[k] / measure;
+        t[i] += shares[((std::size_t(patch) * 2 + a) * modes + k) * 2 + i] * L[k] / measure;
   return t;
 }
 
@@ -37,11 +37,11 @@ TEST(ContactTraction, NodalValuesAreReproducedByTheirShares)
     for (int degree = order; degree <= 3; ++degree) {
       const Chain chain = test::straightChain(test::randomLengths(3, random), order);
       const Vector nodal = test::randomNodes(chain.numNodes(), random);
-      const ContactTraction t = tractionFromNodes(chain.facets, nodal, order, degree);
+      const ContactTraction t = tractionFromNodes(chain.patches, nodal, order, degree);
       for (std::size_t f = 0; f < 3; ++f)
         for (const double lambda : {0.0, 0.3, 1.0})
-          EXPECT_NEAR(test::valueAt(chain.facets[f], t, int(f), lambda),
-                      test::valueAt(chain.facets[f], nodal, order, lambda), 1e-13);
+          EXPECT_NEAR(test::valueAt(chain.patches[f], t, int(f), lambda),
+                      test::valueAt(chain.patches[f], nodal, order, lambda), 1e-13);
     }
 }
 
@@ -50,7 +50,7 @@ TEST(ContactTraction, SharesOfOrderTwoAreThoseOfTheSharesClass)
   // t linear: its shares follow from ofLinear
   const Chain chain = test::straightChain({0.7}, 2);
   const Shares shares(facetBasis(2, 3), 2);
-  const ContactTraction t = tractionFromNodes(chain.facets, {-1.0, -3.0, -2.0}, 2, 3);
+  const ContactTraction t = tractionFromNodes(chain.patches, {-1.0, -3.0, -2.0}, 2, 3);
   for (int a = 0; a < 2; ++a)
     for (int k = 0; k < 4; ++k)
       EXPECT_NEAR(t.shares[std::size_t(a * 4 + k)],
@@ -60,7 +60,7 @@ TEST(ContactTraction, SharesOfOrderTwoAreThoseOfTheSharesClass)
 TEST(ContactTraction, SharesOfOrderOneActAtTheirVertices)
 {
   const Chain chain = test::straightChain({0.7}, 1);
-  const ContactTraction t = tractionFromNodes(chain.facets, {-1.0, -4.0}, 1, 2);
+  const ContactTraction t = tractionFromNodes(chain.patches, {-1.0, -4.0}, 1, 2);
   const MomentBasis basis = facetBasis(2, 2);
   const QuadratureRule rule = simplexRule(1, 4);
   for (int a = 0; a < 2; ++a) {
@@ -98,10 +98,10 @@ TEST(ContactTraction, TheLargestBernsteinCoefficientIsThatOfAllFacets)
 {
   const Chain chain = test::straightChain({2.0, 0.5}, 2);
   // vertices 0, 1, 2; middles 3, 4: coefficients -1, 2 (-1) + 1.5 = -0.5, -2 and -2, 2 (-1.5) + 2.5 = -0.5, -3
-  EXPECT_NEAR(largestBernstein(tractionFromNodes(chain.facets, {-1, -2, -3, -1, -1.5}, 2, 2), chain.facets), -0.5,
+  EXPECT_NEAR(largestBernstein(tractionFromNodes(chain.patches, {-1, -2, -3, -1, -1.5}, 2, 2), chain.patches), -0.5,
               1e-14);
   // raised to degree 3 the coefficients move towards the polynomial
-  EXPECT_NEAR(largestBernstein(tractionFromNodes(chain.facets, {-1, -2, -3, -1, -1.5}, 2, 3), chain.facets), -2.0 / 3,
+  EXPECT_NEAR(largestBernstein(tractionFromNodes(chain.patches, {-1, -2, -3, -1, -1.5}, 2, 3), chain.patches), -2.0 / 3,
               1e-14);
 }
 
@@ -111,18 +111,19 @@ TEST(ContactTraction, BothBodiesFeelTheSameTractionInOppositeDirections)
   for (const bool reversed : {false, true})
     for (const int degree : {2, 3}) {
       Chain chain = test::straightChain({0.4, 0.9}, 2);
-      for (ContactFacet& facet : chain.facets) {
-        facet.theirs = reversed ? std::array{1, 0, 2} : std::array{0, 1, 2};
-        facet.normal = {0.6, 0.8, 0.0};
+      for (ContactPatch& patch : chain.patches) {
+        patch.sides[1].places = reversed ? std::array{1, 0, 2} : std::array{0, 1, 2};
+        patch.normal = {0.6, 0.8, 0.0};
       }
-      const ContactTraction t = tractionFromNodes(chain.facets, test::randomNodes(chain.numNodes(), random), 2, degree);
-      const Vector first = contactShares(chain.facets, t, t, 0), second = contactShares(chain.facets, t, t, 1);
+      const ContactTraction t =
+          tractionFromNodes(chain.patches, test::randomNodes(chain.numNodes(), random), 2, degree);
+      const Vector first = contactShares(chain.patches, {t, t}, 0), second = contactShares(chain.patches, {t, t}, 1);
       for (int f = 0; f < 2; ++f)
         for (const double lambda : {0.0, 0.2, 0.5}) {
-          const double measure = chain.facets[std::size_t(f)].measure;
+          const double measure = chain.patches[std::size_t(f)].measure;
           const auto one = fromShares(first, f, degree, measure, lambda),
                      other = fromShares(second, f, degree, measure, reversed ? 1.0 - lambda : lambda);
-          const double value = test::valueAt(chain.facets[std::size_t(f)], t, f, lambda);
+          const double value = test::valueAt(chain.patches[std::size_t(f)], t, f, lambda);
           EXPECT_NEAR(one[0], 0.6 * value, 1e-13);
           EXPECT_NEAR(one[1], 0.8 * value, 1e-13);
           EXPECT_NEAR(other[0], -0.6 * value, 1e-13);
@@ -134,9 +135,9 @@ TEST(ContactTraction, BothBodiesFeelTheSameTractionInOppositeDirections)
 TEST(ContactTraction, SharesBelongToTheSamePointOnBothBodies)
 {
   Chain chain = test::straightChain({1.0}, 2);
-  chain.facets[0].theirs = {1, 0, 2};
-  const ContactTraction t = tractionFromNodes(chain.facets, {-1.0, 0.0, 0.0}, 2, 2);
-  const Vector first = contactShares(chain.facets, t, t, 0), second = contactShares(chain.facets, t, t, 1);
+  chain.patches[0].sides[1].places = {1, 0, 2};
+  const ContactTraction t = tractionFromNodes(chain.patches, {-1.0, 0.0, 0.0}, 2, 2);
+  const Vector first = contactShares(chain.patches, {t, t}, 0), second = contactShares(chain.patches, {t, t}, 1);
   const auto resultant = [](const Vector& shares, std::size_t a) { return shares[a * 6 + 1]; };
   EXPECT_NEAR(resultant(first, 0), -resultant(second, 1), 1e-15);
   EXPECT_NEAR(resultant(first, 1), -resultant(second, 0), 1e-15);
@@ -145,12 +146,12 @@ TEST(ContactTraction, SharesBelongToTheSamePointOnBothBodies)
 TEST(ContactTraction, ABodyTakesTheFacetsItTouchesWithTheTractionOfItsRole)
 {
   Chain chain = test::straightChain({1.0, 1.0, 1.0}, 1);
-  chain.facets[1].neumannBody = 2;
-  chain.facets[2].dirichletBody = 1, chain.facets[2].neumannBody = 2;
-  const ContactTraction above = tractionFromNodes(chain.facets, Vector(4, -1.0), 1, 1),
-                        below = tractionFromNodes(chain.facets, Vector(4, -2.0), 1, 1);
+  chain.patches[1].sides[1].body = 2;
+  chain.patches[2].sides[0].body = 1, chain.patches[2].sides[1].body = 2;
+  const ContactTraction above = tractionFromNodes(chain.patches, Vector(4, -1.0), 1, 1),
+                        below = tractionFromNodes(chain.patches, Vector(4, -2.0), 1, 1);
   const auto forces = [&](int body) {
-    const Vector shares = contactShares(chain.facets, above, below, body);
+    const Vector shares = contactShares(chain.patches, {above, below}, body);
     Vector perFacet;
     for (std::size_t f = 0; f * 8 < shares.size(); ++f)
       perFacet.push_back(shares[f * 8 + 1] + shares[f * 8 + 5]);
@@ -169,7 +170,7 @@ TEST(ContactTraction, ABodyTakesTheFacetsItTouchesWithTheTractionOfItsRole)
 TEST(ContactTraction, RefusesADegreeBelowTheOrder)
 {
   const Chain chain = test::straightChain({1.0}, 2);
-  EXPECT_THROW(tractionFromNodes(chain.facets, Vector(3, -1.0), 2, 1), InternalError);
+  EXPECT_THROW(tractionFromNodes(chain.patches, Vector(3, -1.0), 2, 1), InternalError);
 }
 
 } // namespace ndframe

@@ -16,22 +16,22 @@ using test::Gap;
 
 GapBound bound(const test::ContactStrip& strip, const Gap& gap, int degree = 3)
 {
-  return boundGap(strip.bodyPointers(), strip.facets, degree, gap.on(strip));
+  return boundGap(strip.bodyPointers(), strip.patches, degree, gap.on(strip));
 }
 
 /// g_h at t on a facet.
-double lowered(const GapBound& gap, const test::ContactStrip& strip, std::size_t facet, double t)
+double lowered(const GapBound& gap, const test::ContactStrip& strip, std::size_t patch, double t)
 {
-  const std::size_t size = gap.bernstein.size() / strip.facets.size();
-  const double *b = gap.bernstein.data() + facet * size, s = 1.0 - t;
-  return size == 2 ? s * b[0] + t * b[1] : s * s * b[0] + 2.0 * s * t * b[1] + t * t * b[2];
+  const std::size_t size = gap.bernstein.size() / strip.patches.size();
+  const double *b = gap.bernstein.data() + patch * size, s = 1.0 - t;
+  return size == 2 ? s * b[0] + t * b[1] : s * s * b[0] + 2.0 * s * t * b[2] + t * t * b[1];
 }
 
 /// The largest and smallest g - g_h over many points of all facets.
 std::array<double, 2> clearances(const GapBound& gap, const test::ContactStrip& strip, const Gap& g)
 {
   double least = 1e300, most = -1e300;
-  for (std::size_t f = 0; f < strip.facets.size(); ++f)
+  for (std::size_t f = 0; f < strip.patches.size(); ++f)
     for (int i = 0; i <= 500; ++i) {
       const double t = i / 500.0, clearance = g(strip.point(f, t)[0]) - lowered(gap, strip, f, t);
       least = std::min(least, clearance);
@@ -76,10 +76,10 @@ TEST_P(GapBounds, StayCloseToSmoothGaps)
 {
   const Gap gap = "0.1*exp(x)";
   double previous = 1e300;
-  for (const int facets : {4, 8}) {
-    const auto finer = test::contactStrip(facets, order);
+  for (const int patches : {4, 8}) {
+    const auto finer = test::contactStrip(patches, order);
     const double farthest = clearances(bound(finer, gap), finer, gap)[1];
-    EXPECT_LT(farthest, order == 1 ? 0.3 / (facets * facets) : 0.06 / (facets * facets * facets));
+    EXPECT_LT(farthest, order == 1 ? 0.3 / (patches * patches) : 0.06 / (patches * patches * patches));
     EXPECT_LT(farthest, previous / (order == 1 ? 3.5 : 7.0));
     previous = farthest;
   }
@@ -104,7 +104,7 @@ TEST_P(GapBounds, KeepTheValuesAtTheVerticesOfQuadraticBodies)
                          Gap("0.5 - sqrt(0.25 - 0.2*x^2)"), Gap("x > 0.57 ? 0.1*x^2 : 0.05")})
   {
     const GapBound result = bound(strip, gap);
-    for (std::size_t f = 0; f < strip.facets.size(); ++f)
+    for (std::size_t f = 0; f < strip.patches.size(); ++f)
       for (const double t : {0.0, 1.0})
         EXPECT_EQ(lowered(result, strip, f, t), gap(strip.point(f, t)[0]));
   }
@@ -116,13 +116,13 @@ TEST_P(GapBounds, KnowTheMomentsOfTheGapItself)
   const GapBound result = bound(strip, gap, 2);
   const MomentBasis basis = facetBasis(2, 2);
   const QuadratureRule rule = simplexRule(1, 24);
-  for (std::size_t f = 0; f < strip.facets.size(); ++f)
+  for (std::size_t f = 0; f < strip.patches.size(); ++f)
     for (int k = 0; k < 3; ++k) {
       double exact = 0.0, L[3];
       for (int q = 0; q < rule.size(); ++q) {
         basis.values(rule.point(q), L);
         exact +=
-            strip.facets[f].measure * rule.weights[std::size_t(q)] * L[k] * gap(strip.point(f, rule.point(q)[1])[0]);
+            strip.patches[f].measure * rule.weights[std::size_t(q)] * L[k] * gap(strip.point(f, rule.point(q)[1])[0]);
       }
       EXPECT_NEAR(result.moments[f * 3 + std::size_t(k)], exact, 1e-14);
     }

@@ -17,7 +17,7 @@ using test::Chain;
 
 Vector project(const Chain& chain, const Vector& mean, const BalanceConditions& balance, TractionSign sign)
 {
-  return projectTraction(chain.facets, chain.numNodes(), chain.order, mean, balance, sign);
+  return projectTraction(chain.patches, chain.numNodes(), chain.order, mean, balance, sign);
 }
 
 Vector difference(Vector a, const Vector& b)
@@ -34,7 +34,7 @@ double largestValue(const Vector& t)
 
 double largestCoefficient(const Chain& chain, const Vector& t)
 {
-  return largestBernstein(tractionFromNodes(chain.facets, t, chain.order, 2), chain.facets);
+  return largestBernstein(tractionFromNodes(chain.patches, t, chain.order, 2), chain.patches);
 }
 
 /// -(a + b s)^2 on every facet, continuous along the chain: touches zero inside some of them.
@@ -46,10 +46,10 @@ Vector touchingNodes(const Chain& chain, std::mt19937& random)
     value = any(random);
   for (std::size_t i = 0; i < t.size(); ++i)
     t[i] = -root[i] * root[i];
-  for (const ContactFacet& facet : chain.facets)
+  for (const ContactPatch& patch : chain.patches)
     if (chain.order == 2) {
-      const double middle = 0.5 * (root[std::size_t(facet.nodes[0])] + root[std::size_t(facet.nodes[1])]);
-      t[std::size_t(facet.nodes[2])] = -middle * middle;
+      const double middle = 0.5 * (root[std::size_t(patch.nodes[0])] + root[std::size_t(patch.nodes[1])]);
+      t[std::size_t(patch.nodes[2])] = -middle * middle;
     }
   return t;
 }

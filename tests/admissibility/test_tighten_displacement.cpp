@@ -19,8 +19,8 @@ struct Scene
       : strip(turns ? test::turningStrip(4, order, bend) : test::contactStrip(4, order, bend))
   {
     const Vector pressure(std::size_t(4 * order + 1), -1.0);
-    traction = tractionFromNodes(strip.facets, pressure, order, 2);
-    gap = boundGap(strip.bodyPointers(), strip.facets, 2, test::Gap("0.02*x").on(strip));
+    traction = tractionFromNodes(strip.patches, pressure, order, 2);
+    gap = boundGap(strip.bodyPointers(), strip.patches, 2, test::Gap("0.02*x").on(strip));
     test::Random random(3);
     for (std::size_t b = 0; b < 2; ++b) {
       const BodyModel& body = strip.bodies[b];
@@ -32,7 +32,7 @@ struct Scene
         w[i] *= 0.01;
       }
       bound.residual.push_back(stiff(b, w));
-      bound.traction.push_back(contactForces(body, int(b), strip.facets, traction, traction));
+      bound.traction.push_back(contactForces(body, int(b), strip.patches, {traction, traction}));
       bound.distance += dot(w, bound.residual[b]);
     }
     bound.distance = std::sqrt(bound.distance);
@@ -48,11 +48,11 @@ struct Scene
   /// int t^ (w - g).
   double contactWork(const std::vector<Vector>& field) const
   {
-    Vector opening = jumpMoments(strip.bodyPointers(), strip.facets, field, 2);
+    Vector opening = jumpMoments(strip.bodyPointers(), strip.patches, field, 2);
     for (std::size_t i = 0; i < opening.size(); ++i)
       opening[i] -= gap.moments[i];
     double twice = 0.0;
-    for (const double work : contactContributions(strip.facets, traction, opening))
+    for (const double work : contactContributions(strip.patches, traction, opening))
       twice += work;
     return 0.5 * twice;
   }
@@ -75,12 +75,12 @@ struct Scene
 
   AdmissibleDisplacement admit() const
   {
-    return admitDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.facets, gap, displacement);
+    return admitDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.patches, gap, displacement);
   }
 
   void tighten(AdmissibleDisplacement& admissible) const
   {
-    tightenDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.facets, gap, displacement, bound,
+    tightenDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.patches, gap, displacement, bound,
                         admissible);
   }
 
@@ -95,7 +95,7 @@ struct Scene
 double deepest(const Scene& scene, const std::vector<Vector>& displacement)
 {
   double depth = -HUGE_VAL;
-  for (std::size_t f = 0; f < scene.strip.facets.size(); ++f)
+  for (std::size_t f = 0; f < scene.strip.patches.size(); ++f)
     for (int i = 0; i <= 100; ++i)
       depth = std::max(depth, scene.strip.jump(displacement, f, i / 100.0) - 0.02 * scene.strip.point(f, i / 100.0)[0]);
   return depth;

@@ -23,41 +23,41 @@ namespace ndframe
 namespace
 {
 
-/// The bottom of a box as contact facets of one body; the other body is not needed.
+/// The bottom of a box as patches of one body; the other body is not needed.
 struct Floor
 {
   BodyModel body;
-  std::vector<ContactFacet> facets;
+  std::vector<ContactPatch> patches;
   int numNodes = 0;
 
   Floor(int order, unsigned seed) : body(test::makeBody(test::renumbered(test::box({3, 2, 1}), seed), order))
   {
     std::map<int, int> number; // of interface nodes
     for (const Facet mine : body.side("bottom")->facets) {
-      ContactFacet facet;
-      facet.dim = 3;
-      facet.neumannBody = 1;
-      facet.dirichlet = mine;
-      facet.measure = facetNormal(body.mesh, mine, facet.normal.data());
-      const FacetNodes ours = contactNodes(body, facet, true);
+      ContactPatch patch;
+      patch.dim = 3;
+      patch.sides[1].body = 1;
+      patch.sides[0].facet = mine;
+      patch.measure = facetNormal(body.mesh, mine, patch.normal.data());
+      const FacetNodes ours = contactNodes(body, patch.sides[0]);
       for (std::size_t i = 0; i < std::size_t(body.nodes.nodesPerFacet); ++i)
-        facet.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
-      facet.pairs = facet.nodes;
+        patch.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
+      patch.pairs = patch.nodes;
       for (std::size_t a = 0; a < 3; ++a)
-        std::copy_n(body.nodes.point(ours[a]), 3, facet.points[a].begin());
-      facets.push_back(facet);
+        std::copy_n(body.nodes.point(ours[a]), 3, patch.points[a].begin());
+      patches.push_back(patch);
     }
     numNodes = int(number.size());
   }
 
   int order() const { return body.nodes.order; }
 
-  double value(const ContactFacet& facet, const Vector& nodal, const double* lambda) const
+  double value(const ContactPatch& patch, const Vector& nodal, const double* lambda) const
   {
     double N[mostFacetNodes], sum = 0.0;
     facetFunctions(3, order(), lambda, N);
     for (int i = 0; i < numFacetNodes(3, order()); ++i)
-      sum += N[i] * nodal[std::size_t(facet.nodes[std::size_t(i)])];
+      sum += N[i] * nodal[std::size_t(patch.nodes[std::size_t(i)])];
     return sum;
   }
 
@@ -65,10 +65,10 @@ struct Floor
   {
     const QuadratureRule rule = simplexRule(2, 4);
     double sum = 0.0;
-    for (const ContactFacet& facet : facets)
+    for (const ContactPatch& patch : patches)
       for (int q = 0; q < rule.size(); ++q)
-        sum += facet.measure * rule.weights[std::size_t(q)] * value(facet, s, rule.point(q)) *
-               value(facet, t, rule.point(q));
+        sum += patch.measure * rule.weights[std::size_t(q)] * value(patch, s, rule.point(q)) *
+               value(patch, t, rule.point(q));
     return sum;
   }
 
@@ -81,10 +81,10 @@ struct Floor
       b.push_back(std::min(value(random), 0.0));
     Vector nodal = b;
     const FacetEdges edges = facetEdges(3);
-    for (const ContactFacet& facet : facets)
+    for (const ContactPatch& patch : patches)
       for (int e = 0; order() == 2 && e < edges.size; ++e) {
-        const auto end = [&](std::size_t k) { return b[std::size_t(facet.nodes[std::size_t(edges.ends[e][k])])]; };
-        const auto middle = std::size_t(facet.nodes[std::size_t(3 + e)]);
+        const auto end = [&](std::size_t k) { return b[std::size_t(patch.nodes[std::size_t(edges.ends[e][k])])]; };
+        const auto middle = std::size_t(patch.nodes[std::size_t(3 + e)]);
         nodal[middle] = 0.5 * b[middle] + 0.25 * (end(0) + end(1));
       }
     return nodal;
@@ -94,10 +94,10 @@ struct Floor
   BalanceConditions balance(const Vector& of) const
   {
     Vector x(std::size_t(numNodes), 0.0);
-    for (const ContactFacet& facet : facets) {
-      const FacetNodes ours = contactNodes(body, facet, true);
+    for (const ContactPatch& patch : patches) {
+      const FacetNodes ours = contactNodes(body, patch.sides[0]);
       for (std::size_t i = 0; i < std::size_t(body.nodes.nodesPerFacet); ++i)
-        x[std::size_t(facet.nodes[i])] = body.nodes.point(ours[i])[0];
+        x[std::size_t(patch.nodes[i])] = body.nodes.point(ours[i])[0];
     }
     const Vector one(x.size(), 1.0);
     BalanceConditions conditions{SparseColumns(numNodes, 2), {product(of, one), product(of, x)}, {}, {"z", "about y"}};
@@ -149,7 +149,7 @@ TEST_P(TriangleFacets, TheProjectionKeepsWhatIsAdmissible)
   for (int trial = 0; trial < 3; ++trial) {
     const Vector t = floor.admissible(random);
     for (const BalanceConditions& balance : {BalanceConditions{}, floor.balance(t)}) {
-      const Vector found = projectTraction(floor.facets, floor.numNodes, floor.order(), t, balance);
+      const Vector found = projectTraction(floor.patches, floor.numNodes, floor.order(), t, balance);
       for (std::size_t i = 0; i < t.size(); ++i)
         EXPECT_NEAR(found[i], t[i], 1e-12);
     }
@@ -161,8 +161,8 @@ TEST_P(TriangleFacets, NothingAdmissibleIsNearer)
   for (const bool floating : {false, true}) {
     const Vector load = floor.admissible(random), mean = randomNodes();
     const BalanceConditions balance = floating ? floor.balance(load) : BalanceConditions{};
-    const Vector t = projectTraction(floor.facets, floor.numNodes, floor.order(), mean, balance);
-    EXPECT_LE(largestBernstein(tractionFromNodes(floor.facets, t, floor.order(), 2), floor.facets), 1e-13);
+    const Vector t = projectTraction(floor.patches, floor.numNodes, floor.order(), mean, balance);
+    EXPECT_LE(largestBernstein(tractionFromNodes(floor.patches, t, floor.order(), 2), floor.patches), 1e-13);
     if (floating) {
       const Vector work = balance.work.transposedTimes(t);
       EXPECT_NEAR(work[0], balance.value[0], 1e-11);
@@ -181,21 +181,21 @@ TEST_P(TriangleFacets, BothBodiesFeelTheSameTractionWhateverTheirNumbers)
   const Vector nodal = randomNodes();
   std::array<int, 3> theirs{0, 1, 2};
   do {
-    for (ContactFacet& facet : floor.facets)
-      facet.theirs = theirs;
-    const ContactTraction t = tractionFromNodes(floor.facets, nodal, floor.order(), degree);
-    const Vector first = contactShares(floor.facets, t, t, 0), second = contactShares(floor.facets, t, t, 1);
+    for (ContactPatch& patch : floor.patches)
+      patch.sides[1].places = theirs;
+    const ContactTraction t = tractionFromNodes(floor.patches, nodal, floor.order(), degree);
+    const Vector first = contactShares(floor.patches, {t, t}, 0), second = contactShares(floor.patches, {t, t}, 1);
     const double lambda[3] = {0.2, 0.5, 0.3}; // our vertices
     double other[3];
     for (std::size_t a = 0; a < 3; ++a)
       other[a] = lambda[theirs[a]];
-    for (std::size_t f = 0; f < floor.facets.size(); ++f) {
-      const ContactFacet& facet = floor.facets[f];
-      const Direction on = fromShares(first, f, degree, facet.measure, lambda),
-                      under = fromShares(second, f, degree, facet.measure, other);
-      const double value = floor.order() == 2 ? floor.value(facet, nodal, lambda) : -on[2];
+    for (std::size_t f = 0; f < floor.patches.size(); ++f) {
+      const ContactPatch& patch = floor.patches[f];
+      const Direction on = fromShares(first, f, degree, patch.measure, lambda),
+                      under = fromShares(second, f, degree, patch.measure, other);
+      const double value = floor.order() == 2 ? floor.value(patch, nodal, lambda) : -on[2];
       for (std::size_t i = 0; i < 3; ++i) {
-        EXPECT_NEAR(on[i], value * facet.normal[i], 1e-12);
+        EXPECT_NEAR(on[i], value * patch.normal[i], 1e-12);
         EXPECT_NEAR(under[i], -on[i], 1e-12);
       }
     }
@@ -204,10 +204,10 @@ TEST_P(TriangleFacets, BothBodiesFeelTheSameTractionWhateverTheirNumbers)
 
 TEST_P(TriangleFacets, TheJumpLiesInTheHullOfItsCoefficients)
 {
-  ContactFacet facet = floor.facets.front();
-  facet.normal = {0.6, 0.0, 0.8};
-  const JumpCoefficients jump{facet, floor.order()};
-  FacetVectors opening{};
+  ContactPatch patch = floor.patches.front();
+  patch.normal = {0.6, 0.0, 0.8};
+  const JumpCoefficients jump{patch, floor.order()};
+  PatchVectors opening{};
   for (Direction& vector : opening)
     for (double& component : vector)
       component = std::uniform_real_distribution<double>(-1.0, 1.0)(random);
@@ -223,7 +223,7 @@ TEST_P(TriangleFacets, TheJumpLiesInTheHullOfItsCoefficients)
     double N[mostFacetNodes], exact = 0.0, byCoefficients = 0.0;
     facetFunctions(3, floor.order(), lambda.data(), N);
     for (std::size_t i = 0; i < jump.size(); ++i)
-      exact += N[i] * dotProduct(facet.normal, opening[i]);
+      exact += N[i] * dotProduct(patch.normal, opening[i]);
     for (std::size_t k = 0; k < jump.size(); ++k) {
       double B = floor.order() == 1 || k > 2 ? 2.0 : lambda[k];
       if (k < 3)
@@ -242,17 +242,17 @@ TEST_P(TriangleFacets, TheGapIsBoundedFromBelow)
                            "abs(x - 0.43*y)", "x > 0.57 ? 0.2 : 0.1", "0.1 - 0.09*exp(-((x - 0.3)/0.01)^2)"})
   {
     const auto tree = std::make_shared<const ExpressionTree>(text);
-    const GapBound bound = boundGap({&floor.body}, floor.facets, 2, {{int(floor.facets.size()), {tree, {}}}});
+    const GapBound bound = boundGap({&floor.body}, floor.patches, 2, {{int(floor.patches.size()), {tree, {}}}});
     const auto size = std::size_t(numFacetNodes(3, floor.order()));
     double least = 1e300, most = -1e300;
-    for (std::size_t f = 0; f < floor.facets.size(); ++f)
+    for (std::size_t f = 0; f < floor.patches.size(); ++f)
       for (int i = 0; i <= 40; ++i)
         for (int j = 0; i + j <= 40; ++j) {
           const double lambda[3] = {i / 40.0, j / 40.0, (40 - i - j) / 40.0};
           double point[3] = {}, gap = 0.0, below = 0.0;
           for (std::size_t a = 0; a < 3; ++a)
             for (std::size_t k = 0; k < 3; ++k)
-              point[k] += lambda[a] * floor.facets[f].points[a][k];
+              point[k] += lambda[a] * floor.patches[f].points[a][k];
           tree->values(point, 1, &gap);
           for (std::size_t k = 0; k < size; ++k) {
             const double* b = bound.bernstein.data() + f * size;
@@ -281,7 +281,7 @@ ContactTraction tractionOn(const Floor& floor, std::size_t facet, std::size_t mo
   traction.degree = 2;
   traction.dim = 3;
   const std::size_t modes = traction.numModes();
-  traction.shares.assign(floor.facets.size() * 3 * modes, 0.0);
+  traction.shares.assign(floor.patches.size() * 3 * modes, 0.0);
   for (std::size_t vertex = 0; vertex < 3; ++vertex)
     traction.shares[(facet * 3 + vertex) * modes + mode] = 1.0 / 3.0;
   return traction;
@@ -303,7 +303,7 @@ std::array<double, 6> fineMoments(const Floor& floor, const ExpressionTree& gap,
         double point[3] = {}, value = 0.0;
         for (std::size_t a = 0; a < 3; ++a)
           for (std::size_t k = 0; k < 3; ++k)
-            point[k] += lambda[a] * floor.facets[facet].points[a][k];
+            point[k] += lambda[a] * floor.patches[facet].points[a][k];
         gap.values(point, 1, &value);
         basis.values(lambda, L);
         for (std::size_t k = 0; k < 6; ++k)
@@ -315,18 +315,18 @@ std::array<double, 6> fineMoments(const Floor& floor, const ExpressionTree& gap,
 TEST_P(TriangleFacets, AKinkAlongACurveIsChargedWhereTheTractionPresses)
 {
   const auto kink = std::make_shared<const ExpressionTree>("max(0.1, sqrt(max(0.01, 0.3 - x^2 - y^2)))");
-  const GapBound bound = boundGap({&floor.body}, floor.facets, 2, {{int(floor.facets.size()), {kink, {}}}});
+  const GapBound bound = boundGap({&floor.body}, floor.patches, 2, {{int(floor.patches.size()), {kink, {}}}});
   EXPECT_EQ(bound.caveat, "");
-  ASSERT_EQ(bound.unsure.size(), floor.facets.size());
+  ASSERT_EQ(bound.unsure.size(), floor.patches.size());
   int unsure = 0, certain = 0;
-  for (std::size_t f = 0; f < floor.facets.size(); ++f) {
+  for (std::size_t f = 0; f < floor.patches.size(); ++f) {
     (bound.unsure[f] > 0.0 ? unsure : certain) += 1;
     const auto moments = fineMoments(floor, *kink, f);
     for (std::size_t mode = 0; mode < 6; ++mode) {
       const ContactTraction traction = tractionOn(floor, f, mode);
-      Vector charge(floor.facets.size(), 0.0);
-      addUnsureGap(floor.facets, traction, bound.unsure, charge);
-      const double work = std::abs(moments[mode] - bound.moments[f * 6 + mode] / floor.facets[f].measure);
+      Vector charge(floor.patches.size(), 0.0);
+      addUnsureGap(floor.patches, traction, bound.unsure, charge);
+      const double work = std::abs(moments[mode] - bound.moments[f * 6 + mode] / floor.patches[f].measure);
       EXPECT_LE(2.0 * work, charge[f] + 6e-5) << f << " " << mode; // what the many points are wrong by
       for (std::size_t other = 0; other < charge.size(); ++other)
         EXPECT_TRUE(other == f || charge[other] == 0.0);
@@ -336,7 +336,7 @@ TEST_P(TriangleFacets, AKinkAlongACurveIsChargedWhereTheTractionPresses)
   EXPECT_GT(unsure, 0);
   EXPECT_GT(certain, 0);
   const auto smooth = std::make_shared<const ExpressionTree>("1 - cos(2*x + y)");
-  EXPECT_TRUE(boundGap({&floor.body}, floor.facets, 2, {{int(floor.facets.size()), {smooth, {}}}}).unsure.empty());
+  EXPECT_TRUE(boundGap({&floor.body}, floor.patches, 2, {{int(floor.patches.size()), {smooth, {}}}}).unsure.empty());
 }
 
 } // namespace ndframe

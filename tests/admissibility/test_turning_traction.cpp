@@ -65,21 +65,21 @@ struct TurningTraction : testing::TestWithParam<Kind>
   test::ContactStrip strip = test::turningStrip(4, GetParam().order, 0.6);
   ContactTraction traction = [&] {
     test::Random random(1);
-    return tractionFromNodes(strip.facets, random.vector(std::size_t(4 * GetParam().order + 1)), GetParam().order,
+    return tractionFromNodes(strip.patches, random.vector(std::size_t(4 * GetParam().order + 1)), GetParam().order,
                              GetParam().degree);
   }();
 
-  Direction normal(std::size_t facet, const double* lambda) const
+  Direction normal(std::size_t patch, const double* lambda) const
   {
-    const auto& ends = strip.facets[facet].ends;
+    const auto& ends = strip.patches[patch].ends;
     return {lambda[0] * ends[0][0] + lambda[1] * ends[1][0], lambda[0] * ends[0][1] + lambda[1] * ends[1][1], 0.0};
   }
 
-  double value(std::size_t facet, const double* lambda) const
+  double value(std::size_t patch, const double* lambda) const
   {
     Vector L(std::size_t(traction.degree + 1));
     facetBasis(2, traction.degree).values(lambda, L.data());
-    return dot(L, traction.moments(int(facet))) / strip.facets[facet].measure;
+    return dot(L, traction.moments(int(patch))) / strip.patches[patch].measure;
   }
 
   /// int t n . v over all facets, v by its values.
@@ -88,30 +88,30 @@ struct TurningTraction : testing::TestWithParam<Kind>
   {
     const QuadratureRule rule = simplexRule(1, 12);
     double sum = 0.0;
-    for (std::size_t f = 0; f < strip.facets.size(); ++f)
+    for (std::size_t f = 0; f < strip.patches.size(); ++f)
       for (int q = 0; q < rule.size(); ++q)
-        sum += strip.facets[f].measure * rule.weights[std::size_t(q)] * value(f, rule.point(q)) *
+        sum += strip.patches[f].measure * rule.weights[std::size_t(q)] * value(f, rule.point(q)) *
                dotProduct(normal(f, rule.point(q)), v(f, rule.point(q)));
     return sum;
   }
 
   /// int (t n - what the upper body carries) . v over a facet.
-  double uncarriedWork(std::size_t facet, const CubicField& v) const
+  double uncarriedWork(std::size_t patch, const CubicField& v) const
   {
-    const Vector shares = contactShares(strip.facets, traction, traction, 0);
+    const Vector shares = contactShares(strip.patches, {traction, traction}, 0);
     const QuadratureRule rule = simplexRule(1, 12);
     const std::size_t modes = std::size_t(traction.degree + 1);
     Vector L(modes);
     double sum = 0.0;
     for (int q = 0; q < rule.size(); ++q) {
       facetBasis(2, traction.degree).values(rule.point(q), L.data());
-      const auto x = strip.point(facet, rule.point(q)[1]);
+      const auto x = strip.point(patch, rule.point(q)[1]);
       const auto moved = v.at(x[0], x[1]);
-      const Direction n = normal(facet, rule.point(q));
+      const Direction n = normal(patch, rule.point(q));
       for (std::size_t k = 0; k < 2; ++k) {
-        double rest = strip.facets[facet].measure * value(facet, rule.point(q)) * n[k];
+        double rest = strip.patches[patch].measure * value(patch, rule.point(q)) * n[k];
         for (std::size_t i = 0; i < 2 * modes; ++i)
-          rest -= shares[(facet * 2 * modes + i) * 2 + k] * L[i % modes];
+          rest -= shares[(patch * 2 * modes + i) * 2 + k] * L[i % modes];
         sum += rule.weights[std::size_t(q)] * rest * moved[k];
       }
     }
@@ -135,10 +135,10 @@ TEST_P(TurningTraction, ItsForcesDoTheWorkOfTN)
     std::vector<Vector> fields{Vector(std::size_t(strip.bodies[0].numDofs()), 0.0),
                                Vector(std::size_t(strip.bodies[1].numDofs()), 0.0)};
     fields[b] = v;
-    const Vector force = contactForces(body, int(b), strip.facets, traction, traction);
-    const Vector jump = jumpMoments(strip.bodyPointers(), strip.facets, fields, traction.degree);
+    const Vector force = contactForces(body, int(b), strip.patches, {traction, traction});
+    const Vector jump = jumpMoments(strip.bodyPointers(), strip.patches, fields, traction.degree);
     double twice = 0.0;
-    for (const double part : contactContributions(strip.facets, traction, jump))
+    for (const double part : contactContributions(strip.patches, traction, jump))
       twice += part;
     EXPECT_NEAR(dot(force, v), 0.5 * twice, 1e-13 * norm(force) * norm(v));
     const double pointwise = work([&](std::size_t f, const double* lambda) {
@@ -158,15 +158,15 @@ TEST_P(TurningTraction, ItsSharesBalanceTheForcesOfTheHatFunctions)
 {
   // the resultant of a vertex's share is int lambda_a t n: what the star of that vertex has to balance
   for (const std::size_t b : {0u, 1u}) {
-    const Vector shares = contactShares(strip.facets, traction, traction, int(b));
+    const Vector shares = contactShares(strip.patches, {traction, traction}, int(b));
     const std::size_t modes = std::size_t(traction.degree + 1);
-    for (std::size_t f = 0; f < strip.facets.size(); ++f)
+    for (std::size_t f = 0; f < strip.patches.size(); ++f)
       for (std::size_t a = 0; a < 2; ++a)
         for (std::size_t k = 0; k < 2; ++k) {
-          const std::size_t mine = b == 1 && strip.facets[f].isReversed() ? 1 - a : a;
-          const double sum = work([&](std::size_t facet, const double* lambda) {
+          const auto mine = std::size_t(strip.patches[f].sides[b].places[a]); // of two vertices: its own inverse
+          const double sum = work([&](std::size_t patch, const double* lambda) {
             Direction v{};
-            v[k] = facet == f ? (b == 0 ? 1.0 : -1.0) * lambda[a] : 0.0;
+            v[k] = patch == f ? (b == 0 ? 1.0 : -1.0) * lambda[a] : 0.0;
             return v;
           });
           EXPECT_NEAR(shares[((f * 2 + mine) * modes) * 2 + k], sum, 1e-14);
@@ -176,17 +176,18 @@ TEST_P(TurningTraction, ItsSharesBalanceTheForcesOfTheHatFunctions)
 
 TEST_P(TurningTraction, WhatIsNotCarriedIsBelowItsOscillation)
 {
-  const auto oscillation = contactOscillation(strip.bodyPointers(), strip.facets, traction);
+  const auto oscillation = contactOscillation(strip.bodyPointers(), strip.patches, traction);
   ASSERT_EQ(oscillation.size(), 2u);
   const bool allIsCarried = GetParam().order == 2 && GetParam().degree == 3;
   double largest = 0.0;
-  for (std::size_t f = 0; f < strip.facets.size(); ++f) {
-    const double osc = std::sqrt(oscillation[0][std::size_t(strip.facets[f].dirichlet.cell)]);
+  for (std::size_t f = 0; f < strip.patches.size(); ++f) {
+    const double osc = std::sqrt(oscillation[0][std::size_t(strip.patches[f].sides[0].facet.cell)]);
     EXPECT_EQ(osc == 0.0, allIsCarried);
     test::Random random(7);
     for (int trial = 0; trial < 20 && !allIsCarried; ++trial) {
       const CubicField v{random.vector(20), strip.point(f, 0.5)};
-      const double rest = std::abs(uncarriedWork(f, v)), size = v.norm(strip.bodies[0], strip.facets[f].dirichlet.cell);
+      const double rest = std::abs(uncarriedWork(f, v)),
+                   size = v.norm(strip.bodies[0], strip.patches[f].sides[0].facet.cell);
       EXPECT_LE(rest, osc * size * (1.0 + 1e-6));
       largest = std::max(largest, rest / (osc * size));
     }
@@ -198,10 +199,10 @@ TEST_P(TurningTraction, JumpCoefficientsAreThoseOfTheJump)
 {
   const int order = GetParam().order;
   test::Random random(3);
-  for (const ContactFacet& facet : strip.facets) {
-    const JumpCoefficients jump{facet, order};
+  for (const ContactPatch& patch : strip.patches) {
+    const JumpCoefficients jump{patch, order};
     ASSERT_EQ(jump.size(), std::size_t(order + 2));
-    FacetVectors opening{};
+    PatchVectors opening{};
     for (int i = 0; i <= order; ++i)
       opening[std::size_t(i)] = {random.vector(1)[0], random.vector(1)[0], 0.0};
     const Vector gap = random.vector(std::size_t(order + 1));
@@ -209,14 +210,15 @@ TEST_P(TurningTraction, JumpCoefficientsAreThoseOfTheJump)
       const double s = 1.0 - t;
       const Vector cubic{s * s * s, 3 * s * s * t, 3 * s * t * t, t * t * t}, square{s * s, 2 * s * t, t * t},
           line{s, t};
-      const Vector &B = order == 2 ? cubic : square, &lower = order == 2 ? square : line;
+      const Vector nodal{s * s, t * t, 2 * s * t}; // in the order of the nodes
+      const Vector &B = order == 2 ? cubic : square, &lower = order == 2 ? nodal : line;
       const double N[3] = {order == 1 ? s : s * (1 - 2 * t), order == 1 ? t : t * (2 * t - 1), 4 * s * t};
       double value = 0.0, exact = 0.0, opened = 0.0;
       for (std::size_t k = 0; k < B.size(); ++k) {
         value += B[k] * jump.of(k, opening);
         opened += B[k] * jump.gap(k, gap.data());
       }
-      const Direction n{s * facet.ends[0][0] + t * facet.ends[1][0], s * facet.ends[0][1] + t * facet.ends[1][1], 0.0};
+      const Direction n{s * patch.ends[0][0] + t * patch.ends[1][0], s * patch.ends[0][1] + t * patch.ends[1][1], 0.0};
       for (std::size_t i = 0; i <= std::size_t(order); ++i)
         exact += N[i] * dotProduct(n, opening[i]);
       EXPECT_NEAR(value, exact, 1e-15);

@@ -111,10 +111,10 @@ TEST(Reference, StressDistanceIsThatOfTheExactStress)
                             .set("Bodies/upper/Mesh/Cells={2, 2}")
                             .set("Bodies/lower/Mesh/Cells={2, 3}"));
   const ReferenceSolution exact = scenery.solve(0), reference = scenery.solve(2);
-  const auto facets = contactFacets(scenery.model);
-  ContactTraction pressure{2, Vector(facets.size() * 6, 0.0)};
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    pressure.shares[f * 6] = -facets[f].measure; // t_N = -1
+  const auto patches = contactPatches(scenery.model);
+  ContactTraction pressure{2, Vector(patches.size() * 6, 0.0)};
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    pressure.shares[f * 6] = -patches[f].measure; // t_N = -1
   // Any u^ will do that keeps the supports: their dofs, x = 0 and y = -1, are left alone.
   Random random(7);
   auto admissible = exact.displacement();
@@ -125,17 +125,17 @@ TEST(Reference, StressDistanceIsThatOfTheExactStress)
           admissible[b][std::size_t(i) * 2 + k] += 0.1 * random();
   const double D = exact.distance(admissible);
   EXPECT_GT(D, 0.5);
-  EXPECT_LT(reference.stressDistance(scenery.model, admissible, facets, pressure, D), 1e-6 * D);
+  EXPECT_LT(reference.stressDistance(scenery.model, admissible, patches, pressure, D), 1e-6 * D);
 }
 
 /// The work of a traction is the same on the facets of the mesh and on those of the refined mesh.
-TEST(Reference, TractionsOnFineFacetsAreTheSamePolynomials)
+TEST(Reference, TractionsOnFinePatchesAreTheSamePolynomials)
 {
   const Scenery scenery(punch(3));
   const Model fine = buildModel(scenery.deck, components(), [&](const Params& body) {
     return refineUniformly(refineUniformly(meshesOf(scenery.model)[std::size_t(scenery.model.bodyIndex(body.name()))]));
   });
-  const auto facets = contactFacets(scenery.model), fineFacets = contactFacets(fine);
+  const auto patches = contactPatches(scenery.model), finePatches = contactPatches(fine);
   Random random(5);
   std::vector<Vector> u, fineU;
   std::vector<const BodyModel*> bodies, fineBodies;
@@ -148,11 +148,11 @@ TEST(Reference, TractionsOnFineFacetsAreTheSamePolynomials)
     fineBodies.push_back(&fine.bodies[b]);
   }
   for (const int degree : {2, 3}) {
-    const ContactTraction t{degree, random.vector(facets.size() * 2 * std::size_t(degree + 1))};
-    const ContactTraction fineT = onFineFacets(scenery.model, facets, t, fine, fineFacets);
-    const auto work = contactContributions(facets, t, jumpMoments(bodies, facets, u, degree));
-    const auto fineWork = contactContributions(fineFacets, fineT, jumpMoments(fineBodies, fineFacets, fineU, degree));
-    for (std::size_t f = 0; f < facets.size(); ++f) {
+    const ContactTraction t{degree, random.vector(patches.size() * 2 * std::size_t(degree + 1))};
+    const ContactTraction fineT = onFinePatches(scenery.model, patches, t, fine, finePatches);
+    const auto work = contactContributions(patches, t, jumpMoments(bodies, patches, u, degree));
+    const auto fineWork = contactContributions(finePatches, fineT, jumpMoments(fineBodies, finePatches, fineU, degree));
+    for (std::size_t f = 0; f < patches.size(); ++f) {
       double sum = 0.0;
       for (std::size_t k = 0; k < 4; ++k)
         sum += fineWork[4 * f + k];

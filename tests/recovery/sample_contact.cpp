@@ -68,14 +68,12 @@ void addFacets(ContactScene& scene)
     const auto other = *std::min_element(tops.begin(), tops.end(), [&](Facet a, Facet b) {
       return std::abs(middle(foundation.mesh, a)[0] - at[0]) < std::abs(middle(foundation.mesh, b)[0] - at[0]);
     });
-    ContactFacet contact;
-    contact.neumannBody = 1;
-    contact.dirichlet = facet;
-    contact.neumann = other;
+    ContactPatch contact;
+    contact.sides = {{{0, facet}, {1, other}}};
     contact.measure = facetNormal(punch.mesh, facet, contact.normal.data());
     const auto ours = ascendingNodes(punch, facet), theirs = ascendingNodes(foundation, other);
     if ((punch.nodes.point(ours[0])[0] < at[0]) != (foundation.nodes.point(theirs[0])[0] < at[0]))
-      contact.theirs = {1, 0, 2};
+      contact.sides[1].places = {1, 0, 2};
     for (std::size_t i = 0; i < std::size_t(punch.nodes.nodesPerFacet); ++i) {
       const auto [found, isNew] = number.emplace(ours[i], int(scene.x.size()));
       if (isNew)
@@ -83,7 +81,7 @@ void addFacets(ContactScene& scene)
       contact.nodes[i] = found->second;
     }
     contact.pairs = contact.nodes;
-    scene.recovery.facets.push_back(contact);
+    scene.recovery.patches.push_back(contact);
   }
 }
 
@@ -104,8 +102,8 @@ BalanceConditions balanceOf(const ContactScene& scene, const BodySystem& system)
   for (std::size_t node = 0; node < numNodes; ++node) {
     Vector unit(numNodes, 0.0);
     unit[node] = 1.0;
-    const auto traction = tractionFromNodes(scene.recovery.facets, unit, punch.nodes.order, punch.nodes.order);
-    const Vector force = contactForces(punch, 0, scene.recovery.facets, traction, traction);
+    const auto traction = tractionFromNodes(scene.recovery.patches, unit, punch.nodes.order, punch.nodes.order);
+    const Vector force = contactForces(punch, 0, scene.recovery.patches, {traction, traction});
     for (int m = 0; m < motions.cols(); ++m)
       balance.work(int(node), m) = dot(system.dofs.frames.toLocal(force), modes.column(m));
   }
@@ -137,8 +135,8 @@ ContactScene contactScene(const ContactKind& kind)
   scene.bodies.push_back(contactBody(kind, false));
   addFacets(scene);
   if (kind.turns)
-    turnFacets(scene.recovery.facets);
-  const auto& facets = scene.recovery.facets;
+    turnFacets(scene.recovery.patches);
+  const auto& patches = scene.recovery.patches;
   std::vector<BodySystem> systems;
   for (const BodyModel& body : scene.bodies)
     systems.push_back(assemble(body, comm()));
@@ -146,19 +144,19 @@ ContactScene contactScene(const ContactKind& kind)
   Vector mean;
   for (const double x : scene.x)
     mean.push_back(kind.stress * (kind.pull * x / kind.length - 1.0));
-  const Vector nodal = projectTraction(facets, int(scene.x.size()), kind.order, mean, scene.balance);
-  scene.field.onDirichlet = scene.field.onNeumann = tractionFromNodes(facets, nodal, kind.order, kind.degree);
+  const Vector nodal = projectTraction(patches, int(scene.x.size()), kind.order, mean, scene.balance);
+  scene.field.tractions.fill(tractionFromNodes(patches, nodal, kind.order, kind.degree));
   scene.field.optimise = true;
   pin(systems[0], scene.bodies[0], scene.balance.work.cols());
   for (std::size_t b = 0; b < 2; ++b) {
-    const Vector force = systems[b].dofs.frames.toLocal(
-        contactForces(scene.bodies[b], int(b), facets, scene.field.onDirichlet, scene.field.onNeumann));
+    const Vector force =
+        systems[b].dofs.frames.toLocal(contactForces(scene.bodies[b], int(b), patches, scene.field.tractions));
     for (std::size_t i = 0; i < force.size(); ++i)
       systems[b].load[i] += force[i];
     scene.displacement.push_back(solve(systems[b], comm()));
     std::vector<Facet> own;
-    for (const ContactFacet& facet : facets)
-      own.push_back(b == 0 ? facet.dirichlet : facet.neumann);
+    for (const ContactPatch& patch : patches)
+      own.push_back(patch.sides[b].facet);
     scene.recovery.data.push_back(makeStaticData(scene.bodies[b], kind.degree, own));
     scene.recovery.bodies.push_back(&scene.bodies[b]);
   }
@@ -167,8 +165,8 @@ ContactScene contactScene(const ContactKind& kind)
   Vector gap;
   for (const double x : scene.x)
     gap.push_back(0.1 * x * x / kind.length);
-  scene.field.opening = jumpMoments(scene.recovery.bodies, facets, scene.displacement, kind.degree);
-  const Vector gapMoments = nodalMoments(facets, gap, kind.order, kind.degree);
+  scene.field.opening = jumpMoments(scene.recovery.bodies, patches, scene.displacement, kind.degree);
+  const Vector gapMoments = nodalMoments(patches, gap, kind.order, kind.degree);
   for (std::size_t i = 0; i < gapMoments.size(); ++i)
     scene.field.opening[i] -= gapMoments[i];
   return scene;
@@ -176,14 +174,14 @@ ContactScene contactScene(const ContactKind& kind)
 
 std::vector<Vector> sharesOf(const ContactScene& scene, const ContactTraction& traction)
 {
-  return {contactShares(scene.recovery.facets, traction, traction, 0),
-          contactShares(scene.recovery.facets, traction, traction, 1)};
+  return {contactShares(scene.recovery.patches, {traction, traction}, 0),
+          contactShares(scene.recovery.patches, {traction, traction}, 1)};
 }
 
 double objective(const ContactScene& scene, const ContactTraction& traction,
                  const std::vector<StressCorrection>& corrections)
 {
-  const Vector contact = contactContributions(scene.recovery.facets, traction, scene.field.opening);
+  const Vector contact = contactContributions(scene.recovery.patches, traction, scene.field.opening);
   return energyOf(scene.bodies[0], corrections[0]) + energyOf(scene.bodies[1], corrections[1]) +
          std::accumulate(contact.begin(), contact.end(), 0.0);
 }

@@ -190,32 +190,31 @@ TEST_P(Elements, CarryTractionsOfContactAsLoads)
   conditions.loads[0].entries.emplace_back("Value", "0.4");
   const auto problem = test::solved(test::makeBody(test::sampleMesh(2, 20.0), order, conditions), degree);
 
-  std::vector<ContactFacet> facets;
+  std::vector<ContactPatch> patches;
   std::vector<Facet> contact;
   for (const Facet facet : problem.body.side("right")->facets) {
-    ContactFacet common;
-    common.dirichlet = common.neumann = facet;
-    common.neumannBody = 1; // a copy of the body, seen from the other side
+    ContactPatch common;
+    common.sides = {{{0, facet}, {1, facet}}}; // a copy of the body, seen from the other side
     common.measure = facetNormal(problem.body.mesh, facet, common.normal.data());
     common.nodes = {0, 0, 0};
-    facets.push_back(common);
+    patches.push_back(common);
     contact.push_back(facet);
   }
   BodyModel unloaded = test::makeBody(test::sampleMesh(2, 20.0), order, {conditions.supports, {}});
   const StaticData data = makeStaticData(unloaded, degree, contact);
   SceneField field{{&problem.displacement, &problem.displacement},
-                   tractionFromNodes(facets, {-0.4}, order, degree),
-                   tractionFromNodes(facets, {0.4}, order, degree),
+                   tractionFromNodes(patches, {-0.4}, order, degree),
+                   tractionFromNodes(patches, {0.4}, order, degree),
                    false,
                    {}};
   Ledger ledger;
   const auto recovery = test::makeRecovery("Element", {{"Degree", degree}});
   const auto stresses =
-      recovery->recover({{&unloaded, &unloaded}, {data, data}, facets}, {field, field}, test::comm(), ledger);
+      recovery->recover({{&unloaded, &unloaded}, {data, data}, patches}, {field, field}, test::comm(), ledger);
   const auto expected = recovered(problem);
   ASSERT_EQ(stresses.size(), 2u);
   for (const SceneStress& stress : stresses) {
-    EXPECT_EQ(stress.onDirichlet.shares, field.onDirichlet.shares);
+    EXPECT_EQ(stress.tractions[0].shares, field.tractions[0].shares);
     for (const StressCorrection& correction : stress.corrections)
       EXPECT_LT(norm(test::difference(correction.tractions, expected.tractions)), roundOff * norm(expected.tractions));
   }

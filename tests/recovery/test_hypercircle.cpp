@@ -50,7 +50,7 @@ void withRecoveries(const test::Problem& problem, const std::function<void(const
     SCOPED_TRACE(recovery.name + (recovery.entries.empty() ? "" : " with a sweep"));
     Ledger ledger;
     const auto stresses = component->recover({{&problem.body}, {problem.data}, {}},
-                                             {{{&problem.displacement}, {}, {}, false, {}}}, test::comm(), ledger);
+                                             {{{&problem.displacement}, {}, false, {}}}, test::comm(), ledger);
     check(stresses[0].corrections[0]);
   }
 }

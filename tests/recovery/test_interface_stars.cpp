@@ -84,20 +84,20 @@ std::string nameOf(const testing::TestParamInfo<ContactKind>& test)
          (kind.pull > 0.0 ? "Lifted" : "");
 }
 
-double largestTraction(const ContactTraction& traction, const std::vector<ContactFacet>& facets)
+double largestTraction(const ContactTraction& traction, const std::vector<ContactPatch>& patches)
 {
   double largest = 0.0;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    largest = std::max(largest, norm(traction.moments(int(f))) / facets[f].measure);
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    largest = std::max(largest, norm(traction.moments(int(f))) / patches[f].measure);
   return largest;
 }
 
 double imbalance(const ContactScene& scene, const ContactTraction& traction)
 {
   const BodyModel& punch = scene.bodies[0];
-  const auto change = [&](const ContactTraction& t) { return contactForces(punch, 0, scene.recovery.facets, t, t); };
+  const auto change = [&](const ContactTraction& t) { return contactForces(punch, 0, scene.recovery.patches, {t, t}); };
   Vector force = change(traction);
-  const Vector before = change(scene.field.onDirichlet);
+  const Vector before = change(scene.field.tractions[0]);
   for (std::size_t i = 0; i < force.size(); ++i)
     force[i] -= before[i];
   double moments[3] = {};
@@ -112,15 +112,15 @@ double imbalance(const ContactScene& scene, const ContactTraction& traction)
 Vector profile(const ContactScene& scene, const ContactTraction& traction, double length)
 {
   std::vector<std::pair<double, double>> values;
-  const auto& facets = scene.recovery.facets;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const double ends[2] = {scene.x[std::size_t(facets[f].nodes[0])], scene.x[std::size_t(facets[f].nodes[1])]};
+  const auto& patches = scene.recovery.patches;
+  for (std::size_t f = 0; f < patches.size(); ++f) {
+    const double ends[2] = {scene.x[std::size_t(patches[f].nodes[0])], scene.x[std::size_t(patches[f].nodes[1])]};
     for (const double left : {0.1, 0.5, 0.9}) {
       const double lambda = ends[0] < ends[1] ? left : 1.0 - left, barycentric[2] = {1.0 - lambda, lambda};
       Vector L(std::size_t(traction.degree + 1));
       facetBasis(2, traction.degree).values(barycentric, L.data());
       values.emplace_back((ends[0] + lambda * (ends[1] - ends[0])) / length,
-                          dot(L, traction.moments(int(f))) / facets[f].measure);
+                          dot(L, traction.moments(int(f))) / patches[f].measure);
     }
   }
   std::sort(values.begin(), values.end());
@@ -142,8 +142,8 @@ TEST_P(InterfaceTraction, StaysAdmissibleBalancedAndInEquilibriumWithBothStresse
   ContactTraction traction = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   auto corrections = recovery.solve(traction);
   for (int sweep = 0; sweep < 2; ++sweep) {
-    const double scale = largestTraction(traction, scene.recovery.facets);
-    EXPECT_LT(largestBernstein(traction, scene.recovery.facets), 1e-12 * scale);
+    const double scale = largestTraction(traction, scene.recovery.patches);
+    EXPECT_LT(largestBernstein(traction, scene.recovery.patches), 1e-12 * scale);
     if (GetParam().floating) {
       EXPECT_LT(imbalance(scene, traction), 1e-12);
     }
@@ -161,9 +161,9 @@ TEST_P(InterfaceTraction, MakesTheBoundSmallerThanTheProjectedOne)
 {
   const ContactScene scene = test::contactScene(GetParam());
   Recovery recovery(scene);
-  const auto projected = recovery.solve(scene.field.onDirichlet);
+  const auto projected = recovery.solve(scene.field.tractions[0]);
   const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
-  const double before = test::objective(scene, scene.field.onDirichlet, projected),
+  const double before = test::objective(scene, scene.field.tractions[0], projected),
                after = test::objective(scene, optimal, recovery.solve(optimal));
   // passes measure every star's own energy; where n turns, stars of degree 1 have one change in balance or none
   EXPECT_LT(after, (GetParam().turns && GetParam().order == 1 ? 1.005 : 1.0) * before);
@@ -216,9 +216,9 @@ TEST_P(InterfaceTraction, ChangesTheSquaredBoundAsItsObjective)
     for (std::size_t i = 0; i < difference[b].size(); ++i)
       displacement[b][i] -= difference[b][i];
   }
-  const auto& facets = scene.recovery.facets;
-  const Vector jump = jumpMoments(scene.recovery.bodies, facets, displacement, optimal.degree),
-               before = jumpMoments(scene.recovery.bodies, facets, scene.displacement, optimal.degree);
+  const auto& patches = scene.recovery.patches;
+  const Vector jump = jumpMoments(scene.recovery.bodies, patches, displacement, optimal.degree),
+               before = jumpMoments(scene.recovery.bodies, patches, scene.displacement, optimal.degree);
   Vector w = scene.field.opening;
   for (std::size_t i = 0; i < w.size(); ++i)
     w[i] += jump[i] - before[i];
@@ -227,14 +227,14 @@ TEST_P(InterfaceTraction, ChangesTheSquaredBoundAsItsObjective)
     for (std::size_t b = 0; b < 2; ++b)
       for (const double cell : cellDistances(scene.bodies[b], corrections[b], &difference[b]))
         sum += cell;
-    for (const double facet : contactContributions(facets, traction, w))
-      sum += facet;
+    for (const double patch : contactContributions(patches, traction, w))
+      sum += patch;
     return sum;
   };
-  const auto first = recovery.solve(scene.field.onDirichlet), second = recovery.solve(optimal);
-  const double bound = squaredBound(scene.field.onDirichlet, first),
+  const auto first = recovery.solve(scene.field.tractions[0]), second = recovery.solve(optimal);
+  const double bound = squaredBound(scene.field.tractions[0], first),
                change =
-                   test::objective(scene, optimal, second) - test::objective(scene, scene.field.onDirichlet, first);
+                   test::objective(scene, optimal, second) - test::objective(scene, scene.field.tractions[0], first);
   EXPECT_NEAR(squaredBound(optimal, second) - bound, change, 1e-11 * bound);
 }
 
@@ -274,19 +274,19 @@ TEST(InterfaceStars, WhereTheBodiesAreFarApartNothingChanges)
   kind.pull = 6.0;
   ContactScene scene = test::contactScene(kind);
   Recovery recovery(scene);
-  const auto& facets = scene.recovery.facets;
+  const auto& patches = scene.recovery.patches;
   std::vector<std::size_t> open;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    if (norm(scene.field.onDirichlet.moments(int(f))) == 0.0) {
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    if (norm(scene.field.tractions[0].moments(int(f))) == 0.0) {
       open.push_back(f);
       for (std::size_t k = 0; k < 3; ++k)
-        scene.field.opening[f * 3 + k] = k == 0 ? -1e6 * facets[f].measure : 0.0;
+        scene.field.opening[f * 3 + k] = k == 0 ? -1e6 * patches[f].measure : 0.0;
     }
   ASSERT_FALSE(open.empty());
   const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   for (const std::size_t f : open)
-    EXPECT_LT(norm(optimal.moments(int(f))), 1e-9 * largestTraction(optimal, facets));
-  EXPECT_LT(largestBernstein(optimal, facets), 1e-12 * largestTraction(optimal, facets));
+    EXPECT_LT(norm(optimal.moments(int(f))), 1e-9 * largestTraction(optimal, patches));
+  EXPECT_LT(largestBernstein(optimal, patches), 1e-12 * largestTraction(optimal, patches));
 }
 
 TEST(InterfaceStars, VerticesFollowTheInterface)
@@ -295,11 +295,12 @@ TEST(InterfaceStars, VerticesFollowTheInterface)
   kind.renumbered = true;
   const ContactScene scene = test::contactScene(kind);
   const auto vertices = interfaceVertices(scene.recovery);
-  ASSERT_EQ(vertices.size(), scene.recovery.facets.size() + 1);
+  ASSERT_EQ(vertices.size(), scene.recovery.patches.size() + 1);
   double last = -1.0;
   for (const InterfaceVertex& vertex : vertices) {
-    const FacetEnd& end = vertex.ends[0];
-    const double x = scene.x[std::size_t(scene.recovery.facets[std::size_t(end.facet)].nodes[std::size_t(end.vertex)])];
+    const PatchEnd& end = vertex.ends[0];
+    const double x =
+        scene.x[std::size_t(scene.recovery.patches[std::size_t(end.patch)].nodes[std::size_t(end.vertex)])];
     EXPECT_GT(x, last); // n_c points down: turned by 90 degrees it points to the right
     last = x;
   }
@@ -310,7 +311,7 @@ TEST(InterfaceStars, StepsAreCounted)
   const ContactScene scene = test::contactScene({});
   Recovery recovery(scene);
   recovery.interface.optimise(scene.field, 2, recovery.ledger);
-  EXPECT_EQ(recovery.ledger.counted("interface stars"), std::int64_t(3 * (scene.recovery.facets.size() + 1)));
+  EXPECT_EQ(recovery.ledger.counted("interface stars"), std::int64_t(3 * (scene.recovery.patches.size() + 1)));
 }
 
 TEST(InterfaceStars, StarRecoveryGivesTheOptimisedTractionToBothBodies)
@@ -320,8 +321,8 @@ TEST(InterfaceStars, StarRecoveryGivesTheOptimisedTractionToBothBodies)
   const auto stress = test::makeRecovery("Star")->recover(scene.recovery, {scene.field}, test::comm(), ledger)[0];
   Recovery recovery(scene);
   const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
-  EXPECT_EQ(stress.onDirichlet.shares, optimal.shares);
-  EXPECT_EQ(stress.onNeumann.shares, optimal.shares);
+  EXPECT_EQ(stress.tractions[0].shares, optimal.shares);
+  EXPECT_EQ(stress.tractions[1].shares, optimal.shares);
   const auto corrections = recovery.solve(optimal);
   EXPECT_NEAR(test::objective(scene, optimal, stress.corrections), test::objective(scene, optimal, corrections),
               1e-11 * test::energyOf(scene.bodies[0], corrections[0]));

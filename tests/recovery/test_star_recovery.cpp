@@ -201,7 +201,7 @@ TEST(StarRecovery, CountsItsWorkAndSolvesAllFieldsWithOneFactorEach)
 {
   const auto problem = sampleProblem({2, 2, 2}, "clamped");
   RecoveryScene scene{{&problem.body}, {problem.data}, {}};
-  const SceneField field{{&problem.displacement}, {2, {}}, {2, {}}, false, {}};
+  const SceneField field{{&problem.displacement}, {{{2, {}}, {2, {}}}}, false, {}};
   const auto recovery = test::makeRecovery("Star", {{"Sweeps", 2}});
   Ledger ledger;
   const auto stresses = recovery->recover(scene, {field, field}, test::comm(), ledger);

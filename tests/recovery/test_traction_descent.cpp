@@ -54,8 +54,8 @@ public:
     for (const double x : x_)
       mean.push_back(kind.stress * (kind.pull * x / kind.length - 1.0));
     const BalanceConditions none{SparseColumns(int(x_.size()), 0), {}, {}, {}};
-    const Vector nodal = projectTraction(recovery.facets, int(x_.size()), kind.order, mean, none);
-    field.onDirichlet = field.onNeumann = tractionFromNodes(recovery.facets, nodal, kind.order, kind.degree);
+    const Vector nodal = projectTraction(recovery.patches, int(x_.size()), kind.order, mean, none);
+    field.tractions.fill(tractionFromNodes(recovery.patches, nodal, kind.order, kind.degree));
     field.optimise = true;
     solve();
   }
@@ -74,7 +74,7 @@ public:
   /// |c|^2 + 2 int t (u~1_N - u~2_N - g)
   double objective(const SceneStress& stress) const
   {
-    const Vector contact = contactContributions(recovery.facets, stress.onDirichlet, field.opening);
+    const Vector contact = contactContributions(recovery.patches, stress.tractions[0], field.opening);
     return std::accumulate(contact.begin(), contact.end(), energyOf(stress));
   }
 
@@ -87,7 +87,7 @@ public:
   {
     double largest = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
-      const Vector shares = contactShares(recovery.facets, stress.onDirichlet, stress.onNeumann, int(b));
+      const Vector shares = contactShares(recovery.patches, stress.tractions, int(b));
       const FieldInput input{field.displacement[b], &shares};
       largest =
           std::max(largest, checkEquilibrium(bodies[b], recovery.data[b], input, stress.corrections[b]).largest());
@@ -101,7 +101,7 @@ public:
     ContactTraction opposite = traction;
     for (double& share : opposite.shares)
       share = -share;
-    return largestBernstein(traction, recovery.facets) / largestBernstein(opposite, recovery.facets);
+    return largestBernstein(traction, recovery.patches) / largestBernstein(opposite, recovery.patches);
   }
 
 private:
@@ -154,45 +154,43 @@ private:
         const auto a = facetCentre(bodies[0].mesh, mine), b = facetCentre(bodies[1].mesh, other);
         if (std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]) > (kind_.apart + 0.01) * kind_.length)
           continue;
-        ContactFacet facet;
-        facet.dim = 3;
-        facet.neumannBody = 1;
-        facet.dirichlet = mine;
-        facet.neumann = other;
-        facet.measure = facetNormal(bodies[0].mesh, mine, facet.normal.data());
+        ContactPatch patch;
+        patch.dim = 3;
+        patch.sides = {{{0, mine}, {1, other}}};
+        patch.measure = facetNormal(bodies[0].mesh, mine, patch.normal.data());
         for (std::size_t k = 0; k < 3; ++k)
-          facet.theirs[k] = nearest(ours, bodies[1].mesh.point(theirs[k]));
-        const FacetNodes nodes = contactNodes(bodies[0], facet, true);
+          patch.sides[1].places[k] = nearest(ours, bodies[1].mesh.point(theirs[k]));
+        const FacetNodes nodes = contactNodes(bodies[0], patch.sides[0]);
         for (std::size_t i = 0; i < std::size_t(bodies[0].nodes.nodesPerFacet); ++i) {
           const auto [found, isNew] = number.emplace(nodes[i], int(x_.size()));
           if (isNew)
             x_.push_back(bodies[0].nodes.point(nodes[i])[0]);
-          facet.nodes[i] = found->second;
+          patch.nodes[i] = found->second;
         }
-        facet.pairs = facet.nodes;
-        recovery.facets.push_back(facet);
+        patch.pairs = patch.nodes;
+        recovery.patches.push_back(patch);
       }
-    ASSERT_EQ(recovery.facets.size(), 12u);
+    ASSERT_EQ(recovery.patches.size(), 12u);
   }
 
   void solve()
   {
     for (std::size_t b = 0; b < 2; ++b) {
       BodySystem system = test::assemble(bodies[b], test::comm());
-      const Vector force = system.dofs.frames.toLocal(
-          contactForces(bodies[b], int(b), recovery.facets, field.onDirichlet, field.onNeumann));
+      const Vector force =
+          system.dofs.frames.toLocal(contactForces(bodies[b], int(b), recovery.patches, field.tractions));
       for (std::size_t i = 0; i < force.size(); ++i)
         system.load[i] += force[i];
       displacement_.push_back(test::solve(system, test::comm()));
       std::vector<Facet> own;
-      for (const ContactFacet& facet : recovery.facets)
-        own.push_back(b == 0 ? facet.dirichlet : facet.neumann);
+      for (const ContactPatch& patch : recovery.patches)
+        own.push_back(patch.sides[b].facet);
       recovery.data.push_back(makeStaticData(bodies[b], kind_.degree, own));
       recovery.bodies.push_back(&bodies[b]);
     }
     for (const Vector& displacement : displacement_)
       field.displacement.push_back(&displacement);
-    field.opening = jumpMoments(recovery.bodies, recovery.facets, displacement_, kind_.degree);
+    field.opening = jumpMoments(recovery.bodies, recovery.patches, displacement_, kind_.degree);
   }
 
   PairKind kind_;
@@ -227,8 +225,8 @@ TEST_P(TractionDescent, StaysAdmissibleAndInEquilibriumWithBothStresses)
   for (const int steps : {0, 1, 10, 40}) {
     const SceneStress stress = scene.recovered(steps);
     EXPECT_LT(scene.defect(stress), 1e-12) << steps;
-    EXPECT_LT(scene.tension(stress.onDirichlet), 1e-13) << steps;
-    EXPECT_EQ(stress.onDirichlet.shares, stress.onNeumann.shares) << steps;
+    EXPECT_LT(scene.tension(stress.tractions[0]), 1e-13) << steps;
+    EXPECT_EQ(stress.tractions[0].shares, stress.tractions[1].shares) << steps;
   }
 }
 
@@ -243,7 +241,7 @@ TEST_P(TractionDescent, MakesTheBoundSmallerThanTheProjectedOneWithEveryStep)
   }
   scene.field.optimise = false;
   const SceneStress projected = scene.recovered(80);
-  EXPECT_EQ(projected.onDirichlet.shares, scene.field.onDirichlet.shares);
+  EXPECT_EQ(projected.tractions[0].shares, scene.field.tractions[0].shares);
   EXPECT_LT(last, scene.objective(projected));
 }
 

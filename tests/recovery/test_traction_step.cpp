@@ -20,7 +20,7 @@ struct Vertex
 {
   explicit Vertex(unsigned seed, Vector nodal = {-1.0, -0.2, 0.0, -0.5, -0.05})
       : random(seed), chain(test::straightChain({0.6, 0.3}, 2)),
-        traction(tractionFromNodes(chain.facets, nodal, 2, degree)), E(2, 2 * modes), H(2 * modes, 2 * modes),
+        traction(tractionFromNodes(chain.patches, nodal, 2, degree)), E(2, 2 * modes), H(2 * modes, 2 * modes),
         h(random.vector(2 * modes))
   {
     E(0, 0) = E(0, modes) = 1.0; // resultants
@@ -62,7 +62,7 @@ TEST(TractionStep, LowersTheObjectiveAndKeepsTheTractionAdmissibleAndBalanced)
     const ContactTraction before = vertex.traction;
     const Vector dt = vertex.step().apply(vertex.traction);
     EXPECT_LE(vertex.objective(dt), 0.0);
-    EXPECT_LT(largestBernstein(vertex.traction, vertex.chain.facets), 1e-13);
+    EXPECT_LT(largestBernstein(vertex.traction, vertex.chain.patches), 1e-13);
     EXPECT_LT(norm(multiply(vertex.E, dt)), 1e-14);
     for (std::size_t i = 0; i < dt.size();
          ++i) // the vertex's own shares: second of the first facet, first of the other
@@ -83,7 +83,7 @@ TEST(TractionStep, NoAdmissibleBalancedChangeIsBetter)
       ContactTraction changed = before;
       for (std::size_t i = 0; i < other.size(); ++i)
         changed.shares[modes + i] += other[i] = dt[i] + 0.05 * other[i];
-      if (largestBernstein(changed, vertex.chain.facets) <= 0.0) {
+      if (largestBernstein(changed, vertex.chain.patches) <= 0.0) {
         EXPECT_GE(vertex.objective(other), least - 1e-14);
       }
     }

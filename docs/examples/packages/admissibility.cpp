@@ -6,12 +6,12 @@
 int main()
 {
   using namespace ndframe;
-  ContactFacet facet; // one edge of length 1, of first order
-  facet.neumannBody = 1;
-  facet.normal = {0.0, -1.0, 0.0};
-  facet.measure = 1.0;
-  facet.nodes = {0, 1};
-  const std::vector<ContactFacet> facets{facet};
+  ContactPatch patch; // one edge of length 1, of first order
+  patch.sides[1].body = 1;
+  patch.normal = {0.0, -1.0, 0.0};
+  patch.measure = 1.0;
+  patch.nodes = {0, 1};
+  const std::vector<ContactPatch> patches{patch};
   const int order = 1, nodes = 2;
 
   BalanceConditions balance; // upwards: against n_c, and against the weight 1/2, whose work is - 1/2
@@ -21,11 +21,11 @@ int main()
   balance.names = {"translation along y of block"};
 
   // With the right resultant, (1, -1) becomes (1/2, -3/2); it still pulls at the first node, which must let go.
-  const Vector t = projectTraction(facets, nodes, order, {1.0, -1.0}, balance);
+  const Vector t = projectTraction(patches, nodes, order, {1.0, -1.0}, balance);
   bool ok = std::abs(t[0]) < 1e-14 && std::abs(t[1] + 1.0) < 1e-14;
 
-  const ContactTraction traction = tractionFromNodes(facets, t, order, order);
-  ok = ok && largestBernstein(traction, facets) < 1e-14;     // presses everywhere
+  const ContactTraction traction = tractionFromNodes(patches, t, order, order);
+  ok = ok && largestBernstein(traction, patches) < 1e-14;    // presses everywhere
   ok = ok && std::abs(traction.moments(0)[0] + 0.5) < 1e-14; // the first moment is the force
   return ok ? 0 : 1;
 }

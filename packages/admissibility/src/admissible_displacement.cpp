@@ -20,9 +20,9 @@ class Admission
 {
 public:
   Admission(const std::vector<const BodyModel*>& bodies, const std::vector<const ConstraintSet*>& constraints,
-            const std::vector<ContactFacet>& facets, const GapBound& gap, AdmissibleDisplacement& result)
-      : bodies_(bodies), facets_(facets), result_(result),
-        pairs_(bodies, constraints, facets, gap, result.displacement), tolerance_(roundOff * pairs_.size())
+            const std::vector<ContactPatch>& patches, const GapBound& gap, AdmissibleDisplacement& result)
+      : bodies_(bodies), patches_(patches), result_(result),
+        pairs_(bodies, constraints, patches, gap, result.displacement), tolerance_(roundOff * pairs_.size())
   {}
 
   /// Opens all pairs; where interfaces share nodes again and again, as long as what opens one closes another.
@@ -48,22 +48,22 @@ private:
         separate(entry.second);
   }
 
-  /// Where the normal turns along facets of order 1, the inner coefficient belongs to both vertices: they open
+  /// Where the normal turns along patches of order 1, the inner coefficient belongs to both vertices: they open
   /// together.
   void openBetween()
   {
-    for (std::size_t f = 0; f < facets_.size(); ++f)
-      if (facets_[f].turns && bodies_.front()->nodes.order == 1)
+    for (std::size_t f = 0; f < patches_.size(); ++f)
+      if (patches_[f].turns && bodies_.front()->nodes.order == 1)
         separateBetween(f);
   }
 
   void separate(const Pair& pair);
-  void separateBetween(std::size_t facet);
+  void separateBetween(std::size_t patch);
   void move(const Pair& pair, const Compliance& apart, double force);
   void refuse(const Pair& pair, double excess);
 
   const std::vector<const BodyModel*>& bodies_;
-  const std::vector<ContactFacet>& facets_;
+  const std::vector<ContactPatch>& patches_;
   AdmissibleDisplacement& result_;
   InterfacePairs pairs_;
   double tolerance_;
@@ -91,14 +91,14 @@ void Admission::separate(const Pair& pair)
   double largest = 0.0, force = 0.0;
   for (const Corner& corner : pair.corners)
     for (const std::size_t k : pairs_.decided(corner))
-      largest = std::max(largest, pairs_.excess(corner.facet, k));
+      largest = std::max(largest, pairs_.excess(corner.patch, k));
   if (largest <= tolerance_)
     return;
   const Compliance apart = pairs_.compliance(pair);
   for (const Corner& corner : pair.corners)
     for (const std::size_t k : pairs_.decided(corner)) {
-      const double needed = pairs_.excess(corner.facet, k);
-      const double gain = apart.gain(pairs_.coefficients(corner.facet).weight(k, corner.number));
+      const double needed = pairs_.excess(corner.patch, k);
+      const double gain = apart.gain(pairs_.coefficients(corner.patch).weight(k, corner.number));
       if (needed > 0.0 && gain <= 0.0)
         return refuse(pair, needed);
       if (needed > 0.0)
@@ -107,18 +107,18 @@ void Admission::separate(const Pair& pair)
   move(pair, apart, force);
 }
 
-void Admission::separateBetween(std::size_t facet)
+void Admission::separateBetween(std::size_t patch)
 {
-  const double needed = pairs_.excess(facet, 1);
+  const double needed = pairs_.excess(patch, 1);
   if (needed <= tolerance_)
     return;
   std::array<const Pair*, 2> ends{};
   std::array<Compliance, 2> apart{};
   double gain = 0.0;
   for (std::size_t end = 0; end < 2; ++end) {
-    ends[end] = &pairs_.all().at(facets_[facet].pairs[end]);
+    ends[end] = &pairs_.all().at(patches_[patch].pairs[end]);
     apart[end] = pairs_.compliance(*ends[end]);
-    gain += apart[end].gain(pairs_.coefficients(facet).weight(1, end));
+    gain += apart[end].gain(pairs_.coefficients(patch).weight(1, end));
   }
   if (gain <= 0.0)
     return refuse(*ends[0], needed);
@@ -144,11 +144,11 @@ double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::ve
 
 AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
                                          const std::vector<const ConstraintSet*>& constraints,
-                                         const std::vector<ContactFacet>& facets, const GapBound& gap,
+                                         const std::vector<ContactPatch>& patches, const GapBound& gap,
                                          const std::vector<Vector>& displacement)
 {
   AdmissibleDisplacement result{displacement, 0.0, 0, {}};
-  Admission admission(bodies, constraints, facets, gap, result);
+  Admission admission(bodies, constraints, patches, gap, result);
   admission.openAll();
   if (result.moved > 0)
     result.charge = changeInEnergy(bodies, displacement, result.displacement);

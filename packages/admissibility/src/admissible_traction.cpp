@@ -20,24 +20,24 @@ constexpr double noWork = 1e-12;
 /// Loads that are out of reach by less than this, relative to their magnitude, are round-off.
 constexpr double unreachable = 1e-9;
 
-/// Positions of the interface nodes along the facets, so that neighbours stay close: breadth first (Cuthill and McKee
-/// 1969), every chain of edges from one of its ends, a surface from a vertex with one facet, closed ones from any node.
+/// Positions of the interface nodes along the patches, so that neighbours stay close: breadth first (Cuthill and McKee
+/// 1969), every chain of edges from one of its ends, a surface from a vertex with one patch, closed ones from any node.
 class ChainOrder
 {
 public:
-  ChainOrder(const std::vector<ContactFacet>& facets, int numNodes, int nodesPerFacet)
-      : facets_(facets), nodesPerFacet_(nodesPerFacet), around_(std::size_t(numNodes)),
+  ChainOrder(const std::vector<ContactPatch>& patches, int numNodes, int nodesPerFacet)
+      : patches_(patches), nodesPerFacet_(nodesPerFacet), around_(std::size_t(numNodes)),
         position_(std::size_t(numNodes), -1)
   {
-    for (std::size_t f = 0; f < facets.size(); ++f)
+    for (std::size_t f = 0; f < patches.size(); ++f)
       for (int i = 0; i < nodesPerFacet; ++i)
-        around_[std::size_t(facets[f].nodes[std::size_t(i)])].push_back(f);
+        around_[std::size_t(patches[f].nodes[std::size_t(i)])].push_back(f);
     for (const bool ends : {true, false})
-      for (const ContactFacet& facet : facets)
-        for (int i = 0; i < facet.dim; ++i)
-          if (!ends || around_[std::size_t(facet.nodes[std::size_t(i)])].size() == 1)
-            number(facet.nodes[std::size_t(i)]);
-    NDFRAME_ASSERT(next_ == numNodes, "every interface node belongs to a facet");
+      for (const ContactPatch& patch : patches)
+        for (int i = 0; i < patch.dim; ++i)
+          if (!ends || around_[std::size_t(patch.nodes[std::size_t(i)])].size() == 1)
+            number(patch.nodes[std::size_t(i)]);
+    NDFRAME_ASSERT(next_ == numNodes, "every interface node belongs to a patch");
   }
 
   int position(int node) const { return position_[std::size_t(node)]; }
@@ -45,11 +45,11 @@ public:
   int bandwidth() const
   {
     int width = 0;
-    for (const ContactFacet& facet : facets_)
+    for (const ContactPatch& patch : patches_)
       for (int i = 0; i < nodesPerFacet_; ++i)
         for (int j = 0; j < i; ++j)
           width =
-              std::max(width, std::abs(position(facet.nodes[std::size_t(i)]) - position(facet.nodes[std::size_t(j)])));
+              std::max(width, std::abs(position(patch.nodes[std::size_t(i)]) - position(patch.nodes[std::size_t(j)])));
     return width;
   }
 
@@ -68,25 +68,25 @@ private:
     for (std::size_t at = 0; at < reached.size(); ++at)
       for (const std::size_t f : around_[std::size_t(reached[at])])
         for (int i = nodesPerFacet_ - 1; i >= 0; --i) // the middle comes before the other end
-          reach(facets_[f].nodes[std::size_t(i)]);
+          reach(patches_[f].nodes[std::size_t(i)]);
   }
 
-  const std::vector<ContactFacet>& facets_;
+  const std::vector<ContactPatch>& patches_;
   int nodesPerFacet_;
   std::vector<std::vector<std::size_t>> around_;
   std::vector<int> position_;
   int next_ = 0;
 };
 
-BandMatrix massMatrix(const std::vector<ContactFacet>& facets, const FacetUnknowns& unknowns, const ChainOrder& order,
+BandMatrix massMatrix(const std::vector<ContactPatch>& patches, const FacetUnknowns& unknowns, const ChainOrder& order,
                       int numNodes, int p)
 {
   BandMatrix M(numNodes, order.bandwidth());
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (int i = 0; i < numFacetNodes(facets[f].dim, p); ++i)
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    for (int i = 0; i < numFacetNodes(patches[f].dim, p); ++i)
       for (int j = 0; j <= i; ++j)
-        M(order.position(facets[f].nodes[std::size_t(i)]), order.position(facets[f].nodes[std::size_t(j)])) +=
-            facets[f].measure * unknowns.mass(i, j);
+        M(order.position(patches[f].nodes[std::size_t(i)]), order.position(patches[f].nodes[std::size_t(j)])) +=
+            patches[f].measure * unknowns.mass(i, j);
   return M;
 }
 
@@ -157,10 +157,10 @@ Vector reachableValue(const SparseColumns& W, const BalanceConditions& balance)
 class Projection
 {
 public:
-  Projection(const std::vector<ContactFacet>& facets, int order, const Vector& mean, const BalanceConditions& balance,
+  Projection(const std::vector<ContactPatch>& patches, int order, const Vector& mean, const BalanceConditions& balance,
              const Vector& cost)
-      : facets_(facets), order_(order), mean_(mean), balance_(balance), cost_(cost),
-        chain_(facets, int(mean.size()), numFacetNodes(facets.empty() ? 2 : facets.front().dim, order))
+      : patches_(patches), order_(order), mean_(mean), balance_(balance), cost_(cost),
+        chain_(patches, int(mean.size()), numFacetNodes(dimOf(patches), order))
   {}
 
   /// Nodal values of the nearest.
@@ -168,12 +168,12 @@ public:
   {
     const int numNodes = int(mean_.size());
     double area = 0.0;
-    for (const ContactFacet& facet : facets_)
-      area += facet.measure;
+    for (const ContactPatch& patch : patches_)
+      area += patch.measure;
     SparseColumns W = workMatrix(unknowns, chain_, balance_, area, numNodes);
     const bool few = W.cols() <= mostOfOneProgram;
     Vector value = few ? reachableValue(W, balance_) : balance_.value;
-    BandedProgram program{massMatrix(facets_, unknowns, chain_, numNodes, order_),
+    BandedProgram program{massMatrix(patches_, unknowns, chain_, numNodes, order_),
                           {},
                           std::move(W),
                           std::move(value),
@@ -204,7 +204,7 @@ private:
       f[std::size_t(chain_.position(node))] -= cost;
   }
 
-  const std::vector<ContactFacet>& facets_;
+  const std::vector<ContactPatch>& patches_;
   int order_;
   const Vector& mean_;
   const BalanceConditions& balance_;
@@ -214,12 +214,12 @@ private:
 
 } // namespace
 
-Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
+Vector projectTraction(const std::vector<ContactPatch>& patches, int numNodes, int order, const Vector& mean,
                        const BalanceConditions& balance, TractionSign sign, const Vector& cost)
 {
   NDFRAME_ASSERT(int(mean.size()) == numNodes, "one value per interface node is needed");
-  const Projection projection(facets, order, mean, balance, cost);
-  return projection.nearest(FacetUnknowns(facets, order, sign));
+  const Projection projection(patches, order, mean, balance, cost);
+  return projection.nearest(FacetUnknowns(patches, order, sign));
 }
 
 } // namespace ndframe

@@ -40,33 +40,23 @@ std::array<std::vector<double>, 2> turningContactMatrices(int order)
           contactMatrix(2, order, 1, [](const double* lambda) { return lambda[1]; })};
 }
 
-int dimOf(const std::vector<ContactFacet>& facets)
-{
-  return facets.empty() ? 2 : facets.front().dim;
-}
-
-} // namespace
-
-namespace
-{
-
-/// int n_c . w L_k on every facet of a field w(facet) given at the facet's nodes.
+/// int n_c . w L_k on every patch of a field w(patch) given at the patch's nodes.
 template <class Field>
-Vector normalMoments(const std::vector<ContactFacet>& facets, int order, int degree, const Field& w)
+Vector normalMoments(const std::vector<ContactPatch>& patches, int order, int degree, const Field& w)
 {
-  const DenseMatrix moments = facetMoments(dimOf(facets), order, degree);
+  const DenseMatrix moments = facetMoments(dimOf(patches), order, degree);
   const EndTables turning = turningEdgeMoments(order, degree);
   Vector all;
-  for (const ContactFacet& facet : facets) {
-    const FacetVectors opening = w(facet);
+  for (const ContactPatch& patch : patches) {
+    const PatchVectors opening = w(patch);
     for (int k = 0; k < moments.cols(); ++k) {
       all.push_back(0.0);
       for (int i = 0; i < moments.rows(); ++i)
-        if (facet.turns)
+        if (patch.turns)
           for (std::size_t e = 0; e < 2; ++e)
-            all.back() += facet.measure * dotProduct(facet.ends[e], opening[std::size_t(i)]) * turning[e](i, k);
+            all.back() += patch.measure * dotProduct(patch.ends[e], opening[std::size_t(i)]) * turning[e](i, k);
         else
-          all.back() += facet.measure * dotProduct(facet.normal, opening[std::size_t(i)]) * moments(i, k);
+          all.back() += patch.measure * dotProduct(patch.normal, opening[std::size_t(i)]) * moments(i, k);
     }
   }
   return all;
@@ -74,107 +64,107 @@ Vector normalMoments(const std::vector<ContactFacet>& facets, int order, int deg
 
 } // namespace
 
-Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
                    const std::vector<Vector>& displacement, int degree)
 {
-  return normalMoments(facets, bodies.front()->nodes.order, degree,
-                       [&](const ContactFacet& facet) { return facetOpening(bodies, facet, displacement); });
+  return normalMoments(patches, bodies.front()->nodes.order, degree,
+                       [&](const ContactPatch& patch) { return patchOpening(bodies, patch, displacement); });
 }
 
-Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets,
+Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
                       const std::vector<Vector>& displacement, int degree)
 {
-  return normalMoments(facets, bodies.front()->nodes.order, degree,
-                       [&](const ContactFacet& facet) { return closing(bodies, facet, displacement); });
+  return normalMoments(patches, bodies.front()->nodes.order, degree,
+                       [&](const ContactPatch& patch) { return closing(bodies, patch, displacement); });
 }
 
-Vector nodalMoments(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree)
+Vector nodalMoments(const std::vector<ContactPatch>& patches, const Vector& nodal, int order, int degree)
 {
-  const DenseMatrix moments = facetMoments(dimOf(facets), order, degree);
+  const DenseMatrix moments = facetMoments(dimOf(patches), order, degree);
   Vector all;
-  for (const ContactFacet& facet : facets)
+  for (const ContactPatch& patch : patches)
     for (int k = 0; k < moments.cols(); ++k) {
       all.push_back(0.0);
       for (int i = 0; i < moments.rows(); ++i)
-        all.back() += facet.measure * nodal[std::size_t(facet.nodes[std::size_t(i)])] * moments(i, k);
+        all.back() += patch.measure * nodal[std::size_t(patch.nodes[std::size_t(i)])] * moments(i, k);
     }
   return all;
 }
 
-Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<ContactFacet>& facets,
-                     const ContactTraction& onDirichlet, const ContactTraction& onNeumann)
+Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<ContactPatch>& patches,
+                     const SideTractions& tractions)
 {
   Vector force(std::size_t(body.numDofs()), 0.0);
   const auto dim = std::size_t(body.mesh.dim);
-  const DenseMatrix moments = facetMoments(body.mesh.dim, body.nodes.order, onDirichlet.degree);
-  const EndTables turning = turningEdgeMoments(body.nodes.order, onDirichlet.degree);
-  for (const FacetSide& side : facetsOfBody(facets, bodyIndex)) {
-    const ContactFacet& facet = facets[std::size_t(side.facet)];
-    const auto nodes = contactNodes(body, facet, side.isDirichlet);
-    const Vector traction = (side.isDirichlet ? onDirichlet : onNeumann).moments(side.facet);
+  const DenseMatrix moments = facetMoments(body.mesh.dim, body.nodes.order, tractions[0].degree);
+  const EndTables turning = turningEdgeMoments(body.nodes.order, tractions[0].degree);
+  for (const BodyPatch& own : patchesOfBody(patches, bodyIndex)) {
+    const ContactPatch& patch = patches[own.patch];
+    const auto nodes = contactNodes(body, patch.sides[own.side]);
+    const Vector traction = tractions[own.side].moments(int(own.patch));
     const auto add = [&](const DenseMatrix& table, const Direction& normal) {
       const Vector size = multiply(table, traction);
       for (std::size_t i = 0; i < size.size(); ++i)
         for (std::size_t k = 0; k < dim; ++k)
-          force[std::size_t(nodes[i]) * dim + k] += (side.isDirichlet ? size[i] : -size[i]) * normal[k];
+          force[std::size_t(nodes[i]) * dim + k] += sideSign(own.side) * size[i] * normal[k];
     };
-    if (!facet.turns)
-      add(moments, facet.normal);
-    for (std::size_t e = 0; facet.turns && e < 2; ++e)
-      add(turning[e], facet.ends[e]);
+    if (!patch.turns)
+      add(moments, patch.normal);
+    for (std::size_t e = 0; patch.turns && e < 2; ++e)
+      add(turning[e], patch.ends[e]);
   }
   return force;
 }
 
-Vector contactContributions(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& w)
+Vector contactContributions(const std::vector<ContactPatch>& patches, const ContactTraction& traction, const Vector& w)
 {
   const std::size_t modes = traction.numModes();
   Vector contributions;
-  for (std::size_t f = 0; f < facets.size(); ++f) {
+  for (std::size_t f = 0; f < patches.size(); ++f) {
     const Vector t = traction.moments(int(f));
     double work = 0.0;
     for (std::size_t k = 0; k < modes; ++k)
       work += t[k] * w[f * modes + k];
-    contributions.push_back(2.0 * work / facets[f].measure);
+    contributions.push_back(2.0 * work / patches[f].measure);
   }
   return contributions;
 }
 
-void addUnsureGap(const std::vector<ContactFacet>& facets, const ContactTraction& traction, const Vector& unsure,
+void addUnsureGap(const std::vector<ContactPatch>& patches, const ContactTraction& traction, const Vector& unsure,
                   Vector& contributions)
 {
   if (unsure.empty())
     return;
-  const DenseMatrix bernstein = bernsteinOfMoments(facets.front().dim, traction.degree);
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  const DenseMatrix bernstein = bernsteinOfMoments(dimOf(patches), traction.degree);
+  for (std::size_t f = 0; f < patches.size(); ++f)
     if (unsure[f] > 0.0)
       contributions[f] += 2.0 * unsure[f] * largestEntry(multiply(bernstein, traction.moments(int(f))));
 }
 
-SparseRow motionWork(const BodyModel& body, const Vector& motion, const std::vector<ContactFacet>& facets,
-                     const std::vector<FacetSide>& ofBody)
+SparseRow motionWork(const BodyModel& body, const Vector& motion, const std::vector<ContactPatch>& patches,
+                     const std::vector<BodyPatch>& ofBody)
 {
   const int dim = body.mesh.dim;
   const auto matrix = facetContactMatrix(dim, body.nodes.order);
   const auto turning = turningContactMatrices(body.nodes.order);
   const auto n = std::size_t(body.nodes.nodesPerFacet);
   std::map<int, double> work;
-  for (const FacetSide& side : ofBody) {
-    const ContactFacet& facet = facets[std::size_t(side.facet)];
-    const auto nodes = contactNodes(body, facet, side.isDirichlet);
+  for (const BodyPatch& own : ofBody) {
+    const ContactPatch& patch = patches[own.patch];
+    const auto nodes = contactNodes(body, patch.sides[own.side]);
     const auto add = [&](const std::vector<double>& table, const Direction& normal) {
       for (std::size_t j = 0; j < n; ++j) {
         double moved = 0.0;
         for (int k = 0; k < dim; ++k)
           moved += normal[std::size_t(k)] * motion[std::size_t(nodes[j]) * std::size_t(dim) + std::size_t(k)];
         for (std::size_t i = 0; i < n; ++i)
-          work[facet.nodes[i]] += (side.isDirichlet ? 1.0 : -1.0) * facet.measure * table[i * n + j] * moved;
+          work[patch.nodes[i]] += sideSign(own.side) * patch.measure * table[i * n + j] * moved;
       }
     };
-    if (!facet.turns)
-      add(matrix, facet.normal);
-    for (std::size_t e = 0; facet.turns && e < 2; ++e)
-      add(turning[e], facet.ends[e]);
+    if (!patch.turns)
+      add(matrix, patch.normal);
+    for (std::size_t e = 0; patch.turns && e < 2; ++e)
+      add(turning[e], patch.ends[e]);
   }
   return {work.begin(), work.end()};
 }

@@ -5,18 +5,19 @@
 namespace ndframe
 {
 
-FacetNodes contactNodes(const BodyModel& body, const ContactFacet& facet, bool isDirichlet)
+FacetNodes contactNodes(const BodyModel& body, const PatchSide& side)
 {
   FacetNodes own{}, nodes{};
-  facetNodes(body.nodes, isDirichlet ? facet.dirichlet : facet.neumann, own.data());
-  const auto vertices = std::size_t(facet.dim);
-  const std::array<int, 3> ascending = ascendingPlaces(facet.dim, own.data());
-  std::array<int, 3> place{}; // where our vertices stand in `own`
+  facetNodes(body.nodes, side.facet, own.data());
+  const int dim = body.mesh.dim;
+  const auto vertices = std::size_t(dim);
+  const std::array<int, 3> ascending = ascendingPlaces(dim, own.data());
+  std::array<int, 3> place{}; // where the patch's vertices stand in `own`
   for (std::size_t a = 0; a < vertices; ++a)
-    place[isDirichlet ? a : std::size_t(facet.theirs[a])] = ascending[a];
+    place[std::size_t(side.places[a])] = ascending[a];
   for (std::size_t a = 0; a < vertices; ++a)
     nodes[a] = own[std::size_t(place[a])];
-  const FacetEdges edges = facetEdges(facet.dim);
+  const FacetEdges edges = facetEdges(dim);
   for (int e = 0; body.nodes.order == 2 && e < edges.size; ++e)
     for (int other = 0; other < edges.size; ++other) { // the edge of `own` with the same ends
       const auto [a, b] = edges.ends[other];
@@ -27,27 +28,28 @@ FacetNodes contactNodes(const BodyModel& body, const ContactFacet& facet, bool i
   return nodes;
 }
 
-FacetVectors facetOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+PatchVectors patchOpening(const std::vector<const BodyModel*>& bodies, const ContactPatch& patch,
                           const std::vector<Vector>& displacement)
 {
-  const auto first = std::size_t(facet.dirichletBody), second = std::size_t(facet.neumannBody);
-  const auto ours = contactNodes(*bodies[first], facet, true), theirs = contactNodes(*bodies[second], facet, false);
-  const auto dim = std::size_t(facet.dim);
-  FacetVectors opening{};
-  for (std::size_t i = 0; i < std::size_t(bodies[first]->nodes.nodesPerFacet); ++i)
-    for (std::size_t k = 0; k < dim; ++k)
-      opening[i][k] =
-          displacement[first][std::size_t(ours[i]) * dim + k] - displacement[second][std::size_t(theirs[i]) * dim + k];
+  const auto dim = std::size_t(patch.dim);
+  PatchVectors opening{};
+  for (std::size_t side = 0; side < 2; ++side) {
+    const auto b = std::size_t(patch.sides[side].body);
+    const FacetNodes nodes = contactNodes(*bodies[b], patch.sides[side]);
+    for (std::size_t i = 0; i < patch.numNodes(bodies[b]->nodes.order); ++i)
+      for (std::size_t k = 0; k < dim; ++k)
+        opening[i][k] += sideSign(side) * displacement[b][std::size_t(nodes[i]) * dim + k];
+  }
   return opening;
 }
 
-FacetVectors closing(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+PatchVectors closing(const std::vector<const BodyModel*>& bodies, const ContactPatch& patch,
                      const std::vector<Vector>& displacement)
 {
-  auto opening = facetOpening(bodies, facet, displacement);
-  for (std::size_t i = 0; facet.isDrawnApart && i < facet.drawn.size(); ++i)
+  auto opening = patchOpening(bodies, patch, displacement);
+  for (std::size_t i = 0; patch.isDrawnApart && i < patch.drawn.size(); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      opening[i][k] += facet.drawn[i][k];
+      opening[i][k] += patch.drawn[i][k];
   return opening;
 }
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <map>
 
 #include "ndframe/admissibility/turning_normal.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -67,72 +66,52 @@ std::vector<double> nodalShares(int dim, int order, int degree)
   return shares;
 }
 
-/// What a body feels of a traction: its own order of a facet's vertices, and the opposite sign on the Neumann side.
+/// What the sides of patches feel of their tractions.
 class FeltShares
 {
 public:
-  FeltShares(const ContactTraction& traction, bool isNeumann)
-      : traction_(traction), isNeumann_(isNeumann), inOrder_(traction.dim, traction.degree)
+  explicit FeltShares(const SideTractions& tractions)
+      : tractions_(tractions), inOrder_(tractions[0].dim, tractions[0].degree)
   {}
 
-  /// Adds the shares of facet f in global axes.
-  void add(const ContactFacet& facet, std::size_t f, Vector& all)
+  /// Adds the shares of a patch in global axes, in the body's order of vertices.
+  void add(const ContactPatch& patch, const BodyPatch& own, Vector& all)
   {
-    const std::size_t modes = traction_.numModes(), dim = std::size_t(facet.dim);
-    Vector own(dim * modes);
-    for (std::size_t a = 0; a < dim; ++a) {
-      const auto vertex = isNeumann_ ? std::size_t(facet.theirs[a]) : a;
+    const std::size_t modes = tractions_[0].numModes(), dim = std::size_t(patch.dim);
+    const PatchSide& side = patch.sides[own.side];
+    const DenseMatrix& modesOf = inOrder_(side);
+    for (std::size_t a = 0; a < patch.numVertices(); ++a) {
+      const std::size_t first = tractions_[0].first(own.patch, std::size_t(side.places[a]));
       for (std::size_t k = 0; k < modes; ++k)
-        for (std::size_t i = 0; i < dim; ++i)
-          own[k * dim + i] = component(facet, ((f * dim + vertex) * modes + k), i);
-      if (!isNeumann_) {
-        all.insert(all.end(), own.begin(), own.end());
-        continue;
-      }
-      const DenseMatrix& modesOf = inOrder_(facet.theirs);
-      for (int k = 0; k < int(modes); ++k)
         for (std::size_t i = 0; i < dim; ++i) {
-          all.push_back(0.0);
-          for (int j = 0; j < int(modes); ++j)
-            all.back() -= modesOf(k, j) * own[std::size_t(j) * dim + i];
+          double share = 0.0;
+          for (std::size_t j = 0; j < modes; ++j)
+            share += modesOf(int(k), int(j)) * component(patch, own.side, first + j, i);
+          all.push_back(sideSign(own.side) * share);
         }
     }
   }
 
 private:
-  double component(const ContactFacet& facet, std::size_t share, std::size_t i) const
+  double component(const ContactPatch& patch, std::size_t side, std::size_t share, std::size_t i) const
   {
-    return facet.turns ? traction_.vectors[share * 2 + i] : traction_.shares[share] * facet.normal[i];
+    const ContactTraction& traction = tractions_[side];
+    return patch.turns ? traction.vectors[share * 2 + i] : traction.shares[share] * patch.normal[i];
   }
 
-  const ContactTraction& traction_;
-  bool isNeumann_;
+  const SideTractions& tractions_;
   OrderedModes inOrder_;
 };
 
 } // namespace
 
-Direction ContactFacet::normalAt(std::size_t node) const
+Vector ContactTraction::moments(int patch) const
 {
-  if (!turns)
-    return normal;
-  if (node < 2)
-    return ends[node];
-  return {0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]), 0.0};
-}
-
-std::size_t ContactTraction::numModes() const
-{
-  return dim == 2 ? std::size_t(degree) + 1 : std::size_t(degree + 1) * std::size_t(degree + 2) / 2;
-}
-
-Vector ContactTraction::moments(int facet) const
-{
-  const std::size_t modes = numModes(), first = std::size_t(facet) * std::size_t(dim) * modes;
+  const std::size_t modes = numModes();
   Vector total(modes, 0.0);
   for (std::size_t a = 0; a < std::size_t(dim); ++a)
     for (std::size_t k = 0; k < modes; ++k)
-      total[k] += shares[first + a * modes + k];
+      total[k] += shares[first(std::size_t(patch), a) + k];
   return total;
 }
 
@@ -162,82 +141,40 @@ DenseMatrix bernsteinOfMoments(int dim, int degree)
   return coefficients;
 }
 
-DenseMatrix modesInOrder(int dim, int degree, const std::array<int, 3>& theirs)
-{
-  constexpr double roundOff = 1e-13;
-  const MomentBasis basis = facetBasis(dim, degree);
-  const QuadratureRule rule = simplexRule(dim - 1, 2 * degree);
-  DenseMatrix R(basis.size(), basis.size());
-  Vector ours(std::size_t(basis.size())), other(ours.size());
-  for (int q = 0; q < rule.size(); ++q) {
-    std::array<double, 3> lambda{};
-    for (std::size_t a = 0; a < std::size_t(dim); ++a)
-      lambda[a] = rule.point(q)[theirs[a]];
-    basis.values(rule.point(q), ours.data());
-    basis.values(lambda.data(), other.data());
-    for (int k = 0; k < R.rows(); ++k)
-      for (int j = 0; j < R.cols(); ++j)
-        R(k, j) += rule.weights[std::size_t(q)] * other[std::size_t(k)] * ours[std::size_t(j)];
-  }
-  for (int k = 0; k < R.rows(); ++k)
-    for (int j = 0; j < R.cols(); ++j)
-      if (std::abs(R(k, j) - std::round(R(k, j))) < roundOff)
-        R(k, j) = std::round(R(k, j));
-  return R;
-}
-
-const DenseMatrix& OrderedModes::operator()(const std::array<int, 3>& theirs)
-{
-  const auto found = found_.find(theirs);
-  return found != found_.end() ? found->second
-                               : found_.emplace(theirs, modesInOrder(dim_, degree_, theirs)).first->second;
-}
-
-double largestBernstein(const ContactTraction& traction, const std::vector<ContactFacet>& facets)
+double largestBernstein(const ContactTraction& traction, const std::vector<ContactPatch>& patches)
 {
   const DenseMatrix toBernstein = bernsteinOfMoments(traction.dim, traction.degree);
   double largest = -std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < facets.size(); ++f) {
+  for (std::size_t f = 0; f < patches.size(); ++f) {
     const Vector coefficients = multiply(toBernstein, traction.moments(int(f)));
-    largest = std::max(largest, *std::max_element(coefficients.begin(), coefficients.end()) / facets[f].measure);
+    largest = std::max(largest, *std::max_element(coefficients.begin(), coefficients.end()) / patches[f].measure);
   }
   return largest;
 }
 
-ContactTraction tractionFromNodes(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree)
+ContactTraction tractionFromNodes(const std::vector<ContactPatch>& patches, const Vector& nodal, int order, int degree)
 {
   NDFRAME_ASSERT(order <= degree, "a traction of the displacements' order must fit the degree");
-  const int dim = facets.empty() ? 2 : facets.front().dim;
-  ContactTraction traction{degree, {}, turnedShares(facets, nodal, order, degree), dim};
+  const int dim = dimOf(patches);
+  ContactTraction traction{degree, {}, turnedShares(patches, nodal, order, degree), dim};
   const auto table = nodalShares(dim, order, degree);
   const auto modes = traction.numModes(), nodes = std::size_t(numFacetNodes(dim, order)), vertices = std::size_t(dim);
-  traction.shares.assign(facets.size() * vertices * modes, 0.0);
-  for (std::size_t f = 0; f < facets.size(); ++f)
+  traction.shares.assign(traction.first(patches.size(), 0), 0.0);
+  for (std::size_t f = 0; f < patches.size(); ++f)
     for (std::size_t a = 0; a < vertices; ++a)
       for (std::size_t i = 0; i < nodes; ++i)
         for (std::size_t k = 0; k < modes; ++k)
-          traction.shares[(f * vertices + a) * modes + k] +=
-              facets[f].measure * nodal[std::size_t(facets[f].nodes[i])] * table[(a * nodes + i) * modes + k];
+          traction.shares[traction.first(f, a) + k] +=
+              patches[f].measure * nodal[std::size_t(patches[f].nodes[i])] * table[(a * nodes + i) * modes + k];
   return traction;
 }
 
-std::vector<FacetSide> facetsOfBody(const std::vector<ContactFacet>& facets, int body)
-{
-  std::vector<FacetSide> ofBody;
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (const bool isDirichlet : {true, false})
-      if (facets[f].body(isDirichlet) == body)
-        ofBody.push_back({int(f), isDirichlet});
-  return ofBody;
-}
-
-Vector contactShares(const std::vector<ContactFacet>& facets, const ContactTraction& onDirichlet,
-                     const ContactTraction& onNeumann, int body)
+Vector contactShares(const std::vector<ContactPatch>& patches, const SideTractions& tractions, int body)
 {
   Vector shares;
-  FeltShares first(onDirichlet, false), second(onNeumann, true);
-  for (const FacetSide& side : facetsOfBody(facets, body))
-    (side.isDirichlet ? first : second).add(facets[std::size_t(side.facet)], std::size_t(side.facet), shares);
+  FeltShares felt(tractions);
+  for (const BodyPatch& own : patchesOfBody(patches, body))
+    felt.add(patches[own.patch], own, shares);
   return shares;
 }
 

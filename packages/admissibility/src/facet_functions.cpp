@@ -21,6 +21,14 @@ int numFacetNodes(int dim, int order)
   return order == 1 ? dim : dim + facetEdges(dim).size;
 }
 
+int numFacetModes(int dim, int degree)
+{
+  int modes = 1;
+  for (int d = 1; d < dim; ++d)
+    modes = modes * (degree + d) / d;
+  return modes;
+}
+
 std::array<int, 3> ascendingPlaces(int dim, const int* numbers)
 {
   std::array<int, 3> places{0, 1, 2};

@@ -7,22 +7,21 @@
 namespace ndframe
 {
 
-FacetUnknowns::FacetUnknowns(const std::vector<ContactFacet>& facets, int order, TractionSign sign)
-    : dim_(facets.empty() ? 2 : facets.front().dim), order_(order),
-      bernstein_(order == 2 && sign == TractionSign::Coefficients)
+FacetUnknowns::FacetUnknowns(const std::vector<ContactPatch>& patches, int order, TractionSign sign)
+    : dim_(dimOf(patches)), order_(order), bernstein_(order == 2 && sign == TractionSign::Coefficients)
 {
   NDFRAME_ASSERT(order == 1 || order == 2, "tractions of order 1 or 2");
   NDFRAME_ASSERT(dim_ == 2 || order == 1 || bernstein_, "a vertex of a triangle carries no load in nodal values");
   const FacetEdges edges = facetEdges(dim_);
-  for (std::size_t f = 0; bernstein_ && f < facets.size(); ++f)
+  for (std::size_t f = 0; bernstein_ && f < patches.size(); ++f)
     for (int e = 0; e < edges.size; ++e) {
-      const auto node = std::size_t(facets[f].nodes[std::size_t(dim_) + std::size_t(e)]);
+      const auto node = std::size_t(patches[f].nodes[std::size_t(dim_) + std::size_t(e)]);
       middleOf_.resize(std::max(middleOf_.size(), node + 1), -1);
       if (middleOf_[node] >= 0)
         continue;
       middleOf_[node] = int(middles_.size());
       const auto [a, b] = edges.ends[e];
-      middles_.push_back({int(node), {facets[f].nodes[std::size_t(a)], facets[f].nodes[std::size_t(b)]}});
+      middles_.push_back({int(node), {patches[f].nodes[std::size_t(a)], patches[f].nodes[std::size_t(b)]}});
     }
 }
 
@@ -53,37 +52,28 @@ SparseRow FacetUnknowns::workFromNodal(const SparseRow& work, SparseSum& sum) co
   return sum.take();
 }
 
+/// Bernstein polynomials are lambda_a, or lambda_a^2 and 2 lambda_a lambda_b; with d = dim - 1 the mean of lambda^p is
+/// d! p! / (d + |p|)!.
 double FacetUnknowns::mass(int i, int j) const
 {
-  static constexpr double linear[2][2] = {{1. / 3, 1. / 6}, {1. / 6, 1. / 3}};
-  static constexpr double bernstein[3][3] = {
-      {1. / 5, 1. / 30, 1. / 10}, {1. / 30, 1. / 5, 1. / 10}, {1. / 10, 1. / 10, 2. / 15}};
-  static constexpr double nodal[3][3] = {
+  static constexpr double nodalOnEdges[3][3] = {
       {2. / 15, -1. / 30, 1. / 15}, {-1. / 30, 2. / 15, 1. / 15}, {1. / 15, 1. / 15, 8. / 15}};
-  if (dim_ == 3)
-    return onTriangles(i, j);
-  if (order_ == 1)
-    return linear[i][j];
-  return bernstein_ ? bernstein[i][j] : nodal[i][j];
-}
-
-/// Means of products of the Bernstein polynomials lambda_a, or lambda_a^2 and 2 lambda_a lambda_b:
-/// the mean of lambda^p is 2 p! / (2 + |p|)!.
-double FacetUnknowns::onTriangles(int i, int j) const
-{
-  static constexpr double factorial[5] = {1, 1, 2, 6, 24};
+  static constexpr double factorial[] = {1, 1, 2, 6, 24, 120, 720};
+  if (order_ == 2 && !bernstein_)
+    return nodalOnEdges[i][j];
   std::array<int, 3> power{};
-  double factor = 1.0;
+  double product = factorial[dim_ - 1];
   for (const int k : {i, j})
-    if (order_ == 1 || k < 3)
+    if (k < dim_)
       power[std::size_t(k)] += order_;
     else {
-      factor *= 2.0;
-      for (const int end : facetEdges(3).ends[k - 3])
+      product *= 2.0;
+      for (const int end : facetEdges(dim_).ends[k - dim_])
         ++power[std::size_t(end)];
     }
-  const double whole = order_ == 1 ? 24.0 : 720.0; // (2 + |p|)!
-  return factor * 2.0 * factorial[power[0]] * factorial[power[1]] * factorial[power[2]] / whole;
+  for (const int p : power)
+    product *= factorial[p];
+  return product / factorial[dim_ - 1 + 2 * order_];
 }
 
 } // namespace ndframe

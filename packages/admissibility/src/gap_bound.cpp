@@ -17,8 +17,7 @@ namespace
 /// A gap that differs from its interpolant by less, relative to its size, is the interpolant.
 constexpr double roundOff = 1e-12;
 
-/// Bernstein coefficients of the interpolant at the nodes, in the order of JumpCoefficients, from the values at
-/// ContactFacet::nodes.
+/// Bernstein coefficients of the interpolant from the values at ContactPatch::nodes, in their order.
 Vector interpolant(int dim, int order, const std::array<double, mostFacetNodes>& atNodes)
 {
   Vector bernstein(atNodes.begin(), atNodes.begin() + numFacetNodes(dim, order));
@@ -28,8 +27,6 @@ Vector interpolant(int dim, int order, const std::array<double, mostFacetNodes>&
     double& middle = bernstein[std::size_t(dim) + std::size_t(e)];
     middle = 2.0 * middle - 0.5 * (atNodes[std::size_t(a)] + atNodes[std::size_t(b)]);
   }
-  if (dim == 2 && order == 2)
-    std::swap(bernstein[1], bernstein[2]);
   return bernstein;
 }
 
@@ -38,7 +35,7 @@ double onEdge(const Vector& bernstein, const double* lambda)
   const double t = lambda[1], s = 1.0 - t;
   if (bernstein.size() == 2)
     return s * bernstein[0] + t * bernstein[1];
-  return s * s * bernstein[0] + 2.0 * s * t * bernstein[1] + t * t * bernstein[2];
+  return s * s * bernstein[0] + 2.0 * s * t * bernstein[2] + t * t * bernstein[1];
 }
 
 double onTriangle(const Vector& bernstein, const double* lambda)
@@ -53,7 +50,7 @@ double onTriangle(const Vector& bernstein, const double* lambda)
   return value;
 }
 
-/// Polynomials on the pieces of facets of either kind, and what they miss.
+/// Polynomials on the pieces of patches of either kind, and what they miss.
 struct FacetPieces
 {
   EdgePieces edges;
@@ -69,7 +66,7 @@ struct FacetPieces
   }
 };
 
-/// The interpolant minus the gap on a facet, on every piece a polynomial and an error.
+/// The interpolant minus the gap on a patch, on every piece a polynomial and an error.
 class Excess
 {
 public:
@@ -132,13 +129,13 @@ void lower(int dim, Vector& bernstein, const Samples& gap, FacetPieces& pieces)
     return;
   const double kappa = dim == 2 && bernstein.size() == 3 ? excess.bubble() : 0.0;
   if (kappa > 0.0)
-    bernstein[1] -= 0.5 * kappa; // t (1 - t) is half the middle Bernstein polynomial
+    bernstein[2] -= 0.5 * kappa; // t (1 - t) is half the middle Bernstein polynomial
   const double constant = excess.left(kappa);
   for (double& coefficient : bernstein)
     coefficient -= constant;
 }
 
-/// int g L_k on a facet.
+/// int g L_k on a patch.
 Vector gapMoments(const Samples& gap, const MomentBasis& basis, double measure)
 {
   Vector moments(std::size_t(basis.size()), 0.0), L(moments.size());
@@ -150,59 +147,59 @@ Vector gapMoments(const Samples& gap, const MomentBasis& basis, double measure)
   return moments;
 }
 
-/// The gap at the nodes of a facet.
-std::array<double, mostFacetNodes> nodalGaps(int order, const ContactFacet& facet, const SampledFunction& gap)
+/// The gap at the nodes of a patch.
+std::array<double, mostFacetNodes> nodalGaps(int order, const ContactPatch& patch, const SampledFunction& gap)
 {
-  const auto dim = std::size_t(facet.dim);
+  const auto dim = std::size_t(patch.dim);
   std::array<double, mostFacetNodes> values{};
   for (std::size_t a = 0; a < dim; ++a)
-    values[a] = valueAt(gap, facet.dim, facet.points[a].data());
-  const FacetEdges edges = facetEdges(facet.dim);
+    values[a] = valueAt(gap, patch.dim, patch.points[a].data());
+  const FacetEdges edges = facetEdges(patch.dim);
   for (int e = 0; order == 2 && e < edges.size; ++e) {
     const auto& [a, b] = edges.ends[e];
     Direction middle{};
     for (std::size_t k = 0; k < dim; ++k)
-      middle[k] = 0.5 * (facet.points[std::size_t(a)][k] + facet.points[std::size_t(b)][k]);
-    values[dim + std::size_t(e)] = valueAt(gap, facet.dim, middle.data());
+      middle[k] = 0.5 * (patch.points[std::size_t(a)][k] + patch.points[std::size_t(b)][k]);
+    values[dim + std::size_t(e)] = valueAt(gap, patch.dim, middle.data());
   }
   return values;
 }
 
-/// The vertices of a facet, in the order of ContactFacet::nodes.
-DataSampler::Vertices verticesOf(const ContactFacet& facet)
+/// The vertices of a patch, in the order of ContactPatch::nodes.
+DataSampler::Vertices verticesOf(const ContactPatch& patch)
 {
-  return {facet.points[0].data(), facet.points[1].data(), facet.dim == 3 ? facet.points[2].data() : nullptr, nullptr};
+  return {patch.points[0].data(), patch.points[1].data(), patch.dim == 3 ? patch.points[2].data() : nullptr, nullptr};
 }
 
 } // namespace
 
-GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector<ContactFacet>& facets, int degree,
-                  const std::vector<FacetGap>& gaps)
+GapBound boundGap(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches, int degree,
+                  const std::vector<PatchGap>& gaps)
 {
   GapBound bound;
-  const int dim = facets.empty() ? 2 : facets.front().dim;
+  const int dim = dimOf(patches);
   const MomentBasis basis = facetBasis(dim, degree);
   FacetPieces pieces;
   std::size_t first = 0;
-  for (const FacetGap& gap : gaps) {
+  for (const PatchGap& gap : gaps) {
     DataSampler sampler({gap.function}, dim);
-    const std::size_t end = first + std::size_t(gap.numFacets);
+    const std::size_t end = first + std::size_t(gap.numPatches);
     const double scale = sampler.scaleOn([&](const DataSampler::Visit& measure) {
       for (std::size_t f = first; f < end; ++f)
-        measure(dim - 1, verticesOf(facets[f]));
+        measure(dim - 1, verticesOf(patches[f]));
     });
     Doubt doubt;
     for (std::size_t f = first; f < end; ++f) {
-      const BodyModel& body = *bodies[std::size_t(facets[f].dirichletBody)];
-      const Samples samples = sampler.sample(dim - 1, verticesOf(facets[f]), scale);
+      const BodyModel& body = *bodies[std::size_t(patches[f].sides[0].body)];
+      const Samples samples = sampler.sample(dim - 1, verticesOf(patches[f]), scale);
       const int order = body.nodes.order;
-      Vector bernstein = interpolant(dim, order, nodalGaps(order, facets[f], gap.function));
+      Vector bernstein = interpolant(dim, order, nodalGaps(order, patches[f], gap.function));
       lower(dim, bernstein, samples, pieces);
-      const Vector moments = gapMoments(samples, basis, facets[f].measure);
+      const Vector moments = gapMoments(samples, basis, patches[f].measure);
       bound.bernstein.insert(bound.bernstein.end(), bernstein.begin(), bernstein.end());
       bound.moments.insert(bound.moments.end(), moments.begin(), moments.end());
       int vertices[3];
-      facetVertices(body.mesh, facets[f].dirichlet, vertices);
+      facetVertices(body.mesh, patches[f].sides[0].facet, vertices);
       doubt.add(samples, body.mesh, dim - 1, vertices);
       const bool isCharged = !samples.areCertain() && std::isfinite(samples.uncertainty);
       bound.unsure.push_back(isCharged ? samples.uncertainty * samples.scale : 0.0);

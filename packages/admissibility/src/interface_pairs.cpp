@@ -10,27 +10,28 @@ namespace ndframe
 
 InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
                                const std::vector<const ConstraintSet*>& constraints,
-                               const std::vector<ContactFacet>& facets, const GapBound& gap,
+                               const std::vector<ContactPatch>& patches, const GapBound& gap,
                                const std::vector<Vector>& displacement)
-    : bodies_(bodies), constraints_(constraints), facets_(facets), gap_(gap), displacement_(displacement),
+    : bodies_(bodies), constraints_(constraints), patches_(patches), gap_(gap), displacement_(displacement),
       uses_(bodies.size()), stiffness_(bodies.size())
 {
   for (const double g : gap.bernstein)
     size_ = std::max(size_, std::abs(g));
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    const std::array<std::size_t, 2> body{std::size_t(facets[f].dirichletBody), std::size_t(facets[f].neumannBody)};
-    const std::array<FacetNodes, 2> nodes{contactNodes(*bodies[body[0]], facets[f], true),
-                                          contactNodes(*bodies[body[1]], facets[f], false)};
-    const auto dim = std::size_t(facets[f].dim);
-    for (std::size_t i = 0; i < std::size_t(bodies[body[0]]->nodes.nodesPerFacet); ++i) {
-      Pair& pair = pairs_[facets[f].pairs[i]];
-      pair.body = body;
-      pair.node = {nodes[0][i], nodes[1][i]};
-      pair.corners.push_back({f, i});
-      pair.isMiddle = i >= dim;
-      for (std::size_t side = 0; side < 2; ++side)
+  for (std::size_t f = 0; f < patches.size(); ++f) {
+    const auto dim = patches[f].numVertices();
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto b = std::size_t(patches[f].sides[side].body);
+      const FacetNodes nodes = contactNodes(*bodies[b], patches[f].sides[side]);
+      for (std::size_t i = 0; i < patches[f].numNodes(bodies[b]->nodes.order); ++i) {
+        Pair& pair = pairs_[patches[f].pairs[i]];
+        pair.body[side] = b;
+        pair.node[side] = nodes[i];
+        pair.isMiddle = i >= dim;
+        if (side == 0)
+          pair.corners.push_back({f, i});
         for (std::size_t k = 0; k < dim; ++k)
-          size_ = std::max(size_, std::abs(displacement[body[side]][std::size_t(pair.node[side]) * dim + k]));
+          size_ = std::max(size_, std::abs(displacement[b][std::size_t(nodes[i]) * dim + k]));
+      }
     }
   }
   for (const auto& entry : pairs_)
@@ -43,42 +44,43 @@ bool InterfacePairs::isShared(const Pair& pair) const
   return areShared_ && (uses_[pair.body[0]].at(pair.node[0]) > 1 || uses_[pair.body[1]].at(pair.node[1]) > 1);
 }
 
-JumpCoefficients InterfacePairs::coefficients(std::size_t facet) const
+JumpCoefficients InterfacePairs::coefficients(std::size_t patch) const
 {
-  return {facets_[facet], bodies_.front()->nodes.order};
+  return {patches_[patch], bodies_.front()->nodes.order};
 }
 
 std::vector<std::size_t> InterfacePairs::decided(const Corner& corner) const
 {
-  const JumpCoefficients jump = coefficients(corner.facet);
-  if (corner.number < std::size_t(facets_[corner.facet].dim))
+  const JumpCoefficients jump = coefficients(corner.patch);
+  if (corner.number < patches_[corner.patch].numVertices())
     return {jump.atVertex(corner.number)};
   return jump.atMiddle(corner.number);
 }
 
-double InterfacePairs::excess(std::size_t facet, std::size_t coefficient) const
+double InterfacePairs::excess(std::size_t patch, std::size_t coefficient) const
 {
-  const std::size_t size = gap_.bernstein.size() / facets_.size();
-  const JumpCoefficients jump = coefficients(facet);
-  return jump.of(coefficient, closing(bodies_, facets_[facet], displacement_)) -
-         jump.gap(coefficient, gap_.bernstein.data() + facet * size);
+  const std::size_t size = gap_.bernstein.size() / patches_.size();
+  const JumpCoefficients jump = coefficients(patch);
+  return jump.of(coefficient, closing(bodies_, patches_[patch], displacement_)) -
+         jump.gap(coefficient, gap_.bernstein.data() + patch * size);
 }
 
 const NodeStiffness& InterfacePairs::stiffness(std::size_t body)
 {
   if (stiffness_[body].empty())
-    stiffness_[body] = interfaceStiffness(*bodies_[body], facets_, int(body));
+    stiffness_[body] = interfaceStiffness(*bodies_[body], patches_, int(body));
   return stiffness_[body];
 }
 
 Compliance InterfacePairs::compliance(const Pair& pair)
 {
   Direction normal{};
-  const auto node = [&](const Corner& corner) { return facets_[corner.facet].nodes[corner.number]; };
+  const auto node = [&](const Corner& corner) { return patches_[corner.patch].nodes[corner.number]; };
   const bool isCorner = node(pair.corners.front()) != node(pair.corners.back());
   for (const Corner& corner : pair.corners)
     for (std::size_t k = 0; k < 3; ++k) // at a corner the bisector, which opens both flanks whatever their lengths
-      normal[k] += (isCorner ? 1.0 : facets_[corner.facet].measure) * facets_[corner.facet].normalAt(corner.number)[k];
+      normal[k] +=
+          (isCorner ? 1.0 : patches_[corner.patch].measure) * patches_[corner.patch].normalAt(corner.number)[k];
   const double length = std::sqrt(dotProduct(normal, normal));
   for (double& component : normal)
     component /= length;
@@ -91,7 +93,7 @@ Compliance InterfacePairs::compliance(const Pair& pair)
     const NodeBlock& block = stiffness(body).at({pair.node[side], pair.node[side]});
     const double factor = dotProduct(free, free) / block.work(free, free);
     for (std::size_t k = 0; k < 3; ++k)
-      result.move[side][k] = (side == 0 ? -factor : factor) * free[k];
+      result.move[side][k] = -sideSign(side) * factor * free[k];
   }
   return result;
 }

@@ -9,10 +9,10 @@
 namespace ndframe
 {
 
-/// A facet's node: number 0, 1 (in space 2) the vertices, then the middles of its edges.
+/// A patch's node: number 0, 1 (in space 2) the vertices, then the middles of its edges.
 struct Corner
 {
-  std::size_t facet;
+  std::size_t patch;
   std::size_t number;
 };
 
@@ -21,7 +21,7 @@ struct Pair
 {
   std::array<std::size_t, 2> body{};
   std::array<int, 2> node{};
-  std::vector<Corner> corners; ///< the facets of an edge's middle, the facets of a vertex
+  std::vector<Corner> corners; ///< the patches of an edge's middle, the patches of a vertex
   bool isMiddle = false;
 };
 
@@ -40,7 +40,8 @@ class InterfacePairs
 public:
   /// All arguments must outlive it. displacement: per body, global axes.
   InterfacePairs(const std::vector<const BodyModel*>& bodies, const std::vector<const ConstraintSet*>& constraints,
-                 const std::vector<ContactFacet>& facets, const GapBound& gap, const std::vector<Vector>& displacement);
+                 const std::vector<ContactPatch>& patches, const GapBound& gap,
+                 const std::vector<Vector>& displacement);
 
   const std::map<int, Pair>& all() const { return pairs_; } ///< by interface node
   /// Whether a node of the pair belongs to another pair, too: interfaces meet there, and what opens one may close
@@ -52,19 +53,19 @@ public:
   /// Largest displacement or gap on the interfaces.
   double size() const { return size_; }
 
-  JumpCoefficients coefficients(std::size_t facet) const;
-  /// The coefficients (of its facet's jump) that a corner decides: its own one at a vertex, the inner ones in the
+  JumpCoefficients coefficients(std::size_t patch) const;
+  /// The coefficients (of its patch's jump) that a corner decides: its own one at a vertex, the inner ones in the
   /// middle.
   std::vector<std::size_t> decided(const Corner& corner) const;
-  /// How much a Bernstein coefficient of a facet's jump is above the gap's.
-  double excess(std::size_t facet, std::size_t coefficient) const;
+  /// How much a Bernstein coefficient of a patch's jump is above the gap's.
+  double excess(std::size_t patch, std::size_t coefficient) const;
   Compliance compliance(const Pair& pair);
   const NodeStiffness& stiffness(std::size_t body);
 
 private:
   const std::vector<const BodyModel*>& bodies_;
   const std::vector<const ConstraintSet*>& constraints_;
-  const std::vector<ContactFacet>& facets_;
+  const std::vector<ContactPatch>& patches_;
   const GapBound& gap_;
   const std::vector<Vector>& displacement_;
   std::map<int, Pair> pairs_;

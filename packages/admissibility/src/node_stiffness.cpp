@@ -40,11 +40,11 @@ NodeStiffness blocksBetween(const BodyModel& body, const std::set<int>& chosen)
 
 } // namespace
 
-NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<ContactFacet>& facets, int bodyNumber)
+NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<ContactPatch>& patches, int bodyNumber)
 {
   std::set<int> chosen;
-  for (const FacetSide& side : facetsOfBody(facets, bodyNumber)) {
-    const auto nodes = contactNodes(body, facets[std::size_t(side.facet)], side.isDirichlet);
+  for (const BodyPatch& own : patchesOfBody(patches, bodyNumber)) {
+    const auto nodes = contactNodes(body, patches[own.patch].sides[own.side]);
     chosen.insert(nodes.begin(), nodes.begin() + body.nodes.nodesPerFacet);
   }
   return withDimAndOrder(body.mesh.dim, body.nodes.order,

@@ -26,6 +26,6 @@ struct NodeBlock
 using NodeStiffness = std::map<std::pair<int, int>, NodeBlock>; ///< by nodes: row, column
 
 /// The blocks of K between a body's interface nodes; those of nodes that share no cell are left out.
-NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<ContactFacet>& facets, int bodyNumber);
+NodeStiffness interfaceStiffness(const BodyModel& body, const std::vector<ContactPatch>& patches, int bodyNumber);
 
 } // namespace ndframe

@@ -33,12 +33,12 @@ void addBody(const NodeStiffness& blocks, const Members& members, const std::vec
   }
 }
 
-/// The least opening of a pair's facets when its nodes move.
-double leastGain(const Pair& pair, const Compliance& apart, const std::vector<ContactFacet>& facets)
+/// The least opening of a pair's patches when its nodes move.
+double leastGain(const Pair& pair, const Compliance& apart, const std::vector<ContactPatch>& patches)
 {
   double smallest = HUGE_VAL;
   for (const Corner& corner : pair.corners)
-    smallest = std::min(smallest, apart.gain(facets[corner.facet].normal));
+    smallest = std::min(smallest, apart.gain(patches[corner.patch].normal));
   return smallest;
 }
 
@@ -54,14 +54,14 @@ double PairMoves::work(int i, const std::vector<Vector>& forces) const
   return sum;
 }
 
-PairMoves pairMoves(const std::vector<ContactFacet>& facets, InterfacePairs& pairs)
+PairMoves pairMoves(const std::vector<ContactPatch>& patches, InterfacePairs& pairs)
 {
   PairMoves result;
-  result.dim = facets.empty() ? 2 : std::size_t(facets.front().dim);
+  result.dim = std::size_t(dimOf(patches));
   std::vector<Members> members(pairs.numBodies());
   for (const auto& [node, pair] : pairs.all()) {
     Compliance apart = pairs.compliance(pair);
-    const double gain = leastGain(pair, apart, facets);
+    const double gain = leastGain(pair, apart, patches);
     if (gain <= 0.0 || pairs.isShared(pair))
       continue;
     const int number = int(result.pairs.size());

@@ -10,7 +10,7 @@ struct PairMoves
 {
   std::size_t dim = 2;
   std::vector<Pair> pairs;
-  std::vector<Compliance> moves;                         ///< opens its facets by 1, at corners by 1 at least
+  std::vector<Compliance> moves;                         ///< opens its patches by 1, at corners by 1 at least
   std::vector<std::vector<std::pair<int, double>>> rows; ///< of the stiffness, by pair
   std::map<int, int> index;                              ///< of interface nodes
 
@@ -19,6 +19,6 @@ struct PairMoves
 };
 
 /// Pairs that supports hold on both sides are left out.
-PairMoves pairMoves(const std::vector<ContactFacet>& facets, InterfacePairs& pairs);
+PairMoves pairMoves(const std::vector<ContactPatch>& patches, InterfacePairs& pairs);
 
 } // namespace ndframe

@@ -20,10 +20,10 @@ class Tightening
 {
 public:
   Tightening(const std::vector<const BodyModel*>& bodies, const std::vector<const ConstraintSet*>& constraints,
-             const std::vector<ContactFacet>& facets, const GapBound& gap, const BoundOfDisplacement& bound,
+             const std::vector<ContactPatch>& patches, const GapBound& gap, const BoundOfDisplacement& bound,
              AdmissibleDisplacement& admissible)
-      : facets_(facets), isQuadratic_(bodies.front()->nodes.order == 2), bound_(bound), admissible_(admissible),
-        pairs_(bodies, constraints, facets, gap, admissible.displacement), moves_(pairMoves(facets, pairs_)),
+      : patches_(patches), isQuadratic_(bodies.front()->nodes.order == 2), bound_(bound), admissible_(admissible),
+        pairs_(bodies, constraints, patches, gap, admissible.displacement), moves_(pairMoves(patches, pairs_)),
         force_(moves_.pairs.size(), 0.0)
   {}
 
@@ -33,10 +33,10 @@ private:
   /// What a Bernstein coefficient of the jump, lowered by 1, opens.
   using Opening = std::vector<std::pair<int, double>>;
 
-  /// A coefficient of a facet's jump and how much it falls when a pair opens by 1.
+  /// A coefficient of a patch's jump and how much it falls when a pair opens by 1.
   struct Condition
   {
-    std::size_t facet, coefficient;
+    std::size_t patch, coefficient;
     double gain;
   };
 
@@ -48,7 +48,7 @@ private:
   void pass(double A, double R);
   void open(int pair, double amount);
 
-  const std::vector<ContactFacet>& facets_;
+  const std::vector<ContactPatch>& patches_;
   const bool isQuadratic_;
   const BoundOfDisplacement& bound_;
   AdmissibleDisplacement& admissible_;
@@ -67,19 +67,19 @@ Tightening::Opening Tightening::opening(int number) const
   const Pair& pair = moves_.pairs[std::size_t(number)];
   if (!isQuadratic_ || pair.isMiddle)
     return result;
-  std::set<int> taken; // an edge in space has two facets
+  std::set<int> taken; // an edge in space has two patches
   for (const Corner& corner : pair.corners) {
-    const ContactFacet& facet = facets_[corner.facet];
-    const FacetEdges edges = facetEdges(facet.dim);
+    const ContactPatch& patch = patches_[corner.patch];
+    const FacetEdges edges = facetEdges(patch.dim);
     for (int e = 0; e < edges.size; ++e) {
       const auto [a, b] = edges.ends[e];
-      const auto middle = moves_.index.find(facet.pairs[std::size_t(facet.dim) + std::size_t(e)]);
+      const auto middle = moves_.index.find(patch.pairs[std::size_t(patch.dim) + std::size_t(e)]);
       if ((a != int(corner.number) && b != int(corner.number)) || middle == moves_.index.end() ||
           !taken.insert(middle->second).second)
         continue;
       const Compliance &vertex = moves_.moves[std::size_t(number)],
                        &between = moves_.moves[std::size_t(middle->second)];
-      result.emplace_back(middle->second, 0.25 * vertex.gain(facet.normal) / between.gain(facet.normal));
+      result.emplace_back(middle->second, 0.25 * vertex.gain(patch.normal) / between.gain(patch.normal));
     }
   }
   return result;
@@ -109,29 +109,29 @@ double Tightening::square(double sign, double contact) const
   return std::max(value, 0.0);
 }
 
-/// What an opening decides: on a straight facet the pair's own coefficient (the others stay), on one along which the
+/// What an opening decides: on a straight patch the pair's own coefficient (the others stay), on one along which the
 /// normal turns all that it changes.
 std::vector<Tightening::Condition> Tightening::conditions(const Opening& opening) const
 {
   std::vector<Condition> result;
   const auto first = std::size_t(opening.front().first);
   for (const Corner& corner : moves_.pairs[first].corners) {
-    const ContactFacet& facet = facets_[corner.facet];
-    const JumpCoefficients jump = pairs_.coefficients(corner.facet);
-    if (!facet.turns) {
+    const ContactPatch& patch = patches_[corner.patch];
+    const JumpCoefficients jump = pairs_.coefficients(corner.patch);
+    if (!patch.turns) {
       const std::size_t own = pairs_.decided(corner).front();
-      result.push_back({corner.facet, own, moves_.moves[first].gain(jump.weight(own, corner.number))});
+      result.push_back({corner.patch, own, moves_.moves[first].gain(jump.weight(own, corner.number))});
       continue;
     }
     for (std::size_t k = 0; k < jump.size(); ++k) {
       double gain = 0.0;
       for (std::size_t node = 0; node <= std::size_t(jump.order); ++node)
         for (const auto& [pair, amount] : opening)
-          if (const auto found = moves_.index.find(facet.pairs[node]);
+          if (const auto found = moves_.index.find(patch.pairs[node]);
               found != moves_.index.end() && found->second == pair)
             gain += amount * moves_.moves[std::size_t(pair)].gain(jump.weight(k, node));
       if (gain != 0.0)
-        result.push_back({corner.facet, k, gain});
+        result.push_back({corner.patch, k, gain});
     }
   }
   return result;
@@ -142,8 +142,8 @@ std::pair<double, double> Tightening::range(int number) const
 {
   double least = -HUGE_VAL, most = HUGE_VAL;
   for (const Condition& condition : conditions_[std::size_t(number)]) {
-    double excess = pairs_.excess(condition.facet, condition.coefficient);
-    if (facets_[condition.facet].turns) // u^ is admissible: above zero it is round-off, and gains may be small
+    double excess = pairs_.excess(condition.patch, condition.coefficient);
+    if (patches_[condition.patch].turns) // u^ is admissible: above zero it is round-off, and gains may be small
       excess = std::min(excess, 0.0);
     const double amount = excess / condition.gain;
     if (condition.gain > 0.0)
@@ -212,11 +212,11 @@ void Tightening::run(const std::vector<Vector>& displacement)
 } // namespace
 
 void tightenDisplacement(const std::vector<const BodyModel*>& bodies,
-                         const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactFacet>& facets,
+                         const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactPatch>& patches,
                          const GapBound& gap, const std::vector<Vector>& displacement, const BoundOfDisplacement& bound,
                          AdmissibleDisplacement& admissible)
 {
-  Tightening(bodies, constraints, facets, gap, bound, admissible).run(displacement);
+  Tightening(bodies, constraints, patches, gap, bound, admissible).run(displacement);
   admissible.charge = changeInEnergy(bodies, displacement, admissible.displacement);
 }
 

@@ -27,7 +27,7 @@ EndTables endMeans(int rows, int cols, int degree, const Values& values)
   return tables;
 }
 
-/// Means of lambda_e lambda_a N_i m_k, m_k the facet's modes or (order 1) those of a unit force at a.
+/// Means of lambda_e lambda_a N_i m_k, m_k the edge's modes or (order 1) those of a unit force at a.
 EndTables shareTables(int order, int degree, int a)
 {
   const MomentBasis basis = facetBasis(2, degree);
@@ -61,43 +61,43 @@ EndTables turningModes(int degree, int fine)
   });
 }
 
-Vector turned(const EndTables& modes, const ContactFacet& facet, const Vector& moments)
+Vector turned(const EndTables& modes, const ContactPatch& patch, const Vector& moments)
 {
   Vector result;
   const std::array<Vector, 2> along{multiply(modes[0], moments), multiply(modes[1], moments)};
   for (std::size_t k = 0; k < along[0].size(); ++k)
     for (std::size_t i = 0; i < 2; ++i)
-      result.push_back(along[0][k] * facet.ends[0][i] + along[1][k] * facet.ends[1][i]);
+      result.push_back(along[0][k] * patch.ends[0][i] + along[1][k] * patch.ends[1][i]);
   return result;
 }
 
-void addTurned(const EndTables& modes, const std::vector<ContactFacet>& facets, std::size_t facet, int vertex,
+void addTurned(const EndTables& modes, const std::vector<ContactPatch>& patches, std::size_t patch, int vertex,
                const Vector& change, ContactTraction& traction)
 {
-  if (!facets[facet].turns)
+  if (!patches[patch].turns)
     return;
-  const Vector moments = turned(modes, facets[facet], change);
-  double* share = traction.vectors.data() + (facet * 2 + std::size_t(vertex)) * moments.size();
+  const Vector moments = turned(modes, patches[patch], change);
+  double* share = traction.vectors.data() + 2 * traction.first(patch, std::size_t(vertex));
   for (std::size_t i = 0; i < moments.size(); ++i)
     share[i] += moments[i];
 }
 
-Vector turnedShares(const std::vector<ContactFacet>& facets, const Vector& nodal, int order, int degree)
+Vector turnedShares(const std::vector<ContactPatch>& patches, const Vector& nodal, int order, int degree)
 {
-  if (std::none_of(facets.begin(), facets.end(), [](const ContactFacet& facet) { return facet.turns; }))
+  if (std::none_of(patches.begin(), patches.end(), [](const ContactPatch& patch) { return patch.turns; }))
     return {};
   const std::array<EndTables, 2> tables{shareTables(order, degree, 0), shareTables(order, degree, 1)};
   const auto modes = std::size_t(degree) + 1;
-  Vector shares(facets.size() * 4 * modes, 0.0);
-  for (std::size_t f = 0; f < facets.size(); ++f)
-    for (std::size_t a = 0; facets[f].turns && a < 2; ++a)
+  Vector shares(patches.size() * 4 * modes, 0.0);
+  for (std::size_t f = 0; f < patches.size(); ++f)
+    for (std::size_t a = 0; patches[f].turns && a < 2; ++a)
       for (std::size_t e = 0; e < 2; ++e)
         for (int k = 0; k <= degree; ++k)
           for (int i = 0; i <= order; ++i)
             for (std::size_t d = 0; d < 2; ++d)
               shares[((f * 2 + a) * modes + std::size_t(k)) * 2 + d] +=
-                  facets[f].measure * nodal[std::size_t(facets[f].nodes[std::size_t(i)])] * tables[a][e](i, k) *
-                  facets[f].ends[e][d];
+                  patches[f].measure * nodal[std::size_t(patches[f].nodes[std::size_t(i)])] * tables[a][e](i, k) *
+                  patches[f].ends[e][d];
   return shares;
 }
 

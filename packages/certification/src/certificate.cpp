@@ -85,10 +85,10 @@ void Certifier::admitTractions()
   if (!wants(Estimator::Discretization))
     return;
   auto& sides = separate_.field;
-  sides.onDirichlet = admitTraction(scene_, state.tractionDirichlet, sign);
-  sides.onNeumann = state.tractionDirichlet == state.tractionNeumann
-                        ? sides.onDirichlet
-                        : tractionFromNodes(scene_.facets, state.tractionNeumann, scene_.order, scene_.degree);
+  sides.tractions[0] = admitTraction(scene_, state.tractionDirichlet, sign);
+  sides.tractions[1] = state.tractionDirichlet == state.tractionNeumann
+                           ? sides.tractions[0]
+                           : tractionFromNodes(scene_.patches, state.tractionNeumann, scene_.order, scene_.degree);
 }
 
 /// The admissible traction, of those that may stand for the computed one, that changes the solution least and that its
@@ -100,7 +100,7 @@ IntermediateField Certifier::nearestField(const Vector& traction, TractionSign s
   const Vector cost = options_.mode == ErrorMode::Paper ? Vector() : openingCost(scene_, traction);
   for (const Vector& candidate : tractionsOfSides(scene_, traction)) {
     const ContactTraction admitted = admitTraction(scene_, candidate, sign, cost);
-    fields.push_back({admitted, admitted, {}});
+    fields.push_back({{admitted, admitted}, {}});
   }
   if (fields.size() == 1)
     return std::move(fields.front());
@@ -137,7 +137,7 @@ SceneField Certifier::globalField() const
 void Certifier::recoverStresses()
 {
   const auto timer = timeStage(ledger_, Stage::CertifyRecovery);
-  if (scene_.facets.empty())
+  if (scene_.patches.empty())
     global_.field.displacement = scene_.solved;
   recoveryScene_ = makeRecoveryScene(scene_);
   admissible_ = admitScene(scene_, recoveryScene_, options_.mode);
@@ -175,7 +175,7 @@ ErrorMeasure Certifier::measureStressOf(const RecoveredField& field)
   const auto addUp = [&] { addOscillation(scene_, recoveryScene_, global_, options_.mode, admissible_); };
   addUp();
   ElementDistances distances(scene_, field);
-  const bool tightens = &field == &global_ && options_.mode == ErrorMode::Strict && !scene_.facets.empty();
+  const bool tightens = &field == &global_ && options_.mode == ErrorMode::Strict && !scene_.patches.empty();
   ErrorMeasure measure =
       tightens ? tighten(scene_, field, admissible_, distances) : measureStress(scene_, field, admissible_, distances);
   if (!sharpenOscillation(scene_, recoveryScene_, measure))
@@ -198,8 +198,8 @@ void Certifier::measureGlobal()
   if (guarantee.holds())
     result_.energy = energyOf(scene_, global_, admissible_, globalMeasure_);
   result_.etaGlobal = cellContributions(globalMeasure_);
-  result_.traction = global_.stress.onDirichlet;
-  result_.facets = scene_.facets;
+  result_.traction = global_.stress.tractions[0];
+  result_.patches = scene_.patches;
   result_.intermediate = global_.field.displacement;
   result_.admissible = admissible_.displacement.displacement;
 }
@@ -210,9 +210,9 @@ void Certifier::compareWithIndicators()
   const Vector& dirichlet = scene_.coupling.state.tractionDirichlet;
   const Vector& neumann = scene_.coupling.state.tractionNeumann;
   SceneStress solved;
-  if (wants(Estimator::Residual) && !scene_.facets.empty()) {
-    solved.onDirichlet = tractionFromNodes(scene_.facets, dirichlet, scene_.order, scene_.degree);
-    solved.onNeumann = tractionFromNodes(scene_.facets, neumann, scene_.order, scene_.degree);
+  if (wants(Estimator::Residual) && !scene_.patches.empty()) {
+    solved.tractions[0] = tractionFromNodes(scene_.patches, dirichlet, scene_.order, scene_.degree);
+    solved.tractions[1] = tractionFromNodes(scene_.patches, neumann, scene_.order, scene_.degree);
   }
   if (wants(Estimator::Residual) && recoveryScene_.data.empty())
     recoveryScene_ = makeRecoveryScene(scene_);
@@ -266,7 +266,7 @@ void Certifier::measure()
 void Certifier::compare(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)
 {
   const auto timer = timeStage(ledger_, Stage::CertifyReference);
-  const CertifiedStress certified{result_.admissible, scene_.facets, result_.traction, globalMeasure_,
+  const CertifiedStress certified{result_.admissible, scene_.patches, result_.traction, globalMeasure_,
                                   boundOf(globalMeasure_, options_.mode)};
   const ReferenceDepth depth{options_.refinements, options_.maximumDofs};
   updateReference(reference, deck_, components, scene_.model, depth, comm_, ledger_);

@@ -104,12 +104,12 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
                            const AdmissibleScene& admissible, ElementDistances& distances)
 {
   Vector contact;
-  if (!scene.facets.empty()) {
-    contact = contactContributions(scene.facets, recovered.stress.onDirichlet,
+  if (!scene.patches.empty()) {
+    contact = contactContributions(scene.patches, recovered.stress.tractions[0],
                                    openings(scene, admissible.displacement.displacement, admissible.gap));
-    addUnsureGap(scene.facets, recovered.stress.onDirichlet, admissible.gap.unsure, contact);
+    addUnsureGap(scene.patches, recovered.stress.tractions[0], admissible.gap.unsure, contact);
   }
-  ErrorMeasure measure = assembleMeasure(distances.to(admissible.displacement.displacement), scene.facets, contact,
+  ErrorMeasure measure = assembleMeasure(distances.to(admissible.displacement.displacement), scene.patches, contact,
                                          admissible.oscillation);
   measure.prescribed = admissible.prescribed;
   measure.projection = admissible.displacement.charge;
@@ -125,10 +125,10 @@ ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateFie
     const auto b = std::size_t(body);
     energies[b] = cellEnergies(*scene.bodies[b], difference(field.displacement[b], scene.solved[b]));
   });
-  const Vector gap = nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree);
-  const Vector opening = difference(jumpMoments(scene.bodies, scene.facets, scene.solved, scene.degree), gap);
-  ErrorMeasure measure = assembleMeasure(std::move(energies), scene.facets,
-                                         contactContributions(scene.facets, field.onDirichlet, opening));
+  const Vector gap = nodalMoments(scene.patches, nodalGap(scene.model), scene.order, scene.degree);
+  const Vector opening = difference(jumpMoments(scene.bodies, scene.patches, scene.solved, scene.degree), gap);
+  ErrorMeasure measure = assembleMeasure(std::move(energies), scene.patches,
+                                         contactContributions(scene.patches, field.tractions[0], opening));
   if (areOne(scene.coupling.state))
     measure.projection = scene.coupling.history.back().iterationError.value_or(0.0);
   return measure;
@@ -196,9 +196,9 @@ Guarantee judge(const CertifiedScene& scene, const RecoveredField& recovered, co
                   imbalance, largestDefect));
   guarantee.require(equilibrium <= largestDefect,
                     fmt::format("the equilibrated stress is out of balance by {:.1e}", equilibrium));
-  if (scene.facets.empty() || mode == ErrorMode::Paper)
+  if (scene.patches.empty() || mode == ErrorMode::Paper)
     return guarantee;
-  const double tension = largestTension(scene, recovered.stress.onDirichlet),
+  const double tension = largestTension(scene, recovered.stress.tractions[0]),
                penetration = largestPenetration(scene, admissible.displacement.displacement, admissible.gap);
   guarantee.require(tension <= roundOff,
                     fmt::format("the admissible traction pulls somewhere, by {:.1e} of the largest", tension));
@@ -219,14 +219,13 @@ ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovere
   BoundOfDisplacement bound{measure.elements, 0.5 * measure.contact, {}, {}};
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const SceneStress& stress = recovered.stress;
-    bound.traction.push_back(
-        contactForces(*scene.bodies[b], int(b), scene.facets, stress.onDirichlet, stress.onNeumann));
+    bound.traction.push_back(contactForces(*scene.bodies[b], int(b), scene.patches, stress.tractions));
     const Vector solved = scene.condensed.trace(int(b)) != nullptr
                               ? solvedForces(scene.condensed, int(b), scene.coupling.state)
                               : Vector(bound.traction.back().size(), 0.0);
     bound.residual.push_back(difference(bound.traction.back(), solved));
   }
-  tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, admissible.gap, scene.solved, bound,
+  tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, admissible.gap, scene.solved, bound,
                       admissible.displacement);
   return measureStress(scene, recovered, admissible, distances);
 }

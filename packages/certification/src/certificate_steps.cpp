@@ -38,14 +38,12 @@ std::vector<Vector> stiffnessOf(const std::vector<const BodyModel*>& bodies)
   return stiffness;
 }
 
-/// 1/|f| int psi_i dS of a facet's nodal functions.
+/// 1/|f| int psi_i dS of a patch's nodal functions: lambda_a, or lambda_a (2 lambda_a - 1) and 4 lambda_a lambda_b.
 double shareOf(int dim, int order, std::size_t node)
 {
   if (order == 1)
     return 1.0 / dim;
-  if (dim == 3)
-    return node < 3 ? 0.0 : 1.0 / 3;
-  return node < 2 ? 1.0 / 6 : 2.0 / 3;
+  return (node < std::size_t(dim) ? 3.0 - dim : 4.0) / (dim * (dim + 1));
 }
 
 double largest(const std::vector<Vector>& fields)
@@ -73,7 +71,7 @@ void Guarantee::accept(const std::string& caveat)
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                          const std::vector<BodyFields>& fields, int degree, const Comm& comm)
 {
-  CertifiedScene scene{model, condensed, coupling, {}, {}, contactFacets(model), 0, degree, 0.0, comm};
+  CertifiedScene scene{model, condensed, coupling, {}, {}, contactPatches(model), 0, degree, 0.0, comm};
   double total = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     scene.bodies.push_back(&model.bodies[b]);
@@ -104,15 +102,13 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
 {
   RecoveryScene result;
   result.bodies = scene.bodies;
-  result.facets = scene.facets;
+  result.patches = scene.patches;
   result.data.resize(scene.bodies.size());
   runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
     const auto b = std::size_t(body);
     std::vector<Facet> contact;
-    for (const FacetSide& side : facetsOfBody(scene.facets, body)) {
-      const ContactFacet& facet = scene.facets[std::size_t(side.facet)];
-      contact.push_back(side.isDirichlet ? facet.dirichlet : facet.neumann);
-    }
+    for (const BodyPatch& own : patchesOfBody(scene.patches, body))
+      contact.push_back(scene.patches[own.patch].sides[own.side].facet);
     if (scene.bodies[b]->isRigid) { // no stress, no data
       result.data[b] = withoutData(*scene.bodies[b], scene.degree);
       return;
@@ -127,14 +123,13 @@ SceneField makeSceneField(const IntermediateField& field)
   SceneField result;
   for (const Vector& displacement : field.displacement)
     result.displacement.push_back(&displacement);
-  result.onDirichlet = field.onDirichlet;
-  result.onNeumann = field.onNeumann;
+  result.tractions = field.tractions;
   return result;
 }
 
 Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body)
 {
-  return contactShares(scene.facets, stress.onDirichlet, stress.onNeumann, body);
+  return contactShares(scene.patches, stress.tractions, body);
 }
 
 Vector nodalGap(const Model& model)
@@ -150,7 +145,7 @@ double largestTension(const CertifiedScene& scene, const ContactTraction& tracti
   ContactTraction opposite = traction;
   for (double& share : opposite.shares)
     share = -share;
-  const double tension = largestBernstein(traction, scene.facets), scale = largestBernstein(opposite, scene.facets);
+  const double tension = largestBernstein(traction, scene.patches), scale = largestBernstein(opposite, scene.patches);
   return scale > 0.0 ? tension / scale : tension;
 }
 
@@ -161,20 +156,19 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
   Vector cost(std::size_t(scene.condensed.interface.C->size()), 0.0);
   const Vector gap = nodalGap(scene.model);
   const std::vector<Vector> ofLaws = stiffnessOf(scene.bodies);
-  for (const ContactFacet& facet : scene.facets) {
-    const auto opening = facetOpening(scene.bodies, facet, scene.solved);
-    const auto stiffnessAt = [&](bool isDirichlet) {
-      const auto body = std::size_t(facet.body(isDirichlet));
-      const int cell = (isDirichlet ? facet.dirichlet : facet.neumann).cell;
-      return ofLaws[body][std::size_t(scene.bodies[body]->laws.number(cell))];
-    };
-    const double stiffness = std::min(stiffnessAt(true), stiffnessAt(false));
-    for (std::size_t i = 0; i < std::size_t(numFacetNodes(facet.dim, scene.order)); ++i) {
-      const auto node = std::size_t(facet.nodes[i]);
-      const double open = gap[node] - dotProduct(facet.normalAt(i), opening[i]);
-      const double share = shareOf(facet.dim, scene.order, i);
-      const double perSize = facet.dim == 2 ? 1.0 : std::sqrt(facet.measure); // measure / h
-      cost[node] -= share * std::min(2.0 * stiffness * perSize * std::max(0.0, open), most * facet.measure);
+  for (const ContactPatch& patch : scene.patches) {
+    const auto opening = patchOpening(scene.bodies, patch, scene.solved);
+    double stiffness = std::numeric_limits<double>::infinity();
+    for (const PatchSide& side : patch.sides) {
+      const auto body = std::size_t(side.body);
+      stiffness = std::min(stiffness, ofLaws[body][std::size_t(scene.bodies[body]->laws.number(side.facet.cell))]);
+    }
+    for (std::size_t i = 0; i < patch.numNodes(scene.order); ++i) {
+      const auto node = std::size_t(patch.nodes[i]);
+      const double open = gap[node] - dotProduct(patch.normalAt(i), opening[i]);
+      const double share = shareOf(patch.dim, scene.order, i);
+      const double perSize = patch.dim == 2 ? 1.0 : std::sqrt(patch.measure); // measure / h
+      cost[node] -= share * std::min(2.0 * stiffness * perSize * std::max(0.0, open), most * patch.measure);
     }
   }
   return cost;
@@ -182,11 +176,11 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
 
 ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
 {
-  const auto balance = balanceConditions(scene.model, scene.condensed, scene.facets);
+  const auto balance = balanceConditions(scene.model, scene.condensed, scene.patches);
   try {
     const Vector projected =
-        projectTraction(scene.facets, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
-    return tractionFromNodes(scene.facets, projected, scene.order, scene.degree);
+        projectTraction(scene.patches, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
+    return tractionFromNodes(scene.patches, projected, scene.order, scene.degree);
   } catch (const InfeasibleTraction& failure) {
     throw NotConverged(fmt::format("no pressure on the interfaces balances the loads ({}): they act too close to the "
                                    "edge of contact, so there is no equilibrated stress and no bound. Hold the body or "
@@ -205,7 +199,7 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
     const auto b = std::size_t(trace.body);
     std::vector<Vector> forces;
     for (const auto* field : fields) {
-      Vector force = contactForces(*scene.bodies[b], trace.body, scene.facets, field->onDirichlet, field->onNeumann);
+      Vector force = contactForces(*scene.bodies[b], trace.body, scene.patches, field->tractions);
       forces.push_back(std::move(force));
     }
     const Vector known = solvedForces(scene.condensed, trace.body, scene.coupling.state);
@@ -217,19 +211,19 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
 
 GapBound contactGap(const CertifiedScene& scene, ErrorMode mode)
 {
-  if (scene.facets.empty())
+  if (scene.patches.empty())
     return {};
   if (mode == ErrorMode::Paper) {
     Vector gap; // of the deck: closing() has what the geometry says
     for (const auto& interface : scene.model.interfaces)
       for (std::size_t i = 0; i < interface.gap.size(); ++i)
         gap.push_back(interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]));
-    return {{}, nodalMoments(scene.facets, gap, scene.order, scene.degree), {}};
+    return {{}, nodalMoments(scene.patches, gap, scene.order, scene.degree), {}};
   }
-  std::vector<FacetGap> gaps;
+  std::vector<PatchGap> gaps;
   for (const auto& interface : scene.model.interfaces)
     gaps.push_back({interface.numFacets(), interface.gapFunction});
-  return boundGap(scene.bodies, scene.facets, scene.degree, gaps);
+  return boundGap(scene.bodies, scene.patches, scene.degree, gaps);
 }
 
 std::vector<const ConstraintSet*> constraintsOf(const Model& model)
@@ -242,14 +236,14 @@ std::vector<const ConstraintSet*> constraintsOf(const Model& model)
 
 AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const GapBound& gap, ErrorMode mode)
 {
-  if (mode == ErrorMode::Paper || scene.facets.empty())
+  if (mode == ErrorMode::Paper || scene.patches.empty())
     return {scene.solved, 0.0, 0, {}};
-  return admitDisplacement(scene.bodies, constraintsOf(scene.model), scene.facets, gap, scene.solved);
+  return admitDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, gap, scene.solved);
 }
 
 Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
 {
-  Vector moments = closingMoments(scene.bodies, scene.facets, displacement, scene.degree);
+  Vector moments = closingMoments(scene.bodies, scene.patches, displacement, scene.degree);
   for (std::size_t i = 0; i < moments.size(); ++i)
     moments[i] -= gap.moments[i];
   return moments;
@@ -258,10 +252,10 @@ Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displace
 double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
 {
   double deepest = 0.0;
-  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
-    const JumpCoefficients jump{scene.facets[f], scene.order};
-    const auto opening = closing(scene.bodies, scene.facets[f], displacement);
-    const double* bound = gap.bernstein.data() + f * std::size_t(numFacetNodes(scene.facets[f].dim, scene.order));
+  for (std::size_t f = 0; f < scene.patches.size(); ++f) {
+    const JumpCoefficients jump{scene.patches[f], scene.order};
+    const auto opening = closing(scene.bodies, scene.patches[f], displacement);
+    const double* bound = gap.bernstein.data() + f * scene.patches[f].numNodes(scene.order);
     for (std::size_t k = 0; k < jump.size(); ++k)
       deepest = std::max(deepest, jump.of(k, opening) - jump.gap(k, bound));
   }

@@ -20,11 +20,11 @@ struct CertifiedScene
   const CondensedModel& condensed;
   const CouplingResult& coupling;
   std::vector<const BodyModel*> bodies;
-  std::vector<Vector> solved;       ///< u_h per body, global axes
-  std::vector<ContactFacet> facets; ///< of all interfaces
-  int order = 0;                    ///< of the displacements
-  int degree = 0;                   ///< of the stresses and tractions
-  double norm = 0.0;                ///< sqrt(sum a(u_h, u_h))
+  std::vector<Vector> solved;        ///< u_h per body, global axes
+  std::vector<ContactPatch> patches; ///< of all interfaces
+  int order = 0;                     ///< of the displacements
+  int degree = 0;                    ///< of the stresses and tractions
+  double norm = 0.0;                 ///< sqrt(sum a(u_h, u_h))
   Comm comm = Comm::single();
 
   int dim() const { return bodies.front()->mesh.dim; }
@@ -33,7 +33,7 @@ struct CertifiedScene
 /// Stresses K eps(u~) of all bodies in finite element equilibrium with the loads and with tractions on the interfaces.
 struct IntermediateField
 {
-  ContactTraction onDirichlet, onNeumann;
+  SideTractions tractions;
   std::vector<Vector> displacement; ///< u~ per body, global axes
 };
 

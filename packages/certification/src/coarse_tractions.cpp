@@ -60,13 +60,13 @@ std::array<int, 2> uncutEnds(const BodyModel& body, Facet facet)
   return best;
 }
 
-/// Polynomials on the uncut facets of one side of every interface that was cut there.
+/// In the plane polynomials on the uncut facets of one side of every interface that was cut there.
 class CoarseTraces
 {
 public:
-  CoarseTraces(const CertifiedScene& scene, bool isDirichlet) : scene_(scene), isDirichlet_(isDirichlet)
+  CoarseTraces(const CertifiedScene& scene, std::size_t side) : scene_(scene), side_(side)
   {
-    for (std::size_t f = 0; f < scene.facets.size(); ++f)
+    for (std::size_t f = 0; f < scene.patches.size(); ++f)
       if (const BodyModel& body = bodyOf(f); !body.parents.empty())
         add(f, body);
   }
@@ -86,18 +86,18 @@ public:
     matrix.size = int(unknowns_.size());
     Vector right(unknowns_.size(), 0.0);
     for (const Piece& piece : pieces_) {
-      const ContactFacet& facet = scene_.facets[piece.facet];
+      const ContactPatch& patch = scene_.patches[piece.patch];
       const DenseMatrix weighted = multiply(mass, piece.values);
       for (std::size_t j = 0; j < nodes; ++j) {
         for (std::size_t i = 0; i < nodes; ++i)
-          right[piece.unknowns[j]] += facet.measure * weighted(int(i), int(j)) * nodal[std::size_t(facet.nodes[i])];
+          right[piece.unknowns[j]] += patch.measure * weighted(int(i), int(j)) * nodal[std::size_t(patch.nodes[i])];
         for (std::size_t i = 0; i < nodes; ++i)
           if (piece.unknowns[i] <= piece.unknowns[j]) {
             double entry = 0.0;
             for (std::size_t k = 0; k < nodes; ++k)
               entry += piece.values(int(k), int(i)) * weighted(int(k), int(j));
             matrix.add(int(piece.unknowns[i]), int(piece.unknowns[j]),
-                       facet.measure * (i == j ? (1.0 + regularisation) * entry : entry));
+                       patch.measure * (i == j ? (1.0 + regularisation) * entry : entry));
           }
       }
     }
@@ -108,7 +108,7 @@ public:
         double value = 0.0;
         for (std::size_t j = 0; j < nodes; ++j)
           value += piece.values(int(i), int(j)) * coarse[piece.unknowns[j]];
-        result[std::size_t(scene_.facets[piece.facet].nodes[i])] = value;
+        result[std::size_t(scene_.patches[piece.patch].nodes[i])] = value;
       }
     return result;
   }
@@ -116,23 +116,22 @@ public:
 private:
   struct Piece
   {
-    std::size_t facet;
+    std::size_t patch;
     std::array<std::size_t, 3> unknowns; ///< of the uncut facet: its vertices, its middle
     DenseMatrix values;                  ///< of their functions at the facet's nodes
   };
 
   const BodyModel& bodyOf(std::size_t f) const
   {
-    const ContactFacet& facet = scene_.facets[f];
-    return *scene_.bodies[std::size_t(facet.body(isDirichlet_))];
+    return *scene_.bodies[std::size_t(scene_.patches[f].sides[side_].body)];
   }
 
   void add(std::size_t f, const BodyModel& body)
   {
-    const ContactFacet& facet = scene_.facets[f];
-    const auto ends = uncutEnds(body, isDirichlet_ ? facet.dirichlet : facet.neumann);
+    const PatchSide& side = scene_.patches[f].sides[side_];
+    const auto ends = uncutEnds(body, side.facet);
     const double *a = body.base.point(ends[0]), *b = body.base.point(ends[1]);
-    const auto nodes = contactNodes(body, facet, isDirichlet_);
+    const auto nodes = contactNodes(body, side);
     ++numPieces_[{&body, ends[0], ends[1]}];
     Piece piece{f, {unknown(body, ends[0], -1), unknown(body, ends[1], -1), 0}, {scene_.order + 1, scene_.order + 1}};
     if (scene_.order == 2)
@@ -171,7 +170,7 @@ private:
   }
 
   const CertifiedScene& scene_;
-  bool isDirichlet_;
+  std::size_t side_;
   std::map<std::tuple<const BodyModel*, int, int>, std::size_t> unknowns_;
   std::map<std::tuple<const BodyModel*, int, int>, int> numPieces_; ///< per uncut facet
   std::vector<Piece> pieces_;
@@ -182,10 +181,10 @@ private:
 std::vector<Vector> tractionsOfSides(const CertifiedScene& scene, const Vector& nodal)
 {
   std::vector<Vector> tractions{nodal};
-  if (scene.facets.empty() || scene.facets.front().dim == 3) // there the recovery chooses the traction
+  if (scene.patches.empty() || scene.patches.front().dim == 3) // there the recovery chooses the traction
     return tractions;
-  for (const bool isDirichlet : {true, false})
-    if (const CoarseTraces traces(scene, isDirichlet); traces.isWorthwhile())
+  for (std::size_t side = 0; side < 2; ++side)
+    if (const CoarseTraces traces(scene, side); traces.isWorthwhile())
       tractions.push_back(traces.nearest(nodal));
   return tractions;
 }

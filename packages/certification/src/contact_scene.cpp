@@ -19,9 +19,9 @@ namespace
 constexpr double sameLine = 1e-11;
 
 /// The interface node at a body's node; the facet's nodes are few.
-int nodeAt(const InterfaceMesh& interface, int facet, int bodyNode)
+int nodeAt(const InterfaceMesh& interface, int patch, int bodyNode)
 {
-  const int* nodes = interface.nodesOf(facet);
+  const int* nodes = interface.nodesOf(patch);
   const int* found = std::find_if(nodes, nodes + interface.nodesPerFacet(),
                                   [&](int node) { return interface.dirichlet().nodes[std::size_t(node)] == bodyNode; });
   return *found;
@@ -38,58 +38,59 @@ std::vector<int> firstOfPairs(const InterfaceMesh& interface)
   return pairs;
 }
 
-ContactFacet makeFacet(const Model& model, const InterfaceMesh& interface, int f, const std::vector<int>& pairs,
+ContactPatch makePatch(const Model& model, const InterfaceMesh& interface, int f, const std::vector<int>& pairs,
                        int firstNode)
 {
-  ContactFacet facet;
-  facet.dim = interface.dim;
-  facet.dirichletBody = interface.dirichlet().body;
-  facet.neumannBody = interface.neumann().body;
-  facet.dirichlet = interface.dirichlet().facets[std::size_t(f)];
-  facet.neumann = interface.neumann().facets[std::size_t(f)];
-  const BodyModel& body = model.bodies[std::size_t(facet.dirichletBody)];
-  facet.measure = interface.measures[std::size_t(f)];
-  facet.normal = interface.facetNormals[std::size_t(f)];
-  facet.isDrawnApart = !interface.drawnGap.empty();
-  const auto nodes = contactNodes(body, facet, true);
-  FacetNodes ours{};
-  for (int i = 0; i < body.nodes.nodesPerFacet; ++i) {
-    ours[std::size_t(i)] = nodeAt(interface, f, nodes[std::size_t(i)]);
-    facet.nodes[std::size_t(i)] = firstNode + ours[std::size_t(i)];
-    facet.pairs[std::size_t(i)] = firstNode + pairs[std::size_t(ours[std::size_t(i)])];
+  ContactPatch patch;
+  patch.dim = interface.dim;
+  for (const std::size_t side : {0u, 1u}) {
+    const InterfaceSide& ofInterface = interface.side(side == 0);
+    patch.sides[side].body = ofInterface.body;
+    patch.sides[side].facet = ofInterface.facets[std::size_t(f)];
   }
-  for (std::size_t a = 0; a < std::size_t(facet.dim); ++a)
-    std::copy_n(interface.point(ours[a]), facet.dim, facet.points[a].begin());
-  FacetNodes theirs{};
-  for (std::size_t a = 0; a < std::size_t(facet.dim); ++a)
+  const BodyModel& body = model.bodies[std::size_t(patch.sides[0].body)];
+  patch.measure = interface.measures[std::size_t(f)];
+  patch.normal = interface.facetNormals[std::size_t(f)];
+  patch.isDrawnApart = !interface.drawnGap.empty();
+  const auto nodes = contactNodes(body, patch.sides[0]);
+  FacetNodes ours{};
+  for (std::size_t i = 0; i < patch.numNodes(interface.order); ++i) {
+    ours[i] = nodeAt(interface, f, nodes[i]);
+    patch.nodes[i] = firstNode + ours[i];
+    patch.pairs[i] = firstNode + pairs[std::size_t(ours[i])];
+  }
+  std::array<int, 3> theirs{};
+  for (std::size_t a = 0; a < patch.numVertices(); ++a) {
+    std::copy_n(interface.point(ours[a]), patch.dim, patch.points[a].begin());
     theirs[a] = interface.neumann().nodes[std::size_t(ours[a])];
-  facet.theirs = ascendingPlaces(facet.dim, theirs.data());
-  const double sign = interface.dirichletSide == 0 ? -1.0 : 1.0;
-  for (std::size_t i = 0; facet.isDrawnApart && i < std::size_t(body.nodes.nodesPerFacet); ++i)
+  }
+  patch.sides[1].places = ascendingPlaces(patch.dim, theirs.data());
+  const double sign = -sideSign(std::size_t(interface.dirichletSide));
+  for (std::size_t i = 0; patch.isDrawnApart && i < patch.numNodes(interface.order); ++i)
     for (std::size_t k = 0; k < 2; ++k)
-      facet.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
+      patch.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
     const bool backwards = ours[0] != *interface.nodesOf(f);
-    facet.turns = dotProduct(ends[0], ends[0]) > 0.0;
-    facet.ends = backwards ? std::array{ends[1], ends[0]} : ends;
+    patch.turns = dotProduct(ends[0], ends[0]) > 0.0;
+    patch.ends = backwards ? std::array{ends[1], ends[0]} : ends;
   }
-  return facet;
+  return patch;
 }
 
 } // namespace
 
-std::vector<ContactFacet> contactFacets(const Model& model)
+std::vector<ContactPatch> contactPatches(const Model& model)
 {
-  std::vector<ContactFacet> facets;
+  std::vector<ContactPatch> patches;
   int firstNode = 0;
   for (const auto& interface : model.interfaces) {
     const std::vector<int> pairs = firstOfPairs(interface);
     for (int f = 0; f < interface.numFacets(); ++f)
-      facets.push_back(makeFacet(model, interface, f, pairs, firstNode));
+      patches.push_back(makePatch(model, interface, f, pairs, firstNode));
     firstNode += interface.numNodes();
   }
-  return facets;
+  return patches;
 }
 
 std::string geometryCaveat(const Model& model)
@@ -119,7 +120,7 @@ std::string geometryCaveat(const Model& model)
 }
 
 BalanceConditions balanceConditions(const Model& model, const CondensedModel& condensed,
-                                    const std::vector<ContactFacet>& facets)
+                                    const std::vector<ContactPatch>& patches)
 {
   const int numNodes = condensed.interface.C->size();
   std::vector<SparseRow> rows;
@@ -130,12 +131,12 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
     if (free.cols() == 0)
       continue;
     const BodySystem& system = condensed.systems[b];
-    const auto ofBody = facetsOfBody(facets, trace.body);
+    const auto ofBody = patchesOfBody(patches, trace.body);
     const DenseMatrix modes = rigidModes(model.rigid[b], model.bodies[b].nodes, system.dofs.frames);
     const auto names = describeMotions(model.rigid[b], free);
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
-      rows.push_back(motionWork(model.bodies[b], system.dofs.frames.toGlobal(motion), facets, ofBody));
+      rows.push_back(motionWork(model.bodies[b], system.dofs.frames.toGlobal(motion), patches, ofBody));
       conditions.value.push_back(-dot(system.load, motion));
       conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }

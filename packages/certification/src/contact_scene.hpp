@@ -7,8 +7,9 @@
 namespace ndframe
 {
 
-/// The facets of all interfaces as recovery sees them; their nodes numbered as in the contact matrix.
-std::vector<ContactFacet> contactFacets(const Model& model);
+/// The facets of all interfaces as patches, their vertices in ascending order on side 0, their nodes numbered as in the
+/// contact matrix.
+std::vector<ContactPatch> contactPatches(const Model& model);
 
 /// Why the two sides of an interface are not one line to round-off (mesh files carry some digits only); empty when they
 /// are.
@@ -16,7 +17,7 @@ std::string geometryCaveat(const Model& model);
 
 /// Which tractions balance the loads of the bodies that their supports leave free (the Remark of section 5.3).
 BalanceConditions balanceConditions(const Model& model, const CondensedModel& condensed,
-                                    const std::vector<ContactFacet>& facets);
+                                    const std::vector<ContactPatch>& patches);
 
 /// t~ = (t1 - t2) / 2 at the interface nodes: the mean of Lambda_dir(p) and the traction that body 2 is in equilibrium
 /// with, Lambda_neu(p-1), or (`updated`) the one that its next problem would use, Lambda_neu(p).

@@ -18,7 +18,7 @@ void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, 
     admissible.oscillation.push_back(data.oscillation);
   if (mode == ErrorMode::Paper || recovered.stress.corrections.empty())
     return;
-  const auto contact = contactOscillation(scene.bodies, scene.facets, recovered.stress.onDirichlet);
+  const auto contact = contactOscillation(scene.bodies, scene.patches, recovered.stress.tractions[0]);
   for (std::size_t b = 0; b < contact.size(); ++b)
     for (std::size_t cell = 0; cell < contact[b].size(); ++cell) {
       double& square = admissible.oscillation[b][cell];

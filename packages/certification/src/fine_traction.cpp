@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/fem/quadrature.hpp"
 #include "ndframe/scene/model.hpp"
 
@@ -10,18 +11,16 @@ namespace ndframe
 namespace
 {
 
-/// A facet of the Dirichlet body by its ascending vertices.
+/// A patch by its vertices in the Dirichlet body.
 class Flat
 {
 public:
-  Flat(const Model& model, const ContactFacet& facet) : dim_(std::size_t(facet.dim))
+  Flat(const Model& model, const ContactPatch& patch) : dim_(std::size_t(patch.dim))
   {
-    const Mesh& mesh = model.bodies[std::size_t(facet.dirichletBody)].mesh;
-    std::array<int, 3> vertices{};
-    facetVertices(mesh, facet.dirichlet, vertices.data());
-    const auto places = ascendingPlaces(facet.dim, vertices.data());
+    const BodyModel& body = model.bodies[std::size_t(patch.sides[0].body)];
+    const FacetNodes nodes = contactNodes(body, patch.sides[0]);
     for (std::size_t a = 0; a < dim_; ++a)
-      std::copy_n(mesh.point(vertices[std::size_t(places[a])]), facet.dim, corners_[a].begin());
+      std::copy_n(body.mesh.point(nodes[a]), patch.dim, corners_[a].begin());
   }
 
   const Direction& corner(std::size_t a) const { return corners_[a]; }
@@ -47,7 +46,7 @@ private:
   std::array<Direction, 3> corners_{};
 };
 
-/// 1/|f| sum_k T_k L_k at a point of the facet.
+/// 1/|f| sum_k T_k L_k at a point of the patch.
 double tractionAt(const MomentBasis& basis, const Vector& moments, double measure, const double* lambda)
 {
   Vector L(moments.size());
@@ -57,9 +56,9 @@ double tractionAt(const MomentBasis& basis, const Vector& moments, double measur
 
 } // namespace
 
-ContactTraction onFineFacets(const Model& coarseModel, const std::vector<ContactFacet>& coarse,
-                             const ContactTraction& traction, const Model& fineModel,
-                             const std::vector<ContactFacet>& fine)
+ContactTraction onFinePatches(const Model& coarseModel, const std::vector<ContactPatch>& coarse,
+                              const ContactTraction& traction, const Model& fineModel,
+                              const std::vector<ContactPatch>& fine)
 {
   const MomentBasis basis = facetBasis(traction.dim, traction.degree);
   const QuadratureRule rule = simplexRule(traction.dim - 1, 2 * traction.degree);
@@ -68,7 +67,7 @@ ContactTraction onFineFacets(const Model& coarseModel, const std::vector<Contact
   ContactTraction result{traction.degree, Vector(fine.size() * dim * modes, 0.0), {}, traction.dim};
   Vector L(modes);
   for (std::size_t f = 0; f < fine.size(); ++f) {
-    const ContactFacet& parent = coarse[f / pieces];
+    const ContactPatch& parent = coarse[f / pieces];
     const Flat whole(coarseModel, parent), piece(fineModel, fine[f]);
     const Vector moments = traction.moments(int(f / pieces));
     std::array<std::array<double, 3>, 3> corners{};
@@ -83,7 +82,7 @@ ContactTraction onFineFacets(const Model& coarseModel, const std::vector<Contact
       const double t = tractionAt(basis, moments, parent.measure, place.data());
       basis.values(lambda, L.data());
       for (std::size_t k = 0; k < modes; ++k)
-        result.shares[f * dim * modes + k] += fine[f].measure * rule.weights[std::size_t(g)] * t * L[k];
+        result.shares[result.first(f, 0) + k] += fine[f].measure * rule.weights[std::size_t(g)] * t * L[k];
     }
   }
   return result;

@@ -7,10 +7,10 @@ namespace ndframe
 
 struct Model;
 
-/// The same traction on the facets of the refined meshes: facet f of `coarse` is divided into the facets f * n .. f * n
-/// + n - 1 of `fine`. The division into shares is lost: all of a facet's moments stand with its first vertex.
-ContactTraction onFineFacets(const Model& coarseModel, const std::vector<ContactFacet>& coarse,
-                             const ContactTraction& traction, const Model& fineModel,
-                             const std::vector<ContactFacet>& fine);
+/// The same traction on the patches of the refined meshes: patch f of `coarse` is divided into the patches f * n ..
+/// f * n + n - 1 of `fine`. The division into shares is lost: all of a patch's moments stand with its first vertex.
+ContactTraction onFinePatches(const Model& coarseModel, const std::vector<ContactPatch>& coarse,
+                              const ContactTraction& traction, const Model& fineModel,
+                              const std::vector<ContactPatch>& fine);
 
 } // namespace ndframe

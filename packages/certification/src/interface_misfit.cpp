@@ -15,8 +15,8 @@ namespace ndframe
 namespace
 {
 
-/// t n_c at points of a facet, as a force per length of the interface's first side.
-std::vector<Direction> tractionAt(const ContactFacet& facet, const ContactTraction& traction, int number,
+/// t n_c at points of a patch of the plane, as a force per length of the interface's first side.
+std::vector<Direction> tractionAt(const ContactPatch& patch, const ContactTraction& traction, int number,
                                   const QuadratureRule& rule)
 {
   const MomentBasis basis = facetBasis(2, traction.degree);
@@ -26,16 +26,16 @@ std::vector<Direction> tractionAt(const ContactFacet& facet, const ContactTracti
   for (int g = 0; g < rule.size(); ++g) {
     const double* lambda = rule.point(g);
     basis.values(lambda, L.data());
-    const double t = dot(moments, L) / facet.measure;
+    const double t = dot(moments, L) / patch.measure;
     values.emplace_back();
     for (std::size_t k = 0; k < 2; ++k)
       values.back()[k] =
-          t * (facet.turns ? lambda[0] * facet.ends[0][k] + lambda[1] * facet.ends[1][k] : facet.normal[k]);
+          t * (patch.turns ? lambda[0] * patch.ends[0][k] + lambda[1] * patch.ends[1][k] : patch.normal[k]);
   }
   return values;
 }
 
-/// int |t - K eps(u) nu|^2 over one side of a facet; t per length of this side.
+/// int |t - K eps(u) nu|^2 over one side of a patch; t per length of this side.
 template <int order>
 double misfitOf(const BodyModel& body, const Vector& displacement, Facet own, const FacetNodes& nodes,
                 const QuadratureRule& rule, const std::vector<Direction>& traction, double sign)
@@ -65,25 +65,25 @@ double interfaceMisfit(const CertifiedScene& scene, const IntermediateField& fie
   NDFRAME_ASSERT(scene.bodies.front()->mesh.dim == 2, "sides that are cut are those of plane bodies");
   const QuadratureRule rule = simplexRule(1, 2 * scene.degree + 2);
   double square = 0.0;
-  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
-    const ContactFacet& facet = scene.facets[f];
-    for (const bool isDirichlet : {true, false}) {
-      const auto b = std::size_t(facet.body(isDirichlet));
+  for (std::size_t f = 0; f < scene.patches.size(); ++f) {
+    const ContactPatch& patch = scene.patches[f];
+    for (std::size_t side = 0; side < 2; ++side) {
+      const auto b = std::size_t(patch.sides[side].body);
       const BodyModel& body = *scene.bodies[b];
-      const auto traction = tractionAt(facet, isDirichlet ? field.onDirichlet : field.onNeumann, int(f), rule);
-      const auto nodes = contactNodes(body, facet, isDirichlet);
-      const Facet own = isDirichlet ? facet.dirichlet : facet.neumann;
-      const double sign = isDirichlet ? facet.measure : -facet.measure;
+      const auto traction = tractionAt(patch, field.tractions[side], int(f), rule);
+      const auto nodes = contactNodes(body, patch.sides[side]);
+      const Facet own = patch.sides[side].facet;
+      const double sign = sideSign(side) * patch.measure;
       square += (scene.order == 1 ? misfitOf<1>(body, field.displacement[b], own, nodes, rule, traction, sign)
                                   : misfitOf<2>(body, field.displacement[b], own, nodes, rule, traction, sign)) /
                 smallestStiffness(body.laws(own.cell));
     }
   }
-  const Vector gap = nodalMoments(scene.facets, nodalGap(scene.model), scene.order, scene.degree);
-  Vector opening = jumpMoments(scene.bodies, scene.facets, scene.solved, scene.degree);
+  const Vector gap = nodalMoments(scene.patches, nodalGap(scene.model), scene.order, scene.degree);
+  Vector opening = jumpMoments(scene.bodies, scene.patches, scene.solved, scene.degree);
   for (std::size_t i = 0; i < opening.size(); ++i)
     opening[i] -= gap[i];
-  for (const double twice : contactContributions(scene.facets, field.onDirichlet, opening))
+  for (const double twice : contactContributions(scene.patches, field.tractions[0], opening))
     square += twice;
   return std::sqrt(std::max(0.0, square));
 }

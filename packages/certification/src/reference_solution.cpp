@@ -174,7 +174,7 @@ double ReferenceSolution::distance(const std::vector<Vector>& displacement) cons
 }
 
 double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
-                                         const std::vector<ContactFacet>& facets, const ContactTraction& traction,
+                                         const std::vector<ContactPatch>& patches, const ContactTraction& traction,
                                          double D) const
 {
   const auto start = onFineMesh(admissible), v = difference(displacement_, start);
@@ -184,9 +184,9 @@ double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<
     const Vector load = systems_[b].dofs.frames.toGlobal(systems_[b].load);
     squared += dot(v[b], stiff) - 2.0 * (dot(load, v[b]) - dot(start[b], stiff));
   }
-  if (!facets.empty()) {
-    const auto fine = contactFacets(model_);
-    const ContactTraction t = onFineFacets(coarse, facets, traction, model_, fine);
+  if (!patches.empty()) {
+    const auto fine = contactPatches(model_);
+    const ContactTraction t = onFinePatches(coarse, patches, traction, model_, fine);
     std::vector<const BodyModel*> bodies;
     for (const auto& body : model_.bodies)
       bodies.push_back(&body);
@@ -230,7 +230,7 @@ ReferenceSummary compareWithReference(const ReferenceSolution* reference, const 
   if (certified == nullptr)
     return summary;
   const double D = certified->measure.elements, toAdmissible = reference->distance(certified->admissible);
-  summary.stress = reference->stressDistance(model, certified->admissible, certified->facets, certified->traction, D);
+  summary.stress = reference->stressDistance(model, certified->admissible, certified->patches, certified->traction, D);
   // The parallelogram of sigma_ref, sigma^ and K eps(u^).
   summary.meanStress =
       std::sqrt(std::max(0.0, 0.5 * (*summary.stress * *summary.stress + toAdmissible * toAdmissible) - 0.25 * D * D));

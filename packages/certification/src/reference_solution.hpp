@@ -44,7 +44,7 @@ public:
   /// Limits: exact where the loads are those that sigma^ balances (no oscillation) and v vanishes on the supports
   /// (prescribed displacements that polynomials of the coarse mesh carry).
   double stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
-                        const std::vector<ContactFacet>& facets, const ContactTraction& traction, double D) const;
+                        const std::vector<ContactPatch>& patches, const ContactTraction& traction, double D) const;
 
 private:
   std::vector<Vector> onFineMesh(const std::vector<Vector>& displacement) const;
@@ -71,7 +71,7 @@ struct ReferenceDepth
 struct CertifiedStress
 {
   const std::vector<Vector>& admissible;
-  const std::vector<ContactFacet>& facets;
+  const std::vector<ContactPatch>& patches;
   const ContactTraction& traction;
   const ErrorMeasure& measure;
   double bound;

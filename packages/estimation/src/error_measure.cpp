@@ -60,7 +60,7 @@ double totalOf(const std::vector<Vector>& squared)
   return root(total);
 }
 
-ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactFacet>& facets,
+ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactPatch>& patches,
                              const Vector& contact, const std::vector<Vector>& oscillation)
 {
   ErrorMeasure measure;
@@ -70,11 +70,9 @@ ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<Co
   measure.cells = widenedSquares(std::move(distances), oscillation);
   measure.widened = totalOf(measure.cells);
   measure.contact = sumOf(contact);
-  for (std::size_t f = 0; f < contact.size(); ++f) {
-    const ContactFacet& facet = facets[f];
-    measure.cells[std::size_t(facet.dirichletBody)][std::size_t(facet.dirichlet.cell)] += 0.5 * contact[f];
-    measure.cells[std::size_t(facet.neumannBody)][std::size_t(facet.neumann.cell)] += 0.5 * contact[f];
-  }
+  for (std::size_t f = 0; f < contact.size(); ++f)
+    for (const PatchSide& side : patches[f].sides)
+      measure.cells[std::size_t(side.body)][std::size_t(side.facet.cell)] += 0.5 * contact[f];
   return measure;
 }
 

@@ -49,13 +49,13 @@ std::vector<SceneStress> ElementRecovery::recover(const RecoveryScene& scene, co
   std::vector<SceneStress> stresses;
   for (const SceneField& field : fields) {
     NDFRAME_ASSERT(!field.optimise, "refusal() says that tractions are not optimised");
-    stresses.push_back({{}, field.onDirichlet, field.onNeumann});
+    stresses.push_back({{}, field.tractions});
     for (std::size_t body = 0; body < scene.bodies.size(); ++body) {
       if (scene.bodies[body]->isRigid) {
         stresses.back().corrections.push_back(zeroCorrection(scene.bodies[body]->mesh, scene.data[body].degree));
         continue;
       }
-      const Vector contact = contactShares(scene.facets, field.onDirichlet, field.onNeumann, int(body));
+      const Vector contact = contactShares(scene.patches, field.tractions, int(body));
       stresses.back().corrections.push_back(equilibrateElements(edges[body], *scene.bodies[body], scene.data[body],
                                                                 {field.displacement[body], &contact}));
       ledger.count("element problems", scene.bodies[body]->mesh.numCells());

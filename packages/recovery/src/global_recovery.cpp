@@ -58,7 +58,7 @@ public:
         progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, comm, ledger)
   {
     for (const SceneField& field : fields) {
-      stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
+      stresses_.push_back({{}, field.tractions});
       for (std::size_t b = 0; b < scene.bodies.size(); ++b)
         stresses_.back().corrections.push_back(zeroCorrection(scene.bodies[b]->mesh, scene.data[b].degree));
     }
@@ -72,7 +72,7 @@ public:
       if (!scene_.bodies[b]->isRigid)
         elastic.push_back(int(b));
     if (optimises())
-      recover(elastic, scene_.facets);
+      recover(elastic, scene_.patches);
     else
       for (const int body : elastic)
         recover({body}, {});
@@ -80,7 +80,7 @@ public:
   }
 
 private:
-  void recover(const std::vector<int>& bodies, const std::vector<ContactFacet>& contact)
+  void recover(const std::vector<int>& bodies, const std::vector<ContactPatch>& contact)
   {
     std::vector<std::unique_ptr<StarBody>> stars(scene_.bodies.size());
     std::vector<const StarBody*> pointers;
@@ -97,7 +97,7 @@ private:
     StressDescent(faces, contact, descentFields(), watch, comm_, threads_).lower(steps_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
-        stresses_[f].onNeumann = stresses_[f].onDirichlet;
+        stresses_[f].tractions[1] = stresses_[f].tractions[0];
   }
 
   bool optimises() const
@@ -120,7 +120,7 @@ private:
       for (StressCorrection& correction : stresses_[f].corrections)
         all[f].corrections.push_back(&correction);
       if (changes(f)) {
-        all[f].traction = &stresses_[f].onDirichlet;
+        all[f].traction = &stresses_[f].tractions[0];
         all[f].opening = &fields_[f].opening;
       }
     }
@@ -134,7 +134,7 @@ private:
     std::vector<FieldInput> inputs;
     BodyCorrections corrections;
     for (const SceneField& field : fields_)
-      contact.push_back(contactShares(scene_.facets, field.onDirichlet, field.onNeumann, body));
+      contact.push_back(contactShares(scene_.patches, field.tractions, body));
     for (std::size_t f = 0; f < fields_.size(); ++f) {
       inputs.push_back({fields_[f].displacement[b], &contact[f]});
       corrections.push_back(&stresses_[f].corrections[b]);

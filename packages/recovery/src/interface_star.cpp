@@ -4,6 +4,7 @@
 #include <map>
 #include <set>
 
+#include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/admissibility/turning_normal.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
@@ -12,67 +13,64 @@ namespace ndframe
 namespace
 {
 
-/// A vertex of the mesh on a facet, by its place among the facet's ascending vertices.
-int meshVertex(const Mesh& mesh, Facet facet, int place)
+/// The vertex of a body at an end of a patch.
+int vertexOf(const RecoveryScene& scene, const PatchEnd& end, std::size_t side)
 {
-  int vertices[2];
-  facetVertices(mesh, facet, vertices);
-  return place == 0 ? std::min(vertices[0], vertices[1]) : std::max(vertices[0], vertices[1]);
+  const PatchSide& own = scene.patches[std::size_t(end.patch)].sides[side];
+  return contactNodes(*scene.bodies[std::size_t(own.body)], own)[std::size_t(end.vertex)];
 }
 
-/// The vertex of a body at an end of a contact facet.
-int vertexOf(const Mesh& mesh, const ContactFacet& facet, const FacetEnd& end, bool isNeumann)
+/// The first end of a patch as seen along n_c turned by 90 degrees.
+int firstEnd(const RecoveryScene& scene, int patch)
 {
-  return meshVertex(mesh, isNeumann ? facet.neumann : facet.dirichlet,
-                    isNeumann && facet.isReversed() ? 1 - end.vertex : end.vertex);
+  const ContactPatch& own = scene.patches[std::size_t(patch)];
+  const Mesh& mesh = scene.bodies[std::size_t(own.sides[0].body)]->mesh;
+  const double *a = mesh.point(vertexOf(scene, {patch, 0}, 0)), *b = mesh.point(vertexOf(scene, {patch, 1}, 0));
+  return (b[1] - a[1]) * own.normal[0] - (b[0] - a[0]) * own.normal[1] > 0.0 ? 0 : 1;
 }
 
-/// The first end of a facet as seen along n_c turned by 90 degrees.
-int firstEnd(const RecoveryScene& scene, const ContactFacet& facet)
-{
-  const Mesh& mesh = scene.bodies[std::size_t(facet.dirichletBody)]->mesh;
-  const double *a = mesh.point(meshVertex(mesh, facet.dirichlet, 0)),
-               *b = mesh.point(meshVertex(mesh, facet.dirichlet, 1));
-  return (b[1] - a[1]) * facet.normal[0] - (b[0] - a[0]) * facet.normal[1] > 0.0 ? 0 : 1;
-}
-
-/// How the released tractions on the facets of a vertex follow from t_N, facet after facet. The Neumann body's own
-/// modes run backwards on reversed facets.
-DenseMatrix releasedByTraction(const RecoveryScene& scene, const InterfaceVertex& vertex, int modes, bool isNeumann)
+/// How the tractions released on one side of a vertex's patches follow from t_N, patch after patch, in the body's own
+/// modes.
+DenseMatrix releasedByTraction(const RecoveryScene& scene, const InterfaceVertex& vertex, int modes, std::size_t side)
 {
   int rows = 0;
-  for (const FacetEnd& end : vertex.ends)
-    rows += (scene.facets[std::size_t(end.facet)].turns ? 2 : 1) * modes;
+  for (const PatchEnd& end : vertex.ends)
+    rows += (scene.patches[std::size_t(end.patch)].turns ? 2 : 1) * modes;
   DenseMatrix map(rows, int(vertex.ends.size()) * modes);
   const EndTables turning = turningModes(modes - 1, modes - 1);
+  OrderedModes inOrder(2, modes - 1);
   int row = 0, col = 0;
-  for (const FacetEnd& end : vertex.ends) {
-    const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-    const auto sign = [&](int k) { return (isNeumann && facet.isReversed() && k % 2 == 1) != isNeumann ? -1.0 : 1.0; };
-    for (int k = 0; !facet.turns && k < modes; ++k)
-      map(row + k, col + k) = sign(k);
-    for (int d = 0; facet.turns && d < 2; ++d)
+  const auto add = [&](const DenseMatrix& block, double factor) {
+    for (int j = 0; j < modes; ++j)
       for (int k = 0; k < modes; ++k)
-        for (int j = 0; j < modes; ++j)
-          for (std::size_t e = 0; e < 2; ++e)
-            map(row + d * modes + k, col + j) += sign(k) * facet.ends[e][std::size_t(d)] * turning[e](k, j);
-    row += (facet.turns ? 2 : 1) * modes;
+        map(row + k, col + j) += sideSign(side) * factor * block(k, j);
+  };
+  for (const PatchEnd& end : vertex.ends) {
+    const ContactPatch& patch = scene.patches[std::size_t(end.patch)];
+    const DenseMatrix& own = inOrder(patch.sides[side]);
+    if (!patch.turns) {
+      add(own, 1.0);
+      row += modes;
+    }
+    for (std::size_t d = 0; patch.turns && d < 2; ++d, row += modes)
+      for (std::size_t e = 0; e < 2; ++e)
+        add(multiply(own, turning[e]), patch.ends[e][d]);
     col += modes;
   }
   return map;
 }
 
-/// The facets at a vertex as the Dirichlet or the Neumann body sees them.
-std::vector<ReleasedFacet> releasedFacets(const RecoveryScene& scene, const InterfaceVertex& vertex, bool isNeumann)
+/// The facets of a vertex as the body on one side sees them.
+std::vector<ReleasedFacet> releasedFacets(const RecoveryScene& scene, const InterfaceVertex& vertex, std::size_t side)
 {
   std::vector<ReleasedFacet> released;
-  for (const FacetEnd& end : vertex.ends) {
-    const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-    const Facet own = isNeumann ? facet.neumann : facet.dirichlet;
-    if (facet.turns)
+  for (const PatchEnd& end : vertex.ends) {
+    const ContactPatch& patch = scene.patches[std::size_t(end.patch)];
+    const Facet own = patch.sides[side].facet;
+    if (patch.turns)
       released.insert(released.end(), {{own, {1.0, 0.0, 0.0}}, {own, {0.0, 1.0, 0.0}}});
     else
-      released.push_back({own, facet.normal});
+      released.push_back({own, patch.normal});
   }
   return released;
 }
@@ -87,48 +85,44 @@ DenseMatrix stacked(const DenseMatrix& above, const DenseMatrix& below)
   return both;
 }
 
-/// One body's part of a vertex: as Dirichlet body, as Neumann body, or, where a slit ends, as both.
+/// One body's part of a vertex: on one side, or, where a slit ends, on both.
 InterfaceStar::Side makeSide(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies,
-                             const InterfaceVertex& vertex, bool isNeumann, bool isBoth = false)
+                             const InterfaceVertex& vertex, const std::vector<std::size_t>& sides)
 {
-  const FacetEnd& end = vertex.ends.front();
-  const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-  const int body = facet.body(!isNeumann);
+  const PatchEnd& end = vertex.ends.front();
+  const int body = scene.patches[std::size_t(end.patch)].sides[sides.front()].body;
   const StarBody& star = *bodies[std::size_t(body)];
-  std::vector<ReleasedFacet> released = releasedFacets(scene, vertex, isNeumann);
-  DenseMatrix map = releasedByTraction(scene, vertex, star.facetModes(), isNeumann);
-  if (isBoth) {
-    const auto others = releasedFacets(scene, vertex, !isNeumann);
-    released.insert(released.end(), others.begin(), others.end());
-    map = stacked(map, releasedByTraction(scene, vertex, star.facetModes(), !isNeumann));
+  const int modes = star.facetModes();
+  std::vector<ReleasedFacet> released;
+  DenseMatrix map(0, int(vertex.ends.size()) * modes);
+  for (const std::size_t side : sides) {
+    const auto own = releasedFacets(scene, vertex, side);
+    released.insert(released.end(), own.begin(), own.end());
+    map = stacked(map, releasedByTraction(scene, vertex, modes, side));
   }
-  const int point = vertexOf(star.model().mesh, facet, end, isNeumann);
-  return {body, StarSystem(star, star.star(point), released), std::move(map)};
+  return {body, StarSystem(star, star.star(vertexOf(scene, end, sides.front())), released), std::move(map)};
 }
 
 /// A vertex that faces itself.
 bool isSlitEnd(const RecoveryScene& scene, const InterfaceVertex& vertex)
 {
-  const FacetEnd& end = vertex.ends.front();
-  const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-  const Mesh& mesh = scene.bodies[std::size_t(facet.dirichletBody)]->mesh;
-  return facet.dirichletBody == facet.neumannBody &&
-         vertexOf(mesh, facet, end, false) == vertexOf(mesh, facet, end, true);
+  const PatchEnd& end = vertex.ends.front();
+  return scene.patches[std::size_t(end.patch)].touchesItself() && vertexOf(scene, end, 0) == vertexOf(scene, end, 1);
 }
 
 } // namespace
 
 std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
 {
-  std::map<int, std::vector<FacetEnd>> ends; // by interface node
+  std::map<int, std::vector<PatchEnd>> ends; // by interface node
   std::map<int, int> next;
   std::set<int> followers;
   std::vector<int> starts;
-  for (std::size_t f = 0; f < scene.facets.size(); ++f) {
-    const auto& nodes = scene.facets[f].pairs;
+  for (std::size_t f = 0; f < scene.patches.size(); ++f) {
+    const auto& nodes = scene.patches[f].pairs;
     for (const int vertex : {0, 1})
       ends[nodes[std::size_t(vertex)]].push_back({int(f), vertex});
-    const int first = firstEnd(scene, scene.facets[f]);
+    const int first = firstEnd(scene, int(f));
     next[nodes[std::size_t(first)]] = nodes[std::size_t(1 - first)];
     followers.insert(nodes[std::size_t(1 - first)]);
     starts.push_back(nodes[std::size_t(first)]);
@@ -148,19 +142,18 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene)
 
 bool starsMeet(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex)
 {
-  const FacetEnd& end = vertex.ends.front();
-  const ContactFacet& facet = scene.facets[std::size_t(end.facet)];
-  if (facet.dirichletBody != facet.neumannBody || isSlitEnd(scene, vertex))
+  const PatchEnd& end = vertex.ends.front();
+  const ContactPatch& patch = scene.patches[std::size_t(end.patch)];
+  if (!patch.touchesItself() || isSlitEnd(scene, vertex))
     return false;
-  const StarBody& body = *bodies[std::size_t(facet.dirichletBody)];
-  const Mesh& mesh = body.model().mesh;
-  const auto cells = [&](bool isNeumann) {
+  const StarBody& body = *bodies[std::size_t(patch.sides[0].body)];
+  const auto cells = [&](std::size_t side) {
     std::set<int> found;
-    for (const StarCell& part : body.star(vertexOf(mesh, facet, end, isNeumann)).cells)
+    for (const StarCell& part : body.star(vertexOf(scene, end, side)).cells)
       found.insert(part.cell);
     return found;
   };
-  const std::set<int> ours = cells(false), theirs = cells(true);
+  const std::set<int> ours = cells(0), theirs = cells(1);
   return std::find_first_of(ours.begin(), ours.end(), theirs.begin(), theirs.end()) != ours.end();
 }
 
@@ -168,14 +161,14 @@ InterfaceStar::InterfaceStar(const RecoveryScene& scene, const std::vector<const
                              const InterfaceVertex& vertex)
     : scene_(scene), vertex_(vertex)
 {
-  const ContactFacet& facet = scene.facets[std::size_t(vertex.ends.front().facet)];
+  const ContactPatch& patch = scene.patches[std::size_t(vertex.ends.front().patch)];
   if (isSlitEnd(scene, vertex)) {
-    sides_.push_back(makeSide(scene, bodies, vertex, false, true));
+    sides_.push_back(makeSide(scene, bodies, vertex, {0, 1}));
     return;
   }
-  for (const bool isNeumann : {false, true})
-    if (!scene.bodies[std::size_t(facet.body(!isNeumann))]->isRigid)
-      sides_.push_back(makeSide(scene, bodies, vertex, isNeumann));
+  for (const std::size_t side : {0u, 1u})
+    if (!scene.bodies[std::size_t(patch.sides[side].body)]->isRigid)
+      sides_.push_back(makeSide(scene, bodies, vertex, {side}));
 }
 
 TractionStep InterfaceStar::step(const std::vector<StarFields>& x, const Vector& opening) const
@@ -190,9 +183,9 @@ TractionStep InterfaceStar::step(const std::vector<StarFields>& x, const Vector&
   DenseMatrix E(numRows, size), H(size, size);
   Vector h;
   for (int i = 0; i < size; ++i) {
-    const FacetEnd& end = vertex_.ends[std::size_t(i / modes)];
-    h.push_back(opening[std::size_t(end.facet) * std::size_t(modes) + std::size_t(i % modes)] /
-                scene_.facets[std::size_t(end.facet)].measure);
+    const PatchEnd& end = vertex_.ends[std::size_t(i / modes)];
+    h.push_back(opening[std::size_t(end.patch) * std::size_t(modes) + std::size_t(i % modes)] /
+                scene_.patches[std::size_t(end.patch)].measure);
   }
   for (std::size_t s = 0, first = 0; s < sides_.size(); first += std::size_t(rows[s++].rows())) {
     const Side& side = sides_[s];

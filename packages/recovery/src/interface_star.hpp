@@ -9,10 +9,10 @@
 namespace ndframe
 {
 
-/// A vertex of an interface and the contact facets (one or two) that meet there.
+/// A vertex of an interface and the patches (one or two) that meet there.
 struct InterfaceVertex
 {
-  std::vector<FacetEnd> ends;
+  std::vector<PatchEnd> ends;
 };
 
 /// All vertices, chain by chain as they lie along n_c turned by 90 degrees. A closed interface begins anywhere.
@@ -22,11 +22,11 @@ std::vector<InterfaceVertex> interfaceVertices(const RecoveryScene& scene);
 bool starsMeet(const RecoveryScene& scene, const std::vector<const StarBody*>& bodies, const InterfaceVertex& vertex);
 
 /// The stars of one interface vertex in the Dirichlet and in the Neumann body (one star where a slit ends), the normal
-/// traction on the vertex's facets free. Scene, bodies and vertex must outlive it.
+/// traction on the vertex's patches free. Scene, bodies and vertex must outlive it.
 class InterfaceStar
 {
 public:
-  /// One body's part. Released along n_c; where n_c turns along the facet, along both axes.
+  /// One body's part. Released along n_c; where n_c turns along the patch, along both axes.
   struct Side
   {
     int body;

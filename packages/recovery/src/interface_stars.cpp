@@ -20,13 +20,14 @@ constexpr int passes = 3;
 constexpr int block = 4;
 
 /// A vertex's change of t_N in what the stresses carry of it.
-void addTurned(const EndTables& modes, const std::vector<ContactFacet>& facets, const InterfaceVertex& vertex,
+void addTurned(const EndTables& modes, const std::vector<ContactPatch>& patches, const InterfaceVertex& vertex,
                const Vector& change, ContactTraction& traction)
 {
   const std::size_t size = change.size() / vertex.ends.size();
   auto first = change.begin();
-  for (const FacetEnd& end : vertex.ends) {
-    addTurned(modes, facets, std::size_t(end.facet), end.vertex, Vector(first, first + std::ptrdiff_t(size)), traction);
+  for (const PatchEnd& end : vertex.ends) {
+    addTurned(modes, patches, std::size_t(end.patch), end.vertex, Vector(first, first + std::ptrdiff_t(size)),
+              traction);
     first += std::ptrdiff_t(size);
   }
 }
@@ -66,10 +67,10 @@ std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field,
 
 ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, Ledger& ledger) const
 {
-  ContactTraction traction = field.onDirichlet;
+  ContactTraction traction = field.tractions[0];
   std::vector<Vector> contact;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
-    contact.push_back(contactShares(scene_.facets, traction, field.onNeumann, int(body)));
+    contact.push_back(contactShares(scene_.patches, field.tractions, int(body)));
   std::vector<std::unique_ptr<StarLoads>> loads;
   for (std::size_t body = 0; body < bodies_.size(); ++body)
     loads.push_back(bodies_[body] == nullptr
@@ -81,7 +82,7 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, L
   const EndTables turning = turningModes(traction.degree, traction.degree);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t v = 0; v < vertices_.size(); ++v)
-      addTurned(turning, scene_.facets, vertices_[v], steps[v].apply(traction), traction);
+      addTurned(turning, scene_.patches, vertices_[v], steps[v].apply(traction), traction);
   ledger.count("interface stars", std::int64_t(passes) * std::int64_t(steps.size()));
   return traction;
 }
@@ -98,7 +99,7 @@ void InterfaceStars::sweep(const Vector& opening, ContactTraction& traction,
       x[s] = gather(*bodies_[std::size_t(side.body)], side.system.star(), {corrections[std::size_t(side.body)]});
     }
     const Vector change = star.step(x, opening).apply(traction);
-    addTurned(turning, scene_.facets, vertex, change, traction);
+    addTurned(turning, scene_.patches, vertex, change, traction);
     for (std::size_t s = 0; s < x.size(); ++s) {
       const InterfaceStar::Side& side = star.sides()[s];
       side.system.relax(x[s], multiply(side.released, DenseMatrix(change)));

@@ -13,7 +13,7 @@ namespace ndframe
 ///
 /// The bound holds for every traction t^ that is admissible (<= 0 in its Bernstein coefficients, in balance); among
 /// these, what depends on t^ is  J = |c|^2 + 2 int t^ (u~1_N - u~2_N - g)  over both bodies (docs/theory.md). Vertex
-/// after vertex the traction on the facets that meet there is changed so that J becomes least: a small quadratic
+/// after vertex the traction on the patches that meet there is changed so that J becomes least: a small quadratic
 /// program (TractionStep). The traction stays admissible after every step, so any number of steps gives a bound.
 ///
 /// Vertices are taken in the order in which they lie on the interface, so their numbers do not matter (unless an

@@ -36,7 +36,7 @@ Vector movedInside(const DenseMatrix& toBernstein, const Vector& moments, double
 
 } // namespace
 
-Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+Vector interiorChange(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                       const ContactTraction& traction)
 {
   const DenseMatrix toBernstein = bernsteinOfMoments(3, traction.degree);
@@ -66,15 +66,15 @@ Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>&
   return change;
 }
 
-Vector normalMoments(const ContactFacet& facet, const double* T, std::size_t modes)
+Vector normalMoments(const ContactPatch& patch, const double* T, std::size_t modes)
 {
   Vector moments;
   for (std::size_t k = 0; k < modes; ++k)
-    moments.push_back(facet.normal[0] * T[3 * k] + facet.normal[1] * T[3 * k + 1] + facet.normal[2] * T[3 * k + 2]);
+    moments.push_back(patch.normal[0] * T[3 * k] + patch.normal[1] * T[3 * k + 1] + patch.normal[2] * T[3 * k + 2]);
   return moments;
 }
 
-PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                            const ContactTraction& traction)
     : faces_(&faces), contact_(&contact), toBernstein_(bernsteinOfMoments(3, traction.degree)), held_(contact.size(), 0)
 {
@@ -83,10 +83,10 @@ PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactFa
   for (int f = 0; f < faces.size(); ++f) {
     if (faces[f].contact < 0)
       continue;
-    const auto facet = std::size_t(faces[f].contact);
-    Vector room = multiply(toBernstein_, traction.moments(int(facet)));
+    const auto patch = std::size_t(faces[f].contact);
+    Vector room = multiply(toBernstein_, traction.moments(int(patch)));
     for (double& value : room) {
-      value = std::max(0.0, -value / contact[facet].measure);
+      value = std::max(0.0, -value / contact[patch].measure);
       largest = std::max(largest, value);
     }
     inContact_.push_back(f);
@@ -100,11 +100,11 @@ PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactFa
 /// What tractions along the normal change the coefficients by.
 Vector PressureRoom::coefficients(int face, const Vector& tractions) const
 {
-  const ContactFacet& facet = (*contact_)[std::size_t((*faces_)[face].contact)];
+  const ContactPatch& patch = (*contact_)[std::size_t((*faces_)[face].contact)];
   const auto modes = std::size_t(toBernstein_.cols());
-  Vector moments = normalMoments(facet, tractions.data() + std::size_t(face) * modes * 3, modes);
+  Vector moments = normalMoments(patch, tractions.data() + std::size_t(face) * modes * 3, modes);
   for (double& moment : moments)
-    moment /= facet.measure;
+    moment /= patch.measure;
   return multiply(toBernstein_, moments);
 }
 

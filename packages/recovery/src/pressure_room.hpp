@@ -6,22 +6,22 @@ namespace ndframe
 {
 
 /// Tractions per face (on its first cell), without wrench, that move the given ones away from zero: where a Bernstein
-/// coefficient is smaller than a part of the mean pressure on its facet, all become that large, or half of it, or ..;
+/// coefficient is smaller than a part of the mean pressure on its patch, all become that large, or half of it, or ..;
 /// zero where nothing suits, as where bodies part.
-Vector interiorChange(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+Vector interiorChange(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                       const ContactTraction& traction);
 
 /// The moments of a traction's normal part: modes of T . n_c.
-Vector normalMoments(const ContactFacet& facet, const double* T, std::size_t modes);
+Vector normalMoments(const ContactPatch& patch, const double* T, std::size_t modes);
 
 /// How far normal tractions may change before one of their Bernstein coefficients becomes positive.
 class PressureRoom
 {
 public:
-  /// traction: admissible, on the facets of `contact`. All must outlive it.
-  PressureRoom(const StressFaces& faces, const std::vector<ContactFacet>& contact, const ContactTraction& traction);
+  /// traction: admissible, on the patches `contact`. All must outlive it.
+  PressureRoom(const StressFaces& faces, const std::vector<ContactPatch>& contact, const ContactTraction& traction);
 
-  /// Per contact facet: nonzero where the traction stays as it is.
+  /// Per patch: nonzero where the traction stays as it is.
   const std::vector<char>& held() const { return held_; }
 
   /// Moves along tractions (per face, on its first cell) by `length` or as far as admissible; facets that allow less
@@ -32,7 +32,7 @@ private:
   Vector coefficients(int face, const Vector& tractions) const;
 
   const StressFaces* faces_;
-  const std::vector<ContactFacet>* contact_;
+  const std::vector<ContactPatch>* contact_;
   DenseMatrix toBernstein_;
   std::vector<int> inContact_; ///< faces
   std::vector<char> held_;

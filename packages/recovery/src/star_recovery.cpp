@@ -26,7 +26,7 @@ public:
       bodies_.push_back(
           scene.bodies[body]->isRigid ? nullptr : std::make_unique<BodyStars>(*scene.bodies[body], scene.data[body]));
     for (const SceneField& field : fields)
-      stresses_.push_back({{}, field.onDirichlet, field.onNeumann});
+      stresses_.push_back({{}, field.tractions});
     if (std::any_of(fields.begin(), fields.end(), [](const SceneField& field) { return field.optimise; })) {
       std::vector<const StarBody*> starBodies;
       for (const auto& body : bodies_)
@@ -39,8 +39,7 @@ public:
   {
     for (std::size_t field = 0; field < fields_.size(); ++field)
       if (fields_[field].optimise)
-        stresses_[field].onDirichlet = stresses_[field].onNeumann =
-            interfaces_->optimise(fields_[field], threads(), ledger_);
+        stresses_[field].tractions.fill(interfaces_->optimise(fields_[field], threads(), ledger_));
   }
 
   void solveStars()
@@ -49,7 +48,7 @@ public:
     forEachBody([this](std::size_t body) {
       std::vector<Vector> contact;
       for (const SceneStress& stress : stresses_)
-        contact.push_back(contactShares(scene_.facets, stress.onDirichlet, stress.onNeumann, int(body)));
+        contact.push_back(contactShares(scene_.patches, stress.tractions, int(body)));
       std::vector<FieldInput> inputs;
       for (std::size_t field = 0; field < fields_.size(); ++field)
         inputs.push_back({fields_[field].displacement[body], &contact[field]});
@@ -74,8 +73,8 @@ public:
       std::vector<StressCorrection*> ofField;
       for (std::vector<StressCorrection>& body : corrections_)
         ofField.push_back(&body[field]);
-      interfaces_->sweep(fields_[field].opening, stresses_[field].onDirichlet, ofField, ledger_);
-      stresses_[field].onNeumann = stresses_[field].onDirichlet;
+      interfaces_->sweep(fields_[field].opening, stresses_[field].tractions[0], ofField, ledger_);
+      stresses_[field].tractions[1] = stresses_[field].tractions[0];
     }
     ledger_.count("star sweeps");
   }

@@ -9,7 +9,7 @@
 namespace ndframe
 {
 
-StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact,
+StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                              std::vector<DescentField> fields, const DescentWatch& watch, const Comm& comm, int threads)
     : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), comm_(comm), threads_(threads),
       edges_(stressEdges(faces)), blocks_(faces, edges_), unknowns_(faces, edges_, blocks_)
@@ -145,21 +145,21 @@ void StressDescent::addOpening(const Vector& opening, Vector& faceForces) const
   const auto modes = std::size_t(facetData()) / 3;
   for (int f = 0; f < faces_->size(); ++f)
     if (const int number = (*faces_)[f].contact; number >= 0) {
-      const ContactFacet& facet = (*contact_)[std::size_t(number)];
+      const ContactPatch& patch = (*contact_)[std::size_t(number)];
       for (std::size_t k = 0; k < modes; ++k)
         for (std::size_t i = 0; i < 3; ++i)
           faceForces[(std::size_t(f) * modes + k) * 3 + i] +=
-              facet.normal[i] * opening[std::size_t(number) * modes + k] / facet.measure;
+              patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure;
     }
 }
 
-/// The blocks of StressBlocks that stay as they are with these contact facets.
-std::vector<char> StressDescent::held(const std::vector<char>& facets) const
+/// The blocks of StressBlocks that stay as they are with these patches held.
+std::vector<char> StressDescent::held(const std::vector<char>& patches) const
 {
   std::vector<char> blocks(std::size_t(blocks_.numBlocks()), 0);
   const auto isHeld = [&](int face) {
     const int number = (*faces_)[face].contact;
-    return number >= 0 && facets[std::size_t(number)] != 0;
+    return number >= 0 && patches[std::size_t(number)] != 0;
   };
   for (int f = 0; f < faces_->size(); ++f)
     blocks[std::size_t(f)] = char(isHeld(f));
@@ -214,13 +214,13 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
   add(unknowns_.tractions(x, threads_), field);
 }
 
-/// Adds the normal part of a face's traction to a contact facet, in equal shares.
-void StressDescent::addNormal(std::size_t facet, const double* T, ContactTraction& traction) const
+/// Adds the normal part of a face's traction to a patch, in equal shares.
+void StressDescent::addNormal(std::size_t patch, const double* T, ContactTraction& traction) const
 {
-  const Vector moments = normalMoments((*contact_)[facet], T, traction.numModes());
+  const Vector moments = normalMoments((*contact_)[patch], T, traction.numModes());
   for (std::size_t vertex = 0; vertex < 3; ++vertex)
     for (std::size_t k = 0; k < moments.size(); ++k)
-      traction.shares[(facet * 3 + vertex) * moments.size() + k] += moments[k] / 3.0;
+      traction.shares[traction.first(patch, vertex) + k] += moments[k] / 3.0;
 }
 
 /// Adds tractions of faces to a field.

@@ -37,7 +37,7 @@ class StressDescent
 public:
   /// Finds all matrices: every rank those of its share of the cells. faces, contact, watch and what the fields point to
   /// must outlive it. Collective, as are all functions.
-  StressDescent(const StressFaces& faces, const std::vector<ContactFacet>& contact, std::vector<DescentField> fields,
+  StressDescent(const StressFaces& faces, const std::vector<ContactPatch>& contact, std::vector<DescentField> fields,
                 const DescentWatch& watch, const Comm& comm, int threads);
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
@@ -53,13 +53,13 @@ private:
   Vector cellForces(const Vector& tractions) const;
   Vector faceForces(const Vector& cellForces) const;
   void addOpening(const Vector& opening, Vector& faceForces) const;
-  std::vector<char> held(const std::vector<char>& facets) const;
+  std::vector<char> held(const std::vector<char>& patches) const;
   void add(const Vector& tractions, const DescentField& field) const;
-  void addNormal(std::size_t facet, const double* T, ContactTraction& traction) const;
+  void addNormal(std::size_t patch, const double* T, ContactTraction& traction) const;
   int facetData() const { return faces_->cells().facetData(); }
 
   const StressFaces* faces_;
-  const std::vector<ContactFacet>* contact_;
+  const std::vector<ContactPatch>* contact_;
   std::vector<DescentField> fields_;
   const DescentWatch& watch_;
   const Comm& comm_;

@@ -62,7 +62,7 @@ Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLengt
 
 void StressFace::toSide(std::size_t side, const double* T, int count, double* result) const
 {
-  const double sign = side == 0 ? 1.0 : -1.0;
+  const double sign = sideSign(side);
   if (side == 0 || turned.rows() == 0) {
     for (int i = 0; i < count; ++i)
       result[i] = sign * T[i];
@@ -77,7 +77,7 @@ void StressFace::toSide(std::size_t side, const double* T, int count, double* re
 
 void StressFace::fromSide(std::size_t side, const double* forces, int count, double* sum) const
 {
-  const double sign = side == 0 ? 1.0 : -1.0;
+  const double sign = sideSign(side);
   if (side == 0 || turned.rows() == 0) {
     for (int i = 0; i < count; ++i)
       sum[i] += sign * forces[i];
@@ -107,7 +107,7 @@ DenseMatrix StressFace::allOwn() const
   return all;
 }
 
-StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactFacet>& contact)
+StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactPatch>& contact)
     : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1)
 {
   for (int body = 0; body < cells.numBodies(); ++body)
@@ -207,31 +207,30 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
 
 /// Contact facets become faces with their normal tractions free: of two cells where both bodies have the same wrench of
 /// them, of one cell at a rigid body; where supports take a part they keep the tractions that they have.
-void StressFaces::joinContact(const std::vector<ContactFacet>& contact)
+void StressFaces::joinContact(const std::vector<ContactPatch>& contact)
 {
   OrderedModes inOrder(3, cells_->any().data().degree);
   for (std::size_t f = 0; f < contact.size(); ++f) {
-    const ContactFacet& facet = contact[f];
-    if (!cells_->has(facet.dirichletBody) || facet.turns)
+    const ContactPatch& patch = contact[f];
+    if (!cells_->has(patch.sides[0].body) || patch.turns)
       continue;
     StressFace face;
-    const std::array<int, 2> bodies{facet.dirichletBody, facet.neumannBody};
-    const std::array<Facet, 2> sides{facet.dirichlet, facet.neumann};
-    const std::size_t count = cells_->has(facet.neumannBody) ? 2 : 1;
+    const std::size_t count = cells_->has(patch.sides[1].body) ? 2 : 1;
     bool isFree = true;
     for (std::size_t side = 0; side < count; ++side) {
-      face.cell[side] = cells_->number(bodies[side], sides[side].cell);
-      face.facet[side] = sortedFacet(cells_->body(bodies[side]).model().mesh, sides[side]);
+      const auto& [body, facet, places] = patch.sides[side];
+      face.cell[side] = cells_->number(body, facet.cell);
+      face.facet[side] = sortedFacet(cells_->body(body).model().mesh, facet);
       isFree = isFree && faces_[std::size_t(within(face.cell[side], face.facet[side]))].reach.cols() == 0;
     }
     face.contact = int(f);
-    face.theirs = facet.theirs;
-    if (count == 2 && facet.theirs != std::array{0, 1, 2})
-      face.turned = inOrder(facet.theirs);
+    face.theirs = patch.sides[1].places;
+    if (count == 2 && face.theirs != std::array{0, 1, 2})
+      face.turned = inOrder(patch.sides[1]);
     const Vector arms = findGeometry(face);
-    if (!isFree || (count == 2 && !coincide(face, arms, facet.normal)))
+    if (!isFree || (count == 2 && !coincide(face, arms, patch.normal)))
       continue;
-    freeAlong(face, arms, &facet.normal, 1);
+    freeAlong(face, arms, &patch.normal, 1);
     for (std::size_t side = 0; side < count; ++side)
       joined_[std::size_t(within(face.cell[side], face.facet[side]))] = size();
     faces_.push_back(std::move(face));

@@ -21,9 +21,8 @@ struct StressFace
 {
   std::array<int, 2> cell{-1, -1};  ///< the second is -1 on the boundary and at rigid bodies
   std::array<int, 2> facet{-1, -1}; ///< its sorted number in each cell; T acts on the first, -T on the second
-  int contact =
-      -1; ///< number of the contact facet: the cells belong to two bodies, or there is one that touches a rigid body
-  std::array<int, 3> theirs{0, 1, 2}; ///< there: ContactFacet::theirs
+  int contact = -1; ///< number of the patch: the cells belong to two bodies, or there is one that touches a rigid body
+  std::array<int, 3> theirs{0, 1, 2}; ///< there: PatchSide::places of its second side
   DenseMatrix turned{};               ///< and its modesInOrder(); empty where the order is the same
   Direction centre{};
   double size = 0.0;               ///< square root of the area: moments are divided by it
@@ -57,13 +56,14 @@ void addCross(const Direction& arm, const double* force, double factor, double* 
 Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLength, const Direction& to,
                    double toLength);
 
-/// All faces of solids. A contact facet whose two sides coincide is one face that both bodies share; at a rigid body it
+/// All faces of solids. A patch whose two sides coincide is one face that both bodies share; at a rigid body it
 /// is a boundary face whose normal traction may change.
 class StressFaces
 {
 public:
-  /// contact: the facets whose normal tractions may change; bodies by their numbers in `cells`.
-  explicit StressFaces(const StressCells& cells, const std::vector<ContactFacet>& contact = {});
+  /// contact: patches whose normal tractions may change, vertices ascending on their first sides; bodies by their
+  /// numbers in `cells`.
+  explicit StressFaces(const StressCells& cells, const std::vector<ContactPatch>& contact = {});
 
   const StressCells& cells() const { return *cells_; }
   const std::vector<StressFace>& all() const { return faces_; }
@@ -86,7 +86,7 @@ private:
   void freeTractions(StressFace& face, const Vector& arms) const;
   void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count) const;
   void freeReactions(StressFace& face, const Vector& arms) const;
-  void joinContact(const std::vector<ContactFacet>& contact);
+  void joinContact(const std::vector<ContactPatch>& contact);
   bool coincide(const StressFace& face, const Vector& arms, const Direction& normal) const;
 
   const StressCells* cells_;

@@ -35,7 +35,7 @@ DenseMatrix balanced(const DenseMatrix& E)
 
 } // namespace
 
-TractionStep::TractionStep(std::vector<FacetEnd> ends, const DenseMatrix& E, DenseMatrix H, Vector h)
+TractionStep::TractionStep(std::vector<PatchEnd> ends, const DenseMatrix& E, DenseMatrix H, Vector h)
     : ends_(std::move(ends)), H_(std::move(H)), basis_(balanced(E)), h_(std::move(h))
 {
   NDFRAME_ASSERT(H_.rows() == int(h_.size()) && E.cols() == H_.rows(), "shapes do not match");
@@ -55,8 +55,8 @@ TractionStep::TractionStep(std::vector<FacetEnd> ends, const DenseMatrix& E, Den
 Vector TractionStep::coefficients(const ContactTraction& traction) const
 {
   Vector all;
-  for (const FacetEnd& end : ends_) {
-    const Vector values = multiply(toBernstein_, traction.moments(end.facet));
+  for (const PatchEnd& end : ends_) {
+    const Vector values = multiply(toBernstein_, traction.moments(end.patch));
     all.insert(all.end(), values.begin(), values.end());
   }
   return all;
@@ -80,8 +80,8 @@ Vector TractionStep::apply(ContactTraction& traction)
     return Vector(change.size(), 0.0);
   const std::size_t modes = change.size() / ends_.size();
   for (std::size_t i = 0; i < change.size(); ++i) {
-    const FacetEnd& end = ends_[i / modes];
-    traction.shares[(std::size_t(end.facet) * 2 + std::size_t(end.vertex)) * modes + i % modes] += change[i];
+    const PatchEnd& end = ends_[i / modes];
+    traction.shares[traction.first(std::size_t(end.patch), std::size_t(end.vertex)) + i % modes] += change[i];
     h_[i] += force[i];
   }
   const Vector after = coefficients(traction);

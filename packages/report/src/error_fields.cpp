@@ -110,7 +110,7 @@ std::vector<NamedField> admissiblePressure(const Run& run, std::size_t interface
   NamedField field{"admissible_pressure", {}};
   for (int f = first; f < first + run.model.interfaces[interface].numFacets(); ++f) {
     const double force = run.certificate->traction.moments(f).front();
-    field.values.push_back(isFinal ? -force / run.certificate->facets[std::size_t(f)].measure : unknown);
+    field.values.push_back(isFinal ? -force / run.certificate->patches[std::size_t(f)].measure : unknown);
   }
   return {field};
 }

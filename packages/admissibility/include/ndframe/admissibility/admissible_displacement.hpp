@@ -8,7 +8,7 @@ namespace ndframe
 {
 
 /// u^ of (35): displacements moved at interface nodes until the Bernstein coefficients of the jump are <= the gap on
-/// every facet; nothing else changes.
+/// every patch; nothing else changes.
 struct AdmissibleDisplacement
 {
   std::vector<Vector> displacement; ///< per body, global axes
@@ -21,7 +21,7 @@ struct AdmissibleDisplacement
 /// nodes, so that the charge is small.
 AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
                                          const std::vector<const ConstraintSet*>& constraints,
-                                         const std::vector<ContactFacet>& facets, const GapBound& gap,
+                                         const std::vector<ContactPatch>& patches, const GapBound& gap,
                                          const std::vector<Vector>& displacement);
 
 /// |to - from| in the energy norm, all bodies.

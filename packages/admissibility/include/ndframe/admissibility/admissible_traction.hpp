@@ -10,7 +10,7 @@ namespace ndframe
 {
 
 /// What tractions must do for a body that its supports do not hold: work against every free motion,
-///   sum_facets +- int t_N (motion . n_c) = - (loads' work),   one row a motion (the Remark of section 5.3).
+///   sum_patches +- int t_N (motion . n_c) = - (loads' work),   one row a motion (the Remark of section 5.3).
 /// The motions move the bodies by about 1 (RigidBasis), so that work is a force.
 struct BalanceConditions
 {
@@ -25,7 +25,7 @@ struct BalanceConditions
 /// What a traction that presses everywhere has to show.
 enum class TractionSign
 {
-  Coefficients, ///< Bernstein coefficients <= 0 on every facet: more than is needed, kept by every later step
+  Coefficients, ///< Bernstein coefficients <= 0 on every patch: more than is needed, kept by every later step
   Values        ///< t_N <= 0 at the nodes, as the paper asks: a quadratic may still pull between them
 };
 
@@ -38,7 +38,7 @@ enum class TractionSign
 /// mean, result: per interface node. order: 1 or 2.
 /// cost: what a unit nodal value costs beside half the squared distance (per node; empty: nothing). Where bodies are
 /// apart it keeps tractions away that balance would put there.
-Vector projectTraction(const std::vector<ContactFacet>& facets, int numNodes, int order, const Vector& mean,
+Vector projectTraction(const std::vector<ContactPatch>& patches, int numNodes, int order, const Vector& mean,
                        const BalanceConditions& balance, TractionSign sign = TractionSign::Coefficients,
                        const Vector& cost = {});
 

@@ -6,19 +6,19 @@
 namespace ndframe
 {
 
-/// Vectors at a facet's nodes.
-using FacetVectors = std::array<Direction, mostFacetNodes>;
+/// Vectors at a patch's nodes.
+using PatchVectors = std::array<Direction, mostFacetNodes>;
 
-/// A body's node numbers on a contact facet in the order of ContactFacet::nodes.
-FacetNodes contactNodes(const BodyModel& body, const ContactFacet& facet, bool isDirichlet);
+/// A body's node numbers on its side of a patch, in the order of ContactPatch::nodes.
+FacetNodes contactNodes(const BodyModel& body, const PatchSide& side);
 
-/// u1 - u2 at the nodes of a contact facet, in the order of ContactFacet::nodes. displacement: per body, numNodes *
-/// dim, global axes.
-FacetVectors facetOpening(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+/// u1 - u2 at the nodes of a patch, in the order of ContactPatch::nodes. displacement: per body, numNodes * dim,
+/// global axes.
+PatchVectors patchOpening(const std::vector<const BodyModel*>& bodies, const ContactPatch& patch,
                           const std::vector<Vector>& displacement);
 
-/// What of u1 - u2 counts against the deck's Gap: facetOpening, and the drawn distance where it counts.
-FacetVectors closing(const std::vector<const BodyModel*>& bodies, const ContactFacet& facet,
+/// What of u1 - u2 counts against the deck's Gap: patchOpening, and the drawn distance where it counts.
+PatchVectors closing(const std::vector<const BodyModel*>& bodies, const ContactPatch& patch,
                      const std::vector<Vector>& displacement);
 
 } // namespace ndframe

@@ -6,11 +6,11 @@
 namespace ndframe
 {
 
-/// What the stresses leave over of t n where n turns along a facet: t n has one degree more than t. Per body and cell
-/// osc_E^2 with |int (t n - carried) . v dS| <= osc_E |v|_E over the cell's contact facets, in the energy norm: the
-/// energy of a stress of the richest degree that carries the rest, and the facet's constant (docs/theory.md) for what
-/// has a higher degree than that. Empty where nothing turns.
+/// What the stresses leave over of t n where n turns along a patch of the plane: t n has one degree more than t. Per
+/// body and cell osc_E^2 with |int (t n - carried) . v dS| <= osc_E |v|_E over the cell's patches, in the energy norm:
+/// the energy of a stress of the richest degree that carries the rest, and the facet's constant (docs/theory.md) for
+/// what has a higher degree than that. Empty where nothing turns.
 std::vector<Vector> contactOscillation(const std::vector<const BodyModel*>& bodies,
-                                       const std::vector<ContactFacet>& facets, const ContactTraction& traction);
+                                       const std::vector<ContactPatch>& patches, const ContactTraction& traction);
 
 } // namespace ndframe

@@ -15,6 +15,9 @@ using FacetNodes = std::array<int, mostFacetNodes>;
 /// Nodes of a facet of a body of dimension `dim` (2, 3) and order 1 or 2: its vertices, then the middles of its edges.
 int numFacetNodes(int dim, int order);
 
+/// Polynomials of degree q on a facet: the size of facetBasis().
+int numFacetModes(int dim, int degree);
+
 /// The ends of a facet's edges in the order of the nodes in their middles; the plane's facet is one edge.
 struct FacetEdges
 {

@@ -19,12 +19,12 @@ struct BoundOfDisplacement
   std::vector<Vector> residual, traction; ///< int t^ w_phi; both are forces
 };
 
-/// Moves u^ at the interface nodes, within w^ <= g_h, to where the bound is smallest: where contact ends within a facet
-/// the nearest admissible displacement opens it under pressure, and pulling the facet's open end to the gap costs less.
+/// Moves u^ at the interface nodes, within w^ <= g_h, to where the bound is smallest: where contact ends within a patch
+/// the nearest admissible displacement opens it under pressure, and pulling the patch's open end to the gap costs less.
 /// Any u^ keeps the bound a bound, so it is enough to come near the least one: one node after the other, the normal
 /// jump's Bernstein coefficients being the unknowns. Changes displacement, charge and moved of `admissible`.
 void tightenDisplacement(const std::vector<const BodyModel*>& bodies,
-                         const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactFacet>& facets,
+                         const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactPatch>& patches,
                          const GapBound& gap, const std::vector<Vector>& displacement, const BoundOfDisplacement& bound,
                          AdmissibleDisplacement& admissible);
 

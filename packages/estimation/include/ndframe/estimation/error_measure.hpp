@@ -11,7 +11,7 @@ namespace ndframe
 /// A constitutive relation error (39) and its parts, in the energy norm sqrt(int K eps : eps).
 struct ErrorMeasure
 {
-  /// (42) squared, per body and cell: (D_E + osc_E)^2; a facet's contact term is shared by its two cells.
+  /// (42) squared, per body and cell: (D_E + osc_E)^2; a patch's contact term is shared by its two cells.
   std::vector<Vector> cells;
   double elements = 0.0;    ///< D = |sigma^ - K eps(u^)|
   double contact = 0.0;     ///< 2 int t^ (w^ - g) dS, an energy; below zero only where w^ penetrates (Paper mode)
@@ -33,10 +33,10 @@ private:
   double radius() const;
 };
 
-/// Assembles a measure from the cells' squared distances (cellDistances, per body) and the facets' contact terms
+/// Assembles a measure from the cells' squared distances (cellDistances, per body) and the patches' contact terms
 /// (contactContributions; empty without contact) for u^ = u_h. oscillation: of the cells' data, squared, per body;
 /// empty where all data are carried.
-ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactFacet>& facets,
+ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactPatch>& patches,
                              const Vector& contact, const std::vector<Vector>& oscillation = {});
 
 /// sqrt of the contributions of one body's cells; a contribution below zero (round-off, Paper mode) gives zero.

@@ -13,30 +13,28 @@ namespace ndframe
 struct RecoveryScene
 {
   std::vector<const BodyModel*> bodies; ///< not owned; rigid ones, too, which carry no stress
-  std::vector<StaticData> data;         ///< per body; its contact facets are those of `facets` that it takes part in
-  std::vector<ContactFacet> facets;     ///< of all interfaces; empty without contact
+  std::vector<StaticData> data;         ///< per body; its contact facets are those of its patches (patchesOfBody)
+  std::vector<ContactPatch> patches;    ///< of all interfaces; empty without contact
 };
 
 /// Stresses of all bodies in finite element equilibrium with the loads and with tractions on the interfaces.
 struct SceneField
 {
   std::vector<const Vector*> displacement; ///< u~ per body, global axes
-  ContactTraction onDirichlet;             ///< t_N as the Dirichlet bodies feel it (along n_c)
-  ContactTraction onNeumann;               ///< t_N as the Neumann bodies feel it (against n_c); for one and the same
-                                           ///< admissible traction a copy of the other
+  SideTractions tractions;                 ///< t_N as the two sides of the patches feel it
   /// The traction may be changed: it stays the same on both sides, polynomial of degree q that may jump, <= 0 in its
   /// Bernstein coefficients, in balance with the loads; it becomes the one that makes the bound small (docs/theory.md).
   /// Both tractions must be equal and admissible.
   bool optimise = false;
-  /// With `optimise`: per contact facet and mode, int (u~1_N - u~2_N - g) L_k, the linear term of the bound.
+  /// With `optimise`: per patch and mode, int (u~1_N - u~2_N - g) L_k, the linear term of the bound.
   Vector opening;
 };
 
 /// sigma^ = K eps(u~) + c on all bodies, and the tractions it carries on the interfaces.
 struct SceneStress
 {
-  std::vector<StressCorrection> corrections;                               ///< per body
-  ContactTraction onDirichlet, /**< felt by Dirichlet bodies */ onNeumann; ///< as given, or the optimised one twice
+  std::vector<StressCorrection> corrections; ///< per body
+  SideTractions tractions;                   ///< as given, or the optimised one twice
 };
 
 /// How equilibrated stresses are found.
