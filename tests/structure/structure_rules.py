@@ -32,11 +32,11 @@ ARROWS = {
     "adaptivity": ["algebra", "meshing"],
     "io": ["mesh", "fem", "algebra"],
     "scene": ["coupling", "meshing"],
-    "condensation": ["scene", "io"],
+    "condensation": ["scene"],
     "certification": ["condensation", "estimation"],
     "run": ["certification"],
     "accuracy": ["run", "adaptivity"],
-    "report": ["accuracy"],
+    "report": ["accuracy", "io"],
     "drawing": ["assembly"],
     "driver": ["report", "iterative", "drawing"],
 }

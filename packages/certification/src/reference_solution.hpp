@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "ndframe/certification/certificate_components.hpp"
+#include "ndframe/certification/error_summary.hpp"
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/estimation/error_measure.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {

@@ -76,26 +76,12 @@ double smallestContactForce(const CondensedModel& condensed, const std::vector<B
   return smallest;
 }
 
-/// A limit on one of the residuals, and what it means when it is passed. A residual that is not a number passes it.
+/// A limit on one of the residuals, and what it means when it is passed.
 struct Limit
 {
   double residual, allowed;
   const char* meaning;
 };
-
-std::string passedLimit(const ResidualSummary& residuals)
-{
-  const ResidualLimits limits = ResidualLimits::of(residuals);
-  for (const auto& [residual, allowed, meaning] :
-       {Limit{residuals.equilibrium, limits.equilibrium,
-              "the forces are out of balance by {:.1e}: the matrix is too ill-conditioned"},
-        Limit{residuals.penetration, limits.contact, "the bodies penetrate by {:.1e} of the largest displacement"},
-        Limit{residuals.tension, limits.contact, "contact pulls with {:.1e} of the largest force"},
-        Limit{residuals.complementarity, limits.contact, "contact presses across an opening (complementarity {:.1e})"}})
-    if (!(residual <= allowed))
-      return fmt::format(fmt::runtime(meaning), residual);
-  return {};
-}
 
 } // namespace
 
@@ -137,14 +123,18 @@ std::string undecidedContact(const Model& model, const CondensedModel& condensed
   return {};
 }
 
-std::string distrust(const RunSummary& summary)
+std::string passedLimit(const ResidualSummary& residuals)
 {
-  const bool boundDecides = summary.accuracy.has_value();
-  if (summary.coupling && !summary.coupling->converged && !boundDecides)
-    return summary.coupling->reason;
-  if (!std::isfinite(summary.energy))
-    return "the result is not a number";
-  return passedLimit(summary.residuals);
+  const ResidualLimits limits = ResidualLimits::of(residuals);
+  for (const auto& [residual, allowed, meaning] :
+       {Limit{residuals.equilibrium, limits.equilibrium,
+              "the forces are out of balance by {:.1e}: the matrix is too ill-conditioned"},
+        Limit{residuals.penetration, limits.contact, "the bodies penetrate by {:.1e} of the largest displacement"},
+        Limit{residuals.tension, limits.contact, "contact pulls with {:.1e} of the largest force"},
+        Limit{residuals.complementarity, limits.contact, "contact presses across an opening (complementarity {:.1e})"}})
+    if (!(residual <= allowed))
+      return fmt::format(fmt::runtime(meaning), residual);
+  return {};
 }
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include "accuracy_list.hpp"
 #include "automatic_list.hpp"
 #include "error_list.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "output_list.hpp"
 
 namespace ndframe
@@ -61,6 +62,7 @@ RunSettings readSettings(const Params& deck)
     settings.accuracy = accuracyOptions(deck);
   settings.output = outputOptions(deck);
   settings.expectations = expectationsOf(deck);
+  settings.numberOf = summaryValue;
   return settings;
 }
 

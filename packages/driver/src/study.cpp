@@ -14,6 +14,7 @@
 #include "ndframe/report/accuracy_screen.hpp"
 #include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "ndframe/run/contact_start.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/summarize.hpp"

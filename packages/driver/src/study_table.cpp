@@ -8,6 +8,7 @@
 
 #include "load_columns.hpp"
 #include "ndframe/io/csv.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "ndframe/scene/recipe.hpp"
 
 namespace ndframe

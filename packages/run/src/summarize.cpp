@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/condensation/trust.hpp"
 #include "ndframe/run/body_results.hpp"
 #include "ndframe/run/contact_ends.hpp"
 #include "ndframe/run/energy_comparison.hpp"
@@ -226,7 +227,17 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
     run.summary.errors = run.certificate->summary;
     run.summary.errors->energyBracket = summarizeEnergy(run);
   }
-  checkExpectations(run.summary, settings.expectations);
+  checkExpectations(run.summary, settings);
+}
+
+std::string distrust(const RunSummary& summary)
+{
+  const bool boundDecides = summary.accuracy.has_value();
+  if (summary.coupling && !summary.coupling->converged && !boundDecides)
+    return summary.coupling->reason;
+  if (!std::isfinite(summary.energy))
+    return "the result is not a number";
+  return passedLimit(summary.residuals);
 }
 
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)

@@ -75,7 +75,8 @@ void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
             .mistake("",
                      fmt::format("nothing touches, and no body is strained: the smallest remaining opening is {:.4g}, "
                                  "in \"{}\" at {}. Move the bodies further towards each other, or look at the gaps.",
-                                 node->gap, node->interface, pointText(node->point.data(), int(node->point.size())))));
+                                 node->gap, run.model.interfaces[std::size_t(node->interface)].name,
+                                 pointText(node->point.data(), run.model.bodies.front().mesh.dim))));
   else if (largest > 0.0 && largest < hardlyAny && largest > roundOff * motion)
     found.add(
         deck.sub("Bodies").mistake("", fmt::format("the largest strain is {:.1e}: such loads hardly deform bodies with "

@@ -5,10 +5,10 @@
 
 #include "ndframe/certification/certificate_components.hpp"
 #include "ndframe/certification/error_options.hpp"
+#include "ndframe/certification/error_summary.hpp"
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/condensation/solution.hpp"
 #include "ndframe/estimation/energy_bracket.hpp"
-#include "ndframe/io/summary.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
 namespace ndframe

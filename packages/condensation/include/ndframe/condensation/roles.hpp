@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/coupling/coupling.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {
@@ -21,6 +24,17 @@ void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagno
 /// Refuses what sweeps cannot solve: nodes of a body that several interfaces share, which has one displacement there
 /// for more tractions than roles can tell apart, and contact in means, which are of many nodes. InputError.
 void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const Params& deck);
+
+/// Roles that were chosen for bodies that touch, directly or through others (Dirichlet Body = Automatic).
+struct RoleSummary
+{
+  std::vector<std::string> dirichletBodies, /**< names, sorted, of this connected part */ neumannBodies; ///< the others
+  bool exchanged = false;                     ///< against the deck
+  double contraction = 0.0;                   ///< of the traction's error in a sweep with `theta`
+  double theta = 0.0;                         ///< relaxation factor: the deck's, or the best
+  double bestTheta = 0.0;                     ///< with which the contraction is smallest
+  std::optional<double> contractionExchanged; ///< with the other roles; none where supports leave no choice
+};
 
 /// The roles that were chosen.
 struct ChosenRoles

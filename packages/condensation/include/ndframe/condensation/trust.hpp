@@ -4,7 +4,6 @@
 
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/condensation/solution.hpp"
-#include "ndframe/io/summary.hpp"
 #include "ndframe/scene/model.hpp"
 
 namespace ndframe
@@ -38,9 +37,8 @@ struct ResidualLimits
 std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
                              const std::vector<BodyFields>& fields, const Comm& comm);
 
-/// Why a result is not what the equations ask for: the iteration did not converge, or a residual is too large. Empty
-/// when it is right. Of a run with a target the iteration is not asked: the bound holds for the state of any sweep, and
-/// whether it meets the target is another question.
-std::string distrust(const RunSummary& summary);
+/// Names the first residual above its limit, in words; empty when there is none. One that is not a number passes its
+/// limit.
+std::string passedLimit(const ResidualSummary& residuals);
 
 } // namespace ndframe

@@ -8,9 +8,13 @@
 #include "ndframe/certification/error_options.hpp"
 #include "ndframe/run/accuracy_options.hpp"
 #include "ndframe/run/output_options.hpp"
+#include "ndframe/run/run_summary.hpp"
 
 namespace ndframe
 {
+
+/// A number of a summary by its path; empty where there is none.
+using NumberOf = std::optional<double> (*)(const RunSummary& summary, const std::string& path);
 
 /// A number that the run must reproduce.
 struct Expectation
@@ -47,6 +51,7 @@ struct RunSettings
   std::optional<AccuracyOptions> accuracy; ///< none without the list Accuracy
   OutputOptions output;                    ///< the list Output
   std::vector<Expectation> expectations;   ///< the list Expect, in its order
+  NumberOf numberOf = nullptr;             ///< how paths of expectations are read: of those who write the summary
 };
 
 } // namespace ndframe
