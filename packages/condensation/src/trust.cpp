@@ -38,7 +38,7 @@ double largestPrescribed(const ConstraintSet& constraints)
 }
 
 /// Adds a mistake at `key` of `list` when the number is too large, or too small although it is not zero.
-void checkRange(double number, const Params& list, const char* key, const char* what, Diagnostics& diagnostics)
+void checkRange(double number, const ListPlace& list, const char* key, const char* what, Diagnostics& diagnostics)
 {
   if (number != 0.0 && !(number <= largestNumber && number >= 1.0 / largestNumber))
     diagnostics.add(list.mistake(
@@ -48,12 +48,12 @@ void checkRange(double number, const Params& list, const char* key, const char* 
 }
 
 /// Of all materials of a body; each is checked.
-double largestModulus(const BodyModel& body, const Params& definition, Diagnostics& diagnostics)
+double largestModulus(const BodyModel& body, const BodySettings& settings, Diagnostics& diagnostics)
 {
   double largestOfAll = 0.0;
-  for (const auto& [list, law] : materialsOf(body, definition)) {
+  for (const auto& [list, law] : materialsOf(body, settings)) {
     const double modulus = largest({law.D.begin(), law.D.end()});
-    checkRange(modulus, list, "", "the elastic moduli", diagnostics);
+    checkRange(modulus, ListPlace(list), "", "the elastic moduli", diagnostics);
     largestOfAll = std::max(largestOfAll, modulus);
   }
   return largestOfAll;
@@ -85,21 +85,20 @@ struct Limit
 
 } // namespace
 
-void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void checkNumberRange(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
-  const Params bodies = deck.sub("Bodies"), interfaces = deck.sub("Interfaces");
   double driving = 0.0; // a small load beside a large one does no harm
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
-    const double size = largest(body.mesh.points), modulus = largestModulus(body, bodies.sub(body.name), diagnostics);
-    checkRange(size, bodies.sub(body.name).sub(body.isRigid ? "Rigid" : "Mesh"), "", "the coordinates", diagnostics);
+    const double size = largest(body.mesh.points), modulus = largestModulus(body, scene.bodies[b], diagnostics);
+    checkRange(size, ListPlace(scene.bodies[b].shape), "", "the coordinates", diagnostics);
     const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
     driving = largest({driving, largest(model.loads[b]), prescribed});
   }
-  checkRange(driving, bodies, "", "the nodal forces of loads and prescribed displacements", diagnostics);
+  checkRange(driving, scene.bodiesPlace, "", "the nodal forces of loads and prescribed displacements", diagnostics);
   for (const auto& interface : model.interfaces)
-    checkRange(largest({1.0, largest(interface.gap)}), interfaces.sub(interface.name), "Gap", "the values of Gap",
-               diagnostics);
+    checkRange(largest({1.0, largest(interface.gap)}), scene.interface(interface.name).place, "Gap",
+               "the values of Gap", diagnostics);
 }
 
 std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,

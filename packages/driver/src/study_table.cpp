@@ -248,9 +248,9 @@ std::string studyPlan(const Study& study)
   std::size_t stride = study.cases.size();
   for (const auto& axis : study.axes) {
     stride /= axis.size();
-    const auto changes = axis.size() == 1
-                             ? "nothing: it has one value"
-                             : whatChanges(recipeOf(study.cases[stride - 1].deck), recipeOf(study.cases[stride].deck));
+    const auto changes = axis.size() == 1 ? "nothing: it has one value"
+                                          : whatChanges(recipeOf(readScene(study.cases[stride - 1].deck)),
+                                                        recipeOf(readScene(study.cases[stride].deck)));
     text += fmt::format("  {:<19} {}\n", shortName(axis), changes);
   }
   text += fmt::format("  {:<19} {}{}.csv, one row per case{}", "table", study.fileName, study.tableEnding(),

@@ -219,7 +219,7 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
   completeBodies(run, comm);
   completeInterfaces(run);
   run.summary.probes = sampleProbes(run, settings.output.probes);
-  addWarnings(run.summary, answerWarnings(run, settings.deck));
+  addWarnings(run.summary, answerWarnings(run, settings));
   run.summary.residuals =
       residuals(run.model, run.condensed, run.solved.coupling.state, run.solved.fields, run.solved.contact, comm);
   run.summary.residuals.allowedInContact = run.solved.coupling.contactTolerance;

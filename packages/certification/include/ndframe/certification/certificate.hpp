@@ -34,7 +34,7 @@ struct Certificate
 /// Collective.
 /// `fields`: the final state is their last. `reference`: of an earlier run or null; kept where it suits, else replaced.
 /// Throws NotConverged when no admissible traction exists.
-Certificate certify(const Params& deck, const ErrorOptions& options, const CertificateComponents& components,
+Certificate certify(const SceneSettings& settings, const ErrorOptions& options, const CertificateComponents& components,
                     const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                     const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
                     std::shared_ptr<const ReferenceSolution>& reference);

@@ -16,14 +16,14 @@ namespace ndframe
 /// connected part as the deck says, or the other way round where a body must be Dirichlet body (refuseObstacles).
 /// Bodies that touch in a ring of odd length have no such roles: a mistake if the coupling needs them, else nothing is
 /// turned.
-void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics);
+void giveOneRole(Model& model, const SceneSettings& scene, bool needsRoles, Diagnostics& diagnostics);
 
 /// Refuses Neumann bodies at nodes where supports hold the other body: their problem has no contact conditions.
-void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void refuseObstacles(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// Refuses what sweeps cannot solve: nodes of a body that several interfaces share, which has one displacement there
 /// for more tractions than roles can tell apart, and contact in means, which are of many nodes. InputError.
-void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const Params& deck);
+void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const ListPlace& coupling);
 
 /// Roles that were chosen for bodies that touch, directly or through others (Dirichlet Body = Automatic).
 struct RoleSummary

@@ -10,9 +10,9 @@ namespace ndframe
 {
 
 /// Refuses scenes whose sizes, moduli, loads or gaps are so large or small that products of them leave the range of
-/// floating-point numbers, where results become zero or infinite without notice. Only other units help. `deck`: the
+/// floating-point numbers, where results become zero or infinite without notice. Only other units help. `scene`: the
 /// model's.
-void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void checkNumberRange(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// What the true residuals (ResidualSummary) may be at most. In a Neumann-Dirichlet iteration u1 and u2 of the final
 /// pairing belong to the same sweep, so the conditions of contact hold to round-off however early it stops; what the

@@ -17,7 +17,6 @@ struct RunTools
   RunTools(const RunSettings& settings, const CertificateComponents& components, const Comm& comm, Ledger& ledger);
 
   const RunSettings& settings;             ///< of the deck
-  const Params& deck;                      ///< of the settings: what components are built from
   const CertificateComponents& components; ///< that the deck may name
   const Comm& comm;                        ///< all processes of the run
   Ledger& ledger;                          ///< counts and times the steps
