@@ -179,40 +179,51 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   diagnostics.throwIfAny();
 }
 
-void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
+CondensedModel condense(const Model& model, CondensedModel&& previous, const RunTools& tools, RunObserver& observer)
 {
   {
     const auto timer = timeStage(tools.ledger, Stage::Check);
-    refusePulledOff(run.model);
+    refusePulledOff(model);
   }
   const auto representation = tools.components.interfaceOperators.build(tools.settings.scene.interfaceOperator);
-  run.condensed =
-      condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(run.condensed),
-               [&](const std::string& body, const std::string& description) { observer.factor(body, description); });
+  return condense(model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(previous),
+                  [&](const std::string& body, const std::string& description) { observer.factor(body, description); });
+}
+
+void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
+{
+  run.condensed = condense(run.model, std::move(run.condensed), tools, observer);
+}
+
+FoundRoles findRoles(Model& model, CondensedModel& condensed, const std::vector<RoleSummary>& before,
+                     const RunTools& tools)
+{
+  const bool chooses = tools.coupling->roles() == Roles::Automatic;
+  if (!(chooses || tools.coupling->needsSpectrum()) || !tools.coupling->sweeps(condensed.interface))
+    return {};
+  std::vector<ConnectedBodies> parts;
+  {
+    const auto timer = timeStage(tools.ledger, Stage::Interface);
+    parts = roleSpectra(condensed.interface, tools.ledger);
+  }
+  if (!chooses)
+    return {joinedSpectrum(parts), {}};
+  ChosenRoles chosen = chooseRoles(model, condensed, parts, tools.coupling->givenTheta(), before);
+  return {chosen.spectrum, std::move(chosen.parts)};
 }
 
 void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
 {
   if (tools.coupling->needsRoles())
     refuseSharedNodes(run.model, run.condensed.interface, ListPlace(tools.settings.couplingList));
-  const bool chooses = tools.coupling->roles() == Roles::Automatic;
   run.spectrum.reset();
-  if (!run.plan.runs(Stage::Couple) || !(chooses || tools.coupling->needsSpectrum()) ||
-      !tools.coupling->sweeps(run.condensed.interface))
+  if (!run.plan.runs(Stage::Couple))
     return;
-  std::vector<ConnectedBodies> parts;
-  {
-    const auto timer = timeStage(tools.ledger, Stage::Interface);
-    parts = roleSpectra(run.condensed.interface, tools.ledger);
-  }
-  if (!chooses) {
-    run.spectrum = joinedSpectrum(parts);
+  FoundRoles found = findRoles(run.model, run.condensed, run.summary.coupling->roles, tools);
+  run.spectrum = found.spectrum;
+  if (found.parts.empty())
     return;
-  }
-  ChosenRoles chosen =
-      chooseRoles(run.model, run.condensed, parts, tools.coupling->givenTheta(), run.summary.coupling->roles);
-  run.spectrum = chosen.spectrum;
-  run.summary.coupling->roles = std::move(chosen.parts);
+  run.summary.coupling->roles = std::move(found.parts);
   nameSides(run.summary, run.model);
   observer.roles(run.summary.coupling->roles);
 }
