@@ -13,7 +13,7 @@
 #include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/base/ledger.hpp"
 #include "ndframe/driver/deck_spec.hpp"
-#include "ndframe/io/summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "certificate/drawn_scene.hpp"
-#include "ndframe/io/error_summary.hpp"
+#include "ndframe/certification/error_summary.hpp"
 
 namespace ndframe::test
 {

@@ -25,12 +25,16 @@ namespace
 /// A deck's model and solutions on its meshes refined so many times.
 struct Scenery
 {
-  Params deck;
+  SceneSettings settings;
   Model model;
 
-  explicit Scenery(const Scene& scene) : deck(scene.params()), model(buildModel(deck, components())) {}
+  explicit Scenery(const Scene& scene) : settings(readScene(scene.params())), model(buildModel(settings, components()))
+  {}
 
-  ReferenceSolution solve(int refinements) const { return {deck, components(), model, refinements, Comm::single()}; }
+  ReferenceSolution solve(int refinements) const
+  {
+    return {settings, components(), model, refinements, Comm::single()};
+  }
   std::vector<Vector> zero() const
   {
     std::vector<Vector> fields;
@@ -42,7 +46,7 @@ struct Scenery
   {
     Ledger ledger;
     std::shared_ptr<const ReferenceSolution> reference;
-    updateReference(reference, deck, components(), model, depth, Comm::single(), ledger);
+    updateReference(reference, settings, components(), model, depth, Comm::single(), ledger);
     return compareWithReference(reference.get(), model, u, nullptr, depth);
   }
 };
@@ -132,8 +136,8 @@ TEST(Reference, StressDistanceIsThatOfTheExactStress)
 TEST(Reference, TractionsOnFinePatchesAreTheSamePolynomials)
 {
   const Scenery scenery(punch(3));
-  const Model fine = buildModel(scenery.deck, components(), [&](const Params& body) {
-    return refineUniformly(refineUniformly(meshesOf(scenery.model)[std::size_t(scenery.model.bodyIndex(body.name()))]));
+  const Model fine = buildModel(scenery.settings, components(), [&](const BodySettings& body) {
+    return refineUniformly(refineUniformly(meshesOf(scenery.model)[std::size_t(scenery.model.bodyIndex(body.name))]));
   });
   const auto patches = contactPatches(scenery.model), finePatches = contactPatches(fine);
   Random random(5);
@@ -179,8 +183,8 @@ TEST(Reference, AcceptsSidesThatMatchLooselyOnTheCoarseMesh)
   auto meshes = meshesOf(scenery.model);
   for (double& x : meshes[1].points)
     x += 2e-6;
-  scenery.model = buildModel(scenery.deck, components(), [&](const Params& body) {
-    return meshes[std::size_t(scenery.model.bodyIndex(body.name()))];
+  scenery.model = buildModel(scenery.settings, components(), [&](const BodySettings& body) {
+    return meshes[std::size_t(scenery.model.bodyIndex(body.name))];
   });
   EXPECT_NEAR(scenery.solve(3).distance(scenery.zero()), 1.26, 0.02);
 }

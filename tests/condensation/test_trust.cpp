@@ -6,6 +6,7 @@
 
 #include "driver/scene.hpp"
 #include "ndframe/condensation/trust.hpp"
+#include "ndframe/run/summarize.hpp"
 
 namespace ndframe::test
 {

@@ -106,7 +106,7 @@ TEST(Speed, ALoadIsIntegratedOnceForCheckAndAssembly)
     applySetting(text, setting, diagnostics);
   const Params deck = validate(text, makeDeckSpec(*all), diagnostics);
   diagnostics.throwIfAny();
-  const Model model = buildModel(deck, *all);
+  const Model model = buildModel(readScene(deck), *all);
   const int afterReading = CountingLoad::asked;
   EXPECT_GT(afterReading, 0);
   const auto solver = all->linearSolvers.build(deck.sub("Linear Solver"));

@@ -38,7 +38,7 @@ long faultsOfChildren()
 /// A scene condensed, for several solutions with the same factors.
 struct Condensed
 {
-  explicit Condensed(const Scene& scene) : deck(scene.params()), model(buildModel(deck, components()))
+  explicit Condensed(const Scene& scene) : deck(scene.params()), model(buildModel(readScene(deck), components()))
   {
     solver = components().linearSolvers.build(deck.sub("Linear Solver"));
     representation = components().interfaceOperators.build(deck.sub("Interface Operator"));
@@ -185,7 +185,7 @@ std::map<std::string, std::int64_t> countsAdded(const Scene& scene, const std::v
 std::int64_t numPoints(const Scene& scene)
 {
   std::int64_t points = 0;
-  for (const auto& body : buildModel(scene.params(), components()).bodies)
+  for (const auto& body : buildModel(readScene(scene.params()), components()).bodies)
     points += body.mesh.numPoints();
   return points;
 }

@@ -131,16 +131,17 @@ BodyModel renumbered(const BodyModel& body)
   return result;
 }
 
-Params interfaceEntry(const std::string& dirichletSide, const std::string& neumannSide, const std::string& gap,
-                      double cornerAngle)
+InterfaceSettings interfaceEntry(const std::string& dirichletSide, const std::string& neumannSide,
+                                 const std::string& gap, double cornerAngle)
 {
-  ListSpec spec;
-  spec.params = {ParamSpec::required("Dirichlet Side", Kind::String, ""),
-                 ParamSpec::required("Neumann Side", Kind::String, ""),
-                 ParamSpec::expression("Gap", "0", ""),
-                 {"Corner Angle", cornerAngle, ""}};
-  return validated(text("Dirichlet Side", dirichletSide) + text("Neumann Side", neumannSide) + text("Gap", gap), spec,
-                   "contact");
+  InterfaceSettings settings;
+  settings.place = settings.pairing = ListPlace(validated({}, {}, "contact"));
+  settings.name = "contact";
+  settings.dirichletSide = dirichletSide;
+  settings.neumannSide = neumannSide;
+  settings.gap = gap;
+  settings.cornerAngle = cornerAngle;
+  return settings;
 }
 
 CondensedBox::CondensedBox(const BodyModel& model, const std::vector<TraceNormal>& traces)

@@ -26,8 +26,8 @@ BodyModel boxBody(const std::string& name, const std::string& meshEntries, int o
 BodyModel renumbered(const BodyModel& body);
 
 /// An entry of `Interfaces`, called "contact", with these values.
-Params interfaceEntry(const std::string& dirichletSide, const std::string& neumannSide, const std::string& gap = "0",
-                      double cornerAngle = 35.0);
+InterfaceSettings interfaceEntry(const std::string& dirichletSide, const std::string& neumannSide,
+                                 const std::string& gap = "0", double cornerAngle = 35.0);
 
 /// A body assembled and condensed on the traces.
 struct CondensedBox

@@ -22,7 +22,7 @@ BodyModel lower(const std::string& top = "2, 0", const std::string& cells = "4, 
   return boxBody("lower", box("0, -1", top, cells), 1);
 }
 
-std::string complaint(const Params& entry, const BodyModel& dirichlet, const BodyModel& neumann)
+std::string complaint(const InterfaceSettings& entry, const BodyModel& dirichlet, const BodyModel& neumann)
 {
   try {
     pairSides(entry, dirichlet, neumann);

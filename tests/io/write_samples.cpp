@@ -1,12 +1,10 @@
-// Writes the files that read_back.py and check_schema.py look at: write_samples FOLDER.
+// Writes the files that read_back.py looks at: write_samples FOLDER.
 
 #include <algorithm>
 #include <array>
 #include <string>
 
 #include "io/sample_meshes.hpp"
-#include "io/sample_summaries.hpp"
-#include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_writer.hpp"
 
 namespace
@@ -100,11 +98,5 @@ int main(int, char** argv)
   for (const int dim : {2, 3})
     for (const int order : {1, 2})
       writeSample(folder + "/sample-" + std::to_string(dim) + "-" + std::to_string(order) + ".e", dim, order);
-  ndframe::writeTextAtomically(folder + "/contact.summary.json", toJson(test::contactSummary()));
-  auto unsolved = test::contactSummary();
-  unsolved.solved = false;
-  unsolved.coupling->history.clear();
-  ndframe::writeTextAtomically(folder + "/unsolved.summary.json", toJson(unsolved));
-  ndframe::writeTextAtomically(folder + "/single.summary.json", toJson(test::singleBodySummary()));
   return 0;
 }

@@ -32,11 +32,11 @@ ARROWS = {
     "adaptivity": ["algebra", "meshing"],
     "io": ["mesh", "fem", "algebra"],
     "scene": ["coupling", "meshing"],
-    "condensation": ["scene", "io"],
+    "condensation": ["scene"],
     "certification": ["condensation", "estimation"],
     "run": ["certification"],
     "accuracy": ["run", "adaptivity"],
-    "report": ["accuracy"],
+    "report": ["accuracy", "io"],
     "drawing": ["assembly"],
     "driver": ["report", "iterative", "drawing"],
 }
@@ -46,6 +46,9 @@ HEAVY_HOMES = {
     re.compile(r"Tpetra_|Belos|Ifpack2|Amesos2|MueLu|Kokkos|Xpetra"): "packages/krylov/src/",
     re.compile(r"(cholmod|[dszc]mumps_c|mpi)\.h$"): "packages/algebra/src/",
 }
+
+# The only source below the driver that takes a whole deck.
+SETTINGS_READER = "scene_settings"
 
 MAX_LINES = {".cpp": 300, ".hpp": 150}
 MAX_PACKAGE_LINES = 6000
@@ -189,6 +192,16 @@ def heavy_headers_stay_at_home(tree):
                     yield Problem(file.name, line, f"{header} is a heavy header; only {home} may see it")
 
 
+def decks_end_at_their_readers(tree):
+    """Below the driver functions take settings that were read once, and lists only for builders of components."""
+    for file in tree.product_code:
+        if file.package in (None, "driver") or file.path.stem == SETTINGS_READER:
+            continue
+        for match in re.finditer(r"\bconst\s+Params\s*&\s*deck_?\b", file.code):
+            message = f"takes the whole deck; read it in {SETTINGS_READER} and pass values"
+            yield Problem(file.name, line_of(file.code, match.start()), message)
+
+
 def files_are_short(tree):
     for file in tree.product_code:
         lines, limit = len(file.raw.splitlines()), MAX_LINES[file.path.suffix]
@@ -279,6 +292,7 @@ RULES = [
     headers_do_not_include_each_other,
     cmake_depends_follow_the_arrows,
     heavy_headers_stay_at_home,
+    decks_end_at_their_readers,
     files_are_short,
     packages_are_small,
     functions_are_short,

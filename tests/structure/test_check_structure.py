@@ -117,6 +117,17 @@ class StructureCheck(unittest.TestCase):
                     problems = self.found_in({**tree, place: f"#pragma once\n#include <{header}>\n"})
                     self.assert_one(problems, f"{place}:2", "heavy header")
 
+    def test_whole_decks_below_the_driver(self):
+        taken = "#pragma once\n\nvoid check(const Model& model, const Params& deck);\n"
+        problems = self.found(packages__base__include__ndframe__base__a_dot_hpp=taken)
+        self.assert_one(problems, "packages/base/include/ndframe/base/a.hpp:3", "takes the whole deck")
+        problems = self.found(packages__mesh__src__m_dot_cpp="struct Step\n{\n  const Params& deck_;\n};\n")
+        self.assert_one(problems, "packages/mesh/src/m.cpp:3", "takes the whole deck")
+        for allowed in ("void build(const Params& list); // not const Params& deck\n", "int f(const DeckList& deck);\n"):
+            self.assertEqual(self.found(packages__mesh__src__m_dot_cpp=allowed), [])
+        files = {**GOOD_TREE, "packages/mesh/src/scene_settings.cpp": "int readScene(const Params& deck);\n"}
+        self.assertEqual(self.found_in(files), [])
+
     def test_long_files(self):
         problems = self.found(packages__mesh__src__m_dot_cpp="int a;\n" * 300)
         self.assertEqual(problems, [])

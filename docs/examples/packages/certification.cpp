@@ -23,7 +23,8 @@ int main()
 
   const Comm comm = Comm::single();
   Ledger ledger;
-  const Model model = buildModel(deck, *components);
+  const RunSettings settings = readSettings(deck);
+  const Model model = buildModel(settings.scene, *components);
   const auto solver = components->linearSolvers.build(deck.sub("Linear Solver"));
   const auto representation = components->interfaceOperators.build(deck.sub("Interface Operator"));
   const CondensedModel condensed = condense(model, *solver, *representation, comm, ledger);
@@ -31,7 +32,7 @@ int main()
   const auto coupling = components->couplings.build(deck.sub("Coupling"))->solve(condensed.interface, silent, ledger);
   const auto fields = recoverFields(model, condensed, {coupling.state}, ledger);
   std::shared_ptr<const ReferenceSolution> reference; // none is asked for
-  const Certificate certificate = certify(deck, *readSettings(deck).errors, *components, model, condensed, coupling,
+  const Certificate certificate = certify(settings.scene, *settings.errors, *components, model, condensed, coupling,
                                           fields, comm, ledger, reference);
 
   // Stresses -(2 - y) above and -2 below: a(u, u) = 7/3 + 4 = -2 E(u), and |u - u_h|^2 = a(u, u) - a(u_h, u_h).

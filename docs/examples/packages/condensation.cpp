@@ -18,7 +18,7 @@ int main()
 
   const Comm comm = Comm::single();
   Ledger ledger;
-  const Model model = buildModel(deck, *components);
+  const Model model = buildModel(readScene(deck), *components);
   const auto solver = components->linearSolvers.build(deck.sub("Linear Solver"));
   const auto representation = components->interfaceOperators.build(deck.sub("Interface Operator"));
   const CondensedModel condensed = condense(model, *solver, *representation, comm, ledger);

@@ -5,6 +5,7 @@
 #include "ndframe/driver/deck_spec.hpp"
 #include "ndframe/driver/run_deck.hpp"
 #include "ndframe/driver/tied_deck.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 int main()
 {

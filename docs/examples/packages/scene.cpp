@@ -15,7 +15,8 @@ int main()
   applySetting(deck, "Bodies/upper/Loads/press/Value=-0.01", mistakes); // pulled, not pressed
   const Params params = validateScene(deck, makeDeckSpec(*components), mistakes);
   mistakes.throwIfAny();
-  const Model model = buildModel(params, *components); // meshes, nodes, pairs of contact; nothing is assembled
+  const Model model =
+      buildModel(readScene(params), *components); // meshes, nodes, pairs of contact; nothing is assembled
 
   double force = 0.0;
   for (std::size_t i = 1; i < model.loads[0].size(); i += 2)

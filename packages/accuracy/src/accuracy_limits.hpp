@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "ndframe/coupling/coupling.hpp"
-#include "ndframe/io/accuracy_summary.hpp"
 #include "ndframe/run/accuracy_options.hpp"
+#include "ndframe/run/accuracy_summary.hpp"
 
 namespace ndframe
 {

@@ -32,9 +32,8 @@ AdaptiveRun::AdaptiveRun(RunTools tools, const AccuracyComponents& components, R
                          const LevelObserver& onLevel, EnergyRecords energies, const Restart& restart)
     : components_(components), observer_(observer), onLevel_(onLevel), restart_(restart), tools_(std::move(tools)),
       options_(*tools_.settings.accuracy), wanted_(estimatorsOf(tools_)),
-      transfer_(components.contactTransfers.build(tools_.deck.sub("Accuracy").sub("Transfer"))),
-      stopping_(components.levelStoppings.build(tools_.deck.sub("Accuracy").sub("Stopping"))),
-      balances_(stopping_->allowed(1.0, 1.0) > 0.0)
+      transfer_(components.contactTransfers.build(options_.lists.transfer)),
+      stopping_(components.levelStoppings.build(options_.lists.stopping)), balances_(stopping_->allowed(1.0, 1.0) > 0.0)
 {
   tools_.errors->estimators = {Estimator::Global}; // all that a level needs
   run_.startSeconds = wallSeconds();
@@ -127,7 +126,7 @@ void AdaptiveRun::readLevel(const std::vector<Mesh>& meshes, const std::vector<I
   Model model;
   model.interfaces = run_.model.interfaces;
   auto next = meshes.begin();
-  readModel(model, tools_, [&](const Params& body) { return body.hasSub("Rigid") ? Mesh() : *next++; });
+  readModel(model, tools_, [&](const BodySettings& body) { return body.isRigid ? Mesh() : *next++; });
   beginLevel(std::move(model), before);
 }
 

@@ -19,9 +19,9 @@ namespace
 /// An even grid with no more cells along the largest box is coarse enough.
 constexpr int fewPieces = 4;
 
-bool isBox(const Params& body)
+bool isBox(const BodySettings& body)
 {
-  return !body.hasSub("Rigid") && body.sub("Mesh").get<std::string>("Type") == "Box";
+  return !body.isRigid && body.shape.get<std::string>("Type") == "Box";
 }
 
 /// The cells of a box in each direction, with its Refine.
@@ -108,12 +108,12 @@ Params coarseBox(const Params& mesh, const Stations& stations, const SceneCompon
   return mesh;
 }
 
-Mesh readCoarse(const Params& body, const Stations& stations, const SceneComponents& components, const Comm& comm,
+Mesh readCoarse(const BodySettings& body, const Stations& stations, const SceneComponents& components, const Comm& comm,
                 ScriptMeshes& scripts, double size)
 {
-  if (body.hasSub("Rigid"))
+  if (body.isRigid)
     return {};
-  const Params mesh = body.sub("Mesh");
+  const Params& mesh = body.shape;
   const Params chosen = isBox(body) ? coarseBox(mesh, stations, components, size) : mesh;
   Mesh read = readShared(*components.meshSources.build(chosen), comm, scripts);
   const auto isUnasked = [](const Side& side) { return side.name.rfind(unaskedPart, 0) == 0; };
@@ -128,12 +128,12 @@ struct BoxEdges
   std::size_t dim = 0;
 };
 
-BoxEdges boxEdges(const Params& deck)
+BoxEdges boxEdges(const SceneSettings& scene)
 {
   BoxEdges edges;
-  for (const auto& body : deck.sub("Bodies").subs())
+  for (const BodySettings& body : scene.bodies)
     if (isBox(body)) {
-      const Params mesh = body.sub("Mesh");
+      const Params& mesh = body.shape;
       const auto lower = mesh.get<std::vector<double>>("Lower"), upper = mesh.get<std::vector<double>>("Upper");
       edges.dim = std::min(lower.size(), upper.size());
       for (std::size_t d = 0; d < edges.dim; ++d) {
@@ -155,12 +155,12 @@ int firstPieces(const BoxEdges& edges, int most)
   return std::clamp(int(std::ceil(cubes)), 1, std::max(1, most - 1));
 }
 
-int mostCells(const Params& deck)
+int mostCells(const SceneSettings& scene)
 {
   int most = 0;
-  for (const auto& body : deck.sub("Bodies").subs())
+  for (const BodySettings& body : scene.bodies)
     if (isBox(body))
-      for (const int cells : cellsAsked(body.sub("Mesh")))
+      for (const int cells : cellsAsked(body.shape))
         most = std::max(most, cells);
   return most;
 }
@@ -172,10 +172,10 @@ enum class Sides
   MayBeCut
 };
 
-bool fits(const Params& deck, const SceneComponents& components, const MeshOfBody& meshes, Sides sides)
+bool fits(const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshes, Sides sides)
 {
   try {
-    const Model model = buildModel(deck, components, meshes);
+    const Model model = buildModel(scene, components, meshes);
     return sides == Sides::MayBeCut ||
            std::none_of(model.interfaces.begin(), model.interfaces.end(), [](const auto& i) { return i.isCut; });
   } catch (const InputError&) {
@@ -185,21 +185,22 @@ bool fits(const Params& deck, const SceneComponents& components, const MeshOfBod
 
 } // namespace
 
-MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger)
+MeshOfBody coarsestMeshes(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
+                          Ledger& ledger)
 {
   const auto scripts = std::make_shared<ScriptMeshes>(ledger); // of all tries
-  const BoxEdges edges = boxEdges(deck);
-  const int most = mostCells(deck), coarsest = firstPieces(edges, most);
+  const BoxEdges edges = boxEdges(scene);
+  const int most = mostCells(scene), coarsest = firstPieces(edges, most);
   const auto tryPieces = [&](int first, int end, const std::map<std::string, Stations>& stations,
                              Sides sides = Sides::Match) -> MeshOfBody {
     for (int pieces = first; pieces < end; ++pieces) {
       const double size = edges.longest / pieces;
-      MeshOfBody meshes = [&components, &comm, scripts, size, stations](const Params& body) -> GivenMesh {
-        const auto found = stations.find(body.name());
+      MeshOfBody meshes = [&components, &comm, scripts, size, stations](const BodySettings& body) -> GivenMesh {
+        const auto found = stations.find(body.name);
         const Stations lines = found == stations.end() ? Stations() : found->second;
         return readCoarse(body, lines, components, comm, *scripts, size);
       };
-      if (fits(deck, components, meshes, sides))
+      if (fits(scene, components, meshes, sides))
         return meshes;
     }
     return {};
@@ -207,7 +208,7 @@ MeshOfBody coarsestMeshes(const Params& deck, const SceneComponents& components,
   // Even grids are better shaped; where sides are cut so that only fine ones match, grid lines go on across bodies.
   if (MeshOfBody even = tryPieces(coarsest, std::min(most, std::max(coarsest, fewPieces) + 1), {}))
     return even;
-  if (MeshOfBody uneven = tryPieces(1, most, matchingStations(deck)))
+  if (MeshOfBody uneven = tryPieces(1, most, matchingStations(scene)))
     return uneven;
   if (MeshOfBody fine = tryPieces(fewPieces + 1, most, {}))
     return fine;

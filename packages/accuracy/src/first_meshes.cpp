@@ -9,8 +9,9 @@ MeshPlanner readFirstMeshes(Model& model, const RunTools& tools, const AccuracyC
 {
   const AccuracyOptions& accuracy = *tools.settings.accuracy;
   const bool coarsest = accuracy.start == AccuracyStart::Coarsest;
-  readModel(model, tools, coarsest ? coarsestMeshes(tools.deck, components, tools.comm, tools.ledger) : MeshOfBody());
-  return {tools.deck, components, model, tools.comm};
+  readModel(model, tools,
+            coarsest ? coarsestMeshes(tools.settings.scene, components, tools.comm, tools.ledger) : MeshOfBody());
+  return {tools.settings, components, model, tools.comm};
 }
 
 } // namespace ndframe

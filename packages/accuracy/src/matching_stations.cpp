@@ -87,31 +87,31 @@ private:
   Stations stations_;
 };
 
-std::map<std::string, PlaneBox> planeBoxes(const Params& deck)
+std::map<std::string, PlaneBox> planeBoxes(const SceneSettings& scene)
 {
   std::map<std::string, PlaneBox> boxes;
-  for (const Params& body : deck.sub("Bodies").subs()) {
-    if (body.hasSub("Rigid"))
+  for (const BodySettings& body : scene.bodies) {
+    if (body.isRigid)
       continue;
-    const Params mesh = body.sub("Mesh");
+    const Params& mesh = body.shape;
     if (mesh.get<std::string>("Type") == "Box" && mesh.get<std::vector<double>>("Lower").size() == 2 &&
         mesh.get<std::vector<double>>("Upper").size() == 2 && mesh.get<double>("Rotation") == 0.0)
-      boxes.emplace(body.name(), PlaneBox(mesh));
+      boxes.emplace(body.name, PlaneBox(mesh));
   }
   return boxes;
 }
 
 /// Gives each of two touching boxes the other's grid lines; true when one is new.
-bool exchange(const Params& interface, std::map<std::string, PlaneBox>& boxes)
+bool exchange(const InterfaceSettings& interface, std::map<std::string, PlaneBox>& boxes)
 {
-  const auto one = boxes.find(interface.get<std::string>("Dirichlet Body"));
-  const auto other = boxes.find(interface.get<std::string>("Neumann Body"));
+  const auto one = boxes.find(interface.dirichletBody);
+  const auto other = boxes.find(interface.neumannBody);
   if (one == boxes.end() || other == boxes.end())
     return false;
-  if (!interface.has("Neumann Side")) // a mistake, which reading the interface tells
+  if (!interface.neumannSide) // a mistake, which reading the interface tells
     return false;
-  const auto onePart = one->second.part(interface.get<std::string>("Dirichlet Side"));
-  const auto otherPart = other->second.part(interface.get<std::string>("Neumann Side"));
+  const auto onePart = one->second.part(interface.dirichletSide);
+  const auto otherPart = other->second.part(*interface.neumannSide);
   if (!onePart || !otherPart || onePart->along != otherPart->along)
     return false;
   const auto along = std::size_t(onePart->along);
@@ -121,12 +121,12 @@ bool exchange(const Params& interface, std::map<std::string, PlaneBox>& boxes)
 
 } // namespace
 
-std::map<std::string, Stations> matchingStations(const Params& deck)
+std::map<std::string, Stations> matchingStations(const SceneSettings& scene)
 {
-  auto boxes = planeBoxes(deck);
+  auto boxes = planeBoxes(scene);
   for (bool changes = true; changes;) {
     changes = false;
-    for (const Params& interface : deck.sub("Interfaces").subs())
+    for (const InterfaceSettings& interface : scene.interfaces)
       changes = exchange(interface, boxes) || changes;
   }
   std::map<std::string, Stations> stations;

@@ -119,15 +119,16 @@ std::int64_t eulerNumber(const Mesh& mesh)
 
 } // namespace
 
-MeshPlanner::MeshPlanner(const Params& deck, const AccuracyComponents& components, const Model& model, const Comm& comm)
+MeshPlanner::MeshPlanner(const RunSettings& settings, const AccuracyComponents& components, const Model& model,
+                         const Comm& comm)
     : degree_(model.bodies.front().nodes.order), dim_(model.bodies.front().mesh.dim), fall_(dim_, degree_),
-      marking_(components.markings.build(deck.sub("Accuracy").sub("Marking"))), corners_(degree_), edges_(degree_)
+      marking_(components.markings.build(settings.accuracy->lists.marking)), corners_(degree_), edges_(degree_)
 {
-  const auto refinement = components.refinements.build(deck.sub("Accuracy").sub("Refinement"));
+  const auto refinement = components.refinements.build(settings.accuracy->lists.refinement);
   FirstMeshes first{meshesOf(model), twinsOf(model), {}};
-  for (const Params& body : deck.sub("Bodies").subs())
-    if (!body.hasSub("Rigid"))
-      first.sources.push_back(components.meshSources.build(body.sub("Mesh")));
+  for (const BodySettings& body : settings.scene.bodies)
+    if (!body.isRigid)
+      first.sources.push_back(components.meshSources.build(body.shape));
   for (const Mesh& mesh : first.meshes)
     eulers_.push_back(dim_ == 2 ? eulerNumber(mesh) : 0);
   present_ = refinement->begin(std::move(first), comm);

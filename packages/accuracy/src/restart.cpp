@@ -85,7 +85,7 @@ Checkpoint AdaptiveRun::checkpoint() const
 {
   Checkpoint checkpoint;
   checkpoint.version = versionText();
-  checkpoint.deckJson = toJson(tools_.deck);
+  checkpoint.deckJson = toJson(tools_.settings.deck);
   checkpoint.levels = done_;
   checkpoint.seconds = wallSeconds() - run_.startSeconds;
   checkpoint.firstMemory = firstMemory_;
@@ -104,7 +104,7 @@ void AdaptiveRun::keepCheckpoint() const
 
 void AdaptiveRun::refuseOtherDeck(const Checkpoint& checkpoint) const
 {
-  const std::string difference = differenceOf(toJson(tools_.deck), checkpoint.deckJson);
+  const std::string difference = differenceOf(toJson(tools_.settings.deck), checkpoint.deckJson);
   if (!difference.empty())
     throw InputError(fmt::format("\"{}\" belongs to another deck: {}; use the original deck, or run without --restart.",
                                  restart_.file, difference));
@@ -145,7 +145,7 @@ void AdaptiveRun::restore(const LevelRecord& level)
   const auto &lower = level.energyLower, &upper = level.energyUpper;
   run_.energy = EnergyRecord({lower.value, lower.roundOff, lower.name}, {upper.value, upper.roundOff, upper.name},
                              level.certificates);
-  run_.energies.of(SceneIdentity(tools_.deck, run_.model)) = run_.energy;
+  run_.energies.of(SceneIdentity(tools_.settings.scene, run_.model)) = run_.energy;
   planner_->learn(run_.model, level.lesson);
   enter(level.summary, contactOn(run_.model, level.tractionNeumann, level.closed));
   errors_ = LevelErrors(level.lesson.errors);

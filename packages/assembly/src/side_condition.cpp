@@ -60,15 +60,15 @@ const Side& SideCondition::side(const Mesh& mesh) const
 
 SampledFunction sampledFunction(const Params& params, const char* key)
 {
-  return sampledFunction(params, key, params.expression(key).text());
+  return sampledFunction(ListPlace(params), key, params.expression(key).text());
 }
 
-SampledFunction sampledFunction(const Params& params, const char* key, const std::string& text)
+SampledFunction sampledFunction(const ListPlace& list, const char* key, const std::string& text)
 {
-  return {std::make_shared<const ExpressionTree>(text), [params, key, text](const double* x, int dim, double value) {
+  return {std::make_shared<const ExpressionTree>(text), [list, key, text](const double* x, int dim, double value) {
             throw InputError(
-                params.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it is used.", key,
-                                                text, std::abs(value), pointText(x, dim))));
+                list.mistake(key, fmt::format("{} = \"{}\" is {} at {}; it must be finite wherever it is used.", key,
+                                              text, std::abs(value), pointText(x, dim))));
           }};
 }
 

@@ -36,9 +36,9 @@ Params withoutDefaults(const Params& list)
   return Params(given(list.node()));
 }
 
-Params withSublists(const Params& deck, const std::string& name, const std::vector<Params>& sublists)
+Params withSublists(const Params& lists, const std::string& name, const std::vector<Params>& sublists)
 {
-  auto changed = std::make_shared<Params::Node>(deck.node());
+  auto changed = std::make_shared<Params::Node>(lists.node());
   for (auto& list : changed->lists) {
     if (list->name != name)
       continue;

@@ -22,9 +22,9 @@ namespace
 class Certifier
 {
 public:
-  Certifier(const Params& deck, const ErrorOptions& options, const CertifiedScene& scene,
+  Certifier(const SceneSettings& settings, const ErrorOptions& options, const CertifiedScene& scene,
             const StressRecovery& recovery, const Comm& comm, Ledger& ledger)
-      : deck_(deck), options_(options), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger)
+      : settings_(settings), options_(options), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger)
   {}
 
   Certificate run(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)
@@ -58,7 +58,7 @@ private:
   void compare(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference);
   SceneField globalField() const;
 
-  const Params& deck_;
+  const SceneSettings& settings_;
   const ErrorOptions& options_;
   const CertifiedScene& scene_;
   const StressRecovery& recovery_;
@@ -269,22 +269,22 @@ void Certifier::compare(const CertificateComponents& components, std::shared_ptr
   const CertifiedStress certified{result_.admissible, scene_.patches, result_.traction, globalMeasure_,
                                   boundOf(globalMeasure_, options_.mode)};
   const ReferenceDepth depth{options_.refinements, options_.maximumDofs};
-  updateReference(reference, deck_, components, scene_.model, depth, comm_, ledger_);
+  updateReference(reference, settings_, components, scene_.model, depth, comm_, ledger_);
   result_.summary.reference = compareWithReference(reference.get(), scene_.model, scene_.solved,
                                                    wants(Estimator::Global) ? &certified : nullptr, depth);
 }
 
 } // namespace
 
-Certificate certify(const Params& deck, const ErrorOptions& options, const CertificateComponents& components,
+Certificate certify(const SceneSettings& settings, const ErrorOptions& options, const CertificateComponents& components,
                     const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                     const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
                     std::shared_ptr<const ReferenceSolution>& reference)
 {
-  const auto recovery = components.recoveries.build(deck.sub("Error Estimation").sub("Recovery"));
+  const auto recovery = components.recoveries.build(options.recoveryList);
   const int order = model.bodies.front().nodes.order;
   const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order), comm);
-  return Certifier(deck, options, scene, *recovery, comm, ledger).run(components, reference);
+  return Certifier(settings, options, scene, *recovery, comm, ledger).run(components, reference);
 }
 
 } // namespace ndframe

@@ -1,8 +1,8 @@
 #pragma once
 
 #include "certificate_steps.hpp"
+#include "ndframe/certification/error_summary.hpp"
 #include "ndframe/estimation/energy_bracket.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {

@@ -7,10 +7,10 @@
 namespace ndframe
 {
 
-SceneIdentity::SceneIdentity(const Params& deck, const Model& model) : data_(toXml(deck.sub("Interfaces")))
+SceneIdentity::SceneIdentity(const SceneSettings& scene, const Model& model) : data_(scene.interfacesText)
 {
-  for (const Params& body : deck.sub("Bodies").subs())
-    data_ += body.name() + materialText(body) + toXml(body.sub("Supports")) + toXml(body.sub("Loads"));
+  for (const BodySettings& body : scene.bodies)
+    data_ += body.name + body.materialText + body.supportText + body.loadText;
   for (const BodyModel& body : model.bodies)
     if (!body.isRigid) // its mesh follows the others'
       bodies_.push_back(outlineOf(body.mesh));

@@ -21,9 +21,8 @@ namespace ndframe
 namespace
 {
 
-std::unique_ptr<LinearSolver> chooseSolver(const Params& deck, const CertificateComponents& components)
+std::unique_ptr<LinearSolver> chooseSolver(const Params& asked, const CertificateComponents& components)
 {
-  const Params asked = deck.sub("Linear Solver");
   const auto& solvers = components.linearSolvers;
   const std::string type = asked.get<std::string>("Type");
   const bool isIterative = type == "Krylov" || type == "Multigrid"; // chosen for its memory
@@ -88,8 +87,8 @@ int affordableRefinements(const Model& model, const ReferenceDepth& depth)
 
 } // namespace
 
-ReferenceSolution::ReferenceSolution(const Params& deck, const CertificateComponents& components, const Model& model,
-                                     int refinements, const Comm& comm)
+ReferenceSolution::ReferenceSolution(const SceneSettings& settings, const CertificateComponents& components,
+                                     const Model& model, int refinements, const Comm& comm)
     : comm_(comm), refinements_(refinements), recipe_(model.recipe)
 {
   std::vector<Mesh> meshes = matchingMeshes(model);
@@ -101,13 +100,13 @@ ReferenceSolution::ReferenceSolution(const Params& deck, const CertificateCompon
     }
   }
   model_ = buildModel(
-      deck, components,
-      [&](const Params& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name()))]); },
+      settings, components,
+      [&](const BodySettings& body) { return std::move(meshes[std::size_t(model.bodyIndex(body.name))]); },
       model.interfaces, numThreads(comm));
   orientLike(model_, model.interfaces);
 
   Ledger ledger;
-  const auto solver = chooseSolver(deck, components);
+  const auto solver = chooseSolver(settings.linearSolver, components);
   const Params operatorList = components.interfaceOperators.validated({"Type=Automatic"});
   const auto representation = components.interfaceOperators.build(operatorList);
   const auto coupling = components.couplings.build({"Type=Monolithic"});
@@ -196,7 +195,7 @@ double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<
   return std::sqrt(std::max(0.0, squared));
 }
 
-void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const Params& deck,
+void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const SceneSettings& settings,
                      const CertificateComponents& components, const Model& model, const ReferenceDepth& depth,
                      const Comm& comm, Ledger& ledger)
 {
@@ -207,7 +206,7 @@ void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const 
   }
   reference.reset(); // its memory is needed
   if (refinements > 0)
-    reference = std::make_shared<ReferenceSolution>(deck, components, model, refinements, comm);
+    reference = std::make_shared<ReferenceSolution>(settings, components, model, refinements, comm);
 }
 
 ReferenceSummary compareWithReference(const ReferenceSolution* reference, const Model& model,

@@ -3,9 +3,9 @@
 #include <memory>
 
 #include "ndframe/certification/certificate_components.hpp"
+#include "ndframe/certification/error_summary.hpp"
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/estimation/error_measure.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {
@@ -18,9 +18,9 @@ namespace ndframe
 class ReferenceSolution
 {
 public:
-  /// model: the coarse scene of this deck. Collective, as all functions are.
-  ReferenceSolution(const Params& deck, const CertificateComponents& components, const Model& model, int refinements,
-                    const Comm& comm);
+  /// model: the coarse scene. Collective, as all functions are.
+  ReferenceSolution(const SceneSettings& settings, const CertificateComponents& components, const Model& model,
+                    int refinements, const Comm& comm);
 
   /// Whether a reference made of this coarse scene would be the same.
   bool suits(const Model& coarse, int refinements) const;
@@ -77,9 +77,9 @@ struct CertifiedStress
   double bound;
 };
 
-/// Makes `reference` (of another run, or null) the one of this deck and model; keeps it where it suits ("references
+/// Makes `reference` (of another run, or null) the one of this scene and model; keeps it where it suits ("references
 /// reused" in the ledger). Null without a single refinement below the limit.
-void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const Params& deck,
+void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const SceneSettings& settings,
                      const CertificateComponents& components, const Model& model, const ReferenceDepth& depth,
                      const Comm& comm, Ledger& ledger);
 

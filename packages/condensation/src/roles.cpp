@@ -153,12 +153,12 @@ RoleSummary summarize(const Model& model, const std::vector<int>& bodies)
 
 } // namespace
 
-void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics)
+void giveOneRole(Model& model, const SceneSettings& scene, bool needsRoles, Diagnostics& diagnostics)
 {
   const RoleMap roles(model);
   if (const std::string ring = oddRing(model); !ring.empty()) {
     if (needsRoles)
-      diagnostics.add(deck.sub("Interfaces").mistake("", ring));
+      diagnostics.add(scene.interfacesPlace.mistake("", ring));
     return;
   }
   for (auto& interface : model.interfaces)
@@ -168,29 +168,27 @@ void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics&
     }
 }
 
-void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void refuseObstacles(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
   for (const auto& interface : model.interfaces)
     if (const auto obstacle = obstacleOf(model, interface.neumann().body)) {
       const BodyModel &body = model.bodies[std::size_t(interface.neumann().body)],
                       &held = model.bodies[std::size_t(obstacle->held)];
       diagnostics.add(
-          deck.sub("Interfaces")
-              .sub(obstacle->interface->name)
-              .mistake("", fmt::format("supports hold \"{}\" at {}, and \"{}\" may touch it there: Neumann-Dirichlet "
-                                       "solves such a body only as Dirichlet body. Exchange the roles, or use "
-                                       "Coupling/Type = Monolithic.",
-                                       held.name, pointText(obstacle->interface->point(obstacle->node), body.mesh.dim),
-                                       body.name)));
+          scene.interface(obstacle->interface->name)
+              .place.mistake(
+                  "", fmt::format("supports hold \"{}\" at {}, and \"{}\" may touch it there: Neumann-Dirichlet "
+                                  "solves such a body only as Dirichlet body. Exchange the roles, or use "
+                                  "Coupling/Type = Monolithic.",
+                                  held.name, pointText(obstacle->interface->point(obstacle->node), body.mesh.dim),
+                                  body.name)));
       return;
     }
 }
 
-void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const Params& deck)
+void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const ListPlace& coupling)
 {
-  const auto refuse = [&](const std::string& reason) {
-    throw InputError(deck.sub("Coupling").mistake("Type", reason));
-  };
+  const auto refuse = [&](const std::string& reason) { throw InputError(coupling.mistake("Type", reason)); };
   if (system.mortar)
     refuse("Neumann-Dirichlet does not ask for contact in means, as Pairing/Type = Mortar wants; use Monolithic, FETI "
            "or Neumann-Neumann.");

@@ -223,13 +223,14 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
                                       const std::vector<BodyFields>& fields, std::size_t step)
 {
   std::vector<ContactNode> all;
-  for (const auto& interface : model.interfaces)
+  for (std::size_t number = 0; number < model.interfaces.size(); ++number) {
+    const InterfaceMesh& interface = model.interfaces[number];
     for (int i = 0; i < interface.numNodes(); ++i) {
       const auto node = all.size();
       const Direction& normal = interface.normals[std::size_t(i)];
       ContactNode entry;
-      entry.interface = interface.name;
-      entry.point.assign(interface.point(i), interface.point(i) + interface.dim);
+      entry.interface = int(number);
+      std::copy_n(interface.point(i), interface.dim, entry.point.begin());
       entry.uDirichlet = normalDisplacement(fields[std::size_t(interface.dirichlet().body)].displacement[step],
                                             interface.dirichlet().nodes[std::size_t(i)], normal, interface.dim);
       entry.uNeumann = normalDisplacement(fields[std::size_t(interface.neumann().body)].displacement[step],
@@ -237,8 +238,9 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
       entry.gap = interface.gap[std::size_t(i)] - (entry.uDirichlet - entry.uNeumann);
       entry.tractionDirichlet = state.tractionDirichlet[node];
       entry.tractionNeumann = state.tractionNeumann[node];
-      all.push_back(std::move(entry));
+      all.push_back(entry);
     }
+  }
   addConditions(all, condensed.interface);
   for (std::size_t k = 0; k < condensed.interface.nodeOfUnknown.size(); ++k) {
     ContactNode& entry = all[std::size_t(condensed.interface.nodeOfUnknown[k])];

@@ -38,7 +38,7 @@ double largestPrescribed(const ConstraintSet& constraints)
 }
 
 /// Adds a mistake at `key` of `list` when the number is too large, or too small although it is not zero.
-void checkRange(double number, const Params& list, const char* key, const char* what, Diagnostics& diagnostics)
+void checkRange(double number, const ListPlace& list, const char* key, const char* what, Diagnostics& diagnostics)
 {
   if (number != 0.0 && !(number <= largestNumber && number >= 1.0 / largestNumber))
     diagnostics.add(list.mistake(
@@ -48,12 +48,12 @@ void checkRange(double number, const Params& list, const char* key, const char* 
 }
 
 /// Of all materials of a body; each is checked.
-double largestModulus(const BodyModel& body, const Params& definition, Diagnostics& diagnostics)
+double largestModulus(const BodyModel& body, const BodySettings& settings, Diagnostics& diagnostics)
 {
   double largestOfAll = 0.0;
-  for (const auto& [list, law] : materialsOf(body, definition)) {
+  for (const auto& [list, law] : materialsOf(body, settings)) {
     const double modulus = largest({law.D.begin(), law.D.end()});
-    checkRange(modulus, list, "", "the elastic moduli", diagnostics);
+    checkRange(modulus, ListPlace(list), "", "the elastic moduli", diagnostics);
     largestOfAll = std::max(largestOfAll, modulus);
   }
   return largestOfAll;
@@ -76,44 +76,29 @@ double smallestContactForce(const CondensedModel& condensed, const std::vector<B
   return smallest;
 }
 
-/// A limit on one of the residuals, and what it means when it is passed. A residual that is not a number passes it.
+/// A limit on one of the residuals, and what it means when it is passed.
 struct Limit
 {
   double residual, allowed;
   const char* meaning;
 };
 
-std::string passedLimit(const ResidualSummary& residuals)
-{
-  const ResidualLimits limits = ResidualLimits::of(residuals);
-  for (const auto& [residual, allowed, meaning] :
-       {Limit{residuals.equilibrium, limits.equilibrium,
-              "the forces are out of balance by {:.1e}: the matrix is too ill-conditioned"},
-        Limit{residuals.penetration, limits.contact, "the bodies penetrate by {:.1e} of the largest displacement"},
-        Limit{residuals.tension, limits.contact, "contact pulls with {:.1e} of the largest force"},
-        Limit{residuals.complementarity, limits.contact, "contact presses across an opening (complementarity {:.1e})"}})
-    if (!(residual <= allowed))
-      return fmt::format(fmt::runtime(meaning), residual);
-  return {};
-}
-
 } // namespace
 
-void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void checkNumberRange(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
-  const Params bodies = deck.sub("Bodies"), interfaces = deck.sub("Interfaces");
   double driving = 0.0; // a small load beside a large one does no harm
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];
-    const double size = largest(body.mesh.points), modulus = largestModulus(body, bodies.sub(body.name), diagnostics);
-    checkRange(size, bodies.sub(body.name).sub(body.isRigid ? "Rigid" : "Mesh"), "", "the coordinates", diagnostics);
+    const double size = largest(body.mesh.points), modulus = largestModulus(body, scene.bodies[b], diagnostics);
+    checkRange(size, ListPlace(scene.bodies[b].shape), "", "the coordinates", diagnostics);
     const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
     driving = largest({driving, largest(model.loads[b]), prescribed});
   }
-  checkRange(driving, bodies, "", "the nodal forces of loads and prescribed displacements", diagnostics);
+  checkRange(driving, scene.bodiesPlace, "", "the nodal forces of loads and prescribed displacements", diagnostics);
   for (const auto& interface : model.interfaces)
-    checkRange(largest({1.0, largest(interface.gap)}), interfaces.sub(interface.name), "Gap", "the values of Gap",
-               diagnostics);
+    checkRange(largest({1.0, largest(interface.gap)}), scene.interface(interface.name).place, "Gap",
+               "the values of Gap", diagnostics);
 }
 
 std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
@@ -137,14 +122,18 @@ std::string undecidedContact(const Model& model, const CondensedModel& condensed
   return {};
 }
 
-std::string distrust(const RunSummary& summary)
+std::string passedLimit(const ResidualSummary& residuals)
 {
-  const bool boundDecides = summary.accuracy.has_value();
-  if (summary.coupling && !summary.coupling->converged && !boundDecides)
-    return summary.coupling->reason;
-  if (!std::isfinite(summary.energy))
-    return "the result is not a number";
-  return passedLimit(summary.residuals);
+  const ResidualLimits limits = ResidualLimits::of(residuals);
+  for (const auto& [residual, allowed, meaning] :
+       {Limit{residuals.equilibrium, limits.equilibrium,
+              "the forces are out of balance by {:.1e}: the matrix is too ill-conditioned"},
+        Limit{residuals.penetration, limits.contact, "the bodies penetrate by {:.1e} of the largest displacement"},
+        Limit{residuals.tension, limits.contact, "contact pulls with {:.1e} of the largest force"},
+        Limit{residuals.complementarity, limits.contact, "contact presses across an opening (complementarity {:.1e})"}})
+    if (!(residual <= allowed))
+      return fmt::format(fmt::runtime(meaning), residual);
+  return {};
 }
 
 } // namespace ndframe

@@ -100,8 +100,9 @@ AccuracyOptions accuracyOptions(const Params& deck)
   options.maximumMemory = limit(list, "Maximum Memory", 1e9);
   options.maximumSeconds = limit(list, "Maximum Time", 1.0);
   options.iterationShare = list.get<double>("Iteration Share");
-  options.marking = list.sub("Marking").get<std::string>("Type");
-  options.refinement = list.sub("Refinement").get<std::string>("Type");
+  options.lists = {list.sub("Marking"), list.sub("Refinement"), list.sub("Transfer"), list.sub("Stopping")};
+  options.marking = options.lists.marking.get<std::string>("Type");
+  options.refinement = options.lists.refinement.get<std::string>("Type");
   return options;
 }
 

@@ -79,7 +79,7 @@ ListSpec interfaceSpec()
       ParamSpec::expression("Gap", "0",
                             "Opening g >= 0 between the sides along n_c before loading, a length: u1_N - u2_N <= g, in "
                             "addition to that of the geometry."),
-      {"Gap From Geometry", std::string("Automatic"), oneOf({"Automatic", "Yes", "No"}),
+      {"Gap From Geometry", std::string("Automatic"), drawnGapNames().range(),
        "Whether the drawn distance between the sides, along n_c, is part of the gap. Automatic: yes, unless the sides "
        "touch everywhere except for the distance between chords of one curve. No: points that face each other touch."},
       {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),

@@ -110,7 +110,8 @@ ErrorOptions errorOptions(const Params& deck)
   options.mode = errorModeNames().value(list.get<std::string>("Mode"));
   options.tractionType = tractionTypeNames().value(traction.get<std::string>("Type"));
   options.tractionMean = tractionMeanNames().value(traction.get<std::string>("Mean"));
-  options.recovery = list.sub("Recovery").get<std::string>("Type");
+  options.recoveryList = list.sub("Recovery");
+  options.recovery = options.recoveryList.get<std::string>("Type");
   options.checkEquilibrium = list.get<bool>("Check Equilibrium");
   options.requireGuarantee = list.get<bool>("Require Guarantee");
   options.refinements = reference.get<int>("Refinements");

@@ -212,7 +212,7 @@ RunSettings withFoundInterfaces(const RunSettings& settings, const Components& c
 {
   if (!findsInterfaces(settings.deck))
     return settings;
-  updateMeshes(model, settings.deck, components, comm, ledger);
+  updateMeshes(model, settings.scene, components, comm, ledger);
   const auto timer = timeStage(ledger, Stage::Read);
   InterfaceFinder finder(settings.deck, model);
   finder.find();
@@ -226,8 +226,9 @@ RunSettings withFoundInterfaces(const RunSettings& settings, const Components& c
     log.detail(deckText(found));
   RunSettings expanded = settings;
   expanded.deck = withSublists(settings.deck, "Interfaces", all);
-  expanded.scene.interfaces = all.size();
-  expanded.scene.findsInterfaces = false;
+  expanded.scene = readScene(expanded.deck);
+  expanded.outline.interfaces = all.size();
+  expanded.outline.findsInterfaces = false;
   expanded.unnamedFacing = finder.warnings();
   return expanded;
 }

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 #include "study_table.hpp"
 
 namespace ndframe

@@ -128,10 +128,9 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
 
 std::string planText(const RunSettings& settings, const Components& components, const Comm& comm)
 {
-  return fmt::format(
-      "{}\n\n  memory: {}",
-      Plan(settings, *components.linearSolvers.build(settings.deck.sub("Linear Solver")), comm.size()).text(),
-      memoryPlan(settings.deck));
+  return fmt::format("{}\n\n  memory: {}",
+                     Plan(settings, *components.linearSolvers.build(settings.scene.linearSolver), comm.size()).text(),
+                     memoryPlan(settings));
 }
 
 void greet(const RunSettings& settings, const CommandLine& options, const Log& log)

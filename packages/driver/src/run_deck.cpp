@@ -20,7 +20,7 @@ void checkLists(const RunTools& tools, const Components& components)
 {
   Diagnostics diagnostics;
   if (tools.coupling->roles() == Roles::AsGiven)
-    checkRoles(tools.deck, diagnostics);
+    checkRoles(tools.settings.scene, diagnostics);
   checkErrorEstimation(tools.settings.errors, tools.settings.output, diagnostics);
   checkAccuracy(tools.settings, components, diagnostics);
   diagnostics.throwIfAny();

@@ -6,6 +6,7 @@
 #include "accuracy_list.hpp"
 #include "automatic_list.hpp"
 #include "error_list.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "output_list.hpp"
 
 namespace ndframe
@@ -49,7 +50,11 @@ RunSettings readSettings(const Params& deck)
   const auto bodies = deck.sub("Bodies").subs();
   const auto elastic =
       std::count_if(bodies.begin(), bodies.end(), [](const Params& body) { return !body.hasSub("Rigid"); });
-  settings.scene = {std::size_t(elastic), deck.sub("Interfaces").subs().size(), findsInterfaces(deck), needsGmsh(deck)};
+  settings.outline = {std::size_t(elastic), deck.sub("Interfaces").subs().size(), findsInterfaces(deck),
+                      needsGmsh(deck)};
+  settings.scene = readScene(deck);
+  settings.couplingList = coupling;
+  settings.strainLimit = deck.get<double>("Strain Limit");
   settings.coupling = coupling.get<std::string>("Type");
   settings.linearSolver = solver.get<std::string>("Type");
   if (solver.has("Tolerance"))
@@ -61,6 +66,7 @@ RunSettings readSettings(const Params& deck)
     settings.accuracy = accuracyOptions(deck);
   settings.output = outputOptions(deck);
   settings.expectations = expectationsOf(deck);
+  settings.numberOf = summaryValue;
   return settings;
 }
 

@@ -14,6 +14,7 @@
 #include "ndframe/report/accuracy_screen.hpp"
 #include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "ndframe/run/contact_start.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 #include "ndframe/run/summarize.hpp"
@@ -81,7 +82,7 @@ void StudyRunner::checkColumns()
   } catch (const InputError&) {
     return; // the row of this case will say so
   }
-  const auto solver = components_.linearSolvers.build(first.deck.sub("Linear Solver"));
+  const auto solver = components_.linearSolvers.build(first.scene.linearSolver);
   Diagnostics diagnostics;
   for (const auto& column : study_.columns) {
     const bool known = std::any_of(study_.cases.begin(), study_.cases.end(), [&](const StudyCase& c) {

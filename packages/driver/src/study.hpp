@@ -6,8 +6,8 @@
 
 #include "ndframe/base/log.hpp"
 #include "ndframe/driver/run_deck.hpp"
-#include "ndframe/io/cases_summary.hpp"
 #include "ndframe/report/case_files.hpp"
+#include "ndframe/report/cases_summary.hpp"
 #include "study_table.hpp"
 
 namespace ndframe

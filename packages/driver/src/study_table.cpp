@@ -8,6 +8,7 @@
 
 #include "load_columns.hpp"
 #include "ndframe/io/csv.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "ndframe/scene/recipe.hpp"
 
 namespace ndframe
@@ -247,9 +248,9 @@ std::string studyPlan(const Study& study)
   std::size_t stride = study.cases.size();
   for (const auto& axis : study.axes) {
     stride /= axis.size();
-    const auto changes = axis.size() == 1
-                             ? "nothing: it has one value"
-                             : whatChanges(recipeOf(study.cases[stride - 1].deck), recipeOf(study.cases[stride].deck));
+    const auto changes = axis.size() == 1 ? "nothing: it has one value"
+                                          : whatChanges(recipeOf(readScene(study.cases[stride - 1].deck)),
+                                                        recipeOf(readScene(study.cases[stride].deck)));
     text += fmt::format("  {:<19} {}\n", shortName(axis), changes);
   }
   text += fmt::format("  {:<19} {}{}.csv, one row per case{}", "table", study.fileName, study.tableEnding(),

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ndframe/driver/main.hpp"
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 #include "study_cases.hpp"
 
 namespace ndframe

@@ -71,7 +71,7 @@ std::string yardstickText(const RunSettings& settings, const Components& compone
   Model meshes;
   Ledger ledger;
   const RunSettings found = withFoundInterfaces(settings, components, meshes, comm, ledger, silentLog());
-  const auto bodies = measureBodies(buildModel(found.deck, components));
+  const auto bodies = measureBodies(buildModel(found.scene, components));
   const std::string file = outputStem(settings.output, deckName).string() + ".yardstick.json";
   writeTextAtomically(file, jsonText(bodies));
   return table(bodies) + fmt::format("\n  wrote {}", file);

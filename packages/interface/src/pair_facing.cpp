@@ -86,30 +86,30 @@ std::array<Direction, 2> normalsOf(const SideMap& map, const FacingPiece& piece)
   return ends;
 }
 
-void refuseOverlap(const Params& definition, const SideMap& map, SideMap::Shape shape)
+void refuseOverlap(const InterfaceSettings& settings, const SideMap& map, SideMap::Shape shape)
 {
   const auto [deepest, where] = map.deepestOverlap(shape);
   if (deepest < 0.0)
-    throw InputError(definition.mistake("Gap From Geometry",
-                                        fmt::format("the bodies overlap at the start: by {:.3g} at {}; move one of the "
-                                                    "meshes, or ignore the drawn distance (Gap From Geometry = No).",
-                                                    -deepest, pointText(where.data(), 2))));
+    throw InputError(settings.place.mistake(
+        "Gap From Geometry", fmt::format("the bodies overlap at the start: by {:.3g} at {}; move one of the "
+                                         "meshes, or ignore the drawn distance (Gap From Geometry = No).",
+                                         -deepest, pointText(where.data(), 2))));
 }
 
 } // namespace
 
-InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+InterfaceMesh pairFacing(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann,
                          std::shared_ptr<const SideMap> map, const std::string& more)
 {
-  const Side& first = findSide(definition, "Dirichlet Side", dirichlet);
-  const Side& second = findSide(definition, "Neumann Side", neumann);
+  const Side& first = findSide(settings, true, dirichlet);
+  const Side& second = findSide(settings, false, neumann);
   const auto pieces = facingPieces(*map, dirichlet.mesh, first.facets, neumann.mesh, second.facets);
   if (pieces.empty())
-    throw InputError(
-        definition.mistake("", fmt::format("no part of {}/{} faces {}/{}: along n_c, the outward normal of the first, "
-                                           "no part of the second faces back; name the sides that face each other.",
-                                           dirichlet.name, first.name, neumann.name, second.name)));
-  InterfaceMesh interface = emptyInterface(definition, dirichlet);
+    throw InputError(settings.place.mistake(
+        "", fmt::format("no part of {}/{} faces {}/{}: along n_c, the outward normal of the first, "
+                        "no part of the second faces back; name the sides that face each other.",
+                        dirichlet.name, first.name, neumann.name, second.name)));
+  InterfaceMesh interface = emptyInterface(settings.name, dirichlet);
   addFacingNodes(interface, *map, pieces, dirichlet.nodes, neumann.nodes);
   std::vector<Facet> facets;
   for (const FacingPiece& piece : pieces) {
@@ -123,18 +123,18 @@ InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, c
     interface.endNormals.clear();
   else
     setNodeNormals(interface);
-  evaluateGap(definition, interface, more);
+  evaluateGap(settings, interface, more);
   interface.map = std::move(map);
   interface.isCut = true;
   return interface;
 }
 
-void addDrawnGap(const Params& definition, InterfaceMesh& interface)
+void addDrawnGap(const InterfaceSettings& settings, InterfaceMesh& interface)
 {
-  const auto wanted = definition.get<std::string>("Gap From Geometry");
-  if (!interface.map || wanted == "No" || (wanted == "Automatic" && interface.map->touches()))
+  const DrawnGap wanted = settings.drawnGap;
+  if (!interface.map || wanted == DrawnGap::No || (wanted == DrawnGap::Automatic && interface.map->touches()))
     return;
-  refuseOverlap(definition, *interface.map, shapeFor(*interface.map, interface.order));
+  refuseOverlap(settings, *interface.map, shapeFor(*interface.map, interface.order));
   for (std::size_t i = 0; i < interface.gap.size(); ++i) {
     interface.drawnGap.push_back(dotProduct(interface.normals[i], interface.apart[i]));
     interface.gap[i] += interface.drawnGap.back();

@@ -63,7 +63,7 @@ Comparison compare(const SideNodes& from, const SideNodes& to)
 }
 
 /// Sides whose nodes face each other along the normal, but not at the same place, overlap or are apart.
-void refuseOffset(const Params& definition, const Comparison& sides, const std::vector<Direction>& normals,
+void refuseOffset(const InterfaceSettings& settings, const Comparison& sides, const std::vector<Direction>& normals,
                   const std::string& names)
 {
   const std::size_t worst = sides.worst();
@@ -74,22 +74,24 @@ void refuseOffset(const Params& definition, const Comparison& sides, const std::
   for (int k = 0; k < sides.from.map.dim; ++k)
     along += (y[k] - x[k]) * normals[worst][std::size_t(k)];
   if (along < -facing * distance)
-    throw InputError(definition.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}); move "
-                                                        "one of the meshes.",
-                                                        distance, sides.worstPosition(), names)));
+    throw InputError(
+        settings.place.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}); move "
+                                               "one of the meshes.",
+                                               distance, sides.worstPosition(), names)));
   if (along > facing * distance)
-    throw InputError(definition.mistake(
+    throw InputError(settings.place.mistake(
         "Gap",
         fmt::format("the sides are apart by {:.3g} at {} ({}); let the meshes touch and give the opening as Gap.",
                     distance, sides.worstPosition(), names)));
 }
 
-void refuseMissing(const Params& definition, const Comparison& sides, double tolerance, const std::string& names)
+void refuseMissing(const InterfaceSettings& settings, const Comparison& sides, double tolerance,
+                   const std::string& names)
 {
   const auto missing =
       std::count_if(sides.distance.begin(), sides.distance.end(), [&](double d) { return d > tolerance; });
   if (missing > 0)
-    throw InputError(definition.mistake(
+    throw InputError(settings.place.mistake(
         "", fmt::format(
                 "the sides do not match ({}): {} of {} nodes have no partner, the largest distance is {:.3g} at {}.",
                 names, missing, sides.distance.size(), sides.largestDistance(), sides.worstPosition())));
@@ -118,14 +120,14 @@ bool matchFacets(InterfaceMesh& interface, const BodyModel& neumann, const Side&
   return byNodes.size() == interface.measures.size();
 }
 
-Diagnostic otherFacets(const Params& definition, const std::string& names)
+Diagnostic otherFacets(const InterfaceSettings& settings, const std::string& names)
 {
-  return definition.mistake("", fmt::format("the sides do not match ({}): they share their nodes but are cut into "
-                                            "different facets.",
-                                            names));
+  return settings.place.mistake("", fmt::format("the sides do not match ({}): they share their nodes but are cut into "
+                                                "different facets.",
+                                                names));
 }
 
-void refuseSameSide(const Params& definition, const InterfaceMesh& interface, const BodyModel& dirichlet,
+void refuseSameSide(const InterfaceSettings& settings, const InterfaceMesh& interface, const BodyModel& dirichlet,
                     const BodyModel& neumann)
 {
   for (int f = 0; f < interface.numFacets(); ++f) {
@@ -133,7 +135,7 @@ void refuseSameSide(const Params& definition, const InterfaceMesh& interface, co
     facetNormal(dirichlet.mesh, interface.sides[0].facets[std::size_t(f)], n1.data());
     facetNormal(neumann.mesh, interface.sides[1].facets[std::size_t(f)], n2.data());
     if (dotProduct(n1, n2) > 0.0)
-      throw InputError(definition.mistake(
+      throw InputError(settings.place.mistake(
           "",
           fmt::format("the bodies overlap at the start: \"{}\" and \"{}\" lie on the same side of the interface at {}; "
                       "name the sides that face each other.",
@@ -154,9 +156,10 @@ std::string sideText(const BodyModel& dirichlet, const Side& first, const BodyMo
   return fmt::format("{}/{} and {}/{}", dirichlet.name, first.name, neumann.name, second.name);
 }
 
-InterfaceMesh firstSideOf(const Params& definition, const BodyModel& dirichlet, const std::vector<Facet>& facets)
+InterfaceMesh firstSideOf(const InterfaceSettings& settings, const BodyModel& dirichlet,
+                          const std::vector<Facet>& facets)
 {
-  InterfaceMesh interface = emptyInterface(definition, dirichlet);
+  InterfaceMesh interface = emptyInterface(settings.name, dirichlet);
   addSideFacets(interface, dirichlet.mesh, dirichlet.nodes, facets);
   return interface;
 }
@@ -171,11 +174,11 @@ void addPartners(InterfaceMesh& interface, const NodeMap& dirichlet, const Compa
   }
 }
 
-Diagnostic liesOnNothing(const Params& definition, const Comparison& sides, const std::string& names)
+Diagnostic liesOnNothing(const InterfaceSettings& settings, const Comparison& sides, const std::string& names)
 {
   const auto nearest =
       std::size_t(std::min_element(sides.distance.begin(), sides.distance.end()) - sides.distance.begin());
-  return definition.mistake(
+  return settings.place.mistake(
       "", fmt::format("no part of one side lies on the other ({}): their nearest nodes are {:.3g} apart, at {}. Sides "
                       "of solids that are meshed independently touch where they are flat and lie on each other; curved "
                       "ones need the same nodes (one gmsh script with a common face).",
@@ -208,57 +211,56 @@ bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, co
                             commonFacets(first, firstSide, second, secondSide).firstFacets.size() == count);
 }
 
-InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+InterfaceMesh pairSides(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann,
                         const ObstacleSurface* surface)
 {
-  Side first = findSide(definition, "Dirichlet Side", dirichlet);
+  Side first = findSide(settings, true, dirichlet);
   if (surface != nullptr)
     first.facets = surface->facets;
-  const Side& second = findSide(definition, "Neumann Side", neumann);
+  const Side& second = findSide(settings, false, neumann);
   const std::string names = sideText(dirichlet, first, neumann, second);
   const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
   const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
-  InterfaceMesh interface = firstSideOf(definition, dirichlet, first.facets);
+  InterfaceMesh interface = firstSideOf(settings, dirichlet, first.facets);
   setNormal(interface, surface);
   const double tolerance =
       samePoint * std::min(shortestFacet(dirichlet.mesh, first), shortestFacet(neumann.mesh, second));
   const Comparison forward = compare(mine, theirs);
   if (forward.largestDistance() > tolerance)
-    refuseOffset(definition, forward, interface.normals, names);
-  refuseMissing(definition, forward, tolerance, names);
-  refuseMissing(definition, compare(theirs, mine), tolerance, names);
+    refuseOffset(settings, forward, interface.normals, names);
+  refuseMissing(settings, forward, tolerance, names);
+  refuseMissing(settings, compare(theirs, mine), tolerance, names);
   addPartners(interface, dirichlet.nodes, forward);
   if (!matchFacets(interface, neumann, second))
-    throw InputError(otherFacets(definition, names));
-  refuseSameSide(definition, interface, dirichlet, neumann);
+    throw InputError(otherFacets(settings, names));
+  refuseSameSide(settings, interface, dirichlet, neumann);
   if (interface.dim == 2)
-    turnNormals(interface, dirichlet.mesh, definition.get<double>("Corner Angle"));
-  evaluateGap(definition, interface, surface != nullptr ? surface->gap : std::string());
+    turnNormals(interface, dirichlet.mesh, settings.cornerAngle);
+  evaluateGap(settings, interface, surface != nullptr ? surface->gap : std::string());
   return interface;
 }
 
-InterfaceMesh pairCutSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann)
+InterfaceMesh pairCutSides(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann)
 {
-  Side first = findSide(definition, "Dirichlet Side", dirichlet),
-       second = findSide(definition, "Neumann Side", neumann);
+  Side first = findSide(settings, true, dirichlet), second = findSide(settings, false, neumann);
   const std::string names = sideText(dirichlet, first, neumann, second);
   CommonFacets common = commonFacets(dirichlet.mesh, first, neumann.mesh, second);
   if (common.firstFacets.empty()) {
     const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
     const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
     const Comparison forward = compare(mine, theirs);
-    refuseOffset(definition, forward, firstSideOf(definition, dirichlet, first.facets).normals, names);
-    throw InputError(liesOnNothing(definition, forward, names));
+    refuseOffset(settings, forward, firstSideOf(settings, dirichlet, first.facets).normals, names);
+    throw InputError(liesOnNothing(settings, forward, names));
   }
   first.facets = std::move(common.firstFacets);
   second.facets = std::move(common.secondFacets);
   const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
   const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
-  InterfaceMesh interface = firstSideOf(definition, dirichlet, first.facets);
+  InterfaceMesh interface = firstSideOf(settings, dirichlet, first.facets);
   addPartners(interface, dirichlet.nodes, compare(mine, theirs));
   if (!matchFacets(interface, neumann, second))
     throw InternalError("sides that were cut do not match");
-  evaluateGap(definition, interface);
+  evaluateGap(settings, interface);
   interface.isCut = true;
   return interface;
 }

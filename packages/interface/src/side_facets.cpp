@@ -10,24 +10,26 @@
 namespace ndframe
 {
 
-const Side& findSide(const Params& definition, const char* key, const BodyModel& body)
+const Side& findSide(const InterfaceSettings& settings, bool isDirichlet, const BodyModel& body)
 {
   if (body.isRigid) // it has one side for every interface
-    return *body.side(definition.name());
-  if (!definition.has(key))
-    throw InputError(definition.mistake(key, fmt::format("the key \"{}\" is missing; {}.", key, sideNames(body.mesh))));
-  const auto name = definition.get<std::string>(key);
+    return *body.side(settings.name);
+  const char* const key = isDirichlet ? "Dirichlet Side" : "Neumann Side";
+  if (!isDirichlet && !settings.neumannSide)
+    throw InputError(
+        settings.place.mistake(key, fmt::format("the key \"{}\" is missing; {}.", key, sideNames(body.mesh))));
+  const std::string& name = isDirichlet ? settings.dirichletSide : *settings.neumannSide;
   const Side* side = body.side(name);
   if (side == nullptr)
-    throw InputError(definition.mistake(
+    throw InputError(settings.place.mistake(
         key, fmt::format("body \"{}\" has no side \"{}\"; {}.", body.name, name, sideNames(body.mesh))));
   return *side;
 }
 
-InterfaceMesh emptyInterface(const Params& definition, const BodyModel& body)
+InterfaceMesh emptyInterface(const std::string& name, const BodyModel& body)
 {
   InterfaceMesh interface;
-  interface.name = definition.name();
+  interface.name = name;
   interface.dim = body.mesh.dim;
   interface.order = body.nodes.order;
   return interface;
@@ -69,11 +71,10 @@ void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Fa
   }
 }
 
-void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::string& more)
+void evaluateGap(const InterfaceSettings& settings, InterfaceMesh& interface, const std::string& more)
 {
-  const Expression given = definition.expression("Gap");
-  const Expression gap = more.empty() ? given : Expression(fmt::format("({})+({})", given.text(), more));
-  interface.gapFunction = sampledFunction(definition, "Gap", gap.text());
+  const Expression gap(more.empty() ? settings.gap : fmt::format("({})+({})", settings.gap, more));
+  interface.gapFunction = sampledFunction(settings.place, "Gap", gap.text());
   constexpr double roundOff = 1e-13; // of coordinates, in formulas of obstacles
   double deepest = more.empty() ? 0.0 : -roundOff * largestEntry(interface.points);
   int where = -1;
@@ -81,7 +82,7 @@ void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::
     const double* x = interface.point(i);
     interface.gap.push_back(gap(x[0], x[1], interface.dim == 3 ? x[2] : 0.0));
     if (!std::isfinite(interface.gap.back()))
-      throw InputError(definition.mistake(
+      throw InputError(settings.place.mistake(
           "Gap", fmt::format("Gap = \"{}\" is {} at {}; it must be finite on the whole side.", gap.text(),
                              std::abs(interface.gap.back()), pointText(x, interface.dim))));
     if (interface.gap.back() < deepest) {
@@ -91,9 +92,9 @@ void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::
   }
   if (where >= 0)
     throw InputError(
-        definition.mistake("Gap", fmt::format("the bodies overlap at the start: the gap is {:.3g} at {}; it must "
-                                              "not be negative.",
-                                              deepest, pointText(interface.point(where), interface.dim))));
+        settings.place.mistake("Gap", fmt::format("the bodies overlap at the start: the gap is {:.3g} at {}; it must "
+                                                  "not be negative.",
+                                                  deepest, pointText(interface.point(where), interface.dim))));
 }
 
 } // namespace ndframe

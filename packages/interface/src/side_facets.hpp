@@ -8,11 +8,11 @@ namespace ndframe
 /// Points of two sides are one when they are closer than this, relative to the shortest facet.
 constexpr double samePoint = 1e-5;
 
-/// The side that a key of an interface's definition names; InputError if the body has none of that name.
-const Side& findSide(const Params& definition, const char* key, const BodyModel& body);
+/// The side that an interface names; InputError if the body has none of that name.
+const Side& findSide(const InterfaceSettings& settings, bool isDirichlet, const BodyModel& body);
 
 /// An interface of bodies like this one, still without facets.
-InterfaceMesh emptyInterface(const Params& definition, const BodyModel& body);
+InterfaceMesh emptyInterface(const std::string& name, const BodyModel& body);
 
 /// Fills in what an interface has of its first side alone: dirichletNodes (ascending), facets, and addNormals().
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets);
@@ -23,6 +23,6 @@ void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Fa
 
 /// Fills in gapFunction and gap: the deck's Gap, and what an obstacle adds to it (ObstacleOutline::gap). InputError
 /// where it is negative or not finite.
-void evaluateGap(const Params& definition, InterfaceMesh& interface, const std::string& more = {});
+void evaluateGap(const InterfaceSettings& settings, InterfaceMesh& interface, const std::string& more = {});
 
 } // namespace ndframe

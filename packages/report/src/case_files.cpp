@@ -8,8 +8,9 @@
 
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/csv.hpp"
+#include "ndframe/report/contact_table.hpp"
 #include "ndframe/report/outputs.hpp"
-#include "ndframe/run/interface_chains.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "run_fields.hpp"
 
 namespace ndframe
@@ -103,8 +104,7 @@ void CaseFiles::add(const Run& run, int number, const std::string& name)
 {
   const int dim = run.model.bodies.front().mesh.dim;
   if (output_.contactTable && !run.model.interfaces.empty())
-    contact_ +=
-        rowsOfCase(contactCsv(sortedAlong(run.model.interfaces, run.solved.contact), dim), name, contact_.empty());
+    contact_ += rowsOfCase(contactCsv(run), name, contact_.empty());
   if (output_.probeTable)
     probes_ += rowsOfCase(probesCsv(run.summary.probes, dim), name, probes_.empty());
   if (output_.exodus)

@@ -9,6 +9,7 @@
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/io/atomic_file.hpp"
+#include "ndframe/report/checkpoint_bytes.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/scene/stage.hpp"

@@ -3,9 +3,10 @@
 #include <fmt/format.h>
 
 #include "ndframe/io/atomic_file.hpp"
+#include "ndframe/report/contact_table.hpp"
 #include "ndframe/report/html_report.hpp"
 #include "ndframe/report/outputs.hpp"
-#include "ndframe/run/interface_chains.hpp"
+#include "ndframe/report/summary_text.hpp"
 #include "ndframe/run/run.hpp"
 #include "ndframe/run/summarize.hpp"
 #include "ndframe/scene/stage.hpp"
@@ -86,9 +87,7 @@ std::vector<std::string> writeSolution(const Run& run, const OutputOptions& outp
     }
     if (run.plan.runs(Stage::ContactTable)) {
       written.push_back(stem + contactEnding);
-      ledger.count("bytes written",
-                   writeTextAtomically(written.back(), contactCsv(sortedAlong(run.model.interfaces, run.solved.contact),
-                                                                  run.model.bodies.front().mesh.dim)));
+      ledger.count("bytes written", writeTextAtomically(written.back(), contactCsv(run)));
     }
     if (output.probeTable) {
       written.push_back(stem + probesEnding);

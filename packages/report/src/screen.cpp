@@ -6,9 +6,9 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "body_tables.hpp"
 #include "ndframe/base/grouped.hpp"
 #include "ndframe/condensation/trust.hpp"
-#include "ndframe/run/body_results.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <optional>
 #include <vector>
 
-#include "ndframe/io/contact_table.hpp"
+#include "ndframe/condensation/contact_node.hpp"
 #include "ndframe/scene/model.hpp"
 
 namespace ndframe

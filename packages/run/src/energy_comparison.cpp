@@ -5,9 +5,9 @@
 namespace ndframe
 {
 
-void compareEnergies(Run& run, const Params& deck)
+void compareEnergies(Run& run, const SceneSettings& scene)
 {
-  EnergyRecord& record = run.energies.of(SceneIdentity(deck, run.model));
+  EnergyRecord& record = run.energies.of(SceneIdentity(scene, run.model));
   if (run.certificate->energy && !run.contradiction)
     run.contradiction = record.add(*run.certificate->energy, run.energies.name(run.level));
   run.energy = record;

@@ -91,7 +91,7 @@ std::string ofFirst(const std::string& path)
 
 bool isQuantity(const std::string& path, const RunSummary& outline, const RunSettings& settings)
 {
-  return isLedgerPath(path) || summaryValue(withEveryQuantity(outline, settings), ofFirst(path));
+  return isLedgerPath(path) || settings.numberOf(withEveryQuantity(outline, settings), ofFirst(path));
 }
 
 void checkWantedNumbers(const Model& model, const RunSettings& settings, const LinearSolver& solver,
@@ -109,14 +109,15 @@ void checkWantedNumbers(const Model& model, const RunSettings& settings, const L
   }
 }
 
-void checkExpectations(RunSummary& summary, const std::vector<Expectation>& expectations)
+void checkExpectations(RunSummary& summary, const RunSettings& settings)
 {
-  for (const Expectation& expectation : expectations) {
+  for (const Expectation& expectation : settings.expectations) {
     ExpectationSummary result;
     result.name = expectation.name;
     const std::string& quantity = expectation.quantity;
     const double absent = isLedgerPath(quantity) ? 0.0 : std::numeric_limits<double>::quiet_NaN();
-    result.value = summaryValue(summary, quantity).value_or(absent); // an absent number never meets its expectation
+    result.value =
+        settings.numberOf(summary, quantity).value_or(absent); // an absent number never meets its expectation
     result.expected = expectation.value;
     result.tolerance = expectation.tolerance;
     result.met = std::abs(result.value - result.expected) <= result.tolerance;

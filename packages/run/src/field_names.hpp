@@ -6,6 +6,6 @@ namespace ndframe
 {
 
 /// Refuses names of bodies, sides and interfaces that are too long for NAME.e.
-void checkFieldNames(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void checkFieldNames(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 } // namespace ndframe

@@ -22,15 +22,9 @@ constexpr double atStart = 30e6;
 /// A dof of a solid with its matrix, two levels and what is beside them.
 constexpr double multigridBytes = 1500.0;
 
-std::string linearSolverOf(const Params& deck)
+bool isDirect(const RunSettings& settings)
 {
-  return deck.sub("Linear Solver").get<std::string>("Type");
-}
-
-bool isDirect(const Params& deck)
-{
-  const std::string type = linearSolverOf(deck);
-  return type != "Krylov" && type != "Multigrid";
+  return settings.linearSolver != "Krylov" && settings.linearSolver != "Multigrid";
 }
 
 /// Dofs of a box, from its bricks with their Refine: vertices and edges of large grids. Nothing for other meshes.
@@ -72,30 +66,29 @@ double memoryOfBody(double dofs, int dim)
   return dim == 2 ? dofs * (45.0 + 75.0 * std::log2(dofs)) : 200.0 * std::pow(dofs, 4.0 / 3.0);
 }
 
-std::string memoryPlan(const Params& deck)
+std::string memoryPlan(const RunSettings& settings)
 {
   const std::string left = fmt::format("{} left", memoryLeft().text());
-  if (!isDirect(deck))
-    return fmt::format("not estimated for {}; {}", linearSolverOf(deck), left);
+  if (!isDirect(settings))
+    return fmt::format("not estimated for {}; {}", settings.linearSolver, left);
   double bytes = atStart, dofs = 0.0;
-  const int order = deck.sub("Discretization").get<int>("Order");
-  for (const Params& body : deck.sub("Bodies").subs()) {
-    if (body.hasSub("Rigid"))
+  for (const BodySettings& body : settings.scene.bodies) {
+    if (body.isRigid)
       continue;
-    const auto ofBox = dofsOfBox(body.sub("Mesh"), order);
+    const auto ofBox = dofsOfBox(body.shape, settings.scene.order);
     if (!ofBox)
       return fmt::format("checked when the mesh files are read; {}", left);
     dofs += *ofBox;
-    bytes += memoryOfBody(*ofBox, int(body.sub("Mesh").get<std::vector<int>>("Cells").size()));
+    bytes += memoryOfBody(*ofBox, int(body.shape.get<std::vector<int>>("Cells").size()));
   }
   return fmt::format("about {:.2g} GB for some {} dofs; {}{}", 1e-9 * bytes, grouped(std::int64_t(dofs)), left,
                      bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
 }
 
-void checkMemory(const Model& model, const Params& deck, const LinearSolver& solver, const Comm& comm,
+void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, const Comm& comm,
                  Diagnostics& diagnostics)
 {
-  double ofInterfaces = memoryOfInterfaces(model, deck.sub("Interface Operator"));
+  double ofInterfaces = memoryOfInterfaces(model, settings.scene.interfaceOperator);
   double bytes = ofInterfaces;
   bool areCondensed = false;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
@@ -108,11 +101,11 @@ void checkMemory(const Model& model, const Params& deck, const LinearSolver& sol
   if (!areCondensed)
     bytes -= std::exchange(ofInterfaces, 0.0);
   const MemoryLeft left = memoryLeft();
-  const bool isTooLarge = isDirect(deck) && 0.5 * bytes > double(left.bytes);
+  const bool isTooLarge = isDirect(settings) && 0.5 * bytes > double(left.bytes);
   if (comm.sum(std::int64_t(isTooLarge)) == 0)
     return;
   const bool isInterface = ofInterfaces > 0.5 * bytes;
-  diagnostics.add(deck.sub("Bodies").mistake(
+  diagnostics.add(settings.scene.bodiesPlace.mistake(
       "",
       fmt::format("{} dofs need about {:.2g} GB of memory{}, and {} are available: use {}.", grouped(model.totalDofs()),
                   1e-9 * bytes, isInterface ? ", most of it for stored interface operators" : "", left.text(),

@@ -39,11 +39,11 @@ bool iterates(const std::string& linearSolver)
 
 Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
 {
-  const std::size_t bodies = settings.scene.bodies, interfaces = settings.scene.interfaces;
+  const std::size_t bodies = settings.outline.bodies, interfaces = settings.outline.interfaces;
   const OutputOptions& output = settings.output;
   const bool touches = interfaces > 0, exodus = output.exodus;
   const std::string noInterface = "the deck has no interface";
-  add(Stage::Gmsh, settings.scene.needsGmsh, "a body's mesh is a .geo script",
+  add(Stage::Gmsh, settings.outline.needsGmsh, "a body's mesh is a .geo script",
       "no .geo script: the library is not loaded");
   add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks),
       fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
@@ -57,8 +57,8 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Check, true, "sides, pairing and supports are checked before anything is assembled" + again, {});
   add(Stage::Assemble, true, counted(bodies, "matrix", "matrices") + again, {});
   add(Stage::Factor, true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
-  const std::string met = settings.scene.findsInterfaces ? "interfaces as Automatic finds them"
-                                                         : counted(interfaces, "interface", "interfaces");
+  const std::string met = settings.outline.findsInterfaces ? "interfaces as Automatic finds them"
+                                                           : counted(interfaces, "interface", "interfaces");
   add(Stage::Interface, touches, met + " condensed" + again, noInterface);
   add(Stage::Couple, touches, settings.coupling + again, noInterface);
   add(Stage::Recover, true, "interior displacements, one back substitution per body and state" + again, {});

@@ -133,7 +133,7 @@ void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagn
   if (!errors || !errors->recoversStress())
     return;
   const auto& nodes = model.bodies.front().nodes;
-  const Params list = tools.deck.sub("Error Estimation").sub("Recovery");
+  const Params& list = errors->recoveryList;
   const auto recovery = tools.components.recoveries.build(list);
   if (const auto reason = recovery->refusal(nodes.dim, nodes.order, errors->optimises(*recovery, nodes.dim));
       !reason.empty())
@@ -147,31 +147,31 @@ void checkRecovery(const Model& model, const RunTools& tools, Diagnostics& diagn
 
 RunTools::RunTools(const RunSettings& givenSettings, const CertificateComponents& givenComponents,
                    const Comm& givenComm, Ledger& givenLedger)
-    : settings(givenSettings), deck(settings.deck), components(givenComponents), comm(givenComm), ledger(givenLedger),
-      coupling(components.couplings.build(deck.sub("Coupling"))),
-      solver(components.linearSolvers.build(deck.sub("Linear Solver"))), errors(settings.errors)
+    : settings(givenSettings), components(givenComponents), comm(givenComm), ledger(givenLedger),
+      coupling(components.couplings.build(settings.couplingList)),
+      solver(components.linearSolvers.build(settings.scene.linearSolver)), errors(settings.errors)
 {}
 
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
 {
-  const Params& deck = tools.deck;
+  const SceneSettings& scene = tools.settings.scene;
   Diagnostics diagnostics;
   if (meshes)
-    remeshModel(model, deck, tools.components, meshes, tools.comm, tools.ledger);
+    remeshModel(model, scene, tools.components, meshes, tools.comm, tools.ledger);
   else
-    updateModel(model, deck, tools.components, tools.comm, tools.ledger);
-  offerWhole(model, *tools.coupling, deck.sub("Interface Operator"));
+    updateModel(model, scene, tools.components, tools.comm, tools.ledger);
+  offerWhole(model, *tools.coupling, scene.interfaceOperator);
   const auto timer = timeStage(tools.ledger, Stage::Check);
-  checkNumberRange(model, deck, diagnostics);
+  checkNumberRange(model, scene, diagnostics);
   diagnostics.throwIfAny(); // sums of such numbers mean nothing
   if (tools.coupling->roles() == Roles::Automatic)
-    giveOneRole(model, deck, tools.coupling->needsRoles(), diagnostics);
+    giveOneRole(model, scene, tools.coupling->needsRoles(), diagnostics);
   if (tools.coupling->needsRoles())
-    refuseObstacles(model, deck, diagnostics);
-  checkHeld(model, deck, diagnostics);
+    refuseObstacles(model, scene, diagnostics);
+  checkHeld(model, scene, diagnostics);
   if (tools.settings.output.exodus)
-    checkFieldNames(model, deck, diagnostics);
-  checkMemory(model, deck, *tools.solver, tools.comm, diagnostics);
+    checkFieldNames(model, scene, diagnostics);
+  checkMemory(model, tools.settings, *tools.solver, tools.comm, diagnostics);
   checkRecovery(model, tools, diagnostics);
   checkWantedNumbers(model, tools.settings, *tools.solver, diagnostics);
   if (tools.settings.strictInput)
@@ -179,40 +179,51 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   diagnostics.throwIfAny();
 }
 
-void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
+CondensedModel condense(const Model& model, CondensedModel&& previous, const RunTools& tools, RunObserver& observer)
 {
   {
     const auto timer = timeStage(tools.ledger, Stage::Check);
-    refusePulledOff(run.model);
+    refusePulledOff(model);
   }
-  const auto representation = tools.components.interfaceOperators.build(tools.deck.sub("Interface Operator"));
-  run.condensed =
-      condense(run.model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(run.condensed),
-               [&](const std::string& body, const std::string& description) { observer.factor(body, description); });
+  const auto representation = tools.components.interfaceOperators.build(tools.settings.scene.interfaceOperator);
+  return condense(model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(previous),
+                  [&](const std::string& body, const std::string& description) { observer.factor(body, description); });
+}
+
+void condenseRun(Run& run, const RunTools& tools, RunObserver& observer)
+{
+  run.condensed = condense(run.model, std::move(run.condensed), tools, observer);
+}
+
+FoundRoles findRoles(Model& model, CondensedModel& condensed, const std::vector<RoleSummary>& before,
+                     const RunTools& tools)
+{
+  const bool chooses = tools.coupling->roles() == Roles::Automatic;
+  if (!(chooses || tools.coupling->needsSpectrum()) || !tools.coupling->sweeps(condensed.interface))
+    return {};
+  std::vector<ConnectedBodies> parts;
+  {
+    const auto timer = timeStage(tools.ledger, Stage::Interface);
+    parts = roleSpectra(condensed.interface, tools.ledger);
+  }
+  if (!chooses)
+    return {joinedSpectrum(parts), {}};
+  ChosenRoles chosen = chooseRoles(model, condensed, parts, tools.coupling->givenTheta(), before);
+  return {chosen.spectrum, std::move(chosen.parts)};
 }
 
 void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
 {
   if (tools.coupling->needsRoles())
-    refuseSharedNodes(run.model, run.condensed.interface, tools.deck);
-  const bool chooses = tools.coupling->roles() == Roles::Automatic;
+    refuseSharedNodes(run.model, run.condensed.interface, ListPlace(tools.settings.couplingList));
   run.spectrum.reset();
-  if (!run.plan.runs(Stage::Couple) || !(chooses || tools.coupling->needsSpectrum()) ||
-      !tools.coupling->sweeps(run.condensed.interface))
+  if (!run.plan.runs(Stage::Couple))
     return;
-  std::vector<ConnectedBodies> parts;
-  {
-    const auto timer = timeStage(tools.ledger, Stage::Interface);
-    parts = roleSpectra(run.condensed.interface, tools.ledger);
-  }
-  if (!chooses) {
-    run.spectrum = joinedSpectrum(parts);
+  FoundRoles found = findRoles(run.model, run.condensed, run.summary.coupling->roles, tools);
+  run.spectrum = found.spectrum;
+  if (found.parts.empty())
     return;
-  }
-  ChosenRoles chosen =
-      chooseRoles(run.model, run.condensed, parts, tools.coupling->givenTheta(), run.summary.coupling->roles);
-  run.spectrum = chosen.spectrum;
-  run.summary.coupling->roles = std::move(chosen.parts);
+  run.summary.coupling->roles = std::move(found.parts);
   nameSides(run.summary, run.model);
   observer.roles(run.summary.coupling->roles);
 }
@@ -222,7 +233,7 @@ Solved solve(const Model& model, const CondensedModel& condensed, const RunTools
 {
   Solved solved;
   solved.failure = failureOf([&] {
-    if (tools.settings.scene.interfaces > 0)
+    if (tools.settings.outline.interfaces > 0)
       couple(solved, model, condensed, tools, observer, start);
     else
       solved.states.emplace_back();
@@ -248,8 +259,8 @@ Certified certify(const Model& model, const CondensedModel& condensed, const Sol
   Certified certified;
   certified.reference = std::move(reference);
   certified.failure = failureOf([&] {
-    certified.certificate = certify(tools.deck, *tools.errors, tools.components, model, condensed, solved.coupling,
-                                    solved.fields, tools.comm, tools.ledger, certified.reference);
+    certified.certificate = certify(tools.settings.scene, *tools.errors, tools.components, model, condensed,
+                                    solved.coupling, solved.fields, tools.comm, tools.ledger, certified.reference);
   });
   return certified;
 }
@@ -263,7 +274,7 @@ void certifyRun(Run& run, const RunTools& tools)
   else
     run.failure = "no certificate: " + certified.failure;
   if (run.certificate)
-    compareEnergies(run, tools.deck);
+    compareEnergies(run, tools.settings.scene);
 }
 
 void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps)

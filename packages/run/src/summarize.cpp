@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/condensation/trust.hpp"
 #include "ndframe/run/body_results.hpp"
 #include "ndframe/run/contact_ends.hpp"
 #include "ndframe/run/energy_comparison.hpp"
@@ -218,7 +219,7 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
   completeBodies(run, comm);
   completeInterfaces(run);
   run.summary.probes = sampleProbes(run, settings.output.probes);
-  addWarnings(run.summary, answerWarnings(run, settings.deck));
+  addWarnings(run.summary, answerWarnings(run, settings));
   run.summary.residuals =
       residuals(run.model, run.condensed, run.solved.coupling.state, run.solved.fields, run.solved.contact, comm);
   run.summary.residuals.allowedInContact = run.solved.coupling.contactTolerance;
@@ -226,7 +227,17 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
     run.summary.errors = run.certificate->summary;
     run.summary.errors->energyBracket = summarizeEnergy(run);
   }
-  checkExpectations(run.summary, settings.expectations);
+  checkExpectations(run.summary, settings);
+}
+
+std::string distrust(const RunSummary& summary)
+{
+  const bool boundDecides = summary.accuracy.has_value();
+  if (summary.coupling && !summary.coupling->converged && !boundDecides)
+    return summary.coupling->reason;
+  if (!std::isfinite(summary.energy))
+    return "the result is not a number";
+  return passedLimit(summary.residuals);
 }
 
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)

@@ -87,7 +87,7 @@ Mesh deformed(const Run& run, std::size_t body, const std::vector<Vector>& offse
 } // namespace
 
 /// Bodies that lie on or in each other where no interface is: nothing keeps them apart.
-void findTouchingBodies(const Model& model, const Params& deck, Diagnostics& found)
+void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
   std::vector<const Mesh*> meshes;
   for (const auto& body : model.bodies)
@@ -95,22 +95,19 @@ void findTouchingBodies(const Model& model, const Params& deck, Diagnostics& fou
   forEveryPair(model, meshes, boundariesOf(model), [&](int a, int b, const Encounter& encounter) {
     const int dim = meshes.front()->dim;
     if (encounter.depth > 0.0)
-      found.add(deck.sub("Bodies").mistake(
+      found.add(scene.bodiesPlace.mistake(
           "", fmt::format("{} overlap in the mesh, by {:.2g} at {}, where no interface joins them.",
                           bodyNames(model, a, b), encounter.depth, pointText(encounter.deepest.data(), dim))));
     else if (encounter.touching)
-      found.add(
-          deck.sub("Interfaces")
-              .mistake("",
-                       fmt::format(
-                           "the boundaries of {} coincide at {}, and no interface joins them there: nothing keeps them "
-                           "apart. Name both sides in an interface.",
-                           bodyNames(model, a, b), pointText(encounter.touching->data(), dim))));
+      found.add(scene.interfacesPlace.mistake(
+          "", fmt::format("the boundaries of {} coincide at {}, and no interface joins them there: nothing keeps them "
+                          "apart. Name both sides in an interface.",
+                          bodyNames(model, a, b), pointText(encounter.touching->data(), dim))));
   });
 }
 
 /// Bodies that their displacements bring into each other where no interface is.
-void findOverlaps(const Run& run, const Params& deck, Diagnostics& found)
+void findOverlaps(const Run& run, const RunSettings& settings, Diagnostics& found)
 {
   const auto boundaries = boundariesOf(run.model);
   const auto offsets = gapOffsets(run.model);
@@ -133,11 +130,11 @@ void findOverlaps(const Run& run, const Params& deck, Diagnostics& found)
   });
   forEveryPair(run.model, after, boundaries, [&](int a, int b, const Encounter& encounter) {
     if (known.count({a, b}) == 0 && encounter.depth > secondOrder * motion)
-      found.add(deck.sub("Interfaces")
-                    .mistake("", fmt::format("the displacements make {} overlap, by {:.2g} near {}, where no interface "
-                                             "joins them. Name the sides that meet there in an interface.",
-                                             bodyNames(run.model, a, b), encounter.depth / factor,
-                                             pointText(encounter.deepest.data(), after.front()->dim))));
+      found.add(settings.scene.interfacesPlace.mistake(
+          "", fmt::format("the displacements make {} overlap, by {:.2g} near {}, where no interface "
+                          "joins them. Name the sides that meet there in an interface.",
+                          bodyNames(run.model, a, b), encounter.depth / factor,
+                          pointText(encounter.deepest.data(), after.front()->dim))));
   });
 }
 

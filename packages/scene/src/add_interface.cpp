@@ -13,9 +13,9 @@ namespace ndframe
 namespace
 {
 
-int findBody(const Model& model, const Params& definition, const char* key, Diagnostics& diagnostics)
+int findBody(const Model& model, const InterfaceSettings& settings, bool isDirichlet, Diagnostics& diagnostics)
 {
-  const auto name = definition.get<std::string>(key);
+  const std::string& name = isDirichlet ? settings.dirichletBody : settings.neumannBody;
   const int index = model.bodyIndex(name);
   if (index >= 0)
     return index;
@@ -24,9 +24,10 @@ int findBody(const Model& model, const Params& definition, const char* key, Diag
     names.push_back(body.name);
   const auto nearest = nearestName(name, names);
   diagnostics.add(
-      definition.mistake(key, fmt::format("there is no body \"{}\"; {}", name,
-                                          nearest.empty() ? fmt::format("the bodies are: {}.", fmt::join(names, ", "))
-                                                          : fmt::format("did you mean \"{}\"?", nearest))));
+      settings.place.mistake(isDirichlet ? "Dirichlet Body" : "Neumann Body",
+                             fmt::format("there is no body \"{}\"; {}", name,
+                                         nearest.empty() ? fmt::format("the bodies are: {}.", fmt::join(names, ", "))
+                                                         : fmt::format("did you mean \"{}\"?", nearest))));
   return -1;
 }
 
@@ -53,7 +54,7 @@ std::vector<char> withoutSupports(const Model& model, const InterfaceMesh& inter
   return without;
 }
 
-void refuseMeans(const InterfaceMesh& interface, const Params& definition, const BodyModel& neumann)
+void refuseMeans(const InterfaceMesh& interface, const InterfaceSettings& settings, const BodyModel& neumann)
 {
   const std::string reason = !interface.isMortar  ? ""
                              : interface.dim == 3 ? "Mortar is for plane scenes; the sides of solids are cut: use Cut."
@@ -61,46 +62,43 @@ void refuseMeans(const InterfaceMesh& interface, const Params& definition, const
                                  ? fmt::format("\"{}\" is rigid and has no mesh to match: remove this.", neumann.name)
                                  : "";
   if (!reason.empty())
-    throw InputError(definition.sub("Pairing").mistake("Type", reason));
+    throw InputError(settings.pairing.mistake("Type", reason));
 }
 
 } // namespace
 
-void addInterface(Model& model, const Params& definition, const SidePairing& pairing,
+void addInterface(Model& model, const InterfaceSettings& settings, const SidePairing& pairing,
                   const std::vector<InterfaceMesh>& earlier, Diagnostics& diagnostics)
 {
-  NDFRAME_ASSERT(!definition.get<bool>("Tied"), "tied bodies are one before a scene is built");
-  const int first = findBody(model, definition, "Dirichlet Body", diagnostics);
-  const int second = findBody(model, definition, "Neumann Body", diagnostics);
+  NDFRAME_ASSERT(!settings.isTied, "tied bodies are one before a scene is built");
+  const int first = findBody(model, settings, true, diagnostics);
+  const int second = findBody(model, settings, false, diagnostics);
   if (first < 0 || second < 0)
     return;
   const auto &dirichlet = model.bodies[std::size_t(first)], &neumann = model.bodies[std::size_t(second)];
   if (dirichlet.mesh.dim != neumann.mesh.dim)
-    throw InputError(definition.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
-                                                        dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
-  const auto sideOf = [&](const char* key) {
-    return definition.has(key) ? definition.get<std::string>(key) : std::string();
-  };
-  if (first == second && sideOf("Dirichlet Side") == sideOf("Neumann Side"))
-    throw InputError(definition.mistake(
+    throw InputError(settings.place.mistake("", fmt::format("\"{}\" is {}-D and \"{}\" is {}-D.", dirichlet.name,
+                                                            dirichlet.mesh.dim, neumann.name, neumann.mesh.dim)));
+  if (first == second && settings.dirichletSide == settings.neumannSide)
+    throw InputError(settings.place.mistake(
         "Neumann Side", fmt::format("a side cannot touch itself; name two sides of \"{}\".", dirichlet.name)));
   InterfaceMesh interface =
-      pairing.map     ? pairFacing(definition, dirichlet, neumann, pairing.map, pairing.gap)
-      : pairing.isCut ? pairCutSides(definition, dirichlet, neumann)
-                      : pairSides(definition, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
-  interface.isMortar = definition.sub("Pairing").get<std::string>("Type") == "Mortar";
-  refuseMeans(interface, definition, neumann);
+      pairing.map     ? pairFacing(settings, dirichlet, neumann, pairing.map, pairing.gap)
+      : pairing.isCut ? pairCutSides(settings, dirichlet, neumann)
+                      : pairSides(settings, dirichlet, neumann, pairing.surface ? &*pairing.surface : nullptr);
+  interface.isMortar = settings.isMortar;
+  refuseMeans(interface, settings, neumann);
   if (!interface.map)
     keepNormals(interface, earlier);
   interface.sides[0].body = first;
   interface.sides[1].body = second;
   if (diagnostics.empty() && interface.dim == 2) // else constraints may be missing
-    splitCorners(interface, dirichlet.mesh, definition.get<double>("Corner Angle"), withoutSupports(model, interface));
-  addDrawnGap(definition, interface);
+    splitCorners(interface, dirichlet.mesh, settings.cornerAngle, withoutSupports(model, interface));
+  addDrawnGap(settings, interface);
   model.interfaces.push_back(std::move(interface));
 }
 
-void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void refuseSharedFacets(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
   std::map<std::array<int, 3>, const InterfaceMesh*> taken; // by body, cell and local number
   for (const auto& interface : model.interfaces)
@@ -110,27 +108,26 @@ void refuseSharedFacets(const Model& model, const Params& deck, Diagnostics& dia
         if (isNew)
           continue;
         const BodyModel& owner = model.bodies[std::size_t(side.body)];
-        diagnostics.add(deck.sub("Interfaces")
-                            .sub(interface.name)
-                            .mistake("", fmt::format("contains the facet at {} of \"{}\", which \"{}\" contains, too; "
-                                                     "leave it out of one of them (split the side).",
-                                                     pointText(facetCentre(owner.mesh, facet).data(), owner.mesh.dim),
-                                                     owner.name, before->second->name)));
+        diagnostics.add(
+            scene.interface(interface.name)
+                .place.mistake("", fmt::format("contains the facet at {} of \"{}\", which \"{}\" contains, too; "
+                                               "leave it out of one of them (split the side).",
+                                               pointText(facetCentre(owner.mesh, facet).data(), owner.mesh.dim),
+                                               owner.name, before->second->name)));
         return;
       }
 }
 
-void refuseIdleInterfaces(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void refuseIdleInterfaces(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
   for (const auto& interface : model.interfaces) {
     bool carries = false;
     for (int i = 0; i < interface.numNodes(); ++i)
       carries = carries || model.carriesContact(interface, i);
     if (!carries)
-      diagnostics.add(deck.sub("Interfaces")
-                          .sub(interface.name)
-                          .mistake("", "supports prescribe the normal displacement of every node on both sides: "
-                                       "contact has nothing to decide here."));
+      diagnostics.add(scene.interface(interface.name)
+                          .place.mistake("", "supports prescribe the normal displacement of every node on both sides: "
+                                             "contact has nothing to decide here."));
   }
 }
 

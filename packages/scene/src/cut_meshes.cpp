@@ -15,7 +15,7 @@ std::shared_ptr<const SideMap> mapBetween(const FacingSides& sides, const Mesh& 
 }
 
 std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& facing,
-                                   const Params& list)
+                                   const ListPlace& list)
 {
   try {
     return insertion(meshes, facing);

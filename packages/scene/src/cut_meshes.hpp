@@ -2,7 +2,7 @@
 
 #include <memory>
 
-#include "ndframe/base/params.hpp"
+#include "ndframe/base/list_place.hpp"
 #include "ndframe/interface/insertion.hpp"
 
 namespace ndframe
@@ -14,6 +14,6 @@ std::shared_ptr<const SideMap> mapBetween(const FacingSides& sides, const Mesh& 
 
 /// insertion(), with advice where solids cannot be cut: an InputError at `list`.
 std::vector<DerivedMesh> cutMeshes(const std::vector<Mesh>& meshes, const std::vector<FacingSides>& facing,
-                                   const Params& list);
+                                   const ListPlace& list);
 
 } // namespace ndframe

@@ -197,7 +197,7 @@ void refuseImbalance(const Model& model, Diagnostics& diagnostics)
 
 } // namespace
 
-void resolveHolds(Model& model, const Params& deck, Diagnostics& diagnostics)
+void resolveHolds(Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
   model.balancedMotions = model.freeMotions;
   const bool any = std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& body) {
@@ -212,7 +212,7 @@ void resolveHolds(Model& model, const Params& deck, Diagnostics& diagnostics)
         model.balancedMotions[b] = pushedByContact(model, int(b), model.balancedMotions[b]);
         resolveHold(model, int(b), s, diagnostics);
       }
-  checkHeld(model, deck, diagnostics);
+  checkHeld(model, scene, diagnostics);
   if (diagnostics.empty())
     refuseImbalance(model, diagnostics);
 }

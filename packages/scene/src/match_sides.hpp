@@ -31,7 +31,7 @@ struct SidePairing
 /// bodies that have none yet. Returns the pairing of every interface by its name: without map, too, where something is
 /// missing or wrong that reading the interface will tell. A map of an earlier mesh of the same polygons is kept: the
 /// scene stays the same. InputError for rigid bodies that nothing faces.
-std::map<std::string, SidePairing> matchSides(const Params& deck, const SceneComponents& components,
+std::map<std::string, SidePairing> matchSides(const SceneSettings& scene, const SceneComponents& components,
                                               const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes);
 
 } // namespace ndframe

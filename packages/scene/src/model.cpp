@@ -15,37 +15,34 @@ namespace ndframe
 namespace
 {
 
-/// What would mean nothing to a rigid body.
-void refuseConditions(const Params& rigid, Diagnostics& diagnostics)
+void refuseConditions(const BodySettings& rigid, Diagnostics& diagnostics)
 {
-  for (const char* list : {"Mesh", "Material", "Regions", "Supports", "Loads"})
-    if (rigid.hasSub(list) &&
-        (list == std::string("Mesh") || list == std::string("Material") || !rigid.sub(list).subs().empty()))
-      diagnostics.add(rigid.sub(list).mistake(
-          "", "has no meaning for a rigid body, which is where its list Rigid says; remove one of the two."));
+  for (const ListPlace& list : rigid.idle)
+    diagnostics.add(list.mistake(
+        "", "has no meaning for a rigid body, which is where its list Rigid says; remove one of the two."));
 }
 
 /// Builds one body; mistakes are collected and leave the body incomplete.
-BodyModel buildBody(const Params& params, const SceneComponents& components, CutMesh given, int order,
+BodyModel buildBody(const BodySettings& settings, const SceneComponents& components, CutMesh given, int order,
                     Diagnostics& diagnostics)
 {
   BodyModel body;
-  body.name = params.name();
+  body.name = settings.name;
   body.mesh = std::move(given.mesh);
   body.base = std::move(given.base);
   body.parents = std::move(given.parents);
   body.uncutPoints = given.uncutPoints;
-  body.isRigid = params.hasSub("Rigid");
+  body.isRigid = settings.isRigid;
   if (body.isRigid) {
-    body.supports.push_back(makeRigidSupport(params.sub("Rigid")));
-    refuseConditions(params, diagnostics);
+    body.supports.push_back(makeRigidSupport(settings.shape));
+    refuseConditions(settings, diagnostics);
   } else {
-    takeMaterials(body, params, components, diagnostics);
+    takeMaterials(body, settings, components, diagnostics);
   }
   body.nodes = given.nodes.numNodes() > 0 ? std::move(given.nodes) : makeNodeMap(body.mesh, order);
-  for (const auto& support : params.sub("Supports").subs())
+  for (const Params& support : settings.supports)
     body.supports.push_back(components.supports.build(support));
-  for (const auto& load : params.sub("Loads").subs())
+  for (const Params& load : settings.loads)
     body.loads.push_back(components.loads.build(load));
   for (const auto& support : body.supports)
     support->check(body.mesh, diagnostics);
@@ -55,13 +52,9 @@ BodyModel buildBody(const Params& params, const SceneComponents& components, Cut
 }
 
 /// Groups of cells mean nothing to a body whose regions and loads name none.
-GivenMesh withoutIdleGroups(GivenMesh given, const Params& body)
+GivenMesh withoutIdleGroups(GivenMesh given, const BodySettings& body)
 {
-  const auto loads = body.sub("Loads").subs();
-  const bool named = std::any_of(loads.begin(), loads.end(), [](const Params& load) {
-    return load.has("Cells") && !load.get<std::vector<std::string>>("Cells").empty();
-  });
-  if (!body.hasSub("Regions") && !named)
+  if (!body.namesCells)
     given.mesh.groups = {};
   return given;
 }
@@ -112,26 +105,22 @@ void countBodyForces(const Model& model, Ledger& ledger)
 }
 
 /// What the deck says, or, Automatic, Bernstein in space and Nodal in the plane.
-ContactConditions conditionsOf(const Params& deck, int dim)
+ContactConditions conditionsOf(const SceneSettings& scene, int dim)
 {
-  const std::string given = deck.sub("Discretization").get<std::string>("Contact Conditions");
-  return given == "Bernstein" || (given == "Automatic" && dim == 3) ? ContactConditions::Bernstein
-                                                                    : ContactConditions::Nodal;
+  return scene.conditions.value_or(dim == 3 ? ContactConditions::Bernstein : ContactConditions::Nodal);
 }
 
 /// What the interfaces of a scene can only be told together.
-void checkInterfaces(Model& model, const Params& deck, Diagnostics& diagnostics)
+void checkInterfaces(Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
   const int dim = model.bodies.front().mesh.dim;
-  model.conditions = conditionsOf(deck, dim);
-  const Params discretization = deck.sub("Discretization");
-  if (dim == 3 && model.conditions == ContactConditions::Nodal && discretization.get<int>("Order") == 2 &&
-      !model.interfaces.empty())
-    diagnostics.add(discretization.mistake("Contact Conditions",
-                                           "in 3D the vertices of second order carry no load, and nodal "
-                                           "conditions are noise there; use Bernstein (or Automatic)."));
-  refuseSharedFacets(model, deck, diagnostics);
-  refuseIdleInterfaces(model, deck, diagnostics);
+  model.conditions = conditionsOf(scene, dim);
+  if (dim == 3 && model.conditions == ContactConditions::Nodal && scene.order == 2 && !model.interfaces.empty())
+    diagnostics.add(scene.discretization.mistake("Contact Conditions",
+                                                 "in 3D the vertices of second order carry no load, and nodal "
+                                                 "conditions are noise there; use Bernstein (or Automatic)."));
+  refuseSharedFacets(model, scene, diagnostics);
+  refuseIdleInterfaces(model, scene, diagnostics);
   diagnostics.throwIfAny();
 }
 
@@ -187,18 +176,19 @@ std::vector<int> Model::elasticBodies() const
   return numbers;
 }
 
-Model buildModel(const Params& deck, const SceneComponents& components)
+Model buildModel(const SceneSettings& scene, const SceneComponents& components)
 {
   Ledger nobody;
   ScriptMeshes scripts(nobody);
-  return buildModel(deck, components, [&](const Params& body) {
-    return body.hasSub("Rigid") ? Mesh() : components.meshSources.build(body.sub("Mesh"))->readWith(scripts);
+  return buildModel(scene, components, [&](const BodySettings& body) {
+    return body.isRigid ? Mesh() : components.meshSources.build(body.shape)->readWith(scripts);
   });
 }
 
-void updateModel(Model& model, const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger)
+void updateModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
+                 Ledger& ledger)
 {
-  SceneRecipe recipe = recipeOf(deck);
+  SceneRecipe recipe = recipeOf(scene);
   if (recipe.sameModel(model.recipe)) {
     ledger.count("meshes reused", std::int64_t(recipe.bodies.size()));
     model.recipe = std::move(recipe);
@@ -209,13 +199,13 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
   std::size_t next = 0;
   ScriptMeshes scripts(ledger);
   Model updated = buildModel(
-      deck, components,
-      [&](const Params& body) -> GivenMesh {
+      scene, components,
+      [&](const BodySettings& body) -> GivenMesh {
         const std::size_t b = next++;
-        if (body.hasSub("Rigid"))
+        if (body.isRigid)
           return Mesh();
         if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
-          return readShared(*components.meshSources.build(body.sub("Mesh")), comm, scripts);
+          return readShared(*components.meshSources.build(body.shape), comm, scripts);
         ledger.count("meshes reused");
         const BodyModel& known = model.bodies[b];
         return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);
@@ -226,49 +216,46 @@ void updateModel(Model& model, const Params& deck, const SceneComponents& compon
   model = std::move(updated);
 }
 
-void remeshModel(Model& model, const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
+void remeshModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
                  const Comm& comm, Ledger& ledger)
 {
   const auto timer = timeStage(ledger, Stage::Read);
-  model = buildModel(deck, components, meshOf, model.interfaces, numThreads(comm));
+  model = buildModel(scene, components, meshOf, model.interfaces, numThreads(comm));
   countBodyForces(model, ledger);
 }
 
-Model buildModel(const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
+Model buildModel(const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
                  const std::vector<InterfaceMesh>& earlier, int threads)
 {
   Model model;
   Diagnostics diagnostics;
-  const int order = deck.sub("Discretization").get<int>("Order");
-  if (deck.sub("Bodies").subs().empty())
-    diagnostics.add(deck.sub("Bodies").mistake("", "has no bodies; name at least one list in it."));
+  if (scene.bodies.empty())
+    diagnostics.add(scene.bodiesPlace.mistake("", "has no bodies; name at least one list in it."));
   std::vector<CutMesh> meshes;
-  for (const auto& params : deck.sub("Bodies").subs())
-    collecting(diagnostics, [&] { meshes.emplace_back(withoutIdleGroups(meshOf(params), params)); });
+  for (const BodySettings& body : scene.bodies)
+    collecting(diagnostics, [&] { meshes.emplace_back(withoutIdleGroups(meshOf(body), body)); });
   diagnostics.throwIfAny();
-  const auto pairings = matchSides(deck, components, earlier, meshes);
+  const auto pairings = matchSides(scene, components, earlier, meshes);
   for (std::size_t b = 0; b < meshes.size(); ++b)
     collecting(diagnostics, [&] {
-      const Params params = deck.sub("Bodies").subs()[b];
-      model.bodies.push_back(buildBody(params, components, std::move(meshes[b]), order, diagnostics));
+      model.bodies.push_back(buildBody(scene.bodies[b], components, std::move(meshes[b]), scene.order, diagnostics));
     });
   diagnostics.throwIfAny();
   for (const auto& body : model.bodies)
     collecting(diagnostics,
                [&] { model.constraints.push_back(collectConstraints(body.supports, body.mesh, body.nodes)); });
-  const auto keep = deck.hasSub("Error Estimation") ? Load::Keep::Projections : Load::Keep::Nothing;
+  const auto keep = scene.certifies ? Load::Keep::Projections : Load::Keep::Nothing;
   model.loads = evaluateLoads(model.bodies, keep, threads, diagnostics);
-  for (const auto& definition : deck.sub("Interfaces").subs())
-    collecting(diagnostics,
-               [&] { addInterface(model, definition, pairings.at(definition.name()), earlier, diagnostics); });
+  for (const InterfaceSettings& interface : scene.interfaces)
+    collecting(diagnostics, [&] { addInterface(model, interface, pairings.at(interface.name), earlier, diagnostics); });
   diagnostics.throwIfAny();
-  checkInterfaces(model, deck, diagnostics);
+  checkInterfaces(model, scene, diagnostics);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     model.rigid.push_back(rigidBasis(model.bodies[b].mesh));
     model.freeMotions.push_back(
         nullSpace(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), rigidTolerance));
   }
-  resolveHolds(model, deck, diagnostics);
+  resolveHolds(model, scene, diagnostics);
   diagnostics.throwIfAny();
   return model;
 }

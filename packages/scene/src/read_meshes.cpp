@@ -8,9 +8,10 @@
 namespace ndframe
 {
 
-void updateMeshes(Model& model, const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger)
+void updateMeshes(Model& model, const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
+                  Ledger& ledger)
 {
-  const SceneRecipe recipe = recipeOf(deck);
+  const SceneRecipe recipe = recipeOf(scene);
   const auto sameMesh = [](const BodyRecipe& a, const BodyRecipe& b) { return a.mesh == b.mesh; };
   const auto &now = recipe.bodies, &before = model.recipe.bodies;
   if (std::equal(now.begin(), now.end(), before.begin(), before.end(), sameMesh))
@@ -19,13 +20,13 @@ void updateMeshes(Model& model, const Params& deck, const SceneComponents& compo
   Model read;
   ScriptMeshes scripts(ledger);
   for (std::size_t b = 0; b < now.size(); ++b) {
-    const Params body = deck.sub("Bodies").subs()[b];
+    const BodySettings& body = scene.bodies[b];
     const bool isKnown = now.size() == before.size() && sameMesh(now[b], before[b]);
     read.bodies.emplace_back();
-    read.bodies.back().name = body.name();
-    if (!body.hasSub("Rigid"))
-      read.bodies.back().mesh = isKnown ? model.bodies[b].uncut()
-                                        : readShared(*components.meshSources.build(body.sub("Mesh")), comm, scripts);
+    read.bodies.back().name = body.name;
+    if (!body.isRigid)
+      read.bodies.back().mesh =
+          isKnown ? model.bodies[b].uncut() : readShared(*components.meshSources.build(body.shape), comm, scripts);
     read.recipe.bodies.push_back({now[b].name, now[b].mesh, {}, {}});
   }
   model = std::move(read);

@@ -30,13 +30,6 @@ std::string meshText(const Params& mesh)
 
 } // namespace
 
-std::string materialText(const Params& body)
-{
-  return (body.hasSub("Material") ? toXml(body.sub("Material")) : std::string()) +
-         (body.hasSub("Regions") ? toXml(body.sub("Regions")) : std::string()) +
-         (body.hasSub("Rigid") ? toXml(body.sub("Rigid")) : std::string());
-}
-
 bool SceneRecipe::sameModel(const SceneRecipe& other) const
 {
   return !bodies.empty() && bodies == other.bodies && interfaces == other.interfaces;
@@ -52,21 +45,18 @@ bool SceneRecipe::sameSystems(const SceneRecipe& other) const
   return sameModel(other) && sameSolver(other) && representation == other.representation;
 }
 
-SceneRecipe recipeOf(const Params& deck)
+SceneRecipe recipeOf(const SceneSettings& scene)
 {
   SceneRecipe recipe;
-  for (const auto& body : deck.sub("Bodies").subs()) {
-    const Params mesh = body.sub(body.hasSub("Rigid") ? "Rigid" : "Mesh");
-    recipe.bodies.push_back({body.name(),
-                             meshText(mesh) + toXml(deck.sub("Discretization")) +
-                                 (body.hasSub("Regions") || toXml(body.sub("Loads")).find("Cells") != std::string::npos
-                                      ? " with groups of cells"
-                                      : ""),
-                             materialText(body), toXml(body.sub("Supports")) + toXml(body.sub("Loads"))});
+  for (const BodySettings& body : scene.bodies) {
+    const bool mayNameCells = body.hasRegions || body.loadText.find("Cells") != std::string::npos;
+    recipe.bodies.push_back(
+        {body.name, meshText(body.shape) + scene.discretizationText + (mayNameCells ? " with groups of cells" : ""),
+         body.materialText, body.supportText + body.loadText});
   }
-  recipe.interfaces = toXml(deck.sub("Interfaces"));
-  recipe.solver = toXml(deck.sub("Linear Solver"));
-  recipe.representation = toXml(deck.sub("Interface Operator"));
+  recipe.interfaces = scene.interfacesText;
+  recipe.solver = toXml(scene.linearSolver);
+  recipe.representation = toXml(scene.interfaceOperator);
   return recipe;
 }
 

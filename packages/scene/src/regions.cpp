@@ -15,16 +15,10 @@ namespace
 
 constexpr int nowhere = -1;
 
-std::vector<Params> regionsOf(const Params& body)
-{
-  return body.hasSub("Regions") ? body.sub("Regions").subs() : std::vector<Params>{};
-}
-
 /// The groups of cells that a region names; without any the one of its own name.
-std::vector<std::string> groupsOf(const Params& region)
+std::vector<std::string> groupsOf(const RegionSettings& region)
 {
-  auto groups = region.get<std::vector<std::string>>("Cells");
-  return groups.empty() ? std::vector<std::string>{region.name()} : groups;
+  return region.cells.empty() ? std::vector<std::string>{region.name} : region.cells;
 }
 
 /// Builds the law of a list Material and checks its hypothesis.
@@ -74,7 +68,7 @@ public:
       names_.insert(names.begin(), names.end());
   }
 
-  void add(const Params& region, int number)
+  void add(const RegionSettings& region, int number)
   {
     const auto groups = groupsOf(region);
     for (const std::string& group : groups)
@@ -90,7 +84,7 @@ public:
       else if (isMine)
         region_[kind] = number;
     }
-    others_.push_back(region.name());
+    others_.push_back(region.name);
   }
 
   /// Per cell: the region, or `rest`.
@@ -104,11 +98,11 @@ public:
   }
 
 private:
-  void refuseUnknown(const Params& region, const std::string& group)
+  void refuseUnknown(const RegionSettings& region, const std::string& group)
   {
     const std::vector<std::string> names(names_.begin(), names_.end());
     const std::string nearest = nearestName(group, names);
-    diagnostics_.add(region.mistake(
+    diagnostics_.add(region.place.mistake(
         "Cells", fmt::format("the mesh has no group of cells \"{}\"; {}", group,
                              names.empty() ? "it names no groups (physical groups of gmsh, element blocks of Exodus, "
                                              "Parts of a box)."
@@ -116,12 +110,12 @@ private:
                                                : fmt::format("did you mean \"{}\"?", nearest))));
   }
 
-  void refuseShared(const Params& region, int kind, const std::string& other)
+  void refuseShared(const RegionSettings& region, int kind, const std::string& other)
   {
     const auto cell = std::find(mesh_.groups.kind.begin(), mesh_.groups.kind.end(), kind) - mesh_.groups.kind.begin();
     if (cell == mesh_.numCells())
       return;
-    diagnostics_.add(region.mistake(
+    diagnostics_.add(region.place.mistake(
         "Cells", fmt::format("contains the cell at {}, which region \"{}\" contains, too; a cell has one material.",
                              pointText(cellCentre(mesh_, int(cell)).data(), mesh_.dim), other)));
   }
@@ -147,10 +141,10 @@ std::vector<BodyRegion> countCells(std::vector<std::string> names, const std::ve
   return regions;
 }
 
-void refuseWithoutMaterial(const BodyModel& body, const BodyRegion& rest, const Params& definition,
+void refuseWithoutMaterial(const BodyModel& body, const BodyRegion& rest, const BodySettings& settings,
                            Diagnostics& diagnostics)
 {
-  diagnostics.add(definition.mistake(
+  diagnostics.add(settings.place.mistake(
       "", fmt::format("{} of {} cells are in no region, the first at {}; give the body a list \"Material\" for them.",
                       rest.numCells, body.mesh.numCells(),
                       pointText(cellCentre(body.mesh, rest.firstCell).data(), body.mesh.dim))));
@@ -158,24 +152,23 @@ void refuseWithoutMaterial(const BodyModel& body, const BodyRegion& rest, const 
 
 } // namespace
 
-void takeMaterials(BodyModel& body, const Params& definition, const SceneComponents& components,
+void takeMaterials(BodyModel& body, const BodySettings& settings, const SceneComponents& components,
                    Diagnostics& diagnostics)
 {
-  const auto lists = regionsOf(definition);
-  const bool hasRest = definition.hasSub("Material");
+  const bool hasRest = settings.material.has_value();
   Laws laws(components, body.mesh.dim, diagnostics);
   KindsOfRegions kinds(body.mesh, diagnostics);
   std::vector<std::string> names;
-  for (const Params& region : lists) {
-    laws.add(region.sub("Material"));
+  for (const RegionSettings& region : settings.regions) {
+    laws.add(region.material);
     kinds.add(region, int(names.size()));
-    names.push_back(region.name());
+    names.push_back(region.name);
   }
   if (hasRest)
-    laws.add(definition.sub("Material"));
+    laws.add(*settings.material);
   if (laws.all().empty())
-    throw InputError(definition.mistake("", "has neither a list \"Material\" nor regions."));
-  if (lists.empty()) {
+    throw InputError(settings.place.mistake("", "has neither a list \"Material\" nor regions."));
+  if (settings.regions.empty()) {
     body.laws = laws.all().front();
     return;
   }
@@ -183,28 +176,26 @@ void takeMaterials(BodyModel& body, const Params& definition, const SceneCompone
   names.emplace_back();
   body.regionOfCell = kinds.ofCells(rest);
   body.regions = countCells(std::move(names), body.regionOfCell);
-  for (std::size_t r = 0; r < lists.size(); ++r)
+  for (std::size_t r = 0; r < settings.regions.size(); ++r)
     if (body.regions[r].numCells == 0 && diagnostics.empty())
-      diagnostics.add(lists[r].mistake("", "names no cells."));
+      diagnostics.add(settings.regions[r].place.mistake("", "names no cells."));
   if (body.regions.back().numCells == 0)
     body.regions.pop_back();
   else if (!hasRest && diagnostics.empty())
-    refuseWithoutMaterial(body, body.regions.back(), definition, diagnostics);
+    refuseWithoutMaterial(body, body.regions.back(), settings, diagnostics);
   if (diagnostics.empty())
     body.laws = CellLaws(laws.all(), body.regionOfCell);
 }
 
-std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const Params& definition)
+std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const BodySettings& settings)
 {
   if (body.isRigid)
     return {};
   if (body.regions.empty())
-    return {{definition.sub("Material"), body.laws(0)}};
+    return {{settings.materialOf({}), body.laws(0)}};
   std::vector<PlacedMaterial> materials;
   for (const BodyRegion& region : body.regions)
-    materials.push_back(
-        {(region.name.empty() ? definition : definition.sub("Regions").sub(region.name)).sub("Material"),
-         body.laws(region.firstCell)});
+    materials.push_back({settings.materialOf(region.name), body.laws(region.firstCell)});
   return materials;
 }
 

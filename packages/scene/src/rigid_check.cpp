@@ -159,14 +159,14 @@ void refusePulledOff(const Model& model)
     throw NotConverged("the load does not press the bodies together: it pulls off " + motionText(model, motion));
 }
 
-void findLooseBodies(const Model& model, const Params& deck, Diagnostics& found)
+void findLooseBodies(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
   const Vector motion = loose(rigidNetwork(model));
   if (!motion.empty())
-    found.add(deck.sub("Interfaces")
-                  .mistake("", fmt::format("the displacement is not unique: {}. Nothing but contact holds that, and no "
-                                           "load presses it; strains, forces and the bound do not depend on it.",
-                                           motionText(model, motion))));
+    found.add(scene.interfacesPlace.mistake(
+        "", fmt::format("the displacement is not unique: {}. Nothing but contact holds that, and no "
+                        "load presses it; strains, forces and the bound do not depend on it.",
+                        motionText(model, motion))));
 }
 
 } // namespace ndframe

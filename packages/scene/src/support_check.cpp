@@ -79,17 +79,16 @@ private:
   std::vector<std::vector<std::pair<int, double>>> rows_;
 };
 
-void report(const Model& model, const Params& deck, std::size_t body, const DenseMatrix& motions,
+void report(const Model& model, const SceneSettings& scene, std::size_t body, const DenseMatrix& motions,
             Diagnostics& diagnostics)
 {
   if (motions.cols() == 0)
     return;
   const auto names = describeMotions(model.rigid[body], motions);
-  diagnostics.add(deck.sub("Bodies")
-                      .sub(model.bodies[body].name)
-                      .mistake("", fmt::format("nothing holds this body; free rigid motions: {}. Add a support that "
-                                               "stops it; where the loads are in equilibrium along it, Hold does.",
-                                               fmt::join(names, ", "))));
+  diagnostics.add(scene.bodies[body].place.mistake(
+      "", fmt::format("nothing holds this body; free rigid motions: {}. Add a support that "
+                      "stops it; where the loads are in equilibrium along it, Hold does.",
+                      fmt::join(names, ", "))));
 }
 
 } // namespace
@@ -140,13 +139,13 @@ DenseMatrix partOf(const DenseMatrix& motions, int offset, int size)
   return result;
 }
 
-void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics)
+void checkHeld(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
 {
   const DenseMatrix motions = freeTogether(model);
   int offset = 0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const int size = model.rigid[b].size();
-    report(model, deck, b, partOf(motions, offset, size), diagnostics);
+    report(model, scene, b, partOf(motions, offset, size), diagnostics);
     offset += size;
   }
 }

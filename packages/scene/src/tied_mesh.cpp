@@ -221,7 +221,7 @@ Mesh TiedMesh::readWith(ScriptMeshes& scripts) const
   const bool isPlane = parts.front().dim == 2;
   if (isPlane)
     addSideEnds(parts, facing, std::vector<char>(parts.size(), 0), true);
-  const std::vector<DerivedMesh> cut = cutMeshes(parts, facing, list_);
+  const std::vector<DerivedMesh> cut = cutMeshes(parts, facing, ListPlace(list_));
   Glue glue(cut);
   std::vector<std::set<std::pair<int, int>>> inside(parts.size()); // facets that have become inner ones
   const auto joints = list_.sub("Joints").subs();

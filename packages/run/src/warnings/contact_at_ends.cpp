@@ -109,16 +109,15 @@ Rim openRim(const Model& model, const InterfaceMesh& interface, const ContactNod
 } // namespace
 
 /// Contact that presses at the end of the named sides would go on where nobody looks for it.
-void findContactAtEnds(const Run& run, const Params& deck, Diagnostics& found)
+void findContactAtEnds(const Run& run, const RunSettings& settings, Diagnostics& found)
 {
   const ContactNode* contact = run.solved.contact.data();
   for (const auto& interface : run.model.interfaces) {
     const Mesh& mesh = run.model.bodies[std::size_t(interface.dirichlet().body)].mesh;
     if (const Rim rim = openRim(run.model, interface, contact); !rim.empty())
       found.add(
-          deck.sub("Interfaces")
-              .sub(interface.name)
-              .mistake(
+          settings.scene.interface(interface.name)
+              .place.mistake(
                   "", fmt::format(
                           "there is contact pressure at the end of the sides, at {}, and the boundaries of both bodies "
                           "continue close to each other: they may touch beyond the sides. Make the sides longer.",

@@ -21,11 +21,11 @@ double shearModulus(const Elasticity& law)
 } // namespace
 
 /// Moduli of one scene in different units, or one that was not set.
-void findDifferentModuli(const Model& model, const Params& deck, Diagnostics& found)
+void findDifferentModuli(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
   std::optional<PlacedMaterial> softest, stiffest;
-  for (const auto& body : model.bodies)
-    for (const auto& material : materialsOf(body, deck.sub("Bodies").sub(body.name))) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    for (const auto& material : materialsOf(model.bodies[b], scene.bodies[b])) {
       const double modulus = shearModulus(material.law);
       if (!softest || modulus < shearModulus(softest->law))
         softest.emplace(material);

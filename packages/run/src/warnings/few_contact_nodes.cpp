@@ -14,14 +14,15 @@ constexpr int few = 2;
 constexpr double pressed = 1e-9; ///< of the largest force of the interface
 constexpr std::size_t named = 3; ///< interfaces
 
-void add(std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching, const Params& deck, Diagnostics& found)
+void add(std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching, const SceneSettings& scene,
+         Diagnostics& found)
 {
   for (std::size_t i = 0; i < std::min(named, touching.size()); ++i) {
     const auto& [interface, nodes] = touching[i];
     const std::size_t others = i + 1 == named ? touching.size() - named : 0;
-    found.add(deck.sub("Interfaces")
-                  .sub(interface->name)
-                  .mistake("", fmt::format("contact is on {} of {} nodes{}: its width and pressure are set by the "
+    found.add(
+        scene.interface(interface->name)
+            .place.mistake("", fmt::format("contact is on {} of {} nodes{}: its width and pressure are set by the "
                                            "mesh. Use smaller cells where the bodies touch.",
                                            nodes, interface->numNodes(),
                                            others > 0 ? fmt::format(" (so on {} more interfaces)", others) : "")));
@@ -31,7 +32,7 @@ void add(std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching, 
 } // namespace
 
 /// Contact on one or two nodes is as wide as the mesh makes it: neither its width nor its pressure means anything.
-void findFewContactNodes(const Run& run, const Params& deck, Diagnostics& found)
+void findFewContactNodes(const Run& run, const RunSettings& settings, Diagnostics& found)
 {
   std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching;
   std::size_t first = 0;
@@ -48,7 +49,7 @@ void findFewContactNodes(const Run& run, const Params& deck, Diagnostics& found)
       touching.emplace_back(&interface, nodes);
     first += std::size_t(interface.numNodes());
   }
-  add(touching, deck, found);
+  add(touching, settings.scene, found);
 }
 
 } // namespace ndframe

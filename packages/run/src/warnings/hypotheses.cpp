@@ -9,11 +9,10 @@ namespace ndframe
 {
 
 /// Plane strain beside plane stress: the bodies would need different thicknesses to be one scene.
-void findDifferentHypotheses(const Model& model, const Params& deck, Diagnostics& found)
+void findDifferentHypotheses(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
   const auto materialOf = [&](std::size_t b) { // those of one body have one hypothesis
-    const BodyModel& body = model.bodies[b];
-    return materialsOf(body, deck.sub("Bodies").sub(body.name)).front().list;
+    return materialsOf(model.bodies[b], scene.bodies[b]).front().list;
   };
   const auto hypothesis = [&](std::size_t b) { // materials of other projects may have none
     const Params material = materialOf(b);

@@ -47,7 +47,7 @@ bool pushesAlong(const Load& load, const Mesh& mesh, Facet facet, const std::vec
 } // namespace
 
 /// A load on a side whose displacement along it is prescribed goes straight into the support and does nothing.
-void findLoadsOnSupports(const Model& model, const Params&, Diagnostics& found)
+void findLoadsOnSupports(const Model& model, const SceneSettings&, Diagnostics& found)
 {
   for (const auto& body : model.bodies)
     for (const auto& load : body.loads) {

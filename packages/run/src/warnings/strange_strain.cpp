@@ -51,9 +51,9 @@ const ContactNode* nearestOpenNode(const Run& run)
 } // namespace
 
 /// Strains that the theory does not hold for, or that are next to nothing: units of modulus and load that do not fit.
-void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
+void findStrangeStrain(const Run& run, const RunSettings& settings, Diagnostics& found)
 {
-  const double limit = deck.get<double>("Strain Limit");
+  const double limit = settings.strainLimit;
   double largest = 0.0, motion = 0.0;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
@@ -63,24 +63,23 @@ void findStrangeStrain(const Run& run, const Params& deck, Diagnostics& found)
     largest = std::max(largest, strain.largest);
     motion = std::max(motion, run.summary.bodies[b].displacement.value / diameter(body.mesh));
     if (strain.share > smallPart)
-      found.add(deck.sub("Bodies").sub(body.name).mistake(
+      found.add(settings.scene.bodies[b].place.mistake(
           "",
           fmt::format("strains reach {:.2g} at {} and are above {:g} in {:.3g} % of the body: the theory assumes small "
                       "strains. Check the units of loads and moduli; where only ratios matter, raise Strain Limit.",
                       peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * strain.share)));
   }
   if (const ContactNode* const node = nearestOpenNode(run); node != nullptr && motion > 0.0 && largest < hardlyAny)
-    found.add(
-        deck.sub("Interfaces")
-            .mistake("",
-                     fmt::format("nothing touches, and no body is strained: the smallest remaining opening is {:.4g}, "
-                                 "in \"{}\" at {}. Move the bodies further towards each other, or look at the gaps.",
-                                 node->gap, node->interface, pointText(node->point.data(), int(node->point.size())))));
+    found.add(settings.scene.interfacesPlace.mistake(
+        "", fmt::format("nothing touches, and no body is strained: the smallest remaining opening is {:.4g}, "
+                        "in \"{}\" at {}. Move the bodies further towards each other, or look at the gaps.",
+                        node->gap, run.model.interfaces[std::size_t(node->interface)].name,
+                        pointText(node->point.data(), run.model.bodies.front().mesh.dim))));
   else if (largest > 0.0 && largest < hardlyAny && largest > roundOff * motion)
-    found.add(
-        deck.sub("Bodies").mistake("", fmt::format("the largest strain is {:.1e}: such loads hardly deform bodies with "
-                                                   "such moduli. Check their units (modulus in Pa, loads in MPa?).",
-                                                   largest)));
+    found.add(settings.scene.bodiesPlace.mistake(
+        "", fmt::format("the largest strain is {:.1e}: such loads hardly deform bodies with "
+                        "such moduli. Check their units (modulus in Pa, loads in MPa?).",
+                        largest)));
 }
 
 } // namespace ndframe

@@ -32,9 +32,10 @@ private:
 } // namespace
 
 /// Parts of a mesh that share no facet are bodies of their own: nothing is carried from one to the other.
-void findUnconnectedParts(const Model& model, const Params& deck, Diagnostics& found)
+void findUnconnectedParts(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
-  for (const auto& body : model.bodies) {
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
     if (body.isRigid)
       continue;
     const Mesh& mesh = body.mesh;
@@ -48,7 +49,7 @@ void findUnconnectedParts(const Model& model, const Params& deck, Diagnostics& f
         cell = c;
     if (roots.size() < 2)
       continue;
-    found.add(deck.sub("Bodies").sub(body.name).mistake(
+    found.add(scene.bodies[b].place.mistake(
         "", fmt::format("its mesh has {} parts that share no {}; one of them is at {}. Nothing connects them: merge "
                         "their points, or make them bodies with an interface.",
                         roots.size(), mesh.dim == 2 ? "edge" : "face",

@@ -15,13 +15,13 @@ namespace
 struct SceneCheck
 {
   const char* kind;
-  void (*find)(const Model& model, const Params& deck, Diagnostics& found);
+  void (*find)(const Model& model, const SceneSettings& scene, Diagnostics& found);
 };
 
 struct AnswerCheck
 {
   const char* kind;
-  void (*find)(const Run& run, const Params& deck, Diagnostics& found);
+  void (*find)(const Run& run, const RunSettings& settings, Diagnostics& found);
 };
 
 constexpr SceneCheck sceneChecks[] = {{"different hypotheses", findDifferentHypotheses},
@@ -37,13 +37,13 @@ constexpr AnswerCheck answerChecks[] = {{"strain", findStrangeStrain},
                                         {"contact at the end of a side", findContactAtEnds},
                                         {"overlapping bodies", findOverlaps}};
 
-template <class Checks, class Subject>
-std::vector<Warning> collect(const Checks& checks, const Subject& subject, const Params& deck)
+template <class Checks, class Subject, class Settings>
+std::vector<Warning> collect(const Checks& checks, const Subject& subject, const Settings& settings)
 {
   std::vector<Warning> warnings;
   for (const auto& check : checks) {
     Diagnostics found;
-    check.find(subject, deck, found);
+    check.find(subject, settings, found);
     for (const auto& diagnostic : found.list())
       warnings.push_back({check.kind, diagnostic});
   }
@@ -54,17 +54,17 @@ std::vector<Warning> collect(const Checks& checks, const Subject& subject, const
 
 std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings)
 {
-  std::vector<Warning> warnings = collect(sceneChecks, model, settings.deck);
+  std::vector<Warning> warnings = collect(sceneChecks, model, settings.scene);
   for (const Diagnostic& place : settings.unnamedFacing)
     warnings.push_back({"unnamed facets", place});
   return warnings;
 }
 
-std::vector<Warning> answerWarnings(const Run& run, const Params& deck)
+std::vector<Warning> answerWarnings(const Run& run, const RunSettings& settings)
 {
   if (!std::isfinite(run.summary.energy)) // the run says so itself
     return {};
-  return collect(answerChecks, run, deck);
+  return collect(answerChecks, run, settings);
 }
 
 void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/io/checkpoint.hpp"
+#include "ndframe/accuracy/checkpoint.hpp"
 #include "ndframe/run/accuracy_options.hpp"
 #include "ndframe/run/run.hpp"
 

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ndframe/accuracy/checkpoint.hpp"
 #include "ndframe/accuracy/level_errors.hpp"
-#include "ndframe/io/checkpoint.hpp"
 
 namespace ndframe
 {

@@ -27,8 +27,8 @@ struct MeshPlan
 class MeshPlanner
 {
 public:
-  /// deck: has the list Accuracy. model: of the first meshes.
-  MeshPlanner(const Params& deck, const AccuracyComponents& components, const Model& model, const Comm& comm);
+  /// settings: with a target. model: of the first meshes.
+  MeshPlanner(const RunSettings& settings, const AccuracyComponents& components, const Model& model, const Comm& comm);
 
   /// Takes in what the certificate of the present meshes teaches. model: made of them.
   void learn(const Model& model, const LevelLesson& lesson);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/base/list_place.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/fem/node_map.hpp"
 #include "ndframe/sampling/adaptive_samples.hpp"
@@ -27,8 +28,8 @@ struct NodeConstraint
 
 /// The expression of a key; a value that is not finite is the user's mistake.
 SampledFunction sampledFunction(const Params& params, const char* key);
-/// The same for an expression that the key is a part of.
-SampledFunction sampledFunction(const Params& params, const char* key, const std::string& text);
+/// The same for an expression that the key of a list is a part of.
+SampledFunction sampledFunction(const ListPlace& list, const char* key, const std::string& text);
 
 /// What a support or a load has in common: it stands in the deck and may name a side of its body.
 class SideCondition

@@ -16,7 +16,7 @@ std::vector<DeckEntry> givenEntries(const Params& list);
 /// The list without what was not given: toXml() of it is what a user would have written.
 Params withoutDefaults(const Params& list);
 
-/// The deck with other sublists in its list `name`, which it has.
-Params withSublists(const Params& deck, const std::string& name, const std::vector<Params>& sublists);
+/// Lists with other sublists in their list `name`, which they have.
+Params withSublists(const Params& lists, const std::string& name, const std::vector<Params>& sublists);
 
 } // namespace ndframe

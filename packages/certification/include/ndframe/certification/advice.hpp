@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ndframe/certification/error_summary.hpp"
 #include "ndframe/coupling/coupling.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {

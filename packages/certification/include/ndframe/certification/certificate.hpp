@@ -5,10 +5,10 @@
 
 #include "ndframe/certification/certificate_components.hpp"
 #include "ndframe/certification/error_options.hpp"
+#include "ndframe/certification/error_summary.hpp"
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/condensation/solution.hpp"
 #include "ndframe/estimation/energy_bracket.hpp"
-#include "ndframe/io/summary.hpp"
 #include "ndframe/recovery/stress_recovery.hpp"
 
 namespace ndframe
@@ -34,7 +34,7 @@ struct Certificate
 /// Collective.
 /// `fields`: the final state is their last. `reference`: of an earlier run or null; kept where it suits, else replaced.
 /// Throws NotConverged when no admissible traction exists.
-Certificate certify(const Params& deck, const ErrorOptions& options, const CertificateComponents& components,
+Certificate certify(const SceneSettings& settings, const ErrorOptions& options, const CertificateComponents& components,
                     const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                     const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
                     std::shared_ptr<const ReferenceSolution>& reference);

@@ -15,8 +15,8 @@ namespace ndframe
 /// Limit: interfaces whose Dirichlet and Neumann side changed places in the deck count as others.
 struct SceneIdentity
 {
-  SceneIdentity(const Params& deck, const Model& model); ///< model: of this deck, on any mesh
-  bool operator==(const SceneIdentity& other) const;     ///< polygons are the same but for round-off (1e-11)
+  SceneIdentity(const SceneSettings& scene, const Model& model); ///< model: of this scene, on any mesh
+  bool operator==(const SceneIdentity& other) const;             ///< polygons are the same but for round-off (1e-11)
 
 private:
   std::string data_; ///< lists of the deck

@@ -61,6 +61,7 @@ struct ErrorOptions
   TractionType tractionType = TractionType::Automatic; ///< as the deck has it; tractionWith() decides
   TractionMean tractionMean = TractionMean::Previous;  ///< for the projection, from which Optimal begins, too
   std::string recovery;                                ///< name of the component
+  Params recoveryList = Params(nullptr);               ///< for its builder
   bool checkEquilibrium = false;                       ///< of the recovered stresses, cell by cell
   bool requireGuarantee = false;                       ///< a bound that is not guaranteed is a failed run
   int refinements = 0;                                 ///< of the reference: halvings of every edge

@@ -1,10 +1,23 @@
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "ndframe/condensation/solution.hpp"
 #include "ndframe/scene/moment.hpp"
 
 namespace ndframe
 {
+
+/// What one support does to its body. In the plane forces are per unit thickness.
+struct SupportSummary
+{
+  /// Of its list in the deck, and in words.
+  std::string name, description; ///< "ground", "clamp at bottom"
+  std::vector<double> force;     ///< resultant
+  std::vector<double> moment;    ///< about the centre of its side: about z in the plane, about x, y, z in space
+  std::vector<double> centre;    ///< of its side, or the mean of the nodes that it holds; dim coordinates
+};
 
 /// What the supports of a body do to it in one state: nodal forces in global axes (numNodes * dim), zero where nothing
 /// is prescribed. With loads and contact forces they balance every body, moments too, to the round-off of K u.

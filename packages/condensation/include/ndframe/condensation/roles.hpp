@@ -1,8 +1,11 @@
 #pragma once
 
+#include <optional>
+#include <string>
+#include <vector>
+
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/coupling/coupling.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {
@@ -13,14 +16,25 @@ namespace ndframe
 /// connected part as the deck says, or the other way round where a body must be Dirichlet body (refuseObstacles).
 /// Bodies that touch in a ring of odd length have no such roles: a mistake if the coupling needs them, else nothing is
 /// turned.
-void giveOneRole(Model& model, const Params& deck, bool needsRoles, Diagnostics& diagnostics);
+void giveOneRole(Model& model, const SceneSettings& scene, bool needsRoles, Diagnostics& diagnostics);
 
 /// Refuses Neumann bodies at nodes where supports hold the other body: their problem has no contact conditions.
-void refuseObstacles(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void refuseObstacles(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// Refuses what sweeps cannot solve: nodes of a body that several interfaces share, which has one displacement there
 /// for more tractions than roles can tell apart, and contact in means, which are of many nodes. InputError.
-void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const Params& deck);
+void refuseSharedNodes(const Model& model, const InterfaceSystem& system, const ListPlace& coupling);
+
+/// Roles that were chosen for bodies that touch, directly or through others (Dirichlet Body = Automatic).
+struct RoleSummary
+{
+  std::vector<std::string> dirichletBodies, /**< names, sorted, of this connected part */ neumannBodies; ///< the others
+  bool exchanged = false;                     ///< against the deck
+  double contraction = 0.0;                   ///< of the traction's error in a sweep with `theta`
+  double theta = 0.0;                         ///< relaxation factor: the deck's, or the best
+  double bestTheta = 0.0;                     ///< with which the contraction is smallest
+  std::optional<double> contractionExchanged; ///< with the other roles; none where supports leave no choice
+};
 
 /// The roles that were chosen.
 struct ChosenRoles

@@ -3,9 +3,8 @@
 #include <vector>
 
 #include "ndframe/condensation/condensed_model.hpp"
+#include "ndframe/condensation/contact_node.hpp"
 #include "ndframe/coupling/coupling.hpp"
-#include "ndframe/io/contact_table.hpp"
-#include "ndframe/io/summary.hpp"
 
 namespace ndframe
 {
@@ -16,6 +15,16 @@ struct BodyFields
   std::vector<Vector> u;            ///< per state, in the nodes' own axes, without the free motions that the coupling
                                     ///< found separately: strains have all their digits
   std::vector<Vector> displacement; ///< per state, global axes (numNodes * dim), with all motions
+};
+
+/// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).
+struct ResidualSummary
+{
+  double equilibrium = 0.0; ///< largest |K u - f - contact force| over the free dofs / largest nodal load or reaction
+  double complementarity = 0.0;  ///< max |(u1_N - u2_N - g)_i (C Lambda)_i| / (max |gap or u| * max nodal force)
+  double penetration = 0.0;      ///< largest positive u1_N - u2_N - g / largest |u|
+  double tension = 0.0;          ///< largest positive nodal contact force / largest nodal force
+  double allowedInContact = 0.0; ///< the last three, by a coupling that was told to stop early
 };
 
 /// Interiors recovered by one multi-right-hand-side back-solve per body, (25) and (26). One entry per body; without

@@ -4,16 +4,15 @@
 
 #include "ndframe/condensation/condensed_model.hpp"
 #include "ndframe/condensation/solution.hpp"
-#include "ndframe/io/summary.hpp"
 #include "ndframe/scene/model.hpp"
 
 namespace ndframe
 {
 
 /// Refuses scenes whose sizes, moduli, loads or gaps are so large or small that products of them leave the range of
-/// floating-point numbers, where results become zero or infinite without notice. Only other units help. `deck`: the
+/// floating-point numbers, where results become zero or infinite without notice. Only other units help. `scene`: the
 /// model's.
-void checkNumberRange(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void checkNumberRange(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// What the true residuals (ResidualSummary) may be at most. In a Neumann-Dirichlet iteration u1 and u2 of the final
 /// pairing belong to the same sweep, so the conditions of contact hold to round-off however early it stops; what the
@@ -38,9 +37,8 @@ struct ResidualLimits
 std::string undecidedContact(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
                              const std::vector<BodyFields>& fields, const Comm& comm);
 
-/// Why a result is not what the equations ask for: the iteration did not converge, or a residual is too large. Empty
-/// when it is right. Of a run with a target the iteration is not asked: the bound holds for the state of any sweep, and
-/// whether it meets the target is another question.
-std::string distrust(const RunSummary& summary);
+/// Names the first residual above its limit, in words; empty when there is none. One that is not a number passes its
+/// limit.
+std::string passedLimit(const ResidualSummary& residuals);
 
 } // namespace ndframe

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "ndframe/assembly/body_system.hpp"
-#include "ndframe/base/params.hpp"
+#include "ndframe/interface/interface_settings.hpp"
 #include "ndframe/interface/obstacle.hpp"
 #include "ndframe/sampling/adaptive_samples.hpp"
 
@@ -88,28 +88,28 @@ std::vector<std::pair<int, int>> commonVertices(const Mesh& first, const Side& f
 /// Whether vertices of two sides lie on each other, each on one, and so do the triangles of solids.
 bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, const Side& secondSide);
 
-/// Pairs the two sides named by an `Interfaces` entry (keys "Dirichlet Side", "Neumann Side", "Gap", "Corner Angle").
+/// Pairs the two sides named by an entry of Interfaces.
 ///
 /// Throws InputError when a side does not exist; when the sides do not match (how many nodes, the largest distance and
 /// where); when the bodies overlap (both on the same side of the interface, one side inside the other body, or a
 /// negative gap: where and how much); when they are apart (the opening belongs into Gap).
 ///
 /// surface: the second body is rigid and lies on these facets (addLayer).
-InterfaceMesh pairSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+InterfaceMesh pairSides(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann,
                         const ObstacleSurface* surface = nullptr);
 
 /// The same for sides of solids that were cut (insertion.hpp): the facets that both have. Throws InputError when there
 /// is none, with what is nearest.
-InterfaceMesh pairCutSides(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann);
+InterfaceMesh pairCutSides(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann);
 
 /// The same for sides whose meshes match along a map (insertion.hpp). more: what a rigid body adds to the gap
 /// (ObstacleOutline::gap).
-InterfaceMesh pairFacing(const Params& definition, const BodyModel& dirichlet, const BodyModel& neumann,
+InterfaceMesh pairFacing(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann,
                          std::shared_ptr<const SideMap> map, const std::string& more = {});
 
 /// Adds n . (pi x - x) to the gap of sides with a map, as "Gap From Geometry" wants it: Yes, No, or, Automatic, unless
 /// the sides touch but for the chords of a curve (SideMap::touches). To be called when the nodes have their normals.
 /// Throws InputError where the sides overlap, with the place and the depth.
-void addDrawnGap(const Params& definition, InterfaceMesh& interface);
+void addDrawnGap(const InterfaceSettings& settings, InterfaceMesh& interface);
 
 } // namespace ndframe

@@ -2,7 +2,7 @@
 
 #include <string>
 
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 
 namespace ndframe
 {

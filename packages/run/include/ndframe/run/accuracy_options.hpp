@@ -27,6 +27,13 @@ enum class AccuracyStart
 const Names<AccuracyOf>& accuracyOfNames();
 const Names<AccuracyStart>& accuracyStartNames(); ///< of Start
 
+/// Lists of components, for their builders.
+struct AccuracyLists
+{
+  Params marking = Params(nullptr), refinement = Params(nullptr), transfer = Params(nullptr),
+         stopping = Params(nullptr);
+};
+
 /// The list Accuracy, read.
 struct AccuracyOptions
 {
@@ -42,6 +49,7 @@ struct AccuracyOptions
   double iterationShare = 0.0; ///< sweeps end when their part of the error is below this share of the mesh's
   /// Accuracy/Marking/Type and Accuracy/Refinement/Type.
   std::string marking, refinement; ///< names of the components
+  AccuracyLists lists;
 };
 
 } // namespace ndframe

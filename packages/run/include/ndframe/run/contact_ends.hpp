@@ -1,8 +1,8 @@
 #pragma once
 
+#include "ndframe/condensation/contact_node.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
-#include "ndframe/io/contact_table.hpp"
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 
 namespace ndframe
 {

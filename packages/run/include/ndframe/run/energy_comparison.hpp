@@ -9,7 +9,7 @@ namespace ndframe
 
 /// Compares the certificate of the run's state with all others of the scene: weak duality binds any two of them
 /// (docs/theory.md, section 8). Where two cannot both hold, this one and all that follow in the run are not guaranteed.
-void compareEnergies(Run& run, const Params& deck);
+void compareEnergies(Run& run, const SceneSettings& scene);
 
 /// None without a certificate that holds, or with some that cannot hold together.
 std::optional<NumberBracket> bracketOf(const EnergyRecord& record);

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ndframe/condensation/contact_node.hpp"
 #include "ndframe/interface/interface_mesh.hpp"
-#include "ndframe/io/contact_table.hpp"
 
 namespace ndframe
 {

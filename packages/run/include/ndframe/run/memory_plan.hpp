@@ -2,6 +2,7 @@
 
 #include <string>
 
+#include "ndframe/run/run_settings.hpp"
 #include "ndframe/scene/model.hpp"
 
 namespace ndframe
@@ -14,11 +15,11 @@ namespace ndframe
 double memoryOfBody(double dofs, int dim);
 
 /// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes.
-std::string memoryPlan(const Params& deck);
+std::string memoryPlan(const RunSettings& settings);
 
 /// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
 /// Collective.
-void checkMemory(const Model& model, const Params& deck, const LinearSolver& solver, const Comm& comm,
+void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, const Comm& comm,
                  Diagnostics& diagnostics);
 
 } // namespace ndframe

@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "ndframe/coupling/coupling.hpp"
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 #include "ndframe/scene/model.hpp"
 
 namespace ndframe

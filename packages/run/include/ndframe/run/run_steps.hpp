@@ -17,7 +17,6 @@ struct RunTools
   RunTools(const RunSettings& settings, const CertificateComponents& components, const Comm& comm, Ledger& ledger);
 
   const RunSettings& settings;             ///< of the deck
-  const Params& deck;                      ///< of the settings: what components are built from
   const CertificateComponents& components; ///< that the deck may name
   const Comm& comm;                        ///< all processes of the run
   Ledger& ledger;                          ///< counts and times the steps
@@ -30,10 +29,25 @@ struct RunTools
 /// deck's.
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes = {});
 
-/// Matrices, factors, Schur complements.
+/// Matrices, factors, Schur complements; previous: taken over where it is the same.
+CondensedModel condense(const Model& model, CondensedModel&& previous, const RunTools& tools, RunObserver& observer);
+
+/// The same into the run.
 void condenseRun(Run& run, const RunTools& tools, RunObserver& observer);
 
-/// Run::spectrum, if the coupling needs it, and the roles of the bodies, if they are to be found.
+/// What the coupling wants to know before the first sweep.
+struct FoundRoles
+{
+  std::optional<RoleSpectrum> spectrum; ///< if the coupling needs it
+  std::vector<RoleSummary> parts;       ///< per connected part; empty where roles were given
+};
+
+/// Exchanges the roles of the bodies of a condensed scene, if they are to be found and others are better. before: roles
+/// of an earlier mesh; may be empty.
+FoundRoles findRoles(Model& model, CondensedModel& condensed, const std::vector<RoleSummary>& before,
+                     const RunTools& tools);
+
+/// The same into the run, where bodies are coupled.
 void findRoles(Run& run, const RunTools& tools, RunObserver& observer);
 
 /// Sweeps, displacements, contact. Where there is no solution and that lies in the problem, the result says why. start:

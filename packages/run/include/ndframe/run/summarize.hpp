@@ -24,8 +24,13 @@ void completeSummary(Run& run, const RunSettings& settings, const Comm& comm);
 /// Copies counts, stages and memory; called again after the files are written.
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);
 
+/// Why a result is not what the equations ask for: the iteration did not converge, or a residual is too large. Empty
+/// when it is right. Of a run with a target the iteration is not asked: the bound holds for the state of any sweep, and
+/// whether it meets the target is another question.
+std::string distrust(const RunSummary& summary);
+
 /// Compares what is expected with the summary.
-void checkExpectations(RunSummary& summary, const std::vector<Expectation>& expectations);
+void checkExpectations(RunSummary& summary, const RunSettings& settings);
 
 /// True when `path` names a number of the summary that this deck will give. `outline`: outlineSummary.
 bool isQuantity(const std::string& path, const RunSummary& outline, const RunSettings& settings);

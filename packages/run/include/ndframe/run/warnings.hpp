@@ -17,7 +17,7 @@ struct Warning
 std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings);
 
 /// What only the answer shows; of a run with a solution.
-std::vector<Warning> answerWarnings(const Run& run, const Params& deck);
+std::vector<Warning> answerWarnings(const Run& run, const RunSettings& settings);
 
 /// The warnings of the scene are mistakes.
 void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics);

@@ -18,7 +18,7 @@ DenseMatrix partOf(const DenseMatrix& motions, int offset, int size);
 /// motion, at nodes without support and contact. The scene is in equilibrium along these motions, so that the pins
 /// carry nothing and any choice of them gives the same stress; loads that are not, and a Hold without a motion, are
 /// mistakes.
-void resolveHolds(Model& model, const Params& deck, Diagnostics& diagnostics);
+void resolveHolds(Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// Moves the bodies by the motions that Holds fix, so that the mean motions held vanish: displacement of every body in
 /// global axes.

@@ -9,6 +9,7 @@
 #include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/scene/recipe.hpp"
 #include "ndframe/scene/scene_components.hpp"
+#include "ndframe/scene/scene_settings.hpp"
 
 namespace ndframe
 {
@@ -31,13 +32,6 @@ struct NodeSide
   bool isDirichlet = false; ///< the body's role on the interface
   bool isFree = false;      ///< false where supports prescribe its displacement along n_c
   double held = 0.0;        ///< that displacement
-};
-
-/// What contact is asked of on bodies of second order: values at the nodes, or Bernstein coefficients (ContactBasis).
-enum class ContactConditions
-{
-  Nodal,
-  Bernstein
 };
 
 /// The scene: what the deck says, read and checked, before anything is assembled.
@@ -72,12 +66,13 @@ struct Model
 /// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is
 /// reported at once (InputError): sides that do not exist, hypotheses that do not suit the mesh, sides that do not
 /// match, bodies that overlap, bodies that nothing holds.
-Model buildModel(const Params& deck, const SceneComponents& components);
+Model buildModel(const SceneSettings& scene, const SceneComponents& components);
 
-/// Makes an earlier (or empty) model the deck's. What it was made from in the same way stays: everything, or the meshes
-/// and node maps of bodies. Counts "meshes reused". Rank 0 reads the meshes for all. A deck that is refused leaves the
-/// model as it was.
-void updateModel(Model& model, const Params& deck, const SceneComponents& components, const Comm& comm, Ledger& ledger);
+/// Makes an earlier (or empty) model this scene's. What it was made from in the same way stays: everything, or the
+/// meshes and node maps of bodies. Counts "meshes reused". Rank 0 reads the meshes for all. A deck that is refused
+/// leaves the model as it was.
+void updateModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
+                 Ledger& ledger);
 
 /// A mesh and its node map, which is made when it is empty.
 struct GivenMesh
@@ -88,25 +83,25 @@ struct GivenMesh
   NodeMap nodes; ///< empty: made when the body is built
 };
 
-/// The mesh of a body, given its list in the deck; of a rigid one an empty mesh if it has to be made.
-using MeshOfBody = std::function<GivenMesh(const Params& body)>;
+/// The mesh of a body; of a rigid one an empty mesh if it has to be made.
+using MeshOfBody = std::function<GivenMesh(const BodySettings& body)>;
 
 /// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes
 /// before; a side that still is the same polygon keeps their normals (inheritNormals). threads: for loads that are
 /// sampled; their number changes no bit.
-Model buildModel(const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
+Model buildModel(const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
                  const std::vector<InterfaceMesh>& earlier = {}, int threads = 1);
 
 /// The same as a stage of a run; model.interfaces are the earlier ones. Not to be reused: the model has no recipe.
-void remeshModel(Model& model, const Params& deck, const SceneComponents& components, const MeshOfBody& meshOf,
+void remeshModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
                  const Comm& comm, Ledger& ledger);
 
 /// Refuses bodies that are the Dirichlet body of one interface and the Neumann body of another: a coupling that solves
 /// the bodies one after the other needs one role per body. Looks at the deck only.
-void checkRoles(const Params& deck, Diagnostics& diagnostics);
+void checkRoles(const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// Refuses bodies with rigid motions that neither supports nor contact can stop, naming the motions.
-void checkHeld(const Model& model, const Params& deck, Diagnostics& diagnostics);
+void checkHeld(const Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
 /// "roller at left; by contact: translation along y"
 std::string heldBy(const Model& model, int body);

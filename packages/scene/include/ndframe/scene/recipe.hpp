@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/base/params.hpp"
+#include "ndframe/scene/scene_settings.hpp"
 
 namespace ndframe
 {
@@ -42,10 +42,7 @@ struct SceneRecipe
   bool sameSystems(const SceneRecipe& other) const;
 };
 
-/// The text of what a body is made of.
-std::string materialText(const Params& body);
-
 /// Limit: of a mesh made by a .geo script only the script itself is looked at, not the files that it includes.
-SceneRecipe recipeOf(const Params& deck);
+SceneRecipe recipeOf(const SceneSettings& scene);
 
 } // namespace ndframe

@@ -17,6 +17,6 @@ std::string motionText(const Model& model, const Vector& motion);
 void refusePulledOff(const Model& model);
 
 /// Warns of motions without work that contact lets go on for ever.
-void findLooseBodies(const Model& model, const Params& deck, Diagnostics& found);
+void findLooseBodies(const Model& model, const SceneSettings& scene, Diagnostics& found);
 
 } // namespace ndframe

@@ -1,4 +1,4 @@
-#include "ndframe/io/summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -6,7 +6,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "summary_json.hpp"
 
-// docs/summary.schema.json describes what is written here; tests/io holds the two together.
+// docs/summary.schema.json describes what is written here; tests/report holds the two together.
 
 namespace ndframe
 {

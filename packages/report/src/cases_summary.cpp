@@ -1,4 +1,4 @@
-#include "ndframe/io/cases_summary.hpp"
+#include "ndframe/report/cases_summary.hpp"
 
 #include "summary_json.hpp"
 

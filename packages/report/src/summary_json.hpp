@@ -2,7 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "ndframe/io/summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 namespace ndframe
 {

@@ -7,10 +7,12 @@
 #include <vector>
 
 #include "ndframe/base/build_info.hpp"
-#include "ndframe/io/accuracy_summary.hpp"
-#include "ndframe/io/body_summary.hpp"
-#include "ndframe/io/error_summary.hpp"
-#include "ndframe/io/probe_summary.hpp"
+#include "ndframe/certification/error_summary.hpp"
+#include "ndframe/condensation/roles.hpp"
+#include "ndframe/condensation/solution.hpp"
+#include "ndframe/run/accuracy_summary.hpp"
+#include "ndframe/run/body_summary.hpp"
+#include "ndframe/run/probe_summary.hpp"
 
 namespace ndframe
 {
@@ -62,17 +64,6 @@ struct SweepSummary
   std::string note;              ///< e.g. "theta clipped"
 };
 
-/// Roles that were chosen for bodies that touch, directly or through others (Dirichlet Body = Automatic).
-struct RoleSummary
-{
-  std::vector<std::string> dirichletBodies, /**< names, sorted, of this connected part */ neumannBodies; ///< the others
-  bool exchanged = false;                     ///< against the deck
-  double contraction = 0.0;                   ///< of the traction's error in a sweep with `theta`
-  double theta = 0.0;                         ///< relaxation factor: the deck's, or the best
-  double bestTheta = 0.0;                     ///< with which the contraction is smallest
-  std::optional<double> contractionExchanged; ///< with the other roles; none where supports leave no choice
-};
-
 /// How the bodies were brought together.
 struct CouplingSummary
 {
@@ -82,16 +73,6 @@ struct CouplingSummary
   std::string reason;                ///< why it stopped, one sentence
   std::vector<SweepSummary> history; ///< the first sweep first; empty when none was finished
   std::vector<RoleSummary> roles;    ///< one per connected part of the network; empty when they were given
-};
-
-/// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).
-struct ResidualSummary
-{
-  double equilibrium = 0.0; ///< largest |K u - f - contact force| over the free dofs / largest nodal load or reaction
-  double complementarity = 0.0;  ///< max |(u1_N - u2_N - g)_i (C Lambda)_i| / (max |gap or u| * max nodal force)
-  double penetration = 0.0;      ///< largest positive u1_N - u2_N - g / largest |u|
-  double tension = 0.0;          ///< largest positive nodal contact force / largest nodal force
-  double allowedInContact = 0.0; ///< the last three, by a coupling that was told to stop early
 };
 
 /// What a stage of the run took.
@@ -137,14 +118,5 @@ struct RunSummary
   double totalSeconds = 0.0;                    ///< wall-clock time since the run began
   std::int64_t peakBytes = 0;                   ///< largest resident size of this process
 };
-
-/// The summary as JSON text (two-space indentation; numbers in the shortest form that reads back exactly; NaN and
-/// infinity are null).
-std::string toJson(const RunSummary& summary);
-
-/// Looks a number up by a path such as "bodies/punch/energy", "interfaces/contact/contact_force", "coupling/sweeps",
-/// "energy", "ledger/counts/factorisations": list entries are found by their "name" (or by index). Booleans count as
-/// 0/1. Empty when there is no finite number at that path.
-std::optional<double> summaryValue(const RunSummary& summary, const std::string& path);
 
 } // namespace ndframe

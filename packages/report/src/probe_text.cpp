@@ -1,4 +1,4 @@
-#include "ndframe/io/probe_summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 #include <iterator>
 

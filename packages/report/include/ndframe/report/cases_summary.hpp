@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 
 namespace ndframe
 {

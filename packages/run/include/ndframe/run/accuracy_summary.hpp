@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/io/energy_summary.hpp"
+#include "ndframe/certification/energy_summary.hpp"
 
 namespace ndframe
 {
@@ -46,9 +46,5 @@ struct AccuracySummary
   int sweeps() const;             ///< of all levels
   std::int64_t totalDofs() const; ///< of all levels: the work
 };
-
-/// NAME.levels.csv: a line of names, then one line a level; 17 significant digits. What is not known is empty. In two
-/// dimensions.
-std::string levelsCsv(const std::vector<LevelSummary>& levels);
 
 } // namespace ndframe

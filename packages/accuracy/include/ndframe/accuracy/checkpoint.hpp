@@ -7,8 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "ndframe/io/accuracy_summary.hpp"
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 
 namespace ndframe
 {
@@ -88,13 +87,6 @@ struct Checkpoint
   std::map<std::string, std::int64_t> counts;   ///< of the ledger
   std::vector<StageRecord> stages;              ///< of the ledger
 };
-
-/// CBOR (RFC 8949) of an object with the names above, all numbers bit by bit.
-std::string toBytes(const Checkpoint& checkpoint);
-
-/// The same back. Throws InputError: `path` is no checkpoint or ends too early, or another version wrote it (`version`:
-/// this one).
-Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path, const std::string& version);
 
 /// "Bodies/punch/Material/Young Modulus is 2 and was 1" of the first parameter in which two effective decks differ, and
 /// how many more there are; empty when they are the same but for title, Output, Expect and the limits of Accuracy.

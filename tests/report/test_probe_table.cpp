@@ -1,11 +1,11 @@
-#include "ndframe/io/probe_summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 #include <algorithm>
 #include <sstream>
 
 #include <gmock/gmock.h>
 
-#include "io/sample_summaries.hpp"
+#include "report/sample_summaries.hpp"
 
 using namespace ndframe;
 using testing::ElementsAre;

@@ -1,12 +1,12 @@
-#include "ndframe/io/summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 #include <limits>
 
 #include <gmock/gmock.h>
 #include <nlohmann/json.hpp>
 
-#include "io/sample_summaries.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "report/sample_summaries.hpp"
 
 using namespace ndframe;
 using ndframe::test::contactSummary;

@@ -1,4 +1,4 @@
-#include "ndframe/io/accuracy_summary.hpp"
+#include "ndframe/report/summary_text.hpp"
 
 #include <iterator>
 
@@ -8,7 +8,7 @@
 #include "ndframe/io/csv.hpp"
 #include "summary_json.hpp"
 
-// docs/summary.schema.json describes what is written here; tests/io holds the two together.
+// docs/summary.schema.json describes what is written here; tests/report holds the two together.
 
 namespace ndframe
 {
@@ -35,22 +35,6 @@ Json levelJson(const LevelSummary& level)
 }
 
 } // namespace
-
-int AccuracySummary::sweeps() const
-{
-  int sum = 0;
-  for (const auto& level : levels)
-    sum += level.sweeps;
-  return sum;
-}
-
-std::int64_t AccuracySummary::totalDofs() const
-{
-  std::int64_t sum = 0;
-  for (const auto& level : levels)
-    sum += level.dofs;
-  return sum;
-}
 
 Json accuracyJson(const std::optional<AccuracySummary>& accuracy)
 {

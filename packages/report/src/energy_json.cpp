@@ -1,6 +1,6 @@
 #include "summary_json.hpp"
 
-// docs/summary.schema.json describes what is written here; tests/io holds the two together.
+// docs/summary.schema.json describes what is written here; tests/report holds the two together.
 
 namespace ndframe
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/io/summary.hpp"
+#include "ndframe/run/run_summary.hpp"
 
 namespace ndframe::test
 {

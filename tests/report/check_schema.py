@@ -1,4 +1,4 @@
-"""Checks the summaries that write_samples writes against docs/summary.schema.json: check_schema.py WRITE_SAMPLES SCHEMA."""
+"""Checks the summaries that write_summaries writes against docs/summary.schema.json: check_schema.py WRITE_SUMMARIES SCHEMA."""
 
 import copy
 import json
@@ -10,7 +10,7 @@ import unittest
 
 import jsonschema
 
-WRITE_SAMPLES, SCHEMA = sys.argv[1:3]
+WRITE_SUMMARIES, SCHEMA = sys.argv[1:3]
 #: Keys that not every summary has, by the path of their object.
 OPTIONAL = {(): {"probes"}}
 
@@ -39,7 +39,7 @@ class SummaryFollowsItsSchema(unittest.TestCase):
         jsonschema.Draft7Validator.check_schema(schema)
         cls.validator = jsonschema.Draft7Validator(schema)
         with tempfile.TemporaryDirectory() as folder:
-            subprocess.run([WRITE_SAMPLES, folder], check=True)
+            subprocess.run([WRITE_SUMMARIES, folder], check=True)
             cls.samples = [json.loads(path.read_text()) for path in sorted(pathlib.Path(folder).glob("*.summary.json"))]
 
     def test_samples_are_valid(self):

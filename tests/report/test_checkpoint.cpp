@@ -7,7 +7,7 @@
 #include <gtest/gtest.h>
 
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/io/checkpoint.hpp"
+#include "ndframe/report/checkpoint_bytes.hpp"
 
 namespace
 {

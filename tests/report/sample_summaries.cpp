@@ -1,4 +1,4 @@
-#include "io/sample_summaries.hpp"
+#include "report/sample_summaries.hpp"
 
 #include <limits>
 

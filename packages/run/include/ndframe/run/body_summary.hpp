@@ -4,18 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/condensation/reactions.hpp"
+
 namespace ndframe
 {
-
-/// What one support does to its body. In the plane forces are per unit thickness.
-struct SupportSummary
-{
-  /// Of its list in the deck, and in words.
-  std::string name, description; ///< "ground", "clamp at bottom"
-  std::vector<double> force;     ///< resultant
-  std::vector<double> moment;    ///< about the centre of its side: about z in the plane, about x, y, z in space
-  std::vector<double> centre;    ///< of its side, or the mean of the nodes that it holds; dim coordinates
-};
 
 /// A largest value and where it is.
 struct PeakSummary

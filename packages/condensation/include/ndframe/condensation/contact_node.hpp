@@ -1,16 +1,15 @@
 #pragma once
 
-#include <string>
-#include <vector>
+#include <array>
 
 namespace ndframe
 {
 
-/// One interface node in NAME.contact.csv.
+/// One interface node of a solved scene, a row of NAME.contact.csv.
 struct ContactNode
 {
-  std::string interface;          ///< name
-  std::vector<double> point;      ///< dim coordinates
+  int interface = 0;              ///< index in the model
+  std::array<double, 3> point{};  ///< undeformed; z = 0 in the plane
   double arcLength = 0.0;         ///< along the side, from where it begins (2-D)
   double uDirichlet = 0.0;        ///< u1_N
   double uNeumann = 0.0;          ///< u2_N
@@ -22,9 +21,5 @@ struct ContactNode
   bool closed = false;            ///< status; false where the node has no unknown of its own
   double condition = 0.0;         ///< what is closed at 0: the gap, or its Bernstein coefficient; not written
 };
-
-/// The table as CSV text: a header line with the column names, then one line per node sorted as given,
-/// 17 significant digits, `closed` as 0 or 1. 2-D files have no z column, 3-D files no arc_length.
-std::string contactCsv(const std::vector<ContactNode>& nodes, int dim);
 
 } // namespace ndframe

@@ -40,8 +40,4 @@ struct ProbeSummary
   std::optional<SideSummary> side;  ///< absent for points and lines
 };
 
-/// NAME.probes.csv: a line of names, then one line a point or side. Columns that say nothing of a probe are empty.
-/// 17 significant digits. 2-D files have no z components, and one moment.
-std::string probesCsv(const std::vector<ProbeSummary>& probes, int dim);
-
 } // namespace ndframe

@@ -4,7 +4,7 @@
 #include <optional>
 #include <string>
 
-#include "ndframe/io/energy_summary.hpp"
+#include "ndframe/certification/energy_summary.hpp"
 
 namespace ndframe
 {
