@@ -116,8 +116,31 @@ TEST(DenseOperator, InverseIsNotMovedToSingularSets)
   EXPECT_TRUE(inverse->moveTo(isFree));
   const Vector product = A->apply(inverse->solve(b));
   for (std::size_t i = 0; i < 300; ++i)
-    if (isFree[i])
+    if (isFree[i]) {
       EXPECT_NEAR(product[i], b[i], 1e-9);
+    }
+}
+
+TEST(DenseOperator, InversesOfOneSetShareItsFactorAndNothingElse)
+{
+  const auto A = makeDenseOperator(chain(300));
+  std::vector<char> isFree(300, 1), other;
+  isFree[17] = 0;
+  other = isFree;
+  other[40] = 0;
+  Vector b(300, 1.0);
+  b[150] = -3.0;
+  const auto first = A->inverseOn(isFree, 0.0), second = A->inverseOn(isFree, 0.0);
+  const Vector x = first->solve(b);
+  EXPECT_EQ(second->solve(b), x);
+  EXPECT_TRUE(first->moveTo(other));
+  EXPECT_EQ(second->solve(b), x);
+  const auto third = A->inverseOn(other, 0.0), shifted = A->inverseOn(other, 1.0); // other factors
+  EXPECT_EQ(second->solve(b), x);
+  const Vector moved = first->solve(b), anew = third->solve(b);
+  for (std::size_t i = 0; i < 300; ++i)
+    EXPECT_NEAR(moved[i], anew[i], 1e-9 * std::abs(anew[i])) << i;
+  EXPECT_LT(std::abs(shifted->solve(b)[150]), std::abs(anew[150]));
 }
 
 TEST(DenseOperator, SmallInversesAreMadeAnew)

@@ -1,5 +1,6 @@
 #include "ndframe/algebra/symmetric_operator.hpp"
 
+#include <mutex>
 #include <utility>
 
 #include "moved_set.hpp"
@@ -43,13 +44,25 @@ DenseCholesky factorOf(const DenseMatrix& A, const std::vector<int>& indices, do
   }
 }
 
+/// A factor of A_FF + shift I, which several inverses may use.
+struct FactoredSet
+{
+  FactoredSet(const DenseMatrix& A, const std::vector<char>& set, double setShift)
+      : isFree(set), shift(setShift), indices(indicesOf(isFree)), factor(factorOf(A, indices, shift))
+  {}
+  std::vector<char> isFree;
+  double shift;
+  std::vector<int> indices;
+  DenseCholesky factor;
+};
+
 /// Sets that differ little from the factored one are solved from its factor (MovedSet), where factors are dear.
 class DenseInverse final : public RestrictedInverse
 {
 public:
-  DenseInverse(const DenseMatrix& A, std::vector<char> isFree, double shift)
-      : indices_(indicesOf(isFree)), isFree_(std::move(isFree)), factor_(factorOf(A, indices_, shift)),
-        moved_(A, factor_, placesOf(indices_, isFree_.size()), shift)
+  DenseInverse(const DenseMatrix& A, std::shared_ptr<const FactoredSet> set)
+      : set_(std::move(set)), isFree_(set_->isFree),
+        moved_(A, set_->factor, placesOf(set_->indices, isFree_.size()), set_->shift)
   {}
   DenseInverse(const DenseInverse&) = delete;
   DenseInverse& operator=(const DenseInverse&) = delete;
@@ -57,24 +70,25 @@ public:
   Vector solve(const Vector& b) const override
   {
     NDFRAME_ASSERT(b.size() == isFree_.size(), "shapes do not match");
-    Vector restricted(indices_.size());
-    for (std::size_t i = 0; i < indices_.size(); ++i)
-      restricted[i] = isFree_[std::size_t(indices_[i])] ? b[std::size_t(indices_[i])] : 0.0;
+    const auto& [factoredSet, shift, indices, factor] = *set_;
+    Vector restricted(indices.size());
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      restricted[i] = isFree_[std::size_t(indices[i])] ? b[std::size_t(indices[i])] : 0.0;
     Vector x(isFree_.size(), 0.0);
     if (moved_.isMoved())
-      restricted = factor_.solveUpper(moved_.corrected(factor_.solveLower(std::move(restricted)), b, x));
+      restricted = factor.solveUpper(moved_.corrected(factor.solveLower(std::move(restricted)), b, x));
     else
-      restricted = factor_.solve(std::move(restricted));
-    for (std::size_t i = 0; i < indices_.size(); ++i)
-      if (isFree_[std::size_t(indices_[i])]) // else a zero, but for round-off
-        x[std::size_t(indices_[i])] = restricted[i];
+      restricted = factor.solve(std::move(restricted));
+    for (std::size_t i = 0; i < indices.size(); ++i)
+      if (isFree_[std::size_t(indices[i])]) // else a zero, but for round-off
+        x[std::size_t(indices[i])] = restricted[i];
     return x;
   }
 
   bool moveTo(const std::vector<char>& isFree) override
   {
     constexpr int smallest = 200, rows = 8; // a factor costs as much as that of a third of its rows moved
-    const auto size = int(indices_.size());
+    const auto size = int(set_->indices.size());
     if (size < smallest || !moved_.moveTo(isFree, size / rows))
       return false;
     isFree_ = isFree;
@@ -90,12 +104,13 @@ private:
     return places;
   }
 
-  std::vector<int> indices_; ///< that are factored
+  std::shared_ptr<const FactoredSet> set_;
   std::vector<char> isFree_; ///< that are solved for
-  DenseCholesky factor_;
   MovedSet moved_;
 };
 
+/// Keeps its last factor: the role spectrum, the Neumann problem, the iteration error and the certificate's fields ask
+/// for the same set.
 class DenseOperator final : public SymmetricOperator
 {
 public:
@@ -109,12 +124,24 @@ public:
   std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const override
   {
     NDFRAME_ASSERT(int(isFree.size()) == size(), "one flag per entry is needed");
-    return std::make_unique<DenseInverse>(A_, isFree, shift);
+    return std::make_unique<DenseInverse>(A_, factored(isFree, shift));
   }
   const DenseMatrix* dense() const override { return &A_; }
 
 private:
+  std::shared_ptr<const FactoredSet> factored(const std::vector<char>& isFree, double shift) const
+  {
+    const std::lock_guard lock(mutex_);
+    if (!last_ || last_->shift != shift || last_->isFree != isFree) {
+      last_.reset(); // its memory serves the next one
+      last_ = std::make_shared<const FactoredSet>(A_, isFree, shift);
+    }
+    return last_;
+  }
+
   DenseMatrix A_;
+  mutable std::mutex mutex_;
+  mutable std::shared_ptr<const FactoredSet> last_;
 };
 
 } // namespace
