@@ -56,6 +56,30 @@ TEST(ZienkiewiczZhu, CopesWithMeshesTooSmallForItsPolynomials)
   }
 }
 
+/// However stretched they are, and along whatever axis: patches that grew through such meshes took minutes.
+TEST(ZienkiewiczZhu, LooksNoFurtherThanAFewCells)
+{
+  for (const int order : {1, 2})
+    for (const double height : {1.0, 300.0, 1e5}) {
+      const BodyModel body = makeBody(moved(box({40, 2}, "Alternating"),
+                                            [&](double* x) {
+                                              const double y = height * x[1];
+                                              x[1] = 0.5 * x[0] + 0.8 * y;
+                                              x[0] = 0.8 * x[0] - 0.5 * y;
+                                            }),
+                                      order);
+      Vector u = randomField(body);
+      const Vector before = zienkiewiczZhu(body, u);
+      int changed = 0;
+      u.front() += 1.0; // at the first corner
+      const Vector after = zienkiewiczZhu(body, u);
+      for (std::size_t c = 0; c < before.size(); ++c)
+        changed += after[c] != before[c];
+      EXPECT_GT(changed, 0);
+      EXPECT_LT(changed, 40) << "order " << order << ", height " << height << ", of " << before.size();
+    }
+}
+
 /// sigma* tends to sigma faster than sigma_h: the estimate over the error tends to one.
 TEST(ZienkiewiczZhu, TendsToTheErrorOnUniformMeshes)
 {

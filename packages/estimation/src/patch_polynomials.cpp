@@ -15,23 +15,58 @@ namespace
 /// A pivot below this, relative to the largest diagonal entry of the normal equations: the samples do not determine the
 /// polynomial (they lie nearly on a line or a conic).
 constexpr double wellDetermined = 1e-6;
-constexpr int mostTerms = 10; ///< degree 2 in space
+constexpr double thinnest = 1e-13; ///< square of width over length of a patch that is no line
+constexpr int mostTerms = 10;      ///< degree 2 in space
 
 int numTerms(int dim, int degree)
 {
   return degree == 0 ? 1 : degree == 1 ? dim + 1 : (dim + 1) * (dim + 2) / 2;
 }
 
-/// 1, x_k, x_k x_l at (x - origin) / scale; as many as the degree has.
-void monomials(int dim, int degree, const double* x, const double* origin, double scale, double* m)
+/// 1, y_k, y_k y_l at y = T (x - origin); as many as the degree has.
+void monomials(int dim, int degree, const double* x, const double* origin, const PatchFrame& T, double* m)
 {
   double* next = m;
   *next++ = 1.0;
-  for (int k = 0; k < dim && degree >= 1; ++k)
-    *next++ = (x[k] - origin[k]) / scale;
+  for (int k = 0; k < dim && degree >= 1; ++k) {
+    double y = 0.0;
+    for (int l = 0; l <= k; ++l)
+      y += T[std::size_t(3 * k + l)] * (x[l] - origin[l]);
+    *next++ = y;
+  }
   for (int k = 0; k < dim && degree >= 2; ++k)
     for (int l = 0; l <= k; ++l)
       *next++ = m[1 + k] * m[1 + l];
+}
+
+/// L^-1 of second moments L L^T, sizes of the axes taken out first; zero where the samples lie on a line or plane.
+PatchFrame frameOf(int dim, const PatchFrame& moments)
+{
+  PatchFrame L{}, T{};
+  std::array<double, 3> size{};
+  for (int k = 0; k < dim; ++k)
+    size[std::size_t(k)] = std::sqrt(moments[std::size_t(4 * k)]);
+  for (int k = 0; k < dim; ++k)
+    for (int l = 0; l <= k; ++l) {
+      const auto at = std::size_t(3 * k + l);
+      double entry = moments[at] / (size[std::size_t(k)] * size[std::size_t(l)]);
+      for (int m = 0; m < l; ++m)
+        entry -= L[std::size_t(3 * k + m)] * L[std::size_t(3 * l + m)];
+      if (k == l && !(entry > thinnest))
+        return {};
+      L[at] = k == l ? std::sqrt(entry) : entry / L[std::size_t(4 * l)];
+    }
+  for (int k = 0; k < dim; ++k)
+    for (int l = 0; l <= k; ++l) {
+      double entry = k == l ? 1.0 : 0.0;
+      for (int m = l; m < k; ++m)
+        entry -= L[std::size_t(3 * k + m)] * T[std::size_t(3 * m + l)];
+      T[std::size_t(3 * k + l)] = entry / L[std::size_t(4 * k)];
+    }
+  for (int k = 0; k < dim; ++k)
+    for (int l = 0; l <= k; ++l)
+      T[std::size_t(3 * k + l)] /= size[std::size_t(l)];
+  return T;
 }
 
 /// All cells with a vertex in common with one of these.
@@ -58,7 +93,7 @@ public:
       : mesh_(mesh), samples_(samples), origin_(mesh.point(vertex))
   {}
 
-  double scale() const { return scale_; }
+  const PatchFrame& frame() const { return frame_; }
 
   /// Writes the coefficients of a polynomial of this degree; false when the cells' samples do not determine it.
   bool solve(const std::vector<int>& cells, int degree, double* coefficients)
@@ -66,12 +101,14 @@ public:
     const int terms = numTerms(mesh_.dim, degree);
     if (degree > 0 && int(cells.size()) * samples_.perCell < 2 * terms)
       return false;
-    setScale(cells);
+    frame_ = frameOf(mesh_.dim, moments(cells));
+    if (degree > 0 && frame_[0] == 0.0)
+      return false;
     DenseMatrix normal(terms, terms), right(terms, samples_.components);
     double m[mostTerms];
     for (const int cell : cells)
       for (int s = cell * samples_.perCell; s < (cell + 1) * samples_.perCell; ++s) {
-        monomials(mesh_.dim, degree, point(s), origin_, scale_, m);
+        monomials(mesh_.dim, degree, point(s), origin_, frame_, m);
         for (int i = 0; i < terms; ++i) {
           for (int j = 0; j < terms; ++j)
             normal(i, j) += m[i] * m[j];
@@ -98,24 +135,29 @@ private:
     return samples_.points.data() + std::size_t(sample) * std::size_t(mesh_.dim);
   }
 
-  void setScale(const std::vector<int>& cells)
+  /// Mean of (x - origin) (x - origin)^T, its lower triangle.
+  PatchFrame moments(const std::vector<int>& cells) const
   {
-    scale_ = 0.0;
+    PatchFrame sum{};
     for (const int cell : cells)
       for (int s = cell * samples_.perCell; s < (cell + 1) * samples_.perCell; ++s)
         for (int k = 0; k < mesh_.dim; ++k)
-          scale_ = std::max(scale_, std::abs(point(s)[k] - origin_[k]));
+          for (int l = 0; l <= k; ++l)
+            sum[std::size_t(3 * k + l)] += (point(s)[k] - origin_[k]) * (point(s)[l] - origin_[l]);
+    for (double& entry : sum)
+      entry /= double(cells.size()) * samples_.perCell;
+    return sum;
   }
 
   const Mesh& mesh_;
   const PatchSamples& samples_;
   const double* origin_;
-  double scale_ = 0.0;
+  PatchFrame frame_{};
 };
 
 PatchPolynomials::PatchPolynomials(const Mesh& mesh, int degree, const PatchSamples& samples)
     : mesh_(mesh), degree_(degree), components_(samples.components), terms_(numTerms(mesh.dim, degree)),
-      scale_(std::size_t(mesh.numPoints())),
+      frames_(std::size_t(mesh.numPoints())),
       coefficients_(std::size_t(mesh.numPoints()) * std::size_t(terms_) * std::size_t(components_), 0.0)
 {
   NDFRAME_ASSERT(degree <= 2, "polynomials of degree 2 at most");
@@ -130,7 +172,7 @@ PatchPolynomials::PatchPolynomials(const Mesh& mesh, int degree, const PatchSamp
         --d;
       cells = std::move(grown);
     }
-    scale_[std::size_t(v)] = fit.scale();
+    frames_[std::size_t(v)] = fit.frame();
   }
 }
 
@@ -140,7 +182,7 @@ void PatchPolynomials::blend(const int* vertices, const double* lambda, const do
   std::fill(values, values + components_, 0.0);
   for (int a = 0; a <= mesh_.dim; ++a) {
     const auto v = std::size_t(vertices[a]);
-    monomials(mesh_.dim, degree_, x, mesh_.point(vertices[a]), scale_[v], m);
+    monomials(mesh_.dim, degree_, x, mesh_.point(vertices[a]), frames_[v], m);
     const double* coefficient = coefficients_.data() + v * std::size_t(terms_) * std::size_t(components_);
     for (int i = 0; i < terms_; ++i)
       for (int c = 0; c < components_; ++c)

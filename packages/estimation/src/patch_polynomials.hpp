@@ -1,6 +1,9 @@
 #pragma once
 
-#include "ndframe/algebra/comm.hpp"
+#include <array>
+#include <vector>
+
+#include "ndframe/algebra/dense.hpp"
 #include "ndframe/mesh/mesh.hpp"
 
 namespace ndframe
@@ -14,10 +17,14 @@ struct PatchSamples
   Vector values; ///< per cell, sample: components
 };
 
+/// Coordinates of a patch: T (x - origin), T lower triangular, by rows; zero above and beyond the dimension.
+using PatchFrame = std::array<double, 9>;
+
 /// At every vertex the polynomials (one per component) nearest in least squares to the samples in the cells around it.
 ///
-/// Rings of cells are added until there are twice as many samples as coefficients and these are well determined; a mesh
-/// that is too small for that gets polynomials of lower degree.
+/// Rings of cells are added until there are twice as many samples as coefficients and these are well determined, in
+/// coordinates in which the samples' second moments about the vertex are 1, so that stretched cells need no more rings;
+/// a mesh that is too small for that gets polynomials of lower degree.
 class PatchPolynomials
 {
 public:
@@ -31,8 +38,8 @@ private:
 
   const Mesh& mesh_;
   int degree_, components_, terms_;
-  Vector scale_;        ///< per vertex: size of the patch
-  Vector coefficients_; ///< per vertex, term, component
+  std::vector<PatchFrame> frames_; ///< per vertex
+  Vector coefficients_;            ///< per vertex, term, component
 };
 
 } // namespace ndframe
