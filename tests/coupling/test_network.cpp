@@ -9,6 +9,7 @@
 #include "coupling/sample_systems.hpp"
 #include "feti_problem.hpp"
 #include "network_problem.hpp"
+#include "network_statuses.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -26,7 +27,8 @@ Solution solvedAsNetwork(const InterfaceSystem& system)
 {
   const Network network = networkOf(system);
   Ledger ledger;
-  NetworkProblem problem(network, ledger);
+  NetworkProblem factored(network, ledger);
+  NetworkStatuses problem(network, factored, refinedTolerance, ledger);
   Solution solution;
   solution.status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
                                  std::vector<char>(network.bound.size(), 1), ledger);

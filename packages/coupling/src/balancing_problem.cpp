@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/base/diagnostics.hpp"
+
 namespace ndframe
 {
 namespace
@@ -26,8 +28,8 @@ BalancingProblem::BalancingProblem(const Network& network, double tolerance, Led
 
 bool BalancingProblem::holds(const std::vector<char>& closed)
 {
-  if (!set_ || !set_->isOf(closed, 0.0))
-    set_ = std::make_unique<BalancingSet>(network_, bodies_, closed, 0.0);
+  if (!set_ || !set_->isOf(closed))
+    set_ = std::make_unique<BalancingSet>(network_, bodies_, closed);
   return set_->holds();
 }
 
@@ -60,16 +62,15 @@ Vector BalancingProblem::solveSet(Vector residual)
 
 void BalancingProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
 {
-  if (!holds(closed) && proximal == 0.0)
+  NDFRAME_ASSERT(proximal == 0.0, "sets that leave bodies free are solved by forces");
+  if (!holds(closed))
     throw NotPositiveDefinite(-1);
-  if (proximal > 0.0)
-    set_ = std::make_unique<BalancingSet>(network_, bodies_, closed, proximal);
-  bodies_.factor(proximal);
+  bodies_.factor(0.0);
   const ClosedRows& rows = set_->rows();
-  const Vector centre = v_, start = rows.expanded(Vector(std::size_t(rows.numFree()), 0.0));
-  v_ = rows.expanded(solveSet(rows.reduced(bodies_.unbalanced(start, proximal, centre))));
-  Vector rest = bodies_.unbalanced(v_, proximal, centre);
-  pass.unbalanced = largestEntry(rows.reduced(bodies_.unbalanced(v_, 0.0, centre)));
+  const Vector start = rows.expanded(Vector(std::size_t(rows.numFree()), 0.0));
+  v_ = rows.expanded(solveSet(rows.reduced(bodies_.unbalanced(start, 0.0, start))));
+  Vector rest = bodies_.unbalanced(v_, 0.0, v_);
+  pass.unbalanced = largestEntry(rows.reduced(rest));
   for (double& value : rest)
     value = -value;
   pass.force = rows.forces(rest);

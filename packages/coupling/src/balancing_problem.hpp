@@ -22,6 +22,7 @@ public:
   BalancingProblem(const Network& network, double tolerance, Ledger& ledger);
 
   bool holds(const std::vector<char>& closed) override;
+  /// proximal: 0; for sets that hold the bodies (NetworkStatuses).
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
   const std::vector<std::string>& motions() const override { return motions_; }

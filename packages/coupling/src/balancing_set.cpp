@@ -4,9 +4,8 @@
 
 namespace ndframe
 {
-BalancingSet::BalancingSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed,
-                           double proximal)
-    : network_(network), bodies_(bodies), closed_(closed), proximal_(proximal),
+BalancingSet::BalancingSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed)
+    : network_(network), bodies_(bodies), closed_(closed),
       rows_(network.jump, tightestFirst(network, closed), network.bound, network.size())
 {
   for (int entry = 0; entry < network.size(); ++entry)
@@ -19,11 +18,7 @@ BalancingSet::BalancingSet(const Network& network, const NetworkBodies& bodies, 
 
 Vector BalancingSet::product(const Vector& y) const
 {
-  const Vector v = rows_.direction(y);
-  Vector f = bodies_.stiff(v);
-  for (std::size_t k = 0; proximal_ > 0.0 && k < f.size(); ++k)
-    f[k] += proximal_ * bodies_.weight()[k] * v[k];
-  return rows_.reduced(f);
+  return rows_.reduced(bodies_.stiff(rows_.direction(y)));
 }
 
 /// A times a vector of few entries, in the time that these take. Both sums are zero before and after.
@@ -31,12 +26,7 @@ SparseRow BalancingSet::product(const SparseRow& column, SparseSum& entries, Spa
 {
   for (const auto& [y, value] : column)
     entries.add(entries_[std::size_t(y)], value);
-  const auto apply = [&](std::size_t body, const Vector& own) {
-    Vector f = network_.bodies[body]->S->apply(own);
-    for (std::size_t k = 0; proximal_ > 0.0 && k < f.size(); ++k)
-      f[k] += proximal_ * bodies_.weight()[std::size_t(network_.offsets[body]) + k] * own[k];
-    return f;
-  };
+  const auto apply = [&](std::size_t body, const Vector& own) { return network_.bodies[body]->S->apply(own); };
   bodies_.bodyByBody(entries.take(), apply, [&](std::size_t entry, double force) { free.add(inFree_[entry], force); });
   return free.take();
 }

@@ -9,17 +9,14 @@ namespace ndframe
 {
 
 /// One set of closed unknowns for balancing domain decomposition (BalancingProblem has the equations): the bodies'
-/// displacements v = Z y + v_0 that meet it, A = Z^T (S + proximal D) Z and the parts of its preconditioner.
+/// displacements v = Z y + v_0 that meet it, A = Z^T S Z and the parts of its preconditioner.
 class BalancingSet
 {
 public:
   /// Network and bodies must outlive it.
-  BalancingSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed, double proximal);
+  BalancingSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed);
 
-  bool isOf(const std::vector<char>& closed, double proximal) const
-  {
-    return closed == closed_ && proximal == proximal_;
-  }
+  bool isOf(const std::vector<char>& closed) const { return closed == closed_; }
   /// Whether supports and closed unknowns stop all motions.
   bool holds() const { return bodies_.numMotions() == 0 || coarse_ != nullptr; }
   const ClosedRows& rows() const { return rows_; }
@@ -38,7 +35,6 @@ private:
   const Network& network_;
   const NetworkBodies& bodies_;
   std::vector<char> closed_;
-  double proximal_;
   ClosedRows rows_;
   std::vector<SparseRow> inFree_, entries_; ///< Z by entries of v, and Z^T
   Averages average_;                        ///< E = (Z^T D Z)^-1 Z^T D

@@ -1,7 +1,7 @@
 #include <algorithm>
 
-#include "feti_problem.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "network_problem.hpp"
 #include "network_statuses.hpp"
 #include "sweep.hpp"
 #include "whole_problem.hpp"
@@ -81,7 +81,8 @@ private:
                                       InterfaceState& state)
   {
     const Network network = networkOf(system);
-    NetworkStatuses problem(network, refinedTolerance, ledger);
+    NetworkProblem factored(network, ledger);
+    NetworkStatuses problem(network, factored, refinedTolerance, ledger);
     UnilateralState status = findStatuses(problem, network, system, start, ledger);
     const Vector v = refinedForces(network, problem.displacement(), status, ledger);
     state = stateAt(network, system, v, status);

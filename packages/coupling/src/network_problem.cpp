@@ -67,7 +67,7 @@ bool NetworkProblem::holds(const std::vector<char>& closed)
   stiffness_ = reducedStiffness();
   factor_.reset();
   try {
-    factor_ = std::make_shared<SparseCholesky>(stiffness_);
+    factor_ = std::make_unique<SparseCholesky>(stiffness_);
     ledger_.count("interface factorisations");
   } catch (const NotPositiveDefinite&) {
     return false;
@@ -77,22 +77,21 @@ bool NetworkProblem::holds(const std::vector<char>& closed)
 
 void NetworkProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
 {
-  if (!holds(closed) && proximal == 0.0)
+  NDFRAME_ASSERT(proximal == 0.0, "sets that leave bodies free are solved by forces");
+  if (!holds(closed))
     throw NotPositiveDefinite(-1);
-  const Vector centre = v_;
-  const auto factor = proximal == 0.0 ? factor_ : std::make_shared<SparseCholesky>(shiftedStiffness(proximal));
   v_ = rows_->expanded(Vector(std::size_t(rows_->numFree()), 0.0));
-  Vector rest = unbalanced(v_, proximal, centre);
+  Vector rest = unbalanced(v_);
   for (int step = 0; step < 2; ++step) { // the second one is iterative refinement, mostly without need
     const Vector right = rows_->reduced(rest);
     if (step > 0 && largestEntry(right) <= statusRoundOff * largestEntry(network_.g))
       break;
-    const Vector change = rows_->direction(factor->solve(right));
+    const Vector change = rows_->direction(factor_->solve(right));
     for (std::size_t k = 0; k < v_.size(); ++k)
       v_[k] += change[k];
-    rest = unbalanced(v_, proximal, centre);
+    rest = unbalanced(v_);
   }
-  pass.unbalanced = largestEntry(rows_->reduced(proximal == 0.0 ? rest : unbalanced(v_, 0.0, centre)));
+  pass.unbalanced = largestEntry(rows_->reduced(rest));
   for (double& value : rest)
     value = -value;
   pass.force = rows_->forces(rest);
@@ -100,24 +99,10 @@ void NetworkProblem::solve(const std::vector<char>& closed, double proximal, Sta
 }
 
 /// One of NetworkBodies, counted.
-Vector NetworkProblem::unbalanced(const Vector& v, double proximal, const Vector& centre) const
+Vector NetworkProblem::unbalanced(const Vector& v) const
 {
   ledger_.count("interface products");
-  return bodies_.unbalanced(v, proximal, centre);
-}
-
-/// Z^T (S + proximal D) Z.
-SymmetricEntries NetworkProblem::shiftedStiffness(double proximal) const
-{
-  SymmetricEntries shifted = stiffness_;
-  for (std::size_t v = 0; v < v_.size(); ++v) {
-    const SparseRow inFree = rows_->inFree(int(v));
-    for (const auto& [i, first] : inFree)
-      for (const auto& [j, second] : inFree)
-        if (i <= j)
-          shifted.add(i, j, proximal * bodies_.weight()[v] * first * second);
-  }
-  return shifted;
+  return bodies_.unbalanced(v, 0.0, v);
 }
 
 } // namespace ndframe

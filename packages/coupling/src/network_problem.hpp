@@ -21,6 +21,7 @@ public:
 
   /// By the factor: its pivots vanish where a motion is left.
   bool holds(const std::vector<char>& closed) override;
+  /// proximal: 0; for sets that hold the bodies (NetworkStatuses).
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
   /// In a network some body or other is often without contact for a while.
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
@@ -32,8 +33,7 @@ public:
 private:
   SymmetricEntries reducedStiffness() const;
   void addBody(std::size_t body, std::vector<int>& local, SymmetricEntries& entries) const;
-  Vector unbalanced(const Vector& v, double proximal, const Vector& centre) const;
-  SymmetricEntries shiftedStiffness(double proximal) const;
+  Vector unbalanced(const Vector& v) const;
 
   const Network& network_;
   Ledger& ledger_;
@@ -43,7 +43,7 @@ private:
   std::vector<char> closed_; ///< that the following belongs to
   std::optional<ClosedRows> rows_;
   SymmetricEntries stiffness_;
-  std::shared_ptr<SparseCholesky> factor_; ///< null where nothing holds the bodies
+  std::unique_ptr<SparseCholesky> factor_; ///< null where nothing holds the bodies
 };
 
 } // namespace ndframe

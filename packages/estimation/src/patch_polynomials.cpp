@@ -31,7 +31,7 @@ void monomials(int dim, int degree, const double* x, const double* origin, const
   for (int k = 0; k < dim && degree >= 1; ++k) {
     double y = 0.0;
     for (int l = 0; l <= k; ++l)
-      y += T[std::size_t(3 * k + l)] * (x[l] - origin[l]);
+      y += T[std::size_t(k)][std::size_t(l)] * (x[l] - origin[l]);
     *next++ = y;
   }
   for (int k = 0; k < dim && degree >= 2; ++k)
@@ -40,32 +40,31 @@ void monomials(int dim, int degree, const double* x, const double* origin, const
 }
 
 /// L^-1 of second moments L L^T, sizes of the axes taken out first; zero where the samples lie on a line or plane.
-PatchFrame frameOf(int dim, const PatchFrame& moments)
+PatchFrame frameOf(std::size_t dim, const PatchFrame& moments)
 {
   PatchFrame L{}, T{};
   std::array<double, 3> size{};
-  for (int k = 0; k < dim; ++k)
-    size[std::size_t(k)] = std::sqrt(moments[std::size_t(4 * k)]);
-  for (int k = 0; k < dim; ++k)
-    for (int l = 0; l <= k; ++l) {
-      const auto at = std::size_t(3 * k + l);
-      double entry = moments[at] / (size[std::size_t(k)] * size[std::size_t(l)]);
-      for (int m = 0; m < l; ++m)
-        entry -= L[std::size_t(3 * k + m)] * L[std::size_t(3 * l + m)];
+  for (std::size_t k = 0; k < dim; ++k)
+    size[k] = std::sqrt(moments[k][k]);
+  for (std::size_t k = 0; k < dim; ++k)
+    for (std::size_t l = 0; l <= k; ++l) {
+      double entry = moments[k][l] / (size[k] * size[l]);
+      for (std::size_t m = 0; m < l; ++m)
+        entry -= L[k][m] * L[l][m];
       if (k == l && !(entry > thinnest))
         return {};
-      L[at] = k == l ? std::sqrt(entry) : entry / L[std::size_t(4 * l)];
+      L[k][l] = k == l ? std::sqrt(entry) : entry / L[l][l];
     }
-  for (int k = 0; k < dim; ++k)
-    for (int l = 0; l <= k; ++l) {
+  for (std::size_t k = 0; k < dim; ++k)
+    for (std::size_t l = 0; l <= k; ++l) {
       double entry = k == l ? 1.0 : 0.0;
-      for (int m = l; m < k; ++m)
-        entry -= L[std::size_t(3 * k + m)] * T[std::size_t(3 * m + l)];
-      T[std::size_t(3 * k + l)] = entry / L[std::size_t(4 * k)];
+      for (std::size_t m = l; m < k; ++m)
+        entry -= L[k][m] * T[m][l];
+      T[k][l] = entry / L[k][k];
     }
-  for (int k = 0; k < dim; ++k)
-    for (int l = 0; l <= k; ++l)
-      T[std::size_t(3 * k + l)] /= size[std::size_t(l)];
+  for (auto& row : T)
+    for (std::size_t l = 0; l < dim; ++l)
+      row[l] /= size[l];
   return T;
 }
 
@@ -101,8 +100,8 @@ public:
     const int terms = numTerms(mesh_.dim, degree);
     if (degree > 0 && int(cells.size()) * samples_.perCell < 2 * terms)
       return false;
-    frame_ = frameOf(mesh_.dim, moments(cells));
-    if (degree > 0 && frame_[0] == 0.0)
+    frame_ = frameOf(std::size_t(mesh_.dim), moments(cells));
+    if (degree > 0 && frame_[0][0] == 0.0)
       return false;
     DenseMatrix normal(terms, terms), right(terms, samples_.components);
     double m[mostTerms];
@@ -143,9 +142,10 @@ private:
       for (int s = cell * samples_.perCell; s < (cell + 1) * samples_.perCell; ++s)
         for (int k = 0; k < mesh_.dim; ++k)
           for (int l = 0; l <= k; ++l)
-            sum[std::size_t(3 * k + l)] += (point(s)[k] - origin_[k]) * (point(s)[l] - origin_[l]);
-    for (double& entry : sum)
-      entry /= double(cells.size()) * samples_.perCell;
+            sum[std::size_t(k)][std::size_t(l)] += (point(s)[k] - origin_[k]) * (point(s)[l] - origin_[l]);
+    for (auto& row : sum)
+      for (double& entry : row)
+        entry /= double(cells.size()) * samples_.perCell;
     return sum;
   }
 

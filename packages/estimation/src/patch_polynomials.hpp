@@ -17,8 +17,8 @@ struct PatchSamples
   Vector values; ///< per cell, sample: components
 };
 
-/// Coordinates of a patch: T (x - origin), T lower triangular, by rows; zero above and beyond the dimension.
-using PatchFrame = std::array<double, 9>;
+/// Coordinates of a patch: T (x - origin), T lower triangular; zero above and beyond the dimension.
+using PatchFrame = std::array<std::array<double, 3>, 3>;
 
 /// At every vertex the polynomials (one per component) nearest in least squares to the samples in the cells around it.
 ///
