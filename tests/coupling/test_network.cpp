@@ -28,12 +28,13 @@ Solution solvedAsNetwork(const InterfaceSystem& system)
   const Network network = networkOf(system);
   Ledger ledger;
   NetworkProblem factored(network, ledger);
-  NetworkStatuses problem(network, factored, refinedTolerance, ledger);
   Solution solution;
-  solution.status = findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound,
-                                 std::vector<char>(network.bound.size(), 1), ledger);
-  solution.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, problem.displacement());
-  solution.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, problem.displacement()));
+  CouplingStart start;
+  start.closed.assign(std::size_t(system.size()), 1);
+  auto [status, v] = settleNetwork(network, factored, refinedTolerance, system, start, ledger);
+  solution.status = std::move(status);
+  solution.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, v);
+  solution.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, v));
   return solution;
 }
 

@@ -25,14 +25,13 @@ public:
     needStoredOperators(system, "Neumann-Neumann");
     const Network network = networkOf(system);
     BalancingProblem balanced(network, tolerance_, ledger);
-    NetworkStatuses problem(network, balanced, tolerance_, ledger);
     const std::int64_t before = ledger.counted("Neumann-Neumann iterations"), fetiBefore = ledger.counted(fetiCount);
-    UnilateralState status = findStatuses(problem, network, system, start, ledger);
+    auto [status, settledAt] = settleNetwork(network, balanced, tolerance_, system, start, ledger);
     std::string reason = fmt::format("statuses settled in {} steps with {} iterations of Neumann-Neumann",
                                      status.passes, ledger.counted("Neumann-Neumann iterations") - before);
     if (const std::int64_t ofForces = ledger.counted(fetiCount) - fetiBefore; ofForces > 0)
       reason += fmt::format(" and {} of FETI once bodies were loose", ofForces);
-    const Vector v = refinedForces(network, problem.displacement(), status, ledger);
+    const Vector v = refinedForces(network, settledAt, status, ledger);
     CouplingResult result = settled(system, stateAt(network, system, v, status), status, reason);
     observe(result.history.back(), result.state);
     ledger.count("sweeps");

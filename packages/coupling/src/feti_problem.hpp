@@ -33,6 +33,8 @@ public:
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
   const std::vector<std::string>& motions() const override { return motions_; }
 
+  /// Passes end at this tolerance from now on.
+  void endAt(double tolerance) { stop_.tolerance = tolerance; }
   /// The next pass begins with these forces, one per unknown.
   void startFrom(const Vector& force) { force_ = force; }
   /// Of the last pass.

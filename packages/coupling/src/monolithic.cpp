@@ -82,11 +82,10 @@ private:
   {
     const Network network = networkOf(system);
     NetworkProblem factored(network, ledger);
-    NetworkStatuses problem(network, factored, refinedTolerance, ledger);
-    UnilateralState status = findStatuses(problem, network, system, start, ledger);
-    const Vector v = refinedForces(network, problem.displacement(), status, ledger);
+    auto [status, settled] = settleNetwork(network, factored, refinedTolerance, system, start, ledger);
+    const Vector v = refinedForces(network, settled, status, ledger);
     state = stateAt(network, system, v, status);
-    return status;
+    return std::move(status);
   }
 
   /// Two bodies, whatever their operators. Unknowns (w, d), w = u1_N - u2_N <= g the jump and d = u2_N (at obstacles

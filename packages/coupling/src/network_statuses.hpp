@@ -16,9 +16,8 @@ template <class Held>
 class NetworkStatuses final : public StatusSystem
 {
 public:
-  /// tolerance: of the forces, where they are the unknowns. Network and problem must outlive this.
-  NetworkStatuses(const Network& network, Held& held, double tolerance, Ledger& ledger)
-      : network_(network), held_(held), tolerance_(tolerance), ledger_(ledger)
+  /// Network and problem must outlive this.
+  NetworkStatuses(const Network& network, Held& held, Ledger& ledger) : network_(network), held_(held), ledger_(ledger)
   {}
 
   bool holds(const std::vector<char>& closed) override
@@ -26,7 +25,7 @@ public:
     if (!forces_ && held_.holds(closed))
       return true;
     if (!forces_)
-      forces_.emplace(network_, FetiStop{tolerance_}, ledger_);
+      forces_.emplace(network_, FetiStop{tolerance}, ledger_);
     return forces_->holds(closed);
   }
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override
@@ -41,13 +40,42 @@ public:
 
   /// Of the last pass.
   const Vector& displacement() const { return forces_ ? forces_->displacement() : held_.displacement(); }
+  /// Null while all sets held the bodies.
+  FetiProblem* forces() { return forces_ ? &*forces_ : nullptr; }
 
 private:
+  /// Of forces while statuses change: exact ones go round in circles where loose bodies lean on each other.
+  static constexpr double tolerance = 1e-8;
+
   const Network& network_;
   Held& held_;
-  double tolerance_;
   Ledger& ledger_;
   std::optional<FetiProblem> forces_;
 };
+
+/// Where a network settles.
+struct SettledNetwork
+{
+  UnilateralState status;
+  Vector v; ///< the network's displacements
+};
+
+/// The same state with forces to a smaller tolerance, and the few statuses that they change; as it was where these do
+/// not settle at once.
+void sharpen(FetiProblem& forces, double tolerance, const Network& network, SettledNetwork& settled);
+
+/// The statuses of a network by NetworkStatuses, forces to the tolerance.
+template <class Held>
+SettledNetwork settleNetwork(const Network& network, Held& held, double tolerance, const InterfaceSystem& system,
+                             const CouplingStart& start, Ledger& ledger)
+{
+  NetworkStatuses problem(network, held, ledger);
+  SettledNetwork settled;
+  settled.status = findStatuses(problem, network, system, start, ledger);
+  settled.v = problem.displacement();
+  if (FetiProblem* forces = problem.forces())
+    sharpen(*forces, tolerance, network, settled);
+  return settled;
+}
 
 } // namespace ndframe
