@@ -5,6 +5,9 @@
 namespace ndframe
 {
 
+/// StatusSystem::mostDraws() of networks, where loose bodies that lean on each other lead in circles.
+inline constexpr int networkDraws = 400;
+
 /// Where the iterations of a pass end.
 struct FetiStop
 {
@@ -31,6 +34,7 @@ public:
   bool holds(const std::vector<char>& closed) override;
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
+  int mostDraws() const override { return networkDraws; }
   const std::vector<std::string>& motions() const override { return motions_; }
 
   /// Passes end at this tolerance from now on.

@@ -36,6 +36,7 @@ public:
       held_.solve(closed, proximal, pass);
   }
   ProximalLimits proximalLimits() const override { return held_.proximalLimits(); }
+  int mostDraws() const override { return networkDraws; }
   const std::vector<std::string>& motions() const override { return held_.motions(); }
 
   /// Of the last pass.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <set>
 #include <utility>
 
@@ -45,10 +46,20 @@ void solvePass(StatusSystem& system, const std::vector<char>& closed, double pro
   }
 }
 
+/// Heads or tails, the same on every machine.
+bool tossed(int pass, int condition)
+{
+  std::uint64_t mixed = (std::uint64_t(pass) << 32U) + std::uint64_t(condition); // the finaliser of splitmix64
+  mixed = (mixed ^ (mixed >> 30U)) * 0xbf58476d1ce4e5b9U;
+  mixed = (mixed ^ (mixed >> 27U)) * 0x94d049bb133111ebU;
+  return ((mixed ^ (mixed >> 31U)) & 1U) != 0;
+}
+
 /// Which statuses change after a pass.
 class Exchange
 {
 public:
+  explicit Exchange(int draws) : draws_(draws) {}
   void look(const std::vector<char>& closed, std::size_t wrong)
   {
     if (single_ && wrong < fewest_) {
@@ -57,12 +68,17 @@ public:
     }
     if (single_ || seen_.insert(closed).second)
       return;
-    single_ = cycled_ = true;
+    cycled_ = true;
+    single_ = drawn_ >= draws_;
     fewest_ = wrong;
   }
-  void apply(const std::vector<int>& wrong, std::vector<char>& closed) const
+  void apply(const std::vector<int>& wrong, std::vector<char>& closed)
   {
+    const bool draws = cycled_ && !single_ && wrong.size() > 1 && drawn_ < draws_;
+    drawn_ += draws ? 1 : 0;
     for (const int i : wrong) {
+      if (draws && tossed(drawn_, i))
+        continue;
       closed[std::size_t(i)] = !closed[std::size_t(i)];
       if (single_)
         break;
@@ -74,6 +90,7 @@ private:
   std::set<std::vector<char>> seen_;
   std::size_t fewest_ = 0; ///< wrong statuses of a set that came back
   bool single_ = false, cycled_ = false;
+  int draws_, drawn_ = 0; ///< passes that change a half by lot: most, so far
 };
 
 } // namespace
@@ -99,7 +116,7 @@ UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& cons
   const ProximalLimits limits = system.proximalLimits();
   UnilateralState state;
   StatusPass pass;
-  Exchange exchange;
+  Exchange exchange(system.mostDraws());
   for (int proximal = 0; state.passes < mostPasses;) { // proximal: passes in a row that needed the term
     const bool held = system.holds(closed);
     proximal = held ? 0 : proximal + 1;

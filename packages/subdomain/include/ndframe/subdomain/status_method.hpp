@@ -60,13 +60,16 @@ public:
   /// to the stiffness; `pass` is the one before (empty at first). Throws NotPositiveDefinite.
   virtual void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) = 0;
   virtual ProximalLimits proximalLimits() const { return {}; } ///< for passes without enough contact
+  /// After a set has come back: passes that change a half of what is wrong, by lot, before they change one at a time.
+  virtual int mostDraws() const { return 0; }
   /// The rigid motions that supports leave free, for messages.
   virtual const std::vector<std::string>& motions() const = 0;
 };
 
 /// The status method: a primal-dual active set. Closed conditions under tension open, open ones that penetrate close,
 /// all at once, until nothing changes (Hintermueller, Ito, Kunisch 2002). A set that comes back is a cycle: then only
-/// the first violating condition changes (Murty 1974) until fewer are violated than in that set. A closed set
+/// the first violating condition changes (Murty 1974) until fewer are violated than in that set; before that, where the
+/// system says so, every other one by lot. A closed set
 /// that does not hold the bodies is solved with a vanishing proximal term until contact holds them again, or until the
 /// term carries nothing: then the loads do no work on the motions left, and any place will do. Signs and gaps are
 /// compared with round-off of the largest force and displacement, so units do not matter; while nothing is closed,
