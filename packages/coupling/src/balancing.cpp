@@ -50,8 +50,7 @@ void registerNeumannNeumann(Registry<Coupling>& registry)
                "The displacements on the interfaces as unknowns: conjugate gradients balanced by the rigid motions of "
                "floating bodies (Mandel 1993), statuses in an outer loop. About as many iterations as FETI for one set "
                "of statuses, but every set is solved fully; from the first one on that leaves a body without enough "
-               "contact the forces are the "
-               "unknowns, as in FETI.",
+               "contact the forces are the unknowns, as in FETI.",
                {{"Tolerance", 1e-12, inOpenRange(0.0, 1e-9),
                  "Where the iterations of a step end: relative error in the energy norm."}},
                [](const Params& params) { return std::make_unique<NeumannNeumann>(params.get<double>("Tolerance")); });
