@@ -104,7 +104,7 @@ InterfaceSystem emptySystem(int nodes)
 BodyTrace makeBody(std::vector<int> unknowns, bool isDirichlet, DenseMatrix S, Vector g, bool floats)
 {
   BodyTrace body;
-  body.onDirichletSide.assign(unknowns.size(), isDirichlet);
+  body.roles.assign(unknowns.size(), isDirichlet ? ContactRole::Dirichlet : ContactRole::Neumann);
   body.freeMotions = rigidMotions(S.rows(), floats ? 1 : 0);
   body.motionNames = motionNames(floats ? 1 : 0);
   body.unknowns = std::move(unknowns);
@@ -219,7 +219,7 @@ InterfaceSystem obstacleSystem(unsigned seed, bool floats)
   for (BodyTrace body : matching.bodies) {
     for (int& unknown : body.unknowns)
       ++unknown;
-    if (body.onDirichletSide.front()) {
+    if (body.roles.front() == ContactRole::Dirichlet) {
       std::vector<int> all(std::size_t(n) + 2);
       std::iota(all.begin(), all.end(), 0);
       Vector g = body.g;
@@ -256,8 +256,8 @@ std::vector<InterfaceSystem> randomScenes(unsigned seed)
 InterfaceSystem exchanged(InterfaceSystem system)
 {
   for (auto& body : system.bodies) {
-    for (char& side : body.onDirichletSide)
-      side = !side;
+    for (ContactRole& role : body.roles)
+      role = facing(role);
     for (double& g : body.g)
       g = -g;
     for (int i = 0; i < body.freeMotions.rows() * body.freeMotions.cols(); ++i)
@@ -288,8 +288,9 @@ void expectEquilibrium(const InterfaceSystem& system, const InterfaceState& stat
     Vector u, force;
     for (std::size_t k = 0; k < body.unknowns.size(); ++k) {
       const auto i = std::size_t(body.unknowns[k]);
-      u.push_back(body.onDirichletSide[k] ? state.uDirichlet[i] : state.uNeumann[i]);
-      force.push_back(body.g[k] + (body.onDirichletSide[k] ? state.forceDirichlet[i] : -state.forceNeumann[i]));
+      u.push_back(body.roles[k] == ContactRole::Dirichlet ? state.uDirichlet[i] : state.uNeumann[i]);
+      force.push_back(body.g[k] +
+                      (body.roles[k] == ContactRole::Dirichlet ? state.forceDirichlet[i] : -state.forceNeumann[i]));
     }
     const Vector Su = body.S->apply(u);
     for (std::size_t k = 0; k < u.size(); ++k)

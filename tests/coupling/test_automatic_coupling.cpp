@@ -71,11 +71,11 @@ TEST(AutomaticCoupling, GoesByTheThetaOfTheDeck)
 TEST(AutomaticCoupling, NeedsNoRoles)
 {
   auto both = randomSystem(3, false); // body 2 is Dirichlet body of one node and Neumann body of the others
-  both.bodies[0].onDirichletSide[0] = 0;
-  both.bodies[1].onDirichletSide[0] = 1;
+  both.bodies[0].roles[0] = ContactRole::Neumann;
+  both.bodies[1].roles[0] = ContactRole::Dirichlet;
   auto met = exchanged(obstacleSystem(3, false)); // the obstacles are met by the Neumann body
   for (auto& side : {0u, 10u})
-    met.bodies[0].onDirichletSide[side] = 1;
+    met.bodies[0].roles[side] = ContactRole::Dirichlet;
   for (const auto& system : {both, met}) {
     EXPECT_FALSE(haveRoles(system));
     const auto result = solve("Automatic", system);

@@ -160,6 +160,6 @@ TEST(CouplingFailures, StatusMethodThatCyclesIsNoted)
 TEST(CouplingFailures, ABodyWithBothRolesIsABugForTheAlternatingMethod)
 {
   auto system = patchSystem();
-  system.bodies[1].onDirichletSide[2] = 1;
+  system.bodies[1].roles[2] = ContactRole::Dirichlet;
   EXPECT_THROW(run(*neumannDirichlet(1e-3), system), InternalError);
 }

@@ -27,7 +27,8 @@ CouplingResult sweeps(const InterfaceSystem& system, int number, const std::stri
 double errorOf(const InterfaceSystem& system, const Vector& dirichletForce, const Vector& neumannForce)
 {
   Ledger ledger;
-  const RoleSystem dirichlet = gatherRole(system, true), neumann = gatherRole(system, false);
+  const RoleSystem dirichlet = gatherRole(system, ContactRole::Dirichlet),
+                   neumann = gatherRole(system, ContactRole::Neumann);
   const NeumannProblem problem(*neumann.S, neumann.g, neumann.freeMotions, ledger);
   InterfaceState state;
   state.forceDirichlet = dirichletForce;
@@ -57,10 +58,10 @@ Vector displacement(const InterfaceSystem& system, const RoleSystem& role, const
 }
 
 /// Half the distance, squared, of the role's displacements under its load and one or the other contact force.
-double halfDistance(const InterfaceSystem& system, bool isDirichlet, const InterfaceState& state)
+double halfDistance(const InterfaceSystem& system, ContactRole side, const InterfaceState& state)
 {
-  const RoleSystem role = gatherRole(system, isDirichlet);
-  const double sign = isDirichlet ? 1.0 : -1.0;
+  const RoleSystem role = gatherRole(system, side);
+  const double sign = signOf(side);
   Vector first = role.g, second = role.g;
   for (std::size_t i = 0; i < first.size(); ++i) {
     first[i] += sign * state.forceDirichlet[i];
@@ -92,8 +93,8 @@ TEST(IterationError, IsHalfTheDistanceThatBackSolvesOfTheBodiesShow)
     for (const auto& system : randomScenes(seed))
       for (const int number : {1, 2, 4}) {
         const auto result = sweeps(system, number);
-        const double expected =
-            std::sqrt(halfDistance(system, true, result.state) + halfDistance(system, false, result.state));
+        const double expected = std::sqrt(halfDistance(system, ContactRole::Dirichlet, result.state) +
+                                          halfDistance(system, ContactRole::Neumann, result.state));
         EXPECT_GT(expected, 1e-6);
         EXPECT_NEAR(*result.history.back().iterationError, expected, 1e-7 * expected);
       }

@@ -22,7 +22,7 @@ InterfaceSystem stack(unsigned seed)
   system.gap = {0.0, 0.02, 0.0, 0.01, 0.0, 0.03};
   BodyTrace middle = makeBody({0, 1, 2, 3, 4, 5}, true, floatingChain(6), randomNumbers(6, seed), true);
   for (std::size_t k = 0; k < 3; ++k)
-    middle.onDirichletSide[k] = 0;
+    middle.roles[k] = ContactRole::Neumann;
   system.bodies.push_back(makeBody({0, 1, 2}, true, floatingChain(3), {0.7, 1.0, 0.4}, true));
   system.bodies.push_back(std::move(middle));
   system.bodies.push_back(makeBody({3, 4, 5}, false, mildStiffness(3, seed + 1, 1.0), Vector(3, 0.0)));

@@ -128,8 +128,7 @@ TEST_P(Networks, CountAnUnknownOnceThatStandsTwice)
     InterfaceSystem twice = system;
     for (BodyTrace& body : twice.bodies) {
       const auto place = std::find(body.unknowns.begin(), body.unknowns.end(), unknown) - body.unknowns.begin();
-      body.dependents.push_back(
-          {twice.size(), body.onDirichletSide[std::size_t(place)] != 0, {{int(place), 1.0}}, 0.0});
+      body.dependents.push_back({twice.size(), body.roles[std::size_t(place)], {{int(place), 1.0}}, 0.0});
     }
     twice.nodeOfUnknown.push_back(twice.nodeOfUnknown[std::size_t(unknown)]);
     twice.gap.push_back(twice.gap[std::size_t(unknown)] + (unknown % 2 == 0 ? 0.0 : 1.0));

@@ -11,7 +11,7 @@ BodyTrace springs(bool isDirichlet, double stiffness, const Vector& load)
   BodyTrace body;
   body.body = isDirichlet ? 0 : 1;
   body.unknowns = {0, 1};
-  body.onDirichletSide.assign(2, isDirichlet);
+  body.roles.assign(2, isDirichlet ? ContactRole::Dirichlet : ContactRole::Neumann);
   DenseMatrix S(2, 2);
   S(0, 0) = S(1, 1) = stiffness;
   body.S = makeDenseOperator(S);

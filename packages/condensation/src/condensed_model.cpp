@@ -91,7 +91,7 @@ BodyTrace makeTrace(const Model& model, int body, const BodyTraceNodes& all, con
   trace.dependents = std::move(maps.dependents);
   const BodyTraceNodes nodes = all.without(layout.dependents);
   trace.unknowns = nodes.unknowns;
-  trace.onDirichletSide = nodes.onDirichletSide;
+  trace.roles = nodes.roles;
   std::vector<Direction> normals;
   for (const auto& t : nodes.traces)
     normals.push_back(t.normal);

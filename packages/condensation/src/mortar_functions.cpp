@@ -48,7 +48,7 @@ MortarFunctions::MortarFunctions(const InterfaceMesh& interface, const std::vect
   for (std::size_t k = 0; k < 2; ++k)
     facets[k] = uncutFacets(interface, bodies[std::size_t(interface.sides[k].body)], interface.sides[k].nodes);
   const std::size_t finer = facets[0].size() >= facets[1].size() ? 0 : 1;
-  ofDirichlet_ = int(finer) == interface.dirichletSide;
+  role_ = int(finer) == interface.dirichletSide ? ContactRole::Dirichlet : ContactRole::Neumann;
   for (const Pieces& facet : facets[finer])
     add(facet);
 }
@@ -102,7 +102,7 @@ SparseRow MortarFunctions::row(const std::array<int, 3>& number, double place) c
 
 double MortarFunctions::placeOf(int node, const Direction& along) const
 {
-  const double* point = interface_.pointOf(ofDirichlet_, node);
+  const double* point = interface_.pointOf(role_, node);
   return point[0] * along[0] + point[1] * along[1];
 }
 

@@ -35,7 +35,8 @@ private:
   int numberAt(int node);
 
   const InterfaceMesh& interface_;
-  bool isBernstein_, ofDirichlet_ = true, differ_ = false;
+  bool isBernstein_, differ_ = false;
+  ContactRole role_ = ContactRole::Dirichlet; ///< of the body whose nodes they stand at
   std::vector<SparseRow> values_;
   std::vector<int> nodes_;
   std::map<int, int> atNode_;

@@ -33,8 +33,8 @@ void exchange(InterfaceMesh& interface)
 /// The same for a body that is already condensed: S stays.
 void exchange(BodyTrace& trace)
 {
-  for (char& side : trace.onDirichletSide)
-    side = !side;
+  for (ContactRole& role : trace.roles)
+    role = facing(role);
   NDFRAME_ASSERT(trace.dependents.empty(), "roles are for bodies without them");
   trace.g.negate();
   for (int i = 0; i < trace.freeMotions.rows() * trace.freeMotions.cols(); ++i)
@@ -74,36 +74,38 @@ std::optional<Obstacle> obstacleOf(const Model& model, int body)
   return std::nullopt;
 }
 
-/// One role a body: 1 Dirichlet, 0 Neumann, -1 not known yet.
+/// One role a body, none as long as it is not known.
 class RoleMap
 {
 public:
-  explicit RoleMap(const Model& model) : interfaces_(model.interfaces), role_(model.bodies.size(), -1)
+  explicit RoleMap(const Model& model) : interfaces_(model.interfaces), role_(model.bodies.size())
   {
     for (const auto& interface : interfaces_) {
-      if (role(interface.dirichlet().body) >= 0 || role(interface.neumann().body) >= 0)
+      if (role(interface.dirichlet().body) || role(interface.neumann().body))
         continue;
-      const std::vector<int> before = role_;
-      role(interface.dirichlet().body) = 1;
+      const Roles before = role_;
+      role(interface.dirichlet().body) = ContactRole::Dirichlet;
       spread();
       turnForObstacles(model, before);
     }
   }
-  bool isDirichlet(int body) const { return role_[std::size_t(body)] == 1; }
+  bool isDirichlet(int body) const { return role_[std::size_t(body)] == ContactRole::Dirichlet; }
 
 private:
+  using Roles = std::vector<std::optional<ContactRole>>;
+
   /// Exchanges the roles that are new since `before` if one of the new Neumann bodies meets an obstacle.
-  void turnForObstacles(const Model& model, const std::vector<int>& before)
+  void turnForObstacles(const Model& model, const Roles& before)
   {
     bool turns = false;
     for (std::size_t b = 0; b < role_.size(); ++b)
-      turns = turns || (before[b] < 0 && role_[b] == 0 && obstacleOf(model, int(b)));
+      turns = turns || (!before[b] && role_[b] == ContactRole::Neumann && obstacleOf(model, int(b)));
     for (std::size_t b = 0; turns && b < role_.size(); ++b)
-      if (before[b] < 0 && role_[b] >= 0)
-        role_[b] = 1 - role_[b];
+      if (!before[b] && role_[b])
+        role_[b] = facing(*role_[b]);
   }
 
-  int& role(int body) { return role_[std::size_t(body)]; }
+  std::optional<ContactRole>& role(int body) { return role_[std::size_t(body)]; }
 
   /// Gives the neighbours of bodies with a role the other one.
   void spread()
@@ -113,15 +115,15 @@ private:
       for (const auto& interface : interfaces_)
         for (const auto& [known, other] : {std::pair(interface.dirichlet().body, interface.neumann().body),
                                            std::pair(interface.neumann().body, interface.dirichlet().body)})
-          if (role(known) >= 0 && role(other) < 0) {
-            role(other) = 1 - role(known);
+          if (role(known) && !role(other)) {
+            role(other) = facing(*role(known));
             changes = true;
           }
     }
   }
 
   const std::vector<InterfaceMesh>& interfaces_;
-  std::vector<int> role_;
+  Roles role_; ///< per body; none for those that touch nothing
 };
 
 /// What decides between two roles: the factor of the error in a sweep.

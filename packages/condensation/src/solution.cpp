@@ -24,7 +24,8 @@ DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<InterfaceState>
     const Vector& uNeumann = state.motionsNeumann.empty() ? state.uNeumann : state.strainedNeumann;
     Vector normal;
     for (std::size_t k = 0; k < trace.unknowns.size(); ++k)
-      normal.push_back((trace.onDirichletSide[k] ? state.uDirichlet : uNeumann)[std::size_t(trace.unknowns[k])]);
+      normal.push_back(
+          (trace.roles[k] == ContactRole::Dirichlet ? state.uDirichlet : uNeumann)[std::size_t(trace.unknowns[k])]);
     const Vector values = trace.map.keptValues(normal);
     std::copy(values.begin(), values.end(), kept.col(s));
   }
@@ -36,7 +37,7 @@ Vector amplitudesOf(int body, const InterfaceSystem& system, const InterfaceStat
 {
   auto first = state.motionsNeumann.begin();
   for (const auto& trace : system.bodies) {
-    if (system.isDirichlet(trace) || state.motionsNeumann.empty())
+    if (system.roleOf(trace) == ContactRole::Dirichlet || state.motionsNeumann.empty())
       continue;
     const auto last = first + trace.freeMotions.cols();
     if (trace.body == body)

@@ -55,7 +55,7 @@ private:
       return;
     const bool isObstacle = !sides[0].isFree || !sides[1].isFree;
     for (Place& place : places_.back()) { // an obstacle is met along the free body's normal
-      place.along = isObstacle && !(sides[0].isFree ? sides[0] : sides[1]).isDirichlet ? -1.0 : 1.0;
+      place.along = isObstacle ? signOf((sides[0].isFree ? sides[0] : sides[1]).role) : 1.0;
       if (!place.side.isFree)
         continue;
       auto& body = bodies_[std::size_t(place.side.body)];
@@ -65,8 +65,8 @@ private:
       place.trace = int(body.traces.size());
       body.traces.push_back({place.side.node, normal});
       body.unknowns.push_back(system_.size());
-      body.onDirichletSide.push_back(isObstacle || place.side.isDirichlet);
-      body.points.push_back(interface.pointOf(place.side.isDirichlet, i));
+      body.roles.push_back(isObstacle ? ContactRole::Dirichlet : place.side.role);
+      body.points.push_back(interface.pointOf(place.side.role, i));
     }
     system_.nodeOfUnknown.push_back(node);
     system_.isObstacle.push_back(isObstacle);
@@ -187,7 +187,7 @@ BodyTraceNodes BodyTraceNodes::without(const std::vector<DependentTrace>& depend
     if (!leaves[i]) {
       rest.traces.push_back(traces[i]);
       rest.unknowns.push_back(unknowns[i]);
-      rest.onDirichletSide.push_back(onDirichletSide[i]);
+      rest.roles.push_back(roles[i]);
       rest.points.push_back(points[i]);
     }
   rest.coefficients = coefficients;
@@ -220,8 +220,7 @@ BodyTraceMap mapOf(const BodyTraceNodes& nodes, const DofLayout& layout)
   others = others.after(inverseOf(own));
   for (std::size_t d = 0; d < layout.dependents.size(); ++d) {
     const auto given = std::size_t(layout.dependents[d].given);
-    result.dependents.push_back(
-        {nodes.unknowns[given], nodes.onDirichletSide[given] != 0, others.rows[d], others.offset[d]});
+    result.dependents.push_back({nodes.unknowns[given], nodes.roles[given], others.rows[d], others.offset[d]});
   }
   return result;
 }

@@ -11,7 +11,7 @@ struct BodyTraceNodes
 {
   std::vector<TraceNormal> traces;
   std::vector<int> unknowns;
-  std::vector<char> onDirichletSide;
+  std::vector<ContactRole> roles;
   std::vector<const double*> points;
   /// Per node, what its unknown makes of the normal displacements: itself, or a Bernstein coefficient. Constants come
   /// from nodes where supports hold the body.

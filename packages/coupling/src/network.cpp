@@ -14,16 +14,17 @@ namespace
 void addBody(Network& network, const BodyTrace& body)
 {
   const int first = network.offsets.back();
-  const auto row = [&](int unknown, bool onDirichletSide) -> SparseRow& {
-    return (onDirichletSide ? network.dirichlet : network.neumann)[std::size_t(unknown)];
+  const auto row = [&](int unknown, ContactRole role) -> SparseRow& {
+    return (role == ContactRole::Dirichlet ? network.dirichlet : network.neumann)[std::size_t(unknown)];
   };
   for (std::size_t k = 0; k < body.unknowns.size(); ++k)
-    row(body.unknowns[k], body.onDirichletSide[k] != 0).emplace_back(first + int(k), 1.0);
+    row(body.unknowns[k], body.roles[k]).emplace_back(first + int(k), 1.0);
   for (const DependentUnknown& dependent : body.dependents) {
-    SparseRow& entries = row(dependent.unknown, dependent.onDirichletSide);
+    SparseRow& entries = row(dependent.unknown, dependent.role);
     for (const auto& [k, share] : dependent.row)
       entries.emplace_back(first + k, share);
-    (dependent.onDirichletSide ? network.dirichletOffset : network.neumannOffset)[std::size_t(dependent.unknown)] +=
+    (dependent.role == ContactRole::Dirichlet ? network.dirichletOffset
+                                              : network.neumannOffset)[std::size_t(dependent.unknown)] +=
         dependent.offset;
   }
   network.bodies.push_back(&body);

@@ -41,7 +41,8 @@ public:
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
   {
-    const RoleSystem body1 = gatherRole(system, true), body2 = gatherRole(system, false);
+    const RoleSystem body1 = gatherRole(system, ContactRole::Dirichlet),
+                     body2 = gatherRole(system, ContactRole::Neumann);
     const NeumannProblem neumann(*body2.S, body2.g, body2.freeMotions, ledger, system.isObstacle);
     DirichletProblem dirichlet(body1, body2, ledger);
     std::optional<IterationError> iteration;

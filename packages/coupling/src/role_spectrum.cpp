@@ -65,7 +65,8 @@ class LinearSweep
 {
 public:
   LinearSweep(const InterfaceSystem& part, Ledger& ledger)
-      : dirichlet_(gatherRole(part, true)), neumann_(gatherRole(part, false)), isObstacle_(part.isObstacle),
+      : dirichlet_(gatherRole(part, ContactRole::Dirichlet)), neumann_(gatherRole(part, ContactRole::Neumann)),
+        isObstacle_(part.isObstacle),
         inverse_(neumann_.S->inverseOn(freeWhenHeld(neumann_.freeMotions, isObstacle_), 0.0)),
         stiffMotions_(part.size(), neumann_.freeMotions.cols()), ledger_(ledger)
   {

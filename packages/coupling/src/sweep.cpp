@@ -20,7 +20,7 @@ void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<ch
     for (std::size_t k = 0; k < body.unknowns.size(); ++k) {
       const double along = body.freeMotions(int(k), j);
       double* w = all.col(role.freeMotions.cols() + j) + body.unknowns[k];
-      if (!isJump[k] || body.onDirichletSide[k])
+      if (!isJump[k] || body.roles[k] == ContactRole::Dirichlet)
         *w += along;
       else {
         *w -= along;
@@ -33,9 +33,9 @@ void appendMotions(RoleSystem& role, const BodyTrace& body, const std::vector<ch
 
 bool hasOneRole(const InterfaceSystem& system, const BodyTrace& body)
 {
-  const bool isDirichlet = system.isDirichlet(body);
-  return body.dependents.empty() && std::all_of(body.onDirichletSide.begin(), body.onDirichletSide.end(),
-                                                [&](char side) { return bool(side) == isDirichlet; });
+  const ContactRole one = system.roleOf(body);
+  return body.dependents.empty() &&
+         std::all_of(body.roles.begin(), body.roles.end(), [one](ContactRole role) { return role == one; });
 }
 
 /// Adds a body whose values are P x.
@@ -60,12 +60,12 @@ bool haveRoles(const InterfaceSystem& system)
                      [&](const BodyTrace& body) { return hasOneRole(system, body); });
 }
 
-RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
+RoleSystem gatherRole(const InterfaceSystem& system, ContactRole role)
 {
-  RoleSystem role{nullptr, Vector(std::size_t(system.size()), 0.0), DenseMatrix(system.size(), 0), {}};
+  RoleSystem gathered{nullptr, Vector(std::size_t(system.size()), 0.0), DenseMatrix(system.size(), 0), {}};
   std::vector<CongruencePart> parts;
   for (const auto& body : system.bodies) {
-    if (body.unknowns.empty() || system.isDirichlet(body) != dirichlet)
+    if (body.unknowns.empty() || system.roleOf(body) != role)
       continue;
     NDFRAME_ASSERT(hasOneRole(system, body),
                    "a body is the Dirichlet body of one interface and the Neumann body of another, or a Neumann body "
@@ -73,10 +73,10 @@ RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet)
     std::vector<SparseRow> P;
     for (const int unknown : body.unknowns)
       P.push_back({{unknown, 1.0}});
-    append(role, body, std::move(P), std::vector<char>(body.unknowns.size(), 0), parts);
+    append(gathered, body, std::move(P), std::vector<char>(body.unknowns.size(), 0), parts);
   }
-  role.S = congruence(std::move(parts), system.size());
-  return role;
+  gathered.S = congruence(std::move(parts), system.size());
+  return gathered;
 }
 
 DenseMatrix motionsAtRest(const DenseMatrix& motions, const std::vector<char>& isHeld)
@@ -111,7 +111,7 @@ RoleSystem gatherJump(const InterfaceSystem& system)
       P.emplace_back();
       if (isJump[k])
         P.back().emplace_back(d, 1.0);
-      if (!isJump[k] || body.onDirichletSide[k])
+      if (!isJump[k] || body.roles[k] == ContactRole::Dirichlet)
         P.back().emplace_back(w, 1.0);
     }
     append(role, body, std::move(P), isJump, parts);

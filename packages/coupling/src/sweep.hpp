@@ -15,7 +15,7 @@ struct RoleSystem
   DenseMatrix freeMotions;
   std::vector<std::string> motionNames;
 };
-RoleSystem gatherRole(const InterfaceSystem& system, bool dirichlet);
+RoleSystem gatherRole(const InterfaceSystem& system, ContactRole role);
 
 /// Those of the motions (columns) that leave the held unknowns at rest.
 DenseMatrix motionsAtRest(const DenseMatrix& motions, const std::vector<char>& isHeld);

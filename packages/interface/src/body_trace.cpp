@@ -68,26 +68,26 @@ DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, co
 
 Vector BodyTrace::forces(const Vector& onDirichlet, const Vector& onNeumann) const
 {
+  const auto along = [&](ContactRole role, int unknown) {
+    return signOf(role) * (role == ContactRole::Dirichlet ? onDirichlet : onNeumann)[std::size_t(unknown)];
+  };
   Vector own;
-  for (std::size_t k = 0; k < unknowns.size(); ++k) {
-    const auto unknown = std::size_t(unknowns[k]);
-    own.push_back(onDirichletSide[k] ? onDirichlet[unknown] : -onNeumann[unknown]);
-  }
+  for (std::size_t k = 0; k < unknowns.size(); ++k)
+    own.push_back(along(roles[k], unknowns[k]));
   for (const DependentUnknown& dependent : dependents) {
-    const auto unknown = std::size_t(dependent.unknown);
-    const double force = dependent.onDirichletSide ? onDirichlet[unknown] : -onNeumann[unknown];
+    const double force = along(dependent.role, dependent.unknown);
     for (const auto& [k, share] : dependent.row)
       own[std::size_t(k)] += share * force;
   }
   return own;
 }
 
-bool InterfaceSystem::isDirichlet(const BodyTrace& body) const
+ContactRole InterfaceSystem::roleOf(const BodyTrace& body) const
 {
   for (std::size_t k = 0; k < body.unknowns.size(); ++k)
     if (!isObstacle[std::size_t(body.unknowns[k])])
-      return body.onDirichletSide[k] != 0;
-  return true;
+      return body.roles[k];
+  return ContactRole::Dirichlet;
 }
 
 Vector InterfaceSystem::withObstacles(Vector uNeumann) const

@@ -101,8 +101,8 @@ void refuseOverlap(const InterfaceSettings& settings, const SideMap& map, SideMa
 InterfaceMesh pairFacing(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann,
                          std::shared_ptr<const SideMap> map, const std::string& more)
 {
-  const Side& first = findSide(settings, true, dirichlet);
-  const Side& second = findSide(settings, false, neumann);
+  const Side& first = findSide(settings, ContactRole::Dirichlet, dirichlet);
+  const Side& second = findSide(settings, ContactRole::Neumann, neumann);
   const auto pieces = facingPieces(*map, dirichlet.mesh, first.facets, neumann.mesh, second.facets);
   if (pieces.empty())
     throw InputError(settings.place.mistake(

@@ -214,10 +214,10 @@ bool sidesMatch(const Mesh& first, const Side& firstSide, const Mesh& second, co
 InterfaceMesh pairSides(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann,
                         const ObstacleSurface* surface)
 {
-  Side first = findSide(settings, true, dirichlet);
+  Side first = findSide(settings, ContactRole::Dirichlet, dirichlet);
   if (surface != nullptr)
     first.facets = surface->facets;
-  const Side& second = findSide(settings, false, neumann);
+  const Side& second = findSide(settings, ContactRole::Neumann, neumann);
   const std::string names = sideText(dirichlet, first, neumann, second);
   const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
   const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
@@ -242,7 +242,8 @@ InterfaceMesh pairSides(const InterfaceSettings& settings, const BodyModel& diri
 
 InterfaceMesh pairCutSides(const InterfaceSettings& settings, const BodyModel& dirichlet, const BodyModel& neumann)
 {
-  Side first = findSide(settings, true, dirichlet), second = findSide(settings, false, neumann);
+  Side first = findSide(settings, ContactRole::Dirichlet, dirichlet),
+       second = findSide(settings, ContactRole::Neumann, neumann);
   const std::string names = sideText(dirichlet, first, neumann, second);
   CommonFacets common = commonFacets(dirichlet.mesh, first, neumann.mesh, second);
   if (common.firstFacets.empty()) {

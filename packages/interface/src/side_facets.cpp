@@ -10,10 +10,11 @@
 namespace ndframe
 {
 
-const Side& findSide(const InterfaceSettings& settings, bool isDirichlet, const BodyModel& body)
+const Side& findSide(const InterfaceSettings& settings, ContactRole role, const BodyModel& body)
 {
   if (body.isRigid) // it has one side for every interface
     return *body.side(settings.name);
+  const bool isDirichlet = role == ContactRole::Dirichlet;
   const char* const key = isDirichlet ? "Dirichlet Side" : "Neumann Side";
   if (!isDirichlet && !settings.neumannSide)
     throw InputError(

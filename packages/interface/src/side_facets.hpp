@@ -9,7 +9,7 @@ namespace ndframe
 constexpr double samePoint = 1e-5;
 
 /// The side that an interface names; InputError if the body has none of that name.
-const Side& findSide(const InterfaceSettings& settings, bool isDirichlet, const BodyModel& body);
+const Side& findSide(const InterfaceSettings& settings, ContactRole role, const BodyModel& body);
 
 /// An interface of bodies like this one, still without facets.
 InterfaceMesh emptyInterface(const std::string& name, const BodyModel& body);

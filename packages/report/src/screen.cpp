@@ -139,13 +139,13 @@ std::string rolesText(const std::vector<RoleSummary>& roles)
 
 std::string sweepTitle(const InterfaceMesh& interface, const Model& model)
 {
-  const auto on = [&](bool isDirichlet) {
+  const auto on = [&](ContactRole role) {
     return model.interfaces.size() > 1 || interface.touchesItself()
-               ? std::string("force on ") + (isDirichlet ? "Dirichlet" : "Neumann")
-               : "force on " + model.bodies[std::size_t(interface.side(isDirichlet).body)].name;
+               ? std::string("force on ") + (role == ContactRole::Dirichlet ? "Dirichlet" : "Neumann")
+               : "force on " + model.bodies[std::size_t(interface.side(role).body)].name;
   };
-  return fmt::format("  sweep    eps_tau   theta     closed/open   changed   {:>18}   {:>18}   penetration", on(true),
-                     on(false));
+  return fmt::format("  sweep    eps_tau   theta     closed/open   changed   {:>18}   {:>18}   penetration",
+                     on(ContactRole::Dirichlet), on(ContactRole::Neumann));
 }
 
 std::string sweepLine(const SweepRecord& record)

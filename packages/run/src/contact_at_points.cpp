@@ -81,11 +81,11 @@ int nearestFacet(const InterfaceMesh& interface, int body, const std::vector<dou
                  NearFacet& nearest)
 {
   int best = -1;
-  for (const bool isDirichlet : {true, false})
-    for (int f = 0; f < interface.numFacets() && interface.side(isDirichlet).body == body; ++f) {
+  for (const ContactRole role : bothRoles)
+    for (int f = 0; f < interface.numFacets() && interface.side(role).body == body; ++f) {
       std::array<const double*, 3> x{};
       for (std::size_t v = 0; v < std::size_t(interface.dim); ++v)
-        x[v] = interface.pointOf(isDirichlet, interface.nodesOf(f)[v]);
+        x[v] = interface.pointOf(role, interface.nodesOf(f)[v]);
       const NearFacet near = nearestIn(x, point, interface.dim);
       if (near.distance > tolerance || near.distance >= nearest.distance)
         continue;

@@ -13,8 +13,9 @@ namespace ndframe
 namespace
 {
 
-int findBody(const Model& model, const InterfaceSettings& settings, bool isDirichlet, Diagnostics& diagnostics)
+int findBody(const Model& model, const InterfaceSettings& settings, ContactRole role, Diagnostics& diagnostics)
 {
+  const bool isDirichlet = role == ContactRole::Dirichlet;
   const std::string& name = isDirichlet ? settings.dirichletBody : settings.neumannBody;
   const int index = model.bodyIndex(name);
   if (index >= 0)
@@ -71,8 +72,8 @@ void addInterface(Model& model, const InterfaceSettings& settings, const SidePai
                   const std::vector<InterfaceMesh>& earlier, Diagnostics& diagnostics)
 {
   NDFRAME_ASSERT(!settings.isTied, "tied bodies are one before a scene is built");
-  const int first = findBody(model, settings, true, diagnostics);
-  const int second = findBody(model, settings, false, diagnostics);
+  const int first = findBody(model, settings, ContactRole::Dirichlet, diagnostics);
+  const int second = findBody(model, settings, ContactRole::Neumann, diagnostics);
   if (first < 0 || second < 0)
     return;
   const auto &dirichlet = model.bodies[std::size_t(first)], &neumann = model.bodies[std::size_t(second)];

@@ -25,16 +25,17 @@ std::vector<OffsetSide> sidesOf(const Model& model, int body)
   const NodeMap& map = model.bodies[std::size_t(body)].nodes;
   std::vector<OffsetSide> sides;
   for (const auto& interface : model.interfaces)
-    for (const bool isDirichlet : {true, false}) {
-      if (interface.side(isDirichlet).body != body)
+    for (const ContactRole role : bothRoles) {
+      if (interface.side(role).body != body)
         continue;
-      const bool moves = isDirichlet != model.bodies[std::size_t(interface.neumann().body)].isRigid;
+      const bool moves =
+          (role == ContactRole::Dirichlet) != model.bodies[std::size_t(interface.neumann().body)].isRigid;
       Vector along(interface.gap.size(), 0.0);
       for (std::size_t i = 0; moves && i < along.size(); ++i) { // what is drawn needs no offset
         const double opening = interface.gap[i] - (interface.drawnGap.empty() ? 0.0 : interface.drawnGap[i]);
-        along[i] = isDirichlet ? -opening : opening;
+        along[i] = -signOf(role) * opening;
       }
-      sides.push_back({map, interface.side(isDirichlet).nodes, interface.normals, std::move(along)});
+      sides.push_back({map, interface.side(role).nodes, interface.normals, std::move(along)});
     }
   return sides;
 }

@@ -81,10 +81,9 @@ DenseMatrix pushedByContact(const Model& model, int body, const DenseMatrix& mot
   std::vector<Direction> normals;
   for (const auto& interface : model.interfaces)
     for (int i = 0; i < interface.numNodes(); ++i)
-      for (const bool isDirichlet : {true, false})
-        if (interface.side(isDirichlet).body == body && !interface.touchesItself() &&
-            model.carriesContact(interface, i)) {
-          points.push_back(interface.pointOf(isDirichlet, i));
+      for (const ContactRole role : bothRoles)
+        if (interface.side(role).body == body && !interface.touchesItself() && model.carriesContact(interface, i)) {
+          points.push_back(interface.pointOf(role, i));
           normals.push_back(interface.normals[std::size_t(i)]);
         }
   if (points.empty() || motions.cols() == 0)

@@ -6,8 +6,8 @@ namespace ndframe
 std::array<NodeSide, 2> Model::sidesAt(const InterfaceMesh& interface, int node) const
 {
   const auto i = std::size_t(node);
-  std::array<NodeSide, 2> sides{{{interface.dirichlet().body, interface.dirichlet().nodes[i], true},
-                                 {interface.neumann().body, interface.neumann().nodes[i], false}}};
+  std::array<NodeSide, 2> sides{{{interface.dirichlet().body, interface.dirichlet().nodes[i], ContactRole::Dirichlet},
+                                 {interface.neumann().body, interface.neumann().nodes[i], ContactRole::Neumann}}};
   if (interface.facesItself(node))
     return sides;
   for (NodeSide& side : sides) {

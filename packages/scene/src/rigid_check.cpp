@@ -74,10 +74,11 @@ std::vector<int> decisiveNodes(const Model& model, const InterfaceMesh& interfac
 void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh& interface,
                   const std::vector<int>& firstMotion)
 {
-  const auto freeMotions = [&](bool isDirichlet) -> const DenseMatrix& {
-    return model.freeMotions[std::size_t(interface.side(isDirichlet).body)];
+  const auto freeMotions = [&](ContactRole role) -> const DenseMatrix& {
+    return model.freeMotions[std::size_t(interface.side(role).body)];
   };
-  if (interface.touchesItself() || freeMotions(true).cols() + freeMotions(false).cols() == 0)
+  if (interface.touchesItself() ||
+      freeMotions(ContactRole::Dirichlet).cols() + freeMotions(ContactRole::Neumann).cols() == 0)
     return;
   const std::vector<int> nodes = decisiveNodes(model, interface);
   std::vector<Direction> normals;
@@ -85,17 +86,16 @@ void addInterface(RigidNetwork& network, const Model& model, const InterfaceMesh
     normals.push_back(interface.normals[std::size_t(node)]);
   const std::size_t first = network.approach.size();
   network.approach.resize(first + nodes.size());
-  for (const bool isDirichlet : {true, false}) {
-    const auto b = std::size_t(interface.side(isDirichlet).body);
+  for (const ContactRole role : bothRoles) {
+    const auto b = std::size_t(interface.side(role).body);
     std::vector<const double*> points;
     for (const int node : nodes)
-      points.push_back(interface.pointOf(isDirichlet, node));
-    const DenseMatrix traces = motionTraces(model.rigid[b], freeMotions(isDirichlet), points, normals);
+      points.push_back(interface.pointOf(role, node));
+    const DenseMatrix traces = motionTraces(model.rigid[b], freeMotions(role), points, normals);
     for (int i = 0; i < traces.rows(); ++i)
       for (int j = 0; j < traces.cols(); ++j)
         if (std::abs(traces(i, j)) > noEntry)
-          network.approach[first + std::size_t(i)].emplace_back(firstMotion[b] + j,
-                                                                isDirichlet ? traces(i, j) : -traces(i, j));
+          network.approach[first + std::size_t(i)].emplace_back(firstMotion[b] + j, signOf(role) * traces(i, j));
   }
 }
 

@@ -13,16 +13,16 @@ namespace
 {
 
 /// What the interface nodes that carry contact ask of the rigid motions of one body: rows of normal displacements.
-DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, bool isDirichlet)
+DenseMatrix interfaceRows(const Model& model, const InterfaceMesh& interface, ContactRole role)
 {
   std::vector<const double*> points;
   std::vector<Direction> normals;
   for (int i = 0; i < interface.numNodes(); ++i)
     if (model.carriesContact(interface, i)) {
-      points.push_back(interface.pointOf(isDirichlet, i));
+      points.push_back(interface.pointOf(role, i));
       normals.push_back(interface.normals[std::size_t(i)]);
     }
-  const RigidBasis& basis = model.rigid[std::size_t(interface.side(isDirichlet).body)];
+  const RigidBasis& basis = model.rigid[std::size_t(interface.side(role).body)];
   DenseMatrix all(basis.size(), basis.size());
   for (int m = 0; m < basis.size(); ++m)
     all(m, m) = 1.0;
@@ -108,9 +108,9 @@ DenseMatrix freeTogether(const Model& model)
     if (interface.touchesItself()) // a rigid motion moves both sides alike
       continue;
     const int first = rows.size();
-    for (const bool isDirichlet : {true, false})
-      rows.add(interfaceRows(model, interface, isDirichlet), offset[std::size_t(interface.side(isDirichlet).body)],
-               isDirichlet ? 1.0 : -1.0, first);
+    for (const ContactRole role : bothRoles)
+      rows.add(interfaceRows(model, interface, role), offset[std::size_t(interface.side(role).body)], signOf(role),
+               first);
   }
   return rows.areIndependent() ? DenseMatrix(total, 0) : nullSpace(rows.matrix(), rigidTolerance);
 }

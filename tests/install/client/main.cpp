@@ -107,7 +107,8 @@ private:
         load[k] += body.g[k];
       const Vector u = body.S->inverseOn(std::vector<char>(load.size(), 1), 0.0)->solve(load);
       for (std::size_t k = 0; k < u.size(); ++k)
-        (body.onDirichletSide[k] ? state.uDirichlet : state.uNeumann)[std::size_t(body.unknowns[k])] = u[k];
+        (body.roles[k] == ndframe::ContactRole::Dirichlet ? state.uDirichlet
+                                                          : state.uNeumann)[std::size_t(body.unknowns[k])] = u[k];
     }
   }
 

@@ -22,10 +22,10 @@ namespace ndframe
 /// u_N = row u + offset, u the values of the trace.
 struct DependentUnknown
 {
-  int unknown;          ///< number of the interface unknown
-  bool onDirichletSide; ///< the body is the Dirichlet body there, or meets an obstacle
-  SparseRow row;        ///< by places in the trace
-  double offset;        ///< what prescribed displacements add, a length
+  int unknown;      ///< number of the interface unknown
+  ContactRole role; ///< of the body there
+  SparseRow row;    ///< by places in the trace
+  double offset;    ///< what prescribed displacements add, a length
 };
 
 /// A vector that may take a solve to find, and is found when it is first read. Not for several threads.
@@ -56,9 +56,9 @@ private:
 /// A body as the interface sees it:  S u_N = g + r,  r the nodal forces along n_c that act on this body.
 struct BodyTrace
 {
-  int body = 0;                      ///< index into the list of bodies
-  std::vector<int> unknowns;         ///< the interface unknown of each kept dof
-  std::vector<char> onDirichletSide; ///< per kept dof: 1 if this body is the Dirichlet body there, or meets an obstacle
+  int body = 0;                               ///< index into the list of bodies
+  std::vector<int> unknowns;                  ///< the interface unknown of each kept dof
+  std::vector<ContactRole> roles;             ///< per kept dof: the body's there
   std::shared_ptr<const SymmetricOperator> S; ///< condensed stiffness in the trace's values (traceOperator)
   TraceMap map;                               ///< from the kept dofs to u_N
   ReducedLoad g;                              ///< per value
@@ -103,7 +103,7 @@ struct InterfaceSystem
 
   int size() const { return int(nodeOfUnknown.size()); } ///< number of unknowns
   /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.
-  bool isDirichlet(const BodyTrace& body) const;
+  ContactRole roleOf(const BodyTrace& body) const;
   /// At the unknowns' own nodes.
   Vector atUnknowns(const Vector& ofNodes) const;
   /// Displacements of the Neumann side with those of the obstacles filled in.

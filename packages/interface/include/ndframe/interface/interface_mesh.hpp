@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "ndframe/assembly/body_system.hpp"
+#include "ndframe/interface/contact_role.hpp"
 #include "ndframe/interface/interface_settings.hpp"
 #include "ndframe/interface/obstacle.hpp"
 #include "ndframe/sampling/adaptive_samples.hpp"
@@ -57,7 +58,7 @@ struct InterfaceMesh
   const InterfaceSide& dirichlet() const { return sides[std::size_t(dirichletSide)]; }   ///< the Dirichlet body's side
   const InterfaceSide& neumann() const { return sides[std::size_t(1 - dirichletSide)]; } ///< the Neumann body's side
   /// The side of the body in this role.
-  const InterfaceSide& side(bool isDirichlet) const { return isDirichlet ? dirichlet() : neumann(); }
+  const InterfaceSide& side(ContactRole role) const { return role == ContactRole::Dirichlet ? dirichlet() : neumann(); }
   int numNodes() const { return int(sides[0].nodes.size()); } ///< number of interface nodes
   int numFacets() const { return int(measures.size()); }      ///< number of pairs of facets
   int nodesPerFacet() const { return numFacets() == 0 ? 0 : int(facets.size()) / numFacets(); } ///< 0 without facets
@@ -72,10 +73,10 @@ struct InterfaceMesh
   }
   /// dim coordinates of a node, on the first side.
   const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
-  /// Where the node of the Dirichlet or of the Neumann body is.
-  const double* pointOf(bool isDirichlet, int node) const
+  /// Where the node of the body in this role is.
+  const double* pointOf(ContactRole role, int node) const
   {
-    return isDirichlet == (dirichletSide == 0) || partners.empty()
+    return (role == ContactRole::Dirichlet) == (dirichletSide == 0) || partners.empty()
                ? point(node)
                : partners.data() + std::size_t(node) * std::size_t(dim);
   }

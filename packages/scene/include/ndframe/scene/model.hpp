@@ -28,10 +28,10 @@ struct HeldMean
 struct NodeSide
 {
   /// Index into Model::bodies.
-  int body = 0, node = 0;   ///< node of the body
-  bool isDirichlet = false; ///< the body's role on the interface
-  bool isFree = false;      ///< false where supports prescribe its displacement along n_c
-  double held = 0.0;        ///< that displacement
+  int body = 0, node = 0;                  ///< node of the body
+  ContactRole role = ContactRole::Neumann; ///< of the body on the interface
+  bool isFree = false;                     ///< false where supports prescribe its displacement along n_c
+  double held = 0.0;                       ///< that displacement
 };
 
 /// The scene: what the deck says, read and checked, before anything is assembled.
