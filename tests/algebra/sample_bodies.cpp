@@ -83,21 +83,20 @@ void addBar(int a, int b, double stiffness, const std::vector<double>& points, i
 
 BlockMatrix ownRows(const Blocks& blocks, int dim, int numNodes, const Comm& comm)
 {
-  BlockMatrix K;
-  K.dim = dim;
-  K.numNodes = numNodes;
-  K.rowPtr.push_back(0);
+  std::vector<int> rows, cols;
+  std::vector<double> values;
+  std::vector<std::int64_t> rowPtr{0};
   for (int node = 0; node < numNodes; ++node) {
     if ((node / 3) % comm.size() != comm.rank())
       continue;
-    K.rows.push_back(node);
+    rows.push_back(node);
     for (auto block = blocks.lower_bound({node, 0}); block != blocks.end() && block->first.first == node; ++block) {
-      K.cols.push_back(block->first.second);
-      K.values.insert(K.values.end(), block->second.begin(), block->second.end());
+      cols.push_back(block->first.second);
+      values.insert(values.end(), block->second.begin(), block->second.end());
     }
-    K.rowPtr.push_back(K.numBlocks());
+    rowPtr.push_back(std::int64_t(cols.size()));
   }
-  return K;
+  return withOwnColumns(dim, numNodes, rows, std::move(rowPtr), std::move(cols), std::move(values));
 }
 
 DenseMatrix rigidMotionsOf(const std::vector<double>& points, int dim)
@@ -171,7 +170,7 @@ SolverProblem SampleBody::problemWithoutKept(Support support) const
   const Grid grid{cells};
   const int dim = matrix.dim;
   std::vector<int> fixed;
-  for (int node = 0; node < matrix.numNodes; ++node) {
+  for (int node = 0; node < matrix.numNodes(); ++node) {
     const std::vector<int> index = grid.index(node);
     if (support == Support::Guide && index.front() == 0)
       for (int i = 0; i < dim - 1; ++i)
@@ -209,7 +208,7 @@ SolverProblem SampleBody::problem(Support support) const
   const Grid grid{cells};
   SolverProblem problem = problemWithoutKept(support);
   const int firstKept = support == Support::None ? 0 : matrix.dim - 1;
-  for (int node = matrix.numNodes - 1; node >= 0; --node)
+  for (int node = matrix.numNodes() - 1; node >= 0; --node)
     for (int i = firstKept; i < matrix.dim && grid.index(node).back() == cells.back(); ++i) {
       const int dof = node * matrix.dim + i;
       problem.roles[std::size_t(dof)] = DofRole::Kept;
@@ -222,7 +221,7 @@ void turnNodes(SampleBody& body, SolverProblem& problem, const std::vector<int>&
 {
   const int dim = body.matrix.dim;
   DenseMatrix Q(body.matrix.numDofs(), dim); // of all nodes, one above the other
-  for (int node = 0; node < body.matrix.numNodes; ++node) {
+  for (int node = 0; node < body.matrix.numNodes(); ++node) {
     const bool isTurned = std::find(chosen.begin(), chosen.end(), node) != chosen.end();
     const double angle = isTurned ? 0.3 + 0.1 * node : 0.0;
     for (int i = 0; i < dim; ++i)
@@ -248,14 +247,15 @@ void turnNodes(SampleBody& body, SolverProblem& problem, const std::vector<int>&
     return multiply(axes, block);
   };
   BlockMatrix& K = body.matrix;
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
+  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r)
     for (auto b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
       double* const values = K.values.data() + b * dim * dim;
-      const DenseMatrix rows = turned(values, K.rows[r], dim, dim); // Q_i K_ij, column-major: its transpose row-major
-      const DenseMatrix both = turned(rows.data(), K.cols[std::size_t(b)], dim, dim); // Q_j (Q_i K_ij)^T
-      std::copy_n(both.data(), dim * dim, values); // column-major: (Q_i K_ij Q_j^T) row-major
+      const DenseMatrix rows =
+          turned(values, K.rowNode(int(r)), dim, dim); // Q_i K_ij, column-major: its transpose row-major
+      const DenseMatrix both = turned(rows.data(), K.colNode(b), dim, dim); // Q_j (Q_i K_ij)^T
+      std::copy_n(both.data(), dim * dim, values);                          // column-major: (Q_i K_ij Q_j^T) row-major
     }
-  for (int node = 0; node < K.numNodes; ++node)
+  for (int node = 0; node < K.numNodes(); ++node)
     for (int m = 0; m < problem.nearNullSpace.cols(); ++m) {
       const DenseMatrix motion = turned(problem.nearNullSpace.col(m) + node * dim, node, 1, 1);
       std::copy_n(motion.data(), dim, problem.nearNullSpace.col(m) + node * dim);
@@ -294,11 +294,11 @@ DenseReference::DenseReference(const SolverProblem& problem) : kept_(problem.kep
 {
   const BlockMatrix& K = *problem.matrix;
   full = DenseMatrix(K.numDofs(), K.numDofs());
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
+  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r)
     for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
       for (int i = 0; i < K.dim; ++i)
         for (int j = 0; j < K.dim; ++j)
-          full(K.rows[r] * K.dim + i, K.cols[std::size_t(b)] * K.dim + j) =
+          full(K.rowNode(int(r)) * K.dim + i, K.colNode(b) * K.dim + j) =
               K.values[std::size_t((b * K.dim + i) * K.dim + j)];
   for (std::size_t dof = 0; dof < problem.roles.size(); ++dof)
     if (problem.roles[dof] == DofRole::Interior)

@@ -12,7 +12,7 @@ TEST(BlockMatrix, FindsTheBlocksOfItsPatternOnly)
   const BlockMatrix& K = body.matrix;
   EXPECT_NE(K.block(0, 1), nullptr);
   EXPECT_EQ(K.block(0, 2), nullptr);
-  EXPECT_EQ(K.block(0, K.numNodes - 1), nullptr);
+  EXPECT_EQ(K.block(0, K.numNodes() - 1), nullptr);
   body.matrix.block(0, 1)[3] = 42.0;
   EXPECT_EQ(K.block(0, 1)[3], 42.0);
   EXPECT_EQ(K.block(0, 1), K.values.data() + 4);

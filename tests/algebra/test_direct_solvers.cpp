@@ -134,9 +134,9 @@ TEST_P(DirectSolver, PivotsTellOfAFloatingInteriorWhenNoMotionsAreGiven)
 TEST_P(DirectSolver, PivotsTellOfAMatrixThatIsNotPositiveDefinite)
 {
   test::SampleBody body = chain(20);
-  for (std::size_t r = 0; r < body.matrix.rows.size(); ++r)
-    if (body.matrix.rows[r] == 7)
-      *body.matrix.block(int(r), 7) = -1.0;
+  for (std::size_t r = 0; r < std::size_t(body.matrix.numRows()); ++r)
+    if (body.matrix.rowNode(int(r)) == 7)
+      *body.matrix.block(int(r), int(r)) = -1.0;
   singularDof(test::problemWith(body.matrix, {0}, {20}));
 }
 

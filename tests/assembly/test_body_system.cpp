@@ -93,7 +93,7 @@ TEST_P(Assembled, IsTheSameOnAnyNumberOfRanks)
   const Vector expected = multiply(alone.K, x, Comm::single()), computed = product(x);
   for (std::size_t i = 0; i < numDofs; ++i)
     EXPECT_NEAR(computed[i], expected[i], 1e-14 * norm(expected));
-  EXPECT_EQ(comm.sum(std::int64_t(system.K.rows.size())), body.nodes.numNodes());
+  EXPECT_EQ(comm.sum(std::int64_t(system.K.numRows())), body.nodes.numNodes());
   EXPECT_EQ(comm.sum(system.K.numBlocks()), alone.K.numBlocks());
 }
 

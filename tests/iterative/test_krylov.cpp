@@ -108,9 +108,9 @@ TEST_F(KrylovTest, SaysHowFarItIsWhenTheIterationsRunOut)
 
 TEST_F(KrylovTest, MeetsAMatrixThatIsNotPositiveDefinite)
 {
-  for (std::size_t r = 0; r < body.matrix.rows.size(); ++r)
-    if (body.matrix.rows[r] % 10 == 5)
-      body.matrix.block(int(r), body.matrix.rows[r])[0] *= 0.1;
+  for (std::size_t r = 0; r < std::size_t(body.matrix.numRows()); ++r)
+    if (body.matrix.rowNode(int(r)) % 10 == 5)
+      body.matrix.block(int(r), int(r))[0] *= 0.1;
   EXPECT_THROW(residualOf(ifpack2("RELAXATION")), SingularBody);
 }
 

@@ -31,11 +31,11 @@ DenseMatrix dense(const LinearInterpolation& P)
 DenseMatrix dense(const BlockMatrix& K)
 {
   DenseMatrix result(K.numDofs(), K.numDofs());
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (auto b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
+  for (int r = 0; r < K.numRows(); ++r)
+    for (auto b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b)
       for (int i = 0; i < K.dim; ++i)
         for (int j = 0; j < K.dim; ++j)
-          result(K.rows[r] * K.dim + i, K.cols[std::size_t(b)] * K.dim + j) =
+          result(K.rowNode(r) * K.dim + i, K.colNode(b) * K.dim + j) =
               K.values[std::size_t((b * K.dim + i) * K.dim + j)];
   return result;
 }
@@ -58,7 +58,7 @@ protected:
         problem(body.problem(test::Support::Guide)), wholeProblem(whole.problem(test::Support::Guide))
   {
     std::vector<int> chosen;
-    for (int node = 0; node < body.matrix.numNodes; node += 3)
+    for (int node = 0; node < body.matrix.numNodes(); node += 3)
       chosen.push_back(node);
     test::turnNodes(body, problem, chosen);
     test::turnNodes(whole, wholeProblem, chosen);
@@ -94,8 +94,8 @@ TEST_P(LinearLevelTest, SharesOutItsRowsAsTheNodesAre)
 {
   const LinearLevel level(problem, test::comm());
   Vector owners(level.interpolation.vertices.size(), 0.0);
-  for (const int vertex : level.matrix.rows)
-    owners[std::size_t(vertex)] += 1.0;
+  for (int row = 0; row < level.matrix.numRows(); ++row)
+    owners[std::size_t(level.matrix.rowNode(row))] += 1.0;
   test::comm().sum(owners);
   EXPECT_EQ(owners, Vector(owners.size(), 1.0));
   EXPECT_EQ(level.problem.roles.size(), level.problem.nodePoints.size());

@@ -72,7 +72,7 @@ TEST(Multigrid, DoesNotDependOnTheAxesOfNodesNorOnUnits)
   SolverProblem problem = body.problem(test::Support::None);
   const Solved plain = solve(body, problem);
   std::vector<int> chosen;
-  for (int node = 0; node < body.matrix.numNodes; node += 2)
+  for (int node = 0; node < body.matrix.numNodes(); node += 2)
     chosen.push_back(node);
   test::turnNodes(body, problem, chosen);
   EXPECT_NEAR(solve(body, problem).iterations, plain.iterations, 4);

@@ -9,10 +9,9 @@ int main()
   constexpr int springs = 10; // of stiffness 1, between the nodes 0 to 10
   BlockMatrix K;
   K.dim = 1;
-  K.numNodes = springs + 1;
+  K.nodes = IndexMap::whole(springs + 1); // one process has all rows
   K.rowPtr = {0};
   for (int node = 0; node <= springs; ++node) {
-    K.rows.push_back(node);
     for (int other = std::max(node - 1, 0); other <= std::min(node + 1, springs); ++other) {
       K.cols.push_back(other);
       K.values.push_back(other != node ? -1.0 : node == 0 || node == springs ? 1.0 : 2.0);

@@ -16,7 +16,7 @@ std::unique_ptr<LinearSolver> makeSolver(const std::string& type)
 /// n x n nodes, springs of stiffness 1 from each to its four neighbours, or to a wall.
 BlockMatrix springGrid(int n)
 {
-  BlockMatrix K{1, n * n, {}, {0}, {}, {}};
+  BlockMatrix K{1, IndexMap::whole(n * n), {0}, {}, {}};
   for (int node = 0; node < n * n; ++node) {
     const int i = node % n, j = node / n;
     const std::pair<bool, int> row[] = {{j > 0, -n}, {i > 0, -1}, {true, 0}, {i < n - 1, 1}, {j < n - 1, n}};
@@ -25,7 +25,6 @@ BlockMatrix springGrid(int n)
         K.cols.push_back(node + offset);
         K.values.push_back(offset == 0 ? 4.0 : -1.0);
       }
-    K.rows.push_back(node);
     K.rowPtr.push_back(K.numBlocks());
   }
   return K;

@@ -9,13 +9,12 @@ using namespace ndframe;
 /// Nodes in a row, springs of stiffness 1 between neighbours and from both ends to a wall.
 BlockMatrix springRow(int nodes)
 {
-  BlockMatrix K{1, nodes, {}, {0}, {}, {}};
+  BlockMatrix K{1, IndexMap::whole(nodes), {0}, {}, {}};
   for (int node = 0; node < nodes; ++node) {
     for (int other = std::max(node - 1, 0); other <= std::min(node + 1, nodes - 1); ++other) {
       K.cols.push_back(other);
       K.values.push_back(other == node ? 2.0 : -1.0);
     }
-    K.rows.push_back(node);
     K.rowPtr.push_back(K.numBlocks());
   }
   return K;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 #include "ndframe/algebra/dense.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -11,18 +12,65 @@
 namespace ndframe
 {
 
-const double* BlockMatrix::block(int r, int colNode) const
+namespace
+{
+
+/// Gives the columns this rank's numbers and sorts a row's blocks by them.
+void renumberRow(BlockMatrix& K, std::size_t r, std::vector<std::pair<int, std::int64_t>>& order,
+                 std::vector<double>& given)
+{
+  const std::int64_t first = K.rowPtr[r], last = K.rowPtr[r + 1], size = std::int64_t(K.dim) * K.dim;
+  order.clear();
+  for (std::int64_t b = first; b < last; ++b)
+    order.emplace_back(K.nodes.local(K.cols[std::size_t(b)]), b - first);
+  std::sort(order.begin(), order.end());
+  given.assign(K.values.begin() + first * size, K.values.begin() + last * size);
+  for (std::int64_t b = first; b < last; ++b) {
+    const auto& [column, place] = order[std::size_t(b - first)];
+    K.cols[std::size_t(b)] = column;
+    std::copy_n(given.begin() + place * size, size, K.values.begin() + b * size);
+  }
+}
+
+} // namespace
+
+BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector<int>& owned,
+                           std::vector<std::int64_t> rowPtr, std::vector<int> cols, std::vector<double> values)
+{
+  const bool isWhole = IndexMap::Global(owned.size()) == numNodes;
+  std::vector<IndexMap::Global> needed;
+  std::vector<char> isNeeded(isWhole ? 0 : std::size_t(numNodes), 0);
+  for (const int node : cols)
+    if (!isWhole && !std::exchange(isNeeded[std::size_t(node)], char(1)))
+      needed.push_back(node);
+  BlockMatrix K{dim, IndexMap(numNodes, {owned.begin(), owned.end()}, std::move(needed)), std::move(rowPtr),
+                std::move(cols), std::move(values)};
+  K.values.resize(K.cols.size() * std::size_t(dim) * std::size_t(dim), 0.0);
+  std::vector<std::pair<int, std::int64_t>> order;
+  std::vector<double> given;
+  for (std::size_t r = 0; !isWhole && r < owned.size(); ++r)
+    renumberRow(K, r, order, given);
+  return K;
+}
+
+int BlockMatrix::rowOf(int node) const
+{
+  const int row = nodes.local(node);
+  return row >= 0 && nodes.owns(row) ? row : -1;
+}
+
+const double* BlockMatrix::block(int r, int column) const
 {
   const auto first = cols.begin() + rowPtr[std::size_t(r)], last = cols.begin() + rowPtr[std::size_t(r) + 1];
-  const auto found = std::lower_bound(first, last, colNode);
-  if (found == last || *found != colNode)
+  const auto found = std::lower_bound(first, last, column);
+  if (found == last || *found != column)
     return nullptr;
   return values.data() + (found - cols.begin()) * dim * dim;
 }
 
-double* BlockMatrix::block(int r, int colNode)
+double* BlockMatrix::block(int r, int column)
 {
-  return const_cast<double*>(static_cast<const BlockMatrix&>(*this).block(r, colNode));
+  return const_cast<double*>(static_cast<const BlockMatrix&>(*this).block(r, column));
 }
 
 Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm)
@@ -30,11 +78,11 @@ Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm)
   NDFRAME_ASSERT(int(x.size()) == K.numDofs(), "shapes do not match");
   const int dim = K.dim;
   Vector y(x.size(), 0.0);
-  for (std::size_t r = 0; r < K.rows.size(); ++r) {
-    double* yRow = y.data() + std::size_t(K.rows[r]) * std::size_t(dim);
-    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
+  for (int r = 0; r < K.numRows(); ++r) {
+    double* yRow = y.data() + std::size_t(K.rowNode(r)) * std::size_t(dim);
+    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b) {
       const double* entry = K.values.data() + b * dim * dim;
-      const double* xCol = x.data() + std::size_t(K.cols[std::size_t(b)]) * std::size_t(dim);
+      const double* xCol = x.data() + std::size_t(K.colNode(b)) * std::size_t(dim);
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j)
           yRow[i] += *entry++ * xCol[j];
@@ -47,11 +95,11 @@ Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm)
 Vector diagonal(const BlockMatrix& K, const Comm& comm)
 {
   Vector d(std::size_t(K.numDofs()), 0.0);
-  for (std::size_t r = 0; r < K.rows.size(); ++r) {
-    const double* entry = K.block(int(r), K.rows[r]);
+  for (int r = 0; r < K.numRows(); ++r) {
+    const double* entry = K.block(r, r);
     NDFRAME_ASSERT(entry != nullptr, "a row has no diagonal block");
     for (int i = 0; i < K.dim; ++i)
-      d[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)] = entry[i * K.dim + i];
+      d[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] = entry[i * K.dim + i];
   }
   comm.sum(d);
   return d;
@@ -68,12 +116,12 @@ double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm)
   const int dim = K.dim;
   Vector sizes(u.size(), 0.0);
   const double* entry = K.values.data();
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
+  for (int r = 0; r < K.numRows(); ++r)
+    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b)
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j)
-          sizes[std::size_t(K.rows[r]) * std::size_t(dim) + std::size_t(i)] +=
-              std::abs(*entry++ * u[std::size_t(K.cols[std::size_t(b)]) * std::size_t(dim) + std::size_t(j)]);
+          sizes[std::size_t(K.rowNode(r)) * std::size_t(dim) + std::size_t(i)] +=
+              std::abs(*entry++ * u[std::size_t(K.colNode(b)) * std::size_t(dim) + std::size_t(j)]);
   comm.sum(sizes);
   return 16.0 * std::numeric_limits<double>::epsilon() * norm(sizes);
 }

@@ -37,7 +37,7 @@ UpperTriangle freeUpperTriangle(const SolverProblem& problem, const FreeDofs& fr
     // Column `dof` of the upper triangle is, by symmetry, the beginning of row `dof`.
     const int node = dof / K.dim, component = dof % K.dim;
     for (std::int64_t b = K.rowPtr[std::size_t(node)]; b < K.rowPtr[std::size_t(node) + 1]; ++b)
-      for (int j = 0, other = K.cols[std::size_t(b)] * K.dim; j < K.dim && other <= dof; ++j, ++other) {
+      for (int j = 0, other = K.colNode(b) * K.dim; j < K.dim && other <= dof; ++j, ++other) {
         if (free.number[std::size_t(other)] < 0)
           continue;
         A.rows.push_back(free.number[std::size_t(other)]);

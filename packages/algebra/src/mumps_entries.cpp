@@ -6,12 +6,12 @@ namespace ndframe
 LowerEntries ownLowerEntries(const BlockMatrix& K, const FreeDofs& free)
 {
   LowerEntries entries;
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b)
+  for (int r = 0; r < K.numRows(); ++r)
+    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b)
       for (int i = 0; i < K.dim; ++i)
         for (int j = 0; j < K.dim; ++j) {
-          const int row = free.number[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)];
-          const int col = free.number[std::size_t(K.cols[std::size_t(b)]) * std::size_t(K.dim) + std::size_t(j)];
+          const int row = free.number[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)];
+          const int col = free.number[std::size_t(K.colNode(b)) * std::size_t(K.dim) + std::size_t(j)];
           if (row < 0 || col < 0 || col > row)
             continue;
           entries.rows.push_back(row + 1);

@@ -40,7 +40,7 @@ struct GraphRows
 
 InteriorNodes findInteriorNodes(const SolverProblem& problem)
 {
-  const int dim = problem.matrix->dim, numNodes = problem.matrix->numNodes;
+  const int dim = problem.matrix->dim, numNodes = problem.matrix->numNodes();
   InteriorNodes interior;
   interior.number.assign(std::size_t(numNodes), -1);
   for (int node = 0; node < numNodes; ++node) {
@@ -57,16 +57,17 @@ GraphRows ownRows(const BlockMatrix& K, const InteriorNodes& interior)
 {
   GraphRows graph;
   graph.neighbours.reserve(K.cols.size());
-  for (std::size_t r = 0; r < K.rows.size(); ++r) {
-    const int vertex = interior.number[std::size_t(K.rows[r])];
+  for (int r = 0; r < K.numRows(); ++r) {
+    const int vertex = interior.number[std::size_t(K.rowNode(r))];
     if (vertex < 0)
       continue;
     const std::size_t before = graph.neighbours.size();
-    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
-      const int neighbour = interior.number[std::size_t(K.cols[std::size_t(b)])];
+    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b) {
+      const int neighbour = interior.number[std::size_t(K.colNode(b))];
       if (neighbour >= 0 && neighbour != vertex)
         graph.neighbours.push_back(neighbour);
     }
+    std::sort(graph.neighbours.begin() + std::ptrdiff_t(before), graph.neighbours.end()); // as on one rank
     graph.vertices.push_back(vertex);
     graph.degrees.push_back(idx_t(graph.neighbours.size() - before));
   }

@@ -58,36 +58,35 @@ BlockMatrix unpacked(const std::vector<int>& pattern, const std::vector<double>&
        v += std::size_t(pattern[p + 1]) * blockSize, p += 2 + std::size_t(pattern[p + 1]))
     places.push_back({pattern[p], p, v});
   std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) { return a.node < b.node; });
-  BlockMatrix rows;
-  rows.dim = dim;
-  rows.numNodes = numNodes;
-  rows.rowPtr.push_back(0);
+  std::vector<int> owned, columns;
+  std::vector<double> blocksOfRows;
+  std::vector<std::int64_t> rowPtr{0};
   for (const Place& place : places) {
-    const auto count = std::size_t(pattern[place.pattern + 1]);
+    const auto count = std::ptrdiff_t(pattern[place.pattern + 1]);
     const auto cols = pattern.begin() + std::ptrdiff_t(place.pattern) + 2;
     const auto blocks = values.begin() + std::ptrdiff_t(place.values);
-    rows.rows.push_back(place.node);
-    rows.cols.insert(rows.cols.end(), cols, cols + std::ptrdiff_t(count));
-    rows.values.insert(rows.values.end(), blocks, blocks + std::ptrdiff_t(count) * std::ptrdiff_t(blockSize));
-    rows.rowPtr.push_back(rows.numBlocks());
+    owned.push_back(place.node);
+    columns.insert(columns.end(), cols, cols + count);
+    blocksOfRows.insert(blocksOfRows.end(), blocks, blocks + count * std::ptrdiff_t(blockSize));
+    rowPtr.push_back(std::int64_t(columns.size()));
   }
-  return rows;
+  return withOwnColumns(dim, numNodes, owned, std::move(rowPtr), std::move(columns), std::move(blocksOfRows));
 }
 
 /// Per rank the places in K.rows that it needs.
 std::vector<std::vector<int>> rowsPerRank(const BlockMatrix& K, const RowReaders& readers, const Comm& comm)
 {
-  Vector owner(std::size_t(K.numNodes), 0.0);
-  for (const int node : K.rows)
-    owner[std::size_t(node)] = comm.rank();
+  Vector owner(std::size_t(K.numNodes()), 0.0);
+  for (int r = 0; r < K.numRows(); ++r)
+    owner[std::size_t(K.rowNode(r))] = comm.rank();
   comm.sum(owner);
   std::vector<std::vector<int>> result(std::size_t(comm.size()));
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
-    for (const int node : readers(K.rows[r])) {
+  for (int r = 0; r < K.numRows(); ++r)
+    for (const int node : readers(K.rowNode(r))) {
       const int rank = int(owner[std::size_t(node)]);
       auto& rows = result[std::size_t(rank)];
-      if (rank != comm.rank() && (rows.empty() || rows.back() != int(r)))
-        rows.push_back(int(r));
+      if (rank != comm.rank() && (rows.empty() || rows.back() != r))
+        rows.push_back(r);
     }
   return result;
 }
@@ -97,7 +96,7 @@ std::vector<std::vector<int>> rowsPerRank(const BlockMatrix& K, const RowReaders
 BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& readers, const Comm& comm)
 {
   if (comm.size() == 1)
-    return unpacked({}, {}, K.dim, K.numNodes);
+    return unpacked({}, {}, K.dim, K.numNodes());
   const auto rowsFor = rowsPerRank(K, readers, comm);
   std::vector<std::vector<int>> patterns(rowsFor.size());
   std::vector<std::vector<double>> values(rowsFor.size());
@@ -105,14 +104,15 @@ BlockMatrix receivedRows(const BlockMatrix& K, const RowReaders& readers, const 
   for (std::size_t rank = 0; rank < rowsFor.size(); ++rank)
     for (const int row : rowsFor[rank]) {
       const std::int64_t first = K.rowPtr[std::size_t(row)], last = K.rowPtr[std::size_t(row) + 1];
-      patterns[rank].push_back(K.rows[std::size_t(row)]);
+      patterns[rank].push_back(K.rowNode(row));
       patterns[rank].push_back(int(last - first));
-      patterns[rank].insert(patterns[rank].end(), K.cols.begin() + first, K.cols.begin() + last);
+      for (std::int64_t b = first; b < last; ++b)
+        patterns[rank].push_back(K.colNode(b));
       values[rank].insert(values[rank].end(), K.values.begin() + first * blockSize,
                           K.values.begin() + last * blockSize);
     }
   const std::vector<int> pattern = received(patterns, mpiComm(comm));
-  return unpacked(pattern, received(values, mpiComm(comm)), K.dim, K.numNodes);
+  return unpacked(pattern, received(values, mpiComm(comm)), K.dim, K.numNodes());
 }
 
 } // namespace ndframe

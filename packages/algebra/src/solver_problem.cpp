@@ -22,7 +22,7 @@ void checkShapes(const SolverProblem& problem)
   NDFRAME_ASSERT(problem.matrix != nullptr, "a solver needs a matrix");
   const BlockMatrix& K = *problem.matrix;
   NDFRAME_ASSERT(int(problem.roles.size()) == K.numDofs(), "one role per dof is needed");
-  NDFRAME_ASSERT(K.rowPtr.size() == K.rows.size() + 1, "rowPtr does not fit the rows");
+  NDFRAME_ASSERT(K.rowPtr.size() == std::size_t(K.numRows()) + 1, "rowPtr does not fit the rows");
   NDFRAME_ASSERT(problem.nearNullSpace.cols() == 0 || problem.nearNullSpace.rows() == K.numDofs(),
                  "the near null space needs one row per dof");
   const auto numKept = std::count(problem.roles.begin(), problem.roles.end(), DofRole::Kept);

@@ -16,14 +16,14 @@ namespace
 double rowTimes(const BlockMatrix& K, int dof, const double* u)
 {
   const int node = dof / K.dim, component = dof % K.dim;
-  const auto row = std::lower_bound(K.rows.begin(), K.rows.end(), node);
-  if (row == K.rows.end() || *row != node)
+  const int row = K.rowOf(node);
+  if (row < 0)
     return 0.0;
-  const auto r = std::size_t(row - K.rows.begin());
+  const auto r = std::size_t(row);
   double sum = 0.0;
   for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
     const double* entry = K.values.data() + (b * K.dim + component) * K.dim;
-    const double* column = u + std::size_t(K.cols[std::size_t(b)]) * std::size_t(K.dim);
+    const double* column = u + std::size_t(K.colNode(b)) * std::size_t(K.dim);
     for (int j = 0; j < K.dim; ++j)
       sum += entry[j] * column[j];
   }

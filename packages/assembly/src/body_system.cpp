@@ -35,17 +35,16 @@ void turnElementNode(double* K, int dofs, int dim, int a, const double* axes)
   }
 }
 
-/// Adds an element matrix to the rows that this rank owns (rowIndex < 0: another rank's).
-void scatter(BlockMatrix& K, const int* nodes, int nodesPerCell, const std::vector<int>& rowIndex,
-             const double* element)
+/// Adds an element matrix to the rows that this rank owns. local: per node its number on this rank, or -1.
+void scatter(BlockMatrix& K, const int* nodes, int nodesPerCell, const std::vector<int>& local, const double* element)
 {
   const int dim = K.dim, dofs = nodesPerCell * dim;
   for (int a = 0; a < nodesPerCell; ++a) {
-    const int row = rowIndex[std::size_t(nodes[a])];
-    if (row < 0)
+    const int row = local[std::size_t(nodes[a])];
+    if (row < 0 || !K.nodes.owns(row))
       continue;
     for (int b = 0; b < nodesPerCell; ++b) {
-      double* block = K.block(row, nodes[b]);
+      double* block = K.block(row, local[std::size_t(nodes[b])]);
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j)
           block[i * dim + j] += element[(a * dim + i) * dofs + b * dim + j];
@@ -54,14 +53,15 @@ void scatter(BlockMatrix& K, const int* nodes, int nodesPerCell, const std::vect
 }
 
 template <int dim, int order>
-void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const std::vector<int>& rowIndex)
+void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const std::vector<int>& local)
 {
   constexpr int nodesPerCell = Lagrange<dim, order>::nodes, dofs = nodesPerCell * dim;
   const QuadratureRule rule = simplexRule(dim, 2 * (order - 1));
   double points[(dim + 1) * dim], element[dofs * dofs];
   for (int c = 0; c < body.mesh.numCells(); ++c) {
     const int* nodes = body.nodes.cell(c);
-    if (std::none_of(nodes, nodes + nodesPerCell, [&](int node) { return rowIndex[std::size_t(node)] >= 0; }))
+    if (std::none_of(nodes, nodes + nodesPerCell,
+                     [&](int node) { return local[std::size_t(node)] >= 0 && K.nodes.owns(local[std::size_t(node)]); }))
       continue;
     cellPoints(body.mesh, c, points);
     elementStiffness<dim, order>(points, body.laws(c), rule, element);
@@ -69,7 +69,7 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
       for (int a = 0; a < nodesPerCell; ++a)
         if (frames.isTurned(nodes[a]))
           turnElementNode(element, dofs, dim, a, frames.axes(nodes[a]));
-    scatter(K, nodes, nodesPerCell, rowIndex, element);
+    scatter(K, nodes, nodesPerCell, local, element);
   }
 }
 
@@ -80,19 +80,19 @@ Vector assembleLoad(const BodyModel& body, const Frames& frames)
   return frames.toLocal(integrateLoads(body));
 }
 
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes)
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes)
 {
-  return assembleBody(body, std::move(dofs), std::move(ownedNodes), integrateLoads(body));
+  return assembleBody(body, std::move(dofs), ownedNodes, integrateLoads(body));
 }
 
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes, const Vector& load)
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes, const Vector& load)
 {
-  BodySystem system{std::move(dofs), makeSparsity(body.nodes, std::move(ownedNodes)), {}};
-  std::vector<int> rowIndex(std::size_t(body.nodes.numNodes()), -1);
-  for (std::size_t r = 0; r < system.K.rows.size(); ++r)
-    rowIndex[std::size_t(system.K.rows[r])] = int(r);
+  BodySystem system{std::move(dofs), makeSparsity(body.nodes, ownedNodes), {}};
+  std::vector<int> local(std::size_t(body.nodes.numNodes()), -1);
+  for (int i = 0; i < system.K.nodes.size(); ++i)
+    local[std::size_t(system.K.nodes.global(i))] = i;
   withDimAndOrder(body.mesh.dim, body.nodes.order,
-                  [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, rowIndex); });
+                  [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, local); });
   system.load = system.dofs.frames.toLocal(load);
   return system;
 }

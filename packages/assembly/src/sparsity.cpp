@@ -29,27 +29,26 @@ NodeCells cellsAroundNodes(const NodeMap& nodes)
 
 } // namespace
 
-BlockMatrix makeSparsity(const NodeMap& nodes, std::vector<int> ownedNodes)
+BlockMatrix makeSparsity(const NodeMap& nodes, const std::vector<int>& ownedNodes)
 {
   const NodeCells around = cellsAroundNodes(nodes);
-  BlockMatrix K{nodes.dim, nodes.numNodes(), std::move(ownedNodes), {0}, {}, {}};
-  std::vector<int> lastRow(std::size_t(nodes.numNodes()), -1);
-  K.rowPtr.reserve(K.rows.size() + 1);
-  K.cols.reserve(K.rows.size() * (nodes.dim == 2 ? 12 : 30));
-  for (const int row : K.rows) {
-    const auto begin = std::ptrdiff_t(K.cols.size());
+  std::vector<int> cols, lastRow(std::size_t(nodes.numNodes()), -1);
+  std::vector<std::int64_t> rowPtr{0};
+  rowPtr.reserve(ownedNodes.size() + 1);
+  cols.reserve(ownedNodes.size() * (nodes.dim == 2 ? 12 : 30));
+  for (const int row : ownedNodes) {
+    const auto begin = std::ptrdiff_t(cols.size());
     for (int i = around.first[std::size_t(row)]; i < around.first[std::size_t(row) + 1]; ++i) {
       const int* cell = nodes.cell(around.cells[std::size_t(i)]);
       for (int a = 0; a < nodes.nodesPerCell; ++a)
         if (std::exchange(lastRow[std::size_t(cell[a])], row) != row)
-          K.cols.push_back(cell[a]);
+          cols.push_back(cell[a]);
     }
-    std::sort(K.cols.begin() + begin, K.cols.end());
-    K.rowPtr.push_back(std::int64_t(K.cols.size()));
+    std::sort(cols.begin() + begin, cols.end());
+    rowPtr.push_back(std::int64_t(cols.size()));
   }
-  K.cols.shrink_to_fit();
-  K.values.assign(K.cols.size() * std::size_t(nodes.dim) * std::size_t(nodes.dim), 0.0);
-  return K;
+  cols.shrink_to_fit();
+  return withOwnColumns(nodes.dim, nodes.numNodes(), ownedNodes, std::move(rowPtr), std::move(cols), {});
 }
 
 } // namespace ndframe

@@ -9,6 +9,6 @@ namespace ndframe
 {
 
 /// The pattern of the owned rows (values zero): two nodes are coupled when they share a cell.
-BlockMatrix makeSparsity(const NodeMap& nodes, std::vector<int> ownedNodes);
+BlockMatrix makeSparsity(const NodeMap& nodes, const std::vector<int>& ownedNodes);
 
 } // namespace ndframe

@@ -44,7 +44,7 @@ ContactPatch makePatch(const Model& model, const InterfaceMesh& interface, int f
   ContactPatch patch;
   patch.dim = interface.dim;
   for (const std::size_t side : {0u, 1u}) {
-    const InterfaceSide& ofInterface = interface.side(side == 0);
+    const InterfaceSide& ofInterface = interface.side(bothRoles[side]);
     patch.sides[side].body = ofInterface.body;
     patch.sides[side].facet = ofInterface.facets[std::size_t(f)];
   }

@@ -11,12 +11,9 @@ namespace ndframe
 class BlockRowSum
 {
 public:
-  BlockRowSum(int dim, int numNodes) : size_(std::size_t(dim) * std::size_t(dim)), place_(std::size_t(numNodes), -1)
-  {
-    result_.dim = dim;
-    result_.numNodes = numNodes;
-    result_.rowPtr.push_back(0);
-  }
+  BlockRowSum(int dim, int numNodes)
+      : dim_(dim), size_(std::size_t(dim) * std::size_t(dim)), place_(std::size_t(numNodes), -1)
+  {}
 
   /// A block of the row that is being summed, zero when it is new. Valid until the next call.
   double* block(int node)
@@ -30,28 +27,35 @@ public:
     return sums_.data() + std::size_t(place) * size_;
   }
 
-  /// The row is that of this node; the next one begins.
+  /// The row is that of this node, larger than those before; the next one begins.
   void end(int node)
   {
     std::sort(columns_.begin(), columns_.end());
     for (const int column : columns_) {
       const double* sum = block(column);
-      result_.cols.push_back(column);
-      result_.values.insert(result_.values.end(), sum, sum + size_);
+      cols_.push_back(column);
+      values_.insert(values_.end(), sum, sum + size_);
     }
-    result_.rows.push_back(node);
-    result_.rowPtr.push_back(result_.numBlocks());
+    rows_.push_back(node);
+    rowPtr_.push_back(std::int64_t(cols_.size()));
     for (const int column : columns_)
       place_[std::size_t(column)] = -1;
     columns_.clear();
     sums_.clear();
   }
 
-  BlockMatrix take() && { return std::move(result_); }
+  BlockMatrix take() &&
+  {
+    return withOwnColumns(dim_, IndexMap::Global(place_.size()), rows_, std::move(rowPtr_), std::move(cols_),
+                          std::move(values_));
+  }
 
 private:
-  BlockMatrix result_;
+  int dim_;
   std::size_t size_;
+  std::vector<int> rows_, cols_;
+  std::vector<std::int64_t> rowPtr_ = {0};
+  std::vector<double> values_;
   std::vector<int> place_; ///< per node, in the row that is being summed; -1: not there
   std::vector<int> columns_;
   std::vector<double> sums_;

@@ -46,10 +46,10 @@ KeptNumbers numberKept(const std::vector<const SolverProblem*>& problems,
 /// K_ij of a body on the rank that has the row, zero elsewhere.
 double entry(const BlockMatrix& K, int i, int j)
 {
-  const auto row = std::lower_bound(K.rows.begin(), K.rows.end(), i / K.dim);
-  if (row == K.rows.end() || *row != i / K.dim)
+  const int row = K.rowOf(i / K.dim), column = K.nodes.local(j / K.dim);
+  if (row < 0 || column < 0)
     return 0.0;
-  const double* block = K.block(int(row - K.rows.begin()), j / K.dim);
+  const double* block = K.block(row, column);
   return block == nullptr ? 0.0 : block[(i % K.dim) * K.dim + j % K.dim];
 }
 

@@ -54,9 +54,9 @@ public:
   /// Takes part with its rows, which must stay where they are.
   void add(const BlockMatrix& rows)
   {
-    for (std::size_t r = 0; r < rows.rows.size(); ++r)
+    for (int r = 0; r < rows.numRows(); ++r)
       for (int i = 0; i < dim_; ++i)
-        followers_.each(rows.rows[r] * dim_ + i, [&](int place, double share) {
+        followers_.each(rows.rowNode(r) * dim_ + i, [&](int place, double share) {
           parts_[std::size_t(place / dim_)].push_back({&rows, r, i, place % dim_, share});
         });
   }
@@ -77,18 +77,17 @@ private:
   struct Part
   {
     const BlockMatrix* rows;
-    std::size_t row;
-    int component, target;
+    int row, component, target;
     double share;
   };
 
   void addPart(const Part& part)
   {
     const BlockMatrix& K = *part.rows;
-    for (std::int64_t b = K.rowPtr[part.row]; b < K.rowPtr[part.row + 1]; ++b) {
+    for (std::int64_t b = K.rowPtr[std::size_t(part.row)]; b < K.rowPtr[std::size_t(part.row) + 1]; ++b) {
       const double* row = K.values.data() + (b * dim_ + part.component) * dim_;
       for (int j = 0; j < dim_; ++j)
-        followers_.each(K.cols[std::size_t(b)] * dim_ + j, [&](int place, double share) {
+        followers_.each(K.colNode(b) * dim_ + j, [&](int place, double share) {
           sum_.block(place / dim_)[part.target * dim_ + place % dim_] += part.share * share * row[j];
         });
     }
@@ -109,29 +108,33 @@ BlockMatrix followingMatrix(const BlockMatrix& K, const Followers& followers, co
     return nodes;
   };
   const BlockMatrix received = receivedRows(K, placesOf, comm);
-  FollowingProduct product(followers, K.dim, K.numNodes);
+  FollowingProduct product(followers, K.dim, K.numNodes());
   product.add(K);
   product.add(received);
-  return std::move(product).rowsOf(K.rows);
+  std::vector<int> own;
+  for (int r = 0; r < K.numRows(); ++r)
+    own.push_back(K.rowNode(r));
+  return std::move(product).rowsOf(own);
 }
 
 /// The bodies' matrices as blocks of one.
 BlockMatrix stacked(const std::vector<std::unique_ptr<LinearLevel>>& levels)
 {
-  BlockMatrix result;
-  result.dim = levels.front()->matrix.dim;
-  result.rowPtr.push_back(0);
+  std::vector<const IndexMap*> maps;
+  for (const auto& level : levels)
+    maps.push_back(&level->matrix.nodes);
+  BlockMatrix result{levels.front()->matrix.dim, ndframe::stacked(maps), {0}, {}, {}};
+  int owned = 0, ghosts = result.numRows();
   for (const auto& level : levels) {
     const BlockMatrix& matrix = level->matrix;
-    for (const int node : matrix.rows)
-      result.rows.push_back(result.numNodes + node);
-    for (const int node : matrix.cols)
-      result.cols.push_back(result.numNodes + node);
+    for (const int column : matrix.cols)
+      result.cols.push_back(matrix.nodes.owns(column) ? owned + column : ghosts + column - matrix.numRows());
     const std::int64_t before = result.rowPtr.back();
     for (std::size_t r = 1; r < matrix.rowPtr.size(); ++r)
       result.rowPtr.push_back(before + matrix.rowPtr[r]);
     result.values.insert(result.values.end(), matrix.values.begin(), matrix.values.end());
-    result.numNodes += matrix.numNodes;
+    owned += matrix.numRows();
+    ghosts += matrix.nodes.size() - matrix.numRows();
   }
   return result;
 }
@@ -165,10 +168,9 @@ void addSprings(BlockMatrix& matrix, const std::vector<int>& keptDofs, const Vec
   for (std::size_t k = 0; k < springs.size(); ++k) {
     if (springs[k] == 0.0 || keptDofs[k] < 0)
       continue;
-    const int node = keptDofs[k] / matrix.dim, component = keptDofs[k] % matrix.dim;
-    const auto row = std::lower_bound(matrix.rows.begin(), matrix.rows.end(), node);
-    if (row != matrix.rows.end() && *row == node)
-      matrix.block(int(row - matrix.rows.begin()), node)[std::ptrdiff_t(component) * (matrix.dim + 1)] += springs[k];
+    const int row = matrix.rowOf(keptDofs[k] / matrix.dim), component = keptDofs[k] % matrix.dim;
+    if (row >= 0)
+      matrix.block(row, row)[std::ptrdiff_t(component) * (matrix.dim + 1)] += springs[k];
   }
 }
 

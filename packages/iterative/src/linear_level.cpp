@@ -46,8 +46,8 @@ public:
   /// Takes part with its rows, which must stay where they are.
   void add(const BlockMatrix& rows)
   {
-    for (std::size_t r = 0; r < rows.rows.size(); ++r) {
-      const auto& [a, b] = P_.ends[std::size_t(rows.rows[r])];
+    for (int r = 0; r < rows.numRows(); ++r) {
+      const auto& [a, b] = P_.ends[std::size_t(rows.rowNode(r))];
       children_[std::size_t(a)].emplace_back(&rows, r);
       if (a != b)
         children_[std::size_t(b)].emplace_back(&rows, r);
@@ -66,12 +66,12 @@ public:
 
 private:
   /// Adds (P^T)_vertex,i K_ij P_jq for all j and q.
-  void addProduct(const BlockMatrix& K, std::size_t r, int vertex)
+  void addProduct(const BlockMatrix& K, int r, int vertex)
   {
-    const int node = K.rows[r], size = dim_ * dim_;
+    const int node = K.rowNode(r), size = dim_ * dim_;
     Block block{};
-    for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
-      const int other = K.cols[std::size_t(b)];
+    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b) {
+      const int other = K.colNode(b);
       std::copy_n(K.values.data() + b * size, size, block.values);
       if (!isFree_[std::size_t(node)] || !isFree_[std::size_t(other)])
         mask(node, other, block);
@@ -136,7 +136,7 @@ private:
   const SolverProblem& problem_;
   const LinearInterpolation& P_;
   int dim_;
-  std::vector<std::vector<std::pair<const BlockMatrix*, std::size_t>>> children_; ///< per vertex, rows that it is in
+  std::vector<std::vector<std::pair<const BlockMatrix*, int>>> children_; ///< per vertex, rows that it is in
   std::vector<char> isFree_; ///< per node, whether all its dofs are interior
   BlockRowSum sum_;
 };
@@ -153,8 +153,8 @@ BlockMatrix galerkinMatrix(const SolverProblem& problem, const LinearInterpolati
   product.add(K);
   product.add(received);
   std::vector<int> own;
-  for (const int node : K.rows)
-    if (const auto& [a, b] = P.ends[std::size_t(node)]; a == b)
+  for (int r = 0; r < K.numRows(); ++r)
+    if (const auto& [a, b] = P.ends[std::size_t(K.rowNode(r))]; a == b)
       own.push_back(a);
   return std::move(product).rowsOf(own);
 }

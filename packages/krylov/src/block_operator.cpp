@@ -19,19 +19,15 @@ void FineOperator::apply(const TpetraVectors& x, TpetraVectors& y, Teuchos::ETra
 }
 
 BlockOperator::BlockOperator(const SolverProblem& problem, const Comm& comm)
-    : matrix_(*problem.matrix), dofMap_(mapOf(matrix_.rows, matrix_.dim, teuchosComm(comm)))
+    : matrix_(*problem.matrix), dofMap_(ownedMap(matrix_.nodes, matrix_.dim, teuchosComm(comm)))
 {
-  for (const int node : matrix_.rows)
+  for (int r = 0; r < matrix_.numRows(); ++r)
     for (int i = 0; i < matrix_.dim; ++i)
-      interior_.push_back(problem.roles[std::size_t(node) * std::size_t(matrix_.dim) + std::size_t(i)] ==
+      interior_.push_back(problem.roles[std::size_t(matrix_.rowNode(r)) * std::size_t(matrix_.dim) + std::size_t(i)] ==
                           DofRole::Interior);
   if (comm.size() == 1)
     return;
-  LocalNodes local = columnNodes(matrix_);
-  columns_.reserve(matrix_.cols.size());
-  for (const int node : matrix_.cols)
-    columns_.push_back(local.number(node));
-  const auto seenMap = mapOf(local.nodes, matrix_.dim, dofMap_->getComm());
+  const auto seenMap = heldMap(matrix_.nodes, matrix_.dim, dofMap_->getComm());
   import_ = Teuchos::rcp(new Tpetra::Import<>(dofMap_, seenMap));
   seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
 }
@@ -47,8 +43,7 @@ Teuchos::ArrayRCP<const double> BlockOperator::seen(const TpetraVectors& x) cons
 void BlockOperator::multiply(const TpetraVectors& x, double* y) const
 {
   const auto values = seen(x);
-  multiplyBlocks(matrix_, columns_.empty() ? matrix_.cols.data() : columns_.data(), values.getRawPtr(),
-                 std::size_t(values.size()), y);
+  multiplyBlocks(matrix_, values.getRawPtr(), std::size_t(values.size()), y);
   for (std::size_t dof = 0; dof < interior_.size(); ++dof)
     if (!interior_[dof])
       y[dof] = 0.0;
@@ -59,9 +54,9 @@ std::vector<double> BlockOperator::inverseDiagonal() const
 {
   std::vector<double> inverse(interior_.size(), 0.0);
   const auto dim = std::size_t(matrix_.dim);
-  for (std::size_t r = 0; r < matrix_.rows.size(); ++r)
+  for (std::size_t r = 0; r < std::size_t(matrix_.numRows()); ++r)
     for (auto b = std::size_t(matrix_.rowPtr[r]); b < std::size_t(matrix_.rowPtr[r + 1]); ++b)
-      if (matrix_.cols[b] == matrix_.rows[r])
+      if (matrix_.cols[b] == int(r))
         for (std::size_t i = 0; i < dim; ++i)
           if (interior_[r * dim + i])
             inverse[r * dim + i] = 1.0 / matrix_.values[(b * dim + i) * dim + i];

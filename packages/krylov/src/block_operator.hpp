@@ -25,7 +25,6 @@ private:
   const BlockMatrix& matrix_;
   Teuchos::RCP<const TpetraMap> dofMap_;
   std::vector<char> interior_; ///< per dof of this rank
-  std::vector<int> columns_;   ///< per block its column as this rank numbers nodes; empty on one rank
   Teuchos::RCP<const Tpetra::Import<>> import_;
   Teuchos::RCP<TpetraVectors> seen_; ///< null on one rank
   mutable int products_ = 0;

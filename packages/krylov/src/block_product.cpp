@@ -30,9 +30,10 @@ inline void multiplyRow(const double* entry, const int* column, const int* end, 
 }
 
 template <int dim>
-void multiplyPortably(const BlockMatrix& K, const int* columns, const double* x, double* y)
+void multiplyPortably(const BlockMatrix& K, const double* x, double* y)
 {
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
+  const int* const columns = K.cols.data();
+  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r)
     multiplyRow<dim>(K.values.data() + K.rowPtr[r] * dim * dim, columns + K.rowPtr[r], columns + K.rowPtr[r + 1], x,
                      y + r * dim);
 }
@@ -41,14 +42,14 @@ void multiplyPortably(const BlockMatrix& K, const int* columns, const double* x,
 
 /// Eight of a block's nine entries at a time, two sums of them side by side. Blocks whose x ends less than eight
 /// numbers before the end of x go by themselves: eight are read.
-__attribute__((target("avx512f"))) void multiplyByEight(const BlockMatrix& K, const int* columns, const double* x,
-                                                        std::size_t size, double* y)
+__attribute__((target("avx512f"))) void multiplyByEight(const BlockMatrix& K, const double* x, std::size_t size,
+                                                        double* y)
 {
   const __m512i pattern = _mm512_setr_epi64(0, 1, 2, 0, 1, 2, 0, 1);
   const int last = int(size / 3) - 3; // node whose eight numbers are there
   const double* entry = K.values.data();
-  for (std::size_t r = 0; r < K.rows.size(); ++r) {
-    const int *column = columns + K.rowPtr[r], *end = columns + K.rowPtr[r + 1];
+  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r) {
+    const int *column = K.cols.data() + K.rowPtr[r], *end = K.cols.data() + K.rowPtr[r + 1];
     __m512d even = _mm512_setzero_pd(), odd = _mm512_setzero_pd();
     double corner = 0.0, otherCorner = 0.0, rest[3], sum[8];
     for (; end - column >= 2 && column[0] <= last && column[1] <= last; column += 2, entry += 18) {
@@ -80,20 +81,20 @@ bool takesEight()
   return false;
 }
 
-void multiplyByEight(const BlockMatrix&, const int*, const double*, std::size_t, double*) {}
+void multiplyByEight(const BlockMatrix&, const double*, std::size_t, double*) {}
 
 #endif
 
 } // namespace
 
-void multiplyBlocks(const BlockMatrix& K, const int* columns, const double* x, std::size_t size, double* y)
+void multiplyBlocks(const BlockMatrix& K, const double* x, std::size_t size, double* y)
 {
   if (K.dim == 2)
-    multiplyPortably<2>(K, columns, x, y);
+    multiplyPortably<2>(K, x, y);
   else if (takesEight())
-    multiplyByEight(K, columns, x, size, y);
+    multiplyByEight(K, x, size, y);
   else
-    multiplyPortably<3>(K, columns, x, y);
+    multiplyPortably<3>(K, x, y);
 }
 
 } // namespace ndframe

@@ -5,8 +5,8 @@
 namespace ndframe
 {
 
-/// y = K x for the rows of K. columns: of K's blocks as x numbers its nodes; size: of x. Two or three dimensions; with
+/// y = K x for the rows of K. x: at the nodes that this rank holds; size: of x. Two or three dimensions; with
 /// AVX-512 where the processor has it, in three dimensions.
-void multiplyBlocks(const BlockMatrix& K, const int* columns, const double* x, std::size_t size, double* y);
+void multiplyBlocks(const BlockMatrix& K, const double* x, std::size_t size, double* y);
 
 } // namespace ndframe

@@ -11,33 +11,20 @@ namespace ndframe
 namespace
 {
 
-/// The nodes of this rank, those of one body after those of another.
-Teuchos::RCP<const TpetraMap> stackedMap(const std::vector<const BlockMatrix*>& matrices, const Comm& comm)
-{
-  std::vector<int> nodes;
-  int before = 0;
-  for (const BlockMatrix* matrix : matrices) {
-    for (const int node : matrix->rows)
-      nodes.push_back(before + node);
-    before += matrix->numNodes;
-  }
-  return mapOf(nodes, matrices.front()->dim, teuchosComm(comm));
-}
-
 Teuchos::RCP<const TpetraMap> fineMapOf(const JoinedBodies& bodies, const Comm& comm)
 {
-  std::vector<const BlockMatrix*> matrices;
+  std::vector<const IndexMap*> nodes;
   for (const SolverProblem* problem : bodies.problems)
-    matrices.push_back(problem->matrix);
-  return stackedMap(matrices, comm);
+    nodes.push_back(&problem->matrix->nodes);
+  return ownedMap(stacked(nodes), bodies.problems.front()->matrix->dim, teuchosComm(comm));
 }
 
 Teuchos::RCP<const TpetraMap> coarseMapOf(const JoinedBodies& bodies, const Comm& comm)
 {
-  std::vector<const BlockMatrix*> matrices;
+  std::vector<const IndexMap*> vertices;
   for (const LinearLevel* level : bodies.levels)
-    matrices.push_back(&level->matrix);
-  return stackedMap(matrices, comm);
+    vertices.push_back(&level->matrix.nodes);
+  return ownedMap(stacked(vertices), bodies.levels.front()->matrix.dim, teuchosComm(comm));
 }
 
 std::unique_ptr<JoinedTransfer> transferOf(const JoinedBodies& bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
@@ -46,7 +33,7 @@ std::unique_ptr<JoinedTransfer> transferOf(const JoinedBodies& bodies, const Teu
   std::vector<LinearTransfer> transfers;
   for (std::size_t b = 0; b < bodies.problems.size(); ++b)
     transfers.emplace_back(*bodies.problems[b], *bodies.levels[b],
-                           mapOf(bodies.levels[b]->matrix.rows, bodies.levels[b]->matrix.dim, teuchosComm(comm)));
+                           ownedMap(bodies.levels[b]->matrix.nodes, bodies.levels[b]->matrix.dim, teuchosComm(comm)));
   return std::make_unique<JoinedTransfer>(std::move(transfers), fineMap, bodies.kept, coarseMapOf(bodies, comm),
                                           bodies.keptOnVertices);
 }

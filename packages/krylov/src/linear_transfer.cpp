@@ -14,11 +14,23 @@ std::vector<std::size_t> heldDofs(const SolverProblem& problem)
 {
   const BlockMatrix& K = *problem.matrix;
   std::vector<std::size_t> held;
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
+  for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i)
-      if (problem.roles[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)] != DofRole::Interior)
-        held.push_back(r * std::size_t(K.dim) + std::size_t(i));
+      if (problem.roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] != DofRole::Interior)
+        held.push_back(std::size_t(r) * std::size_t(K.dim) + std::size_t(i));
   return held;
+}
+
+/// The vertices of the level that this rank owns, and those that the nodes of its rows interpolate.
+IndexMap seenVertices(const BlockMatrix& fine, const LinearLevel& level)
+{
+  std::vector<IndexMap::Global> owned, needed;
+  for (int v = 0; v < level.matrix.numRows(); ++v)
+    owned.push_back(level.matrix.nodes.global(v));
+  for (int r = 0; r < fine.numRows() && !level.matrix.nodes.isWhole(); ++r)
+    for (const int end : level.interpolation.ends[std::size_t(fine.rowNode(r))])
+      needed.push_back(end);
+  return IndexMap(level.matrix.nodes.globalSize(), std::move(owned), std::move(needed));
 }
 
 } // namespace
@@ -29,12 +41,12 @@ LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& lev
       coarseHeld_(heldDofs(level.problem))
 {
   const LinearInterpolation& P = level.interpolation;
-  LocalNodes vertices(level.matrix.rows, level.matrix.numNodes);
+  const IndexMap vertices = seenVertices(*fine.matrix, level);
   const auto blockSize = 2 * dim_ * dim_;
-  for (const int node : fine.matrix->rows) {
+  for (int r = 0; r < fine.matrix->numRows(); ++r) {
+    const int node = fine.matrix->rowNode(r);
     const auto& ends = P.ends[std::size_t(node)];
-    const int first = vertices.number(ends[0]);
-    ends_.push_back({first, vertices.number(ends[1])});
+    ends_.push_back({vertices.local(ends[0]), vertices.local(ends[1])});
     if (P.turned.empty())
       continue;
     const double* turned = P.blocks(node);
@@ -42,7 +54,7 @@ LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& lev
     if (turned)
       blocks_.insert(blocks_.end(), turned, turned + blockSize);
   }
-  const auto seenMap = mapOf(vertices.nodes, dim_, coarseMap_->getComm());
+  const auto seenMap = heldMap(vertices, dim_, coarseMap_->getComm());
   import_ = Teuchos::rcp(new Tpetra::Import<>(coarseMap_, seenMap));
   seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
 }

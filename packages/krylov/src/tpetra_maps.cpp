@@ -11,41 +11,33 @@ Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm)
   return Teuchos::rcp(new Teuchos::MpiComm<int>(comm.size() > 1 ? MPI_Comm_f2c(comm.communicator()) : MPI_COMM_SELF));
 }
 
-Teuchos::RCP<const TpetraMap> mapOf(const std::vector<int>& nodes, int perNode,
-                                    const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+namespace
 {
-  using Global = TpetraMap::global_ordinal_type;
-  std::vector<Global> numbers;
-  numbers.reserve(nodes.size() * std::size_t(perNode));
-  for (const int node : nodes)
+
+Teuchos::RCP<const TpetraMap> firstOf(const IndexMap& nodes, int count, int perNode,
+                                      const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
+{
+  std::vector<TpetraMap::global_ordinal_type> numbers;
+  numbers.reserve(std::size_t(count) * std::size_t(perNode));
+  for (int node = 0; node < count; ++node)
     for (int i = 0; i < perNode; ++i)
-      numbers.push_back(Global(node) * perNode + i);
+      numbers.push_back(nodes.global(node) * perNode + i);
   const auto unknownTotal = Teuchos::OrdinalTraits<Tpetra::global_size_t>::invalid();
   return Teuchos::rcp(new TpetraMap(unknownTotal, Teuchos::arrayViewFromVector(numbers), 0, comm));
 }
 
-LocalNodes::LocalNodes(const std::vector<int>& own, int numNodes) : nodes(own), local(std::size_t(numNodes), -1)
+} // namespace
+
+Teuchos::RCP<const TpetraMap> ownedMap(const IndexMap& nodes, int perNode,
+                                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
 {
-  for (std::size_t i = 0; i < nodes.size(); ++i)
-    local[std::size_t(nodes[i])] = int(i);
+  return firstOf(nodes, nodes.numOwned(), perNode, comm);
 }
 
-int LocalNodes::number(int node)
+Teuchos::RCP<const TpetraMap> heldMap(const IndexMap& nodes, int perNode,
+                                      const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
 {
-  int& here = local[std::size_t(node)];
-  if (here < 0) {
-    here = int(nodes.size());
-    nodes.push_back(node);
-  }
-  return here;
-}
-
-LocalNodes columnNodes(const BlockMatrix& K)
-{
-  LocalNodes columns(K.rows, K.numNodes);
-  for (const int node : K.cols)
-    columns.number(node);
-  return columns;
+  return firstOf(nodes, nodes.size(), perNode, comm);
 }
 
 } // namespace ndframe

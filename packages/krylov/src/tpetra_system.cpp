@@ -19,35 +19,31 @@ struct LocalRows
   std::vector<double> values;
 };
 
-/// Appends row `component` of block row r, restricted to interior columns, in ascending order of local columns
-/// (a Tpetra matrix with unsorted rows gives wrong results on several ranks).
-void appendRow(const SolverProblem& problem, const LocalNodes& columns, std::size_t r, int component, LocalRows& rows)
+/// Appends row `component` of block row r, restricted to interior columns. The local columns ascend, as they do in K (a
+/// Tpetra matrix with unsorted rows gives wrong results on several ranks).
+void appendRow(const SolverProblem& problem, std::size_t r, int component, LocalRows& rows)
 {
   const BlockMatrix& K = *problem.matrix;
-  std::vector<std::pair<Local, double>> row;
   for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
-    const int node = K.cols[std::size_t(b)];
+    const int node = K.colNode(b);
     for (int j = 0; j < K.dim; ++j)
-      if (problem.roles[std::size_t(node) * std::size_t(K.dim) + std::size_t(j)] == DofRole::Interior)
-        row.emplace_back(columns.local[std::size_t(node)] * K.dim + j,
-                         K.values[(std::size_t(b) * std::size_t(K.dim) + std::size_t(component)) * std::size_t(K.dim) +
-                                  std::size_t(j)]);
-  }
-  std::sort(row.begin(), row.end());
-  for (const auto& [column, value] : row) {
-    rows.cols.push_back(column);
-    rows.values.push_back(value);
+      if (problem.roles[std::size_t(node) * std::size_t(K.dim) + std::size_t(j)] == DofRole::Interior) {
+        rows.cols.push_back(K.cols[std::size_t(b)] * K.dim + j);
+        rows.values.push_back(
+            K.values[(std::size_t(b) * std::size_t(K.dim) + std::size_t(component)) * std::size_t(K.dim) +
+                     std::size_t(j)]);
+      }
   }
 }
 
-LocalRows interiorRows(const SolverProblem& problem, const LocalNodes& columns, double decoupledDiagonal)
+LocalRows interiorRows(const SolverProblem& problem, double decoupledDiagonal)
 {
   const BlockMatrix& K = *problem.matrix;
   LocalRows rows;
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
+  for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i) {
-      if (problem.roles[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)] == DofRole::Interior)
-        appendRow(problem, columns, r, i, rows);
+      if (problem.roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] == DofRole::Interior)
+        appendRow(problem, std::size_t(r), i, rows);
       else {
         rows.cols.push_back(Local(r) * K.dim + i);
         rows.values.push_back(decoupledDiagonal);
@@ -72,11 +68,10 @@ Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, double decou
                                       const Teuchos::RCP<const TpetraMap>& dofMap)
 {
   const BlockMatrix& K = *problem.matrix;
-  const LocalNodes columns = columnNodes(K);
-  const LocalRows rows = interiorRows(problem, columns, decoupledDiagonal);
+  const LocalRows rows = interiorRows(problem, decoupledDiagonal);
   using Graph = TpetraMatrix::local_graph_device_type;
   const auto matrix =
-      Teuchos::rcp(new TpetraMatrix(dofMap, mapOf(columns.nodes, K.dim, dofMap->getComm()),
+      Teuchos::rcp(new TpetraMatrix(dofMap, heldMap(K.nodes, K.dim, dofMap->getComm()),
                                     copyOf<Graph::row_map_type>(rows.starts), copyOf<Graph::entries_type>(rows.cols),
                                     copyOf<TpetraMatrix::local_matrix_device_type::values_type>(rows.values)));
   matrix->expertStaticFillComplete(dofMap, dofMap);
@@ -102,11 +97,11 @@ Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
   const BlockMatrix& K = *problem.matrix;
   if (problem.nodePoints.empty())
     return Teuchos::null;
-  const auto points = Teuchos::rcp(new TpetraVectors(mapOf(K.rows, 1, comm), std::size_t(K.dim)));
-  for (std::size_t r = 0; r < K.rows.size(); ++r)
+  const auto points = Teuchos::rcp(new TpetraVectors(ownedMap(K.nodes, 1, comm), std::size_t(K.dim)));
+  for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i)
       points->replaceLocalValue(Local(r), std::size_t(i),
-                                problem.nodePoints[std::size_t(K.rows[r]) * std::size_t(K.dim) + std::size_t(i)]);
+                                problem.nodePoints[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)]);
   return points;
 }
 
@@ -116,7 +111,7 @@ TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm, doubl
     : dim(problem.matrix->dim), isParallel(comm.size() > 1)
 {
   const auto communicator = teuchosComm(comm);
-  dofMap = mapOf(problem.matrix->rows, dim, communicator);
+  dofMap = ownedMap(problem.matrix->nodes, dim, communicator);
   matrix = makeMatrix(problem, decoupledDiagonal, dofMap);
   modes = makeModes(problem, dofMap);
   coordinates = makeCoordinates(problem, communicator);

@@ -1,32 +1,50 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/index_map.hpp"
+#include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
 
 /// Symmetric sparse matrix of dim x dim blocks, one block row per mesh node; dof = node * dim + component.
 ///
-/// A rank holds the complete rows of the nodes it owns (`rows`, ascending; all nodes on one rank); column numbers are
-/// global.
+/// A rank holds the complete rows of the nodes that it owns; the columns are numbered as this rank numbers nodes.
 struct BlockMatrix
 {
   int dim = 0;                      ///< rows and columns of a block
-  int numNodes = 0;                 ///< of all ranks
-  std::vector<int> rows;            ///< owned nodes, ascending
-  std::vector<std::int64_t> rowPtr; ///< size rows.size() + 1, counts blocks
-  std::vector<int> cols;            ///< node numbers, ascending in a row
+  IndexMap nodes;                   ///< one row for each owned node; the columns are owned nodes and ghosts
+  std::vector<std::int64_t> rowPtr; ///< size numRows() + 1, counts blocks
+  std::vector<int> cols;            ///< this rank's numbers of nodes, ascending in a row
   std::vector<double> values;       ///< dim*dim per block, row-major inside a block
 
-  int numDofs() const { return numNodes * dim; }                       ///< of all ranks
+  int numRows() const { return nodes.numOwned(); } ///< block rows of this rank
+  /// Of all ranks. Asserts that vectors of all of them are numbered by 32 bits.
+  int numNodes() const
+  {
+    NDFRAME_ASSERT(nodes.globalSize() <= std::numeric_limits<int>::max() / dim,
+                   "too many nodes for replicated vectors");
+    return int(nodes.globalSize());
+  }
+  int numDofs() const { return numNodes() * dim; }                     ///< of all ranks
   std::int64_t numBlocks() const { return std::int64_t(cols.size()); } ///< stored on this rank
-  /// The block (row index r into `rows`, column node); null if not in the pattern.
-  const double* block(int r, int colNode) const;
-  double* block(int r, int colNode); ///< the same, to be written
+  int rowNode(int r) const { return int(nodes.global(r)); }            ///< the node of a block row, of all ranks' nodes
+  int colNode(std::int64_t b) const { return int(nodes.global(cols[std::size_t(b)])); } ///< that of a block's column
+  /// The block row of a node of all ranks' nodes, -1 when it is another rank's.
+  int rowOf(int node) const;
+  /// The block (block row, column as in `cols`); null if not in the pattern.
+  const double* block(int r, int column) const;
+  double* block(int r, int column); ///< the same, to be written
 };
+
+/// The rows of `owned` nodes, ascending, whose columns are numbers of all ranks' nodes, ascending in a row: numbers
+/// them as this rank does, and sorts each row anew. values: empty: zeros.
+BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector<int>& owned,
+                           std::vector<std::int64_t> rowPtr, std::vector<int> cols, std::vector<double> values);
 
 /// y = K x with x and y replicated on all ranks.
 Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm);

@@ -59,10 +59,10 @@ struct BodySystem
 };
 
 /// Assembles K on the owned nodes; `load`: what integrateLoads gave. Kernels are exact for straight elements.
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes, const Vector& load);
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes, const Vector& load);
 
 /// The same, integrating the loads.
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, std::vector<int> ownedNodes);
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes);
 
 /// f of equation (19) for a set of loads, in the nodes' own axes: a new load case needs nothing else.
 Vector assembleLoad(const BodyModel& body, const Frames& frames);
