@@ -71,7 +71,7 @@ std::vector<const ConstraintSet*> ContactStrip::constraintPointers() const
   return {&constraints[0], &constraints[1]};
 }
 
-const double* ContactStrip::at(const std::vector<Vector>& displacement, std::size_t patch, std::size_t number,
+const double* ContactStrip::at(const std::vector<NodalField>& displacement, std::size_t patch, std::size_t number,
                                bool isUpper) const
 {
   const std::size_t body = isUpper ? 0 : 1;
@@ -79,7 +79,7 @@ const double* ContactStrip::at(const std::vector<Vector>& displacement, std::siz
   return displacement[body].data() + std::size_t(node) * 2;
 }
 
-double ContactStrip::jump(const std::vector<Vector>& displacement, std::size_t patch, double t) const
+double ContactStrip::jump(const std::vector<NodalField>& displacement, std::size_t patch, double t) const
 {
   const double lambda[2] = {1.0 - t, t};
   double N[3], value = 0.0;

@@ -17,9 +17,10 @@ struct ContactStrip
   std::vector<const BodyModel*> bodyPointers() const;
   std::vector<const ConstraintSet*> constraintPointers() const;
   /// Displacement of a body at the interface node `number` of a facet (0, 1 vertices, 2 middle).
-  const double* at(const std::vector<Vector>& displacement, std::size_t patch, std::size_t number, bool isUpper) const;
+  const double* at(const std::vector<NodalField>& displacement, std::size_t patch, std::size_t number,
+                   bool isUpper) const;
   /// The jump (u1 - u2) . n at t on a facet, from its first vertex to its second.
-  double jump(const std::vector<Vector>& displacement, std::size_t patch, double t) const;
+  double jump(const std::vector<NodalField>& displacement, std::size_t patch, double t) const;
   /// The point at t.
   std::array<double, 2> point(std::size_t patch, double t) const;
 };

@@ -26,18 +26,18 @@ GapBound bound(const ContactStrip& strip, const Gap& gap)
   return boundGap(strip.bodyPointers(), strip.patches, 2, gap.on(strip));
 }
 
-AdmissibleDisplacement admit(const ContactStrip& strip, const Gap& gap, const std::vector<Vector>& displacement)
+AdmissibleDisplacement admit(const ContactStrip& strip, const Gap& gap, const std::vector<NodalField>& displacement)
 {
   return admitDisplacement(strip.bodyPointers(), strip.constraintPointers(), strip.patches, bound(strip, gap),
                            displacement);
 }
 
-std::vector<Vector> randomDisplacement(const ContactStrip& strip, unsigned seed, double size = 0.3)
+std::vector<NodalField> randomDisplacement(const ContactStrip& strip, unsigned seed, double size = 0.3)
 {
   test::Random random(seed);
-  std::vector<Vector> all;
+  std::vector<NodalField> all;
   for (const auto& body : strip.bodies) {
-    all.push_back(random.vector(std::size_t(body.numDofs())));
+    all.push_back(atNodes(random.vector(std::size_t(body.numDofs())), body.mesh.dim));
     for (double& value : all.back())
       value *= size;
   }
@@ -45,7 +45,7 @@ std::vector<Vector> randomDisplacement(const ContactStrip& strip, unsigned seed,
 }
 
 /// The largest jump - gap over many points of all facets.
-double deepest(const ContactStrip& strip, const Gap& gap, const std::vector<Vector>& displacement)
+double deepest(const ContactStrip& strip, const Gap& gap, const std::vector<NodalField>& displacement)
 {
   double depth = -1e300;
   for (std::size_t f = 0; f < strip.patches.size(); ++f)
@@ -57,7 +57,7 @@ double deepest(const ContactStrip& strip, const Gap& gap, const std::vector<Vect
 }
 
 /// |u^ - u_h| by the assembled matrices.
-double changeInEnergy(const ContactStrip& strip, const std::vector<Vector>& from, const std::vector<Vector>& to)
+double changeInEnergy(const ContactStrip& strip, const std::vector<NodalField>& from, const std::vector<NodalField>& to)
 {
   double square = 0.0;
   for (std::size_t b = 0; b < 2; ++b) {
@@ -208,7 +208,7 @@ TEST(AdmissionBetweenSupports, SaysWhereBothBodiesAreHeld)
 TEST(AdmissionByStiffness, MovesTheSofterBodyMore)
 {
   const ContactStrip strip = test::contactStrip(4, 2);
-  std::vector<Vector> closed;
+  std::vector<NodalField> closed;
   for (const auto& body : strip.bodies)
     closed.emplace_back(std::size_t(body.numDofs()), 0.0);
   const AdmissibleDisplacement after = admit(strip, "-0.1", closed);

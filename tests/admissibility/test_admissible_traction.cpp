@@ -29,13 +29,6 @@ double largestCoefficient(const Chain& chain, const Vector& t)
   return largest;
 }
 
-Vector difference(Vector a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] -= b[i];
-  return a;
-}
-
 double largestDifference(const Vector& a, const Vector& b)
 {
   const Vector d = difference(a, b);

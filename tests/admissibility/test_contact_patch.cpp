@@ -99,7 +99,8 @@ struct ContactPatches : testing::TestWithParam<Kind>
   {
     const ContactTraction t = tractionFromNodes(patches, nodal, order, degree),
                           s = tractionFromNodes(other, nodal, order, degree);
-    const std::vector<Vector> u{displacement[0], displacement[1]};
+    const std::vector<NodalField> u{atNodes(displacement[0], bodies[0].mesh.dim),
+                                    atNodes(displacement[1], bodies[1].mesh.dim)};
     expectSame(contactContributions(other, s, jumpMoments(pointers, other, u, degree)),
                contactContributions(patches, t, jumpMoments(pointers, patches, u, degree)));
     const auto oscillation = contactOscillation(pointers, patches, t), same = contactOscillation(pointers, other, s);

@@ -20,13 +20,6 @@ Vector project(const Chain& chain, const Vector& mean, const BalanceConditions& 
   return projectTraction(chain.patches, chain.numNodes(), chain.order, mean, balance, sign);
 }
 
-Vector difference(Vector a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] -= b[i];
-  return a;
-}
-
 double largestValue(const Vector& t)
 {
   return *std::max_element(t.begin(), t.end());

@@ -25,7 +25,7 @@ struct Scene
     for (std::size_t b = 0; b < 2; ++b) {
       const BodyModel& body = strip.bodies[b];
       systems.push_back(test::assemble(body, Comm::single()));
-      displacement.push_back(random.vector(std::size_t(body.numDofs())));
+      displacement.push_back(atNodes(random.vector(std::size_t(body.numDofs())), 2));
       Vector w = random.vector(std::size_t(body.numDofs()));
       for (std::size_t i = 0; i < w.size(); ++i) {
         displacement[b][i] *= 0.02;
@@ -46,7 +46,7 @@ struct Scene
   }
 
   /// int t^ (w - g).
-  double contactWork(const std::vector<Vector>& field) const
+  double contactWork(const std::vector<NodalField>& field) const
   {
     Vector opening = jumpMoments(strip.bodyPointers(), strip.patches, field, 2);
     for (std::size_t i = 0; i < opening.size(); ++i)
@@ -58,7 +58,7 @@ struct Scene
   }
 
   /// A + R, by the assembled matrices.
-  double boundWith(const std::vector<Vector>& admissible) const
+  double boundWith(const std::vector<NodalField>& admissible) const
   {
     double residual = 0.0, square = 0.0;
     for (std::size_t b = 0; b < 2; ++b) {
@@ -86,13 +86,13 @@ struct Scene
 
   test::ContactStrip strip;
   std::vector<BodySystem> systems;
-  std::vector<Vector> displacement;
+  std::vector<NodalField> displacement;
   ContactTraction traction;
   GapBound gap;
   BoundOfDisplacement bound;
 };
 
-double deepest(const Scene& scene, const std::vector<Vector>& displacement)
+double deepest(const Scene& scene, const std::vector<NodalField>& displacement)
 {
   double depth = -HUGE_VAL;
   for (std::size_t f = 0; f < scene.strip.patches.size(); ++f)

@@ -132,9 +132,10 @@ TEST_P(TurningTraction, ItsForcesDoTheWorkOfTN)
   for (const std::size_t b : {0u, 1u}) {
     const BodyModel& body = strip.bodies[b];
     const Vector v = random.vector(std::size_t(body.numDofs()));
-    std::vector<Vector> fields{Vector(std::size_t(strip.bodies[0].numDofs()), 0.0),
-                               Vector(std::size_t(strip.bodies[1].numDofs()), 0.0)};
-    fields[b] = v;
+    std::vector<NodalField> fields;
+    for (const BodyModel& each : strip.bodies)
+      fields.emplace_back(IndexMap::whole(each.nodes.numNodes()), each.mesh.dim);
+    fields[b] = atNodes(v, body.mesh.dim);
     const Vector force = contactForces(body, int(b), strip.patches, {traction, traction});
     const Vector jump = jumpMoments(strip.bodyPointers(), strip.patches, fields, traction.degree);
     double twice = 0.0;

@@ -124,7 +124,7 @@ Vector interpolate(const NodeMap& nodes, const std::function<void(const double*,
   return u;
 }
 
-Vector solve(const BodySystem& system, const Comm& comm)
+NodalField solve(const BodySystem& system, const Comm& comm)
 {
   std::vector<std::size_t> free;
   for (std::size_t dof = 0; dof < system.dofs.roles.size(); ++dof)

@@ -50,7 +50,7 @@ BodySystem assemble(const BodyModel& body, const Comm& comm);
 Vector interpolate(const NodeMap& nodes, const std::function<void(const double* x, double* u)>& field);
 
 /// The free dofs from K u = load with the fixed ones at their prescribed values; by dense elimination, global axes.
-Vector solve(const BodySystem& system, const Comm& comm);
+NodalField solve(const BodySystem& system, const Comm& comm);
 
 /// The largest absolute value.
 double largest(const Vector& values);

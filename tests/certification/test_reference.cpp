@@ -35,14 +35,14 @@ struct Scenery
   {
     return {settings, components(), model, refinements, Comm::single()};
   }
-  std::vector<Vector> zero() const
+  std::vector<NodalField> zero() const
   {
-    std::vector<Vector> fields;
+    std::vector<NodalField> fields;
     for (const auto& body : model.bodies)
-      fields.emplace_back(std::size_t(body.numDofs()), 0.0);
+      fields.emplace_back(IndexMap::whole(body.nodes.numNodes()), body.mesh.dim);
     return fields;
   }
-  ReferenceSummary compare(const std::vector<Vector>& u, const ReferenceDepth& depth) const
+  ReferenceSummary compare(const std::vector<NodalField>& u, const ReferenceDepth& depth) const
   {
     Ledger ledger;
     std::shared_ptr<const ReferenceSolution> reference;
@@ -141,13 +141,13 @@ TEST(Reference, TractionsOnFinePatchesAreTheSamePolynomials)
   });
   const auto patches = contactPatches(scenery.model), finePatches = contactPatches(fine);
   Random random(5);
-  std::vector<Vector> u, fineU;
+  std::vector<NodalField> u, fineU;
   std::vector<const BodyModel*> bodies, fineBodies;
   for (std::size_t b = 0; b < 2; ++b) {
     const BodyModel& body = scenery.model.bodies[b];
     const NodeMap middle = makeNodeMap(refineUniformly(body.mesh), 2);
-    u.push_back(random.vector(std::size_t(body.numDofs())));
-    fineU.push_back(prolongate(middle, fine.bodies[b].nodes, prolongate(body.nodes, middle, u[b])));
+    u.push_back(atNodes(random.vector(std::size_t(body.numDofs())), 2));
+    fineU.push_back(atNodes(prolongate(middle, fine.bodies[b].nodes, prolongate(body.nodes, middle, u[b])), 2));
     bodies.push_back(&body);
     fineBodies.push_back(&fine.bodies[b]);
   }

@@ -27,9 +27,9 @@ Outcome withThreads(const char* threads, const Scene& scene)
 }
 
 /// The bound's square, element by element; nothing without a certificate.
-std::vector<Vector> etaOf(const Outcome& outcome)
+std::vector<CellValues> etaOf(const Outcome& outcome)
 {
-  return outcome.run.certificate ? outcome.run.certificate->etaGlobal : std::vector<Vector>{};
+  return outcome.run.certificate ? outcome.run.certificate->etaGlobal : std::vector<CellValues>{};
 }
 
 /// A pressure that counts how often its functions are asked for.

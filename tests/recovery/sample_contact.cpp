@@ -160,8 +160,8 @@ ContactScene contactScene(const ContactKind& kind)
     scene.recovery.data.push_back(makeStaticData(scene.bodies[b], kind.degree, own));
     scene.recovery.bodies.push_back(&scene.bodies[b]);
   }
-  for (const Vector& displacement : scene.displacement)
-    scene.field.displacement.push_back(&displacement);
+  for (const NodalField& displacement : scene.displacement)
+    scene.field.displacement.push_back(&displacement.whole());
   Vector gap;
   for (const double x : scene.x)
     gap.push_back(0.1 * x * x / kind.length);

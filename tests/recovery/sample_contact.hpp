@@ -27,8 +27,8 @@ struct ContactScene
   std::vector<double> x; ///< per interface node
   RecoveryScene recovery;
   BalanceConditions balance;
-  std::vector<Vector> displacement; ///< u~ per body
-  SceneField field;                 ///< to be optimised; gap 0.1 x^2
+  std::vector<NodalField> displacement; ///< u~ per body
+  SceneField field;                     ///< to be optimised; gap 0.1 x^2
 };
 
 ContactScene contactScene(const ContactKind& kind);

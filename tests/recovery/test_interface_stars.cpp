@@ -203,7 +203,8 @@ TEST_P(InterfaceTraction, ChangesTheSquaredBoundAsItsObjective)
   Recovery recovery(scene);
   const ContactTraction optimal = recovery.interface.optimise(scene.field, 2, recovery.ledger);
   test::Random random(8);
-  std::vector<Vector> difference, displacement;
+  std::vector<Vector> difference;
+  std::vector<NodalField> displacement;
   for (std::size_t b = 0; b < 2; ++b) {
     const auto constraints = test::constraintsOf(scene.bodies[b]);
     difference.push_back(random.vector(scene.displacement[b].size()));

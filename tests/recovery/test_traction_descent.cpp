@@ -188,14 +188,14 @@ private:
       recovery.data.push_back(makeStaticData(bodies[b], kind_.degree, own));
       recovery.bodies.push_back(&bodies[b]);
     }
-    for (const Vector& displacement : displacement_)
-      field.displacement.push_back(&displacement);
+    for (const NodalField& displacement : displacement_)
+      field.displacement.push_back(&displacement.whole());
     field.opening = jumpMoments(recovery.bodies, recovery.patches, displacement_, kind_.degree);
   }
 
   PairKind kind_;
   std::vector<double> x_; ///< per interface node
-  std::vector<Vector> displacement_;
+  std::vector<NodalField> displacement_;
 };
 
 std::vector<PairKind> kinds()

@@ -14,7 +14,7 @@ namespace
 {
 
 /// Contributions of the cells of the uncut mesh.
-Vector uncutContributions(const BodyModel& body, const Vector& eta)
+Vector uncutContributions(const BodyModel& body, const CellValues& eta)
 {
   if (body.parents.empty())
     return eta;

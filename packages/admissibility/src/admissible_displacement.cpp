@@ -128,8 +128,8 @@ void Admission::separateBetween(std::size_t patch)
 
 } // namespace
 
-double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<Vector>& from,
-                      const std::vector<Vector>& to)
+double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<NodalField>& from,
+                      const std::vector<NodalField>& to)
 {
   double square = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -145,7 +145,7 @@ double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::ve
 AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
                                          const std::vector<const ConstraintSet*>& constraints,
                                          const std::vector<ContactPatch>& patches, const GapBound& gap,
-                                         const std::vector<Vector>& displacement)
+                                         const std::vector<NodalField>& displacement)
 {
   AdmissibleDisplacement result{displacement, 0.0, 0, {}};
   Admission admission(bodies, constraints, patches, gap, result);

@@ -65,14 +65,14 @@ Vector normalMoments(const std::vector<ContactPatch>& patches, int order, int de
 } // namespace
 
 Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
-                   const std::vector<Vector>& displacement, int degree)
+                   const std::vector<NodalField>& displacement, int degree)
 {
   return normalMoments(patches, bodies.front()->nodes.order, degree,
                        [&](const ContactPatch& patch) { return patchOpening(bodies, patch, displacement); });
 }
 
 Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
-                      const std::vector<Vector>& displacement, int degree)
+                      const std::vector<NodalField>& displacement, int degree)
 {
   return normalMoments(patches, bodies.front()->nodes.order, degree,
                        [&](const ContactPatch& patch) { return closing(bodies, patch, displacement); });

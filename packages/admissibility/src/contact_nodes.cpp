@@ -29,7 +29,7 @@ FacetNodes contactNodes(const BodyModel& body, const PatchSide& side)
 }
 
 PatchVectors patchOpening(const std::vector<const BodyModel*>& bodies, const ContactPatch& patch,
-                          const std::vector<Vector>& displacement)
+                          const std::vector<NodalField>& displacement)
 {
   const auto dim = std::size_t(patch.dim);
   PatchVectors opening{};
@@ -44,7 +44,7 @@ PatchVectors patchOpening(const std::vector<const BodyModel*>& bodies, const Con
 }
 
 PatchVectors closing(const std::vector<const BodyModel*>& bodies, const ContactPatch& patch,
-                     const std::vector<Vector>& displacement)
+                     const std::vector<NodalField>& displacement)
 {
   auto opening = patchOpening(bodies, patch, displacement);
   for (std::size_t i = 0; patch.isDrawnApart && i < patch.drawn.size(); ++i)

@@ -75,8 +75,8 @@ private:
 
 } // namespace
 
-std::vector<Vector> contactOscillation(const std::vector<const BodyModel*>& bodies,
-                                       const std::vector<ContactPatch>& patches, const ContactTraction& traction)
+std::vector<CellValues> contactOscillation(const std::vector<const BodyModel*>& bodies,
+                                           const std::vector<ContactPatch>& patches, const ContactTraction& traction)
 {
   if (traction.vectors.empty())
     return {};
@@ -101,9 +101,9 @@ std::vector<Vector> contactOscillation(const std::vector<const BodyModel*>& bodi
       if (const auto body = std::size_t(patch.sides[side].body); !bodies[body]->isRigid)
         parts[body].add(patch, side, multiply(inOrder(patch.sides[side]), byModes(rest)));
   }
-  std::vector<Vector> squares;
+  std::vector<CellValues> squares;
   for (const BodyOscillation& part : parts)
-    squares.push_back(part.squares());
+    squares.push_back(ofCells(part.squares()));
   return squares;
 }
 

@@ -11,7 +11,7 @@ namespace ndframe
 InterfacePairs::InterfacePairs(const std::vector<const BodyModel*>& bodies,
                                const std::vector<const ConstraintSet*>& constraints,
                                const std::vector<ContactPatch>& patches, const GapBound& gap,
-                               const std::vector<Vector>& displacement)
+                               const std::vector<NodalField>& displacement)
     : bodies_(bodies), constraints_(constraints), patches_(patches), gap_(gap), displacement_(displacement),
       uses_(bodies.size()), stiffness_(bodies.size())
 {

@@ -41,7 +41,7 @@ public:
   /// All arguments must outlive it. displacement: per body, global axes.
   InterfacePairs(const std::vector<const BodyModel*>& bodies, const std::vector<const ConstraintSet*>& constraints,
                  const std::vector<ContactPatch>& patches, const GapBound& gap,
-                 const std::vector<Vector>& displacement);
+                 const std::vector<NodalField>& displacement);
 
   const std::map<int, Pair>& all() const { return pairs_; } ///< by interface node
   /// Whether a node of the pair belongs to another pair, too: interfaces meet there, and what opens one may close
@@ -67,7 +67,7 @@ private:
   const std::vector<const ConstraintSet*>& constraints_;
   const std::vector<ContactPatch>& patches_;
   const GapBound& gap_;
-  const std::vector<Vector>& displacement_;
+  const std::vector<NodalField>& displacement_;
   std::map<int, Pair> pairs_;
   std::vector<std::map<int, int>> uses_; ///< per body and node: pairs
   bool areShared_ = false;

@@ -44,7 +44,7 @@ double leastGain(const Pair& pair, const Compliance& apart, const std::vector<Co
 
 } // namespace
 
-double PairMoves::work(int i, const std::vector<Vector>& forces) const
+double PairMoves::work(int i, const std::vector<NodalField>& forces) const
 {
   const Pair& pair = pairs[std::size_t(i)];
   double sum = 0.0;

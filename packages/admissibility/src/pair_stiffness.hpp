@@ -15,7 +15,7 @@ struct PairMoves
   std::map<int, int> index;                              ///< of interface nodes
 
   /// Work of nodal forces (per body, global axes) on move i.
-  double work(int i, const std::vector<Vector>& forces) const;
+  double work(int i, const std::vector<NodalField>& forces) const;
 };
 
 /// Pairs that supports hold on both sides are left out.

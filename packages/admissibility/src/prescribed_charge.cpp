@@ -22,14 +22,6 @@ constexpr double roundOff = 1e-12;
 /// The same for values at the ends of pieces, to which polynomials through Gauss points extend round-off.
 constexpr double continuity = 1e-10;
 
-double largest(const Vector& values)
-{
-  double size = 0.0;
-  for (const double value : values)
-    size = std::max(size, std::abs(value));
-  return size;
-}
-
 /// delta at the samples, component by component: dim rows of samples.
 Vector difference(const BodyModel& body, const Samples& samples, const Vector& nodal)
 {
@@ -199,7 +191,7 @@ void Charge::add(const HeldFacets& held)
 void Charge::addFacet(Facet facet, const Samples& samples, const Vector& delta, double gain)
 {
   const double missed = samples.spread * gain;
-  if (largest(delta) + missed <= roundOff * samples.scale)
+  if (largestEntry(delta) + missed <= roundOff * samples.scale)
     return;
   if (body_.mesh.dim == 2 && !isContinuous(samples, delta, 2, pieces_))
     norms_[facet.cell] = std::numeric_limits<double>::infinity();
@@ -207,7 +199,7 @@ void Charge::addFacet(Facet facet, const Samples& samples, const Vector& delta, 
     norms_[facet.cell] += std::sqrt(liftedEnergy(body_, facet, samples, delta, pieces_)) +
                           std::sqrt(missedEnergy(body_, facet, samples, gain));
   else
-    uncharged_ = std::max(uncharged_, largest(delta) + missed);
+    uncharged_ = std::max(uncharged_, largestEntry(delta) + missed);
 }
 
 PrescribedCharge Charge::result() const

@@ -27,7 +27,7 @@ public:
         force_(moves_.pairs.size(), 0.0)
   {}
 
-  void run(const std::vector<Vector>& displacement);
+  void run(const std::vector<NodalField>& displacement);
 
 private:
   /// What a Bernstein coefficient of the jump, lowered by 1, opens.
@@ -42,7 +42,7 @@ private:
 
   Opening opening(int pair) const;
   std::vector<Condition> conditions(const Opening& opening) const;
-  double moved(int pair, const std::vector<Vector>& displacement) const;
+  double moved(int pair, const std::vector<NodalField>& displacement) const;
   double square(double sign, double contact) const;
   std::pair<double, double> range(int pair) const;
   void pass(double A, double R);
@@ -86,7 +86,7 @@ Tightening::Opening Tightening::opening(int number) const
 }
 
 /// How far u^ has opened a pair already.
-double Tightening::moved(int number, const std::vector<Vector>& displacement) const
+double Tightening::moved(int number, const std::vector<NodalField>& displacement) const
 {
   const Pair& pair = moves_.pairs[std::size_t(number)];
   double along = 0.0, size = 0.0;
@@ -187,7 +187,7 @@ void Tightening::pass(double A, double R)
   }
 }
 
-void Tightening::run(const std::vector<Vector>& displacement)
+void Tightening::run(const std::vector<NodalField>& displacement)
 {
   for (int i = 0; i < int(moves_.pairs.size()); ++i) {
     residual_.push_back(moves_.work(i, bound_.residual));
@@ -213,8 +213,8 @@ void Tightening::run(const std::vector<Vector>& displacement)
 
 void tightenDisplacement(const std::vector<const BodyModel*>& bodies,
                          const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactPatch>& patches,
-                         const GapBound& gap, const std::vector<Vector>& displacement, const BoundOfDisplacement& bound,
-                         AdmissibleDisplacement& admissible)
+                         const GapBound& gap, const std::vector<NodalField>& displacement,
+                         const BoundOfDisplacement& bound, AdmissibleDisplacement& admissible)
 {
   Tightening(bodies, constraints, patches, gap, bound, admissible).run(displacement);
   admissible.charge = changeInEnergy(bodies, displacement, admissible.displacement);

@@ -217,6 +217,14 @@ double norm(const Vector& a)
   return cblas_dnrm2(int(a.size()), a.data(), 1);
 }
 
+Vector difference(Vector a, const Vector& b)
+{
+  NDFRAME_ASSERT(a.size() == b.size(), "vectors of different lengths");
+  for (std::size_t i = 0; i < a.size(); ++i)
+    a[i] -= b[i];
+  return a;
+}
+
 double largestEntry(const Vector& a)
 {
   double largest = 0.0;

@@ -115,7 +115,7 @@ public:
   int numParts() const { return int(parts_.size()); }
   bool areSampled() const;
   void compute(int part) { compute(parts_[std::size_t(part)]); }
-  Vector take();
+  NodalField take();
 
 private:
   void compute(Part& part);
@@ -193,7 +193,7 @@ void BodyLoads::Implementation::finish(Part& part)
     term.projections.push_back(std::move(*part.projections));
 }
 
-Vector BodyLoads::Implementation::take()
+NodalField BodyLoads::Implementation::take()
 {
   NDFRAME_ASSERT(next_ == parts_.size(), "loads are taken when all their parts are computed");
   Diagnostics mistakes;
@@ -208,7 +208,7 @@ Vector BodyLoads::Implementation::take()
         mistakes.add(mistake);
     }
   mistakes.throwIfAny();
-  return std::move(sum_);
+  return atNodes(std::move(sum_), body_.mesh.dim);
 }
 
 BodyLoads::BodyLoads(const BodyModel& body, Load::Keep keep)
@@ -233,12 +233,12 @@ void BodyLoads::compute(int part) noexcept
   implementation_->compute(part);
 }
 
-Vector BodyLoads::take()
+NodalField BodyLoads::take()
 {
   return implementation_->take();
 }
 
-Vector integrateLoads(const BodyModel& body, Load::Keep keep)
+NodalField integrateLoads(const BodyModel& body, Load::Keep keep)
 {
   BodyLoads loads(body, keep);
   for (int part = 0; part < loads.numParts(); ++part)

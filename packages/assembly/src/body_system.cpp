@@ -75,7 +75,7 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
 
 } // namespace
 
-Vector assembleLoad(const BodyModel& body, const Frames& frames)
+NodalField assembleLoad(const BodyModel& body, const Frames& frames)
 {
   return frames.toLocal(integrateLoads(body));
 }
@@ -105,12 +105,12 @@ double BodyModel::poissonRatio() const
   return largest;
 }
 
-Vector BodySystem::effectiveLoad(const Comm& comm) const
+NodalField BodySystem::effectiveLoad(const Comm& comm) const
 {
   if (std::all_of(dofs.prescribed.begin(), dofs.prescribed.end(), [](double value) { return value == 0.0; }))
     return load;
   const Vector moved = multiply(K, dofs.prescribed, comm);
-  Vector effective = load;
+  NodalField effective = load;
   for (std::size_t i = 0; i < effective.size(); ++i)
     effective[i] -= moved[i];
   return effective;

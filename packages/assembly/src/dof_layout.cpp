@@ -188,7 +188,7 @@ void Frames::turn(int node, const double* axes)
   axes_.insert(axes_.end(), axes, axes + std::ptrdiff_t(dim_) * dim_);
 }
 
-Vector Frames::toLocal(const Vector& global) const
+NodalField Frames::toLocal(const Vector& global) const
 {
   Vector local = global;
   for (std::size_t node = 0; anyTurned() && node < index_.size(); ++node)
@@ -198,10 +198,10 @@ Vector Frames::toLocal(const Vector& global) const
         for (int i = 0; i < dim_; ++i)
           value += axes(int(node))[k * dim_ + i] * global[node * std::size_t(dim_) + std::size_t(i)];
       }
-  return local;
+  return atNodes(std::move(local), dim_);
 }
 
-Vector Frames::toGlobal(const Vector& local) const
+NodalField Frames::toGlobal(const Vector& local) const
 {
   Vector global = local;
   for (std::size_t node = 0; anyTurned() && node < index_.size(); ++node)
@@ -211,7 +211,7 @@ Vector Frames::toGlobal(const Vector& local) const
         for (int k = 0; k < dim_; ++k)
           value += axes(int(node))[k * dim_ + i] * local[node * std::size_t(dim_) + std::size_t(k)];
       }
-  return global;
+  return atNodes(std::move(global), dim_);
 }
 
 bool Frames::operator==(const Frames& other) const

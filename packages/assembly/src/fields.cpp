@@ -43,10 +43,10 @@ Vector strainEnergies(const BodyModel& body, const Vector& displacement)
 
 } // namespace
 
-Vector cellEnergies(const BodyModel& body, const Vector& displacement)
+CellValues cellEnergies(const BodyModel& body, const Vector& displacement)
 {
-  return withDimAndOrder(body.mesh.dim, body.nodes.order,
-                         [&](auto d, auto p) { return strainEnergies<d(), p()>(body, displacement); });
+  return ofCells(withDimAndOrder(body.mesh.dim, body.nodes.order,
+                                 [&](auto d, auto p) { return strainEnergies<d(), p()>(body, displacement); }));
 }
 
 std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vector& displacement)
@@ -57,8 +57,8 @@ std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vecto
 
 double energy(const BodyModel& body, const Vector& displacement)
 {
-  const Vector ofCells = cellEnergies(body, displacement);
-  return std::accumulate(ofCells.begin(), ofCells.end(), 0.0);
+  const CellValues energies = cellEnergies(body, displacement);
+  return std::accumulate(energies.begin(), energies.end(), 0.0);
 }
 
 } // namespace ndframe

@@ -206,7 +206,7 @@ void Certifier::measureGlobal()
 
 void Certifier::compareWithIndicators()
 {
-  std::vector<Vector> smoothing, residual;
+  std::vector<CellValues> smoothing, residual;
   const Vector& dirichlet = scene_.coupling.state.tractionDirichlet;
   const Vector& neumann = scene_.coupling.state.tractionNeumann;
   SceneStress solved;
@@ -224,7 +224,7 @@ void Certifier::compareWithIndicators()
       continue;
     const Vector contact = sharesOf(scene_, solved, int(b));
     residual.push_back(residualIndicator(*scene_.bodies[b], recoveryScene_.data[b],
-                                         {&scene_.solved[b], contact.empty() ? nullptr : &contact}));
+                                         {&scene_.solved[b].whole(), contact.empty() ? nullptr : &contact}));
   }
   if (!smoothing.empty())
     result_.summary.zienkiewiczZhu = totalOf(smoothing);

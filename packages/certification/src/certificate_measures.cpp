@@ -28,13 +28,6 @@ constexpr double roundOff = 1e-12;
 /// A contact term below this, relative to the elements', is not worth work.
 constexpr double seen = 1e-6;
 
-Vector difference(Vector a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] -= b[i];
-  return a;
-}
-
 /// Of the forces at a node, relative to the largest; 0 without any. The computed solution's energy over its
 /// displacement is a force, too: where the admissible field has none (contact that turns out open), what is left of it
 /// is round-off.
@@ -69,7 +62,7 @@ double contactRoot(double contact, double norm)
 /// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
 double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
 {
-  std::vector<Vector> squares;
+  std::vector<CellValues> squares;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (scene.bodies[b]->isRigid)
       continue;
@@ -120,7 +113,7 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
 
 ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateField& field)
 {
-  std::vector<Vector> energies(scene.bodies.size());
+  std::vector<CellValues> energies(scene.bodies.size());
   runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
     const auto b = std::size_t(body);
     energies[b] = cellEnergies(*scene.bodies[b], difference(field.displacement[b], scene.solved[b]));
@@ -136,10 +129,10 @@ ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateFie
 
 double correctionNorm(const CertifiedScene& scene, const RecoveredField& recovered)
 {
-  std::vector<Vector> energies;
+  std::vector<CellValues> energies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b]->isRigid)
-      energies.push_back(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], nullptr));
+      energies.push_back(ofCells(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], nullptr)));
   return totalOf(energies);
 }
 
@@ -158,7 +151,7 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
     if (scene.bodies[b]->isRigid || !needsSettling(scene.bodies[b]->mesh, correction))
       return;
     const Vector contact = sharesOf(scene, field.stress, int(b));
-    const FieldInput input{&field.field.displacement[b], &contact};
+    const FieldInput input{&field.field.displacement[b].whole(), &contact};
     settleBalance(*scene.bodies[b], recovery.data[b], input, correction);
     ledger.count("settled stresses");
   });
@@ -170,7 +163,7 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
   for (const int body : scene.model.elasticBodies()) {
     const auto b = std::size_t(body);
     const Vector contact = sharesOf(scene, recovered.stress, body);
-    const FieldInput input{&recovered.field.displacement[b], &contact};
+    const FieldInput input{&recovered.field.displacement[b].whole(), &contact};
     const auto defects = checkEquilibrium(*scene.bodies[b], recovery.data[b], input, recovered.stress.corrections[b]);
     largest = std::max(largest, defects.largest() * defects.scale);
     scale = std::max(scale, defects.scale);
@@ -219,11 +212,12 @@ ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovere
   BoundOfDisplacement bound{measure.elements, 0.5 * measure.contact, {}, {}};
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const SceneStress& stress = recovered.stress;
-    bound.traction.push_back(contactForces(*scene.bodies[b], int(b), scene.patches, stress.tractions));
+    bound.traction.push_back(
+        atNodes(contactForces(*scene.bodies[b], int(b), scene.patches, stress.tractions), scene.dim()));
     const Vector solved = scene.condensed.trace(int(b)) != nullptr
                               ? solvedForces(scene.condensed, int(b), scene.coupling.state)
                               : Vector(bound.traction.back().size(), 0.0);
-    bound.residual.push_back(difference(bound.traction.back(), solved));
+    bound.residual.push_back(atNodes(difference(bound.traction.back(), solved), scene.dim()));
   }
   tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, admissible.gap, scene.solved, bound,
                       admissible.displacement);
@@ -256,9 +250,9 @@ ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double absolut
           measure.projection, measure.oscillation + measure.prescribed};
 }
 
-std::vector<Vector> cellContributions(const ErrorMeasure& measure)
+std::vector<CellValues> cellContributions(const ErrorMeasure& measure)
 {
-  std::vector<Vector> all;
+  std::vector<CellValues> all;
   for (const Vector& cells : measure.cells)
     all.push_back(contributions(cells));
   return all;

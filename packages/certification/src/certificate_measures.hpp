@@ -21,9 +21,9 @@ struct AdmissibleScene
 {
   GapBound gap;
   AdmissibleDisplacement displacement;
-  std::vector<Vector> oscillation; ///< loads and t^ n that polynomials do not carry, squared, per body and cell
-  double prescribed = 0.0;         ///< prescribed displacements that polynomials do not carry
-  std::string caveat;              ///< why these are not proven; empty when they are
+  std::vector<CellValues> oscillation; ///< loads and t^ n that polynomials do not carry, squared, per body and cell
+  double prescribed = 0.0;             ///< prescribed displacements that polynomials do not carry
+  std::string caveat;                  ///< why these are not proven; empty when they are
 };
 
 /// u^ and the gap.
@@ -76,6 +76,6 @@ double boundOf(const ErrorMeasure& measure, ErrorMode mode);
 ErrorMeasureSummary summarizeMeasure(const ErrorMeasure& measure, double absolute, double norm);
 
 /// Contributions of the cells, per body, not squared.
-std::vector<Vector> cellContributions(const ErrorMeasure& measure);
+std::vector<CellValues> cellContributions(const ErrorMeasure& measure);
 
 } // namespace ndframe

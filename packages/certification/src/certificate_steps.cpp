@@ -46,10 +46,10 @@ double shareOf(int dim, int order, std::size_t node)
   return (node < std::size_t(dim) ? 3.0 - dim : 4.0) / (dim * (dim + 1));
 }
 
-double largest(const std::vector<Vector>& fields)
+double largest(const std::vector<NodalField>& fields)
 {
   double value = 0.0;
-  for (const Vector& field : fields)
+  for (const NodalField& field : fields)
     for (const double entry : field)
       value = std::max(value, std::abs(entry));
   return value;
@@ -121,8 +121,8 @@ RecoveryScene makeRecoveryScene(const CertifiedScene& scene)
 SceneField makeSceneField(const IntermediateField& field)
 {
   SceneField result;
-  for (const Vector& displacement : field.displacement)
-    result.displacement.push_back(&displacement);
+  for (const NodalField& displacement : field.displacement)
+    result.displacement.push_back(&displacement.whole());
   result.tractions = field.tractions;
   return result;
 }
@@ -197,10 +197,10 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
   runLargestFirst(traceSizes(scene), scene.condensed.threads, [&](int i) {
     const BodyTrace& trace = traces[std::size_t(i)];
     const auto b = std::size_t(trace.body);
-    std::vector<Vector> forces;
+    std::vector<NodalField> forces;
     for (const auto* field : fields) {
-      Vector force = contactForces(*scene.bodies[b], trace.body, scene.patches, field->tractions);
-      forces.push_back(std::move(force));
+      forces.push_back(
+          atNodes(contactForces(*scene.bodies[b], trace.body, scene.patches, field->tractions), scene.dim()));
     }
     const Vector known = solvedForces(scene.condensed, trace.body, scene.coupling.state);
     auto solutions = intermediateFields(scene.model, scene.condensed, trace.body, forces, known, scene.solved[b]);
@@ -241,15 +241,12 @@ AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const Gap
   return admitDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, gap, scene.solved);
 }
 
-Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
+Vector openings(const CertifiedScene& scene, const std::vector<NodalField>& displacement, const GapBound& gap)
 {
-  Vector moments = closingMoments(scene.bodies, scene.patches, displacement, scene.degree);
-  for (std::size_t i = 0; i < moments.size(); ++i)
-    moments[i] -= gap.moments[i];
-  return moments;
+  return difference(closingMoments(scene.bodies, scene.patches, displacement, scene.degree), gap.moments);
 }
 
-double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap)
+double largestPenetration(const CertifiedScene& scene, const std::vector<NodalField>& displacement, const GapBound& gap)
 {
   double deepest = 0.0;
   for (std::size_t f = 0; f < scene.patches.size(); ++f) {

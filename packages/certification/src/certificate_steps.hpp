@@ -20,7 +20,7 @@ struct CertifiedScene
   const CondensedModel& condensed;
   const CouplingResult& coupling;
   std::vector<const BodyModel*> bodies;
-  std::vector<Vector> solved;        ///< u_h per body, global axes
+  std::vector<NodalField> solved;    ///< u_h per body, global axes
   std::vector<ContactPatch> patches; ///< of all interfaces
   int order = 0;                     ///< of the displacements
   int degree = 0;                    ///< of the stresses and tractions
@@ -34,7 +34,7 @@ struct CertifiedScene
 struct IntermediateField
 {
   SideTractions tractions;
-  std::vector<Vector> displacement; ///< u~ per body, global axes
+  std::vector<NodalField> displacement; ///< u~ per body, global axes
 };
 
 /// What a bound rests on and this run could not show; the first reason is kept.
@@ -86,7 +86,7 @@ std::vector<const ConstraintSet*> constraintsOf(const Model& model);
 AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const GapBound& gap, ErrorMode mode);
 
 /// Per facet and mode int (u1_N - u2_N - g) L_k dS.
-Vector openings(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap);
+Vector openings(const CertifiedScene& scene, const std::vector<NodalField>& displacement, const GapBound& gap);
 
 /// The gap at the interface nodes, numbered as in the contact matrix.
 Vector nodalGap(const Model& model);
@@ -95,6 +95,7 @@ Vector nodalGap(const Model& model);
 double largestTension(const CertifiedScene& scene, const ContactTraction& traction);
 
 /// Largest Bernstein coefficient of the jump minus g_h over all facets, relative to the displacements.
-double largestPenetration(const CertifiedScene& scene, const std::vector<Vector>& displacement, const GapBound& gap);
+double largestPenetration(const CertifiedScene& scene, const std::vector<NodalField>& displacement,
+                          const GapBound& gap);
 
 } // namespace ndframe

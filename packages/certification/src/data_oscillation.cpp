@@ -15,7 +15,7 @@ void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, 
 {
   admissible.oscillation.clear();
   for (const StaticData& data : recovery.data)
-    admissible.oscillation.push_back(data.oscillation);
+    admissible.oscillation.push_back(ofCells(data.oscillation));
   if (mode == ErrorMode::Paper || recovered.stress.corrections.empty())
     return;
   const auto contact = contactOscillation(scene.bodies, scene.patches, recovered.stress.tractions[0]);

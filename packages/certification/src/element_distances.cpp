@@ -12,13 +12,6 @@ namespace ndframe
 namespace
 {
 
-Vector difference(Vector a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] -= b[i];
-  return a;
-}
-
 /// Cells that are measured together, whoever does it: BLAS rounds in another way with another number of them.
 constexpr std::int64_t group = visitedTogether;
 
@@ -31,11 +24,11 @@ std::vector<int> allCells(const BodyModel& body)
 
 } // namespace
 
-Vector elementDistances(const CertifiedScene& scene, std::size_t body, const StressCorrection& correction,
-                        const Vector& v, const std::vector<int>* cells)
+CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const StressCorrection& correction,
+                            const Vector& v, const std::vector<int>* cells)
 {
   if (scene.dim() == 2)
-    return cellDistances(*scene.bodies[body], correction, &v);
+    return ofCells(cellDistances(*scene.bodies[body], correction, &v));
   const std::vector<int> all = cells == nullptr ? allCells(*scene.bodies[body]) : *cells;
   const auto share = [&](int rank) { return std::int64_t(all.size()) * rank / scene.comm.size(); };
   const std::int64_t begin = share(scene.comm.rank()), end = share(scene.comm.rank() + 1);
@@ -47,22 +40,22 @@ Vector elementDistances(const CertifiedScene& scene, std::size_t body, const Str
     std::copy(distances.begin(), distances.end(), found.begin() + from);
   });
   scene.comm.sum(found);
-  return found;
+  return ofCells(std::move(found));
 }
 
 ElementDistances::ElementDistances(const CertifiedScene& scene, const RecoveredField& recovered)
     : scene_(scene), recovered_(recovered), last_(scene.bodies.size())
 {
   for (const BodyModel* body : scene.bodies)
-    distances_.emplace_back(std::size_t(body->mesh.numCells()), 0.0);
+    distances_.emplace_back(IndexMap::whole(body->mesh.numCells()), 1);
 }
 
-const std::vector<Vector>& ElementDistances::to(const std::vector<Vector>& displacement)
+const std::vector<CellValues>& ElementDistances::to(const std::vector<NodalField>& displacement)
 {
-  std::vector<Vector> v(scene_.bodies.size());
+  std::vector<NodalField> v(scene_.bodies.size());
   for (const int body : scene_.model.elasticBodies()) {
     const auto b = std::size_t(body);
-    v[b] = difference(recovered_.field.displacement[b], displacement[b]);
+    v[b] = atNodes(difference(recovered_.field.displacement[b], displacement[b]), scene_.dim());
     if (scene_.dim() == 2)
       continue;
     const std::vector<int> cells = changed(b, v[b]);
@@ -73,7 +66,7 @@ const std::vector<Vector>& ElementDistances::to(const std::vector<Vector>& displ
   if (scene_.dim() == 2)
     runLargestFirst(scene_.model.numDofs(), scene_.condensed.threads, [&](int body) {
       const auto b = std::size_t(body);
-      if (!scene_.bodies[b]->isRigid && v[b] != last_[b])
+      if (!scene_.bodies[b]->isRigid && !(v[b] == last_[b]))
         distances_[b] = elementDistances(scene_, b, recovered_.stress.corrections[b], v[b]);
     });
   last_ = std::move(v);

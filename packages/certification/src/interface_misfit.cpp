@@ -80,9 +80,7 @@ double interfaceMisfit(const CertifiedScene& scene, const IntermediateField& fie
     }
   }
   const Vector gap = nodalMoments(scene.patches, nodalGap(scene.model), scene.order, scene.degree);
-  Vector opening = jumpMoments(scene.bodies, scene.patches, scene.solved, scene.degree);
-  for (std::size_t i = 0; i < opening.size(); ++i)
-    opening[i] -= gap[i];
+  const Vector opening = difference(jumpMoments(scene.bodies, scene.patches, scene.solved, scene.degree), gap);
   for (const double twice : contactContributions(scene.patches, field.tractions[0], opening))
     square += twice;
   return std::sqrt(std::max(0.0, square));

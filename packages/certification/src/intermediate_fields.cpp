@@ -95,8 +95,8 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
 }
 
 /// The unknown fields by iterations on the whole body, from those that are there. False where it gives up.
-bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Vector>& forces,
-                const std::vector<std::size_t>& unknown, std::vector<Vector>& fields)
+bool solveWhole(const CondensedModel& condensed, int body, const std::vector<NodalField>& forces,
+                const std::vector<std::size_t>& unknown, std::vector<NodalField>& fields)
 {
   const auto b = std::size_t(body);
   const BodySystem& system = condensed.systems[b];
@@ -120,11 +120,11 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Vec
 }
 
 /// The body's displacements for several right-hand sides at once.
-std::vector<Vector> expandAll(const BodySystem& system, const CondensedBody& body, const DenseMatrix& loads,
-                              const DenseMatrix& kept)
+std::vector<NodalField> expandAll(const BodySystem& system, const CondensedBody& body, const DenseMatrix& loads,
+                                  const DenseMatrix& kept)
 {
   const DenseMatrix u = body.expand(loads, kept);
-  std::vector<Vector> fields;
+  std::vector<NodalField> fields;
   for (int f = 0; f < u.cols(); ++f) {
     Vector full = u.column(f);
     for (std::size_t i = 0; i < full.size(); ++i)
@@ -147,13 +147,14 @@ Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceSt
   return system.dofs.frames.toGlobal(force);
 }
 
-std::vector<Vector> intermediateFields(const Model& model, const CondensedModel& condensed, int body,
-                                       const std::vector<Vector>& forces, const Vector& known, const Vector& solved)
+std::vector<NodalField> intermediateFields(const Model& model, const CondensedModel& condensed, int body,
+                                           const std::vector<NodalField>& forces, const Vector& known,
+                                           const NodalField& solved)
 {
   const auto b = std::size_t(body);
   const BodySystem& system = condensed.systems[b];
   const BodyTrace& trace = *condensed.trace(body);
-  std::vector<Vector> fields(forces.size(), solved);
+  std::vector<NodalField> fields(forces.size(), solved);
   std::vector<std::size_t> unknown;
   for (std::size_t f = 0; f < forces.size(); ++f)
     if (!areSame(system, forces[f], known))

@@ -13,8 +13,9 @@ namespace ndframe
 /// the body floats; solved: u_h, a solution under the forces `known` (same layout). A field whose forces are those of
 /// u_h to round-off is u_h itself and costs nothing; the others cost one back-solve together, no factorisation. The
 /// rigid motion of a floating body is that of u_h. Result: per field, global axes.
-std::vector<Vector> intermediateFields(const Model& model, const CondensedModel& condensed, int body,
-                                       const std::vector<Vector>& forces, const Vector& known, const Vector& solved);
+std::vector<NodalField> intermediateFields(const Model& model, const CondensedModel& condensed, int body,
+                                           const std::vector<NodalField>& forces, const Vector& known,
+                                           const NodalField& solved);
 
 /// The nodal contact forces under which the algorithm solved a body: C Lambda along the nodes' normals, global axes.
 Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceState& state);

@@ -32,11 +32,11 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
   if (!any)
     return {};
   double total = 0.0;
-  std::vector<Vector> reactions;
+  std::vector<NodalField> reactions;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Vector u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
     reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
-    for (const Vector* forces : {&std::as_const(reactions[b]), &scene.condensed.systems[b].load})
+    for (const NodalField* forces : {&std::as_const(reactions[b]), &scene.condensed.systems[b].load})
       for (const double force : *forces)
         total += std::abs(force);
   }

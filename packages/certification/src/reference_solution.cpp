@@ -49,7 +49,7 @@ std::vector<Mesh> matchingMeshes(const Model& model)
   return meshes;
 }
 
-std::vector<Vector> difference(std::vector<Vector> a, const std::vector<Vector>& b)
+std::vector<NodalField> difference(std::vector<NodalField> a, const std::vector<NodalField>& b)
 {
   for (std::size_t i = 0; i < a.size(); ++i)
     for (std::size_t k = 0; k < a[i].size(); ++k)
@@ -138,13 +138,15 @@ std::int64_t ReferenceSolution::dofs() const
   return model_.totalDofs();
 }
 
-std::vector<Vector> ReferenceSolution::onFineMesh(const std::vector<Vector>& displacement) const
+std::vector<NodalField> ReferenceSolution::onFineMesh(const std::vector<NodalField>& displacement) const
 {
-  std::vector<Vector> all = displacement;
+  std::vector<NodalField> all = displacement;
   for (std::size_t b = 0; b < all.size(); ++b)
     for (std::size_t level = 0; level < coarser_[b].size(); ++level)
-      all[b] = prolongate(coarser_[b][level],
-                          level + 1 < coarser_[b].size() ? coarser_[b][level + 1] : model_.bodies[b].nodes, all[b]);
+      all[b] =
+          atNodes(prolongate(coarser_[b][level],
+                             level + 1 < coarser_[b].size() ? coarser_[b][level + 1] : model_.bodies[b].nodes, all[b]),
+                  all[b].width());
   return all;
 }
 
@@ -154,7 +156,7 @@ Vector ReferenceSolution::applyStiffness(std::size_t body, const Vector& displac
   return system.dofs.frames.toGlobal(multiply(system.K, system.dofs.frames.toLocal(displacement), comm_));
 }
 
-double ReferenceSolution::fineNorm(const std::vector<Vector>& displacement) const
+double ReferenceSolution::fineNorm(const std::vector<NodalField>& displacement) const
 {
   double squared = 0.0;
   for (std::size_t b = 0; b < displacement.size(); ++b)
@@ -162,17 +164,17 @@ double ReferenceSolution::fineNorm(const std::vector<Vector>& displacement) cons
   return std::sqrt(squared);
 }
 
-double ReferenceSolution::norm(const std::vector<Vector>& displacement) const
+double ReferenceSolution::norm(const std::vector<NodalField>& displacement) const
 {
   return fineNorm(onFineMesh(displacement));
 }
 
-double ReferenceSolution::distance(const std::vector<Vector>& displacement) const
+double ReferenceSolution::distance(const std::vector<NodalField>& displacement) const
 {
   return fineNorm(difference(displacement_, onFineMesh(displacement)));
 }
 
-double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
+double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<NodalField>& admissible,
                                          const std::vector<ContactPatch>& patches, const ContactTraction& traction,
                                          double D) const
 {
@@ -210,7 +212,7 @@ void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const 
 }
 
 ReferenceSummary compareWithReference(const ReferenceSolution* reference, const Model& model,
-                                      const std::vector<Vector>& displacement, const CertifiedStress* certified,
+                                      const std::vector<NodalField>& displacement, const CertifiedStress* certified,
                                       const ReferenceDepth& depth)
 {
   ReferenceSummary summary;

@@ -26,15 +26,15 @@ public:
   bool suits(const Model& coarse, int refinements) const;
 
   int refinements() const { return refinements_; }
-  std::int64_t dofs() const;                                                ///< dim * nodes of all bodies
-  const Model& model() const { return model_; }                             ///< the fine scene
-  const std::vector<Vector>& displacement() const { return displacement_; } ///< u_ref per body, on the fine meshes
+  std::int64_t dofs() const;                                                    ///< dim * nodes of all bodies
+  const Model& model() const { return model_; }                                 ///< the fine scene
+  const std::vector<NodalField>& displacement() const { return displacement_; } ///< u_ref per body, on the fine meshes
 
   /// |u| of a displacement on the coarse meshes, per body.
-  double norm(const std::vector<Vector>& displacement) const;
+  double norm(const std::vector<NodalField>& displacement) const;
 
   /// |u_ref - u|.
-  double distance(const std::vector<Vector>& displacement) const;
+  double distance(const std::vector<NodalField>& displacement) const;
 
   /// |sigma_ref - sigma^| for a stress in equilibrium with the loads and with the traction t^ on the coarse facets,
   /// whose distance from the stress of an admissible displacement u^ is D: with v = u_ref - u^,
@@ -43,13 +43,13 @@ public:
   ///
   /// Limits: exact where the loads are those that sigma^ balances (no oscillation) and v vanishes on the supports
   /// (prescribed displacements that polynomials of the coarse mesh carry).
-  double stressDistance(const Model& coarse, const std::vector<Vector>& admissible,
+  double stressDistance(const Model& coarse, const std::vector<NodalField>& admissible,
                         const std::vector<ContactPatch>& patches, const ContactTraction& traction, double D) const;
 
 private:
-  std::vector<Vector> onFineMesh(const std::vector<Vector>& displacement) const;
+  std::vector<NodalField> onFineMesh(const std::vector<NodalField>& displacement) const;
   Vector applyStiffness(std::size_t body, const Vector& displacement) const;
-  double fineNorm(const std::vector<Vector>& displacement) const;
+  double fineNorm(const std::vector<NodalField>& displacement) const;
 
   Comm comm_;
   int refinements_;
@@ -57,7 +57,7 @@ private:
   std::vector<std::vector<NodeMap>> coarser_; ///< per body, from the coarse mesh to the last but one
   Model model_;                               ///< the fine scene
   std::vector<BodySystem> systems_;
-  std::vector<Vector> displacement_; ///< u_ref per body
+  std::vector<NodalField> displacement_; ///< u_ref per body
 };
 
 /// How deep the reference goes.
@@ -70,7 +70,7 @@ struct ReferenceDepth
 /// What a certificate says, to be judged: u^ per body, the admissible traction of sigma^, the measure (39).
 struct CertifiedStress
 {
-  const std::vector<Vector>& admissible;
+  const std::vector<NodalField>& admissible;
   const std::vector<ContactPatch>& patches;
   const ContactTraction& traction;
   const ErrorMeasure& measure;
@@ -86,7 +86,7 @@ void updateReference(std::shared_ptr<const ReferenceSolution>& reference, const 
 /// The true errors of u_h (`displacement`, per body) and, with a certificate, of its stresses and the ratio of bound
 /// and error. Without a reference the numbers are NaN, and the note says why.
 ReferenceSummary compareWithReference(const ReferenceSolution* reference, const Model& model,
-                                      const std::vector<Vector>& displacement, const CertifiedStress* certified,
+                                      const std::vector<NodalField>& displacement, const CertifiedStress* certified,
                                       const ReferenceDepth& depth);
 
 } // namespace ndframe

@@ -70,7 +70,7 @@ Direction centreOf(const Support& support, const BodyModel& body)
 
 } // namespace
 
-Vector contactForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body)
+NodalField contactForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body)
 {
   const BodyModel& on = model.bodies[std::size_t(body)];
   Vector forces(std::size_t(on.numDofs()), 0.0);
@@ -91,11 +91,11 @@ Vector contactForces(const Model& model, const CondensedModel& condensed, const 
       add(interface, interface.neumann().nodes, neumann);
     first += std::size_t(interface.numNodes());
   }
-  return forces;
+  return atNodes(std::move(forces), on.mesh.dim);
 }
 
-Vector supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
-                     const Vector& u, const Comm& comm)
+NodalField supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
+                         const Vector& u, const Comm& comm)
 {
   const BodySystem& system = condensed.systems[std::size_t(body)];
   Vector forces = multiply(system.K, u, comm);

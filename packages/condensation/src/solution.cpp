@@ -208,11 +208,11 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
           !amplitudes.empty())
         addMotions(moved, amplitudes, model, b, system.dofs);
       all[b].displacement.push_back(system.dofs.frames.toGlobal(moved));
-      all[b].u.push_back(std::move(full));
+      all[b].u.push_back(atNodes(std::move(full), system.K.dim));
     }
   });
   for (std::size_t s = 0; s < states.size(); ++s) {
-    std::vector<Vector*> ofState;
+    std::vector<NodalField*> ofState;
     for (BodyFields& body : all)
       ofState.push_back(&body.displacement[s]);
     removeMeanMotions(model, std::move(ofState));

@@ -16,12 +16,6 @@ constexpr int refinements = 2;        ///< after which springs of 1e-8 have an e
 constexpr double unbalanced = 1e-9;   ///< work that no forces can do, relative: round-off
 constexpr double elimination = 1e-10; ///< added to what open entries hold, relative: they may not hold the body
 
-void subtract(Vector& a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] -= b[i];
-}
-
 } // namespace
 
 FetiSet::FetiSet(const Network& network, const NetworkBodies& bodies, const std::vector<char>& closed,
@@ -124,7 +118,7 @@ Vector FetiSet::solveCoarse(const Vector& x) const
   Vector a = coarse_->solve(x);
   for (int step = 0; isLoose_ && step < refinements; ++step) {
     Vector rest = x;
-    subtract(rest, G_.transposedTimes(QG_.times(a)));
+    rest = difference(std::move(rest), G_.transposedTimes(QG_.times(a)));
     const Vector change = coarse_->solve(rest);
     for (std::size_t j = 0; j < a.size(); ++j)
       a[j] += change[j];
@@ -139,7 +133,7 @@ bool FetiSet::canBalance(const Vector& x) const
   if (coarse_ == nullptr)
     return false;
   Vector rest = x;
-  subtract(rest, G_.transposedTimes(balancing(x)));
+  rest = difference(std::move(rest), G_.transposedTimes(balancing(x)));
   return largestEntry(rest) <= unbalanced * largestEntry(x);
 }
 
@@ -151,7 +145,7 @@ Vector FetiSet::amplitudes(const Vector& w, const Vector& before) const
   for (std::size_t j = 0; j < right.size(); ++j)
     right[j] += springs_[j] * before[j];
   Vector a = coarse_->solve(right), rest = w;
-  subtract(rest, G_.times(a));
+  rest = difference(std::move(rest), G_.times(a));
   const Vector change = solveCoarse(QG_.transposedTimes(rest)); // without what the springs took
   for (std::size_t j = 0; j < a.size(); ++j)
     a[j] += change[j];
@@ -197,14 +191,14 @@ Vector FetiSet::preconditioned(const Vector& w) const
 Vector FetiSet::projected(Vector r) const
 {
   if (projects())
-    subtract(r, balancing(work(r)));
+    r = difference(r, balancing(work(r)));
   return r;
 }
 
 Vector FetiSet::projectedTransposed(Vector w) const
 {
   if (projects())
-    subtract(w, G_.times(solveCoarse(QG_.transposedTimes(w))));
+    w = difference(w, G_.times(solveCoarse(QG_.transposedTimes(w))));
   return w;
 }
 
@@ -222,7 +216,7 @@ Vector FetiSet::stiffOnClosed(std::size_t body, const Vector& v) const
   onOpen = open_[body].factor->solve(std::move(onOpen));
   for (std::size_t i = 0; i < onOpen.size(); ++i)
     answer[std::size_t(open[i])] = onOpen[i];
-  subtract(f, S.apply(answer));
+  f = difference(std::move(f), S.apply(answer));
   return f;
 }
 

@@ -25,10 +25,8 @@ double IterationError::measure(const InterfaceState& state) const
   Vector mean = state.forceNeumann;
   for (std::size_t i = 0; i < mean.size(); ++i)
     mean[i] += onNeumann[i];
-  Vector change = state.strainedNeumann; // under Lambda_neu, less that under the mean: S_N^-1 r_N
-  const Vector underMean = system_.withObstacles(neumann_.solve(mean));
-  for (std::size_t i = 0; i < change.size(); ++i)
-    change[i] -= underMean[i];
+  // Under Lambda_neu, less that under the mean: S_N^-1 r_N.
+  const Vector change = difference(state.strainedNeumann, system_.withObstacles(neumann_.solve(mean)));
   const double neumannEnergy = std::max(dot(onNeumann, change), 0.0); // below 0 by round-off of a difference
   return std::sqrt(dirichletEnergy + neumannEnergy);
 }

@@ -121,19 +121,13 @@ private:
   /// Contact forces are differences of reduced loads; where bodies just touch, round-off of those is all there is.
   static bool agree(const InterfaceState& state, double loads)
   {
-    Vector difference = state.forceDirichlet;
-    for (std::size_t i = 0; i < difference.size(); ++i)
-      difference[i] -= state.forceNeumann[i];
-    return norm(difference) <= roundOff * loads;
+    return norm(difference(state.forceDirichlet, state.forceNeumann)) <= roundOff * loads;
   }
 
   /// Lambda_dir - Lambda_neu; empty before the first sweep.
   static Vector jumpOf(const InterfaceState& state)
   {
-    Vector jump = state.tractionDirichlet;
-    for (std::size_t i = 0; i < jump.size(); ++i)
-      jump[i] -= state.tractionNeumann[i];
-    return jump;
+    return difference(state.tractionDirichlet, state.tractionNeumann);
   }
 
   static void report(const InterfaceSystem& system, CouplingResult& result, const UnilateralState& step,

@@ -120,9 +120,7 @@ private:
 
   static void subtract(Vector& force, const DenseMatrix& A, const Vector& x)
   {
-    const Vector Ax = multiply(A, x);
-    for (std::size_t i = 0; i < force.size(); ++i)
-      force[i] -= Ax[i];
+    force = difference(std::move(force), multiply(A, x));
   }
 
   RoleSystem dirichlet_, neumann_;

@@ -63,6 +63,14 @@ WholeProblem::WholeProblem(const InterfaceSystem& system)
       solvers.front()->join(solvers, rowsFor(ClosedRows(network_.jump, {}, network_.bound, network_.size()), false));
 }
 
+std::vector<NodalField> WholeProblem::fields() const
+{
+  std::vector<NodalField> fields;
+  for (std::size_t b = 0; b < fields_.size(); ++b)
+    fields.emplace_back(network_.bodies[b]->load->map(), network_.bodies[b]->load->width(), fields_[b]);
+  return fields;
+}
+
 double WholeProblem::roundOff() const
 {
   return std::max(statusRoundOff, amplification * joined_->tolerance());

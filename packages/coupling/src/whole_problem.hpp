@@ -30,8 +30,8 @@ public:
   const std::vector<std::string>& motions() const override { return motions_; }
 
   const Network& network() const { return network_; }
-  const Vector& displacement() const { return v_; }             ///< of the last pass
-  const std::vector<Vector>& fields() const { return fields_; } ///< of the last pass, per body
+  const Vector& displacement() const { return v_; } ///< of the last pass
+  std::vector<NodalField> fields() const;           ///< of the last pass, per body, in the nodes' own axes
   /// What signs and gaps are compared with at the end.
   double roundOff() const;
 

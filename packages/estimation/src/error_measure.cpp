@@ -20,7 +20,7 @@ double sumOf(const Vector& values)
 }
 
 /// (D_E + osc_E)^2.
-std::vector<Vector> widenedSquares(std::vector<Vector> distances, const std::vector<Vector>& oscillation)
+std::vector<CellValues> widenedSquares(std::vector<CellValues> distances, const std::vector<CellValues>& oscillation)
 {
   for (std::size_t b = 0; b < oscillation.size(); ++b)
     for (std::size_t cell = 0; cell < distances[b].size(); ++cell)
@@ -52,7 +52,7 @@ double ErrorMeasure::bound() const
   return std::max(aside, 0.5 * elements) + radius() + prescribed;
 }
 
-double totalOf(const std::vector<Vector>& squared)
+double totalOf(const std::vector<CellValues>& squared)
 {
   double total = 0.0;
   for (const Vector& body : squared)
@@ -60,8 +60,8 @@ double totalOf(const std::vector<Vector>& squared)
   return root(total);
 }
 
-ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactPatch>& patches,
-                             const Vector& contact, const std::vector<Vector>& oscillation)
+ErrorMeasure assembleMeasure(std::vector<CellValues> distances, const std::vector<ContactPatch>& patches,
+                             const Vector& contact, const std::vector<CellValues>& oscillation)
 {
   ErrorMeasure measure;
   measure.elements = totalOf(distances);
@@ -76,13 +76,13 @@ ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<Co
   return measure;
 }
 
-Vector contributions(const Vector& squared)
+CellValues contributions(const Vector& squared)
 {
   Vector values;
   values.reserve(squared.size());
   for (const double square : squared)
     values.push_back(root(square));
-  return values;
+  return ofCells(std::move(values));
 }
 
 } // namespace ndframe

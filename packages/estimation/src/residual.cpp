@@ -172,7 +172,7 @@ void addJumps(const Mesh& mesh, const Vector& tractions, int facetData, Vector& 
 
 } // namespace
 
-Vector residualIndicator(const BodyModel& body, const StaticData& data, const FieldInput& field)
+CellValues residualIndicator(const BodyModel& body, const StaticData& data, const FieldInput& field)
 {
   const Mesh& mesh = body.mesh;
   NDFRAME_ASSERT(data.dim == mesh.dim && data.order == body.nodes.order, "the data are this body's");
@@ -190,7 +190,7 @@ Vector residualIndicator(const BodyModel& body, const StaticData& data, const Fi
   const Vector stiffness = smallestStiffness(body.laws);
   for (std::size_t c = 0; c < squared.size(); ++c)
     squared[c] /= stiffness[std::size_t(body.laws.number(int(c)))];
-  return squared;
+  return ofCells(std::move(squared));
 }
 
 } // namespace ndframe

@@ -75,10 +75,10 @@ Vector squaredDifferences(const BodyModel& body, const Vector& displacement)
 
 } // namespace
 
-Vector zienkiewiczZhu(const BodyModel& body, const Vector& displacement)
+CellValues zienkiewiczZhu(const BodyModel& body, const Vector& displacement)
 {
-  return withDimAndOrder(body.mesh.dim, body.nodes.order,
-                         [&](auto d, auto p) { return squaredDifferences<d(), p()>(body, displacement); });
+  return ofCells(withDimAndOrder(body.mesh.dim, body.nodes.order,
+                                 [&](auto d, auto p) { return squaredDifferences<d(), p()>(body, displacement); }));
 }
 
 } // namespace ndframe

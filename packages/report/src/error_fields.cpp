@@ -79,7 +79,7 @@ std::vector<NamedField> elementErrorFields(const Run& run, const OutputOptions& 
   const Certificate& certificate = *run.certificate;
   const Mesh& mesh = run.model.bodies[body].mesh;
   std::vector<NamedField> fields;
-  const auto add = [&](const char* name, const std::vector<Vector>& eta) {
+  const auto add = [&](const char* name, const std::vector<CellValues>& eta) {
     if (!eta.empty())
       fields.push_back({name, eta[body]});
   };

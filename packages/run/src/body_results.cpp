@@ -60,7 +60,7 @@ std::vector<double> resultant(const Vector& nodal, int dim)
   return sum;
 }
 
-std::vector<RegionSummary> regionSummaries(const BodyModel& body, const Vector& energies)
+std::vector<RegionSummary> regionSummaries(const BodyModel& body, const CellValues& energies)
 {
   std::vector<RegionSummary> summaries;
   for (const BodyRegion& region : body.regions)
@@ -72,17 +72,17 @@ std::vector<RegionSummary> regionSummaries(const BodyModel& body, const Vector& 
 
 } // namespace
 
-void completeBodies(Run& run, const Comm& comm)
+void completeBodies(RunSummary& all, const Run& run, const Comm& comm)
 {
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
-    const Vector& local = run.solved.fields[b].u.back();
-    const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(local);
-    BodySummary& summary = run.summary.bodies[b];
-    const Vector ofCells = cellEnergies(body, u);
-    summary.energy = std::accumulate(ofCells.begin(), ofCells.end(), 0.0);
-    summary.regions = regionSummaries(body, ofCells);
-    run.summary.energy += summary.energy;
+    const NodalField& local = run.solved.fields[b].u.back();
+    const NodalField u = run.condensed.systems[b].dofs.frames.toGlobal(local);
+    BodySummary& summary = all.bodies[b];
+    const CellValues energies = cellEnergies(body, u);
+    summary.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
+    summary.regions = regionSummaries(body, energies);
+    all.energy += summary.energy;
     summary.loadForce = resultant(run.model.loads[b], body.mesh.dim);
     summary.supports =
         supportReactions(body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm));

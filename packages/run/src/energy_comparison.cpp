@@ -5,16 +5,16 @@
 namespace ndframe
 {
 
-void compareEnergies(Run& run, const SceneSettings& scene)
+std::optional<Contradiction> compareEnergies(EnergyRecord& record, const Certificate& certificate,
+                                             const std::string& name)
 {
-  EnergyRecord& record = run.energies.of(SceneIdentity(scene, run.model));
-  if (run.certificate->energy && !run.contradiction)
-    run.contradiction = record.add(*run.certificate->energy, run.energies.name(run.level));
-  run.energy = record;
-  if (!run.contradiction)
-    return;
-  run.certificate->summary.guaranteed = false;
-  run.certificate->summary.reason = contradictionText(*run.contradiction);
+  return certificate.energy ? record.add(*certificate.energy, name) : std::nullopt;
+}
+
+void withdraw(Certificate& certificate, const Contradiction& contradiction)
+{
+  certificate.summary.guaranteed = false;
+  certificate.summary.reason = contradictionText(contradiction);
 }
 
 std::string contradictingText(const Contradiction& contradiction)

@@ -141,7 +141,7 @@ std::optional<NumberBracket> bracketOf(const EnergyRecord& record)
   return NumberBracket{std::min(record.lower(), record.upper()), std::max(record.lower(), record.upper())};
 }
 
-std::optional<EnergySummary> summarizeEnergy(const Run& run)
+std::optional<EnergySummary> summarizeEnergy(const Run& run, double strainEnergy)
 {
   const auto bracket = bracketOf(run.energy);
   if (!bracket)
@@ -149,7 +149,6 @@ std::optional<EnergySummary> summarizeEnergy(const Run& run)
   EnergySummary summary;
   summary.energy = *bracket;
   summary.certificates = run.energy.certificates();
-  const double strainEnergy = 0.5 * run.summary.energy;
   summary.relativeWidth = strainEnergy > 0.0 ? (bracket->upper - bracket->lower) / strainEnergy : 0.0;
   const Causes causes = causesOf(run.model);
   if (!causes.supportsAreConstant || !isGapless(run.model))

@@ -11,6 +11,7 @@
 #include "ndframe/run/warnings.hpp"
 #include "ndframe/scene/rigid_check.hpp"
 #include "ndframe/scene/stage.hpp"
+#include "verdict.hpp"
 
 namespace ndframe
 {
@@ -63,55 +64,6 @@ void recover(Solved& solved, const Model& model, const CondensedModel& condensed
     solved.coupling.converged = false;
     solved.coupling.reason = solved.doubt;
   }
-}
-
-/// Why a bound that the deck wants guaranteed is not; empty when it is or need not be.
-std::string missingGuarantee(const std::optional<ErrorSummary>& errors, const RunSettings& settings)
-{
-  if (!errors || errors->guaranteed || !settings.errors->requireGuarantee)
-    return {};
-  return "the bound is not guaranteed: " + errors->reason;
-}
-
-/// A residual this many times the linear solver's tolerance is what the solver was asked for: its own is relative to
-/// right-hand sides that cancel in part.
-constexpr double amplification = 1e3;
-
-/// Says that the linear solver was told to stop too early for forces in balance; empty when it was not.
-std::string looseSolver(const RunSummary& summary, std::optional<double> tolerance)
-{
-  const double imbalance = summary.residuals.equilibrium;
-  const bool explains =
-      tolerance && imbalance > ResidualLimits().equilibrium && imbalance <= amplification * *tolerance;
-  if (!explains)
-    return {};
-  return fmt::format("the forces are out of balance by {:.1e}, above the limit of {:g}: the linear solver's Tolerance "
-                     "{:g} is too loose; lower it",
-                     imbalance, ResidualLimits().equilibrium, *tolerance);
-}
-
-/// Why the numbers of a solution may not be trusted; empty when they may.
-std::string doubtAbout(const RunSummary& summary, std::optional<double> solverTolerance)
-{
-  const auto reason = distrust(summary);
-  const bool stoppedEarly = summary.coupling && !summary.coupling->converged;
-  const auto loose = looseSolver(summary, solverTolerance);
-  return reason.empty() || stoppedEarly || loose.empty() ? reason : loose;
-}
-
-/// Says why the result may not be trusted; empty when it may. A failed check overrules an iteration that calls itself
-/// converged.
-std::string verdictOn(Run& run, const RunSettings& settings)
-{
-  RunSummary& summary = run.summary;
-  const auto reason = summary.solved ? doubtAbout(summary, settings.solverTolerance) : run.solved.coupling.reason;
-  if (reason.empty())
-    return missingGuarantee(summary.errors, settings);
-  if (summary.coupling) {
-    summary.coupling->converged = false;
-    summary.coupling->reason = reason;
-  }
-  return "not converged: " + reason;
 }
 
 /// Leaves no solution; the reason stands in the coupling's result.
@@ -273,8 +225,14 @@ void certifyRun(Run& run, const RunTools& tools)
     run.certificate = std::move(certified.certificate);
   else
     run.failure = "no certificate: " + certified.failure;
-  if (run.certificate)
-    compareEnergies(run, tools.settings.scene);
+  if (!run.certificate)
+    return;
+  EnergyRecord& record = run.energies.of(SceneIdentity(tools.settings.scene, run.model));
+  if (!run.contradiction)
+    run.contradiction = compareEnergies(record, *run.certificate, run.energies.name(run.level));
+  run.energy = record;
+  if (run.contradiction)
+    withdraw(*run.certificate, *run.contradiction);
 }
 
 void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps)
@@ -288,8 +246,9 @@ void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps
 
 void finishRun(Run& run, const RunTools& tools)
 {
-  completeSummary(run, tools.settings, tools.comm);
-  if (const std::string verdict = verdictOn(run, tools.settings); !verdict.empty())
+  run.strictInput = tools.settings.strictInput;
+  run.summary = completeSummary(run, tools.settings, tools.comm);
+  if (const std::string verdict = verdictOn(run.summary, run.solved, tools.settings); !verdict.empty())
     run.failure = verdict;
   if (run.contradiction)
     run.failure = contradictionText(*run.contradiction);

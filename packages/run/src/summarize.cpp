@@ -105,7 +105,7 @@ std::vector<std::vector<double>> endPoints(const InterfaceMesh& interface, const
   return ends;
 }
 
-void completeInterfaces(Run& run)
+void completeInterfaces(RunSummary& all, const Run& run)
 {
   if (run.model.interfaces.empty())
     return;
@@ -113,7 +113,7 @@ void completeInterfaces(Run& run)
   std::size_t firstNode = 0;
   for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {
     const auto& interface = run.model.interfaces[i];
-    auto& summary = run.summary.interfaces[i];
+    auto& summary = all.interfaces[i];
     addForces(summary, interface, nodal, firstNode);
     summary.contactMeasure = closedMeasure(run, nodal.shares, firstNode, std::size_t(interface.numNodes()));
     summary.endPoints = summary.isArea ? boxCorners(interface, run, firstNode) : endPoints(interface, run, firstNode);
@@ -207,37 +207,28 @@ void nameSides(RunSummary& summary, const Model& model)
   }
 }
 
-void completeSummary(Run& run, const RunSettings& settings, const Comm& comm)
+RunSummary completeSummary(const Run& run, const RunSettings& settings, const Comm& comm)
 {
-  if (run.summary.coupling)
-    completeCoupling(run.summary, run.solved.coupling);
-  run.strictInput = settings.strictInput;
-  run.summary.solved = !run.solved.states.empty();
-  addWarnings(run.summary, sceneWarnings(run.model, settings));
-  if (!run.summary.solved)
-    return;
-  completeBodies(run, comm);
-  completeInterfaces(run);
-  run.summary.probes = sampleProbes(run, settings.output.probes);
-  addWarnings(run.summary, answerWarnings(run, settings));
-  run.summary.residuals =
+  RunSummary summary = run.summary;
+  if (summary.coupling)
+    completeCoupling(summary, run.solved.coupling);
+  summary.solved = !run.solved.states.empty();
+  addWarnings(summary, sceneWarnings(run.model, settings));
+  if (!summary.solved)
+    return summary;
+  completeBodies(summary, run, comm);
+  completeInterfaces(summary, run);
+  summary.probes = sampleProbes(run, settings.output.probes);
+  addWarnings(summary, answerWarnings(run, summary, settings));
+  summary.residuals =
       residuals(run.model, run.condensed, run.solved.coupling.state, run.solved.fields, run.solved.contact, comm);
-  run.summary.residuals.allowedInContact = run.solved.coupling.contactTolerance;
+  summary.residuals.allowedInContact = run.solved.coupling.contactTolerance;
   if (run.certificate) {
-    run.summary.errors = run.certificate->summary;
-    run.summary.errors->energyBracket = summarizeEnergy(run);
+    summary.errors = run.certificate->summary;
+    summary.errors->energyBracket = summarizeEnergy(run, 0.5 * summary.energy);
   }
-  checkExpectations(run.summary, settings);
-}
-
-std::string distrust(const RunSummary& summary)
-{
-  const bool boundDecides = summary.accuracy.has_value();
-  if (summary.coupling && !summary.coupling->converged && !boundDecides)
-    return summary.coupling->reason;
-  if (!std::isfinite(summary.energy))
-    return "the result is not a number";
-  return passedLimit(summary.residuals);
+  checkExpectations(summary, settings);
+  return summary;
 }
 
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)

@@ -66,16 +66,16 @@ std::string bodyNames(const Model& model, int a, int b)
 }
 
 /// Part of the displacements at which no strain is above what may be drawn.
-double drawnPart(const RunSummary& summary)
+double drawnPart(const std::vector<BodySummary>& bodies)
 {
   double strain = 0.0;
-  for (const auto& body : summary.bodies)
+  for (const auto& body : bodies)
     strain = std::max(strain, body.strain.value);
   return strain > drawnStrain ? drawnStrain / strain : 1.0;
 }
 
 /// A body's mesh where it is in the end: moved by displacement and offset, as pictures show it.
-Mesh deformed(const Run& run, std::size_t body, const std::vector<Vector>& offsets, double factor)
+Mesh deformed(const Run& run, std::size_t body, const std::vector<NodalField>& offsets, double factor)
 {
   Mesh mesh = run.model.bodies[body].mesh;
   const Vector& u = run.solved.fields[body].displacement.back();
@@ -107,17 +107,18 @@ void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnost
 }
 
 /// Bodies that their displacements bring into each other where no interface is.
-void findOverlaps(const Run& run, const RunSettings& settings, Diagnostics& found)
+void findOverlaps(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
+  const Run& run = answer.run;
   const auto boundaries = boundariesOf(run.model);
   const auto offsets = gapOffsets(run.model);
-  const double factor = drawnPart(run.summary);
+  const double factor = drawnPart(answer.bodies);
   double motion = 0.0;
   std::vector<Mesh> moved;
   std::vector<const Mesh*> before, after;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     moved.push_back(deformed(run, b, offsets, factor));
-    motion = std::max(motion, factor * run.summary.bodies[b].displacement.value);
+    motion = std::max(motion, factor * answer.bodies[b].displacement.value);
   }
   for (std::size_t b = 0; b < moved.size(); ++b) {
     before.push_back(&run.model.bodies[b].mesh);

@@ -103,15 +103,15 @@ Vector offsetOf(const Model& model, int body)
 
 } // namespace
 
-std::vector<Vector> gapOffsets(const Model& model)
+std::vector<NodalField> gapOffsets(const Model& model)
 {
   const bool anyGap = std::any_of(model.interfaces.begin(), model.interfaces.end(), [](const auto& interface) {
     return interface.drawnGap.empty() &&
            std::any_of(interface.gap.begin(), interface.gap.end(), [](double gap) { return gap > 0.0; });
   });
-  std::vector<Vector> offsets;
+  std::vector<NodalField> offsets;
   for (std::size_t b = 0; anyGap && b < model.bodies.size(); ++b)
-    offsets.push_back(offsetOf(model, int(b)));
+    offsets.push_back(atNodes(offsetOf(model, int(b)), model.bodies[b].mesh.dim));
   return offsets;
 }
 

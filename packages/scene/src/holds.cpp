@@ -112,7 +112,7 @@ void resolveHold(Model& model, int body, std::size_t support, Diagnostics& diagn
     return;
   }
   for (int m = 0; m < hold.motions.cols(); ++m)
-    hold.means.push_back(meanWeights(here, params, model.rigid[b], hold.motions.column(m)));
+    hold.means.push_back(atNodes(meanWeights(here, params, model.rigid[b], hold.motions.column(m)), here.mesh.dim));
   here.supports[support]->pin(hold.pins);
   model.constraints[b] = collectConstraints(here.supports, here.mesh, here.nodes);
   model.freeMotions[b] = nullSpace(supportRows(model.rigid[b], here.nodes, model.constraints[b]), rigidTolerance);

@@ -96,12 +96,12 @@ Vector meanWeights(const BodyModel& body, const Params& hold, const RigidBasis& 
                          [&](auto d, auto p) { return meanOver<d(), p()>(body, side, rigid, motion); });
 }
 
-void removeMeanMotions(const Model& model, std::vector<Vector*> displacement)
+void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement)
 {
   std::vector<Vector> joint; // mean of every joint motion
   Vector mean;
   for (const HeldMean& hold : model.holds)
-    for (const Vector& weights : hold.means) {
+    for (const NodalField& weights : hold.means) {
       mean.push_back(dot(weights, *displacement[std::size_t(hold.body)]));
       Vector row;
       for (int j = 0; j < model.jointMotions.cols(); ++j)

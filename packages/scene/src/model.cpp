@@ -73,8 +73,8 @@ void collecting(Diagnostics& diagnostics, const Step& step)
 
 /// Per body the integrals of all its loads; threads compute their parts side by side where some have to be sampled.
 /// Loads that are not finite somewhere are found before anything is solved.
-std::vector<Vector> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Keep keep, int threads,
-                                  Diagnostics& diagnostics)
+std::vector<NodalField> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Keep keep, int threads,
+                                      Diagnostics& diagnostics)
 {
   std::vector<BodyLoads> loads;
   std::vector<std::pair<std::size_t, int>> parts; // of bodies
@@ -89,7 +89,7 @@ std::vector<Vector> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Ke
     const auto [body, part] = parts[std::size_t(task)];
     loads[body].compute(part);
   });
-  std::vector<Vector> sums(bodies.size());
+  std::vector<NodalField> sums(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b)
     collecting(diagnostics, [&] { sums[b] = loads[b].take(); });
   return sums;

@@ -16,11 +16,8 @@ NeumannProblem::NeumannProblem(const SymmetricOperator& S, Vector g, const Dense
 
 Vector NeumannProblem::solve(const Vector& contactForce) const
 {
-  Vector force = g_;
-  for (std::size_t i = 0; i < force.size(); ++i)
-    force[i] -= contactForce[i];
   ledger_.count("Neumann solves");
-  return inverse_->solve(force);
+  return inverse_->solve(difference(g_, contactForce));
 }
 
 std::vector<char> freeWhenHeld(const DenseMatrix& rigidTraces, const std::vector<char>& held)

@@ -14,13 +14,6 @@ constexpr std::size_t memory = 8; ///< sweeps
 constexpr int mostRestarts = 4;
 constexpr double dependent = 1e-10; ///< relative size below which a direction is round-off
 
-Vector difference(Vector a, const Vector& b)
-{
-  for (std::size_t i = 0; i < a.size(); ++i)
-    a[i] -= b[i];
-  return a;
-}
-
 DenseMatrix columns(const std::deque<Vector>& vectors)
 {
   DenseMatrix matrix(int(vectors.front().size()), int(vectors.size()));

@@ -16,10 +16,17 @@ void findUnconnectedParts(const Model& model, const SceneSettings& scene, Diagno
 void findLoadsOnSupports(const Model& model, const SceneSettings& scene, Diagnostics& found);
 void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnostics& found);
 
+/// A run with a solution, and what its summary says of the bodies.
+struct Answer
+{
+  const Run& run;
+  const std::vector<BodySummary>& bodies;
+};
+
 // Of the answer.
-void findStrangeStrain(const Run& run, const RunSettings& settings, Diagnostics& found);
-void findFewContactNodes(const Run& run, const RunSettings& settings, Diagnostics& found);
-void findContactAtEnds(const Run& run, const RunSettings& settings, Diagnostics& found);
-void findOverlaps(const Run& run, const RunSettings& settings, Diagnostics& found);
+void findStrangeStrain(const Answer& answer, const RunSettings& settings, Diagnostics& found);
+void findFewContactNodes(const Answer& answer, const RunSettings& settings, Diagnostics& found);
+void findContactAtEnds(const Answer& answer, const RunSettings& settings, Diagnostics& found);
+void findOverlaps(const Answer& answer, const RunSettings& settings, Diagnostics& found);
 
 } // namespace ndframe

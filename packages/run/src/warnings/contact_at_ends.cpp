@@ -109,8 +109,9 @@ Rim openRim(const Model& model, const InterfaceMesh& interface, const ContactNod
 } // namespace
 
 /// Contact that presses at the end of the named sides would go on where nobody looks for it.
-void findContactAtEnds(const Run& run, const RunSettings& settings, Diagnostics& found)
+void findContactAtEnds(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
+  const Run& run = answer.run;
   const ContactNode* contact = run.solved.contact.data();
   for (const auto& interface : run.model.interfaces) {
     const Mesh& mesh = run.model.bodies[std::size_t(interface.dirichlet().body)].mesh;

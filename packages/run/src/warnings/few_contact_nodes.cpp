@@ -32,8 +32,9 @@ void add(std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching, 
 } // namespace
 
 /// Contact on one or two nodes is as wide as the mesh makes it: neither its width nor its pressure means anything.
-void findFewContactNodes(const Run& run, const RunSettings& settings, Diagnostics& found)
+void findFewContactNodes(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
+  const Run& run = answer.run;
   std::vector<std::pair<const InterfaceMesh*, std::ptrdiff_t>> touching;
   std::size_t first = 0;
   for (std::size_t i = 0; i < run.model.interfaces.size(); ++i) {

@@ -51,17 +51,18 @@ const ContactNode* nearestOpenNode(const Run& run)
 } // namespace
 
 /// Strains that the theory does not hold for, or that are next to nothing: units of modulus and load that do not fit.
-void findStrangeStrain(const Run& run, const RunSettings& settings, Diagnostics& found)
+void findStrangeStrain(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
+  const Run& run = answer.run;
   const double limit = settings.strainLimit;
   double largest = 0.0, motion = 0.0;
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
-    const PeakSummary& peak = run.summary.bodies[b].strain;
+    const PeakSummary& peak = answer.bodies[b].strain;
     const StrainOfBody strain =
         strainOf(body, run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u.back()), limit);
     largest = std::max(largest, strain.largest);
-    motion = std::max(motion, run.summary.bodies[b].displacement.value / diameter(body.mesh));
+    motion = std::max(motion, answer.bodies[b].displacement.value / diameter(body.mesh));
     if (strain.share > smallPart)
       found.add(settings.scene.bodies[b].place.mistake(
           "",

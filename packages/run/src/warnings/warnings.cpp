@@ -21,7 +21,7 @@ struct SceneCheck
 struct AnswerCheck
 {
   const char* kind;
-  void (*find)(const Run& run, const RunSettings& settings, Diagnostics& found);
+  void (*find)(const Answer& answer, const RunSettings& settings, Diagnostics& found);
 };
 
 constexpr SceneCheck sceneChecks[] = {{"different hypotheses", findDifferentHypotheses},
@@ -60,11 +60,11 @@ std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settin
   return warnings;
 }
 
-std::vector<Warning> answerWarnings(const Run& run, const RunSettings& settings)
+std::vector<Warning> answerWarnings(const Run& run, const RunSummary& summary, const RunSettings& settings)
 {
-  if (!std::isfinite(run.summary.energy)) // the run says so itself
+  if (!std::isfinite(summary.energy)) // the run says so itself
     return {};
-  return collect(answerChecks, run, settings);
+  return collect(answerChecks, Answer{run, summary.bodies}, settings);
 }
 
 void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics)

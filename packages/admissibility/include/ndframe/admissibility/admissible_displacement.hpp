@@ -11,10 +11,10 @@ namespace ndframe
 /// every patch; nothing else changes.
 struct AdmissibleDisplacement
 {
-  std::vector<Vector> displacement; ///< per body, global axes
-  double charge = 0.0;              ///< |u^ - u_h| in the energy norm, all bodies
-  int moved = 0;                    ///< nodes moved
-  std::string caveat;               ///< a node that supports do not allow to move enough; empty when admissible
+  std::vector<NodalField> displacement; ///< per body, global axes
+  double charge = 0.0;                  ///< |u^ - u_h| in the energy norm, all bodies
+  int moved = 0;                        ///< nodes moved
+  std::string caveat;                   ///< a node that supports do not allow to move enough; empty when admissible
 };
 
 /// displacement: u_h per body, global axes. A penetration is divided between the two bodies by the stiffness of their
@@ -22,10 +22,10 @@ struct AdmissibleDisplacement
 AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
                                          const std::vector<const ConstraintSet*>& constraints,
                                          const std::vector<ContactPatch>& patches, const GapBound& gap,
-                                         const std::vector<Vector>& displacement);
+                                         const std::vector<NodalField>& displacement);
 
 /// |to - from| in the energy norm, all bodies.
-double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<Vector>& from,
-                      const std::vector<Vector>& to);
+double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<NodalField>& from,
+                      const std::vector<NodalField>& to);
 
 } // namespace ndframe

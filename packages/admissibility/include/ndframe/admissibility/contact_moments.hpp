@@ -10,11 +10,11 @@ namespace ndframe
 /// Per patch and mode (degree + 1 values): int (u1_N - u2_N) L_k dS, N along the patch's n_c. Exact for
 /// degree >= order of the displacements. displacement: per body, numNodes * dim, global axes.
 Vector jumpMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
-                   const std::vector<Vector>& displacement, int degree);
+                   const std::vector<NodalField>& displacement, int degree);
 
 /// The same of closing(): with the distance of the sides as they are drawn, where it counts.
 Vector closingMoments(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
-                      const std::vector<Vector>& displacement, int degree);
+                      const std::vector<NodalField>& displacement, int degree);
 
 /// The nodal forces that tractions put on one body, numNodes * dim, global axes: int t_N n_c . v dS on its
 /// patches, with the sign and the traction of its side.

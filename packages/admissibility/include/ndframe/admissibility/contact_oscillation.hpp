@@ -10,7 +10,7 @@ namespace ndframe
 /// body and cell osc_E^2 with |int (t n - carried) . v dS| <= osc_E |v|_E over the cell's patches, in the energy norm:
 /// the energy of a stress of the richest degree that carries the rest, and the facet's constant (docs/theory.md) for
 /// what has a higher degree than that. Empty where nothing turns.
-std::vector<Vector> contactOscillation(const std::vector<const BodyModel*>& bodies,
-                                       const std::vector<ContactPatch>& patches, const ContactTraction& traction);
+std::vector<CellValues> contactOscillation(const std::vector<const BodyModel*>& bodies,
+                                           const std::vector<ContactPatch>& patches, const ContactTraction& traction);
 
 } // namespace ndframe

@@ -16,7 +16,7 @@ struct BoundOfDisplacement
   double contact = 0.0;  ///< c = int t^ (w_h - g) dS, an energy
   /// Per body, numNodes * dim, global axes: <d, eps(phi)> and int t^ w_phi of the nodal functions phi at the
   /// interfaces.
-  std::vector<Vector> residual, traction; ///< int t^ w_phi; both are forces
+  std::vector<NodalField> residual, traction; ///< int t^ w_phi; both are forces
 };
 
 /// Moves u^ at the interface nodes, within w^ <= g_h, to where the bound is smallest: where contact ends within a patch
@@ -25,7 +25,7 @@ struct BoundOfDisplacement
 /// jump's Bernstein coefficients being the unknowns. Changes displacement, charge and moved of `admissible`.
 void tightenDisplacement(const std::vector<const BodyModel*>& bodies,
                          const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactPatch>& patches,
-                         const GapBound& gap, const std::vector<Vector>& displacement, const BoundOfDisplacement& bound,
-                         AdmissibleDisplacement& admissible);
+                         const GapBound& gap, const std::vector<NodalField>& displacement,
+                         const BoundOfDisplacement& bound, AdmissibleDisplacement& admissible);
 
 } // namespace ndframe

@@ -89,7 +89,8 @@ Vector symmetricEigenvalues(DenseMatrix A);
 
 /// sum a_i b_i, and the Euclidean norm; of vectors of one length.
 double dot(const Vector& a, const Vector& b);
-double norm(const Vector& a); ///< (sum a_i^2)^(1/2)
+double norm(const Vector& a);                 ///< (sum a_i^2)^(1/2)
+Vector difference(Vector a, const Vector& b); ///< a - b
 /// The largest absolute value; 0 without entries.
 double largestEntry(const Vector& a);
 

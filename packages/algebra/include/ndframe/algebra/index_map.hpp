@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <iterator>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 #include <vector>
@@ -16,16 +17,16 @@ namespace ndframe
 /// numbers have 64 bits, those of a rank 32. A map that holds everything stores nothing: on one rank, and for what is
 /// replicated on all.
 ///
-/// Every number has one owner unless the map is whole. All functions are local: nothing is communicated, and nothing of
-/// a library is called, so modules may use it.
+/// Every number has one owner unless the map is whole. Copies share what is stored. All functions are local: nothing is
+/// communicated, and nothing of a library is called, so modules may use it.
 class IndexMap
 {
 public:
   using Global = std::int64_t;
 
   IndexMap() = default; ///< holds nothing of nothing
-  /// All of 0 .. size - 1, numbered as everywhere. Throws std::length_error
-  /// where 32 bits are not enough.
+  /// All of 0 .. size - 1, numbered as everywhere. Throws std::length_error where 32 bits
+  /// are not enough.
   static IndexMap whole(Global size)
   {
     IndexMap map;
@@ -42,30 +43,27 @@ public:
       return;
     std::sort(needed.begin(), needed.end());
     needed.erase(std::unique(needed.begin(), needed.end()), needed.end());
-    numbers_ = std::move(owned);
-    const auto isGhost = [this](Global number) {
-      return !std::binary_search(numbers_.begin(), numbers_.begin() + numOwned_, number);
-    };
     std::vector<Global> ghosts;
-    std::copy_if(needed.begin(), needed.end(), std::back_inserter(ghosts), isGhost);
-    numbers_.insert(numbers_.end(), ghosts.begin(), ghosts.end());
-    narrow(numbers_.size());
+    std::set_difference(needed.begin(), needed.end(), owned.begin(), owned.end(), std::back_inserter(ghosts));
+    owned.insert(owned.end(), ghosts.begin(), ghosts.end());
+    narrow(owned.size());
+    numbers_ = std::make_shared<const std::vector<Global>>(std::move(owned));
   }
 
-  Global globalSize() const { return globalSize_; }                         ///< of all ranks
-  int numOwned() const { return numOwned_; }                                ///< numbers that this rank owns
-  int size() const { return isWhole() ? numOwned_ : int(numbers_.size()); } ///< owned ones and ghosts
-  bool isWhole() const { return Global(numOwned_) == globalSize_; }         ///< nothing is left to other ranks
-  bool owns(int local) const { return local < numOwned_; }                  ///< a number of this rank: not a ghost
+  Global globalSize() const { return globalSize_; }                          ///< of all ranks
+  int numOwned() const { return numOwned_; }                                 ///< numbers that this rank owns
+  int size() const { return isWhole() ? numOwned_ : int(numbers_->size()); } ///< owned ones and ghosts
+  bool isWhole() const { return Global(numOwned_) == globalSize_; }          ///< nothing is left to other ranks
+  bool owns(int local) const { return local < numOwned_; }                   ///< a number of this rank: not a ghost
 
   /// The global number of one of this rank, 0 <= local < size().
-  Global global(int local) const { return isWhole() ? local : numbers_[std::size_t(local)]; }
+  Global global(int local) const { return isWhole() ? local : (*numbers_)[std::size_t(local)]; }
   /// This rank's number of a global one; -1 if it does not hold it. Logarithmic.
   int local(Global global) const
   {
     if (isWhole())
       return global >= 0 && global < globalSize_ ? int(global) : -1;
-    const auto begin = numbers_.begin(), middle = begin + numOwned_, end = numbers_.end();
+    const auto begin = numbers_->begin(), middle = begin + numOwned_, end = numbers_->end();
     const auto found = std::lower_bound(begin, middle, global);
     if (found != middle && *found == global)
       return int(found - begin);
@@ -83,7 +81,7 @@ private:
 
   Global globalSize_ = 0;
   int numOwned_ = 0;
-  std::vector<Global> numbers_; ///< of owned ones and ghosts; empty if the map is whole
+  std::shared_ptr<const std::vector<Global>> numbers_; ///< of owned ones and ghosts; null if the map is whole
 };
 
 /// The numbers of several maps one after the other: those of a map follow all of the maps before it. Of a rank's

@@ -23,7 +23,7 @@ public:
   void compute(int part) noexcept;
   /// When all parts are computed: the integral in global axes (numNodes * dim). Throws InputError that names every load
   /// that is not finite somewhere.
-  Vector take();
+  NodalField take();
 
 private:
   class Implementation;
@@ -31,6 +31,6 @@ private:
 };
 
 /// All parts on this thread, in order.
-Vector integrateLoads(const BodyModel& body, Load::Keep keep = Load::Keep::Nothing);
+NodalField integrateLoads(const BodyModel& body, Load::Keep keep = Load::Keep::Nothing);
 
 } // namespace ndframe

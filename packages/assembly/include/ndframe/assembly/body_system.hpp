@@ -50,12 +50,12 @@ struct BodyModel
 /// fixed).
 struct BodySystem
 {
-  DofLayout dofs; ///< their axes and roles
-  BlockMatrix K;  ///< this rank's rows; forces per length
-  Vector load;    ///< f, in the nodes' own axes
+  DofLayout dofs;  ///< their axes and roles
+  BlockMatrix K;   ///< this rank's rows; forces per length
+  NodalField load; ///< f, in the nodes' own axes
 
   /// f - K u_prescribed: the load once the fixed dofs are moved to their values.
-  Vector effectiveLoad(const Comm& comm) const;
+  NodalField effectiveLoad(const Comm& comm) const;
 };
 
 /// Assembles K on the owned nodes; `load`: what integrateLoads gave. Kernels are exact for straight elements.
@@ -65,6 +65,6 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes);
 
 /// f of equation (19) for a set of loads, in the nodes' own axes: a new load case needs nothing else.
-Vector assembleLoad(const BodyModel& body, const Frames& frames);
+NodalField assembleLoad(const BodyModel& body, const Frames& frames);
 
 } // namespace ndframe

@@ -2,6 +2,7 @@
 
 #include <vector>
 
+#include "ndframe/algebra/field.hpp"
 #include "ndframe/algebra/linear_solver.hpp"
 #include "ndframe/algebra/sparse_row.hpp"
 #include "ndframe/assembly/constraint_set.hpp"
@@ -26,8 +27,8 @@ public:
   void turn(int node, const double* axes); ///< gives it these axes, as axes() has them; copied
 
   /// Components in the nodes' own axes from global components, and back; vectors of numNodes * dim.
-  Vector toLocal(const Vector& global) const;
-  Vector toGlobal(const Vector& local) const; ///< undoes toLocal()
+  NodalField toLocal(const Vector& global) const;
+  NodalField toGlobal(const Vector& local) const; ///< undoes toLocal()
 
   bool operator==(const Frames& other) const; ///< exactly, nodes turned in the same order
 

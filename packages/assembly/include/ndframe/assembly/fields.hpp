@@ -13,7 +13,7 @@ namespace ndframe
 std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vector& displacement);
 
 /// int_E K eps(v) : eps(v) of every cell. displacement: v, numNodes * dim, global axes.
-Vector cellEnergies(const BodyModel& body, const Vector& displacement);
+CellValues cellEnergies(const BodyModel& body, const Vector& displacement);
 
 /// a(v, v) = int K eps(v) : eps(v) (no 1/2) of the body. Taken from the strains: in v . K v round-off of a large rigid
 /// motion would drown the energy of a stiff body.

@@ -22,11 +22,11 @@ struct Certificate
   ErrorSummary summary;                ///< without the energy's bracket
   std::optional<EnergyBracket> energy; ///< with a guaranteed bound, but see docs/theory.md, section 8
   /// Contributions of the elements (42), not squared, per body and cell; empty when not asked for.
-  std::vector<Vector> etaGlobal, etaDiscretization, /**< of the mesh, (55) */ etaAlgorithm; ///< of the sweeps, (50)
+  std::vector<CellValues> etaGlobal, etaDiscretization, /**< of the mesh, (55) */ etaAlgorithm; ///< of the sweeps, (50)
   std::vector<ContactPatch> patches; ///< of all interfaces, in the order of their InterfaceMesh facets
   ContactTraction traction;          ///< the admissible traction t^ of the global measure; empty shares without contact
-  std::vector<Vector> intermediate;  ///< u~ per body, global axes; empty when not recovered
-  std::vector<Vector> admissible;    ///< u^ per body, global axes; empty when not recovered
+  std::vector<NodalField> intermediate;      ///< u~ per body, global axes; empty when not recovered
+  std::vector<NodalField> admissible;        ///< u^ per body, global axes; empty when not recovered
   std::vector<StressCorrection> corrections; ///< of the global stress, per body
 };
 

@@ -16,7 +16,7 @@ namespace ndframe
 struct CondensedModel
 {
   std::vector<BodySystem> systems;                       ///< per body; the factors refer to their matrices
-  std::vector<Vector> loads;                             ///< effective loads, per body
+  std::vector<NodalField> loads;                         ///< effective loads, per body
   std::vector<std::unique_ptr<CondensedBody>> condensed; ///< per body: its factor
   InterfaceSystem interface;                             ///< no unknowns without interfaces
   SceneRecipe recipe;                                    ///< of the model that was condensed

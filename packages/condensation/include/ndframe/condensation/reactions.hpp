@@ -22,12 +22,12 @@ struct SupportSummary
 /// What the supports of a body do to it in one state: nodal forces in global axes (numNodes * dim), zero where nothing
 /// is prescribed. With loads and contact forces they balance every body, moments too, to the round-off of K u.
 /// u: in the nodes' own axes. Collective.
-Vector supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
-                     const Vector& u, const Comm& comm);
+NodalField supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
+                         const Vector& u, const Comm& comm);
 
 /// The contact forces on the nodes of a body, global axes: C Lambda along n_c on the Dirichlet body, against it on the
 /// Neumann body (of the traction that each was solved with).
-Vector contactForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body);
+NodalField contactForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body);
 
 /// Resultant and moment of every support of a body. Where several supports hold a node each gets the part of the force
 /// along its own directions; directions that two of them hold are shared equally. forces: of supportForces.

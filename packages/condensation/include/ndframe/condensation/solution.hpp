@@ -12,9 +12,9 @@ namespace ndframe
 /// The displacement fields that belong to interface states.
 struct BodyFields
 {
-  std::vector<Vector> u;            ///< per state, in the nodes' own axes, without the free motions that the coupling
-                                    ///< found separately: strains have all their digits
-  std::vector<Vector> displacement; ///< per state, global axes (numNodes * dim), with all motions
+  std::vector<NodalField> u; ///< per state, in the nodes' own axes, without the free motions that the coupling
+                             ///< found separately: strains have all their digits
+  std::vector<NodalField> displacement; ///< per state, global axes (numNodes * dim), with all motions
 };
 
 /// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).

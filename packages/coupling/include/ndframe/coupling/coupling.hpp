@@ -27,7 +27,7 @@ struct InterfaceState
   std::vector<char> closed;                  ///< status per unknown
   /// The interiors too where the coupling found them, in the order of InterfaceSystem::bodies: u in the nodes' own
   /// axes, zero on fixed dofs.
-  std::vector<Vector> fields;
+  std::vector<NodalField> fields;
 };
 
 /// One line of the history.

@@ -4,6 +4,7 @@
 
 #include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/field.hpp"
 
 namespace ndframe
 {
@@ -12,7 +13,7 @@ namespace ndframe
 struct ErrorMeasure
 {
   /// (42) squared, per body and cell: (D_E + osc_E)^2; a patch's contact term is shared by its two cells.
-  std::vector<Vector> cells;
+  std::vector<CellValues> cells;
   double elements = 0.0;    ///< D = |sigma^ - K eps(u^)|
   double contact = 0.0;     ///< 2 int t^ (w^ - g) dS, an energy; below zero only where w^ penetrates (Paper mode)
   double projection = 0.0;  ///< |u^ - u_h|
@@ -36,13 +37,13 @@ private:
 /// Assembles a measure from the cells' squared distances (cellDistances, per body) and the patches' contact terms
 /// (contactContributions; empty without contact) for u^ = u_h. oscillation: of the cells' data, squared, per body;
 /// empty where all data are carried.
-ErrorMeasure assembleMeasure(std::vector<Vector> distances, const std::vector<ContactPatch>& patches,
-                             const Vector& contact, const std::vector<Vector>& oscillation = {});
+ErrorMeasure assembleMeasure(std::vector<CellValues> distances, const std::vector<ContactPatch>& patches,
+                             const Vector& contact, const std::vector<CellValues>& oscillation = {});
 
 /// sqrt of the contributions of one body's cells; a contribution below zero (round-off, Paper mode) gives zero.
-Vector contributions(const Vector& squared);
+CellValues contributions(const Vector& squared);
 
 /// Square root of the sum of all entries.
-double totalOf(const std::vector<Vector>& squared);
+double totalOf(const std::vector<CellValues>& squared);
 
 } // namespace ndframe

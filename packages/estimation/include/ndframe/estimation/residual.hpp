@@ -16,6 +16,6 @@ namespace ndframe
 ///
 /// An energy. NOT a bound: a constant of order one that depends on the shapes of the cells is missing.
 /// field: as for recovery; data with the degree of its traction.
-Vector residualIndicator(const BodyModel& body, const StaticData& data, const FieldInput& field);
+CellValues residualIndicator(const BodyModel& body, const StaticData& data, const FieldInput& field);
 
 } // namespace ndframe

@@ -15,6 +15,6 @@ namespace ndframe
 ///
 /// An energy. NOT a bound, it may lie below the error: it sees neither loads nor contact, only how rough the stress is.
 /// displacement: u_h, numNodes * dim, global axes.
-Vector zienkiewiczZhu(const BodyModel& body, const Vector& displacement);
+CellValues zienkiewiczZhu(const BodyModel& body, const Vector& displacement);
 
 } // namespace ndframe

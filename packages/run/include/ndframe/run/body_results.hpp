@@ -5,7 +5,7 @@
 namespace ndframe
 {
 
-/// What the summary says of the bodies of a solved run: energies, extremes, loads, reactions. Collective.
-void completeBodies(Run& run, const Comm& comm);
+/// Fills in what the summary says of the bodies of a solved run: energies, extremes, loads, reactions. Collective.
+void completeBodies(RunSummary& summary, const Run& run, const Comm& comm);
 
 } // namespace ndframe

@@ -7,16 +7,19 @@
 namespace ndframe
 {
 
-/// Compares the certificate of the run's state with all others of the scene: weak duality binds any two of them
-/// (docs/theory.md, section 8). Where two cannot both hold, this one and all that follow in the run are not guaranteed.
-void compareEnergies(Run& run, const SceneSettings& scene);
+/// Adds a certificate to those of its scene: weak duality binds any two of them (docs/theory.md, section 8). name: what
+/// it is called. What is returned says which two cannot both hold.
+std::optional<Contradiction> compareEnergies(EnergyRecord& record, const Certificate& certificate,
+                                             const std::string& name);
+/// The certificate is one of several that cannot all hold: it is not guaranteed.
+void withdraw(Certificate& certificate, const Contradiction& contradiction);
 
 /// None without a certificate that holds, or with some that cannot hold together.
 std::optional<NumberBracket> bracketOf(const EnergyRecord& record);
 
 /// The bracket with what follows from it: where gaps and prescribed displacements vanish, the work of the loads
-/// L(u) = -2 E(u); without loads and gaps, that of the prescribed displacements, 2 E(u). Needs fields.
-std::optional<EnergySummary> summarizeEnergy(const Run& run);
+/// L(u) = -2 E(u); without loads and gaps, that of the prescribed displacements, 2 E(u). strainEnergy: of the solution.
+std::optional<EnergySummary> summarizeEnergy(const Run& run, double strainEnergy);
 
 /// What a user is told, in short and with the numbers.
 std::string contradictingText(const Contradiction& contradiction);

@@ -18,8 +18,8 @@ void nameSides(RunSummary& summary, const Model& model);
 /// The roles that were chosen; empty where they were not.
 std::vector<RoleSummary> rolesOf(const Run& run);
 
-/// Fills in what the run computed; without a solution only why there is none.
-void completeSummary(Run& run, const RunSettings& settings, const Comm& comm);
+/// The outline in run.summary with what the run computed; without a solution only why there is none. Collective.
+RunSummary completeSummary(const Run& run, const RunSettings& settings, const Comm& comm);
 
 /// Copies counts, stages and memory; called again after the files are written.
 void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);

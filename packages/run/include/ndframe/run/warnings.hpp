@@ -16,8 +16,8 @@ struct Warning
 /// What the scene shows before anything is solved.
 std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings);
 
-/// What only the answer shows; of a run with a solution.
-std::vector<Warning> answerWarnings(const Run& run, const RunSettings& settings);
+/// What only the answer shows; of a run with a solution. summary: with what the run computed for the bodies.
+std::vector<Warning> answerWarnings(const Run& run, const RunSummary& summary, const RunSettings& settings);
 
 /// The warnings of the scene are mistakes.
 void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics);

@@ -11,6 +11,6 @@ namespace ndframe
 /// body the offset is that of the nearest node of its sides, a mean of several sides weighted with the squared inverse
 /// distance; it is for pictures and enters no result. Global axes, numNodes * dim; empty when no interface of the scene
 /// has a gap.
-std::vector<Vector> gapOffsets(const Model& model);
+std::vector<NodalField> gapOffsets(const Model& model);
 
 } // namespace ndframe

@@ -22,7 +22,7 @@ void resolveHolds(Model& model, const SceneSettings& scene, Diagnostics& diagnos
 
 /// Moves the bodies by the motions that Holds fix, so that the mean motions held vanish: displacement of every body in
 /// global axes.
-void removeMeanMotions(const Model& model, std::vector<Vector*> displacement);
+void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement);
 
 /// "translation along x"; empty for other supports than Hold.
 std::string heldMotions(const Model& model, int body, std::size_t support);

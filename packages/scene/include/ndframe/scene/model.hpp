@@ -21,7 +21,7 @@ struct HeldMean
   std::size_t support = 0;          ///< index into the body's supports
   DenseMatrix motions;              ///< orthonormal columns in the body's rigid basis
   std::vector<NodeConstraint> pins; ///< as many, where the system is fixed
-  std::vector<Vector> means;        ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
+  std::vector<NodalField> means;    ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
 };
 
 /// One body at an interface node.
@@ -39,7 +39,7 @@ struct Model
 {
   std::vector<BodyModel> bodies;            ///< in the order of the deck
   std::vector<ConstraintSet> constraints;   ///< per body
-  std::vector<Vector> loads;                ///< per body: int q . v in global axes, as integrateLoads gives it
+  std::vector<NodalField> loads;            ///< per body: int q . v in global axes, as integrateLoads gives it
   std::vector<RigidBasis> rigid;            ///< per body
   std::vector<DenseMatrix> freeMotions;     ///< per body: columns span the rigid motions that its supports leave free
   std::vector<DenseMatrix> balancedMotions; ///< per body: those of its rigid motions without support along which
