@@ -119,8 +119,7 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
   log.line("\n" + stageText(run.summary) + "\n");
   reportExpectations(run.summary, comm, log);
   reportWarnings(run.summary.warnings, comm);
-  log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
-                       written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
+  log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB", written.empty() ? "wrote nothing" : "wrote " + namesText(written),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
   reportShortcomings(run, comm);
   return codeOf(run);

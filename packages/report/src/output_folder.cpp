@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/report/outputs.hpp"
 
@@ -33,6 +34,20 @@ std::string baseName(const OutputOptions& output, const std::string& deckName)
 {
   const auto name = output.name;
   return name.empty() ? std::filesystem::path(deckName).stem().string() : name;
+}
+
+/// The last of the files from `first` on that are pieces of the same as this; `first` itself where it is no piece.
+std::size_t lastPiece(const std::vector<std::string>& files, std::size_t first)
+{
+  const auto beginning = [](const std::string& file) { return file.substr(0, file.rfind('.') + 1); };
+  const auto isPiece = [](const std::string& file) {
+    return file.find_first_not_of("0123456789", file.rfind('.') + 1) == std::string::npos;
+  };
+  std::size_t last = first;
+  while (last + 1 < files.size() && isPiece(files[first]) && isPiece(files[last + 1]) &&
+         beginning(files[last + 1]) == beginning(files[first]))
+    ++last;
+  return last;
 }
 
 } // namespace
@@ -81,6 +96,29 @@ std::filesystem::path outputStem(const OutputOptions& output, const std::string&
     throw InputError(output.place.mistake(
         "Directory", fmt::format("cannot make the folder \"{}\": {}.", folder.string(), failure.message())));
   return (folder / baseName(output, deckName)).lexically_normal();
+}
+
+std::string commonStem(const OutputOptions& output, const std::string& deckName, const Comm& comm)
+{
+  std::string stem;
+  onEveryRank(comm, [&] { stem = outputStem(output, deckName).string(); });
+  return stem;
+}
+
+std::string namesText(const std::vector<std::string>& files)
+{
+  std::string text;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!text.empty())
+      text += ", ";
+    text += files[i];
+    const std::size_t last = lastPiece(files, i);
+    if (last > i) {
+      text += (last > i + 1 ? ", ..., " : ", ") + files[last];
+      i = last;
+    }
+  }
+  return text;
 }
 
 void writeOnFirstRank(const Comm& comm, const std::function<void()>& write)
