@@ -33,8 +33,9 @@ ListSpec outputSpec()
        "Beginning of the file names; empty: the deck's file name without its extension."},
       {"Exodus", true, "Write NAME.e for ParaView."},
       {"Exodus Files", std::string("Automatic"), exodusFilesNames().range(),
-       "Of what NAME.e consists: one file, which one process writes, or a piece NAME.e.N.r from each of N processes r, "
-       "which ParaView opens as one (any of them). Automatic: pieces on several processes from 1 000 000 nodes."},
+       "How N processes write NAME.e: as one file, or each a piece NAME.e.N.r with its part of the cells; ParaView "
+       "opens "
+       "all of them with any one. Automatic: in pieces from 1 000 000 nodes on. A single process writes one file."},
       {"Summary", true, "Write NAME.summary.json."},
       {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
       {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line per level."},

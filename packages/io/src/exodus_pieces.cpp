@@ -39,20 +39,45 @@ bool isPieceOf(const std::string& whole, const std::string& name)
   return pieces && piece && *piece < *pieces && name == pieceName(whole, *pieces, *piece);
 }
 
+/// A piece without cells gets one of the largest piece: readers expect the variables of the nodes in every piece.
+void fillEmptyPieces(ExodusSharing& sharing)
+{
+  std::vector<int> cells(std::size_t(sharing.pieces), 0);
+  for (const auto& owners : sharing.owner)
+    for (const int owner : owners)
+      ++cells[std::size_t(owner)];
+  for (auto empty = cells.begin(); (empty = std::find(empty, cells.end(), 0)) != cells.end();) {
+    const auto largest = std::max_element(cells.begin(), cells.end());
+    for (auto& owners : sharing.owner) {
+      const auto cell = std::find(owners.begin(), owners.end(), int(largest - cells.begin()));
+      if (cell == owners.end())
+        continue;
+      *cell = int(empty - cells.begin());
+      break;
+    }
+    --*largest;
+    ++*empty;
+  }
+}
+
 } // namespace
 
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces)
 {
   ExodusSharing sharing{pieces, {}};
+  std::size_t cells = 0;
   for (const ExodusBody& body : bodies) {
     const NodeMap& nodes = *body.nodes;
     const std::vector<int> owner = partitionNodes(nodes.cellNodes, nodes.nodesPerCell, nodes.numNodes(), pieces);
     sharing.owner.emplace_back();
+    cells += std::size_t(nodes.numCells());
     for (int cell = 0; cell < nodes.numCells(); ++cell) {
       const int lowest = *std::min_element(nodes.cell(cell), nodes.cell(cell) + nodes.nodesPerCell);
       sharing.owner.back().push_back(owner[std::size_t(lowest)]);
     }
   }
+  NDFRAME_ASSERT(cells >= std::size_t(pieces), "a piece has a cell");
+  fillEmptyPieces(sharing);
   return sharing;
 }
 

@@ -47,10 +47,12 @@ void keepAll(PendingFile& piece, const std::string& name, const Comm& comm)
 
 bool isInPieces(const OutputOptions& output, const ExodusScene& scene, const Comm& comm)
 {
-  std::int64_t nodes = 0;
-  for (const ExodusBody& body : scene.bodies)
+  std::int64_t nodes = 0, cells = 0;
+  for (const ExodusBody& body : scene.bodies) {
     nodes += body.nodes->numNodes();
-  return writesPieces(output.exodusFiles, nodes, comm.size());
+    cells += body.nodes->numCells();
+  }
+  return cells >= comm.size() && writesPieces(output.exodusFiles, nodes, comm.size());
 }
 
 std::vector<std::string> writeWhole(const std::string& path, const SceneContent& content, Ledger& ledger)

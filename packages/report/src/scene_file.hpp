@@ -21,7 +21,7 @@ struct SceneContent
   std::vector<std::string> records; ///< information records
 };
 
-/// Whether a scene's file is written in pieces, by all processes.
+/// Whether a scene's file is written in pieces, by all processes; one with fewer cells than processes never is.
 bool isInPieces(const OutputOptions& output, const ExodusScene& scene, const Comm& comm);
 
 /// Writes `path` as one file and removes pieces of it that an earlier run left; called by one rank.

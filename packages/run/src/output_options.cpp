@@ -18,8 +18,8 @@ const Names<ExodusFiles>& exodusFilesNames()
 
 bool writesPieces(ExodusFiles files, std::int64_t nodes, int processes)
 {
-  return files == ExodusFiles::Pieces ||
-         (files == ExodusFiles::Automatic && processes > 1 && nodes >= leastNodesInPieces);
+  return processes > 1 &&
+         (files == ExodusFiles::Pieces || (files == ExodusFiles::Automatic && nodes >= leastNodesInPieces));
 }
 
 } // namespace ndframe

@@ -11,11 +11,12 @@ namespace ndframe
 /// Which piece of a scene each cell belongs to: one piece for each process of a run.
 struct ExodusSharing
 {
-  int pieces = 1;                      ///< how many; some may be without cells
+  int pieces = 1;                      ///< how many; each has a cell
   std::vector<std::vector<int>> owner; ///< per body and cell, the piece, from 0
 };
 
-/// A cell belongs to the piece of its lowest node; nodes are shared out as matrix rows are (mesh/partition.hpp).
+/// A cell belongs to the piece of its lowest node; nodes are shared out as matrix rows are (mesh/partition.hpp). A piece
+/// that would have none gets a cell of the largest one. There must be as many cells as pieces.
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces);
 
 /// "NAME.e.16.03" for "NAME.e": the name of piece 3 of 16 as ParaView and SEACAS's epu want it, the last number with as

@@ -25,7 +25,7 @@ enum class ExodusFiles
 {
   Automatic, ///< pieces for large scenes on several processes
   Single,    ///< written by one process
-  Pieces     ///< NAME.e.N.r, each by its process
+  Pieces     ///< NAME.e.N.r, each by its process; one process writes NAME.e
 };
 
 /// How a deck calls them.
@@ -34,7 +34,7 @@ const Names<ExodusFiles>& exodusFilesNames();
 /// Scenes with fewer nodes are written as one file by ExodusFiles::Automatic.
 constexpr std::int64_t leastNodesInPieces = 1'000'000;
 
-/// Whether NAME.e of a scene with so many nodes is written in pieces by so many processes.
+/// Whether NAME.e of a scene with so many nodes is written in pieces by so many processes; one writes the whole.
 bool writesPieces(ExodusFiles files, std::int64_t nodes, int processes);
 
 /// The list Output, read.

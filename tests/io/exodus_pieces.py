@@ -48,16 +48,22 @@ class Piece:
         return found
 
 
-def same(ours, theirs, what):
-    """Bit by bit."""
+def same(ours, theirs, what, tolerance=None):
+    """Bit by bit; with a tolerance, up to this part of the largest value."""
     ours, theirs = numpy.asarray(ours), numpy.asarray(theirs)
-    assert ours.shape == theirs.shape and ours.dtype == theirs.dtype and ours.tobytes() == theirs.tobytes(), what
+    assert ours.shape == theirs.shape and ours.dtype == theirs.dtype, what
+    if tolerance is None:
+        assert ours.tobytes() == theirs.tobytes(), what
+    else:
+        assert numpy.allclose(ours, theirs, rtol=0, atol=tolerance * numpy.nanmax(numpy.abs(theirs), initial=0) + 1e-12,
+                              equal_nan=True), what
 
 
 class Join:
-    """Everything of the whole, gathered from its pieces and compared."""
+    """Everything of the whole, gathered from its pieces and compared; values up to a tolerance where another run has written the whole."""
 
-    def __init__(self, whole, pieces):
+    def __init__(self, whole, pieces, tolerance=None):
+        self.tolerance = tolerance
         self.whole, self.pieces = open_file(whole), sorted((Piece(path) for path in pieces), key=lambda p: p.number)
         assert [p.number for p in self.pieces] == list(range(self.pieces[0].pieces))
         owners = numpy.zeros(self.whole.dimensions["num_elem"].size, int)
@@ -74,7 +80,7 @@ class Join:
         for piece in self.pieces:
             same(piece.file["time_whole"][:], self.whole["time_whole"][:], "times")
             if "vals_glo_var" in self.whole.variables:
-                same(piece.file["vals_glo_var"][:], self.whole["vals_glo_var"][:], "global")
+                same(piece.file["vals_glo_var"][:], self.whole["vals_glo_var"][:], "global", self.tolerance)
             self.compare_nodes(piece)
             self.compare_elements(piece)
             self.check_records(piece)
@@ -86,7 +92,8 @@ class Join:
         for axis in piece.axes:
             same(numbers(piece.file, f"coord{axis}"), self.whole[f"coord{axis}"][:][piece.nodes], axis)
         for v in range(len(texts(self.whole, "name_nod_var"))):
-            same(piece.file[f"vals_nod_var{v + 1}"][:], self.whole[f"vals_nod_var{v + 1}"][:][:, piece.nodes], f"nodal {v}")
+            values = f"vals_nod_var{v + 1}"
+            same(piece.file[values][:], self.whole[values][:][:, piece.nodes], values, self.tolerance)
 
     def compare_elements(self, piece):
         first = 0
@@ -101,7 +108,7 @@ class Join:
                 values = f"vals_elem_var{v + 1}eb{b + 1}"
                 assert (values in piece.file.variables) == (len(mine) > 0) == bool(piece.file["elem_var_tab"][b, v])
                 if len(mine) > 0:
-                    same(piece.file[values][:], self.whole[values][:][:, mine - first], values)
+                    same(piece.file[values][:], self.whole[values][:][:, mine - first], values, self.tolerance)
             first += count
 
     def compare_sets(self):
@@ -115,7 +122,7 @@ class Join:
                 for v in range(len(texts(self.whole, "name_sset_var"))):
                     values = f"vals_sset_var{v + 1}ss{s}"
                     if values in self.whole.variables and places:
-                        same(piece.file[values][:], self.whole[values][:][:, places], values)
+                        same(piece.file[values][:], self.whole[values][:][:, places], values, self.tolerance)
             assert sorted(seen) == list(range(len(whole))), f"facets of side set {s}"
 
     def check_records(self, piece):
@@ -143,9 +150,16 @@ class Join:
                     continue
                 mine = piece.nodes[maps[other.number][0] - 1]
                 assert list(mine) == list(common)
+                self.compare_common(piece, other, common)
                 border |= set(maps[other.number][0])
             assert border == set(numbers(piece.file, "node_mapb"))
             self.check_facets(piece)
+
+    def compare_common(self, piece, other, common):
+        """Nodes of several pieces have the same values in all of them, bit by bit."""
+        for v in range(len(texts(self.whole, "name_nod_var"))):
+            ours, theirs = (p.file[f"vals_nod_var{v + 1}"][:][:, numpy.searchsorted(p.nodes, common)] for p in (piece, other))
+            same(ours, theirs, f"nodal variable {v} on common nodes")
 
     def check_facets(self, piece):
         maps, border = piece.maps("e"), set()
