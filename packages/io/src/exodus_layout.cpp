@@ -90,7 +90,7 @@ ExodusLayout makeLayout(const std::vector<ExodusBody>& bodies, const std::vector
     appendCount(layout.firstCell, nodes->numCells());
     addBlocks(bodies[b], int(b), layout);
     for (const auto& side : mesh->sides)
-      layout.sets.push_back({name + ":" + side.name, int(b), &side.facets});
+      layout.sets.push_back({name.empty() ? side.name : name + ":" + side.name, int(b), &side.facets});
   }
   layout.firstContact = layout.sets.size();
   for (const auto& side : contactSides)

@@ -6,8 +6,6 @@
 #include <optional>
 #include <string_view>
 
-#include <fmt/format.h>
-
 #include "exodus_content.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/mesh/partition.hpp"
@@ -79,11 +77,6 @@ ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces)
   NDFRAME_ASSERT(cells >= std::size_t(pieces), "a piece has a cell");
   fillEmptyPieces(sharing);
   return sharing;
-}
-
-std::string pieceName(const std::string& path, int pieces, int piece)
-{
-  return fmt::format("{}.{}.{:0{}}", path, pieces, piece, std::to_string(pieces).size());
 }
 
 std::vector<std::string> piecesBeside(const std::string& path)

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ndframe/io/exodus_writer.hpp"
+#include "ndframe/mesh/piece_name.hpp"
 
 namespace ndframe
 {
@@ -15,13 +16,9 @@ struct ExodusSharing
   std::vector<std::vector<int>> owner; ///< per body and cell, the piece, from 0
 };
 
-/// A cell belongs to the piece of its lowest node; nodes are shared out as matrix rows are (mesh/partition.hpp). A piece
-/// that would have none gets a cell of the largest one. There must be as many cells as pieces.
+/// A cell belongs to the piece of its lowest node; nodes are shared out as matrix rows are (mesh/partition.hpp). A
+/// piece that would have none gets a cell of the largest one. There must be as many cells as pieces.
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces);
-
-/// "NAME.e.16.03" for "NAME.e": the name of piece 3 of 16 as ParaView and SEACAS's epu want it, the last number with as
-/// many digits as the number of pieces has.
-std::string pieceName(const std::string& path, int pieces, int piece);
 
 /// The pieces "NAME.e.N.r" that stand beside "NAME.e", of any N, sorted. Complete sets and parts of them.
 std::vector<std::string> piecesBeside(const std::string& path);
