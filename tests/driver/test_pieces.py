@@ -116,7 +116,7 @@ class PiecesOfExodus(unittest.TestCase):
     def test_what_an_earlier_run_left_is_removed(self):
         mine = self.folder / "patch.e.2.5"  # nobody's piece
         mine.write_text("mine")
-        for ranks, files, left in ((3, "Pieces", 3), (2, "Pieces", 2), (2, "Single", 0), (3, "Pieces", 3)):
+        for ranks, files, left in ((3, "Pieces", 3), (2, "Pieces", 2), (2, "Single", 0)):
             self.right(ranks, "patch", f"Output/Exodus Files={files}")
             pieces = [f"patch.e.{left}.{rank}" for rank in range(left)] or ["patch.e"]
             self.assertEqual(self.names("patch.e*"), sorted([*pieces, mine.name]))
@@ -138,6 +138,21 @@ class PiecesOfExodus(unittest.TestCase):
         self.assertEqual(done.stderr.count('cannot write "patch.e.3.1": it is a folder; name a file in it'), 1, done.stderr)
         self.assertEqual(self.names("*.e*") + self.names(".*"), ["patch.e.3.1"])
 
+    def test_results_do_not_replace_the_meshes_that_they_come_from(self):
+        deck = (DECKS / "exodus.xml").read_text()
+        mesh = (DECKS / "meshes/punch-foundation.e").read_bytes()
+        for file, piece in (("exodus.e", "exodus.e"), ("exodus.e.1", "exodus.e.1.0"), ("./exodus.e.1.0", "exodus.e.1.0")):
+            (self.folder / piece).write_bytes(mesh)
+            (self.folder / "exodus.xml").write_text(deck.replace("meshes/punch-foundation.e", file))
+            for more in ([], ["--study", "Bodies/punch/Material/Young Modulus=1; 2", "--set", "Output/Exodus=true"]):
+                done = subprocess.run([NDFRAME, "-i", "exodus.xml", *more], cwd=self.folder, capture_output=True, text=True)
+                if not more:
+                    self.assertEqual(done.returncode, 2, done.stdout)
+                    self.assertIn(f"File: {file} would be replaced by the results, which are called exodus.e; give another "
+                                  "Output/Name or Output/Directory.", done.stderr.replace("Mesh: ", "File: "))
+                self.assertEqual((self.folder / piece).read_bytes(), mesh)
+            (self.folder / piece).unlink()
+
     def test_a_full_disk_of_one_process_leaves_nothing(self):
         limited = ["sh", "-c", 'test "$OMPI_COMM_WORLD_RANK" = 1 && ulimit -f 8; exec "$0" "$@"']
         done = run(self.folder, 2, "punch", "Output/Exodus Files=Pieces", before=limited)
@@ -147,4 +162,4 @@ class PiecesOfExodus(unittest.TestCase):
 
 
 if __name__ == "__main__":
-    unittest.main(argv=sys.argv[:1])
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])

@@ -256,7 +256,9 @@ std::vector<std::string> StudyRunner::writeShared(const OutputOptions& output)
 ExitCode StudyRunner::run(bool& computed)
 {
   const double start = wallSeconds();
-  const OutputOptions output = readSettings(study_.cases.front().deck).output;
+  const RunSettings first = readSettings(study_.cases.front().deck);
+  checkMeshesStay(first, deckName_);
+  const OutputOptions& output = first.output;
   for (const StudyCase& one : study_.cases)
     checkNameLength(output, study_.fileName + (study_.loads && study_.writesFiles ? "." + one.name : ""));
   if (study_.writesReport)

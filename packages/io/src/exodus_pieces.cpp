@@ -86,7 +86,7 @@ std::vector<std::string> piecesBeside(const std::string& path)
   std::vector<std::string> found;
   std::error_code none;
   for (std::filesystem::directory_iterator entry(folder, none), end; entry != end; entry.increment(none))
-    if (isPieceOf(whole.filename().string(), entry->path().filename().string()))
+    if (entry->is_regular_file(none) && isPieceOf(whole.filename().string(), entry->path().filename().string()))
       found.push_back((whole.parent_path() / entry->path().filename()).string());
   std::sort(found.begin(), found.end());
   return found;

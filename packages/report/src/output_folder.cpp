@@ -36,6 +36,16 @@ std::string baseName(const OutputOptions& output, const std::string& deckName)
   return name.empty() ? std::filesystem::path(deckName).stem().string() : name;
 }
 
+/// The mesh files of a body: those of its parts, where it is tied.
+void eachMeshFile(const Params& mesh, const std::function<void(const Params&)>& look)
+{
+  if (mesh.hasSub("Parts"))
+    for (const Params& part : mesh.sub("Parts").subs())
+      eachMeshFile(part, look);
+  if (mesh.has("File"))
+    look(mesh);
+}
+
 /// The last of the files from `first` on that are pieces of the same as this; `first` itself where it is no piece.
 std::size_t lastPiece(const std::vector<std::string>& files, std::size_t first)
 {
@@ -51,6 +61,27 @@ std::size_t lastPiece(const std::vector<std::string>& files, std::size_t first)
 }
 
 } // namespace
+
+void checkMeshesStay(const RunSettings& settings, const std::string& deckName)
+{
+  if (!settings.output.exodus)
+    return;
+  const std::string name = baseName(settings.output, deckName);
+  std::error_code none;
+  const std::string fields =
+      (std::filesystem::weakly_canonical(absoluteFolder(settings.output), none) / (name + ".e")).string();
+  const auto look = [&](const Params& mesh) {
+    const std::string file =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(mesh.file("File"), none), none).string();
+    if (file == fields || file.compare(0, fields.size() + 1, fields + ".") == 0) // the whole, or pieces
+      throw InputError(mesh.mistake("File", fmt::format("{} would be replaced by the results, which are called {}.e; "
+                                                        "give another Output/Name or Output/Directory.",
+                                                        mesh.get<std::string>("File"), name)));
+  };
+  for (const BodySettings& body : settings.scene.bodies)
+    if (!body.isRigid)
+      eachMeshFile(body.shape, look);
+}
 
 void checkNameLength(const OutputOptions& output, const std::string& name)
 {
@@ -77,6 +108,7 @@ void checkOutput(const RunSettings& settings, const std::string& deckName)
                                           "Directory is longer than the system lets a folder's path be; name "
                                           "another one."));
   checkNameLength(output, baseName(output, deckName));
+  checkMeshesStay(settings, deckName);
   std::error_code none;
   while (!std::filesystem::exists(folder, none) && folder.has_relative_path())
     folder = folder.parent_path(); // missing folders are made

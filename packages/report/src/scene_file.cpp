@@ -28,7 +28,9 @@ void removeOthers(const std::string& path, const std::vector<std::string>& writt
   };
   pieces.erase(std::remove_if(pieces.begin(), pieces.end(), isWritten), pieces.end());
   removeAll(pieces);
-  removeEarlier(path);
+  std::error_code none;
+  if (std::filesystem::is_regular_file(path, none))
+    removeEarlier(path);
 }
 
 /// Gives all pieces their names, or none.

@@ -20,7 +20,7 @@ struct ExodusSharing
 /// piece that would have none gets a cell of the largest one. There must be as many cells as pieces.
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces);
 
-/// The pieces "NAME.e.N.r" that stand beside "NAME.e", of any N, sorted. Complete sets and parts of them.
+/// The pieces "NAME.e.N.r" that stand beside "NAME.e", of any N, sorted: regular files, of complete sets or not.
 std::vector<std::string> piecesBeside(const std::string& path);
 
 /// Writes one piece of what writeExodus writes: the piece's cells in the order of the whole, their nodes, their facets

@@ -22,6 +22,9 @@ std::string namesText(const std::vector<std::string>& files);
 /// computed. `deckName`: the deck's file.
 void checkOutput(const RunSettings& settings, const std::string& deckName);
 
+/// Refuses mesh files that NAME.e or its pieces would replace: InputError.
+void checkMeshesStay(const RunSettings& settings, const std::string& deckName);
+
 /// Refuses a beginning of file names that is too long.
 void checkNameLength(const OutputOptions& output, const std::string& name);
 
