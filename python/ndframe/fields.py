@@ -9,6 +9,7 @@ import numpy
 
 from .errors import ReadError, unknown
 from .exodus import Exodus
+from .pieces import Pieces, pieces_of
 
 # Vertices of a facet by Exodus's number of the side, from 1; counter-clockwise seen from outside.
 SIDES = {2: ((0, 1), (1, 2), (2, 0)), 3: ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1))}
@@ -20,14 +21,16 @@ class Fields:
     A body is one block of elements, called like the body; with Regions each of them is a separate block `BODY:REGION`. A side of
     an interface is called `INTERFACE:dirichlet` or `INTERFACE:neumann`, any other `BODY:SIDE`. Steps are sweeps if the deck says
     Output/Steps = All Sweeps, load cases if it has some, otherwise there is one; -1 is the last, and for the fields of a load case its own:
-    `last`. Raises ReadError for files that are damaged and for unknown names.
+    `last`. Where several processes have written pieces NAME.e.N.r, these are read as one: the same numbers of nodes and elements; the
+    facets of a side are ordered by their elements. Raises ReadError for files that are damaged and for unknown names.
     """
 
     def __init__(self, path: str | os.PathLike[str], last: int = -1):
         self.path, self.last = pathlib.Path(path), last
-        if not self.path.exists():
+        pieces = [] if self.path.exists() else pieces_of(self.path)
+        if not pieces and not self.path.exists():
             raise ReadError(f"{path}: there is no such file; run the deck with Output/Exodus = true.")
-        self.file = Exodus(str(path))
+        self.file = Pieces(path, pieces) if pieces else Exodus(str(path))
         if self.file.times.size == 0 or "disp_x" not in self.names("nodal"):
             raise ReadError(f"{path}: has no displacements; the run did not finish, or it is not an ndframe file.")
 

@@ -7,12 +7,14 @@ import functools
 import json
 import os
 import pathlib
+import re
 from typing import Any
 
 import numpy
 
 from .errors import ReadError, unknown
 from .fields import Fields
+from .pieces import pieces_of
 from .tables import Columns, columns, read_contact, read_rows
 
 TABLES = (".study.csv", ".study.partial.csv", ".cases.csv", ".cases.partial.csv")
@@ -119,9 +121,9 @@ class Run:
 
     @functools.cached_property
     def fields(self) -> Fields:
-        """Mesh and fields, from NAME.e."""
+        """Mesh and fields, from NAME.e or its pieces NAME.e.N.r."""
         path = pathlib.Path(f"{self.stem}.e")
-        if not path.exists():
+        if not path.exists() and not pieces_of(path):
             why = "Output/Exodus is false" if self.deck.get("Output", {}).get("Exodus") is False else "the file is missing"
             raise ReadError(f"there is no {path.name} ({why}).")
         fields = self._fields_in(path)
@@ -236,6 +238,7 @@ def read(name: str | os.PathLike[str]) -> Run | LoadCases | Study:
 
 def stem_of(name: str) -> str:
     """What comes before the ending. The results of a deck elsewhere are looked for in the working directory."""
+    name = re.sub(r"\.e\.\d+\.\d+$", ".e", name)  # a piece
     ending = next((e for e in ENDINGS if name.endswith(e) and len(name) > len(e)), "")
     stem = name[: len(name) - len(ending)]
     beside = any(pathlib.Path(f"{stem}{e}").exists() for e in (".summary.json", *TABLES))

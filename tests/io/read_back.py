@@ -10,6 +10,7 @@ import sys
 import tempfile
 import unittest
 
+import exodus_pieces
 import netCDF4
 import numpy
 
@@ -76,6 +77,17 @@ class ExodusReadsBack(unittest.TestCase):
         for sample in cls.samples:
             sample.file.close()
         cls.folder.cleanup()
+
+    def test_pieces_are_the_whole_bit_by_bit(self):
+        folder = pathlib.Path(self.folder.name)
+        for dim, order in ELEMENTS:
+            whole = folder / f"pieces-{dim}-{order}.e"
+            cells = {2: 8, 3: 12}[dim]
+            for count in (1, 2, 3, cells):
+                with self.subTest(dim=dim, order=order, pieces=count):
+                    digits = len(str(count))
+                    pieces = [f"{whole}.{count}.{piece:0{digits}}" for piece in range(count)]
+                    exodus_pieces.Join(whole, pieces).compare()
 
     @each_sample
     def test_format_is_netcdf3_with_large_offsets(self, sample):

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "io/sample_meshes.hpp"
-#include "ndframe/io/exodus_writer.hpp"
+#include "ndframe/io/exodus_pieces.hpp"
 
 namespace
 {
@@ -77,17 +77,41 @@ ExodusStep sampleStep(const std::vector<ExodusBody>& bodies, const std::vector<E
   return step;
 }
 
-void writeSample(const std::string& path, int dim, int order)
+/// Pieces of a file, as many at a time as `counts` says.
+struct Pieces
+{
+  std::vector<int> counts;
+  bool hasRegions;
+};
+
+/// Every second cell of a body belongs to another part.
+std::vector<ExodusPart> regionsOf(const Mesh& mesh)
+{
+  std::vector<ExodusPart> parts{{"odd", {}}, {"even", {}}};
+  for (int cell = 0; cell < mesh.numCells(); ++cell)
+    parts[std::size_t(cell) % 2].cells.push_back(cell);
+  return parts;
+}
+
+void writeSample(const std::string& path, int dim, int order, const Pieces& pieces)
 {
   const std::array<Mesh, 2> meshes{test::sampleMesh(dim, 1.0), test::sampleMesh(dim, 0.0)};
   const std::array<NodeMap, 2> nodes{makeNodeMap(meshes[0], order), makeNodeMap(meshes[1], order)};
-  const std::vector<ExodusBody> bodies{{bodyNames[0], &meshes[0], &nodes[0]}, {bodyNames[1], &meshes[1], &nodes[1]}};
+  std::vector<ExodusBody> bodies{{bodyNames[0], &meshes[0], &nodes[0]}, {bodyNames[1], &meshes[1], &nodes[1]}};
+  if (pieces.hasRegions)
+    bodies.back().parts = regionsOf(meshes[1]);
   const std::vector<ExodusContactSide> contacts{{"contact", 0, meshes[0].findSide("low")->facets},
                                                 {"contact, seen from below", 1, meshes[1].findSide("high")->facets},
                                                 {"lost contact", 1, {}}};
   const std::vector<ExodusStep> steps{sampleStep(bodies, contacts, 1.0), sampleStep(bodies, contacts, 2.0)};
   const std::vector<std::string> info{"first line", std::string(78, 'a') + "\u00e9" + std::string(100, 'b'), "last"};
-  writeExodus(path, "Sample of two bodies", bodies, contacts, steps, info);
+  const std::string title = "Sample of two bodies";
+  writeExodus(path, title, bodies, contacts, steps, info);
+  for (const int count : pieces.counts) {
+    const ExodusSharing sharing = shareCells(bodies, count);
+    for (int piece = 0; piece < count; ++piece)
+      writeExodusPiece(pieceName(path, count, piece), title, bodies, contacts, steps, info, sharing, piece);
+  }
 }
 
 } // namespace
@@ -96,7 +120,10 @@ int main(int, char** argv)
 {
   const std::string folder = argv[1];
   for (const int dim : {2, 3})
-    for (const int order : {1, 2})
-      writeSample(folder + "/sample-" + std::to_string(dim) + "-" + std::to_string(order) + ".e", dim, order);
+    for (const int order : {1, 2}) {
+      const std::string ending = std::to_string(dim) + "-" + std::to_string(order) + ".e";
+      writeSample(folder + "/sample-" + ending, dim, order, {{}, false});
+      writeSample(folder + "/pieces-" + ending, dim, order, {{1, 2, 3, dim == 2 ? 8 : 12}, order == 2});
+    }
   return 0;
 }

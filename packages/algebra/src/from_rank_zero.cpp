@@ -1,11 +1,26 @@
 #include "ndframe/algebra/from_rank_zero.hpp"
 
+#include <algorithm>
 #include <optional>
 
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
+namespace
+{
+
+/// The text of one rank on every rank; `length`: of the text there.
+std::string textOf(const Comm& comm, int rank, const std::string& text, std::size_t length)
+{
+  Vector characters(length, 0.0);
+  if (comm.rank() == rank)
+    std::copy(text.begin(), text.end(), characters.begin());
+  comm.sum(characters);
+  return {characters.begin(), characters.end()};
+}
+
+} // namespace
 
 std::string fromRankZero(const Comm& comm, const std::function<std::string()>& make)
 {
@@ -22,6 +37,24 @@ std::string fromRankZero(const Comm& comm, const std::function<std::string()>& m
   if (bytes.empty())
     throw failure ? *failure : InputError("rank 0 could not do its part"); // only rank 0 speaks
   return bytes;
+}
+
+void onEveryRank(const Comm& comm, const std::function<void()>& work)
+{
+  if (comm.size() == 1)
+    return work();
+  std::string failure;
+  try {
+    work();
+  } catch (const InputError& error) {
+    failure = error.what();
+  }
+  Vector lengths(std::size_t(comm.size()), 0.0);
+  lengths[std::size_t(comm.rank())] = double(failure.size());
+  comm.sum(lengths);
+  const auto failed = std::find_if(lengths.begin(), lengths.end(), [](double length) { return length > 0.0; });
+  if (failed != lengths.end())
+    throw InputError(textOf(comm, int(failed - lengths.begin()), failure, std::size_t(*failed)));
 }
 
 } // namespace ndframe

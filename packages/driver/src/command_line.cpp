@@ -86,6 +86,12 @@ void declareOptions(CLI::App& app, CommandLine& options)
   app.add_flag(
       "--yardstick", options.yardstick,
       "Only order, factor and solve each body once with METIS and CHOLMOD: what a run's speed is compared with.");
+  app.add_option(
+         "--decompose", options.decompose,
+         "Only write the meshes of all bodies as N pieces each, NAME.BODY.e.N.r, and show the settings with which "
+         "the deck reads them.")
+      ->type_name("N")
+      ->check(CLI::Range(1, 1'000'000));
   app.add_flag("--restart", options.restart,
                "Continue an interrupted run from NAME.checkpoint, which Output/Checkpoint writes.");
   declareQuestions(app, options);

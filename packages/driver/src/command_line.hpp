@@ -20,6 +20,7 @@ struct CommandLine
   std::optional<std::string> help; ///< list to explain; empty text: the command line itself
   std::string logFile;
   std::optional<double> live; ///< seconds
+  int decompose = 0;          ///< pieces of each mesh; 0: none
   NewDeck newDeck;            ///< of `ndframe new`
   std::string completion;     ///< shell whose script is wanted
   bool manual = false;

@@ -13,6 +13,7 @@
 #include "accuracy_list.hpp"
 #include "answers.hpp"
 #include "command_line.hpp"
+#include "decompose.hpp"
 #include "failures.hpp"
 #include "load_cases.hpp"
 #include "ndframe/algebra/launcher.hpp"
@@ -119,8 +120,7 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
   log.line("\n" + stageText(run.summary) + "\n");
   reportExpectations(run.summary, comm, log);
   reportWarnings(run.summary.warnings, comm);
-  log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB",
-                       written.empty() ? "wrote nothing" : fmt::format("wrote {}", fmt::join(written, ", ")),
+  log.line(fmt::format("  {}   {:.2f} s, {:.0f} MB", written.empty() ? "wrote nothing" : "wrote " + namesText(written),
                        run.summary.totalSeconds, double(run.summary.peakBytes) / 1e6));
   reportShortcomings(run, comm);
   return codeOf(run);
@@ -149,6 +149,8 @@ ExitCode runStudy(const DeckList& deck, const CommandLine& options, const Compon
   greet(first, options, log);
   if (options.yardstick)
     throw InputError("--yardstick measures one scene; run it without a study or load cases.");
+  if (options.decompose > 0)
+    throw InputError("--decompose reads one scene; run it without a study or load cases.");
   if (options.restart || first.output.checkpoint)
     throw InputError("--restart and Output/Checkpoint are for one run; remove them, or run the cases one by one.");
   if (options.plan) {
@@ -186,6 +188,10 @@ ExitCode runInput(const CommandLine& options, const Components& components, cons
     for (const auto& warning : sceneWarnings(model, checked))
       complain(comm, warningText(warningSummary(warning)));
     log.line("  the deck is valid: meshes, sides, supports and expectations checked; nothing was solved.");
+    return ExitCode::Right;
+  }
+  if (options.decompose > 0) {
+    log.line(decompose(settings, options.decompose, components, options.deck, comm));
     return ExitCode::Right;
   }
   if (options.yardstick) {

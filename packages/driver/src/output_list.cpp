@@ -32,6 +32,10 @@ ListSpec outputSpec()
       {"Name", std::string(""), plainFileName(),
        "Beginning of the file names; empty: the deck's file name without its extension."},
       {"Exodus", true, "Write NAME.e for ParaView."},
+      {"Exodus Files", std::string("Automatic"), exodusFilesNames().range(),
+       "How N processes write NAME.e: as one file, or each a piece NAME.e.N.r with its part of the cells; ParaView "
+       "opens "
+       "all of them with any one. Automatic: in pieces from 1 000 000 nodes on. A single process writes one file."},
       {"Summary", true, "Write NAME.summary.json."},
       {"Contact Table", true, "Write NAME.contact.csv (decks with interfaces)."},
       {"Level Table", true, "Write NAME.levels.csv (decks with the list Accuracy): the history, one line per level."},
@@ -76,6 +80,7 @@ OutputOptions outputOptions(const Params& deck)
   options.directory = list.get<std::string>("Directory");
   options.name = list.get<std::string>("Name");
   options.exodus = list.get<bool>("Exodus");
+  options.exodusFiles = exodusFilesNames().value(list.get<std::string>("Exodus Files"));
   options.summary = list.get<bool>("Summary");
   options.contactTable = list.get<bool>("Contact Table");
   options.levelTable = list.get<bool>("Level Table");

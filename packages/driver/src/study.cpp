@@ -127,7 +127,7 @@ void StudyRunner::write(Run& run, const RunSettings& settings, const StudyRow& r
     writeResults(run, settings.output, deckName_, comm_, ledger_);
   } else if (run.summary.solved) {
     const auto timer = timeStage(ledger_, Stage::Stress);
-    writeOnFirstRank(comm_, [&] { shared_->add(run, int(row.number), row.name); });
+    shared_->add(run, int(row.number), row.name);
   }
 }
 
@@ -241,9 +241,9 @@ CasesSummary StudyRunner::casesSummary() const
 std::vector<std::string> StudyRunner::writeShared(const OutputOptions& output)
 {
   std::vector<std::string> written;
+  if (shared_)
+    written = shared_->write(ledger_);
   writeOnFirstRank(comm_, [&] {
-    if (shared_)
-      written = shared_->write();
     if (study_.loads && study_.loads->writesSummary) {
       const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
       written.push_back(stem + ".summary.json");
@@ -256,7 +256,9 @@ std::vector<std::string> StudyRunner::writeShared(const OutputOptions& output)
 ExitCode StudyRunner::run(bool& computed)
 {
   const double start = wallSeconds();
-  const OutputOptions output = readSettings(study_.cases.front().deck).output;
+  const RunSettings first = readSettings(study_.cases.front().deck);
+  checkMeshesStay(first, deckName_);
+  const OutputOptions& output = first.output;
   for (const StudyCase& one : study_.cases)
     checkNameLength(output, study_.fileName + (study_.loads && study_.writesFiles ? "." + one.name : ""));
   if (study_.writesReport)
@@ -264,7 +266,7 @@ ExitCode StudyRunner::run(bool& computed)
   if (!study_.columns.empty())
     checkColumns();
   if (study_.loads && study_.loads->sharesFiles)
-    shared_.emplace(output, deckName_);
+    shared_.emplace(output, deckName_, comm_);
   const std::string stem = outputStem(output, deckName_).replace_filename(study_.fileName).string();
   const std::string partial = stem + study_.tableEnding() + ".partial.csv",
                     table = stem + study_.tableEnding() + ".csv";
@@ -281,7 +283,7 @@ ExitCode StudyRunner::run(bool& computed)
   if (comm_.rank() == 0)
     std::filesystem::remove(partial, ignored);
   noteRemoved(partial);
-  log_.line(fmt::format("\n  {}\n  wrote {}   {:.2f} s, {:.0f} MB", studyTotal(rows_), fmt::join(written, ", "),
+  log_.line(fmt::format("\n  {}\n  wrote {}   {:.2f} s, {:.0f} MB", studyTotal(rows_), namesText(written),
                         wallSeconds() - start, double(peakMemory()) / 1e6));
   return code;
 }

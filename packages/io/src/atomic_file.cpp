@@ -86,6 +86,20 @@ fs::path clearedFolder(const fs::path& target)
   return folder;
 }
 
+/// What stands in the way of a file is a mistake of the user's.
+void orRefused(const std::string& path, const std::function<void()>& write)
+{
+  try {
+    write();
+  } catch (const InputError&) {
+    throw;
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.code().message()));
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.what()));
+  }
+}
+
 void writeText(const std::string& path, const std::string& text)
 {
   const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -100,23 +114,27 @@ void writeText(const std::string& path, const std::string& text)
 
 } // namespace
 
+PendingFile::PendingFile(std::string path, const std::function<void(const std::string&)>& write)
+    : path_(std::move(path)),
+      temporary_(clearedFolder(path_) / fmt::format("{}{}.tmp", temporaryPrefix(path_), getpid()))
+{
+  orRefused(path_, [&] {
+    write(temporary_.path().string());
+    bytes_ = std::int64_t(fs::file_size(temporary_.path()));
+  });
+}
+
+void PendingFile::keep()
+{
+  orRefused(path_, [&] { fs::rename(temporary_.path(), path_); });
+  noteWritten(path_);
+}
+
 std::int64_t writeAtomically(const std::string& path, const std::function<void(const std::string&)>& write)
 {
-  const fs::path target(path), folder = clearedFolder(target);
-  const Scratch temporary(folder / fmt::format("{}{}.tmp", temporaryPrefix(target), getpid()));
-  try {
-    write(temporary.path().string());
-    const auto bytes = std::int64_t(fs::file_size(temporary.path()));
-    fs::rename(temporary.path(), target);
-    noteWritten(path);
-    return bytes;
-  } catch (const InputError&) {
-    throw;
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.code().message()));
-  } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.what()));
-  }
+  PendingFile file(path, write);
+  file.keep();
+  return file.bytes();
 }
 
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text)

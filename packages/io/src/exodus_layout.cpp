@@ -86,12 +86,11 @@ ExodusLayout makeLayout(const std::vector<ExodusBody>& bodies, const std::vector
     const auto& [name, mesh, nodes, parts] = bodies[b];
     NDFRAME_ASSERT(mesh != nullptr && nodes != nullptr, "body without mesh or nodes: " + name);
     NDFRAME_ASSERT(nodes->dim == bodies.front().nodes->dim, "bodies of one file have the same dimension");
-    NDFRAME_ASSERT(nodes->numCells() > 0, "body without elements: " + name);
     appendCount(layout.firstNode, nodes->numNodes());
     appendCount(layout.firstCell, nodes->numCells());
     addBlocks(bodies[b], int(b), layout);
     for (const auto& side : mesh->sides)
-      layout.sets.push_back({name + ":" + side.name, int(b), &side.facets});
+      layout.sets.push_back({name.empty() ? side.name : name + ":" + side.name, int(b), &side.facets});
   }
   layout.firstContact = layout.sets.size();
   for (const auto& side : contactSides)

@@ -5,8 +5,8 @@
 #include <cstdint>
 #include <ctime>
 
-#include "exodus_file.hpp"
-#include "exodus_layout.hpp"
+#include "exodus_content.hpp"
+#include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
@@ -81,8 +81,9 @@ void defineMesh(ExodusFile& file, const ExodusLayout& layout, const std::string&
 void defineVariables(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables& variables)
 {
   // Truth tables: which block or set (row) has which variable (column).
-  std::vector<int> inBlocks(layout.blocks.size() * variables.element.size(), 1);
-  std::vector<int> inSets;
+  std::vector<int> inBlocks, inSets;
+  for (const ElementBlock& block : layout.blocks)
+    inBlocks.insert(inBlocks.end(), variables.element.size(), block.numCells(*layout.bodies) > 0 ? 1 : 0);
   for (std::size_t s = 0; s < layout.sets.size(); ++s)
     inSets.insert(inSets.end(), variables.contactSide.size(), layout.carriesVariables(s) ? 1 : 0);
   ex_var_params counts{};
@@ -175,6 +176,8 @@ void putConnectivity(ExodusFile& file, const ExodusLayout& layout)
 {
   for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
     const auto& [name, body, cells, first] = layout.blocks[b];
+    if (layout.blocks[b].numCells(*layout.bodies) == 0)
+      continue;
     const NodeMap& map = *(*layout.bodies)[std::size_t(body)].nodes;
     auto nodes = ofBlock(map.cellNodes, map.nodesPerCell, cells);
     for (int& node : nodes)
@@ -190,7 +193,7 @@ void putSideSets(ExodusFile& file, const ExodusLayout& layout)
     std::vector<int> elements, sides;
     for (const auto& facet : *facets) {
       elements.push_back(layout.element(body, facet.cell) + 1);
-      sides.push_back(exodusSideNumber[std::size_t(facet.local)]);
+      sides.push_back(exodusSide(facet.local));
     }
     if (!elements.empty())
       file.call("the facets of a side", ex_put_set, EX_SIDE_SET, idOf(s), elements.data(), sides.data());
@@ -233,6 +236,8 @@ void putStep(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables
     writer.put(EX_NODAL, v, 1, joined(step.nodal, v));
   for (std::size_t b = 0; !step.element.empty() && b < layout.blocks.size(); ++b) {
     const ElementBlock& block = layout.blocks[b];
+    if (block.numCells(*layout.bodies) == 0)
+      continue;
     const auto& fields = step.element[std::size_t(block.body)];
     for (std::size_t v = 0; v < fields.size(); ++v)
       writer.put(EX_ELEM_BLOCK, v, idOf(b), ofBlock(fields[v].values, 1, block.cells));
@@ -249,11 +254,15 @@ void putStep(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables
 
 } // namespace
 
-void writeExodus(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
-                 const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
-                 const std::vector<std::string>& infoLines)
+int exodusSide(int local)
 {
-  const auto layout = makeLayout(bodies, contactSides);
+  return exodusSideNumber[std::size_t(local)];
+}
+
+void writeContent(const std::string& path, const std::string& title, const ExodusLayout& layout,
+                  const std::vector<ExodusStep>& steps, const std::vector<std::string>& infoLines,
+                  const std::function<void(ExodusFile&)>& addRecords)
+{
   const auto variables = commonVariables(layout, steps);
   ExodusFile file(path);
   // The library's default cuts names after 32 characters.
@@ -262,12 +271,22 @@ void writeExodus(const std::string& path, const std::string& title, const std::v
   defineVariables(file, layout, variables);
   putRecords(file, infoLines);
   putAllNames(file, layout, variables);
+  addRecords(file);
   putCoordinates(file, layout);
   putConnectivity(file, layout);
   putSideSets(file, layout);
   for (std::size_t s = 0; s < steps.size(); ++s)
     putStep(file, layout, variables, idOf(s), steps[s]);
   file.close();
+}
+
+void writeExodus(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
+                 const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
+                 const std::vector<std::string>& infoLines)
+{
+  for (const ExodusBody& body : bodies)
+    NDFRAME_ASSERT(body.nodes != nullptr && body.nodes->numCells() > 0, "body without elements: " + body.name);
+  writeContent(path, title, makeLayout(bodies, contactSides), steps, infoLines, [](ExodusFile&) {});
 }
 
 } // namespace ndframe

@@ -136,6 +136,25 @@ std::vector<int> ExodusInput::nodes(const ExodusBlock& block) const
   return numbers;
 }
 
+std::vector<int> ExodusInput::idMap(int kind, int count) const
+{
+  std::vector<int> numbers(count);
+  if (count > 0)
+    require(ex_get_partial_id_map(file_, ex_entity_type(kind), 1, count, numbers.data()),
+            "numbers of nodes and elements");
+  return numbers;
+}
+
+std::vector<int> ExodusInput::nodeIds() const
+{
+  return idMap(EX_NODE_MAP, numNodes_);
+}
+
+std::vector<int> ExodusInput::elementIds() const
+{
+  return idMap(EX_ELEM_MAP, numElements_);
+}
+
 std::vector<ExodusSideSet> ExodusInput::sideSets() const
 {
   std::vector<ExodusSideSet> list;

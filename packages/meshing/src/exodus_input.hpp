@@ -4,42 +4,27 @@
 #include <string>
 #include <vector>
 
+#include "exodus_mesh.hpp"
+
 namespace ndframe
 {
 
-/// An element block of an Exodus file.
-struct ExodusBlock
-{
-  int id;
-  std::string name; ///< "block_ID" when the file gives none
-  std::string type; ///< in capitals, e.g. "TRI3"
-  int numElements;
-  int nodesPerElement;
-  int firstElement; ///< number of its first element in the file, from 0
-};
-
-struct ExodusSideSet
-{
-  std::string name;          ///< "sideset_ID" when the file gives none
-  std::vector<int> elements; ///< from 1
-  std::vector<int> sides;    ///< from 1, in Exodus's numbering
-};
-
 /// An Exodus file open for reading. Everything it says is checked against the size of the file before memory is
 /// allocated. Throws FileError.
-class ExodusInput
+class ExodusInput final : public ExodusMesh
 {
 public:
   explicit ExodusInput(const std::string& path);
 
-  int dim() const { return dim_; }
-  int numElements() const { return numElements_; }
-  /// Three per node, the third zero in a file of two dimensions.
-  std::vector<double> coordinates() const;
-  std::vector<ExodusBlock> blocks() const;
-  /// Node indices from 0.
-  std::vector<int> nodes(const ExodusBlock& block) const;
-  std::vector<ExodusSideSet> sideSets() const;
+  int dim() const override { return dim_; }
+  int numElements() const override { return numElements_; }
+  std::vector<double> coordinates() const override;
+  std::vector<ExodusBlock> blocks() const override;
+  std::vector<int> nodes(const ExodusBlock& block) const override;
+  std::vector<ExodusSideSet> sideSets() const override;
+  /// Per node, and element, its number in the mesh that the file is a piece of; 1, 2, ... in a file that is none.
+  std::vector<int> nodeIds() const;
+  std::vector<int> elementIds() const;
 
 private:
   /// The library's open file.
@@ -59,6 +44,7 @@ private:
   void require(int status, const char* what) const;
   int plausible(std::int64_t count, const char* what) const;
   std::vector<int> ids(int kind, int count) const;
+  std::vector<int> idMap(int kind, int count) const;
   std::string name(int kind, int id, const char* unnamed) const;
 
   Handle file_;

@@ -1,21 +1,18 @@
+#include "exodus_reader.hpp"
+
 #include <algorithm>
 #include <array>
-#include <filesystem>
+#include <memory>
 #include <numeric>
 #include <string_view>
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "child_process.hpp"
 #include "cut_cells.hpp"
-#include "exodus_input.hpp"
 #include "file_error.hpp"
+#include "joined_input.hpp"
 #include "mesh_builder.hpp"
-#include "mesh_sources.hpp"
-#include "ndframe/mesh/mesh_bytes.hpp"
-#include "netcdf_header.hpp"
-#include "steady_file.hpp"
 
 namespace ndframe
 {
@@ -62,10 +59,10 @@ const Shape& shapeOf(const ExodusBlock& block)
 class ExodusConverter
 {
 public:
-  /// wanted: names or numbers of the blocks to keep; empty for all.
-  ExodusConverter(const std::string& path, const std::vector<std::string>& wanted)
-      : file_(path), wanted_(wanted), blocks_(chosenBlocks()), dim_(dimension()), builder_(dim_, file_.coordinates()),
-        cellOfElement_(file_.numElements(), -1)
+  /// paths: one file, or the pieces of one. wanted: names or numbers of the blocks to keep; empty for all.
+  ExodusConverter(const std::vector<std::string>& paths, const std::vector<std::string>& wanted)
+      : input_(opened(paths)), file_(*input_), wanted_(wanted), blocks_(chosenBlocks()), dim_(dimension()),
+        builder_(dim_, file_.coordinates()), cellOfElement_(file_.numElements(), -1)
   {}
 
   Mesh convert();
@@ -78,7 +75,10 @@ private:
   std::vector<Facet> facetsOnSide(int element, int side, const std::string& set) const;
   void addSide(const ExodusSideSet& set);
 
-  ExodusInput file_;
+  static std::unique_ptr<ExodusMesh> opened(const std::vector<std::string>& paths);
+
+  std::unique_ptr<ExodusMesh> input_;
+  const ExodusMesh& file_;
   const std::vector<std::string>& wanted_;
   std::vector<ExodusBlock> blocks_;
   int dim_;
@@ -101,6 +101,13 @@ std::vector<std::string> namesOf(const std::vector<ExodusBlock>& blocks)
   for (const ExodusBlock& block : blocks)
     names.push_back(block.name);
   return names;
+}
+
+std::unique_ptr<ExodusMesh> ExodusConverter::opened(const std::vector<std::string>& paths)
+{
+  if (paths.size() == 1)
+    return std::make_unique<ExodusInput>(paths.front());
+  return std::make_unique<JoinedInput>(paths);
 }
 
 std::vector<ExodusBlock> ExodusConverter::chosenBlocks() const
@@ -233,56 +240,11 @@ Mesh ExodusConverter::convert()
   }
 }
 
-/// netCDF's own buffers and HDF5's chunk cache are below the first number; a mesh with its tables takes some 30 times
-/// the space of its numbers, which a file may hold in single precision and compressed.
-ChildLimits limitsFor(const std::string& path)
-{
-  const auto bytes = std::int64_t(std::filesystem::file_size(path));
-  const int seconds = int(5 + (bytes >> 20));
-  return {(std::int64_t(64) << 20) + 200 * bytes, seconds, 20 * seconds};
-}
-
-/// A mesh in an Exodus file. Read in a child process: the Exodus, netCDF and HDF5 libraries trust what a file says.
-class Exodus final : public MeshSource
-{
-public:
-  explicit Exodus(const Params& params) : params_(params) {}
-
-  Mesh read() const override
-  {
-    const auto path = params_.file("File");
-    try {
-      const SteadyFile steady(path);
-      checkNetcdfHeader(path);
-      const auto blocks = params_.get<std::vector<std::string>>("Blocks");
-      const auto work = [&] { return toBytes(ExodusConverter(path, blocks).convert()); };
-      const std::string bytes = runInChild(work, "the Exodus library", limitsFor(path));
-      steady.requireUnchanged();
-      return meshFromBytes(bytes);
-    } catch (const FileError& error) {
-      throw InputError(params_.mistake("File", fmt::format("{}: {}", path, error.what())));
-    }
-  }
-
-  MeshScript script() const override { refuseRemesh(params_, "Type"); }
-
-private:
-  Params params_;
-};
-
 } // namespace
 
-void registerExodus(Registry<MeshSource>& registry)
+Mesh meshOfExodus(const std::vector<std::string>& paths, const std::vector<std::string>& wanted)
 {
-  addMeshSource(
-      registry, "Exodus",
-      "A mesh of triangles or tetrahedra in an Exodus II file; quadrilaterals, hexahedra, wedges and pyramids are cut "
-      "into these. Side sets are the sides, by their names (unnamed ones: sideset_ID). Second-order elements are "
-      "reduced to their vertices.",
-      {ParamSpec::required("File", Kind::String, "The Exodus file; relative paths start from the deck's folder."),
-       {"Blocks", std::vector<std::string>{},
-        "Names or numbers of the element blocks that make up the body. Empty: all of the highest dimension."}},
-      [](const Params& params) { return std::make_unique<Exodus>(params); });
+  return ExodusConverter(paths, wanted).convert();
 }
 
 } // namespace ndframe

@@ -6,12 +6,14 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/csv.hpp"
 #include "ndframe/report/contact_table.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/report/summary_text.hpp"
 #include "run_fields.hpp"
+#include "scene_file.hpp"
 
 namespace ndframe
 {
@@ -96,19 +98,28 @@ void writeTable(const std::string& path, const std::string& text, std::vector<st
 
 } // namespace
 
-CaseFiles::CaseFiles(OutputOptions output, std::string deckName)
-    : output_(std::move(output)), deckName_(std::move(deckName))
+CaseFiles::CaseFiles(OutputOptions output, std::string deckName, const Comm& comm)
+    : output_(std::move(output)), deckName_(std::move(deckName)), comm_(comm)
 {}
+
+bool CaseFiles::keepsFields(const Run& run) const
+{
+  return output_.exodus && (comm_.rank() == 0 || isInPieces(output_, exodusScene(run), comm_));
+}
 
 void CaseFiles::add(const Run& run, int number, const std::string& name)
 {
+  onEveryRank(comm_, [&] {
+    if (keepsFields(run))
+      addFields(run, number, name);
+  });
+  if (comm_.rank() != 0)
+    return;
   const int dim = run.model.bodies.front().mesh.dim;
   if (output_.contactTable && !run.model.interfaces.empty())
     contact_ += rowsOfCase(contactCsv(run), name, contact_.empty());
   if (output_.probeTable)
     probes_ += rowsOfCase(probesCsv(run.summary.probes, dim), name, probes_.empty());
-  if (output_.exodus)
-    addFields(run, number, name);
 }
 
 void CaseFiles::addFields(const Run& run, int number, const std::string& name)
@@ -152,25 +163,37 @@ bool CaseFiles::sameMeshes(const Run& run) const
   return same;
 }
 
-std::vector<std::string> CaseFiles::write()
+/// Rank 0 has the steps, and all have them where they write them.
+std::vector<std::string> CaseFiles::writeFields(const std::string& stem, Ledger& ledger)
 {
-  const std::string stem = outputStem(output_, deckName_).string();
+  const std::string path = stem + ".e";
   std::vector<std::string> written;
-  if (!steps_.empty()) {
+  std::vector<std::string> records = exodusRecords(deckName_);
+  records.insert(records.end(), names_.begin(), names_.end());
+  const ExodusScene scene{title_, bodies_, sides_};
+  if (!steps_.empty())
     completeSteps(steps_);
-    std::vector<std::string> records = exodusRecords(deckName_);
-    records.insert(records.end(), names_.begin(), names_.end());
-    writeAtomically(stem + ".e", [&](const std::string& temporary) {
-      writeExodus(temporary, title_, bodies_, sides_, steps_, records);
-    });
-    written.push_back(stem + ".e");
-  } else if (output_.exodus) {
-    removeEarlier(stem + ".e");
-  }
-  if (output_.contactTable)
-    writeTable(stem + ".contact.csv", contact_, written);
-  if (output_.probeTable)
-    writeTable(stem + ".probes.csv", probes_, written);
+  if (!steps_.empty() && isInPieces(output_, scene, comm_))
+    return writePieces(path, {scene, steps_, records}, comm_, ledger);
+  writeOnFirstRank(comm_, [&] {
+    if (!steps_.empty())
+      written = writeWhole(path, {scene, steps_, records}, ledger);
+    else if (output_.exodus)
+      removeScene(path);
+  });
+  return written;
+}
+
+std::vector<std::string> CaseFiles::write(Ledger& ledger)
+{
+  const std::string stem = commonStem(output_, deckName_, comm_);
+  std::vector<std::string> written = writeFields(stem, ledger);
+  writeOnFirstRank(comm_, [&] {
+    if (output_.contactTable)
+      writeTable(stem + ".contact.csv", contact_, written);
+    if (output_.probeTable)
+      writeTable(stem + ".probes.csv", probes_, written);
+  });
   return written;
 }
 

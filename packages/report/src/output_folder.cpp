@@ -6,6 +6,7 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/report/outputs.hpp"
 
@@ -35,7 +36,52 @@ std::string baseName(const OutputOptions& output, const std::string& deckName)
   return name.empty() ? std::filesystem::path(deckName).stem().string() : name;
 }
 
+/// The mesh files of a body: those of its parts, where it is tied.
+void eachMeshFile(const Params& mesh, const std::function<void(const Params&)>& look)
+{
+  if (mesh.hasSub("Parts"))
+    for (const Params& part : mesh.sub("Parts").subs())
+      eachMeshFile(part, look);
+  if (mesh.has("File"))
+    look(mesh);
+}
+
+/// The last of the files from `first` on that are pieces of the same as this; `first` itself where it is no piece.
+std::size_t lastPiece(const std::vector<std::string>& files, std::size_t first)
+{
+  const auto beginning = [](const std::string& file) { return file.substr(0, file.rfind('.') + 1); };
+  const auto isPiece = [](const std::string& file) {
+    return file.find_first_not_of("0123456789", file.rfind('.') + 1) == std::string::npos;
+  };
+  std::size_t last = first;
+  while (last + 1 < files.size() && isPiece(files[first]) && isPiece(files[last + 1]) &&
+         beginning(files[last + 1]) == beginning(files[first]))
+    ++last;
+  return last;
+}
+
 } // namespace
+
+void checkMeshesStay(const RunSettings& settings, const std::string& deckName)
+{
+  if (!settings.output.exodus)
+    return;
+  const std::string name = baseName(settings.output, deckName);
+  std::error_code none;
+  const std::string fields =
+      (std::filesystem::weakly_canonical(absoluteFolder(settings.output), none) / (name + ".e")).string();
+  const auto look = [&](const Params& mesh) {
+    const std::string file =
+        std::filesystem::weakly_canonical(std::filesystem::absolute(mesh.file("File"), none), none).string();
+    if (file == fields || file.compare(0, fields.size() + 1, fields + ".") == 0) // the whole, or pieces
+      throw InputError(mesh.mistake("File", fmt::format("{} would be replaced by the results, which are called {}.e; "
+                                                        "give another Output/Name or Output/Directory.",
+                                                        mesh.get<std::string>("File"), name)));
+  };
+  for (const BodySettings& body : settings.scene.bodies)
+    if (!body.isRigid)
+      eachMeshFile(body.shape, look);
+}
 
 void checkNameLength(const OutputOptions& output, const std::string& name)
 {
@@ -62,6 +108,7 @@ void checkOutput(const RunSettings& settings, const std::string& deckName)
                                           "Directory is longer than the system lets a folder's path be; name "
                                           "another one."));
   checkNameLength(output, baseName(output, deckName));
+  checkMeshesStay(settings, deckName);
   std::error_code none;
   while (!std::filesystem::exists(folder, none) && folder.has_relative_path())
     folder = folder.parent_path(); // missing folders are made
@@ -81,6 +128,29 @@ std::filesystem::path outputStem(const OutputOptions& output, const std::string&
     throw InputError(output.place.mistake(
         "Directory", fmt::format("cannot make the folder \"{}\": {}.", folder.string(), failure.message())));
   return (folder / baseName(output, deckName)).lexically_normal();
+}
+
+std::string commonStem(const OutputOptions& output, const std::string& deckName, const Comm& comm)
+{
+  std::string stem;
+  onEveryRank(comm, [&] { stem = outputStem(output, deckName).string(); });
+  return stem;
+}
+
+std::string namesText(const std::vector<std::string>& files)
+{
+  std::string text;
+  for (std::size_t i = 0; i < files.size(); ++i) {
+    if (!text.empty())
+      text += ", ";
+    text += files[i];
+    const std::size_t last = lastPiece(files, i);
+    if (last > i) {
+      text += (last > i + 1 ? ", ..., " : ", ") + files[last];
+      i = last;
+    }
+  }
+  return text;
 }
 
 void writeOnFirstRank(const Comm& comm, const std::function<void()>& write)

@@ -9,4 +9,17 @@ const Names<StepsWritten>& stepsNames()
   return names;
 }
 
+const Names<ExodusFiles>& exodusFilesNames()
+{
+  static const Names<ExodusFiles> names{
+      {"Automatic", ExodusFiles::Automatic}, {"Single", ExodusFiles::Single}, {"Pieces", ExodusFiles::Pieces}};
+  return names;
+}
+
+bool writesPieces(ExodusFiles files, std::int64_t nodes, int processes)
+{
+  return processes > 1 &&
+         (files == ExodusFiles::Pieces || (files == ExodusFiles::Automatic && nodes >= leastNodesInPieces));
+}
+
 } // namespace ndframe

@@ -5,6 +5,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "ndframe/base/grouped.hpp"
+
 namespace ndframe
 {
 namespace
@@ -33,6 +35,17 @@ std::string refinementOf(const AccuracyOptions& accuracy)
 bool iterates(const std::string& linearSolver)
 {
   return linearSolver == "Krylov" || linearSolver == "Multigrid";
+}
+
+/// How several processes share the fields' file.
+std::string fieldsText(ExodusFiles files, int ranks)
+{
+  std::string text = "for the Exodus file";
+  if (ranks > 1 && files != ExodusFiles::Single)
+    text += fmt::format(", in {} pieces", ranks);
+  if (ranks > 1 && files == ExodusFiles::Automatic)
+    text += fmt::format(" from {} nodes on", grouped(leastNodesInPieces));
+  return text;
 }
 
 } // namespace
@@ -64,7 +77,7 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Recover, true, "interior displacements, one back substitution per body and state" + again, {});
   addCertificate(settings);
   add(Stage::Refine, toTarget, toTarget ? refinementOf(*settings.accuracy) : "", "the deck has no list Accuracy");
-  add(Stage::Stress, exodus, "for the Exodus file", "no Exodus file is written");
+  add(Stage::Stress, exodus, fieldsText(output.exodusFiles, ranks), "no Exodus file is written");
   const bool contact = touches && output.contactTable;
   const bool levels = toTarget && output.levelTable;
   add(Stage::Write, exodus || contact || levels || output.summary || output.probeTable || output.checkpoint,

@@ -12,4 +12,7 @@ namespace ndframe
 /// one on every rank. Collective. Limit: 2 GB.
 std::string fromRankZero(const Comm& comm, const std::function<std::string()>& make);
 
+/// Calls `work` on every rank. An InputError of any is one on every rank: that of the lowest that has one. Collective.
+void onEveryRank(const Comm& comm, const std::function<void()>& work);
+
 } // namespace ndframe

@@ -5,6 +5,8 @@
 #include <functional>
 #include <string>
 
+#include "ndframe/base/scratch.hpp"
+
 namespace ndframe
 {
 
@@ -20,6 +22,22 @@ std::int64_t writeAtomically(const std::string& path,
 
 /// The same for a text.
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text);
+
+/// The two halves of writeAtomically, for files of which all shall appear or none: each is written first and kept when
+/// all are complete. What is not kept is removed.
+class PendingFile
+{
+public:
+  /// Writes the temporary file. Throws InputError as writeAtomically does.
+  PendingFile(std::string path, const std::function<void(const std::string& temporaryPath)>& write);
+  std::int64_t bytes() const { return bytes_; } ///< that were written
+  void keep();                                  ///< renames it; throws InputError
+
+private:
+  std::string path_;
+  Scratch temporary_;
+  std::int64_t bytes_ = 0;
+};
 
 /// Characters that the name of a file may have, its temporary name included.
 std::size_t longestFileName();

@@ -28,7 +28,8 @@ struct ExodusPart
 /// numbers and element numbers of the bodies follow each other).
 struct ExodusBody
 {
-  std::string name;                ///< of the block, if it has no parts, and in those of its side sets
+  /// Of the block, if it has no parts, and in those of its side sets; empty: these are called like the sides.
+  std::string name;
   const Mesh* mesh = nullptr;      ///< not owned; has the sides
   const NodeMap* nodes = nullptr;  ///< not owned; nodes and cells of this mesh, at least one cell
   std::vector<ExodusPart> parts{}; ///< every cell in one of them; none: the body is one block

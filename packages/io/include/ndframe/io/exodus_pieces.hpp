@@ -1,0 +1,37 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/io/exodus_writer.hpp"
+#include "ndframe/mesh/piece_name.hpp"
+
+namespace ndframe
+{
+
+/// Which piece of a scene each cell belongs to: one piece for each process of a run.
+struct ExodusSharing
+{
+  int pieces = 1;                      ///< how many; each has a cell
+  std::vector<std::vector<int>> owner; ///< per body and cell, the piece, from 0
+};
+
+/// A cell belongs to the piece of its lowest node; nodes are shared out as matrix rows are (mesh/partition.hpp). A
+/// piece that would have none gets a cell of the largest one. There must be as many cells as pieces.
+ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces);
+
+/// The pieces "NAME.e.N.r" that stand beside "NAME.e", of any N, sorted: regular files, of complete sets or not.
+std::vector<std::string> piecesBeside(const std::string& path);
+
+/// Writes one piece of what writeExodus writes: the piece's cells in the order of the whole, their nodes, their facets
+/// of all sides, and all fields there, so that pieces together have every value of the whole, bit by bit.
+///
+/// All pieces have all blocks, side sets and variables. Beside them stand the maps to the node and element numbers of
+/// the whole, and Nemesis's records: numbers of the whole, inner and border nodes and elements, and what each other
+/// piece has too, in an order that is the same in both. `bodies`, `contactSides` and `steps` are those of the whole.
+/// Errors and limits: as writeExodus, and 32-bit numbers for the whole, too.
+void writeExodusPiece(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
+                      const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
+                      const std::vector<std::string>& infoLines, const ExodusSharing& sharing, int piece);
+
+} // namespace ndframe

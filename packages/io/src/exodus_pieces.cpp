@@ -1,0 +1,110 @@
+#include "ndframe/io/exodus_pieces.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <filesystem>
+#include <optional>
+#include <string_view>
+
+#include "exodus_content.hpp"
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/partition.hpp"
+#include "nemesis_records.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+std::optional<int> numberIn(std::string_view text)
+{
+  int number = 0;
+  const auto [rest, error] = std::from_chars(text.data(), text.data() + text.size(), number);
+  return error == std::errc() && rest == text.data() + text.size() && number >= 0 ? std::optional(number)
+                                                                                  : std::nullopt;
+}
+
+/// Whether a name is that of a piece of the file `whole`.
+bool isPieceOf(const std::string& whole, const std::string& name)
+{
+  if (name.compare(0, whole.size() + 1, whole + ".") != 0)
+    return false;
+  const std::string_view ending = std::string_view(name).substr(whole.size() + 1);
+  const auto dot = ending.find('.');
+  if (dot == std::string_view::npos)
+    return false;
+  const auto pieces = numberIn(ending.substr(0, dot)), piece = numberIn(ending.substr(dot + 1));
+  return pieces && piece && *piece < *pieces && name == pieceName(whole, *pieces, *piece);
+}
+
+/// A piece without cells gets one of the largest piece: readers expect the variables of the nodes in every piece.
+void fillEmptyPieces(ExodusSharing& sharing)
+{
+  std::vector<int> cells(std::size_t(sharing.pieces), 0);
+  for (const auto& owners : sharing.owner)
+    for (const int owner : owners)
+      ++cells[std::size_t(owner)];
+  for (auto empty = cells.begin(); (empty = std::find(empty, cells.end(), 0)) != cells.end();) {
+    const auto largest = std::max_element(cells.begin(), cells.end());
+    for (auto& owners : sharing.owner) {
+      const auto cell = std::find(owners.begin(), owners.end(), int(largest - cells.begin()));
+      if (cell == owners.end())
+        continue;
+      *cell = int(empty - cells.begin());
+      break;
+    }
+    --*largest;
+    ++*empty;
+  }
+}
+
+} // namespace
+
+ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces)
+{
+  ExodusSharing sharing{pieces, {}};
+  std::size_t cells = 0;
+  for (const ExodusBody& body : bodies) {
+    const NodeMap& nodes = *body.nodes;
+    const std::vector<int> owner = partitionNodes(nodes.cellNodes, nodes.nodesPerCell, nodes.numNodes(), pieces);
+    sharing.owner.emplace_back();
+    cells += std::size_t(nodes.numCells());
+    for (int cell = 0; cell < nodes.numCells(); ++cell) {
+      const int lowest = *std::min_element(nodes.cell(cell), nodes.cell(cell) + nodes.nodesPerCell);
+      sharing.owner.back().push_back(owner[std::size_t(lowest)]);
+    }
+  }
+  NDFRAME_ASSERT(cells >= std::size_t(pieces), "a piece has a cell");
+  fillEmptyPieces(sharing);
+  return sharing;
+}
+
+std::vector<std::string> piecesBeside(const std::string& path)
+{
+  const std::filesystem::path whole(path);
+  const auto folder = whole.has_parent_path() ? whole.parent_path() : std::filesystem::path(".");
+  std::vector<std::string> found;
+  std::error_code none;
+  for (std::filesystem::directory_iterator entry(folder, none), end; entry != end; entry.increment(none))
+    if (entry->is_regular_file(none) && isPieceOf(whole.filename().string(), entry->path().filename().string()))
+      found.push_back((whole.parent_path() / entry->path().filename()).string());
+  std::sort(found.begin(), found.end());
+  return found;
+}
+
+void writeExodusPiece(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
+                      const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
+                      const std::vector<std::string>& infoLines, const ExodusSharing& sharing, int piece)
+{
+  const ExodusLayout whole = makeLayout(bodies, contactSides);
+  commonVariables(whole, steps);
+  const PieceScene scene(bodies, contactSides, sharing, piece);
+  const ExodusLayout layout = makeLayout(scene.bodies(), scene.sides());
+  std::vector<ExodusStep> restricted;
+  for (const ExodusStep& step : steps)
+    restricted.push_back(scene.restricted(step));
+  NemesisRecords records(whole, layout, scene, sharing, piece);
+  writeContent(path, title, layout, restricted, infoLines, [&](ExodusFile& file) { records.put(file); });
+}
+
+} // namespace ndframe

@@ -1,0 +1,15 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "ndframe/mesh/mesh.hpp"
+
+namespace ndframe
+{
+
+/// The mesh in an Exodus file, or in several that are its pieces. wanted: names or numbers of the blocks that make it;
+/// empty: all of the highest dimension. Throws FileError.
+Mesh meshOfExodus(const std::vector<std::string>& paths, const std::vector<std::string>& wanted);
+
+} // namespace ndframe
