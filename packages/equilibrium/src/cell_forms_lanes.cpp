@@ -3,6 +3,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/lanes.hpp"
 #include "ndframe/equilibrium/cell_forms.hpp"
+#include "ndframe/equilibrium/lane_tables.hpp"
 
 namespace ndframe
 {
@@ -89,24 +90,6 @@ NDFRAME_EVERY_PROCESSOR void subtractSquare(const double* Y, std::size_t data, d
       load(A, entry);
       store(entry - (sums[0] + sums[1]), A);
     }
-  }
-}
-
-/// y_i = sum_j table[i][j] x_j, rows a multiple of six
-NDFRAME_EVERY_PROCESSOR void multiplyTable(const double* table, std::size_t rows, std::size_t columns, const double* x,
-                                           double* y)
-{
-  constexpr std::size_t together = 6;
-  for (std::size_t i = 0; i < rows; i += together, table += together * columns, y += together * lanes) {
-    DoubleLanes sums[together] = {}, value;
-    for (std::size_t j = 0; j < columns; ++j) {
-      load(x + j * lanes, value);
-#pragma GCC unroll 6
-      for (std::size_t k = 0; k < together; ++k)
-        sums[k] += table[k * columns + j] * value;
-    }
-    for (std::size_t k = 0; k < together; ++k)
-      store(sums[k], y + k * lanes);
   }
 }
 
@@ -198,17 +181,17 @@ void CellForms::apply(const double* compliances, const double* factor, const dou
   const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
   const auto modes = std::size_t(reference_.basis.size());
   double stress[mostCoefficients * lanes];
-  multiplyTable(lift_.data(), coefficients, tractions, T, stress);
+  multiplyTable(lift_.data(), tractions, coefficients, tractions, T, stress);
   weigh(compliances, modes, stress);
   if (reference_.bubbles > 0) {
     double y[bubbles * lanes], inside[mostCoefficients * lanes];
-    multiplyTable(bubbled_.data(), bubbles, coefficients, stress, y);
+    multiplyTable(bubbled_.data(), coefficients, bubbles, coefficients, stress, y);
     solveNegative(factor, y);
-    multiplyTable(bubble_.data(), coefficients, bubbles, y, inside);
+    multiplyTable(bubble_.data(), bubbles, coefficients, bubbles, y, inside);
     weigh(compliances, modes, inside);
     add(inside, coefficients, stress);
   }
-  multiplyTable(lifted_.data(), tractions, coefficients, stress, forces);
+  multiplyTable(lifted_.data(), coefficients, tractions, coefficients, stress, forces);
 }
 
 } // namespace ndframe

@@ -54,7 +54,7 @@ class GlobalStages
 public:
   GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, const Comm& comm,
                Ledger& ledger)
-      : scene_(scene), fields_(fields), steps_(steps), comm_(comm), threads_(numThreads(comm)),
+      : scene_(scene), fields_(fields), steps_(steps), comm_(comm), ledger_(ledger), threads_(numThreads(comm)),
         progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, comm, ledger)
   {
     for (const SceneField& field : fields) {
@@ -94,7 +94,9 @@ private:
     for (const int body : bodies)
       balance(body, faces);
     const DescentWatch watch{[this] { progress_.cellIsRead(); }, [this] { progress_.stepIsTaken(); }};
-    StressDescent(faces, contact, descentFields(), watch, comm_, threads_).lower(steps_);
+    StressDescent descent(faces, contact, descentFields(), watch, comm_, threads_);
+    ledger_.count("cell matrices", descent.numMatrices());
+    descent.lower(steps_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
         stresses_[f].tractions[1] = stresses_[f].tractions[0];
@@ -186,6 +188,7 @@ private:
   const std::vector<SceneField>& fields_;
   int steps_;
   const Comm& comm_;
+  Ledger& ledger_;
   int threads_;
   RecoveryProgress progress_;
   std::vector<SceneStress> stresses_; ///< per field
