@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <cmath>
 
 #include "ndframe/base/diagnostics.hpp"
@@ -176,18 +177,46 @@ std::size_t CellForms::factorSize() const
   return reference_.bubbles > 0 ? factorEntries : 0;
 }
 
+/// The coefficients of the bubbles that go with a stress, from what it does work with.
+void CellForms::findBubbles(const double* factor, const double* weighed, double* inside) const
+{
+  const auto coefficients = std::size_t(reference_.coefficients);
+  double y[bubbles * lanes];
+  multiplyTable(bubbled_.data(), coefficients, bubbles, coefficients, weighed, y);
+  solveNegative(factor, y);
+  multiplyTable(bubble_.data(), bubbles, coefficients, bubbles, y, inside);
+}
+
+void CellForms::leastStress(const double* compliances, const double* data, double* stress) const
+{
+  const auto coefficients = std::size_t(reference_.coefficients), columns = std::size_t(reference_.data());
+  multiplyTable(lift_.data(), columns, coefficients, columns, data, stress);
+  if (reference_.bubbles == 0)
+    return;
+  DoubleLanes ofBubbles[factorEntries];
+  double inside[mostCoefficients * lanes], own[factorEntries * lanes];
+  combine(table_.data() + table_.size() - factorEntries * terms, factorEntries, compliances, own);
+  std::memcpy(ofBubbles, own, sizeof(ofBubbles));
+  const bool isPositive = factor(ofBubbles);
+  NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
+  std::memcpy(own, ofBubbles, sizeof(ofBubbles));
+  double weighed[mostCoefficients * lanes];
+  std::copy_n(stress, coefficients * lanes, weighed);
+  weigh(compliances, std::size_t(reference_.basis.size()), weighed);
+  findBubbles(own, weighed, inside);
+  add(inside, coefficients, stress);
+}
+
 void CellForms::apply(const double* compliances, const double* factor, const double* T, double* forces) const
 {
   const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
   const auto modes = std::size_t(reference_.basis.size());
   double stress[mostCoefficients * lanes];
-  multiplyTable(lift_.data(), tractions, coefficients, tractions, T, stress);
+  multiplyTable(lift_.data(), std::size_t(reference_.data()), coefficients, tractions, T, stress);
   weigh(compliances, modes, stress);
   if (reference_.bubbles > 0) {
-    double y[bubbles * lanes], inside[mostCoefficients * lanes];
-    multiplyTable(bubbled_.data(), coefficients, bubbles, coefficients, stress, y);
-    solveNegative(factor, y);
-    multiplyTable(bubble_.data(), bubbles, coefficients, bubbles, y, inside);
+    double inside[mostCoefficients * lanes];
+    findBubbles(factor, stress, inside);
     weigh(compliances, modes, inside);
     add(inside, coefficients, stress);
   }

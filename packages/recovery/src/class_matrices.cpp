@@ -18,7 +18,7 @@ ClassMatrices::ClassMatrices(const StressCells& cells)
       large.push_back(number);
     }
   tables_.resize(std::size_t(size_) * tableSize());
-  const CellForms forms(cells.any().reference());
+  const CellForms& forms = solidForms(cells.any().data().degree);
   for (int first = 0; first < size_; first += CellForms::lanes)
     find(forms, large.data() + first, std::min(CellForms::lanes, size_ - first));
 }

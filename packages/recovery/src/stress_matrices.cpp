@@ -83,7 +83,7 @@ void pushLanes(const CellMap* maps, int count, double* forces)
 
 StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses, int rank, int ranks)
     : cells_(&cells), ofClasses_(&ofClasses), tractions_(std::size_t(cells.any().reference().tractions)),
-      forms_(cells.any().reference())
+      forms_(solidForms(cells.any().data().degree))
 {
   NDFRAME_ASSERT(cells.any().reference().data() * lanes <= mostNumbers, "more data than a cell of degree 2 has");
   const std::vector<Batch> every = all();

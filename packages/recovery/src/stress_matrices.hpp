@@ -74,7 +74,7 @@ private:
   const ClassMatrices* ofClasses_;
   std::vector<Batch> batches_;
   std::size_t tractions_;
-  CellForms forms_;
+  const CellForms& forms_;
   std::vector<CellMap> maps_;
   Vector kept_;
 };
