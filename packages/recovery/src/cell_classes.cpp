@@ -28,7 +28,7 @@ struct HashOfShape
 /// Fills in the edge vectors of a shape; returns the longest coordinate difference.
 double measureShape(const Mesh& mesh, int cell, Shape& shape)
 {
-  constexpr double units = 1099511627776.0; // 2^40
+  constexpr double units = 17592186044416.0; // 2^44
   const SortedCell sorted = sortedCell(mesh, cell);
   const double* origin = mesh.point(sorted.vertices[0]);
   std::array<double, 9> edges{};

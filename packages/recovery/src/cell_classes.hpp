@@ -10,7 +10,7 @@ namespace ndframe
 ///
 ///   A_E = scale(E) A_first,   scale = length of the first cell / length of E
 ///
-/// Proportional means: to 2^-40 of the cell's longest coordinate difference. What round-off of coordinates far from the
+/// Proportional means: to 2^-44 of the cell's longest coordinate difference. What round-off of coordinates far from the
 /// origin moves by more than that is in classes of its own, which costs time only.
 class CellClasses
 {

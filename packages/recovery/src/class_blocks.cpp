@@ -11,7 +11,7 @@ namespace
 DenseMatrix columnsOf(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, std::size_t side)
 {
   const ThroughMatrix through(edge, step, face);
-  const DenseMatrix carrier = face.onSide(side, face.carrier);
+  const DenseMatrix carrier = face.onSide(side, face.free->carrier);
   DenseMatrix columns(carrier.rows(), through.cols);
   for (int j = 0; j < columns.cols(); ++j)
     for (int k = 0; k < carrier.cols(); ++k)

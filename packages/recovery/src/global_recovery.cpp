@@ -142,7 +142,8 @@ private:
       corrections.push_back(&stresses_[f].corrections[b]);
     }
     const StarBody& stars = faces.cells().body(body);
-    const StarLoads loads(stars, inputs);
+    StarLoads loads(stars, inputs);
+    loads.keepStresses(threads_);
     const WrenchBalance balance(body, faces);
     const int vertices = scene_.bodies[b]->mesh.numPoints();
     for (int first = 0, last = 0; first < vertices; first = last) {
@@ -169,9 +170,8 @@ private:
   static BalancedStar balancedStar(Star star, const StarLoads& loads, const WrenchBalance& balance)
   {
     BalancedStar result{std::move(star), {}, {}, {}};
-    result.x = loads.initial(result.star);
+    result.x = loads.initial(result.star, result.force);
     result.left = balance.balance(result.star, result.x);
-    result.force = loads.forces(result.star);
     return result;
   }
 

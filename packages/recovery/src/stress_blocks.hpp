@@ -19,8 +19,6 @@ public:
   /// The first unknown of a face or of an edge.
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
-  /// A face with the same columns: the first of those that share their block.
-  int sameFace(int face) const { return first_[std::size_t(face)]; }
 
   /// What cells' matrices add to the blocks that faces and edges have alone, per cell. `work`: of the calling thread.
   std::vector<Vector> parts(const CellMatrices& matrices, CellBlocks& work) const;

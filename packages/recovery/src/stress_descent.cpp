@@ -124,7 +124,6 @@ void StressDescent::cellForces(const Vector& tractions, Vector& result) const
       for (std::size_t i = 0; i < 4 * size; ++i)
         result[std::size_t(cells[c]) * 4 * size + i] = forces[i * lanes + c];
   };
-  result.resize(std::size_t(faces_->cells().size()) * 4 * size);
   runInRanges(matrices_.numBatches(), threads_, [&](int first, int last) {
     for (int batch = first; batch < last; ++batch)
       multiply(batch);
@@ -191,24 +190,23 @@ void StressDescent::lower(int steps)
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     Vector forces, residual;
     faceForces(start_[f], forces);
-    start_[f] = Vector();
     if (fields_[f].traction != nullptr && comm_.rank() == 0) // the ranks' forces are added up
       addOpening(*fields_[f].opening, forces);
     gradientOf(forces, residual);
     for (double& value : residual)
       value = -value;
-    lower(fields_[f], std::move(residual), steps);
+    lower(fields_[f], std::move(residual), std::move(start_[f]), steps);
   }
 }
 
-void StressDescent::lower(const DescentField& field, Vector residual, int steps) const
+/// ofCells: space for what cellForces() finds, zero at other ranks' cells.
+void StressDescent::lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const
 {
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction);
   std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
-  Vector z, Ap, tractions, ofCells(std::size_t(faces_->cells().size()) * 4 * std::size_t(facetData()), 0.0), ofFaces,
-      x(residual.size(), 0.0);
+  Vector z, Ap, tractions, ofFaces, x(residual.size(), 0.0);
   blocks_.precondition(residual, still, threads_, z);
   Vector p = z;
   double rz = dot(residual, z);

@@ -48,7 +48,7 @@ public:
   int numMatrices() const;
 
 private:
-  void lower(const DescentField& field, Vector residual, int steps) const;
+  void lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const;
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
   void addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply);

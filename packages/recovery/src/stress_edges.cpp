@@ -77,7 +77,7 @@ DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, 
     wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
     std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
   }
-  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
+  return face.isInside() ? wrenches : multiply(face.free->choose, wrenches);
 }
 
 /// Finds what may circulate around edges.
@@ -177,9 +177,9 @@ DenseMatrix Rings::circulating(const StressEdge& edge) const
   double largest = 0.0;
   for (std::size_t f = 0; f < limited.size(); ++f) {
     const StressFace& face = *limited[f];
-    if (face.reach.cols() == 0)
+    if (face.free->reach.cols() == 0)
       return {6, 0};
-    const DenseMatrix taken = multiply(face.reach, face.choose);
+    const DenseMatrix taken = multiply(face.free->reach, face.free->choose);
     for (int j = 0; j < 6; ++j) {
       Wrench unit{};
       unit[std::size_t(j)] = 1.0;

@@ -107,12 +107,12 @@ Wrench StressUnknowns::amounts(int f, const Vector& unknowns) const
 
 void StressUnknowns::addTractions(int f, const Vector& unknowns, double* T) const
 {
-  const StressFace& face = faces_[blocks_.sameFace(f)];
+  const StressFace& face = faces_[f];
   const double* y = unknowns.data() + blocks_.ofFace(f);
-  addColumns(face.own, y, T);
-  addColumns(face.carrier, amounts(f, unknowns).data(), T);
-  for (int k = 0; k < face.higher; ++k)
-    T[face.own.rows() + k] += y[face.own.cols() + k];
+  addColumns(face.free->own, y, T);
+  addColumns(face.free->carrier, amounts(f, unknowns).data(), T);
+  for (int k = 0; k < face.free->higher; ++k)
+    T[face.free->own.rows() + k] += y[face.free->own.cols() + k];
 }
 
 /// What forces on the faces of an edge's ring are for its wrench.
@@ -147,12 +147,12 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
   std::vector<Wrench> ofCarriers(std::size_t(faces_.size()), Wrench{});
   runInRanges(faces_.size(), threads, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
-      const StressFace& face = faces_[blocks_.sameFace(f)];
+      const StressFace& face = faces_[f];
       const double* G = faceForces.data() + std::size_t(f) * size;
       double* y = gradient.data() + blocks_.ofFace(f);
-      multiplyColumns(face.own, G, y);
-      multiplyColumns(face.carrier, G, ofCarriers[std::size_t(f)].data());
-      std::copy_n(G + face.own.rows(), face.higher, y + face.own.cols());
+      multiplyColumns(face.free->own, G, y);
+      multiplyColumns(face.free->carrier, G, ofCarriers[std::size_t(f)].data());
+      std::copy_n(G + face.free->own.rows(), face.free->higher, y + face.free->own.cols());
     }
   });
   runInRanges(int(edges_.size()), threads, [&](int first, int last) {
