@@ -29,6 +29,8 @@ public:
         facetMeans_(meanCoordinates(facetBasis(data.dim, data.degree))),
         cellMeans_(meanCoordinates(loadBasis(data.dim, data.degree))), size_(diameter(body.mesh)), tree_(body.mesh)
   {
+    elastic_.reserve(std::size_t(mesh_.numCells()));
+    left_.reserve(elastic_.capacity());
     for (int cell = 0; cell < mesh_.numCells(); ++cell)
       elastic_.push_back(cellStress(body, cell, tree_.cell(cell), displacement_));
   }

@@ -157,6 +157,7 @@ Vector meanCoordinates(const MomentBasis& basis)
 std::vector<const double*> corners(const Mesh& mesh, const SortedCell& cell, int facet)
 {
   std::vector<const double*> points;
+  points.reserve(std::size_t(mesh.dim) + 1);
   for (int v = 0; v <= mesh.dim; ++v)
     if (v != facet)
       points.push_back(mesh.point(cell.vertices[std::size_t(v)]));

@@ -15,8 +15,8 @@ namespace ndframe
 namespace
 {
 
-constexpr int highestDegree = 2;    ///< of stresses in space
-constexpr int starsTogether = 1024; ///< that are kept until they are added in order
+constexpr int highestDegree = 2;   ///< of stresses in space
+constexpr int starsTogether = 128; ///< that are kept until they are added in order; 16 kB each
 
 /// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken. Any
 /// thread may say so.

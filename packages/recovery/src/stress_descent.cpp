@@ -101,32 +101,49 @@ void StressDescent::addStart(const int* cells, int count, const std::function<vo
   }
 }
 
-/// A_E times the cells' tractions, per cell; zero at those of other ranks.
+/// The tractions of a batch's cells, per number and lane.
+void StressDescent::gather(int batch, const Vector& tractions, double* x) const
+{
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  const auto size = std::size_t(facetData()), count = std::size_t(matrices_.sizeOf(batch));
+  std::array<std::array<double, 18>, lanes> turned{}; // facet data at most
+  std::array<const double*, lanes> T;
+  std::array<double, lanes> sign{};
+  for (int facet = 0; facet < 4; ++facet, x += size * lanes) {
+    T.fill(turned[0].data());
+    for (std::size_t c = 0; c < count; ++c) {
+      const int cell = matrices_.cells(batch)[c], f = faces_->of(cell, facet);
+      const StressFace& face = (*faces_)[f];
+      T[c] = tractions.data() + std::size_t(f) * size;
+      sign[c] = sideSign(face.sideOf(cell));
+      if (sign[c] > 0.0 || face.turned.rows() == 0)
+        continue;
+      face.toSide(1, T[c], int(size), turned[c].data());
+      T[c] = turned[c].data();
+      sign[c] = 1.0;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t c = 0; c < lanes; ++c)
+        x[i * lanes + c] = sign[c] * T[c][i];
+  }
+}
+
+/// A_E times the cells' tractions, per cell of this rank.
 void StressDescent::cellForces(const Vector& tractions, Vector& result) const
 {
   constexpr std::size_t lanes = StressMatrices::lanes;
-  const auto size = std::size_t(facetData());
-  const auto multiply = [&](int batch) {
-    const int* cells = matrices_.cells(batch);
-    const auto count = std::size_t(matrices_.sizeOf(batch));
-    std::array<double, StressMatrices::mostNumbers> x{}, forces;
-    std::array<double, 18> T{}; // facet data at most
-    for (std::size_t c = 0; c < count; ++c)
-      for (std::size_t facet = 0; facet < 4; ++facet) {
-        const int f = faces_->of(cells[c], int(facet));
-        const StressFace& face = (*faces_)[f];
-        face.toSide(face.sideOf(cells[c]), tractions.data() + std::size_t(f) * size, int(size), T.data());
-        for (std::size_t i = 0; i < size; ++i)
-          x[(facet * size + i) * lanes + c] = T[i];
-      }
-    matrices_.multiply(batch, x.data(), forces.data());
-    for (std::size_t c = 0; c < count; ++c)
-      for (std::size_t i = 0; i < 4 * size; ++i)
-        result[std::size_t(cells[c]) * 4 * size + i] = forces[i * lanes + c];
-  };
+  const auto size = std::size_t(facetData()) * 4;
   runInRanges(matrices_.numBatches(), threads_, [&](int first, int last) {
-    for (int batch = first; batch < last; ++batch)
-      multiply(batch);
+    std::array<double, StressMatrices::mostNumbers> x, forces;
+    for (int batch = first; batch < last; ++batch) {
+      gather(batch, tractions, x.data());
+      matrices_.multiply(batch, x.data(), forces.data());
+      for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
+        double* own = result.data() + std::size_t(matrices_.cells(batch)[c]) * size;
+        for (std::size_t i = 0; i < size; ++i)
+          own[i] = forces[i * lanes + c];
+      }
+    }
   });
 }
 
@@ -138,11 +155,17 @@ void StressDescent::faceForces(const Vector& cellForces, Vector& result) const
   runInRanges(faces_->size(), threads_, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
       const StressFace& face = (*faces_)[f];
+      const auto forces = [&](std::size_t side) {
+        return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
+      };
       double* sum = result.data() + std::ptrdiff_t(f) * size;
-      std::fill_n(sum, size, 0.0);
-      for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
-        face.fromSide(side, cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size, size,
-                      sum);
+      std::copy_n(forces(0), size, sum);
+      if (face.isBoundary())
+        continue;
+      if (face.turned.rows() > 0)
+        face.fromSide(1, forces(1), size, sum);
+      else
+        std::transform(forces(1), forces(1) + size, sum, sum, [](double other, double own) { return own - other; });
     }
   });
 }

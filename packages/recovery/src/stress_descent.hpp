@@ -53,6 +53,7 @@ private:
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
   void addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply);
   void gradientOf(const Vector& faceForces, Vector& gradient) const;
+  void gather(int batch, const Vector& tractions, double* x) const;
   void cellForces(const Vector& tractions, Vector& result) const;
   void faceForces(const Vector& cellForces, Vector& result) const;
   void addOpening(const Vector& opening, Vector& faceForces) const;

@@ -113,18 +113,19 @@ StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactPatc
 {
   for (int body = 0; body < cells.numBodies(); ++body)
     if (cells.has(body))
-      addFaces(body);
+      addFaces(body, contact.size());
   joinContact(contact);
 }
 
-void StressFaces::addFaces(int body)
+/// more: faces that are still to come.
+void StressFaces::addFaces(int body, std::size_t more)
 {
   const Mesh& mesh = cells_->body(body).model().mesh;
   const VertexTuples facets = allFacets(mesh, mesh.numPoints());
   int count = 0;
   for (int place = 0; place < facets.size(); place = facets.groupEnd(place))
     ++count;
-  faces_.reserve(faces_.size() + std::size_t(count));
+  faces_.reserve(faces_.size() + std::size_t(count) + more);
   joined_.reserve(faces_.capacity());
   for (int place = 0, end = 0; place < facets.size(); place = end) {
     end = facets.groupEnd(place);

@@ -88,7 +88,7 @@ public:
   bool isReplaced(int face) const { return joined_[std::size_t(face)] >= 0; }
 
 private:
-  void addFaces(int body);
+  void addFaces(int body, std::size_t more);
   Vector findGeometry(StressFace& face) const;
   void freeTractions(StressFace& face, const Vector& arms);
   void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count);

@@ -40,6 +40,10 @@ WrenchBalance::WrenchBalance(int body, const StressFaces& faces)
     : number_(body), body_(&faces.cells().body(body)), faces_(&faces)
 {
   const Mesh& mesh = body_->model().mesh;
+  const auto cells = std::size_t(mesh.numCells());
+  volumes_.reserve(cells);
+  centres_.reserve(cells);
+  loadArms_.reserve(cells * std::size_t(body_->loadModes()));
   for (int c = 0; c < mesh.numCells(); ++c) {
     volumes_.push_back(cellMeasure(mesh, c));
     Direction centre{};
