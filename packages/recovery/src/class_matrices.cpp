@@ -38,13 +38,19 @@ void ClassMatrices::find(const CellForms& forms, const int* classes, int count)
     double* table = tables_.data() + std::size_t(place_[std::size_t(classes[c])]) * tableSize();
     const auto& inverse = maps[std::size_t(c)].inverse;
     for (int row = 0; row < rows_; row += 3)
-      for (int col = 0; col < columns_; col += 3)
-        for (std::size_t at = 0; at < 81; ++at) { // [i][k][l][j]
-          const std::size_t i = at / 27, k = at / 9 % 3, l = at / 3 % 3, j = at % 3;
-          const int r = row + int(k), s = col + int(l);
-          table[(row + int(i)) * columns_ + col + int(j)] +=
-              inverse[3 * k + i] * matrices.entry(std::max(r, s), std::min(r, s))[c] * inverse[3 * l + j];
-        }
+      for (int col = 0; col < columns_; col += 3) {
+        double half[3][3] = {}; // A^ F^-1 of two vectors
+        for (int k = 0; k < 3; ++k)
+          for (int l = 0; l < 3; ++l) {
+            const double entry = matrices.entry(std::max(row + k, col + l), std::min(row + k, col + l))[c];
+            for (int j = 0; j < 3; ++j)
+              half[k][j] += entry * inverse[std::size_t(3 * l + j)];
+          }
+        for (int i = 0; i < 3; ++i)
+          for (int j = 0; j < 3; ++j)
+            for (int k = 0; k < 3; ++k)
+              table[(row + i) * columns_ + col + j] += inverse[std::size_t(3 * k + i)] * half[k][j];
+      }
   }
 }
 

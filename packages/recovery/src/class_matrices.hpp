@@ -12,7 +12,7 @@ class ClassMatrices
 {
 public:
   /// A class has a matrix from this many cells on; that takes no more memory than what cells keep for themselves.
-  static constexpr int fewest = 24;
+  static constexpr int fewest = CellForms::lanes;
 
   /// cells must outlive it.
   explicit ClassMatrices(const StressCells& cells);
