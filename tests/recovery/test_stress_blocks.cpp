@@ -18,35 +18,48 @@ class Energy
 public:
   explicit Energy(const test::Problem& problem)
       : body_(problem.body, problem.data), cells_({&body_}), faces_(cells_), edges_(stressEdges(faces_)),
-        matrices_(body_, 0, StressMatrices::numBatches(body_)), blocks(faces_, edges_),
+        ofClasses(cells_), matrices_(cells_, ofClasses, 0, 1), blocks(faces_, edges_, ofClasses),
         unknowns_(faces_, edges_, blocks)
   {
     CellBlocks work(body_.facetData());
-    matrices_.find(0, matrices_.last(), [&](const CellMatrices& found) {
-      const auto parts = blocks.parts(found.cell, found, work);
-      for (int c = 0; c < found.count; ++c)
-        blocks.add(found.cell + c, parts[std::size_t(c)]);
-    });
+    Vector space;
+    for (int batch = 0; batch < matrices_.numBatches(); ++batch)
+      if (matrices_.isOfClass(batch))
+        for (int c = 0; c < matrices_.sizeOf(batch); ++c)
+          blocks.add(matrices_.cells(batch)[c], blocks.partsOfClass(matrices_.cells(batch)[c]));
+      else
+        matrices_.find(batch, space, [&](const CellMatrices& found) {
+          const auto parts = blocks.parts(found, work);
+          for (int c = 0; c < found.count; ++c)
+            blocks.add(found.cells[c], parts[std::size_t(c)]);
+        });
     blocks.invert(Comm::single(), 1);
   }
 
   /// Half its derivative.
   Vector times(const Vector& y) const
   {
+    constexpr std::size_t lanes = StressMatrices::lanes;
     const auto size = std::size_t(body_.facetData());
-    const Vector T = unknowns_.tractions(y, 1);
+    Vector T, gradient;
+    unknowns_.tractions(y, 1, T);
     Vector sums(T.size(), 0.0);
-    for (int batch = 0; batch < matrices_.last(); ++batch) {
-      Vector own(4 * size * StressMatrices::lanes, 0.0), forces(own.size(), 0.0);
-      each(batch, [&](const StressFace& face, std::size_t side, std::size_t at, std::size_t place) {
-        face.toSide(side, T.data() + at * size, int(size), own.data() + place * size);
+    for (int batch = 0; batch < matrices_.numBatches(); ++batch) {
+      Vector x(StressMatrices::mostNumbers, 0.0), forces(x), own(size);
+      each(batch, [&](const StressFace& face, std::size_t side, std::size_t f, std::size_t facet, std::size_t lane) {
+        face.toSide(side, T.data() + f * size, int(size), own.data());
+        for (std::size_t i = 0; i < size; ++i)
+          x[(facet * size + i) * lanes + lane] = own[i];
       });
-      matrices_.multiply(batch, own.data(), forces.data());
-      each(batch, [&](const StressFace& face, std::size_t side, std::size_t at, std::size_t place) {
-        face.fromSide(side, forces.data() + place * size, int(size), sums.data() + at * size);
+      matrices_.multiply(batch, x.data(), forces.data());
+      each(batch, [&](const StressFace& face, std::size_t side, std::size_t f, std::size_t facet, std::size_t lane) {
+        for (std::size_t i = 0; i < size; ++i)
+          own[i] = forces[(facet * size + i) * lanes + lane];
+        face.fromSide(side, own.data(), int(size), sums.data() + f * size);
       });
     }
-    return unknowns_.gradient(sums, 1);
+    unknowns_.gradient(sums, 1, gradient);
+    return gradient;
   }
 
   int numFaces() const { return faces_.size(); }
@@ -58,8 +71,8 @@ private:
   {
     for (int c = 0; c < matrices_.sizeOf(batch); ++c)
       for (int facet = 0; facet < 4; ++facet) {
-        const int cell = batch * StressMatrices::lanes + c, f = faces_.of(cell, facet);
-        visit(faces_[f], faces_[f].sideOf(cell), std::size_t(f), std::size_t(4 * c + facet));
+        const int cell = matrices_.cells(batch)[c], f = faces_.of(cell, facet);
+        visit(faces_[f], faces_[f].sideOf(cell), std::size_t(f), std::size_t(facet), std::size_t(c));
       }
   }
 
@@ -67,6 +80,11 @@ private:
   StressCells cells_;
   StressFaces faces_;
   std::vector<StressEdge> edges_;
+
+public:
+  ClassMatrices ofClasses;
+
+private:
   StressMatrices matrices_;
 
 public:
@@ -76,6 +94,37 @@ private:
   StressUnknowns unknowns_;
 };
 
+/// Every `step`th block, by what the energy makes of unknowns there alone.
+void expectDiagonalBlocks(const Energy& energy, std::size_t step, const std::string& what)
+{
+  const StressBlocks& blocks = energy.blocks;
+  std::vector<int> begin;
+  for (int f = 0; f < energy.numFaces(); ++f)
+    begin.push_back(blocks.ofFace(f));
+  for (std::size_t e = 0; e < energy.numEdges(); ++e)
+    begin.push_back(blocks.ofEdge(e));
+  begin.push_back(blocks.size());
+  test::Random random(7);
+  for (std::size_t b = 0; b + 1 < begin.size(); b += step) {
+    Vector y(std::size_t(blocks.size()), 0.0), same;
+    for (int i = begin[b]; i < begin[b + 1]; ++i)
+      y[std::size_t(i)] = random();
+    blocks.precondition(energy.times(y), std::vector<char>(begin.size() - 1, 0), 1, same);
+    for (int i = begin[b]; i < begin[b + 1]; ++i)
+      EXPECT_NEAR(same[std::size_t(i)], y[std::size_t(i)], 1e-9) << what << ", block " << b;
+  }
+}
+
+/// A box of equal cells with a few points out of place and layers of other sizes.
+Mesh partlyEqual()
+{
+  return test::moved(test::box({6, 6, 6}), [](double* point) {
+    point[0] *= 1.0 + 0.3 * double(point[0] > 0.7);
+    if (point[1] > 0.9 && point[2] > 0.9)
+      point[1] += 0.05 * (1.0 + point[0] + point[0] * point[0]);
+  });
+}
+
 } // namespace
 
 TEST(StressBlocks, AreTheDiagonalBlocksOfTheEnergy)
@@ -84,24 +133,19 @@ TEST(StressBlocks, AreTheDiagonalBlocksOfTheEnergy)
     for (const char* kind : {"clamped", "rollers", "corner"}) {
       const test::Problem problem =
           test::solved(test::makeBody(test::sampleMesh(3, 35.0), 1, test::conditions(3, kind)), degree);
-      const Energy energy(problem);
-      const StressBlocks& blocks = energy.blocks;
-      std::vector<int> begin;
-      for (int f = 0; f < energy.numFaces(); ++f)
-        begin.push_back(blocks.ofFace(f));
-      for (std::size_t e = 0; e < energy.numEdges(); ++e)
-        begin.push_back(blocks.ofEdge(e));
-      begin.push_back(blocks.size());
-      test::Random random(7);
-      for (std::size_t b = 0; b + 1 < begin.size(); b += 11) {
-        Vector y(std::size_t(blocks.size()), 0.0);
-        for (int i = begin[b]; i < begin[b + 1]; ++i)
-          y[std::size_t(i)] = random();
-        const Vector same = blocks.precondition(energy.times(y), std::vector<char>(begin.size() - 1, 0), 1);
-        for (int i = begin[b]; i < begin[b + 1]; ++i)
-          EXPECT_NEAR(same[std::size_t(i)], y[std::size_t(i)], 1e-9) << kind << ", block " << b;
-      }
+      expectDiagonalBlocks(Energy(problem), 11, kind);
     }
+}
+
+TEST(StressBlocks, AreThoseOfEveryFaceAndEdgeWhereCellsShareThem)
+{
+  for (const int degree : {1, 2}) {
+    const test::Problem problem = test::solved(test::makeBody(partlyEqual(), 1, test::conditions(3, "corner")), degree);
+    const Energy energy(problem);
+    EXPECT_GE(energy.ofClasses.size(), 12);
+    EXPECT_LT(energy.blocks.numKept(), energy.blocks.numBlocks() / 2);
+    expectDiagonalBlocks(energy, 53, "shared");
+  }
 }
 
 } // namespace ndframe

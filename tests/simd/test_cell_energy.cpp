@@ -119,6 +119,34 @@ TEST(CellEnergy, IsTheEnergyOfTheStress)
     }
 }
 
+TEST(CellEnergy, OfManySolidCellsIsThatOfEachAlone)
+{
+  const auto laws = test::sampleLaws(3);
+  for (const int degree : {1, 2})
+    for (int order = 1; order <= degree; ++order) {
+      BodyModel body = test::bodyOf(test::shaken(test::box({2, 3, 3}), 0.05, 3), order, laws[0]);
+      std::vector<int> ofCell, cells;
+      for (int c = 0; c < body.mesh.numCells(); ++c) {
+        ofCell.push_back(c % int(laws.size()));
+        if (c % 5 != 3)
+          cells.push_back(c);
+      }
+      body.laws = CellLaws(laws, ofCell);
+      test::Random random(8);
+      StressCorrection correction = zeroCorrection(body.mesh, degree);
+      correction.tractions = random.vector(correction.tractions.size());
+      correction.loads = random.vector(correction.loads.size());
+      const Vector u = random.vector(std::size_t(body.numDofs()));
+      const Vector found = solidDistances(body, correction, &u, cells);
+      ASSERT_EQ(found.size(), cells.size());
+      ASSERT_NE(found.size() % 8, 0U) << "some lanes are without a cell";
+      for (std::size_t i = 0; i < cells.size(); ++i)
+        EXPECT_NEAR(found[i] / equilibratedStress(body, u, correction, cells[i]).energy(body.laws(cells[i])), 1.0,
+                    1e-10)
+            << "cell " << cells[i] << ", degree " << degree << ", order " << order;
+    }
+}
+
 TEST(CellEnergy, OfAnElasticStressIsTheDisplacementsEnergy)
 {
   // A compatible strain is orthogonal to all bubbles: the stress of least energy is K eps(u) itself.

@@ -4,7 +4,6 @@
 #include <numeric>
 
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/equilibrium/equilibrated_stress.hpp"
 #include "ndframe/simd/cell_distances.hpp"
 
 namespace ndframe
@@ -12,8 +11,8 @@ namespace ndframe
 namespace
 {
 
-/// Cells that are measured together, whoever does it: BLAS rounds in another way with another number of them.
-constexpr std::int64_t group = visitedTogether;
+/// Cells that a thread measures before it takes the next ones.
+constexpr std::int64_t group = 256;
 
 std::vector<int> allCells(const BodyModel& body)
 {

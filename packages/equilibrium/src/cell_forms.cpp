@@ -1,9 +1,6 @@
 #include "ndframe/equilibrium/cell_forms.hpp"
 
 #include <algorithm>
-#include <cmath>
-
-#include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
@@ -16,7 +13,7 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
       table_.push_back(energy(i, j));
   };
   for (int i = 0; i < reference.coefficients; ++i) {
-    for (int j = 0; j < reference.tractions; ++j)
+    for (int j = 0; j < data; ++j)
       lift_.push_back(reference.lift(i, j));
     for (int j = 0; j < reference.bubbles; ++j)
       bubble_.push_back(reference.bubble(i, j));
@@ -30,57 +27,16 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
   for (int j = 0; j < size; ++j)
     for (int i = std::max(j, data); i < size; ++i)
       add(i, j);
-  const std::size_t terms = reference.energy.size(), own = std::size_t(data) * std::size_t(data + 1) / 2;
-  ofBubbles_ = DenseMatrix(int(table_.size() / terms - own), int(terms));
-  for (int m = 0; m < ofBubbles_.cols(); ++m)
-    for (int i = 0; i < ofBubbles_.rows(); ++i)
-      ofBubbles_(i, m) = table_[(own + std::size_t(i)) * terms + std::size_t(m)];
 }
 
-/// bubbles = - bb^-1 bd data.
-void CellForms::addBubbles(const double* packed, const double* data, double* bubbles) const
+const CellForms& solidForms(int degree)
 {
-  const int count = reference_.bubbles;
-  for (int j = 0; j < reference_.data(); ++j)
-    for (int b = 0; b < count; ++b)
-      bubbles[b] -= *packed++ * data[j];
-  DenseMatrix L(count, count);
-  for (int j = 0; j < count; ++j)
-    for (int i = j; i < count; ++i)
-      L(i, j) = *packed++;
-  for (int b = 0; b < count; ++b) {
-    for (int k = 0; k < b; ++k) {
-      for (int i = b; i < count; ++i)
-        L(i, b) -= L(b, k) * L(i, k);
-      bubbles[b] -= L(b, k) * bubbles[k];
-    }
-    NDFRAME_ASSERT(L(b, b) > 0.0, "the energy of bubbles is positive");
-    const double pivot = 1.0 / std::sqrt(L(b, b));
-    for (int i = b; i < count; ++i)
-      L(i, b) *= pivot;
-    bubbles[b] *= pivot;
+  if (degree == 1) {
+    static const CellForms linear(referenceStress(3, 1));
+    return linear;
   }
-  for (int b = count - 1; b >= 0; --b) {
-    for (int i = b + 1; i < count; ++i)
-      bubbles[b] -= L(i, b) * bubbles[i];
-    bubbles[b] /= L(b, b);
-  }
-}
-
-DenseMatrix CellForms::coefficients(const DenseMatrix& compliances, const DenseMatrix& data) const
-{
-  DenseMatrix result = multiply(reference_.lift, data);
-  if (reference_.bubbles == 0)
-    return result;
-  const DenseMatrix packed = multiply(ofBubbles_, compliances);
-  DenseMatrix bubbles(reference_.bubbles, data.cols());
-  for (int cell = 0; cell < data.cols(); ++cell)
-    addBubbles(packed.col(cell), data.col(cell), bubbles.col(cell));
-  const DenseMatrix inside = multiply(reference_.bubble, bubbles);
-  for (int cell = 0; cell < data.cols(); ++cell)
-    for (int i = 0; i < result.rows(); ++i)
-      result(i, cell) += inside(i, cell);
-  return result;
+  static const CellForms quadratic(referenceStress(3, 2));
+  return quadratic;
 }
 
 } // namespace ndframe

@@ -1,8 +1,10 @@
+#include <algorithm>
 #include <cmath>
 
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/lanes.hpp"
 #include "ndframe/equilibrium/cell_forms.hpp"
+#include "ndframe/equilibrium/lane_tables.hpp"
 
 namespace ndframe
 {
@@ -92,24 +94,6 @@ NDFRAME_EVERY_PROCESSOR void subtractSquare(const double* Y, std::size_t data, d
   }
 }
 
-/// y_i = sum_j table[i][j] x_j, rows a multiple of six
-NDFRAME_EVERY_PROCESSOR void multiplyTable(const double* table, std::size_t rows, std::size_t columns, const double* x,
-                                           double* y)
-{
-  constexpr std::size_t together = 6;
-  for (std::size_t i = 0; i < rows; i += together, table += together * columns, y += together * lanes) {
-    DoubleLanes sums[together] = {}, value;
-    for (std::size_t j = 0; j < columns; ++j) {
-      load(x + j * lanes, value);
-#pragma GCC unroll 6
-      for (std::size_t k = 0; k < together; ++k)
-        sums[k] += table[k * columns + j] * value;
-    }
-    for (std::size_t k = 0; k < together; ++k)
-      store(sums[k], y + k * lanes);
-  }
-}
-
 /// Stresses become what they do work with: on every sub-cell, for every function, the compliance times the weight that
 /// makes the functions' products integrals. stress: by sub-cell, component, function.
 NDFRAME_EVERY_PROCESSOR void weigh(const double* compliances, std::size_t modes, double* stress)
@@ -193,22 +177,50 @@ std::size_t CellForms::factorSize() const
   return reference_.bubbles > 0 ? factorEntries : 0;
 }
 
+/// The coefficients of the bubbles that go with a stress, from what it does work with.
+void CellForms::findBubbles(const double* factor, const double* weighed, double* inside) const
+{
+  const auto coefficients = std::size_t(reference_.coefficients);
+  double y[bubbles * lanes];
+  multiplyTable(bubbled_.data(), coefficients, bubbles, coefficients, weighed, y);
+  solveNegative(factor, y);
+  multiplyTable(bubble_.data(), bubbles, coefficients, bubbles, y, inside);
+}
+
+void CellForms::leastStress(const double* compliances, const double* data, double* stress) const
+{
+  const auto coefficients = std::size_t(reference_.coefficients), columns = std::size_t(reference_.data());
+  multiplyTable(lift_.data(), columns, coefficients, columns, data, stress);
+  if (reference_.bubbles == 0)
+    return;
+  DoubleLanes ofBubbles[factorEntries];
+  double inside[mostCoefficients * lanes], own[factorEntries * lanes];
+  combine(table_.data() + table_.size() - factorEntries * terms, factorEntries, compliances, own);
+  std::memcpy(ofBubbles, own, sizeof(ofBubbles));
+  const bool isPositive = factor(ofBubbles);
+  NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
+  std::memcpy(own, ofBubbles, sizeof(ofBubbles));
+  double weighed[mostCoefficients * lanes];
+  std::copy_n(stress, coefficients * lanes, weighed);
+  weigh(compliances, std::size_t(reference_.basis.size()), weighed);
+  findBubbles(own, weighed, inside);
+  add(inside, coefficients, stress);
+}
+
 void CellForms::apply(const double* compliances, const double* factor, const double* T, double* forces) const
 {
   const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
   const auto modes = std::size_t(reference_.basis.size());
   double stress[mostCoefficients * lanes];
-  multiplyTable(lift_.data(), coefficients, tractions, T, stress);
+  multiplyTable(lift_.data(), std::size_t(reference_.data()), coefficients, tractions, T, stress);
   weigh(compliances, modes, stress);
   if (reference_.bubbles > 0) {
-    double y[bubbles * lanes], inside[mostCoefficients * lanes];
-    multiplyTable(bubbled_.data(), bubbles, coefficients, stress, y);
-    solveNegative(factor, y);
-    multiplyTable(bubble_.data(), coefficients, bubbles, y, inside);
+    double inside[mostCoefficients * lanes];
+    findBubbles(factor, stress, inside);
     weigh(compliances, modes, inside);
     add(inside, coefficients, stress);
   }
-  multiplyTable(lifted_.data(), tractions, coefficients, stress, forces);
+  multiplyTable(lifted_.data(), coefficients, tractions, coefficients, stress, forces);
 }
 
 } // namespace ndframe

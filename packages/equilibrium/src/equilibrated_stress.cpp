@@ -1,10 +1,7 @@
 #include "ndframe/equilibrium/equilibrated_stress.hpp"
 
-#include <algorithm>
-
 #include "ndframe/assembly/cell_field.hpp"
 #include "ndframe/equilibrium/cell_form.hpp"
-#include "ndframe/equilibrium/cell_forms.hpp"
 #include "ndframe/equilibrium/sub_cell.hpp"
 
 namespace ndframe
@@ -75,34 +72,6 @@ SplitStress equilibratedStress(const BodyModel& body, const Vector& displacement
   SplitStress stress = correctionStress(body, correction, cell);
   addElasticStress(body, displacement, cell, stress);
   return stress;
-}
-
-void visitStresses(const BodyModel& body, const Vector* displacement, const StressCorrection& correction,
-                   const std::vector<int>& cells, const std::function<void(int, const SplitStress&)>& visit)
-{
-  constexpr int together = visitedTogether;
-  const ReferenceStress& reference = referenceStress(body.mesh.dim, correction.degree);
-  const CellForms forms(reference);
-  for (int first = 0; first < int(cells.size()); first += together) {
-    const int *cell = cells.data() + first, count = std::min(together, int(cells.size()) - first);
-    DenseMatrix compliances(int(reference.energy.size()), count), data(reference.data(), count);
-    std::vector<SplitStress> stresses;
-    for (int c = 0; c < count; ++c) {
-      stresses.push_back(zeroStress(body, reference, cell[c]));
-      const auto entries = pulledBackCompliance(stresses.back().map, body.laws(cell[c]));
-      std::copy(entries.begin(), entries.end(), compliances.col(c));
-      const Vector pulled = pullBack(reference, stresses.back().map, correction, cell[c]);
-      std::copy(pulled.begin(), pulled.end(), data.col(c));
-    }
-    const DenseMatrix coefficients = forms.coefficients(compliances, data);
-    for (int c = 0; c < count; ++c) {
-      SplitStress& stress = stresses[std::size_t(c)];
-      stress.coefficients = coefficients.column(c);
-      if (displacement != nullptr)
-        addElasticStress(body, *displacement, cell[c], stress);
-      visit(cell[c], stress);
-    }
-  }
 }
 
 } // namespace ndframe

@@ -28,7 +28,12 @@ public:
         correction_(correction), reference_(referenceStress(data.dim, data.degree)),
         facetMeans_(meanCoordinates(facetBasis(data.dim, data.degree))),
         cellMeans_(meanCoordinates(loadBasis(data.dim, data.degree))), size_(diameter(body.mesh)), tree_(body.mesh)
-  {}
+  {
+    elastic_.reserve(std::size_t(mesh_.numCells()));
+    left_.reserve(elastic_.capacity());
+    for (int cell = 0; cell < mesh_.numCells(); ++cell)
+      elastic_.push_back(cellStress(body, cell, tree_.cell(cell), displacement_));
+  }
 
   void run()
   {
@@ -71,7 +76,8 @@ private:
   const Vector facetMeans_, cellMeans_;
   const double size_; ///< moments are divided by it
   const CellTree tree_;
-  std::vector<Vector> left_; ///< per cell: wrench of its tractions minus that of its loads, about its centre
+  std::vector<CellStress> elastic_; ///< K eps(u~) per cell
+  std::vector<Vector> left_;        ///< per cell: wrench of its tractions minus that of its loads, about its centre
 };
 
 Facet BalanceSettler::facetOf(int half) const
@@ -83,14 +89,15 @@ Facet BalanceSettler::facetOf(int half) const
 /// Moments of K eps(u~) n, outward: |f| n = - dim |E| grad lambda of the opposite vertex.
 Vector BalanceSettler::elasticTraction(int half) const
 {
-  const int dim = data_.dim, cell = half / (dim + 1), facet = half % (dim + 1);
-  const CellStress stress = cellStress(body_, cell, tree_.cell(cell), displacement_);
+  const int dim = data_.dim, facet = half % (dim + 1);
+  const CellStress& stress = elastic_[std::size_t(half / (dim + 1))];
   Vector moments(std::size_t(facetData()), 0.0);
-  for (int k = 0; k < reference_.facetModes; ++k)
-    for (int b = 0; b < dim; ++b)
-      addForce(stress, b < facet ? b : b + 1, facet,
-               -dim * stress.measure * facetMeans_[std::size_t(k) * std::size_t(dim) + std::size_t(b)],
-               moments.data() + std::ptrdiff_t(k) * dim);
+  for (int b = 0; b < dim; ++b) {
+    double force[3] = {};
+    addForce(stress, b < facet ? b : b + 1, facet, -dim * stress.measure, force);
+    for (std::size_t at = 0; at < moments.size(); ++at)
+      moments[at] += facetMeans_[at - at % std::size_t(dim) + std::size_t(b)] * force[at % std::size_t(dim)];
+  }
   return moments;
 }
 
@@ -141,7 +148,7 @@ void BalanceSettler::setLoads(int cell)
   }
   if (data_.order == 1)
     return;
-  const CellStress stress = cellStress(body_, cell, tree_.cell(cell), displacement_);
+  const CellStress& stress = elastic_[std::size_t(cell)];
   for (int vertex = 0; vertex <= dim; ++vertex) // the first load mode is 1, the others have no mean value
     addForce(stress, vertex, vertex, -stress.measure, loads);
 }
@@ -163,10 +170,7 @@ Vector BalanceSettler::arms(int half, const Vector& about) const
 
 void BalanceSettler::addTo(Vector& wrench, int half, const Vector& about, const Vector& traction, double sign) const
 {
-  const DenseMatrix map = wrenchMap(data_.dim, arms(half, about), reference_.facetModes, size_);
-  for (int j = 0; j < map.cols(); ++j)
-    for (int i = 0; i < map.rows(); ++i)
-      wrench[std::size_t(i)] += sign * map(i, j) * traction[std::size_t(j)];
+  addWrench(data_.dim, arms(half, about), traction.data(), sign, size_, wrench);
 }
 
 Vector BalanceSettler::cellWrench(int cell)
@@ -177,11 +181,7 @@ Vector BalanceSettler::cellWrench(int cell)
   for (int half = cell * (dim + 1); half < (cell + 1) * (dim + 1); ++half)
     addTo(wrench, half, about, Vector(traction(half), traction(half) + facetData()), 1.0);
   const Vector loadArms = momentArms(cellMeans_, corners(mesh_, tree_.cell(cell), -1), about.data(), dim);
-  const DenseMatrix map = wrenchMap(dim, loadArms, reference_.loadModes, size_);
-  const double* load = correction_.loads.data() + std::ptrdiff_t(cell) * reference_.loads;
-  for (int j = 0; j < map.cols(); ++j)
-    for (int i = 0; i < map.rows(); ++i)
-      wrench[std::size_t(i)] -= map(i, j) * load[j];
+  addWrench(dim, loadArms, correction_.loads.data() + std::ptrdiff_t(cell) * reference_.loads, -1.0, size_, wrench);
   return wrench;
 }
 

@@ -102,6 +102,23 @@ DenseMatrix wrenchMap(int dim, const Vector& arms, int modes, double size)
   return map;
 }
 
+void addWrench(int dim, const Vector& arms, const double* T, double sign, double size, Vector& wrench)
+{
+  const auto components = std::size_t(dim);
+  for (std::size_t at = 0; at < arms.size(); at += components) {
+    Direction force{}, arm{};
+    for (std::size_t i = 0; i < components; ++i) {
+      force[i] = sign * T[at + i];
+      arm[i] = arms[at + i] / size;
+    }
+    for (std::size_t i = 0; i < components && at == 0; ++i) // the first function is one, the others have no mean
+      wrench[i] += force[i];
+    const Direction moment = cross(arm, force);
+    for (std::size_t m = components; m < wrench.size(); ++m)
+      wrench[m] += dim == 2 ? moment[2] : moment[m - components];
+  }
+}
+
 Vector wrenchAbout(int dim, Vector wrench, const Vector& from, const Vector& to, double size)
 {
   Direction arm{}, force{};
@@ -140,6 +157,7 @@ Vector meanCoordinates(const MomentBasis& basis)
 std::vector<const double*> corners(const Mesh& mesh, const SortedCell& cell, int facet)
 {
   std::vector<const double*> points;
+  points.reserve(std::size_t(mesh.dim) + 1);
   for (int v = 0; v <= mesh.dim; ++v)
     if (v != facet)
       points.push_back(mesh.point(cell.vertices[std::size_t(v)]));

@@ -95,8 +95,9 @@ void BodyStars::solveGeneral(const std::vector<FieldInput>& fields, const std::v
   const StarLoads loads(body_, fields);
   for (const int vertex : vertices) {
     const StarSystem system(body_, body_.star(vertex));
-    StarFields x = loads.initial(system.star());
-    const Vector imbalance = system.balance(x), force = loads.forces(system.star());
+    Vector force;
+    StarFields x = loads.initial(system.star(), force);
+    const Vector imbalance = system.balance(x);
     system.relax(x);
     add(body_, system.star(), x, pointersTo(corrections));
     for (std::size_t field = 0; field < fields.size(); ++field) {

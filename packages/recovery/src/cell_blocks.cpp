@@ -85,17 +85,17 @@ void CellBlocks::clear()
 
 void CellBlocks::put(int lane, int facet, const StressFace& face, std::size_t side)
 {
-  NDFRAME_ASSERT(face.numOwn() <= mostOwn && face.carrier.cols() <= mostCarriers, "faces of degree 1 or 2");
+  NDFRAME_ASSERT(face.numOwn() <= mostOwn && face.free->carrier.cols() <= mostCarriers, "faces of degree 1 or 2");
   if (side == 1 && face.turned.rows() > 0) {
     put(lane, face.onSide(side, face.allOwn()), 1.0, facet, 0);
-    put(lane, face.onSide(side, face.carrier), 1.0, facet, mostOwn);
+    put(lane, face.onSide(side, face.free->carrier), 1.0, facet, mostOwn);
     return;
   }
   const double sign = side == 0 ? 1.0 : -1.0;
-  put(lane, face.own, sign, facet, 0);
-  for (int k = 0; k < face.higher; ++k)
-    put(lane, column(facet, face.own.cols() + k), face.own.rows() + k, sign);
-  put(lane, face.carrier, sign, facet, mostOwn);
+  put(lane, face.free->own, sign, facet, 0);
+  for (int k = 0; k < face.free->higher; ++k)
+    put(lane, column(facet, face.free->own.cols() + k), face.free->own.rows() + k, sign);
+  put(lane, face.free->carrier, sign, facet, mostOwn);
 }
 
 void CellBlocks::put(int lane, const DenseMatrix& columns, double sign, int facet, int first)

@@ -15,8 +15,8 @@ namespace ndframe
 namespace
 {
 
-constexpr int highestDegree = 2;    ///< of stresses in space
-constexpr int starsTogether = 1024; ///< that are kept until they are added in order
+constexpr int highestDegree = 2;   ///< of stresses in space
+constexpr int starsTogether = 128; ///< that are kept until they are added in order; 16 kB each
 
 /// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken. Any
 /// thread may say so.
@@ -54,7 +54,7 @@ class GlobalStages
 public:
   GlobalStages(const RecoveryScene& scene, const std::vector<SceneField>& fields, int steps, const Comm& comm,
                Ledger& ledger)
-      : scene_(scene), fields_(fields), steps_(steps), comm_(comm), threads_(numThreads(comm)),
+      : scene_(scene), fields_(fields), steps_(steps), comm_(comm), ledger_(ledger), threads_(numThreads(comm)),
         progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, comm, ledger)
   {
     for (const SceneField& field : fields) {
@@ -94,7 +94,9 @@ private:
     for (const int body : bodies)
       balance(body, faces);
     const DescentWatch watch{[this] { progress_.cellIsRead(); }, [this] { progress_.stepIsTaken(); }};
-    StressDescent(faces, contact, descentFields(), watch, comm_, threads_).lower(steps_);
+    StressDescent descent(faces, contact, descentFields(), watch, comm_, threads_);
+    ledger_.count("cell matrices", descent.numMatrices());
+    descent.lower(steps_);
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
         stresses_[f].tractions[1] = stresses_[f].tractions[0];
@@ -140,7 +142,8 @@ private:
       corrections.push_back(&stresses_[f].corrections[b]);
     }
     const StarBody& stars = faces.cells().body(body);
-    const StarLoads loads(stars, inputs);
+    StarLoads loads(stars, inputs);
+    loads.keepStresses(threads_);
     const WrenchBalance balance(body, faces);
     const int vertices = scene_.bodies[b]->mesh.numPoints();
     for (int first = 0, last = 0; first < vertices; first = last) {
@@ -167,9 +170,8 @@ private:
   static BalancedStar balancedStar(Star star, const StarLoads& loads, const WrenchBalance& balance)
   {
     BalancedStar result{std::move(star), {}, {}, {}};
-    result.x = loads.initial(result.star);
+    result.x = loads.initial(result.star, result.force);
     result.left = balance.balance(result.star, result.x);
-    result.force = loads.forces(result.star);
     return result;
   }
 
@@ -186,6 +188,7 @@ private:
   const std::vector<SceneField>& fields_;
   int steps_;
   const Comm& comm_;
+  Ledger& ledger_;
   int threads_;
   RecoveryProgress progress_;
   std::vector<SceneStress> stresses_; ///< per field

@@ -51,9 +51,10 @@ std::vector<TractionStep> InterfaceStars::firstSteps(const SceneField& field,
     for (int v = task * block; v < std::min(last, (task + 1) * block); ++v) {
       const InterfaceStar star(scene_, bodies_, vertices_[std::size_t(v)]);
       std::vector<StarFields> x(star.sides().size());
+      Vector forces;
       for (std::size_t s = 0; s < x.size(); ++s) {
         const InterfaceStar::Side& side = star.sides()[s];
-        x[s] = loads[std::size_t(side.body)]->initial(side.system.star());
+        x[s] = loads[std::size_t(side.body)]->initial(side.system.star(), forces);
         side.system.balance(x[s]);
       }
       found[std::size_t(v)] = star.step(x, field.opening);

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/equilibrium/cell_stress.hpp"
+#include "ndframe/algebra/threads.hpp"
 
 namespace ndframe
 {
@@ -19,24 +19,33 @@ void StarLoads::addStress(const Star& star, int field, double* x) const
 {
   const int dim = body_->dim(), data = body_->reference().data(), facetData = body_->facetData();
   for (const StarCell& cell : star.cells) {
-    const CellStress stress =
-        cellStress(body_->model(), cell.cell, cell.sorted, *fields_[std::size_t(field)].displacement);
+    const CellStress found = stresses_.empty() ? cellStress(body_->model(), cell.cell, cell.sorted,
+                                                            *fields_[std::size_t(field)].displacement)
+                                               : CellStress();
+    const CellStress& stress = stresses_.empty() ? found : stresses_[std::size_t(field)][std::size_t(cell.cell)];
     for (int facet = 0; facet <= dim; ++facet) {
       if (facet == cell.apex)
         continue;
       const int a = Star::apexOnFacet(cell.apex, facet);
-      for (int b = 0; b < dim; ++b)
+      for (int b = 0; b < dim; ++b) {
+        double force[3] = {};
+        addForce(stress, b < facet ? b : b + 1, facet, dim * stress.measure, force);
+        double* traction = x + std::ptrdiff_t(facet) * facetData;
         for (int k = 0; k < body_->facetModes(); ++k) {
           const double share =
               body_->data().order == 1 ? facetShares_.ofOne(a)[k] / dim : facetShares_.ofLinear(a, b)[k];
-          addForce(stress, b < facet ? b : b + 1, facet, dim * stress.measure * share,
-                   x + std::ptrdiff_t(facet) * facetData + std::ptrdiff_t(k) * dim);
+          for (int i = 0; i < dim; ++i)
+            *traction++ += share * force[i];
         }
+      }
     }
-    for (int v = 0; v <= dim && body_->data().order == 2; ++v)
+    for (int v = 0; v <= dim && body_->data().order == 2; ++v) {
+      double force[3] = {}, *load = x + body_->reference().tractions;
+      addForce(stress, v, v, -stress.measure, force);
       for (int k = 0; k < body_->loadModes(); ++k)
-        addForce(stress, v, v, -stress.measure * cellShares_.ofOne(cell.apex)[k],
-                 x + body_->reference().tractions + std::ptrdiff_t(k) * dim);
+        for (int i = 0; i < dim; ++i)
+          *load++ += cellShares_.ofOne(cell.apex)[k] * force[i];
+    }
     x += data;
   }
 }
@@ -79,14 +88,21 @@ void StarLoads::addLoads(const Star& star, int field, double* x) const
   }
 }
 
-StarFields StarLoads::initial(const Star& star) const
+StarFields StarLoads::initial(const Star& star, Vector& forces) const
 {
   const int data = body_->reference().data(), facetData = body_->facetData();
   StarFields fields(int(star.cells.size()) * data, int(fields_.size()));
+  Vector loads(std::size_t(fields.rows()));
+  forces.assign(fields_.size(), 0.0);
   for (int field = 0; field < fields.cols(); ++field) {
-    double* x = fields.col(field);
+    double *x = fields.col(field), &force = forces[std::size_t(field)];
+    std::fill(loads.begin(), loads.end(), 0.0);
     addStress(star, field, x);
-    addLoads(star, field, x);
+    addLoads(star, field, loads.data());
+    for (std::size_t i = 0; i < loads.size(); ++i) {
+      force += std::abs(x[i]) + std::abs(loads[i]);
+      x[i] += loads[i];
+    }
     for (const Spoke& spoke : star.spokes) {
       double* first = x + std::ptrdiff_t(spoke.cell[0]) * data + std::ptrdiff_t(spoke.facet[0]) * facetData;
       if (!spoke.onBoundary()) {
@@ -104,21 +120,17 @@ StarFields StarLoads::initial(const Star& star) const
   return fields;
 }
 
-Vector StarLoads::forces(const Star& star) const
+void StarLoads::keepStresses(int threads)
 {
-  Vector result;
-  Vector x(star.cells.size() * std::size_t(body_->reference().data()));
-  for (int field = 0; field < int(fields_.size()); ++field) {
-    double sum = 0.0;
-    for (const auto addPart : {&StarLoads::addStress, &StarLoads::addLoads}) {
-      std::fill(x.begin(), x.end(), 0.0);
-      (this->*addPart)(star, field, x.data());
-      for (const double moment : x)
-        sum += std::abs(moment);
-    }
-    result.push_back(sum);
+  const Mesh& mesh = body_->model().mesh;
+  stresses_.resize(fields_.size());
+  for (std::size_t f = 0; f < fields_.size(); ++f) {
+    stresses_[f].resize(std::size_t(mesh.numCells()));
+    runInRanges(mesh.numCells(), threads, [&](int first, int last) {
+      for (int c = first; c < last; ++c)
+        stresses_[f][std::size_t(c)] = cellStress(body_->model(), c, sortedCell(mesh, c), *fields_[f].displacement);
+    });
   }
-  return result;
 }
 
 namespace

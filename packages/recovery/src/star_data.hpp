@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ndframe/equilibrium/cell_stress.hpp"
 #include "ndframe/equilibrium/stress_correction.hpp"
 #include "star_body.hpp"
 
@@ -20,9 +21,10 @@ public:
   /// What the star's share of the correction has to satisfy, before any spoke carries anything: rim zero, interior
   /// spokes T_1 = 0, T_2 = - share of the jump, boundary spokes share of p - sigma~ n (contact included; supported
   /// directions zero), G = - share of (b + div sigma~). Cells are not in balance yet.
-  StarFields initial(const Star& star) const;
-  /// Per field: the forces that sigma~ and the loads amount to in the star, to measure an imbalance with.
-  Vector forces(const Star& star) const;
+  /// forces: per field those that sigma~ and the loads amount to in the star, to measure an imbalance with.
+  StarFields initial(const Star& star, Vector& forces) const;
+  /// Finds sigma~ in all cells, 0.3 kB each and field: for who asks for all stars.
+  void keepStresses(int threads);
 
 private:
   void addStress(const Star& star, int field, double* x) const;
@@ -32,6 +34,7 @@ private:
   const StarBody* body_;
   std::vector<FieldInput> fields_;
   Shares facetShares_, cellShares_;
+  std::vector<std::vector<CellStress>> stresses_; ///< per field and cell, or empty
 };
 
 /// Corrections of a body, one per field.

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <map>
+#include <numeric>
 
 #include "ndframe/algebra/threads.hpp"
 
@@ -27,68 +29,140 @@ void addProduct(const ThroughMatrix& left, const DenseMatrix& W, int row, int co
 
 } // namespace
 
-StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges)
-    : faces_(&faces), edges_(&edges), edgesOf_(std::size_t(faces.cells().size()))
+StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges,
+                           const ClassMatrices& matrices)
+    : faces_(&faces), edges_(&edges), ofClasses_(faces, edges, matrices)
 {
-  const auto addBlock = [&](int size) {
-    at_.push_back(at_.back() + std::size_t(size) * std::size_t(size));
-    begin_.push_back(begin_.back() + size);
-  };
   for (const StressFace& face : faces.all())
-    addBlock(face.numOwn());
-  for (std::size_t e = 0; e < edges.size(); ++e) {
-    addBlock(edges[e].basis.cols());
-    for (const StressEdge::Step& step : edges[e].ring)
-      if (step.cell >= 0)
-        edgesOf_[std::size_t(step.cell)].push_back(int(e));
-  }
-  blocks_.assign(at_.back(), 0.0);
+    begin_.push_back(begin_.back() + face.numOwn());
+  for (const StressEdge& edge : edges)
+    begin_.push_back(begin_.back() + edge.basis.cols());
+  place();
+  listEdges();
+  blocks_.assign(alone_, 0.0);
 }
 
-/// take(block) for those of a cell's faces, then of its edges.
+/// Finds which blocks are shared, and where blocks are.
+void StressBlocks::place()
+{
+  std::map<std::vector<int>, int> known; // faces' keys are shorter than edges'
+  at_.assign(std::size_t(numBlocks()), 0);
+  isShared_.assign(at_.size(), 0);
+  factor_.assign(at_.size(), 1.0);
+  first_.resize(at_.size());
+  std::vector<int> shared;
+  for (int b = 0; b < numBlocks(); ++b) {
+    const bool isFace = b < faces_->size();
+    const int edge = b - faces_->size();
+    first_[std::size_t(b)] = b;
+    auto key = isFace ? ofClasses_.keyOfFace(b) : ofClasses_.keyOfEdge(edge);
+    if (key.empty()) {
+      at_[std::size_t(b)] = alone_;
+      alone_ += entries(b);
+      numKept_ += int(sizeOf(b) > 0);
+      continue;
+    }
+    key.push_back(int(isFace));
+    const int first = known.emplace(std::move(key), b).first->second;
+    const auto scale = [&](int block) {
+      return isFace ? ofClasses_.scaleOfFace(block) : ofClasses_.scaleOfEdge(block - faces_->size());
+    };
+    first_[std::size_t(b)] = first;
+    isShared_[std::size_t(b)] = 1;
+    factor_[std::size_t(b)] = scale(first) / scale(b);
+    shared.push_back(b);
+  }
+  std::size_t end = alone_;
+  for (const int b : shared) {
+    at_[std::size_t(b)] = first_[std::size_t(b)] == b ? end : at_[std::size_t(first_[std::size_t(b)])];
+    if (first_[std::size_t(b)] == b) {
+      end += entries(b);
+      ++numKept_;
+    }
+  }
+}
+
+/// Edges with blocks of their own, by cells.
+void StressBlocks::listEdges()
+{
+  firstEdge_.assign(std::size_t(faces_->cells().size()) + 2, 0);
+  const auto each = [&](const auto& visit) {
+    for (std::size_t e = 0; e < edges_->size(); ++e)
+      for (const StressEdge::Step& step : (*edges_)[e].ring)
+        if (step.cell >= 0 && !isShared(faces_->size() + int(e)))
+          visit(std::size_t(step.cell), int(e));
+  };
+  each([&](std::size_t cell, int) { ++firstEdge_[cell + 2]; });
+  std::partial_sum(firstEdge_.begin(), firstEdge_.end(), firstEdge_.begin());
+  edgesOf_.resize(std::size_t(firstEdge_.back()));
+  each([&](std::size_t cell, int e) { edgesOf_[std::size_t(firstEdge_[cell + 1]++)] = e; });
+}
+
+/// take(block) for those that a cell's faces, then its edges, have alone.
 template <class Take>
 void StressBlocks::eachBlock(int cell, const Take& take) const
 {
   for (int facet = 0; facet < 4; ++facet)
-    take(faces_->of(cell, facet));
-  for (const int e : edgesOf_[std::size_t(cell)])
-    take(faces_->size() + e);
+    if (!isShared(faces_->of(cell, facet)))
+      take(faces_->of(cell, facet));
+  for (int at = firstEdge_[std::size_t(cell)]; at < firstEdge_[std::size_t(cell) + 1]; ++at)
+    take(faces_->size() + edgesOf_[std::size_t(at)]);
 }
 
-std::vector<Vector> StressBlocks::parts(int first, const CellMatrices& matrices, CellBlocks& blocks) const
+std::vector<Vector> StressBlocks::parts(const CellMatrices& matrices, CellBlocks& blocks) const
 {
   blocks.clear();
   for (int lane = 0; lane < matrices.count; ++lane)
     for (int facet = 0; facet < 4; ++facet) {
-      const StressFace& face = (*faces_)[faces_->of(first + lane, facet)];
-      blocks.put(lane, facet, face, face.sideOf(first + lane));
+      const int cell = matrices.cells[lane];
+      const StressFace& face = (*faces_)[faces_->of(cell, facet)];
+      blocks.put(lane, facet, face, face.sideOf(cell));
     }
   blocks.compute(matrices);
   std::vector<Vector> result(std::size_t(matrices.count));
   for (int lane = 0; lane < matrices.count; ++lane) {
     Vector& parts = result[std::size_t(lane)];
-    const int cell = first + lane;
-    std::size_t entries = 0;
-    eachBlock(cell, [&](int block) { entries += std::size_t(sizeOf(block)) * std::size_t(sizeOf(block)); });
-    parts.reserve(entries);
-    for (int facet = 0; facet < 4; ++facet)
-      blocks.addOwn(lane, facet, sizeOf(faces_->of(cell, facet)), parts);
+    const int cell = matrices.cells[lane];
     const DenseMatrix W = blocks.ofCarriers(lane);
-    for (const int e : edgesOf_[std::size_t(cell)]) {
-      const std::size_t begin = parts.size(), size = std::size_t(sizeOf(faces_->size() + e));
-      parts.resize(begin + size * size, 0.0);
-      addEdge(e, cell, W, parts.data() + begin);
-    }
+    int facet = 0;
+    eachBlock(cell, [&](int block) {
+      if (block < faces_->size()) {
+        while (faces_->of(cell, facet) != block)
+          ++facet;
+        blocks.addOwn(lane, facet++, sizeOf(block), parts);
+        return;
+      }
+      parts.resize(parts.size() + entries(block), 0.0);
+      addEdge(block - faces_->size(), cell, W, parts.data() + parts.size() - entries(block));
+    });
   }
   return result;
+}
+
+Vector StressBlocks::partsOfClass(int cell) const
+{
+  Vector parts;
+  int facet = 0;
+  eachBlock(cell, [&](int block) {
+    parts.resize(parts.size() + entries(block), 0.0);
+    double* sum = parts.data() + parts.size() - entries(block);
+    if (block >= faces_->size()) {
+      ofClasses_.addEdge(cell, block - faces_->size(), sum);
+      return;
+    }
+    while (faces_->of(cell, facet) != block)
+      ++facet;
+    ofClasses_.addFace(cell, facet++, sum);
+  });
+  return parts;
 }
 
 void StressBlocks::add(int cell, const Vector& parts)
 {
   const double* part = parts.data();
   eachBlock(cell, [&](int block) {
-    for (std::size_t entry = at_[std::size_t(block)]; entry < at_[std::size_t(block) + 1]; ++entry)
-      blocks_[entry] += *part++;
+    for (std::size_t entry = at_[std::size_t(block)], i = 0; i < entries(block); ++i)
+      blocks_[entry + i] += *part++;
   });
 }
 
@@ -113,32 +187,46 @@ void StressBlocks::addEdge(int e, int cell, const DenseMatrix& W, double* sum) c
 void StressBlocks::invert(const Comm& comm, int threads)
 {
   comm.sum(blocks_);
-  runInRanges(numBlocks(), threads, [&](int first, int last) {
-    for (int b = first; b < last; ++b) {
-      DenseMatrix block(sizeOf(b), sizeOf(b));
+  std::vector<int> kept;
+  std::size_t end = alone_;
+  for (int b = 0; b < numBlocks(); ++b)
+    if (first_[std::size_t(b)] == b) {
+      kept.push_back(b);
+      end = std::max(end, at_[std::size_t(b)] + entries(b));
+    }
+  blocks_.resize(end, 0.0);
+  runInRanges(int(kept.size()), threads, [&](int first, int last) {
+    for (int i = first; i < last; ++i) {
+      const int b = kept[std::size_t(i)];
       double* values = blocks_.data() + at_[std::size_t(b)];
-      const std::size_t entries = at_[std::size_t(b) + 1] - at_[std::size_t(b)];
-      std::copy_n(values, entries, block.col(0));
+      if (isShared(b) && b < faces_->size())
+        ofClasses_.addAllOfFace(b, values);
+      else if (isShared(b))
+        ofClasses_.addAllOfEdge(b - faces_->size(), values);
+      DenseMatrix block(sizeOf(b), sizeOf(b));
+      std::copy_n(values, entries(b), block.col(0));
       const DenseMatrix inverse = DenseCholesky(std::move(block)).inverse();
-      std::copy_n(inverse.col(0), entries, values);
+      std::copy_n(inverse.col(0), entries(b), values);
     }
   });
 }
 
-Vector StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads) const
+void StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads,
+                                Vector& result) const
 {
-  Vector result(gradient.size(), 0.0);
+  result.resize(gradient.size());
   runInRanges(numBlocks(), threads, [&](int begin, int end) {
     for (int b = begin; b < end; ++b) {
-      const auto first = std::size_t(begin_[std::size_t(b)]),
-                 size = std::size_t(held[std::size_t(b)] != 0 ? 0 : sizeOf(b));
+      const auto first = std::size_t(begin_[std::size_t(b)]), size = std::size_t(sizeOf(b));
+      std::array<double, 18> sums{}; // data of a face at most
       const double* column = blocks_.data() + at_[std::size_t(b)];
-      for (std::size_t j = 0; j < size; ++j, column += size)
+      for (std::size_t j = 0; j < size && held[std::size_t(b)] == 0; ++j, column += size)
         for (std::size_t i = 0; i < size; ++i)
-          result[first + i] += column[i] * gradient[first + j];
+          sums[i] += column[i] * gradient[first + j];
+      for (std::size_t i = 0; i < size; ++i)
+        result[first + i] = factor_[std::size_t(b)] * sums[i];
     }
   });
-  return result;
 }
 
 } // namespace ndframe

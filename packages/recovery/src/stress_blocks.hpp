@@ -1,48 +1,60 @@
 #pragma once
 
 #include "cell_blocks.hpp"
-#include "stress_edges.hpp"
-#include "stress_matrices.hpp"
+#include "class_blocks.hpp"
 
 namespace ndframe
 {
 
 /// The diagonal blocks of the energy as a function of the tractions that may change: one a face (StressFace::own), one
 /// an edge (StressEdge::basis); unknowns are numbered in this order. Their inverses precondition the steps of
-/// StressDescent.
+/// StressDescent. Blocks that are the same but for a factor (ClassBlocks) are kept once.
 class StressBlocks
 {
 public:
-  /// Both must outlive it.
-  StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges);
+  /// All must outlive it.
+  StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges, const ClassMatrices& matrices);
 
   int size() const { return begin_.back(); }
   /// The first unknown of a face or of an edge.
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
-  /// What cells' matrices add to the blocks of their faces and edges, per cell. `first`: the number of the first cell;
-  /// `work`: of the calling thread.
-  std::vector<Vector> parts(int first, const CellMatrices& matrices, CellBlocks& work) const;
+  /// What cells' matrices add to the blocks that faces and edges have alone, per cell. `work`: of the calling thread.
+  std::vector<Vector> parts(const CellMatrices& matrices, CellBlocks& work) const;
+  /// The same for a cell with the matrix of its class.
+  Vector partsOfClass(int cell) const;
   void add(int cell, const Vector& parts);
   /// To be called when the ranks have added what is theirs. Collective.
   void invert(const Comm& comm, int threads);
   /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
-  Vector precondition(const Vector& gradient, const std::vector<char>& held, int threads) const;
+  void precondition(const Vector& gradient, const std::vector<char>& held, int threads, Vector& result) const;
   int numBlocks() const { return int(begin_.size()) - 1; }
+  /// Blocks that differ.
+  int numKept() const { return numKept_; }
 
 private:
   int sizeOf(int block) const { return begin_[std::size_t(block) + 1] - begin_[std::size_t(block)]; }
+  std::size_t entries(int block) const { return std::size_t(sizeOf(block)) * std::size_t(sizeOf(block)); }
+  bool isShared(int block) const { return isShared_[std::size_t(block)] != 0; }
+  void place();
+  void listEdges();
   template <class Take>
   void eachBlock(int cell, const Take& take) const;
   void addEdge(int edge, int cell, const DenseMatrix& W, double* sum) const;
 
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;
+  ClassBlocks ofClasses_;
+  int numKept_ = 0;
   std::vector<int> begin_{0};
-  std::vector<std::vector<int>> edgesOf_; ///< per cell
-  std::vector<std::size_t> at_{0};        ///< per block, in what follows: column by column
-  Vector blocks_;                         ///< then their inverses
+  std::vector<int> edgesOf_, firstEdge_; ///< edges with blocks of their own, cell by cell
+  std::vector<int> first_;               ///< per block the first that shares its matrix
+  std::vector<char> isShared_;           ///< per block: equal to those with the same key
+  Vector factor_;                        ///< per block, of the shared inverse
+  std::vector<std::size_t> at_;          ///< per block, in what follows: column by column
+  std::size_t alone_ = 0;                ///< entries of blocks that are not shared; they come first
+  Vector blocks_;                        ///< then their inverses
 };
 
 } // namespace ndframe

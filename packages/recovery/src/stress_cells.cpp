@@ -5,7 +5,20 @@
 namespace ndframe
 {
 
-StressCells::StressCells(std::vector<const StarBody*> bodies) : bodies_(std::move(bodies))
+namespace
+{
+
+std::vector<const BodyModel*> modelsOf(const std::vector<const StarBody*>& bodies)
+{
+  std::vector<const BodyModel*> models;
+  for (const StarBody* body : bodies)
+    models.push_back(body == nullptr ? nullptr : &body->model());
+  return models;
+}
+
+} // namespace
+
+StressCells::StressCells(std::vector<const StarBody*> bodies) : bodies_(std::move(bodies)), classes_(modelsOf(bodies_))
 {
   for (const StarBody* body : bodies_) {
     first_.push_back(first_.back() + (body == nullptr ? 0 : body->model().mesh.numCells()));

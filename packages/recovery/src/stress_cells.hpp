@@ -3,6 +3,7 @@
 #include <utility>
 #include <vector>
 
+#include "cell_classes.hpp"
 #include "star_body.hpp"
 
 namespace ndframe
@@ -28,11 +29,14 @@ public:
   int bodyOf(int number) const;
   const Mesh& mesh(int number) const { return body(bodyOf(number)).model().mesh; }
   SortedCell sorted(int number) const;
+  /// Of all cells, by their numbers.
+  const CellClasses& classes() const { return classes_; }
 
 private:
   std::vector<const StarBody*> bodies_;
   const StarBody* any_ = nullptr;
   std::vector<int> first_{0}; ///< per body, and the end
+  CellClasses classes_;
 };
 
 } // namespace ndframe

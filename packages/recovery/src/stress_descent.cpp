@@ -12,131 +12,169 @@ namespace ndframe
 StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                              std::vector<DescentField> fields, const DescentWatch& watch, const Comm& comm, int threads)
     : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), comm_(comm), threads_(threads),
-      edges_(stressEdges(faces)), blocks_(faces, edges_), unknowns_(faces, edges_, blocks_)
+      edges_(stressEdges(faces)), ofClasses_(faces.cells()), blocks_(faces, edges_, ofClasses_),
+      unknowns_(faces, edges_, blocks_), matrices_(faces.cells(), ofClasses_, comm.rank(), comm.size())
 {
-  const StressCells& cells = faces.cells();
   for (const DescentField& field : fields_) {
     if (field.traction != nullptr)
       add(interiorChange(faces, contact, *field.traction), field);
-    start_.emplace_back(std::size_t(cells.size()) * 4 * std::size_t(facetData()), 0.0);
+    start_.emplace_back(std::size_t(faces.cells().size()) * 4 * std::size_t(facetData()), 0.0);
   }
-  for (int body = 0; body < cells.numBodies(); ++body) {
-    matrices_.push_back(nullptr);
-    if (cells.has(body))
-      findMatrices(body);
-  }
+  findMatrices();
   blocks_.invert(comm, threads);
 }
 
+int StressDescent::numMatrices() const
+{
+  int cells = 0;
+  for (int batch = 0; batch < matrices_.numBatches(); ++batch)
+    if (!matrices_.isOfClass(batch))
+      cells += matrices_.sizeOf(batch);
+  return ofClasses_.size() + int(comm_.sum(cells));
+}
+
 /// Those of this rank.
-void StressDescent::findMatrices(int body)
+void StressDescent::findMatrices()
 {
   constexpr int together = 32; // batches whose parts of blocks are kept until they are added in order
-  const StressCells& cells = faces_->cells();
-  const std::int64_t batches = StressMatrices::numBatches(cells.body(body));
-  matrices_.back() = std::make_unique<StressMatrices>(cells.body(body), int(batches * comm_.rank() / comm_.size()),
-                                                      int(batches * (comm_.rank() + 1) / comm_.size()));
-  StressMatrices& matrices = *matrices_.back();
-  for (int first = matrices.first(); first < matrices.last(); first += together) {
-    const int last = std::min(first + together, matrices.last());
-    std::array<Vector, std::size_t(together) * StressMatrices::lanes> parts;
-    const int begin = first * StressMatrices::lanes;
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  for (int first = 0; first < matrices_.numBatches(); first += together) {
+    const int last = std::min(first + together, matrices_.numBatches());
+    std::array<Vector, std::size_t(together) * lanes> parts;
     runInRanges(last - first, threads_, [&](int from, int to) {
       CellBlocks work(facetData());
-      matrices.find(first + from, first + to, [&](const CellMatrices& found) {
-        auto own = blocks_.parts(cells.number(body, found.cell), found, work);
-        std::move(own.begin(), own.end(), parts.begin() + (found.cell - begin));
-        addStart(body, found);
-        for (int c = 0; c < found.count; ++c)
-          watch_.cellIsRead();
+      Vector space;
+      for (int batch = first + from; batch < first + to; ++batch)
+        findMatrices(batch, work, space, parts.data() + std::size_t(batch - first) * lanes);
+    });
+    for (int batch = first; batch < last; ++batch)
+      for (int c = 0; c < matrices_.sizeOf(batch); ++c)
+        blocks_.add(matrices_.cells(batch)[c], parts[std::size_t(batch - first) * lanes + std::size_t(c)]);
+  }
+}
+
+/// Of one batch, its parts of blocks per lane, and the start.
+void StressDescent::findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts)
+{
+  const int* cells = matrices_.cells(batch);
+  const int count = matrices_.sizeOf(batch);
+  if (matrices_.isOfClass(batch)) {
+    for (int c = 0; c < count; ++c)
+      parts[c] = blocks_.partsOfClass(cells[c]);
+    addStart(cells, count, [&](double* x, double* forces) { matrices_.multiplyData(batch, x, forces); });
+  } else
+    matrices_.find(batch, space, [&](const CellMatrices& found) {
+      auto own = blocks_.parts(found, work);
+      std::move(own.begin(), own.end(), parts);
+      addStart(cells, count, [&](double* x, double* forces) {
+        pullBackLanes(found.maps, found.size, x);
+        found.multiply(x, forces);
+        pushLanes(found.maps, 4 * facetData(), forces);
       });
     });
-    for (std::size_t c = 0; c < parts.size() && !parts[c].empty(); ++c)
-      blocks_.add(cells.number(body, begin + int(c)), parts[c]);
-  }
+  for (int c = 0; c < count; ++c)
+    watch_.cellIsRead();
 }
 
-/// A_E x_E of all fields' corrections.
-void StressDescent::addStart(int body, const CellMatrices& found)
+/// A_E x_E of all fields' corrections in some cells; multiply(x, forces) per number and lane, x may change, forces are
+/// zero before.
+void StressDescent::addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply)
 {
-  constexpr std::size_t lanes = CellForms::lanes;
-  const int tractions = faces_->cells().any().reference().tractions, size = found.size, loads = size - tractions;
-  Vector x(std::size_t(size) * lanes), forces, own(x.size() / lanes);
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  const ReferenceStress& reference = faces_->cells().any().reference();
+  const auto tractions = std::size_t(reference.tractions), loads = std::size_t(reference.loads);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
-    const StressCorrection& correction = *fields_[f].corrections[std::size_t(body)];
-    for (int c = 0; c < found.count; ++c) {
-      const std::ptrdiff_t cell = found.cell + c;
-      std::copy_n(correction.tractions.data() + cell * tractions, tractions, own.data());
-      std::copy_n(correction.loads.data() + cell * loads, loads, own.data() + tractions);
-      for (int at = 0; at < size; at += 3) {
-        double local[3];
-        pullBack(found.maps[c], own.data() + at, local);
-        for (int i = 0; i < 3; ++i)
-          x[std::size_t(at + i) * lanes + std::size_t(c)] = local[i];
-      }
+    std::array<double, StressMatrices::mostNumbers> x{}, forces{};
+    for (std::size_t c = 0; c < std::size_t(count); ++c) {
+      const int body = faces_->cells().bodyOf(cells[c]);
+      const auto cell = std::size_t(cells[c] - faces_->cells().number(body, 0));
+      const StressCorrection& correction = *fields_[f].corrections[std::size_t(body)];
+      for (std::size_t i = 0; i < tractions; ++i)
+        x[i * lanes + c] = correction.tractions[cell * tractions + i];
+      for (std::size_t i = 0; i < loads; ++i)
+        x[(tractions + i) * lanes + c] = correction.loads[cell * loads + i];
     }
-    forces.assign(x.size(), 0.0);
-    found.multiply(x.data(), forces.data());
-    for (int c = 0; c < found.count; ++c) {
-      for (int i = 0; i < tractions; ++i)
-        own[std::size_t(i)] = forces[std::size_t(i) * lanes + std::size_t(c)];
-      addPushed(found.maps[c], own.data(), tractions,
-                start_[f].data() + std::ptrdiff_t(faces_->cells().number(body, found.cell + c)) * tractions);
-    }
+    multiply(x.data(), forces.data());
+    for (std::size_t c = 0; c < std::size_t(count); ++c)
+      for (std::size_t i = 0; i < tractions; ++i)
+        start_[f][std::size_t(cells[c]) * tractions + i] = forces[i * lanes + c];
   }
 }
 
-/// A_E times the cells' tractions, per cell; zero at those of other ranks.
-Vector StressDescent::cellForces(const Vector& tractions) const
+/// The tractions of a batch's cells, per number and lane.
+void StressDescent::gather(int batch, const Vector& tractions, double* x) const
 {
-  const StressCells& cells = faces_->cells();
-  const int size = facetData();
-  Vector forces(std::size_t(cells.size()) * 4 * std::size_t(size));
-  const auto multiply = [&](int body, int batch) {
-    const int first = cells.number(body, batch * StressMatrices::lanes);
-    std::array<double, std::size_t(72) * StressMatrices::lanes> T{}; // of degree 2
-    double* to = T.data();
-    for (int cell = first; cell < first + matrices_[std::size_t(body)]->sizeOf(batch); ++cell)
-      for (int facet = 0; facet < 4; ++facet, to += size) {
-        const int f = faces_->of(cell, facet);
-        const StressFace& face = (*faces_)[f];
-        face.toSide(face.sideOf(cell), tractions.data() + std::ptrdiff_t(f) * size, size, to);
-      }
-    matrices_[std::size_t(body)]->multiply(batch, T.data(), forces.data() + std::ptrdiff_t(4) * first * size);
-  };
-  for (int body = 0; body < cells.numBodies(); ++body)
-    if (cells.has(body)) {
-      const int begin = matrices_[std::size_t(body)]->first(), count = matrices_[std::size_t(body)]->last() - begin;
-      runInRanges(count, threads_, [&](int first, int last) {
-        for (int batch = begin + first; batch < begin + last; ++batch)
-          multiply(body, batch);
-      });
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  const auto size = std::size_t(facetData()), count = std::size_t(matrices_.sizeOf(batch));
+  std::array<std::array<double, 18>, lanes> turned{}; // facet data at most
+  std::array<const double*, lanes> T;
+  std::array<double, lanes> sign{};
+  for (int facet = 0; facet < 4; ++facet, x += size * lanes) {
+    T.fill(turned[0].data());
+    for (std::size_t c = 0; c < count; ++c) {
+      const int cell = matrices_.cells(batch)[c], f = faces_->of(cell, facet);
+      const StressFace& face = (*faces_)[f];
+      T[c] = tractions.data() + std::size_t(f) * size;
+      sign[c] = sideSign(face.sideOf(cell));
+      if (sign[c] > 0.0 || face.turned.rows() == 0)
+        continue;
+      face.toSide(1, T[c], int(size), turned[c].data());
+      T[c] = turned[c].data();
+      sign[c] = 1.0;
     }
-  return forces;
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t c = 0; c < lanes; ++c)
+        x[i * lanes + c] = sign[c] * T[c][i];
+  }
+}
+
+/// A_E times the cells' tractions, per cell of this rank.
+void StressDescent::cellForces(const Vector& tractions, Vector& result) const
+{
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  const auto size = std::size_t(facetData()) * 4;
+  runInRanges(matrices_.numBatches(), threads_, [&](int first, int last) {
+    std::array<double, StressMatrices::mostNumbers> x, forces;
+    for (int batch = first; batch < last; ++batch) {
+      gather(batch, tractions, x.data());
+      matrices_.multiply(batch, x.data(), forces.data());
+      for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
+        double* own = result.data() + std::size_t(matrices_.cells(batch)[c]) * size;
+        for (std::size_t i = 0; i < size; ++i)
+          own[i] = forces[i * lanes + c];
+      }
+    }
+  });
 }
 
 /// What the cells' forces amount to on every face.
-Vector StressDescent::faceForces(const Vector& cellForces) const
+void StressDescent::faceForces(const Vector& cellForces, Vector& result) const
 {
   const int size = facetData();
-  Vector result(std::size_t(faces_->size()) * std::size_t(size), 0.0);
+  result.resize(std::size_t(faces_->size()) * std::size_t(size));
   runInRanges(faces_->size(), threads_, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
       const StressFace& face = (*faces_)[f];
-      for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
-        face.fromSide(side, cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size, size,
-                      result.data() + std::ptrdiff_t(f) * size);
+      const auto forces = [&](std::size_t side) {
+        return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
+      };
+      double* sum = result.data() + std::ptrdiff_t(f) * size;
+      std::copy_n(forces(0), size, sum);
+      if (face.isBoundary())
+        continue;
+      if (face.turned.rows() > 0)
+        face.fromSide(1, forces(1), size, sum);
+      else
+        std::transform(forces(1), forces(1) + size, sum, sum, [](double other, double own) { return own - other; });
     }
   });
-  return result;
 }
 
 /// By the unknowns, from what all ranks have of that by the faces' tractions.
-Vector StressDescent::gradientOf(const Vector& faceForces) const
+void StressDescent::gradientOf(const Vector& faceForces, Vector& gradient) const
 {
-  Vector gradient = unknowns_.gradient(faceForces, threads_);
+  unknowns_.gradient(faceForces, threads_, gradient);
   comm_.sum(gradient);
-  return gradient;
 }
 
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
@@ -173,27 +211,33 @@ std::vector<char> StressDescent::held(const std::vector<char>& patches) const
 void StressDescent::lower(int steps)
 {
   for (std::size_t f = 0; f < fields_.size(); ++f) {
-    Vector forces = faceForces(start_[f]);
-    start_[f] = Vector();
+    Vector forces, residual;
+    faceForces(start_[f], forces);
     if (fields_[f].traction != nullptr && comm_.rank() == 0) // the ranks' forces are added up
       addOpening(*fields_[f].opening, forces);
-    Vector residual = gradientOf(forces);
+    gradientOf(forces, residual);
     for (double& value : residual)
       value = -value;
-    lower(fields_[f], std::move(residual), steps);
+    lower(fields_[f], std::move(residual), std::move(start_[f]), steps);
   }
 }
 
-void StressDescent::lower(const DescentField& field, Vector residual, int steps) const
+/// ofCells: space for what cellForces() finds, zero at other ranks' cells.
+void StressDescent::lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const
 {
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction);
   std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
-  Vector z = blocks_.precondition(residual, still, threads_), p = z, x(residual.size(), 0.0);
+  Vector z, Ap, tractions, ofFaces, x(residual.size(), 0.0);
+  blocks_.precondition(residual, still, threads_, z);
+  Vector p = z;
   double rz = dot(residual, z);
   for (int step = 0; step < steps && rz > 0.0; ++step) {
-    const Vector tractions = unknowns_.tractions(p, threads_), Ap = gradientOf(faceForces(cellForces(tractions)));
+    unknowns_.tractions(p, threads_, tractions);
+    cellForces(tractions, ofCells);
+    faceForces(ofCells, ofFaces);
+    gradientOf(ofFaces, Ap);
     const double curvature = dot(p, Ap);
     if (!(curvature > 0.0))
       break;
@@ -204,14 +248,15 @@ void StressDescent::lower(const DescentField& field, Vector residual, int steps)
     }
     if (length < wanted)
       still = held(room->held());
-    z = blocks_.precondition(residual, still, threads_);
+    blocks_.precondition(residual, still, threads_, z);
     const double next = dot(residual, z), kept = length < wanted ? 0.0 : next / rz;
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + kept * p[i];
     rz = next;
     watch_.stepIsTaken();
   }
-  add(unknowns_.tractions(x, threads_), field);
+  unknowns_.tractions(x, threads_, tractions);
+  add(tractions, field);
 }
 
 /// Adds the normal part of a face's traction to a patch, in equal shares.

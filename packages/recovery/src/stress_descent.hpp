@@ -44,14 +44,18 @@ public:
 
   /// Takes `steps` steps, every field for itself.
   void lower(int steps);
+  /// Matrices A_E that were found by all ranks: one a class or cell without one.
+  int numMatrices() const;
 
 private:
-  void lower(const DescentField& field, Vector residual, int steps) const;
-  void findMatrices(int body);
-  void addStart(int body, const CellMatrices& found);
-  Vector gradientOf(const Vector& faceForces) const;
-  Vector cellForces(const Vector& tractions) const;
-  Vector faceForces(const Vector& cellForces) const;
+  void lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const;
+  void findMatrices();
+  void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
+  void addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply);
+  void gradientOf(const Vector& faceForces, Vector& gradient) const;
+  void gather(int batch, const Vector& tractions, double* x) const;
+  void cellForces(const Vector& tractions, Vector& result) const;
+  void faceForces(const Vector& cellForces, Vector& result) const;
   void addOpening(const Vector& opening, Vector& faceForces) const;
   std::vector<char> held(const std::vector<char>& patches) const;
   void add(const Vector& tractions, const DescentField& field) const;
@@ -66,9 +70,10 @@ private:
   int threads_;
   std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at those of other ranks
   std::vector<StressEdge> edges_;
+  ClassMatrices ofClasses_;
   StressBlocks blocks_;
   StressUnknowns unknowns_;
-  std::vector<std::unique_ptr<StressMatrices>> matrices_; ///< per body
+  StressMatrices matrices_;
 };
 
 } // namespace ndframe

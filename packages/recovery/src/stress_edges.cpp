@@ -77,7 +77,7 @@ DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, 
     wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
     std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
   }
-  return face.isInside() ? wrenches : multiply(face.choose, wrenches);
+  return face.isInside() ? wrenches : multiply(face.free->choose, wrenches);
 }
 
 /// Finds what may circulate around edges.
@@ -177,9 +177,9 @@ DenseMatrix Rings::circulating(const StressEdge& edge) const
   double largest = 0.0;
   for (std::size_t f = 0; f < limited.size(); ++f) {
     const StressFace& face = *limited[f];
-    if (face.reach.cols() == 0)
+    if (face.free->reach.cols() == 0)
       return {6, 0};
-    const DenseMatrix taken = multiply(face.reach, face.choose);
+    const DenseMatrix taken = multiply(face.free->reach, face.free->choose);
     for (int j = 0; j < 6; ++j) {
       Wrench unit{};
       unit[std::size_t(j)] = 1.0;
@@ -214,55 +214,6 @@ ThroughMatrix::ThroughMatrix(const StressEdge& edge, const StressEdge::Step& ste
     wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
     std::copy(wrench.begin(), wrench.end(), values.begin() + std::ptrdiff_t(6) * std::ptrdiff_t(k));
   }
-}
-
-void addThrough(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* z,
-                double* amounts)
-{
-  if (step.through.rows() > 0) {
-    for (int k = 0; k < step.through.cols(); ++k)
-      for (int i = 0; i < step.through.rows(); ++i)
-        amounts[i] += step.through(i, k) * z[k];
-    return;
-  }
-  Wrench wrench{};
-  std::copy_n(z, wrench.size(), wrench.begin());
-  wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
-  for (std::size_t i = 0; i < wrench.size(); ++i)
-    amounts[i] += step.sign * wrench[i];
-}
-
-void addBack(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* forces,
-             double* sum)
-{
-  if (step.through.rows() > 0) {
-    for (int k = 0; k < step.through.cols(); ++k)
-      for (int i = 0; i < step.through.rows(); ++i)
-        sum[k] += step.through(i, k) * forces[i];
-    return;
-  }
-  const double scale = step.sign / face.size, *M = forces + 3;
-  Direction arm{};
-  for (std::size_t i = 0; i < 3; ++i)
-    arm[i] = edge.middle[i] - face.centre[i];
-  for (std::size_t i = 0; i < 3; ++i) {
-    const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-    sum[i] += step.sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
-    sum[3 + i] += scale * edge.length * M[i];
-  }
-}
-
-FaceRings::FaceRings(int faces, const std::vector<StressEdge>& edges) : first_(std::size_t(faces) + 1, 0)
-{
-  for (const StressEdge& edge : edges)
-    for (const StressEdge::Step& step : edge.ring)
-      ++first_[std::size_t(step.face) + 1];
-  std::partial_sum(first_.begin(), first_.end(), first_.begin());
-  places_.resize(first_.back());
-  std::vector<std::size_t> next(first_.begin(), first_.end() - 1);
-  for (std::size_t e = 0; e < edges.size(); ++e)
-    for (std::size_t s = 0; s < edges[e].ring.size(); ++s)
-      places_[next[std::size_t(edges[e].ring[s].face)]++] = {int(e), int(s)};
 }
 
 std::vector<StressEdge> stressEdges(const StressFaces& faces)

@@ -35,33 +35,6 @@ struct ThroughMatrix
   std::array<double, 36> values{}; ///< 6 x 6 at most
 };
 
-/// amounts += through z of a step.
-void addThrough(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* z,
-                double* amounts);
-
-/// sum += through^T forces of a step, forces on the face's amounts.
-void addBack(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, const double* forces,
-             double* sum);
-
-/// Per face the steps of rings that go through it, edges ascending.
-class FaceRings
-{
-public:
-  struct Place
-  {
-    int edge, step;
-  };
-
-  FaceRings(int faces, const std::vector<StressEdge>& edges);
-
-  const Place* begin(int face) const { return places_.data() + first_[std::size_t(face)]; }
-  const Place* end(int face) const { return places_.data() + first_[std::size_t(face) + 1]; }
-
-private:
-  std::vector<std::size_t> first_; ///< per face, and the end
-  std::vector<Place> places_;
-};
-
 /// All edges around which anything can circulate. Those at which a body touches itself are left out.
 std::vector<StressEdge> stressEdges(const StressFaces& faces);
 

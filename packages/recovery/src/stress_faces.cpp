@@ -99,27 +99,34 @@ DenseMatrix StressFace::onSide(std::size_t side, const DenseMatrix& columns) con
 
 DenseMatrix StressFace::allOwn() const
 {
-  DenseMatrix all(own.rows() + higher, numOwn());
+  const DenseMatrix& own = free->own;
+  DenseMatrix all(own.rows() + free->higher, numOwn());
   for (int k = 0; k < own.cols(); ++k)
     std::copy_n(own.col(k), own.rows(), all.col(k));
-  for (int k = 0; k < higher; ++k)
+  for (int k = 0; k < free->higher; ++k)
     all(own.rows() + k, own.cols() + k) = 1.0;
   return all;
 }
 
 StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactPatch>& contact)
-    : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1)
+    : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1), inside_(std::size_t(cells.classes().size()) * 4)
 {
   for (int body = 0; body < cells.numBodies(); ++body)
     if (cells.has(body))
-      addFaces(body);
+      addFaces(body, contact.size());
   joinContact(contact);
 }
 
-void StressFaces::addFaces(int body)
+/// more: faces that are still to come.
+void StressFaces::addFaces(int body, std::size_t more)
 {
   const Mesh& mesh = cells_->body(body).model().mesh;
   const VertexTuples facets = allFacets(mesh, mesh.numPoints());
+  int count = 0;
+  for (int place = 0; place < facets.size(); place = facets.groupEnd(place))
+    ++count;
+  faces_.reserve(faces_.size() + std::size_t(count) + more);
+  joined_.reserve(faces_.capacity());
   for (int place = 0, end = 0; place < facets.size(); place = end) {
     end = facets.groupEnd(place);
     NDFRAME_ASSERT(end - place <= 2, "a facet of a sound mesh has one or two cells");
@@ -161,16 +168,23 @@ Vector StressFaces::findGeometry(StressFace& face) const
   return arms;
 }
 
-void StressFaces::freeTractions(StressFace& face, const Vector& arms) const
+/// What cells of one class have at the same facet is the same, for tractions are forces.
+void StressFaces::freeTractions(StressFace& face, const Vector& arms)
 {
-  const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), face.size);
   constexpr int wrench = 6, linear = 9; // data of the modes that carry a wrench: splitFacet() uses no others
-  face.higher = cells_->facetData() - linear;
-  face.own = upperLeft(split.modes, linear, linear - wrench);
-  face.carrier = upperLeft(split.carrier, linear, wrench);
+  auto& found = inside_[std::size_t(cells_->classes().of(face.cell[0])) * 4 + std::size_t(face.facet[0])];
+  if (!found) {
+    const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), face.size);
+    found = std::make_shared<FreeTractions>(FreeTractions{upperLeft(split.modes, linear, linear - wrench),
+                                                          upperLeft(split.carrier, linear, wrench),
+                                                          {},
+                                                          {},
+                                                          cells_->facetData() - linear});
+  }
+  face.free = found;
 }
 
-void StressFaces::freeReactions(StressFace& face, const Vector& arms) const
+void StressFaces::freeReactions(StressFace& face, const Vector& arms)
 {
   const int body = cells_->bodyOf(face.cell[0]);
   const StarBody& star = cells_->body(body);
@@ -184,13 +198,14 @@ void StressFaces::freeReactions(StressFace& face, const Vector& arms) const
 }
 
 /// Tractions along some directions.
-void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count) const
+void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count)
 {
   const int modes = cells_->any().facetModes(), data = cells_->facetData();
   if (count == 0) {
-    face.own = face.carrier = DenseMatrix(data, 0);
-    face.reach = DenseMatrix(6, 0);
-    face.choose = DenseMatrix(0, 6);
+    if (!none_)
+      none_ = std::make_shared<FreeTractions>(
+          FreeTractions{DenseMatrix(data, 0), DenseMatrix(data, 0), DenseMatrix(6, 0), DenseMatrix(0, 6), 0});
+    face.free = none_;
     return;
   }
   DenseMatrix reactions(data, count * modes);
@@ -199,10 +214,9 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
       std::copy_n(directions[d].begin(), 3, reactions.col(column) + std::ptrdiff_t(3) * mode);
   const DenseMatrix wrenches = multiply(wrenchMap(3, arms, modes, face.size), reactions);
   const DenseMatrix idle = nullSpace(wrenches, rigidTolerance), busy = nullSpace(transposed(idle), rigidTolerance);
-  face.own = multiply(reactions, idle);
-  face.carrier = multiply(reactions, busy);
-  face.reach = multiply(wrenches, busy);
-  face.choose = pseudoInverse(face.reach, rigidTolerance);
+  FreeTractions free{multiply(reactions, idle), multiply(reactions, busy), multiply(wrenches, busy), {}, 0};
+  free.choose = pseudoInverse(free.reach, rigidTolerance);
+  face.free = std::make_shared<FreeTractions>(std::move(free));
 }
 
 /// Contact facets become faces with their normal tractions free: of two cells where both bodies have the same wrench of
@@ -221,7 +235,7 @@ void StressFaces::joinContact(const std::vector<ContactPatch>& contact)
       const auto& [body, facet, places] = patch.sides[side];
       face.cell[side] = cells_->number(body, facet.cell);
       face.facet[side] = sortedFacet(cells_->body(body).model().mesh, facet);
-      isFree = isFree && faces_[std::size_t(within(face.cell[side], face.facet[side]))].reach.cols() == 0;
+      isFree = isFree && faces_[std::size_t(within(face.cell[side], face.facet[side]))].free->reach.cols() == 0;
     }
     face.contact = int(f);
     face.theirs = patch.sides[1].places;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <memory>
 #include <vector>
 
 #include "ndframe/admissibility/contact_traction.hpp"
@@ -13,10 +14,20 @@ namespace ndframe
 /// Force and moment over a length, about a point.
 using Wrench = std::array<double, 6>;
 
-/// A facet of the cells of solids, and the tractions that may be changed on it: T = own y + carrier r. `own` carries no
-/// wrench; `carrier` carries the wrench  reach r  about the centre. Inside all tractions may change (reach is one), on
-/// the boundary those along supported directions, between two bodies in contact those along the normal. Rows that the
-/// matrices do not have are zero; inside, the last `higher` of y are the last data of T as they stand.
+/// The tractions of a face that may be changed: T = own y + carrier r. `own` carries no wrench; `carrier` carries the
+/// wrench  reach r  about the centre. Inside all tractions may change (reach is one), on the boundary those along
+/// supported directions, between two bodies in contact those along the normal. Rows that the matrices do not have are
+/// zero; inside, the last `higher` of y are the last data of T as they stand.
+struct FreeTractions
+{
+  DenseMatrix own;     ///< rows x columns
+  DenseMatrix carrier; ///< rows x r
+  DenseMatrix reach;   ///< 6 x r, independent columns; empty inside
+  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach; empty inside
+  int higher = 0;
+};
+
+/// A facet of the cells of solids.
 struct StressFace
 {
   std::array<int, 2> cell{-1, -1};  ///< the second is -1 on the boundary and at rigid bodies
@@ -25,17 +36,13 @@ struct StressFace
   std::array<int, 3> theirs{0, 1, 2}; ///< there: PatchSide::places of its second side
   DenseMatrix turned{};               ///< and its modesInOrder(); empty where the order is the same
   Direction centre{};
-  double size = 0.0;               ///< square root of the area: moments are divided by it
-  std::array<Direction, 2> arms{}; ///< means of (x - centre) L_1, (x - centre) L_2
-  int higher = 0;
-  DenseMatrix own;     ///< rows x columns
-  DenseMatrix carrier; ///< rows x r
-  DenseMatrix reach;   ///< 6 x r, independent columns; empty inside
-  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach; empty inside
+  double size = 0.0;                         ///< square root of the area: moments are divided by it
+  std::array<Direction, 2> arms{};           ///< means of (x - centre) L_1, (x - centre) L_2
+  std::shared_ptr<const FreeTractions> free; ///< shared by the faces inside of equal cells (CellClasses)
 
   bool isInside() const { return cell[1] >= 0 && contact < 0; }
   bool isBoundary() const { return cell[1] < 0; }
-  int numOwn() const { return own.cols() + higher; }
+  int numOwn() const { return free->own.cols() + free->higher; }
   /// T of the unknowns y, facet data x numOwn().
   DenseMatrix allOwn() const;
   std::size_t sideOf(int number) const { return cell[0] == number ? 0 : 1; }
@@ -81,18 +88,20 @@ public:
   bool isReplaced(int face) const { return joined_[std::size_t(face)] >= 0; }
 
 private:
-  void addFaces(int body);
+  void addFaces(int body, std::size_t more);
   Vector findGeometry(StressFace& face) const;
-  void freeTractions(StressFace& face, const Vector& arms) const;
-  void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count) const;
-  void freeReactions(StressFace& face, const Vector& arms) const;
+  void freeTractions(StressFace& face, const Vector& arms);
+  void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count);
+  void freeReactions(StressFace& face, const Vector& arms);
   void joinContact(const std::vector<ContactPatch>& contact);
   bool coincide(const StressFace& face, const Vector& arms, const Direction& normal) const;
 
   const StressCells* cells_;
   std::vector<StressFace> faces_;
   std::vector<int> faceOf_;
-  std::vector<int> joined_; ///< per face the one in contact that replaces it, or -1
+  std::vector<std::shared_ptr<const FreeTractions>> inside_; ///< per class of cells and facet, once there is one
+  std::shared_ptr<const FreeTractions> none_;                ///< of faces without freedom
+  std::vector<int> joined_;                                  ///< per face the one in contact that replaces it, or -1
 };
 
 } // namespace ndframe

@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "ndframe/base/lanes.hpp"
+#include "ndframe/equilibrium/lane_tables.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-constexpr std::size_t most = 72; ///< tractions of a cell, degree 2
 
 /// y += A x, lane by lane, from the columns of A below its diagonal.
 NDFRAME_EVERY_PROCESSOR void addSymmetric(const double* triangle, const double* x, double* y, std::size_t size)
@@ -39,74 +38,127 @@ void CellMatrices::multiply(const double* x, double* forces) const
   addSymmetric(triangle, x, forces, std::size_t(size));
 }
 
-void pullBack(const CellMap& map, const double* vector, double* result)
+void findCompliances(const StressCells& cells, const int* numbers, int count, CellMap* maps, Vector& compliances)
 {
-  for (std::size_t i = 0; i < 3; ++i)
-    result[i] =
-        map.inverse[3 * i] * vector[0] + map.inverse[3 * i + 1] * vector[1] + map.inverse[3 * i + 2] * vector[2];
-}
-
-void addPushed(const CellMap& map, const double* forces, int count, double* sum)
-{
-  for (int at = 0; at < count; at += 3)
-    for (std::size_t i = 0; i < 3; ++i)
-      sum[at + int(i)] +=
-          map.inverse[i] * forces[at] + map.inverse[3 + i] * forces[at + 1] + map.inverse[6 + i] * forces[at + 2];
-}
-
-StressMatrices::StressMatrices(const StarBody& body, int first, int last)
-    : body_(&body), first_(first), last_(last), tractions_(std::size_t(body.reference().tractions)),
-      forms_(body.reference()), maps_(std::size_t(last - first) * lanes), kept_(at(last))
-{
-  NDFRAME_ASSERT(tractions_ <= most, "more data than a cell of degree 2 has");
-}
-
-void StressMatrices::find(int first, int last, const std::function<void(const CellMatrices&)>& use)
-{
-  const Mesh& mesh = body_->model().mesh;
-  Vector work;
-  for (int batch = first; batch < last; ++batch) {
-    CellMap* maps = maps_.data() + std::size_t(batch - first_) * lanes;
-    double* compliances = kept_.data() + at(batch);
-    const int cell = batch * lanes, count = sizeOf(batch);
-    for (int c = 0; c < lanes; ++c) { // lanes without a cell repeat the last one
-      const int number = cell + std::min(c, count - 1);
-      maps[c] = cellMap(mesh, sortedCell(mesh, number));
-      const auto own = pulledBackCompliance(maps[c], body_->model().laws(number));
-      for (std::size_t m = 0; m < own.size(); ++m)
-        compliances[m * lanes + std::size_t(c)] = own[m];
-    }
-    const CellForms::Condensed found = forms_.condensed(compliances, work);
-    std::copy_n(found.factor, forms_.factorSize() * lanes, compliances + this->compliances());
-    use({cell, count, maps, found.triangle, body_->reference().data()});
+  constexpr int lanes = CellForms::lanes;
+  const std::size_t entries = cells.any().reference().energy.size();
+  compliances.resize(entries * lanes);
+  for (int c = 0; c < lanes; ++c) {
+    const int number = numbers[std::min(c, count - 1)], body = cells.bodyOf(number);
+    maps[c] = cellMap(cells.mesh(number), cells.sorted(number));
+    const auto own = pulledBackCompliance(maps[c], cells.body(body).model().laws(number - cells.number(body, 0)));
+    for (std::size_t m = 0; m < entries; ++m)
+      compliances[m * lanes + std::size_t(c)] = own[m];
   }
 }
 
-int StressMatrices::sizeOf(int batch) const
+namespace
 {
-  return std::min(lanes, body_->model().mesh.numCells() - batch * lanes);
-}
 
-void StressMatrices::multiply(int batch, const double* T, double* forces) const
+/// Multiplies the vectors of every lane, `count` numbers, by F^-1 or F^-T.
+void multiplyByInverse(const CellMap* maps, int count, std::size_t perRow, std::size_t perColumn, double* x)
 {
-  std::array<double, most * lanes> x{}, y{};
-  const auto count = std::size_t(sizeOf(batch));
-  const CellMap* maps = maps_.data() + std::size_t(batch - first_) * lanes;
-  std::array<double, most> local{};
-  for (std::size_t lane = 0; lane < count; ++lane)
-    for (std::size_t at = 0; at < tractions_; at += 3) {
-      pullBack(maps[lane], T + lane * tractions_ + at, local.data());
+  constexpr std::size_t lanes = CellForms::lanes;
+  for (std::size_t at = 0; at < std::size_t(count); at += 3, x += 3 * lanes)
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const auto& inverse = maps[lane].inverse;
+      const double given[3] = {x[lane], x[lanes + lane], x[2 * lanes + lane]};
       for (std::size_t i = 0; i < 3; ++i)
-        x[(at + i) * lanes + lane] = local[i];
+        x[i * lanes + lane] = inverse[perRow * i] * given[0] + inverse[perRow * i + perColumn] * given[1] +
+                              inverse[perRow * i + 2 * perColumn] * given[2];
     }
-  const double* kept = kept_.data() + at(batch);
-  forms_.apply(kept, kept + compliances(), x.data(), y.data());
-  std::fill_n(forces, count * tractions_, 0.0);
-  for (std::size_t lane = 0; lane < count; ++lane) {
-    for (std::size_t at = 0; at < tractions_; ++at)
-      local[at] = y[at * lanes + lane];
-    addPushed(maps[lane], local.data(), int(tractions_), forces + lane * tractions_);
+}
+
+} // namespace
+
+void pullBackLanes(const CellMap* maps, int count, double* x)
+{
+  multiplyByInverse(maps, count, 3, 1, x);
+}
+
+void pushLanes(const CellMap* maps, int count, double* forces)
+{
+  multiplyByInverse(maps, count, 1, 3, forces);
+}
+
+StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses, int rank, int ranks)
+    : cells_(&cells), ofClasses_(&ofClasses), tractions_(std::size_t(cells.any().reference().tractions)),
+      forms_(solidForms(cells.any().data().degree))
+{
+  NDFRAME_ASSERT(cells.any().reference().data() * lanes <= mostNumbers, "more data than a cell of degree 2 has");
+  const std::vector<Batch> every = all();
+  const auto share = [&](int r) { return std::ptrdiff_t(std::int64_t(every.size()) * r / ranks); };
+  batches_.assign(every.begin() + share(rank), every.begin() + share(rank + 1));
+  int kept = 0;
+  for (Batch& batch : batches_)
+    if (batch.kept >= 0)
+      batch.kept = kept++;
+  maps_.resize(std::size_t(kept) * lanes);
+  kept_.resize(at(kept));
+}
+
+/// Of all ranks, by their first cells.
+std::vector<StressMatrices::Batch> StressMatrices::all() const
+{
+  std::vector<Batch> batches;
+  std::vector<int> open(std::size_t(cells_->classes().size()) + 1, -1); // per class, and of cells without one
+  for (int cell = 0; cell < cells_->size(); ++cell) {
+    const bool isOfClass = ofClasses_->has(cell);
+    int& batch = isOfClass ? open[std::size_t(cells_->classes().of(cell))] : open.back();
+    if (batch < 0 || batches[std::size_t(batch)].count == lanes) {
+      batch = int(batches.size());
+      batches.push_back({{}, 0, isOfClass ? -1 : 0});
+    }
+    Batch& place = batches[std::size_t(batch)];
+    place.cells[std::size_t(place.count++)] = cell;
   }
+  return batches;
+}
+
+void StressMatrices::find(int number, Vector& work, const std::function<void(const CellMatrices&)>& use)
+{
+  const Batch& batch = batches_[std::size_t(number)];
+  CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
+  Vector own;
+  findCompliances(*cells_, batch.cells.data(), batch.count, maps, own);
+  const CellForms::Condensed found = forms_.condensed(own.data(), work);
+  double* kept = kept_.data() + at(batch.kept);
+  std::copy(own.begin(), own.end(), kept);
+  std::copy_n(found.factor, forms_.factorSize() * lanes, kept + compliances());
+  use({batch.cells.data(), batch.count, maps, found.triangle, cells_->any().reference().data()});
+}
+
+/// Of all lanes with the matrix of their class.
+void StressMatrices::multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const
+{
+  multiplyTable(ofClasses_->of(batch.cells[0]), std::size_t(ofClasses_->columns()), tractions_, columns, x, forces);
+  std::array<double, lanes> scale{};
+  for (std::size_t lane = 0; lane < std::size_t(batch.count); ++lane)
+    scale[lane] = cells_->classes().scale(batch.cells[lane]);
+  for (std::size_t at = 0; at < tractions_; ++at)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      forces[at * lanes + lane] *= scale[lane];
+}
+
+void StressMatrices::multiplyData(int batch, const double* x, double* forces) const
+{
+  multiplyClass(batches_[std::size_t(batch)], std::size_t(ofClasses_->columns()), x, forces);
+}
+
+void StressMatrices::multiply(int number, const double* T, double* forces) const
+{
+  const Batch& batch = batches_[std::size_t(number)];
+  if (batch.kept < 0) {
+    multiplyClass(batch, tractions_, T, forces);
+    return;
+  }
+  const CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
+  std::array<double, mostNumbers> x{};
+  std::copy_n(T, tractions_ * lanes, x.data());
+  pullBackLanes(maps, int(tractions_), x.data());
+  const double* kept = kept_.data() + at(batch.kept);
+  forms_.apply(kept, kept + compliances(), x.data(), forces);
+  pushLanes(maps, int(tractions_), forces);
 }
 
 } // namespace ndframe

@@ -1,19 +1,21 @@
 #pragma once
 
+#include <array>
 #include <functional>
 #include <vector>
 
+#include "class_matrices.hpp"
 #include "ndframe/equilibrium/cell_forms.hpp"
-#include "star_body.hpp"
 
 namespace ndframe
 {
 
-/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells with successive numbers, double precision,
-/// reference axes, over tractions and loads.
+/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells, double precision, reference axes, over
+/// tractions and loads.
 struct CellMatrices
 {
-  int cell, count;
+  const int* cells; ///< their numbers
+  int count;
   const CellMap* maps;
   const double* triangle; ///< below the diagonal, column by column, per entry CellForms::lanes cells
   int size;
@@ -27,47 +29,58 @@ struct CellMatrices
   void multiply(const double* x, double* forces) const;
 };
 
-/// The energy matrices A_E of some of a solid's cells (CellForm::condensed) as functions of the tractions alone. They
-/// are not kept, which would take 10 kB a cell and more time to read than to do without (CellForms::apply). Cells go by
-/// batches: those of a batch are lanes * batch .. lanes * batch + its size.
+/// Maps and pulled-back compliances (per entry and lane) of some cells; lanes without a cell repeat the last one.
+void findCompliances(const StressCells& cells, const int* numbers, int count, CellMap* maps, Vector& compliances);
+
+/// The energy matrices A_E of solids' cells as functions of their tractions. Large classes have theirs (ClassMatrices).
+/// Those of the other cells are not kept, which would take 10 kB a cell and more time to read than to do without
+/// (CellForms::apply). Cells go by batches of one class, or of cells without a class.
 class StressMatrices
 {
 public:
-  /// Cells that are multiplied together.
+  /// Cells that are multiplied together, and numbers of all their data.
   static constexpr int lanes = CellForms::lanes;
+  static constexpr int mostNumbers = 84 * lanes;
 
-  /// Of the batches first .. last, still to be found.
-  StressMatrices(const StarBody& body, int first, int last);
+  /// Of a rank's share of the batches; those of small classes are still to be found. All must outlive it.
+  StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses, int rank, int ranks);
 
-  /// Finds those of some batches; batches may be found at the same time. use(): sees every matrix once.
-  void find(int first, int last, const std::function<void(const CellMatrices&)>& use);
+  /// Finds those of a batch without a class; batches may be found at the same time. use() sees them once.
+  void find(int batch, Vector& work, const std::function<void(const CellMatrices&)>& use);
 
-  static int numBatches(const StarBody& body) { return (body.model().mesh.numCells() + lanes - 1) / lanes; }
-  int first() const { return first_; }
-  int last() const { return last_; }
-  int sizeOf(int batch) const;
-  /// forces = A_E T for the cells of a batch; both cell by cell, global axes.
+  int numBatches() const { return int(batches_.size()); }
+  bool isOfClass(int batch) const { return batches_[std::size_t(batch)].kept < 0; }
+  int sizeOf(int batch) const { return batches_[std::size_t(batch)].count; }
+  const int* cells(int batch) const { return batches_[std::size_t(batch)].cells.data(); }
+  /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
   void multiply(int batch, const double* T, double* forces) const;
+  /// The same for tractions and loads, T and G; of a class.
+  void multiplyData(int batch, const double* x, double* forces) const;
 
 private:
-  std::size_t compliances() const { return body_->reference().energy.size() * lanes; }
-  /// Where a batch's compliances are, and then its factors.
-  std::size_t at(int batch) const
+  struct Batch
   {
-    return std::size_t(batch - first_) * (compliances() + forms_.factorSize() * lanes);
-  }
+    std::array<int, lanes> cells;
+    int count, kept; ///< where the matrices are; -1: in a class
+  };
 
-  const StarBody* body_;
-  int first_, last_;
+  std::vector<Batch> all() const;
+  void multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const;
+  std::size_t compliances() const { return cells_->any().reference().energy.size() * lanes; }
+  /// Where a batch's compliances are, and then its factors.
+  std::size_t at(int kept) const { return std::size_t(kept) * (compliances() + forms_.factorSize() * lanes); }
+
+  const StressCells* cells_;
+  const ClassMatrices* ofClasses_;
+  std::vector<Batch> batches_;
   std::size_t tractions_;
-  CellForms forms_;
+  const CellForms& forms_;
   std::vector<CellMap> maps_;
   Vector kept_;
 };
 
-/// F^-1 applied to a vector: what the reference cell sees of it.
-void pullBack(const CellMap& map, const double* vector, double* result);
-/// sum += F^-T applied to every vector of forces there: what they are in global axes.
-void addPushed(const CellMap& map, const double* forces, int count, double* sum);
+/// x = F^-1 x for all vectors of all lanes, and forces = F^-T forces.
+void pullBackLanes(const CellMap* maps, int count, double* x);
+void pushLanes(const CellMap* maps, int count, double* forces);
 
 } // namespace ndframe

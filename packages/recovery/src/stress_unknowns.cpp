@@ -1,80 +1,167 @@
 #include "stress_unknowns.hpp"
 
+#include <algorithm>
+#include <numeric>
+
 #include "ndframe/algebra/threads.hpp"
 
 namespace ndframe
 {
+namespace
+{
+
+/// T += columns factors
+void addColumns(const DenseMatrix& columns, const double* factors, double* T)
+{
+  const int rows = columns.rows();
+  const double* column = columns.data();
+  for (int k = 0; k < columns.cols(); ++k, column += rows)
+    for (int i = 0; i < rows; ++i)
+      T[i] += column[i] * factors[k];
+}
+
+/// sums = columns^T G
+void multiplyColumns(const DenseMatrix& columns, const double* G, double* sums)
+{
+  const int rows = columns.rows();
+  const double* column = columns.data();
+  for (int k = 0; k < columns.cols(); ++k, column += rows) {
+    sums[k] = 0.0;
+    for (int i = 0; i < rows; ++i)
+      sums[k] += column[i] * G[i];
+  }
+}
+
+} // namespace
 
 StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges,
                                const StressBlocks& blocks)
-    : faces_(faces), edges_(edges), blocks_(blocks), rings_(faces.size(), edges)
-{}
+    : faces_(faces), edges_(edges), blocks_(blocks)
+{
+  const auto frame = [](const Direction& point, double size) { return Frame{{point[0], point[1], point[2]}, size}; };
+  for (const StressFace& face : faces.all())
+    faceFrames_.push_back(frame(face.centre, face.size));
+  for (const StressEdge& edge : edges)
+    edgeFrames_.push_back(frame(edge.middle, edge.length));
+  listPlaces();
+}
 
-Vector StressUnknowns::tractions(const Vector& unknowns, int threads) const
+void StressUnknowns::listPlaces()
+{
+  firstOfFace_.assign(faceFrames_.size() + 1, 0);
+  firstOfEdge_.push_back(0);
+  for (const StressEdge& edge : edges_) {
+    for (std::size_t s = 0; s < edge.ring.size(); ++s) {
+      const StressEdge::Step& step = edge.ring[s];
+      ofEdges_.push_back({step.face, step.through.rows() > 0 ? int(s) : -1, step.sign});
+      ++firstOfFace_[std::size_t(step.face) + 1];
+    }
+    firstOfEdge_.push_back(int(ofEdges_.size()));
+  }
+  std::partial_sum(firstOfFace_.begin(), firstOfFace_.end(), firstOfFace_.begin());
+  ofFaces_.resize(ofEdges_.size());
+  std::vector<int> next(firstOfFace_.begin(), firstOfFace_.end() - 1);
+  for (int e = 0; e + 1 < int(firstOfEdge_.size()); ++e)
+    for (int at = firstOfEdge_[std::size_t(e)]; at < firstOfEdge_[std::size_t(e) + 1]; ++at) {
+      const Place& place = ofEdges_[std::size_t(at)];
+      ofFaces_[std::size_t(next[std::size_t(place.other)]++)] = {e, place.step, place.sign};
+    }
+}
+
+void StressUnknowns::tractions(const Vector& unknowns, int threads, Vector& tractions) const
 {
   const auto size = std::size_t(faces_.cells().facetData());
-  Vector tractions(std::size_t(faces_.size()) * size, 0.0);
+  tractions.resize(std::size_t(faces_.size()) * size);
   runInRanges(faces_.size(), threads, [&](int first, int last) {
+    std::fill(tractions.begin() + std::ptrdiff_t(first) * std::ptrdiff_t(size),
+              tractions.begin() + std::ptrdiff_t(last) * std::ptrdiff_t(size), 0.0);
     for (int f = first; f < last; ++f)
       addTractions(f, unknowns, tractions.data() + std::size_t(f) * size);
   });
-  return tractions;
+}
+
+/// Of a face's carriers, by all edges.
+Wrench StressUnknowns::amounts(int f, const Vector& unknowns) const
+{
+  const Frame& face = faceFrames_[std::size_t(f)];
+  Wrench sum{};
+  for (int at = firstOfFace_[std::size_t(f)]; at < firstOfFace_[std::size_t(f) + 1]; ++at) {
+    const Place& place = ofFaces_[std::size_t(at)];
+    const double* z = unknowns.data() + blocks_.ofEdge(std::size_t(place.other));
+    if (place.step >= 0) {
+      const StressEdge& edge = edges_[std::size_t(place.other)];
+      addColumns(edge.ring[std::size_t(place.step)].through, z, sum.data());
+      continue;
+    }
+    const Frame& edge = edgeFrames_[std::size_t(place.other)];
+    const double scale = place.sign / face.size,
+                 arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      sum[i] += place.sign * z[i];
+      sum[3 + i] += scale * (edge.size * z[3 + i] + arm[j] * z[k] - arm[k] * z[j]);
+    }
+  }
+  return sum;
 }
 
 void StressUnknowns::addTractions(int f, const Vector& unknowns, double* T) const
 {
   const StressFace& face = faces_[f];
-  Wrench amounts{}; // of the carriers
-  for (const FaceRings::Place* place = rings_.begin(f); place != rings_.end(f); ++place) {
-    const StressEdge& edge = edges_[std::size_t(place->edge)];
-    addThrough(edge, edge.ring[std::size_t(place->step)], face,
-               unknowns.data() + blocks_.ofEdge(std::size_t(place->edge)), amounts.data());
-  }
-  const auto add = [T](const DenseMatrix& columns, const double* factors) {
-    for (int k = 0; k < columns.cols(); ++k)
-      for (int i = 0; i < columns.rows(); ++i)
-        T[i] += columns(i, k) * factors[k];
-  };
   const double* y = unknowns.data() + blocks_.ofFace(f);
-  add(face.own, y);
-  add(face.carrier, amounts.data());
-  for (int k = 0; k < face.higher; ++k)
-    T[face.own.rows() + k] += y[face.own.cols() + k];
+  addColumns(face.free->own, y, T);
+  addColumns(face.free->carrier, amounts(f, unknowns).data(), T);
+  for (int k = 0; k < face.free->higher; ++k)
+    T[face.free->own.rows() + k] += y[face.free->own.cols() + k];
 }
 
-Vector StressUnknowns::gradient(const Vector& faceForces, int threads) const
+/// What forces on the faces of an edge's ring are for its wrench.
+void StressUnknowns::addForces(int e, const std::vector<Wrench>& ofCarriers, double* sum) const
+{
+  const Frame& edge = edgeFrames_[std::size_t(e)];
+  for (int at = firstOfEdge_[std::size_t(e)]; at < firstOfEdge_[std::size_t(e) + 1]; ++at) {
+    const Place& place = ofEdges_[std::size_t(at)];
+    const Wrench& forces = ofCarriers[std::size_t(place.other)];
+    if (place.step >= 0) {
+      const DenseMatrix& through = edges_[std::size_t(e)].ring[std::size_t(place.step)].through;
+      for (int k = 0; k < through.cols(); ++k)
+        for (int i = 0; i < through.rows(); ++i)
+          sum[k] += through(i, k) * forces[std::size_t(i)];
+      continue;
+    }
+    const Frame& face = faceFrames_[std::size_t(place.other)];
+    const double scale = place.sign / face.size, *M = forces.data() + 3,
+                 arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
+      sum[i] += place.sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
+      sum[3 + i] += scale * edge.size * M[i];
+    }
+  }
+}
+
+void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gradient) const
 {
   const auto size = std::size_t(faces_.cells().facetData());
-  Vector gradient(std::size_t(blocks_.size()), 0.0);
+  gradient.resize(std::size_t(blocks_.size()));
   std::vector<Wrench> ofCarriers(std::size_t(faces_.size()), Wrench{});
-  const auto ofFace = [&](int f) {
-    const StressFace& face = faces_[f];
-    const double* G = faceForces.data() + std::size_t(f) * size;
-    const auto add = [G](const DenseMatrix& columns, double* sums) {
-      for (int k = 0; k < columns.cols(); ++k)
-        for (int i = 0; i < columns.rows(); ++i)
-          sums[k] += columns(i, k) * G[i];
-    };
-    double* y = gradient.data() + blocks_.ofFace(f);
-    add(face.own, y);
-    add(face.carrier, ofCarriers[std::size_t(f)].data());
-    for (int k = 0; k < face.higher; ++k)
-      y[face.own.cols() + k] += G[face.own.rows() + k];
-  };
-  const auto ofEdge = [&](std::size_t e) {
-    for (const StressEdge::Step& step : edges_[e].ring)
-      addBack(edges_[e], step, faces_[step.face], ofCarriers[std::size_t(step.face)].data(),
-              gradient.data() + blocks_.ofEdge(e));
-  };
-  const auto each = [&](int count, const auto& task) {
-    runInRanges(count, threads, [&task](int first, int last) {
-      for (int i = first; i < last; ++i)
-        task(std::size_t(i));
-    });
-  };
-  each(faces_.size(), [&](std::size_t f) { ofFace(int(f)); });
-  each(int(edges_.size()), ofEdge);
-  return gradient;
+  runInRanges(faces_.size(), threads, [&](int first, int last) {
+    for (int f = first; f < last; ++f) {
+      const StressFace& face = faces_[f];
+      const double* G = faceForces.data() + std::size_t(f) * size;
+      double* y = gradient.data() + blocks_.ofFace(f);
+      multiplyColumns(face.free->own, G, y);
+      multiplyColumns(face.free->carrier, G, ofCarriers[std::size_t(f)].data());
+      std::copy_n(G + face.free->own.rows(), face.free->higher, y + face.free->own.cols());
+    }
+  });
+  runInRanges(int(edges_.size()), threads, [&](int first, int last) {
+    for (int e = first; e < last; ++e) {
+      double* sum = gradient.data() + blocks_.ofEdge(std::size_t(e));
+      std::fill(sum, sum + (blocks_.ofEdge(std::size_t(e) + 1) - blocks_.ofEdge(std::size_t(e))), 0.0);
+      addForces(e, ofCarriers, sum);
+    }
+  });
 }
 
 } // namespace ndframe

@@ -13,17 +13,35 @@ public:
   StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges, const StressBlocks& blocks);
 
   /// T per face, on its first cell.
-  Vector tractions(const Vector& unknowns, int threads) const;
+  void tractions(const Vector& unknowns, int threads, Vector& tractions) const;
   /// By the unknowns, from that by the faces' tractions.
-  Vector gradient(const Vector& faceForces, int threads) const;
+  void gradient(const Vector& faceForces, int threads, Vector& gradient) const;
 
 private:
+  /// Where a face or an edge is, and its size: wrenches are about the point, moments over the size.
+  struct Frame
+  {
+    double point[3], size;
+  };
+  /// A step of an edge's ring through a face.
+  struct Place
+  {
+    int other;   ///< the edge of a face, the face of an edge
+    int step;    ///< in the ring; -1 where wrenches go through as they are
+    double sign; ///< there, of the traction on the face's first cell
+  };
+
+  void listPlaces();
+  Wrench amounts(int face, const Vector& unknowns) const;
   void addTractions(int face, const Vector& unknowns, double* T) const;
+  void addForces(int edge, const std::vector<Wrench>& ofCarriers, double* sum) const;
 
   const StressFaces& faces_;
   const std::vector<StressEdge>& edges_;
   const StressBlocks& blocks_;
-  FaceRings rings_;
+  std::vector<Frame> faceFrames_, edgeFrames_;
+  std::vector<int> firstOfFace_, firstOfEdge_; ///< and the end
+  std::vector<Place> ofFaces_, ofEdges_;
 };
 
 } // namespace ndframe

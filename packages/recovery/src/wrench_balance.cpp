@@ -40,6 +40,10 @@ WrenchBalance::WrenchBalance(int body, const StressFaces& faces)
     : number_(body), body_(&faces.cells().body(body)), faces_(&faces)
 {
   const Mesh& mesh = body_->model().mesh;
+  const auto cells = std::size_t(mesh.numCells());
+  volumes_.reserve(cells);
+  centres_.reserve(cells);
+  loadArms_.reserve(cells * std::size_t(body_->loadModes()));
   for (int c = 0; c < mesh.numCells(); ++c) {
     volumes_.push_back(cellMeasure(mesh, c));
     Direction centre{};
@@ -69,10 +73,10 @@ std::vector<WrenchBalance::Flow> WrenchBalance::flows(const Star& star, double s
       volume += volumes_[std::size_t(star.cells[std::size_t(spoke.cell[side])].cell)];
     Flow flow{&spoke, &face, std::pow(face.size, 4) / volume / size, {}};
     if (!face.isInside()) {
-      flow.through = DenseMatrix(wrench, face.reach.cols());
-      for (int j = 0; j < face.reach.cols(); ++j) {
+      flow.through = DenseMatrix(wrench, face.free->reach.cols());
+      for (int j = 0; j < face.free->reach.cols(); ++j) {
         Wrench unit{};
-        std::copy_n(face.reach.col(j), wrench, unit.begin());
+        std::copy_n(face.free->reach.col(j), wrench, unit.begin());
         unit = movedWrench(unit, face.centre, face.size, {a[0], a[1], a[2]}, size);
         std::copy_n(unit.begin(), wrench, flow.through.col(j));
       }
@@ -233,7 +237,7 @@ Vector WrenchBalance::balance(const Star& star, StarFields& x) const
   const DenseMatrix p = potentials(int(star.cells.size()), all, free, needed);
   for (const Flow& flow : all)
     for (int field = 0; field < x.cols(); ++field) {
-      const Vector traction = multiply(flow.face->carrier, amounts(flow, p.col(field), vertex, size));
+      const Vector traction = multiply(flow.face->free->carrier, amounts(flow, p.col(field), vertex, size));
       for (std::size_t i = 0; i < traction.size(); ++i) {
         place(*flow.spoke, 0, field)[i] += traction[i];
         if (flow.face->isInside())

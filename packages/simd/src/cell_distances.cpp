@@ -4,7 +4,7 @@
 
 #include "batched_cell_pass.hpp"
 #include "batched_workspace.hpp"
-#include "ndframe/equilibrium/equilibrated_stress.hpp"
+#include "ndframe/equilibrium/solid_energies.hpp"
 
 namespace ndframe
 {
@@ -21,10 +21,7 @@ Vector cellDistances(const BodyModel& body, const StressCorrection& correction, 
 Vector solidDistances(const BodyModel& body, const StressCorrection& correction, const Vector* difference,
                       const std::vector<int>& cells)
 {
-  Vector distances;
-  visitStresses(body, difference, correction, cells,
-                [&](int cell, const SplitStress& stress) { distances.push_back(stress.energy(body.laws(cell))); });
-  return distances;
+  return solidEnergies(body, difference, correction, cells);
 }
 
 } // namespace ndframe

@@ -29,17 +29,20 @@ public:
   /// Per entry and lane.
   void apply(const double* compliances, const double* factor, const double* T, double* forces) const;
 
-  /// CellForm::coefficients: data x cells to coefficients x cells; compliances: one column a cell.
-  DenseMatrix coefficients(const DenseMatrix& compliances, const DenseMatrix& data) const;
+  /// CellForm::coefficients: from compliances and data of `lanes` cells, per entry and lane.
+  void leastStress(const double* compliances, const double* data, double* stress) const;
 
 private:
-  void addBubbles(const double* packed, const double* data, double* bubbles) const;
+  void findBubbles(const double* factor, const double* weighed, double* inside) const;
 
   const ReferenceStress& reference_;
-  Vector lift_, lifted_;    ///< of tractions, row by row and column by column; functions are orthonormal on sub-cells
+  Vector lift_;             ///< of all data, row by row; functions are orthonormal on sub-cells
+  Vector lifted_;           ///< of tractions, column by column
   Vector bubble_, bubbled_; ///< the same
   Vector table_;            ///< per entry of the triangle of data, then of rows of bubbles, what compliances weigh
-  DenseMatrix ofBubbles_;   ///< rows of bubbles, column by column, and their lower triangle x entries of a compliance
 };
+
+/// Those of solids whose stresses have this degree, 1 or 2; computed on first use, then kept.
+const CellForms& solidForms(int degree);
 
 } // namespace ndframe

@@ -18,6 +18,9 @@ constexpr int wrenchSize(int dim)
 ///   F = T_0,   M = sum_k arm_k x T_k,   arm_k = mean of (x - a) L_k.   arms: dim per mode.
 DenseMatrix wrenchMap(int dim, const Vector& arms, int modes, double size);
 
+/// wrench += sign wrenchMap T, for the modes that the arms are of.
+void addWrench(int dim, const Vector& arms, const double* T, double sign, double size, Vector& wrench);
+
 /// A wrench about another point: M' = M + (from - to) x F.
 Vector wrenchAbout(int dim, Vector wrench, const Vector& from, const Vector& to, double size);
 

@@ -1,0 +1,139 @@
+#include "class_blocks.hpp"
+
+#include <algorithm>
+
+namespace ndframe
+{
+namespace
+{
+
+/// The columns that an edge's unknowns stand for on a face, as its cell feels them.
+DenseMatrix columnsOf(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, std::size_t side)
+{
+  const ThroughMatrix through(edge, step, face);
+  const DenseMatrix carrier = face.onSide(side, face.free->carrier);
+  DenseMatrix columns(carrier.rows(), through.cols);
+  for (int j = 0; j < columns.cols(); ++j)
+    for (int k = 0; k < carrier.cols(); ++k)
+      for (int i = 0; i < columns.rows(); ++i)
+        columns(i, j) += carrier(i, k) * through(k, j);
+  return columns;
+}
+
+/// Which face of a ring a cell has at each facet, or -1.
+std::array<int, 4> stepsOf(const StressFaces& faces, int cell, const StressEdge& edge)
+{
+  std::array<int, 4> steps{-1, -1, -1, -1};
+  for (int facet = 0; facet < 4; ++facet)
+    for (std::size_t s = 0; s < edge.ring.size(); ++s)
+      if (edge.ring[s].face == faces.of(cell, facet))
+        steps[std::size_t(facet)] = int(s);
+  return steps;
+}
+
+} // namespace
+
+std::vector<int> ClassBlocks::keyOfFace(int f) const
+{
+  const StressFace& face = (*faces_)[f];
+  if (!face.isInside() || !matrices_->has(face.cell[0]) || !matrices_->has(face.cell[1]))
+    return {};
+  const CellClasses& classes = faces_->cells().classes();
+  return {classes.of(face.cell[0]), classes.of(face.cell[1]), face.facet[0] * 4 + face.facet[1]};
+}
+
+/// The class of a cell and the two facets that meet at an edge.
+int ClassBlocks::codeAround(int cell, const StressEdge& edge) const
+{
+  int facets = 0;
+  const auto steps = stepsOf(*faces_, cell, edge);
+  for (std::size_t facet = 0; facet < 4; ++facet)
+    if (steps[facet] >= 0)
+      facets |= 1 << facet;
+  return faces_->cells().classes().of(cell) * 16 + facets;
+}
+
+std::vector<int> ClassBlocks::keyOfEdge(int e) const
+{
+  const StressEdge& edge = (*edges_)[std::size_t(e)];
+  std::vector<int> key;
+  for (const StressEdge::Step& step : edge.ring) {
+    if (step.cell < 0 || !matrices_->has(step.cell) || !(*faces_)[step.face].isInside())
+      return {};
+    key.push_back(codeAround(step.cell, edge));
+  }
+  std::sort(key.begin(), key.end());
+  return key;
+}
+
+double ClassBlocks::scaleOfEdge(int e) const
+{
+  const StressEdge& edge = (*edges_)[std::size_t(e)];
+  int least = -1, code = 0;
+  for (const StressEdge::Step& step : edge.ring)
+    if (const int own = codeAround(step.cell, edge); least < 0 || own < code) {
+      least = step.cell;
+      code = own;
+    }
+  return scale(least);
+}
+
+/// sum += left^T A right, the part of A between two facets.
+void ClassBlocks::addProduct(int cell, std::array<int, 2> facets, const DenseMatrix& left, const DenseMatrix& right,
+                             double* sum) const
+{
+  const int data = faces_->cells().facetData();
+  const double *A = matrices_->of(cell) + std::ptrdiff_t(facets[0] * data) * matrices_->columns() + facets[1] * data,
+               factor = scale(cell);
+  Vector product(std::size_t(left.rows()));
+  for (int j = 0; j < right.cols(); ++j, sum += left.cols()) {
+    for (int i = 0; i < left.rows(); ++i) {
+      const double* row = A + std::ptrdiff_t(i) * matrices_->columns();
+      double value = 0.0;
+      for (int k = 0; k < right.rows(); ++k)
+        value += row[k] * right(k, j);
+      product[std::size_t(i)] = factor * value;
+    }
+    for (int l = 0; l < left.cols(); ++l)
+      for (int i = 0; i < left.rows(); ++i)
+        sum[l] += left(i, l) * product[std::size_t(i)];
+  }
+}
+
+void ClassBlocks::addFace(int cell, int facet, double* sum) const
+{
+  const StressFace& face = (*faces_)[faces_->of(cell, facet)];
+  const DenseMatrix columns = face.onSide(face.sideOf(cell), face.allOwn());
+  addProduct(cell, {facet, facet}, columns, columns, sum);
+}
+
+void ClassBlocks::addEdge(int cell, int e, double* sum) const
+{
+  const StressEdge& edge = (*edges_)[std::size_t(e)];
+  const auto steps = stepsOf(*faces_, cell, edge);
+  std::array<DenseMatrix, 4> columns;
+  for (int facet = 0; facet < 4; ++facet)
+    if (const int s = steps[std::size_t(facet)]; s >= 0) {
+      const StressFace& face = (*faces_)[faces_->of(cell, facet)];
+      columns[std::size_t(facet)] = columnsOf(edge, edge.ring[std::size_t(s)], face, face.sideOf(cell));
+    }
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b)
+      if (steps[std::size_t(a)] >= 0 && steps[std::size_t(b)] >= 0)
+        addProduct(cell, {a, b}, columns[std::size_t(a)], columns[std::size_t(b)], sum);
+}
+
+void ClassBlocks::addAllOfFace(int f, double* sum) const
+{
+  const StressFace& face = (*faces_)[f];
+  for (std::size_t side = 0; side < 2; ++side)
+    addFace(face.cell[side], face.facet[side], sum);
+}
+
+void ClassBlocks::addAllOfEdge(int e, double* sum) const
+{
+  for (const StressEdge::Step& step : (*edges_)[std::size_t(e)].ring)
+    addEdge(step.cell, e, sum);
+}
+
+} // namespace ndframe

@@ -1,0 +1,39 @@
+#pragma once
+
+#include "ndframe/equilibrium/cell_forms.hpp"
+#include "stress_cells.hpp"
+
+namespace ndframe
+{
+
+/// The energy matrices A_E (CellForm::condensed) of the classes of cells (CellClasses) that have many: rows for the
+/// tractions, columns for tractions and loads, global axes, of the first cell of the class.
+class ClassMatrices
+{
+public:
+  /// A class has a matrix from this many cells on; that takes no more memory than what cells keep for themselves.
+  static constexpr int fewest = CellForms::lanes;
+
+  /// cells must outlive it.
+  explicit ClassMatrices(const StressCells& cells);
+
+  int size() const { return size_; }
+  /// Whether a cell's class has a matrix.
+  bool has(int cell) const { return place(cell) >= 0; }
+  /// The matrix of a cell's class, row by row; that of the cell is CellClasses::scale times it.
+  const double* of(int cell) const { return tables_.data() + std::size_t(place(cell)) * tableSize(); }
+  int rows() const { return rows_; }
+  int columns() const { return columns_; }
+
+private:
+  std::size_t tableSize() const { return std::size_t(rows_) * std::size_t(columns_); }
+  int place(int cell) const { return place_[std::size_t(cells_->classes().of(cell))]; }
+  void find(const CellForms& forms, const int* classes, int count);
+
+  const StressCells* cells_;
+  int size_ = 0, rows_, columns_;
+  std::vector<int> place_; ///< per class, -1: too few cells
+  Vector tables_;
+};
+
+} // namespace ndframe
