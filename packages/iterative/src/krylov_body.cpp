@@ -11,6 +11,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "recycled_solutions.hpp"
 #include "restarted_gradients.hpp"
+#include "stored_problem.hpp"
 
 namespace ndframe
 {
@@ -109,11 +110,11 @@ private:
 };
 
 /// The problem whose kept dofs are unknowns, too.
-SolverProblem freed(const SolverProblem& problem)
+SolverProblem freed(const SolverProblem& problem, bool hasTwoLevels)
 {
   if (problem.kept.empty())
     return {};
-  SolverProblem result = problem;
+  SolverProblem result = hasTwoLevels ? withVerticesOnly(problem) : problem;
   for (const int dof : result.kept)
     result.roles[std::size_t(dof)] = DofRole::Interior;
   return result;
@@ -126,7 +127,7 @@ class KrylovBody final : public SplitBody, public WholeSolver
 public:
   KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
              MakeConjugateGradients makeCg, MakeJoinedGradients makeJoined, std::string description)
-      : SplitBody(problem, comm, ledger), freed_(freed(problem)), options_(options), makeCg_(std::move(makeCg)),
+      : SplitBody(problem, comm, ledger), freed_(freed(problem, makeJoined != nullptr)), options_(options), makeCg_(std::move(makeCg)),
         makeJoined_(std::move(makeJoined)), description_(std::move(description))
   {
     if (kept_.empty())

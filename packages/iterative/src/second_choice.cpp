@@ -5,6 +5,7 @@
 #include "ndframe/algebra/neumann_solver.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "solvers.hpp"
+#include "stored_problem.hpp"
 
 namespace ndframe
 {
@@ -18,7 +19,7 @@ class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver, p
 public:
   BodyWithSecondChoice(std::unique_ptr<CondensedBody> first, std::shared_ptr<const LinearSolver> second,
                        const SolverProblem& problem, const Comm& comm, Ledger& ledger)
-      : body_(std::move(first)), second_(std::move(second)), problem_(problem), comm_(comm), ledger_(ledger)
+      : body_(std::move(first)), second_(std::move(second)), problem_(withVerticesOnly(problem)), comm_(comm), ledger_(ledger)
   {}
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
@@ -83,13 +84,13 @@ private:
   void takeSecond() const
   {
     body_.reset(); // its memory is needed
-    body_ = std::exchange(second_, nullptr)->factor(problem_, comm_, ledger_);
+    body_ = std::exchange(second_, nullptr)->factor(withAllNodes(std::exchange(problem_, {})), comm_, ledger_);
     ledger_.count("solvers given up");
   }
 
   mutable std::unique_ptr<CondensedBody> body_;
   mutable std::shared_ptr<const LinearSolver> second_; ///< null once it is taken
-  SolverProblem problem_;
+  mutable SolverProblem problem_; ///< withVerticesOnly(); empty once the second one is taken
   Comm comm_;
   Ledger& ledger_;
 };
