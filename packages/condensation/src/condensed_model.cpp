@@ -243,7 +243,7 @@ private:
   std::vector<DofLayout> layouts_; ///< per body
   std::vector<Kept> kept_;         ///< per body
   std::optional<NodeOwners> owners_;
-  std::vector<BodyTrace> traces_;  ///< per body, empty for those that touch nothing
+  std::vector<BodyTrace> traces_; ///< per body, empty for those that touch nothing
 };
 
 } // namespace

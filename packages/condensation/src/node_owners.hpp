@@ -5,9 +5,9 @@
 namespace ndframe
 {
 
-/// Per body the owner of each node, as ranks share the matrices' rows. Bodies that are solved together are shared out as
-/// one graph, of their vertices: both partners of a contact pair are one, and the middle of an edge goes with one of its
-/// ends. Other bodies are shared out one by one. Every rank computes the same.
+/// Per body the owner of each node, as ranks share the matrices' rows. Bodies that are solved together are shared out
+/// as one graph, of their vertices: both partners of a contact pair are one, and the middle of an edge goes with one of
+/// its ends. Other bodies are shared out one by one. Every rank computes the same.
 class NodeOwners
 {
 public:

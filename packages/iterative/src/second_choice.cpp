@@ -19,7 +19,8 @@ class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver, p
 public:
   BodyWithSecondChoice(std::unique_ptr<CondensedBody> first, std::shared_ptr<const LinearSolver> second,
                        const SolverProblem& problem, const Comm& comm, Ledger& ledger)
-      : body_(std::move(first)), second_(std::move(second)), problem_(withVerticesOnly(problem)), comm_(comm), ledger_(ledger)
+      : body_(std::move(first)), second_(std::move(second)), problem_(withVerticesOnly(problem)), comm_(comm),
+        ledger_(ledger)
   {}
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
@@ -90,7 +91,7 @@ private:
 
   mutable std::unique_ptr<CondensedBody> body_;
   mutable std::shared_ptr<const LinearSolver> second_; ///< null once it is taken
-  mutable SolverProblem problem_; ///< withVerticesOnly(); empty once the second one is taken
+  mutable SolverProblem problem_;                      ///< withVerticesOnly(); empty once the second one is taken
   Comm comm_;
   Ledger& ledger_;
 };

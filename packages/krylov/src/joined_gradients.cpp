@@ -67,10 +67,16 @@ public:
     cg_ = makeBelosCg({matrix_, cycle_}, belos);
   }
 
-  CycleWork work() const override { return {matrix_->products(), cycle_->cycles()}; }
+  CycleWork work() const override { return workOf(*matrix_, *cycle_); }
   Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const override
   {
     return cg_->solve(b, tolerance, maxIterations, watch);
+  }
+  Vector multiply(const Vector& x) const override
+  {
+    Vector y(x.size());
+    matrix_->multiplyBodies(x.data(), y.data());
+    return y;
   }
   void follow(const JoinedUnknowns& unknowns) override
   {

@@ -2,6 +2,9 @@
 
 #include <vector>
 
+#include <Tpetra_Import.hpp>
+
+#include "ndframe/iterative/krylov_library.hpp"
 #include "tpetra_system.hpp"
 
 namespace ndframe
@@ -22,6 +25,24 @@ struct LocalNodes
 
   std::vector<int> nodes;
   std::vector<int> local; ///< node -> its number, -1 for nodes that this rank does not see
+};
+
+/// Values of a rank's own dofs with those of other ranks that it needs, and the way back. Counts what it sends.
+class Halo
+{
+public:
+  Halo(const Teuchos::RCP<const TpetraMap>& own, const Teuchos::RCP<const TpetraMap>& needed); ///< collective
+
+  /// needed := the values of their owners.
+  void fetch(const TpetraVectors& own, TpetraVectors& needed) const;
+  /// own += the values of all that need them.
+  void add(const TpetraVectors& needed, TpetraVectors& own) const;
+  const Traffic& traffic() const { return traffic_; } ///< of this rank, so far
+
+private:
+  Tpetra::Import<> import_;
+  Traffic fetch_, add_; ///< one of each
+  mutable Traffic traffic_;
 };
 
 /// The nodes of this rank's columns.

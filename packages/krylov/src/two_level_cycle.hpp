@@ -28,6 +28,7 @@ public:
   void apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETransp mode, double alpha, double beta) const override;
 
   int cycles() const { return cycles_; } ///< so far
+  Traffic traffic() const;               ///< of transfers and coarse level, of this rank, so far
 
 private:
   void cycle(const double* b, double* x) const;
@@ -45,6 +46,10 @@ private:
   mutable std::vector<double> residual_, product_;
   mutable Teuchos::RCP<TpetraVectors> step_, nextStep_, coarseLoad_, coarseSolution_;
   mutable int cycles_ = 0;
+  mutable Traffic coarseTraffic_;
 };
+
+/// Of both so far.
+CycleWork workOf(const FineOperator& matrix, const TwoLevelCycle& cycle);
 
 } // namespace ndframe

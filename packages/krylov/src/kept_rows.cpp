@@ -1,0 +1,57 @@
+#include "kept_rows.hpp"
+
+#include <algorithm>
+
+namespace ndframe
+{
+
+KeptPlaces::KeptPlaces(const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& dofMap)
+    : comm_(dofMap->getComm())
+{
+  for (std::size_t k = 0; k < kept.size(); ++k) {
+    const auto local = kept[k] < 0 ? -1 : dofMap->getLocalElement(kept[k]);
+    if (local >= 0)
+      own_.push_back({int(k), std::size_t(local)});
+  }
+}
+
+KeptRows::KeptRows(const KeptPlaces& places, const std::vector<SparseRow>& rows) : places_(&places)
+{
+  std::vector<int> own;
+  for (const auto& place : places.own())
+    own.push_back(place.kept);
+  LocalNodes needed(own, int(rows.size()));
+  for (const int k : own) {
+    rows_.emplace_back();
+    for (const auto& [other, share] : rows[std::size_t(k)])
+      rows_.back().emplace_back(needed.number(other), share);
+  }
+  given_.resize(needed.nodes.size());
+  if (places.comm()->getSize() == 1)
+    return;
+  const auto ownMap = mapOf(own, 1, places.comm()), neededMap = mapOf(needed.nodes, 1, places.comm());
+  sent_.emplace(Sent{Halo(ownMap, neededMap), Teuchos::rcp(new TpetraVectors(ownMap, 1)),
+                     Teuchos::rcp(new TpetraVectors(neededMap, 1))});
+}
+
+void KeptRows::apply(double* x) const
+{
+  if (!places_)
+    return;
+  const auto& own = places_->own();
+  for (std::size_t k = 0; k < own.size(); ++k)
+    given_[k] = x[own[k].dof];
+  if (sent_) {
+    std::copy_n(given_.data(), own.size(), sent_->own->getDataNonConst(0).getRawPtr());
+    sent_->halo.fetch(*sent_->own, *sent_->needed);
+    const auto values = sent_->needed->getData(0);
+    std::copy(values.begin(), values.end(), given_.begin());
+  }
+  for (std::size_t k = 0; k < own.size(); ++k) {
+    double& value = x[own[k].dof] = 0.0;
+    for (const auto& [other, share] : rows_[k])
+      value += share * given_[std::size_t(other)];
+  }
+}
+
+} // namespace ndframe
