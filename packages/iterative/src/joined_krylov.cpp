@@ -131,8 +131,8 @@ private:
 
   void setCoarse(const JoinedRows& onVertices, double springs)
   {
-    const JoinedLevel level(levels_, kept_.coarse, onVertices, springs_, comm_);
-    gradients_->setCoarse(onVertices, level.problem, meanDiagonal(level.matrix, comm_));
+    auto level = std::make_unique<const JoinedLevel>(levels_, kept_.coarse, onVertices, springs_, comm_);
+    gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] { level.reset(); });
     coarseRows_ = onVertices;
     coarseSprings_ = springs;
     ledger_.count("multigrid set-ups");

@@ -84,9 +84,13 @@ public:
     transfer_->follow(unknowns.rows.unknowns);
     cycle_->takeDiagonal();
   }
-  void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal) override
+  void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal,
+                 const std::function<void()>& isRead) override
   {
-    cycle_->setCoarse(TpetraSystem(problem, comm_, decoupledDiagonal), *coarse_);
+    cycle_->dropCoarse();
+    const TpetraSystem system(problem, comm_, decoupledDiagonal);
+    isRead();
+    cycle_->setCoarse(system, *coarse_);
     transfer_->followOnVertices(rows.kept);
   }
 

@@ -29,7 +29,7 @@ TwoLevelCycle::TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::uniqu
 
 void TwoLevelCycle::setCoarse(const TpetraSystem& system, const Preconditioner& coarse)
 {
-  coarse_.reset(); // its memory is needed
+  dropCoarse();
   coarse_ = coarse.build(system);
   coarseLoad_ = vectorOn(system.dofMap);
   coarseSolution_ = vectorOn(system.dofMap);

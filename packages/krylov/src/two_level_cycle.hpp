@@ -18,6 +18,7 @@ class TwoLevelCycle final : public TpetraOperator
 public:
   /// Takes the largest eigenvalue of the matrix as it is now.
   TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer);
+  void dropCoarse() { coarse_.reset(); } ///< its memory is needed; setCoarse() must follow
   void setCoarse(const TpetraSystem& system, const Preconditioner& coarse);
   /// The matrix has another diagonal, and no larger eigenvalue.
   void takeDiagonal() { inverseDiagonal_ = matrix_->inverseDiagonal(); }

@@ -97,8 +97,10 @@ public:
   virtual void follow(const JoinedUnknowns& unknowns) = 0;
   /// K x of the bodies as if nothing joined them, zero where no dof is free; on the dofs of this rank's nodes.
   virtual Vector multiply(const Vector& x) const = 0;
-  /// problem: that of all vertices; not needed any more when this returns.
-  virtual void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal) = 0;
+  /// problem: that of all vertices. isRead(): called as soon as it is not needed any more, before the coarse level is
+  /// set up, which takes much memory.
+  virtual void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal,
+                         const std::function<void()>& isRead) = 0;
 };
 
 /// What Belos, Ifpack2 and MueLu do for us. The implementation is a module of its own (package krylov), because the
