@@ -1,3 +1,6 @@
+#include <array>
+#include <set>
+
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -97,6 +100,53 @@ TEST(Multigrid, CountsProductsCyclesAndSetUps)
   EXPECT_GE(cycles, iterations);
   EXPECT_LE(cycles, iterations + 4);
   EXPECT_LE(products - 5 * cycles, 20 + 8) << "four products a cycle, one of conjugate gradients";
+}
+
+namespace
+{
+
+/// Per rank what its rows need: ranks and nodes that others own, summed over all ranks.
+std::array<std::int64_t, 2> neededBy(const BlockMatrix& K)
+{
+  const Comm comm = test::comm();
+  Vector owner(std::size_t(K.numNodes), 0.0);
+  for (const int node : K.rows)
+    owner[std::size_t(node)] = comm.rank();
+  comm.sum(owner);
+  std::set<int> ranks, nodes;
+  for (const int node : K.cols)
+    if (const int rank = int(owner[std::size_t(node)]); rank != comm.rank()) {
+      ranks.insert(rank);
+      nodes.insert(node);
+    }
+  return {comm.sum(std::int64_t(ranks.size())), comm.sum(std::int64_t(nodes.size()))};
+}
+
+} // namespace
+
+/// A product takes one message from each rank that owns nodes of its columns, with the numbers of these nodes; cycles
+/// take more on the vertices. Products for residuals outside of conjugate gradients are summed up instead.
+TEST(Multigrid, CountsWhatRanksSendToEachOther)
+{
+  const test::SampleBody body = test::trussBody({12, 8, 8}, test::comm());
+  Ledger ledger, again;
+  solve(body, body.problem(test::Support::Clamp), "", ledger);
+  solve(body, body.problem(test::Support::Clamp), "", again);
+  const auto messages = ledger.counted("halo messages"), bytes = ledger.counted("halo bytes");
+  EXPECT_EQ(again.counted("halo messages"), messages);
+  EXPECT_EQ(again.counted("halo bytes"), bytes);
+  if (test::comm().size() == 1) {
+    EXPECT_EQ(ledger.counts().count("halo messages"), 0u);
+    EXPECT_EQ(ledger.counts().count("halo bytes"), 0u);
+    return;
+  }
+  const auto products = ledger.counted("fine products"), cycles = ledger.counted("multigrid cycles");
+  const auto [ranks, nodes] = neededBy(body.matrix);
+  const std::int64_t residuals = 6, pairs = test::comm().size() * (test::comm().size() - 1);
+  EXPECT_GE(messages, ranks * (products - residuals));
+  EXPECT_LE(messages, ranks * products + pairs * cycles * (2 + 2 * 6 + 19)) << "transfers, levels, the coarsest one";
+  EXPECT_GE(bytes, 24 * nodes * (products - residuals));
+  EXPECT_LE(bytes, 24 * nodes * (products + 4 * cycles)) << "vertices are an eighth of the nodes";
 }
 
 TEST(Multigrid, TakesEveryNodeForAVertexWhereNoneIsOnAnEdge)

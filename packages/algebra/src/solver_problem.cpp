@@ -32,16 +32,38 @@ void checkShapes(const SolverProblem& problem)
 }
 
 /// The modes, each scaled to a largest entry of one (a rotation carries the unit of length).
-DenseMatrix unitModes(DenseMatrix modes)
+class UnitModes
 {
-  for (int m = 0; m < modes.cols(); ++m) {
-    const double largest = largestEntry(modes.column(m));
-    NDFRAME_ASSERT(largest > 0.0, "a mode of the near null space is zero");
-    for (int i = 0; i < modes.rows(); ++i)
-      modes(i, m) /= largest;
+public:
+  /// modes: must outlive it.
+  explicit UnitModes(const DenseMatrix& modes) : modes_(modes)
+  {
+    for (int m = 0; m < modes.cols(); ++m) {
+      largest_.push_back(largestEntry(modes.column(m)));
+      NDFRAME_ASSERT(largest_.back() > 0.0, "a mode of the near null space is zero");
+    }
   }
-  return modes;
-}
+
+  DenseMatrix rows(const std::vector<int>& dofs) const
+  {
+    DenseMatrix rows(int(dofs.size()), modes_.cols());
+    for (int m = 0; m < modes_.cols(); ++m)
+      for (int i = 0; i < rows.rows(); ++i)
+        rows(i, m) = modes_(dofs[std::size_t(i)], m) / largest_[std::size_t(m)];
+    return rows;
+  }
+
+  Vector combined(Vector amplitudes) const
+  {
+    for (std::size_t m = 0; m < amplitudes.size(); ++m)
+      amplitudes[m] /= largest_[m];
+    return multiply(modes_, amplitudes);
+  }
+
+private:
+  const DenseMatrix& modes_;
+  Vector largest_;
+};
 
 std::vector<int> dofsOf(const SolverProblem& problem, std::initializer_list<DofRole> roles)
 {
@@ -50,15 +72,6 @@ std::vector<int> dofsOf(const SolverProblem& problem, std::initializer_list<DofR
     if (std::find(roles.begin(), roles.end(), problem.roles[dof]) != roles.end())
       dofs.push_back(int(dof));
   return dofs;
-}
-
-DenseMatrix rowsOf(const DenseMatrix& modes, const std::vector<int>& dofs)
-{
-  DenseMatrix rows(int(dofs.size()), modes.cols());
-  for (int m = 0; m < modes.cols(); ++m)
-    for (int i = 0; i < rows.rows(); ++i)
-      rows(i, m) = modes(dofs[std::size_t(i)], m);
-  return rows;
 }
 
 /// Whether a motion needs no energy.
@@ -98,11 +111,11 @@ void checkProblem(const SolverProblem& problem, const Comm& comm)
     throw InputError("Every displacement of a body is prescribed; nothing is left to solve for.");
   if (problem.nearNullSpace.cols() == 0)
     return;
-  const DenseMatrix modes = unitModes(problem.nearNullSpace);
-  const DenseMatrix unheld = nullSpace(rowsOf(modes, dofsOf(problem, {DofRole::Fixed, DofRole::Kept})), zeroMotion);
+  const UnitModes modes(problem.nearNullSpace);
+  const DenseMatrix unheld = nullSpace(modes.rows(dofsOf(problem, {DofRole::Fixed, DofRole::Kept})), zeroMotion);
   const EnergyTest energy(problem, comm);
   for (int k = 0; k < unheld.cols(); ++k) {
-    const Vector motion = multiply(modes, unheld.column(k));
+    const Vector motion = modes.combined(unheld.column(k));
     if (!energy.isFree(motion))
       continue;
     const auto most =
@@ -119,13 +132,13 @@ FreeMotions freeMotions(const SolverProblem& problem, const Comm& comm)
   FreeMotions motions{DenseMatrix(int(problem.kept.size()), 0), {}};
   if (problem.nearNullSpace.cols() == 0 || problem.kept.empty())
     return motions;
-  const DenseMatrix modes = unitModes(problem.nearNullSpace);
-  const DenseMatrix unheld = nullSpace(rowsOf(modes, dofsOf(problem, {DofRole::Fixed})), zeroMotion);
+  const UnitModes modes(problem.nearNullSpace);
+  const DenseMatrix unheld = nullSpace(modes.rows(dofsOf(problem, {DofRole::Fixed})), zeroMotion);
   const EnergyTest energy(problem, comm);
   for (int k = 0; k < unheld.cols(); ++k)
-    if (!energy.isFree(multiply(modes, unheld.column(k))))
+    if (!energy.isFree(modes.combined(unheld.column(k))))
       return motions; // these modes do not know what the body can do
-  motions.traces = multiply(rowsOf(modes, problem.kept), unheld);
+  motions.traces = multiply(modes.rows(problem.kept), unheld);
   motions.held = pivotRows(motions.traces);
   return motions;
 }

@@ -1,6 +1,7 @@
 #include "ndframe/condensation/condensed_model.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <utility>
 
 #include <fmt/format.h>
@@ -8,8 +9,8 @@
 #include "body_progress.hpp"
 #include "mortar_conditions.hpp"
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/mesh/partition.hpp"
 #include "ndframe/scene/stage.hpp"
+#include "node_owners.hpp"
 #include "trace_nodes.hpp"
 
 namespace ndframe
@@ -17,24 +18,14 @@ namespace ndframe
 namespace
 {
 
-std::vector<int> ownedNodes(const BodyModel& body, const Comm& comm)
-{
-  const auto owner = partitionNodes(body.nodes.cellNodes, body.nodes.nodesPerCell, body.nodes.numNodes(), comm.size());
-  std::vector<int> owned;
-  for (int node = 0; node < body.nodes.numNodes(); ++node)
-    if (owner[std::size_t(node)] == comm.rank())
-      owned.push_back(node);
-  return owned;
-}
-
 DofLayout layOut(const Model& model, std::size_t b, const BodyTraceNodes& nodes)
 {
   return makeDofLayout(model.bodies[b].nodes, model.constraints[b], nodes.traces);
 }
 
-BodySystem assemble(const Model& model, std::size_t b, DofLayout layout, const Comm& comm)
+BodySystem assemble(const Model& model, std::size_t b, DofLayout layout, const NodeOwners& owners, const Comm& comm)
 {
-  return assembleBody(model.bodies[b], std::move(layout), ownedNodes(model.bodies[b], comm), model.loads[b]);
+  return assembleBody(model.bodies[b], std::move(layout), owners.ownedBy(comm.rank(), int(b)), model.loads[b]);
 }
 
 /// A body whose dofs are all prescribed needs no factor.
@@ -132,6 +123,8 @@ public:
     result_.interface.mortar = mortarSpace(model_, result_.interface);
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
       layOutBody(b, traceNodes[b]);
+    if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return !kept.factor; }))
+      owners_.emplace(model_, comm_.size());
     const std::vector<int> sizes = model_.numDofs();
     const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
     assembleWhatIsNew(largest); // before the others begin: it has to be ordered first, for only one can be at a time
@@ -197,7 +190,7 @@ private:
     const auto timer = timeStage(ledger_, Stage::Assemble);
     BodySystem& system = result_.systems[b];
     if (!kept_[b].factor) {
-      system = assemble(model_, b, std::move(layouts_[b]), comm_);
+      system = assemble(model_, b, std::move(layouts_[b]), *owners_, comm_);
     } else { // other loads or prescribed values, the same matrix
       system.dofs = std::move(layouts_[b]);
       system.load = system.dofs.frames.toLocal(model_.loads[b]);
@@ -249,7 +242,8 @@ private:
   InterfaceSystem interface_;      ///< the same
   std::vector<DofLayout> layouts_; ///< per body
   std::vector<Kept> kept_;         ///< per body
-  std::vector<BodyTrace> traces_;  ///< per body, empty for those that touch nothing
+  std::optional<NodeOwners> owners_;
+  std::vector<BodyTrace> traces_; ///< per body, empty for those that touch nothing
 };
 
 } // namespace
@@ -265,9 +259,10 @@ std::vector<BodySystem> assembleSystems(const Model& model, const Comm& comm)
 {
   InterfaceSystem numbering;
   const auto traceNodes = numberUnknowns(model, numbering);
+  const NodeOwners owners(model, comm.size());
   std::vector<BodySystem> systems;
   for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    systems.push_back(assemble(model, b, layOut(model, b, traceNodes[b]), comm));
+    systems.push_back(assemble(model, b, layOut(model, b, traceNodes[b]), owners, comm));
   return systems;
 }
 

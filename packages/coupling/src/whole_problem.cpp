@@ -51,13 +51,12 @@ bool areSolvedWhole(const InterfaceSystem& system)
 
 WholeProblem::WholeProblem(const InterfaceSystem& system)
     : network_(unloadedNetworkOf(system)), motions_(motionNames(network_)), approach_(approachOf(network_)),
-      atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0), tolerance_(early)
+      atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0), kept_(v_), tolerance_(early)
 {
   std::vector<const WholeSolver*> solvers;
   for (const BodyTrace* body : network_.bodies) {
     solvers.push_back(body->whole);
-    loads_.push_back(*body->load);
-    fields_.emplace_back(body->load->size(), 0.0);
+    loads_.push_back(&body->load->whole());
   }
   joined_ =
       solvers.front()->join(solvers, rowsFor(ClosedRows(network_.jump, {}, network_.bound, network_.size()), false));
@@ -66,8 +65,10 @@ WholeProblem::WholeProblem(const InterfaceSystem& system)
 std::vector<NodalField> WholeProblem::fields() const
 {
   std::vector<NodalField> fields;
-  for (std::size_t b = 0; b < fields_.size(); ++b)
-    fields.emplace_back(network_.bodies[b]->load->map(), network_.bodies[b]->load->width(), fields_[b]);
+  for (Vector& values : joined_->fields()) {
+    const NodalField& load = *network_.bodies[fields.size()]->load;
+    fields.emplace_back(load.map(), load.width(), std::move(values));
+  }
   return fields;
 }
 
@@ -138,46 +139,42 @@ void WholeProblem::moveToStatuses()
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
     const TraceMap& map = network_.bodies[b]->map;
     const Vector kept = map.keptValues({v_.begin() + network_.offsets[b], v_.begin() + network_.offsets[b + 1]});
-    for (std::size_t k = 0; k < kept.size(); ++k)
-      fields_[b][std::size_t(map.dofs()[k])] = kept[k];
+    std::copy(kept.begin(), kept.end(), kept_.begin() + network_.offsets[b]);
   }
 }
 
-/// On the entries of v.
-Vector WholeProblem::forcesOn(const std::vector<Vector>& rest) const
+/// On the entries of v. rest: per kept dof.
+Vector WholeProblem::forcesOn(const Vector& rest) const
 {
   Vector all;
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
     const TraceMap& map = network_.bodies[b]->map;
     Vector kept;
-    for (const int dof : map.dofs())
-      kept.push_back(-rest[b][std::size_t(dof)]);
+    for (int k = 0; k < map.size(); ++k)
+      kept.push_back(-rest[std::size_t(network_.offsets[b] + k)]);
     const Vector own = map.forces(kept);
     all.insert(all.end(), own.begin(), own.end());
   }
   return all;
 }
 
-void WholeProblem::evaluate(const std::vector<Vector>& rest, StatusPass& pass) const
+void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
 {
   const Vector forces = forcesOn(rest);
   pass.unbalanced = largestEntry(rows_->reduced(forces));
   pass.force = rows_->forces(forces);
   setDisplacement(network_, v_, pass);
-  for (const Vector& load : loads_)
-    pass.load = std::max(pass.load, largestEntry(load));
+  for (const Vector* load : loads_)
+    pass.load = std::max(pass.load, largestEntry(*load));
   pass.roundOff = roundOff();
 }
 
 void WholeProblem::settle(double tolerance, StatusPass& pass)
 {
-  const std::vector<Vector> rest = joined_->solve(loads_, fields_, tolerance);
+  const Vector rest = joined_->solve(loads_, kept_, tolerance);
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
     const TraceMap& map = network_.bodies[b]->map;
-    Vector kept;
-    for (const int dof : map.dofs())
-      kept.push_back(fields_[b][std::size_t(dof)]);
-    const Vector values = map.values(kept);
+    const Vector values = map.values({kept_.begin() + network_.offsets[b], kept_.begin() + network_.offsets[b + 1]});
     std::copy(values.begin(), values.end(), v_.begin() + network_.offsets[b]);
   }
   evaluate(rest, pass);

@@ -31,7 +31,7 @@ public:
 
   const Network& network() const { return network_; }
   const Vector& displacement() const { return v_; } ///< of the last pass
-  std::vector<NodalField> fields() const;           ///< of the last pass, per body, in the nodes' own axes
+  std::vector<NodalField> fields() const;           ///< of the last pass, per body, in the nodes' own axes; collective
   /// What signs and gaps are compared with at the end.
   double roundOff() const;
 
@@ -41,15 +41,15 @@ private:
   bool isAtVertex(std::size_t entry) const { return atVertex_[entry] != 0; }
   void settle(double tolerance, StatusPass& pass);
   void moveToStatuses();
-  Vector forcesOn(const std::vector<Vector>& rest) const;
-  void evaluate(const std::vector<Vector>& rest, StatusPass& pass) const;
+  Vector forcesOn(const Vector& rest) const;
+  void evaluate(const Vector& rest, StatusPass& pass) const;
 
   Network network_;
   std::vector<std::string> motions_;
   DenseMatrix approach_;       ///< of both sides per unknown under the free motions
   std::vector<char> atVertex_; ///< per entry of v
-  std::vector<Vector> loads_, fields_;
-  Vector v_;
+  std::vector<const Vector*> loads_;
+  Vector v_, kept_; ///< per entry, the latter as the kept dofs have it
   std::optional<ClosedRows> rows_;
   std::unique_ptr<JoinedSystem> joined_;
   double tolerance_;

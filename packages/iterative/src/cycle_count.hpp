@@ -15,12 +15,17 @@ public:
   void addResidual() { ++residuals_; }
 
   /// `now`: all that they took since they were set up. Products for residuals count only where there are two levels.
-  void enter(const CycleWork& now, Ledger& ledger)
+  /// What ranks send to each other is that of all ranks. Collective.
+  void enter(const CycleWork& now, const Comm& comm, Ledger& ledger)
   {
     if (now.products == 0)
       return;
     ledger.count("fine products", now.products - entered_.products + std::exchange(residuals_, 0));
     ledger.count("multigrid cycles", now.cycles - entered_.cycles);
+    if (comm.size() > 1) {
+      ledger.count("halo messages", comm.sum(now.traffic.messages - entered_.traffic.messages));
+      ledger.count("halo bytes", comm.sum(now.traffic.bytes - entered_.traffic.bytes));
+    }
     entered_ = now;
   }
 

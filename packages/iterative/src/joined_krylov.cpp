@@ -5,6 +5,7 @@
 
 #include "cycle_count.hpp"
 #include "joined_level.hpp"
+#include "own_dofs.hpp"
 #include "restarted_gradients.hpp"
 
 namespace ndframe
@@ -58,17 +59,12 @@ class JoinedKrylov final : public JoinedSystem
 public:
   JoinedKrylov(std::vector<const SolverProblem*> problems, const JoinedRows& open, const Comm& comm, Ledger& ledger,
                KrylovOptions options, const MakeJoinedGradients& make)
-      : problems_(std::move(problems)), comm_(comm), ledger_(ledger), options_(options)
+      : problems_(std::move(problems)), comm_(comm), ledger_(ledger), options_(options), own_(problems_, comm),
+        u_(own_.size(), 0.0)
   {
     for (const SolverProblem* problem : problems_)
       levels_.push_back(std::make_unique<LinearLevel>(*problem, comm));
     kept_ = numberKept(problems_, levels_);
-    std::size_t size = 0;
-    for (const SolverProblem* problem : problems_)
-      size += problem->roles.size();
-    isKept_.assign(size, 0);
-    for (const int dof : kept_.dofs)
-      isKept_[std::size_t(dof)] = 1;
     JoinedBodies bodies{problems_, {}, kept_.dofs, kept_.coarse};
     for (const auto& level : levels_)
       bodies.levels.push_back(level.get());
@@ -91,32 +87,33 @@ public:
       setCoarse(onVertices, springs);
   }
 
-  std::vector<Vector> solve(const std::vector<Vector>& loads, std::vector<Vector>& u, double tolerance) override
+  Vector solve(const std::vector<const Vector*>& loads, Vector& kept, double tolerance) override
   {
-    const std::vector<Vector> centre = u;
-    std::vector<Vector> rest;
-    Vector right;
+    const Vector load = own_.part(loads), centre = kept;
+    own_.setKept(kept, u_);
+    Vector rest, right;
     const auto residual = [&] {
-      rest = unbalanced(loads, u);
-      right = reduced(rest, u, centre);
-      return norm(right);
+      right = unbalanced(load);
+      rest = own_.atKept(right);
+      own_.setKept(reduced(rest, kept, centre), right);
+      return own_.norm(right);
     };
-    const double first = residual(), reference = appliedForce(loads, rest);
+    const double first = residual(), reference = std::hypot(own_.norm(load), norm(rest));
     const int iterations = restartedGradients(
         tolerance * reference, reference, options_.maxIterations, first, ledger_,
         [&](double reduction, int most, const auto& watch) {
-          ConjugateGradients::Result step = gradients_->solve(right, reduction, most, watch);
-          comm_.sum(step.x);
-          add(step.x, u);
+          const ConjugateGradients::Result step = gradients_->solve(right, reduction, most, watch);
+          add(step.x, kept);
           return step.iterations;
         },
-        residual, [&] { return roundOff(u); });
+        residual, [&] { return roundOff(); });
     ledger_.count("Krylov solves");
     ledger_.count("Krylov iterations", iterations);
-    work_.enter(gradients_->work(), ledger_);
+    work_.enter(gradients_->work(), comm_, ledger_);
     return rest;
   }
 
+  std::vector<Vector> fields() const override { return own_.gathered(u_); }
   double tolerance() const override { return options_.tolerance; }
 
 private:
@@ -134,8 +131,8 @@ private:
 
   void setCoarse(const JoinedRows& onVertices, double springs)
   {
-    const JoinedLevel level(levels_, kept_.coarse, onVertices, springs_, comm_);
-    gradients_->setCoarse(onVertices, level.problem, meanDiagonal(level.matrix, comm_));
+    auto level = std::make_unique<const JoinedLevel>(levels_, kept_.coarse, onVertices, springs_, comm_);
+    gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] { level.reset(); });
     coarseRows_ = onVertices;
     coarseSprings_ = springs;
     ledger_.count("multigrid set-ups");
@@ -158,71 +155,44 @@ private:
     return result;
   }
 
-  /// load - K u, zero on fixed dofs.
-  std::vector<Vector> unbalanced(const std::vector<Vector>& loads, const std::vector<Vector>& u) const
+  /// load - K u on the free dofs of this rank.
+  Vector unbalanced(const Vector& load) const
   {
-    std::vector<Vector> rest;
-    for (std::size_t b = 0; b < u.size(); ++b) {
-      rest.push_back(multiply(*problems_[b]->matrix, u[b], comm_));
-      for (std::size_t i = 0; i < rest.back().size(); ++i)
-        rest.back()[i] = problems_[b]->roles[i] == DofRole::Fixed ? 0.0 : loads[b][i] - rest.back()[i];
-    }
-    work_.addResidual();
+    Vector rest = gradients_->multiply(u_);
+    for (std::size_t i = 0; i < rest.size(); ++i)
+      rest[i] = load[i] - rest[i];
     return rest;
   }
 
-  /// E^T rest, and what the springs do, of all bodies.
-  Vector reduced(const std::vector<Vector>& rest, const std::vector<Vector>& u, const std::vector<Vector>& centre) const
+  /// E^T rest, and what the springs do, at the kept dofs.
+  Vector reduced(const Vector& rest, const Vector& kept, const Vector& centre) const
   {
-    Vector all;
-    for (const Vector& body : rest)
-      all.insert(all.end(), body.begin(), body.end());
-    Vector forces(kept_.dofs.size(), 0.0), moved(kept_.dofs.size(), 0.0);
-    for (std::size_t k = 0; k < kept_.dofs.size(); ++k) {
-      const auto& [body, dof] = kept_.of[k];
-      moved[k] = u[std::size_t(body)][std::size_t(dof)] - centre[std::size_t(body)][std::size_t(dof)];
+    Vector forces(rest.size(), 0.0);
+    for (std::size_t k = 0; k < rest.size(); ++k)
       for (const auto& [place, share] : rows_.kept[k])
-        forces[std::size_t(place)] += share * rest[std::size_t(body)][std::size_t(dof)];
-    }
+        forces[std::size_t(place)] += share * rest[k];
     for (std::size_t p = 0; p < springs_.size(); ++p)
       for (const auto& [k, share] : rows_.unknowns[p])
-        forces[p] -= springs_[p] * share * moved[std::size_t(k)];
-    for (std::size_t k = 0; k < kept_.dofs.size(); ++k)
-      all[std::size_t(kept_.dofs[k])] = forces[k];
-    return all;
+        forces[p] -= springs_[p] * share * (kept[std::size_t(k)] - centre[std::size_t(k)]);
+    return forces;
   }
 
   /// u += E x
-  void add(const Vector& x, std::vector<Vector>& u) const
+  void add(const Vector& x, Vector& kept)
   {
-    std::size_t first = 0;
-    for (std::size_t b = 0; b < u.size(); ++b) {
-      for (std::size_t i = 0; i < u[b].size(); ++i)
-        if (problems_[b]->roles[i] == DofRole::Interior && !isKept_[first + i])
-          u[b][i] += x[first + i];
-      first += u[b].size();
-    }
-    for (std::size_t k = 0; k < kept_.dofs.size(); ++k)
+    for (std::size_t i = 0; i < u_.size(); ++i)
+      if (own_.isInside(i)) // multigrid leaves round-off in the decoupled rows
+        u_[i] += x[i];
+    const Vector unknowns = own_.atKept(x);
+    for (std::size_t k = 0; k < kept.size(); ++k)
       for (const auto& [place, share] : rows_.kept[k])
-        u[std::size_t(kept_.of[k].first)][std::size_t(kept_.of[k].second)] +=
-            share * x[std::size_t(kept_.dofs[std::size_t(place)])];
+        kept[k] += share * unknowns[std::size_t(place)];
+    own_.setKept(kept, u_);
   }
 
-  /// The loads and the forces that kept dofs take from each other.
-  double appliedForce(const std::vector<Vector>& loads, const std::vector<Vector>& rest) const
+  double roundOff() const
   {
-    double squares = 0.0;
-    for (std::size_t b = 0; b < loads.size(); ++b)
-      for (std::size_t i = 0; i < loads[b].size(); ++i)
-        if (problems_[b]->roles[i] != DofRole::Fixed)
-          squares += loads[b][i] * loads[b][i];
-    for (const auto& [body, dof] : kept_.of)
-      squares += rest[std::size_t(body)][std::size_t(dof)] * rest[std::size_t(body)][std::size_t(dof)];
-    return std::sqrt(squares);
-  }
-
-  double roundOff(const std::vector<Vector>& u) const
-  {
+    const std::vector<Vector> u = fields();
     double squares = 0.0;
     for (std::size_t b = 0; b < u.size(); ++b) {
       const double own = productRoundOff(*problems_[b]->matrix, u[b], comm_);
@@ -235,9 +205,10 @@ private:
   Comm comm_;
   Ledger& ledger_;
   KrylovOptions options_;
+  OwnDofs own_;
+  Vector u_; ///< per own dof
   std::vector<std::unique_ptr<LinearLevel>> levels_;
   KeptNumbers kept_;
-  std::vector<char> isKept_; ///< per dof of all bodies
   std::unique_ptr<JoinedGradients> gradients_;
   JoinedRows rows_, coarseRows_;
   double coarseSprings_ = 0.0;

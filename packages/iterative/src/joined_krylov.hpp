@@ -7,7 +7,7 @@ namespace ndframe
 {
 
 /// Bodies with their kept dofs freed, as one system. Counts "Krylov solves", "Krylov iterations", "fine products",
-/// "multigrid cycles" and "multigrid set-ups". The problems must outlive it.
+/// "multigrid cycles", "multigrid set-ups", "halo messages" and "halo bytes". The problems must outlive it.
 std::unique_ptr<JoinedSystem> makeJoinedKrylov(std::vector<const SolverProblem*> problems, const JoinedRows& open,
                                                const Comm& comm, Ledger& ledger, KrylovOptions options,
                                                const MakeJoinedGradients& make);

@@ -11,6 +11,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "recycled_solutions.hpp"
 #include "restarted_gradients.hpp"
+#include "stored_problem.hpp"
 
 namespace ndframe
 {
@@ -38,7 +39,7 @@ public:
     cg_ = makeCg(problem, comm, meanDiagonal(matrix_, comm));
     if (cg_->work().products > 0)
       ledger_.count("multigrid set-ups");
-    work_.enter(cg_->work(), ledger_);
+    work_.enter(cg_->work(), comm_, ledger_);
   }
 
   /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first, or beside
@@ -53,11 +54,11 @@ public:
     const int iterations = restartedGradients(
         options_.tolerance * initial, initial, options_.maxIterations, norm(residual), ledger_,
         [&](double reduction, int most, const auto& watch) {
-          ConjugateGradients::Result step = cg_->solve(residual, reduction, most, watch);
-          comm_.sum(step.x);
+          const ConjugateGradients::Result step = cg_->solve(ownPart(residual), reduction, most, watch);
+          const Vector x = gathered(step.x);
           for (std::size_t dof = 0; dof < u.size(); ++dof)
             if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
-              u[dof] += step.x[dof];
+              u[dof] += x[dof];
           return step.iterations;
         },
         [&] {
@@ -70,7 +71,7 @@ public:
     ledger_.count("back-solves");
     ledger_.count("Krylov solves");
     ledger_.count("Krylov iterations", iterations);
-    work_.enter(cg_->work(), ledger_);
+    work_.enter(cg_->work(), comm_, ledger_);
     return u;
   }
 
@@ -81,11 +82,25 @@ private:
       a[i] += b[i];
     return a;
   }
-  static Vector difference(Vector a, const Vector& b)
+  /// The dofs of this rank's nodes.
+  Vector ownPart(const Vector& all) const
   {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] -= b[i];
-    return a;
+    Vector own;
+    for (int r = 0; r < matrix_.numRows(); ++r) {
+      const auto first = all.begin() + std::ptrdiff_t(matrix_.rowNode(r)) * matrix_.dim;
+      own.insert(own.end(), first, first + matrix_.dim);
+    }
+    return own;
+  }
+
+  Vector gathered(const Vector& own) const
+  {
+    Vector all(roles_.size(), 0.0);
+    for (int r = 0; r < matrix_.numRows(); ++r)
+      std::copy_n(own.begin() + std::ptrdiff_t(r) * matrix_.dim, matrix_.dim,
+                  all.begin() + std::ptrdiff_t(matrix_.rowNode(r)) * matrix_.dim);
+    comm_.sum(all);
+    return all;
   }
 
   /// load - K u on the interior dofs, zero elsewhere.
@@ -109,11 +124,11 @@ private:
 };
 
 /// The problem whose kept dofs are unknowns, too.
-SolverProblem freed(const SolverProblem& problem)
+SolverProblem freed(const SolverProblem& problem, bool hasTwoLevels)
 {
   if (problem.kept.empty())
     return {};
-  SolverProblem result = problem;
+  SolverProblem result = hasTwoLevels ? withVerticesOnly(problem) : problem;
   for (const int dof : result.kept)
     result.roles[std::size_t(dof)] = DofRole::Interior;
   return result;
@@ -126,8 +141,8 @@ class KrylovBody final : public SplitBody, public WholeSolver
 public:
   KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
              MakeConjugateGradients makeCg, MakeJoinedGradients makeJoined, std::string description)
-      : SplitBody(problem, comm, ledger), freed_(freed(problem)), options_(options), makeCg_(std::move(makeCg)),
-        makeJoined_(std::move(makeJoined)), description_(std::move(description))
+      : SplitBody(problem, comm, ledger), freed_(freed(problem, makeJoined != nullptr)), options_(options),
+        makeCg_(std::move(makeCg)), makeJoined_(std::move(makeJoined)), description_(std::move(description))
   {
     if (kept_.empty())
       interior_ = makeSystem(problem);

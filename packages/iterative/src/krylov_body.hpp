@@ -25,7 +25,9 @@ using MakeJoinedGradients = std::function<std::unique_ptr<JoinedGradients>(
 
 /// A body whose back-solves are runs of conjugate gradients. Nothing is factored; the Schur complement takes a run per
 /// kept dof. `description`: what the conjugate gradients are. Counts "Krylov solves" and "Krylov iterations", and where
-/// there are two levels "fine products", "multigrid cycles" and "multigrid set-ups".
+/// there are two levels "fine products", "multigrid cycles" and "multigrid set-ups", on several ranks also "halo
+/// messages" and "halo bytes": what all ranks send to each other in products and cycles, MueLu's with its default
+/// smoothers.
 std::unique_ptr<CondensedBody> makeKrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger,
                                               KrylovOptions options, MakeConjugateGradients makeCg,
                                               MakeJoinedGradients makeJoined, std::string description);

@@ -195,17 +195,19 @@ LinearLevel::LinearLevel(const SolverProblem& fine, const Comm& comm)
     : interpolation(fine.edgeNodes, fine.matrix->dim), matrix(galerkinMatrix(fine, interpolation, comm))
 {
   const int dim = matrix.dim;
+  const bool hasAllNodes = fine.nearNullSpace.rows() == fine.matrix->numDofs();
+  const bool hasAllPoints = int(fine.nodePoints.size()) == fine.matrix->numDofs();
   problem.matrix = &matrix;
   problem.nearNullSpace = DenseMatrix(fine.nearNullSpace.cols() == 0 ? 0 : matrix.numDofs(), fine.nearNullSpace.cols());
   for (std::size_t v = 0; v < interpolation.vertices.size(); ++v)
     for (int i = 0; i < dim; ++i) {
-      const int dof = interpolation.vertices[v] * dim + i;
+      const int dof = interpolation.vertices[v] * dim + i, own = int(v) * dim + i;
       const bool isInterior = fine.roles[std::size_t(dof)] == DofRole::Interior;
       problem.roles.push_back(isInterior ? DofRole::Interior : DofRole::Fixed);
       for (int m = 0; m < problem.nearNullSpace.cols(); ++m)
-        problem.nearNullSpace(int(v) * dim + i, m) = fine.nearNullSpace(dof, m);
+        problem.nearNullSpace(own, m) = fine.nearNullSpace(hasAllNodes ? dof : own, m);
       if (!fine.nodePoints.empty())
-        problem.nodePoints.push_back(fine.nodePoints[std::size_t(dof)]);
+        problem.nodePoints.push_back(fine.nodePoints[std::size_t(hasAllPoints ? dof : own)]);
     }
 }
 

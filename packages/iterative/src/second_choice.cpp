@@ -5,6 +5,7 @@
 #include "ndframe/algebra/neumann_solver.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "solvers.hpp"
+#include "stored_problem.hpp"
 
 namespace ndframe
 {
@@ -18,8 +19,11 @@ class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver, p
 public:
   BodyWithSecondChoice(std::unique_ptr<CondensedBody> first, std::shared_ptr<const LinearSolver> second,
                        const SolverProblem& problem, const Comm& comm, Ledger& ledger)
-      : body_(std::move(first)), second_(std::move(second)), problem_(problem), comm_(comm), ledger_(ledger)
-  {}
+      : body_(std::move(first)), second_(std::move(second)), comm_(comm), ledger_(ledger)
+  {
+    if (const WholeSolver* whole = wholeSolver(*body_); whole == nullptr || problem.kept.empty())
+      problem_ = withVerticesOnly(problem);
+  }
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
   {
@@ -82,14 +86,19 @@ private:
 
   void takeSecond() const
   {
+    if (problem_.matrix == nullptr) { // the body has it but for the roles of kept dofs
+      problem_ = freedProblem();
+      for (const int dof : problem_.kept)
+        problem_.roles[std::size_t(dof)] = DofRole::Kept;
+    }
     body_.reset(); // its memory is needed
-    body_ = std::exchange(second_, nullptr)->factor(problem_, comm_, ledger_);
+    body_ = std::exchange(second_, nullptr)->factor(withAllNodes(std::exchange(problem_, {})), comm_, ledger_);
     ledger_.count("solvers given up");
   }
 
   mutable std::unique_ptr<CondensedBody> body_;
   mutable std::shared_ptr<const LinearSolver> second_; ///< null once it is taken
-  SolverProblem problem_;
+  mutable SolverProblem problem_;                      ///< withVerticesOnly(); empty where the first body has it
   Comm comm_;
   Ledger& ledger_;
 };

@@ -13,7 +13,6 @@ namespace
 
 using Problem = Belos::LinearProblem<double, TpetraVectors, TpetraOperator>;
 using Manager = Belos::SolverManager<double, TpetraVectors, TpetraOperator>;
-using Local = TpetraMap::local_ordinal_type;
 
 Teuchos::RCP<Manager> makeManager(const Teuchos::RCP<Teuchos::ParameterList>& list)
 {
@@ -75,7 +74,7 @@ public:
   Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const override
   {
     const auto x = Teuchos::rcp(new TpetraVectors(dofMap_, 1));
-    const auto problem = Teuchos::rcp(new Problem(system_.matrix, x, ownPart(b)));
+    const auto problem = Teuchos::rcp(new Problem(system_.matrix, x, vectorOf(b)));
     problem->setLeftPrec(Teuchos::rcp(new WatchedPreconditioner(system_.preconditioner, watch)));
     problem->setProblem();
     const auto list = Teuchos::parameterList(list_);
@@ -90,26 +89,21 @@ public:
                          "preconditioner is not positive definite",
                          -1);
     }
-    return {scattered(*x, b.size()), manager->getNumIters()};
+    return {valuesOf(*x), manager->getNumIters()};
   }
 
 private:
-  Teuchos::RCP<TpetraVectors> ownPart(const Vector& replicated) const
+  Teuchos::RCP<TpetraVectors> vectorOf(const Vector& own) const
   {
-    const auto own = Teuchos::rcp(new TpetraVectors(dofMap_, 1));
-    const auto values = own->getDataNonConst(0);
-    for (Local i = 0; i < Local(values.size()); ++i)
-      values[i] = replicated[std::size_t(dofMap_->getGlobalElement(i))];
-    return own;
+    const auto vector = Teuchos::rcp(new TpetraVectors(dofMap_, 1));
+    std::copy(own.begin(), own.end(), vector->getDataNonConst(0).getRawPtr());
+    return vector;
   }
 
-  Vector scattered(const TpetraVectors& own, std::size_t size) const
+  static Vector valuesOf(const TpetraVectors& vector)
   {
-    Vector all(size, 0.0);
-    const auto values = own.getData(0);
-    for (Local i = 0; i < Local(values.size()); ++i)
-      all[std::size_t(dofMap_->getGlobalElement(i))] = values[i];
-    return all;
+    const auto values = vector.getData(0);
+    return {values.begin(), values.end()};
   }
 
   PreconditionedMatrix system_;

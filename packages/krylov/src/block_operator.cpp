@@ -1,7 +1,6 @@
 #include "block_operator.hpp"
 
 #include "block_product.hpp"
-#include "tpetra_maps.hpp"
 
 namespace ndframe
 {
@@ -28,15 +27,15 @@ BlockOperator::BlockOperator(const SolverProblem& problem, const Comm& comm)
   if (comm.size() == 1)
     return;
   const auto seenMap = heldMap(matrix_.nodes, matrix_.dim, dofMap_->getComm());
-  import_ = Teuchos::rcp(new Tpetra::Import<>(dofMap_, seenMap));
+  halo_.emplace(dofMap_, seenMap);
   seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
 }
 
 Teuchos::ArrayRCP<const double> BlockOperator::seen(const TpetraVectors& x) const
 {
-  if (import_.is_null())
+  if (!halo_)
     return x.getData(0);
-  seen_->doImport(x, *import_, Tpetra::INSERT);
+  halo_->fetch(x, *seen_);
   return seen_->getData(0);
 }
 

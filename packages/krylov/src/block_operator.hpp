@@ -1,8 +1,9 @@
 #pragma once
 
-#include <Tpetra_Import.hpp>
+#include <optional>
 
 #include "fine_level.hpp"
+#include "tpetra_maps.hpp"
 
 namespace ndframe
 {
@@ -17,6 +18,7 @@ public:
   void multiply(const TpetraVectors& x, double* y) const override;
   std::vector<double> inverseDiagonal() const override;
   int products() const override { return products_; }
+  Traffic traffic() const override { return halo_ ? halo_->traffic() : Traffic(); }
 
 private:
   /// x with the values of other ranks that the rows need.
@@ -25,7 +27,7 @@ private:
   const BlockMatrix& matrix_;
   Teuchos::RCP<const TpetraMap> dofMap_;
   std::vector<char> interior_; ///< per dof of this rank
-  Teuchos::RCP<const Tpetra::Import<>> import_;
+  std::optional<Halo> halo_;
   Teuchos::RCP<TpetraVectors> seen_; ///< null on one rank
   mutable int products_ = 0;
 };

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ndframe/iterative/krylov_library.hpp"
 #include "tpetra_system.hpp"
 
 namespace ndframe
@@ -13,7 +14,8 @@ public:
   virtual void multiply(const TpetraVectors& x, double* y) const = 0;
   /// 1 / A_ii, zero where a dof is no unknown.
   virtual std::vector<double> inverseDiagonal() const = 0;
-  virtual int products() const = 0; ///< so far
+  virtual int products() const = 0;    ///< so far
+  virtual Traffic traffic() const = 0; ///< of this rank, so far
 
   Teuchos::RCP<const TpetraMap> getRangeMap() const override { return getDomainMap(); }
   void apply(const TpetraVectors& x, TpetraVectors& y, Teuchos::ETransp mode, double alpha, double beta) const override;
@@ -28,6 +30,7 @@ public:
   virtual void toCoarse(const double* fine, TpetraVectors& coarse) = 0;
   /// fine = P coarse; what is no unknown is set to zero, in `coarse` too
   virtual void toFine(TpetraVectors& coarse, double* fine) = 0;
+  virtual Traffic traffic() const = 0; ///< of this rank, so far
 };
 
 } // namespace ndframe

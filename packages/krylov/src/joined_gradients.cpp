@@ -54,10 +54,16 @@ public:
     cg_ = makeBelosCg({matrix_, cycle_}, belos);
   }
 
-  CycleWork work() const override { return {matrix_->products(), cycle_->cycles()}; }
+  CycleWork work() const override { return workOf(*matrix_, *cycle_); }
   Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const override
   {
     return cg_->solve(b, tolerance, maxIterations, watch);
+  }
+  Vector multiply(const Vector& x) const override
+  {
+    Vector y(x.size());
+    matrix_->multiplyBodies(x.data(), y.data());
+    return y;
   }
   void follow(const JoinedUnknowns& unknowns) override
   {
@@ -65,9 +71,13 @@ public:
     transfer_->follow(unknowns.rows.unknowns);
     cycle_->takeDiagonal();
   }
-  void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal) override
+  void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal,
+                 const std::function<void()>& isRead) override
   {
-    cycle_->setCoarse(TpetraSystem(problem, comm_, decoupledDiagonal), *coarse_);
+    cycle_->dropCoarse();
+    const TpetraSystem system(problem, comm_, decoupledDiagonal);
+    isRead();
+    cycle_->setCoarse(system, *coarse_);
     transfer_->followOnVertices(rows.kept);
   }
 

@@ -19,10 +19,36 @@ JoinedTransfer::JoinedTransfer(std::vector<LinearTransfer> bodies, const Teuchos
   }
 }
 
+void JoinedTransfer::follow(const std::vector<SparseRow>& unknowns)
+{
+  before_ += taken_.traffic();
+  before_ += given_.traffic();
+  taken_ = KeptRows(kept_, unknowns);
+  given_ = KeptRows(kept_, transposed(unknowns, int(unknowns.size())));
+}
+
+void JoinedTransfer::followOnVertices(const std::vector<SparseRow>& kept)
+{
+  before_ += coarseSpread_.traffic();
+  before_ += coarseCollected_.traffic();
+  coarseSpread_ = KeptRows(coarseKept_, kept);
+  coarseCollected_ = KeptRows(coarseKept_, transposed(kept, int(kept.size())));
+}
+
+Traffic JoinedTransfer::traffic() const
+{
+  Traffic sum = before_;
+  for (const LinearTransfer& body : bodies_)
+    sum += body.traffic();
+  for (const KeptRows* rows : {&taken_, &given_, &coarseSpread_, &coarseCollected_})
+    sum += rows->traffic();
+  return sum;
+}
+
 void JoinedTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
 {
   std::copy_n(fine, work_.size(), work_.data());
-  kept_.replaceTransposed(unknowns_, work_.data());
+  given_.apply(work_.data());
   const auto result = coarse.getDataNonConst(0);
   double* all = result.getRawPtr();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
@@ -30,13 +56,13 @@ void JoinedTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
     const auto own = coarse_[b]->getData(0);
     all = std::copy_n(own.getRawPtr(), own.size(), all);
   }
-  coarseKept_.replaceTransposed(coarseFollowers_, result.getRawPtr());
+  coarseCollected_.apply(result.getRawPtr());
 }
 
 void JoinedTransfer::toFine(TpetraVectors& coarse, double* fine)
 {
   const auto given = coarse.getDataNonConst(0);
-  coarseKept_.replace(coarseFollowers_, given.getRawPtr());
+  coarseSpread_.apply(given.getRawPtr());
   const double* all = given.getRawPtr();
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     {
@@ -46,7 +72,7 @@ void JoinedTransfer::toFine(TpetraVectors& coarse, double* fine)
     }
     bodies_[b].toFine(*coarse_[b], fine + fineStarts_[b]);
   }
-  kept_.replace(unknowns_, fine);
+  taken_.apply(fine);
 }
 
 } // namespace ndframe

@@ -14,18 +14,21 @@ public:
   JoinedTransfer(std::vector<LinearTransfer> bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
                  const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& coarseMap,
                  const std::vector<int>& coarseKept);
-  void follow(const std::vector<SparseRow>& unknowns) { unknowns_ = unknowns; }
-  void followOnVertices(const std::vector<SparseRow>& kept) { coarseFollowers_ = kept; }
+  void follow(const std::vector<SparseRow>& unknowns);       ///< collective
+  void followOnVertices(const std::vector<SparseRow>& kept); ///< collective
 
   void toCoarse(const double* fine, TpetraVectors& coarse) override;
   void toFine(TpetraVectors& coarse, double* fine) override;
+  Traffic traffic() const override;
 
 private:
   std::vector<LinearTransfer> bodies_;
   std::vector<Teuchos::RCP<TpetraVectors>> coarse_; ///< per body
   KeptPlaces kept_, coarseKept_;
-  std::vector<SparseRow> unknowns_, coarseFollowers_;
-  std::vector<std::size_t> fineStarts_; ///< per body
+  KeptRows taken_, given_;                  ///< L and L^T
+  KeptRows coarseSpread_, coarseCollected_; ///< E and E^T
+  Traffic before_;                          ///< of such of earlier unknowns
+  std::vector<std::size_t> fineStarts_;     ///< per body
   std::vector<double> work_;
 };
 

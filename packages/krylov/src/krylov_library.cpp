@@ -58,7 +58,7 @@ public:
     const auto cycle =
         Teuchos::rcp(new TwoLevelCycle(matrix, std::make_unique<LinearTransfer>(problem, level, system.dofMap)));
     cycle->setCoarse(system, coarse);
-    const auto work = [matrix, cycle] { return CycleWork{matrix->products(), cycle->cycles()}; };
+    const auto work = [matrix, cycle] { return workOf(*matrix, *cycle); };
     return makeBelosCg({matrix, cycle, work}, belos);
   }
 

@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "tpetra_maps.hpp"
-
 namespace ndframe
 {
 
@@ -55,7 +53,7 @@ LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& lev
       blocks_.insert(blocks_.end(), turned, turned + blockSize);
   }
   const auto seenMap = heldMap(vertices, dim_, coarseMap_->getComm());
-  import_ = Teuchos::rcp(new Tpetra::Import<>(coarseMap_, seenMap));
+  halo_ = std::make_unique<Halo>(coarseMap_, seenMap);
   seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
 }
 
@@ -88,14 +86,14 @@ void LinearTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
     });
   }
   coarse.putScalar(0.0);
-  coarse.doExport(*seen_, *import_, Tpetra::ADD);
+  halo_->add(*seen_, coarse);
   annul(coarse);
 }
 
 void LinearTransfer::toFine(TpetraVectors& coarse, double* fine)
 {
   annul(coarse);
-  seen_->doImport(coarse, *import_, Tpetra::INSERT);
+  halo_->fetch(coarse, *seen_);
   const auto values = seen_->getData(0);
   const auto dim = std::size_t(dim_);
   std::fill(fine, fine + ends_.size() * dim, 0.0);

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <array>
-
-#include <Tpetra_Import.hpp>
+#include <memory>
 
 #include "fine_level.hpp"
 #include "ndframe/iterative/linear_level.hpp"
+#include "tpetra_maps.hpp"
 
 namespace ndframe
 {
@@ -19,6 +19,7 @@ public:
 
   void toCoarse(const double* fine, TpetraVectors& coarse) override;
   void toFine(TpetraVectors& coarse, double* fine) override;
+  Traffic traffic() const override { return halo_->traffic(); }
   const Teuchos::RCP<const TpetraMap>& coarseMap() const { return coarseMap_; }
   std::size_t fineSize() const { return ends_.size() * std::size_t(dim_); } ///< dofs of this rank
 
@@ -33,7 +34,7 @@ private:
   std::vector<int> turned_;              ///< per own node its place in blocks_, -1: none; empty: none at all
   std::vector<double> blocks_;
   std::vector<std::size_t> held_, coarseHeld_; ///< own dofs that are not interior
-  Teuchos::RCP<const Tpetra::Import<>> import_;
+  std::unique_ptr<Halo> halo_;
   Teuchos::RCP<TpetraVectors> seen_; ///< of the vertices that this rank needs
 };
 

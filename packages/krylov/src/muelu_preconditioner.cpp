@@ -1,5 +1,9 @@
 #include <MueLu_CreateTpetraPreconditioner.hpp>
+#include <MueLu_Hierarchy.hpp>
 #include <MueLu_MasterList.hpp>
+#include <MueLu_TpetraOperator.hpp>
+#include <MueLu_Utilities.hpp>
+#include <Tpetra_Distributor.hpp>
 
 #include "preconditioners.hpp"
 #include "tpetra_system.hpp"
@@ -10,6 +14,13 @@ namespace ndframe
 namespace
 {
 
+using Hierarchy =
+    MueLu::Hierarchy<double, TpetraMap::local_ordinal_type, TpetraMap::global_ordinal_type, TpetraMap::node_type>;
+using Utilities =
+    MueLu::Utilities<double, TpetraMap::local_ordinal_type, TpetraMap::global_ordinal_type, TpetraMap::node_type>;
+using XpetraMatrix =
+    Xpetra::Matrix<double, TpetraMap::local_ordinal_type, TpetraMap::global_ordinal_type, TpetraMap::node_type>;
+
 /// The same motions in another basis. MueLu refuses a mode that vanishes on an aggregate, as a rotation does on a few
 /// nodes of its axis; a mode that is a sum of several does so nowhere in particular.
 Teuchos::RCP<TpetraVectors> mixed(const TpetraVectors& modes)
@@ -19,6 +30,38 @@ Teuchos::RCP<TpetraVectors> mixed(const TpetraVectors& modes)
     for (std::size_t other = 0; other < m; ++other)
       result->getVectorNonConst(m)->update(0.37 / double(m + other), *modes.getVector(other), 1.0);
   return result;
+}
+
+constexpr int smootherDegree = 2, coarseDegree = 20; ///< of Chebyshev's polynomials
+
+/// What a rank sends in one product with a matrix of a level.
+Traffic trafficOf(Hierarchy& hierarchy, int level, const char* matrix)
+{
+  const auto values = hierarchy.GetLevel(level);
+  if (!values->IsAvailable(matrix))
+    return {};
+  const auto import =
+      Utilities::Op2TpetraCrs(values->template Get<Teuchos::RCP<XpetraMatrix>>(matrix))->getGraph()->getImporter();
+  if (import.is_null())
+    return {};
+  return {std::int64_t(import->getDistributor().getNumSends()),
+          std::int64_t(import->getNumExportIDs() * sizeof(double))};
+}
+
+/// What a rank sends in a cycle: smoothing before from zero, the residual and smoothing after are products each, but
+/// for the first one; the coarsest level is smoothed only.
+Traffic trafficOf(Hierarchy& hierarchy)
+{
+  Traffic sum;
+  const int levels = hierarchy.GetNumLevels();
+  for (int level = 0; level < levels; ++level) {
+    const Traffic product = trafficOf(hierarchy, level, "A");
+    const int products = level + 1 < levels ? 2 * smootherDegree : coarseDegree - 1;
+    sum += {products * product.messages, products * product.bytes};
+    sum += trafficOf(hierarchy, level, "P");
+    sum += trafficOf(hierarchy, level, "R");
+  }
+  return sum;
 }
 
 /// Smoothed aggregation that keeps the rigid motions, with Chebyshev smoothing.
@@ -40,8 +83,8 @@ public:
     if (!system.coordinates.is_null())
       data.set("Coordinates", system.coordinates);
     const Teuchos::RCP<TpetraOperator> matrix = system.matrix;
-    return std::make_shared<PreconditionerHandle>(
-        PreconditionerHandle{MueLu::CreateTpetraPreconditioner(matrix, list)});
+    const auto cycle = MueLu::CreateTpetraPreconditioner(matrix, list);
+    return std::make_shared<PreconditionerHandle>(PreconditionerHandle{cycle, trafficOf(*cycle->GetHierarchy())});
   }
 
   std::string name() const override { return "MueLu"; }
@@ -56,14 +99,14 @@ private:
     list.set("sa: eigenvalue estimate num iterations", powerSteps); // the smoother takes this estimate, too
     if (!list_.isParameter("smoother: type")) {
       list.set("smoother: type", "CHEBYSHEV");
-      list.sublist("smoother: params").set("chebyshev: degree", 2);
+      list.sublist("smoother: params").set("chebyshev: degree", smootherDegree);
       list.sublist("smoother: params").set("chebyshev: boost factor", boost);
     }
     if (isParallel && !list_.isParameter("coarse: type")) {
       list.set("coarse: max size", 200);
       list.set("coarse: type", "CHEBYSHEV");
       Teuchos::ParameterList& params = list.sublist("coarse: params");
-      params.set("chebyshev: degree", 20);
+      params.set("chebyshev: degree", coarseDegree);
       params.set("chebyshev: ratio eigenvalue", 300.0);
       params.set("chebyshev: eigenvalue max iterations", 2 * powerSteps);
       params.set("chebyshev: boost factor", boost);

@@ -1,6 +1,7 @@
 #include "tpetra_maps.hpp"
 
 #include <Teuchos_DefaultMpiComm.hpp>
+#include <Tpetra_Distributor.hpp>
 
 namespace ndframe
 {
@@ -38,6 +39,27 @@ Teuchos::RCP<const TpetraMap> heldMap(const IndexMap& nodes, int perNode,
                                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
 {
   return firstOf(nodes, nodes.size(), perNode, comm);
+}
+
+Halo::Halo(const Teuchos::RCP<const TpetraMap>& own, const Teuchos::RCP<const TpetraMap>& needed) : import_(own, needed)
+{
+  const auto traffic = [](std::size_t messages, std::size_t values) {
+    return Traffic{std::int64_t(messages), std::int64_t(values * sizeof(double))};
+  };
+  fetch_ = traffic(import_.getDistributor().getNumSends(), import_.getNumExportIDs());
+  add_ = traffic(import_.getDistributor().getNumReceives(), import_.getNumRemoteIDs());
+}
+
+void Halo::fetch(const TpetraVectors& own, TpetraVectors& needed) const
+{
+  needed.doImport(own, import_, Tpetra::INSERT);
+  traffic_ += fetch_;
+}
+
+void Halo::add(const TpetraVectors& needed, TpetraVectors& own) const
+{
+  own.doExport(needed, import_, Tpetra::ADD);
+  traffic_ += add_;
 }
 
 } // namespace ndframe

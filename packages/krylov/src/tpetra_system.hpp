@@ -6,7 +6,7 @@
 #include <Tpetra_CrsMatrix.hpp>
 #include <Tpetra_MultiVector.hpp>
 
-#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/iterative/krylov_library.hpp"
 
 namespace ndframe
 {
@@ -39,6 +39,7 @@ struct TpetraSystem
 struct PreconditionerHandle
 {
   Teuchos::RCP<TpetraOperator> apply;
+  Traffic traffic = {}; ///< of this rank when it is applied once, where that is known
 };
 
 } // namespace ndframe

@@ -29,7 +29,7 @@ TwoLevelCycle::TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::uniqu
 
 void TwoLevelCycle::setCoarse(const TpetraSystem& system, const Preconditioner& coarse)
 {
-  coarse_.reset(); // its memory is needed
+  dropCoarse();
   coarse_ = coarse.build(system);
   coarseLoad_ = vectorOn(system.dofMap);
   coarseSolution_ = vectorOn(system.dofMap);
@@ -45,6 +45,13 @@ void TwoLevelCycle::apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETr
   }
 }
 
+Traffic TwoLevelCycle::traffic() const
+{
+  Traffic sum = transfer_->traffic();
+  sum += coarseTraffic_;
+  return sum;
+}
+
 void TwoLevelCycle::cycle(const double* b, double* x) const
 {
   {
@@ -57,6 +64,7 @@ void TwoLevelCycle::cycle(const double* b, double* x) const
   smooth(x, true);
   transfer_->toCoarse(residual_.data(), *coarseLoad_);
   coarse_->apply->apply(*coarseLoad_, *coarseSolution_);
+  coarseTraffic_ += coarse_->traffic;
   transfer_->toFine(*coarseSolution_, step_->getDataNonConst(0).getRawPtr());
   {
     const auto correction = step_->getData(0);
@@ -100,6 +108,13 @@ void TwoLevelCycle::smooth(double* x, bool wantsResidual) const
   matrix_->multiply(*step_, product_.data());
   for (std::size_t i = 0; i < residual_.size(); ++i)
     residual_[i] -= product_[i];
+}
+
+CycleWork workOf(const FineOperator& matrix, const TwoLevelCycle& cycle)
+{
+  CycleWork work{matrix.products(), cycle.cycles(), matrix.traffic()};
+  work.traffic += cycle.traffic();
+  return work;
 }
 
 } // namespace ndframe

@@ -18,6 +18,7 @@ class TwoLevelCycle final : public TpetraOperator
 public:
   /// Takes the largest eigenvalue of the matrix as it is now.
   TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer);
+  void dropCoarse() { coarse_.reset(); } ///< its memory is needed; setCoarse() must follow
   void setCoarse(const TpetraSystem& system, const Preconditioner& coarse);
   /// The matrix has another diagonal, and no larger eigenvalue.
   void takeDiagonal() { inverseDiagonal_ = matrix_->inverseDiagonal(); }
@@ -28,6 +29,7 @@ public:
   void apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETransp mode, double alpha, double beta) const override;
 
   int cycles() const { return cycles_; } ///< so far
+  Traffic traffic() const;               ///< of transfers and coarse level, of this rank, so far
 
 private:
   void cycle(const double* b, double* x) const;
@@ -45,6 +47,10 @@ private:
   mutable std::vector<double> residual_, product_;
   mutable Teuchos::RCP<TpetraVectors> step_, nextStep_, coarseLoad_, coarseSolution_;
   mutable int cycles_ = 0;
+  mutable Traffic coarseTraffic_;
 };
+
+/// Of both so far.
+CycleWork workOf(const FineOperator& matrix, const TwoLevelCycle& cycle);
 
 } // namespace ndframe

@@ -10,10 +10,12 @@
 namespace ndframe
 {
 
-std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerCell, int numNodes, int parts)
+std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerCell, int numNodes, int parts,
+                                const std::vector<int>& weights)
 {
   NDFRAME_ASSERT(parts >= 1 && nodesPerCell >= 1 && cellNodes.size() % std::size_t(nodesPerCell) == 0,
                  "a partition needs whole cells and at least one part");
+  NDFRAME_ASSERT(weights.empty() || int(weights.size()) == numNodes, "one weight per node is needed");
   std::vector<int> owner(numNodes, 0);
   if (parts == 1 || numNodes == 0)
     return owner;
@@ -32,10 +34,10 @@ std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerC
   idx_t numParts = parts;
   idx_t cut = 0;
   std::vector<idx_t> cellOwner(numCells);
-  // METIS takes the connectivity by non-const pointer but does not change it with C numbering.
-  const int status =
-      METIS_PartMeshNodal(&numCells, &nodes, offsets.data(), const_cast<idx_t*>(cellNodes.data()), nullptr, nullptr,
-                          &numParts, nullptr, options, &cut, cellOwner.data(), owner.data());
+  // METIS takes connectivity and weights by non-const pointers but does not change them with C numbering.
+  const int status = METIS_PartMeshNodal(&numCells, &nodes, offsets.data(), const_cast<idx_t*>(cellNodes.data()),
+                                         weights.empty() ? nullptr : const_cast<idx_t*>(weights.data()), nullptr,
+                                         &numParts, nullptr, options, &cut, cellOwner.data(), owner.data());
   if (status == METIS_ERROR_MEMORY)
     throw std::bad_alloc();
   NDFRAME_ASSERT(status == METIS_OK, fmt::format("METIS_PartMeshNodal returned {}", status));

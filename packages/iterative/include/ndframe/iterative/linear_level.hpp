@@ -34,7 +34,8 @@ struct LinearInterpolation
 /// The coarse level of a body: P^T K P on the interior dofs of both levels, with all that a solver wants to know.
 struct LinearLevel
 {
-  /// Collective. A rank has the rows of its vertices.
+  /// Collective. A rank has the rows of its vertices. The problem's near null space and points may have rows of
+  /// vertices only.
   LinearLevel(const SolverProblem& problem, const Comm& comm);
 
   LinearInterpolation interpolation; ///< P

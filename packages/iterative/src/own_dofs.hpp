@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/linear_solver.hpp"
+
+namespace ndframe
+{
+
+/// The dofs of this rank's nodes, those of one body after those of another, and where the kept dofs of all bodies are
+/// among them. Only kept values and gathered() are on all ranks.
+class OwnDofs
+{
+public:
+  /// problems: with the kept dofs as interior ones; they must outlive it.
+  OwnDofs(const std::vector<const SolverProblem*>& problems, const Comm& comm);
+
+  std::size_t size() const { return isFree_.size(); }
+  /// Free and no kept dof.
+  bool isInside(std::size_t own) const { return isFree_[own] && !isKept_[own]; }
+
+  /// Of vectors of all dofs, per body; zero on dofs that are not free.
+  Vector part(const std::vector<const Vector*>& all) const;
+  /// Per body, all dofs, on all ranks. Collective.
+  std::vector<Vector> gathered(const Vector& own) const;
+  /// Per kept dof of all bodies, on all ranks. Collective.
+  Vector atKept(const Vector& own) const;
+  void setKept(const Vector& kept, Vector& own) const; ///< kept: on all ranks
+  double norm(const Vector& own) const;                ///< of all ranks. Collective
+
+private:
+  const std::vector<const SolverProblem*> problems_;
+  Comm comm_;
+  std::vector<char> isFree_, isKept_; ///< per own dof
+  std::vector<int> place_;            ///< per kept dof among the own ones; -1: another rank's
+};
+
+} // namespace ndframe
