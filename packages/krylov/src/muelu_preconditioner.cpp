@@ -48,15 +48,15 @@ Traffic trafficOf(Hierarchy& hierarchy, int level, const char* matrix)
           std::int64_t(import->getNumExportIDs() * sizeof(double))};
 }
 
-/// What a rank sends in a cycle: smoothing before from zero, the residual and smoothing after are products each, but
-/// for the first one; the coarsest level is smoothed only.
+/// What a rank sends in a cycle: a level takes the residual and seven products in its smoothers of degree 2, as counted
+/// by interposing MPI_Isend (MueLu 13.2); the coarsest level is smoothed only, from zero.
 Traffic trafficOf(Hierarchy& hierarchy)
 {
   Traffic sum;
   const int levels = hierarchy.GetNumLevels();
   for (int level = 0; level < levels; ++level) {
     const Traffic product = trafficOf(hierarchy, level, "A");
-    const int products = level + 1 < levels ? 2 * smootherDegree : coarseDegree - 1;
+    const int products = level + 1 < levels ? 8 : coarseDegree - 1;
     sum += {products * product.messages, products * product.bytes};
     sum += trafficOf(hierarchy, level, "P");
     sum += trafficOf(hierarchy, level, "R");
