@@ -176,6 +176,14 @@ def cmake_depends_follow_the_arrows(tree):
                     yield Problem(file.name, line, f"{package_of(header)} is included but not among the DEPENDS of {name}")
 
 
+def cmake_lists_one_source_a_line(tree):
+    for package in tree.packages():
+        lists = tree.root / "packages" / package / "CMakeLists.txt"
+        for number, line in enumerate(lists.read_text().splitlines() if lists.is_file() else (), 1):
+            if len(re.findall(r"\S+\.cpp\b", line.split("#")[0])) > 1:
+                yield Problem(f"packages/{package}/CMakeLists.txt", number, "several sources on a line; one a line")
+
+
 def cmake_depends(text):
     text = re.sub(r"#.*", "", text)
     match = re.search(r"ndframe_package\s*\([^)]*?\bDEPENDS\b([^)]*)", text)
@@ -291,6 +299,7 @@ RULES = [
     includes_follow_the_arrows,
     headers_do_not_include_each_other,
     cmake_depends_follow_the_arrows,
+    cmake_lists_one_source_a_line,
     heavy_headers_stay_at_home,
     decks_end_at_their_readers,
     files_are_short,

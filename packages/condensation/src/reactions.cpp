@@ -99,7 +99,8 @@ NodalField supportForces(const Model& model, const CondensedModel& condensed, co
 {
   const BodySystem& system = condensed.systems[std::size_t(body)];
   Vector forces = multiply(system.K, u, comm);
-  const Vector contact = system.dofs.frames.toLocal(contactForces(model, condensed, state, body));
+  const NodalField inGlobalAxes = contactForces(model, condensed, state, body);
+  const NodalField contact = system.dofs.frames.toLocal(inGlobalAxes);
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] = system.dofs.roles[i] == DofRole::Fixed ? forces[i] - system.load[i] - contact[i] : 0.0;
   return system.dofs.frames.toGlobal(forces);
