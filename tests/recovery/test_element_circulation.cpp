@@ -1,7 +1,7 @@
 #include <gtest/gtest.h>
 
-#include "element_circulation.hpp"
 #include "fem/sample_meshes.hpp"
+#include "ndframe/equilibrium/element_circulation.hpp"
 
 namespace ndframe
 {

@@ -16,14 +16,20 @@ namespace
 
 constexpr double roundOff = 1e-12;
 
-StressCorrection recovered(const test::Problem& problem, const std::string& type, const std::string& effort, int amount)
+StressCorrection recovered(const test::Problem& problem, const std::string& type, const std::string& effort, int amount,
+                           Ledger& ledger)
 {
-  Ledger ledger;
   const RecoveryScene scene{{&problem.body}, {problem.data}, {}};
   SceneField field;
   field.displacement = {&problem.displacement};
   const auto recovery = test::makeRecovery(type, {{"Degree", problem.data.degree}, {effort, amount}});
   return recovery->recover(scene, {field}, test::comm(), ledger)[0].corrections[0];
+}
+
+StressCorrection recovered(const test::Problem& problem, const std::string& type, const std::string& effort, int amount)
+{
+  Ledger ledger;
+  return recovered(problem, type, effort, amount, ledger);
 }
 
 StressCorrection recovered(const test::Problem& problem, int steps = 10)
@@ -67,6 +73,31 @@ TEST_P(GlobalRecovery, GivesEquilibriumWhateverTheConditions)
       EXPECT_LT(correction.imbalance, roundOff * correction.force) << kind;
     }
   }
+}
+
+TEST_P(GlobalRecovery, FindsOneMatrixForCellsThatDifferByPlaceAndSizeAlone)
+{
+  const auto problemOn = [](const Mesh& mesh, const std::string& kind) {
+    return test::solved(test::makeBody(mesh, GetParam().order, test::conditions(3, kind)), GetParam().degree);
+  };
+  const Mesh equal = test::box({4, 4, 4}, "Right", 35.0);
+  test::Random random(5);
+  const Mesh nearlyEqual =
+      test::moved(equal, [&](double* x) { x[0] += 1e-14 * random(); }); // rounds to several classes
+  for (const std::string& kind : test::conditionKinds())
+    for (const Mesh& mesh : {equal, nearlyEqual}) {
+      const auto problem = problemOn(mesh, kind);
+      Ledger ledger;
+      const StressCorrection correction = recovered(problem, "Global", "Steps", 10, ledger);
+      EXPECT_LT(largestDefect(problem, correction), roundOff) << kind;
+      EXPECT_LT(energyOf(problem, correction), energyOf(problem, recovered(problem, 0))) << kind;
+      if (mesh.points == equal.points)
+        EXPECT_EQ(ledger.counted("cell matrices"), 6) << kind;
+    }
+  Ledger ledger;
+  const auto apart = problemOn(test::sampleMesh(3, 35.0), "clamped");
+  recovered(apart, "Global", "Steps", 1, ledger);
+  EXPECT_EQ(ledger.counted("cell matrices"), apart.body.mesh.numCells());
 }
 
 TEST_P(GlobalRecovery, GivesEquilibriumWhateverTheMaterialAlsoOnSlivers)

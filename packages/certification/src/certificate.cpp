@@ -123,6 +123,9 @@ void Certifier::solveIntermediateFields()
   if (wants(Estimator::Discretization))
     fields.push_back(&separate_.field);
   solveFields(scene_, fields);
+  for (const BodyTrace& trace : scene_.condensed.interface.bodies)
+    if (trace.isSolvedWhole())
+      trace.whole->forget(); // the recovery needs the memory
 }
 
 SceneField Certifier::globalField() const

@@ -192,6 +192,8 @@ public:
     return free_->solve(load, std::move(start), norm(carried));
   }
 
+  void forget() const override { free_.reset(); }
+
   bool solvesWhole() const override { return makeJoined_ != nullptr; }
   const SolverProblem& freedProblem() const override { return freed_; }
 

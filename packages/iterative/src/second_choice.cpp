@@ -62,6 +62,11 @@ public:
   {
     return wholeSolver(*body_)->solveFree(load, std::move(start));
   }
+  void forget() const override
+  {
+    if (solvesWhole())
+      wholeSolver(*body_)->forget();
+  }
   bool givesUp() const override
   {
     if (second_)

@@ -82,13 +82,12 @@ double ClassBlocks::scaleOfEdge(int e) const
 void ClassBlocks::addProduct(int cell, std::array<int, 2> facets, const DenseMatrix& left, const DenseMatrix& right,
                              double* sum) const
 {
-  const int data = faces_->cells().facetData();
-  const double *A = matrices_->of(cell) + std::ptrdiff_t(facets[0] * data) * matrices_->columns() + facets[1] * data,
-               factor = scale(cell);
+  const auto data = std::ptrdiff_t(faces_->cells().facetData()), stride = std::ptrdiff_t(matrices_->columns());
+  const double *A = matrices_->of(cell) + data * facets[0] * stride + data * facets[1], factor = scale(cell);
   Vector product(std::size_t(left.rows()));
   for (int j = 0; j < right.cols(); ++j, sum += left.cols()) {
     for (int i = 0; i < left.rows(); ++i) {
-      const double* row = A + std::ptrdiff_t(i) * matrices_->columns();
+      const double* row = A + i * stride;
       double value = 0.0;
       for (int k = 0; k < right.rows(); ++k)
         value += row[k] * right(k, j);

@@ -23,7 +23,7 @@ ClassMatrices::ClassMatrices(const StressCells& cells)
     find(forms, large.data() + first, std::min(CellForms::lanes, size_ - first));
 }
 
-/// Those of some classes side by side: A = F^-T A^ F^-1, vector by vector.
+/// Those of some classes side by side.
 void ClassMatrices::find(const CellForms& forms, const int* classes, int count)
 {
   std::vector<int> firsts;
@@ -34,24 +34,27 @@ void ClassMatrices::find(const CellForms& forms, const int* classes, int count)
   findCompliances(*cells_, firsts.data(), count, maps.data(), compliances);
   const CellForms::Condensed found = forms.condensed(compliances.data(), work);
   const CellMatrices matrices{firsts.data(), count, maps.data(), found.triangle, columns_};
-  for (int c = 0; c < count; ++c) {
-    double* table = tables_.data() + std::size_t(place_[std::size_t(classes[c])]) * tableSize();
-    const auto& inverse = maps[std::size_t(c)].inverse;
-    for (int row = 0; row < rows_; row += 3)
-      for (int col = 0; col < columns_; col += 3) {
-        double half[3][3] = {}; // A^ F^-1 of two vectors
-        for (int k = 0; k < 3; ++k)
-          for (int l = 0; l < 3; ++l) {
-            const double entry = matrices.entry(std::max(row + k, col + l), std::min(row + k, col + l))[c];
-            for (int j = 0; j < 3; ++j)
-              half[k][j] += entry * inverse[std::size_t(3 * l + j)];
-          }
-        for (int i = 0; i < 3; ++i)
-          for (int j = 0; j < 3; ++j)
-            for (int k = 0; k < 3; ++k)
-              table[(row + i) * columns_ + col + j] += inverse[std::size_t(3 * k + i)] * half[k][j];
-      }
-  }
+  for (int c = 0; c < count; ++c)
+    turn(matrices, c, tables_.data() + std::size_t(place_[std::size_t(classes[c])]) * tableSize());
+}
+
+/// A = F^-T A^ F^-1 of one lane, vector by vector.
+void ClassMatrices::turn(const CellMatrices& matrices, int lane, double* table) const
+{
+  const auto& F = matrices.maps[lane].inverse;
+  const double inverse[3][3] = {{F[0], F[1], F[2]}, {F[3], F[4], F[5]}, {F[6], F[7], F[8]}};
+  for (int row = 0; row < rows_; ++row, table += columns_)
+    for (int col = 0; col < columns_; col += 3) {
+      double half[3] = {}; // row of F^-T A^
+      for (int k = 0; k < 3; ++k)
+        for (int l = 0; l < 3; ++l) {
+          const int i = row - row % 3 + k, j = col + l;
+          half[l] += inverse[k][row % 3] * matrices.entry(std::max(i, j), std::min(i, j))[lane];
+        }
+      for (int j = 0; j < 3; ++j)
+        for (int l = 0; l < 3; ++l)
+          table[col + j] += half[l] * inverse[l][j];
+    }
 }
 
 } // namespace ndframe

@@ -6,6 +6,8 @@
 namespace ndframe
 {
 
+struct CellMatrices;
+
 /// The energy matrices A_E (CellForm::condensed) of the classes of cells (CellClasses) that have many: rows for the
 /// tractions, columns for tractions and loads, global axes, of the first cell of the class.
 class ClassMatrices
@@ -29,6 +31,7 @@ private:
   std::size_t tableSize() const { return std::size_t(rows_) * std::size_t(columns_); }
   int place(int cell) const { return place_[std::size_t(cells_->classes().of(cell))]; }
   void find(const CellForms& forms, const int* classes, int count);
+  void turn(const CellMatrices& matrices, int lane, double* table) const;
 
   const StressCells* cells_;
   int size_ = 0, rows_, columns_;

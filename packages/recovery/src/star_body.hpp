@@ -3,7 +3,7 @@
 #include <vector>
 
 #include "ndframe/equilibrium/cell_energy.hpp"
-#include "star_topology.hpp"
+#include "ndframe/equilibrium/star_topology.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <utility>
 #include <vector>
 
-#include "cell_classes.hpp"
+#include "ndframe/equilibrium/cell_classes.hpp"
 #include "star_body.hpp"
 
 namespace ndframe

@@ -87,7 +87,7 @@ StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& of
 {
   NDFRAME_ASSERT(cells.any().reference().data() * lanes <= mostNumbers, "more data than a cell of degree 2 has");
   const std::vector<Batch> every = all();
-  const auto share = [&](int r) { return std::ptrdiff_t(std::int64_t(every.size()) * r / ranks); };
+  const auto share = [count = std::ptrdiff_t(every.size()), ranks](int r) { return count * r / ranks; };
   batches_.assign(every.begin() + share(rank), every.begin() + share(rank + 1));
   int kept = 0;
   for (Batch& batch : batches_)

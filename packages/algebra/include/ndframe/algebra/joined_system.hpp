@@ -56,6 +56,9 @@ public:
   /// where u keeps the values of `start`, as it does on fixed dofs. There too if the load balances.
   virtual Vector solveFree(const Vector& load, Vector start) const = 0;
 
+  /// Gives back the memory that solveFree() keeps for the next call, which sets up again what it needs.
+  virtual void forget() const = 0;
+
   /// False where the body is condensed, by a factor or by one of the solvers that cannot do the following.
   virtual bool solvesWhole() const = 0;
 

@@ -1,4 +1,4 @@
-#include "star_topology.hpp"
+#include "ndframe/equilibrium/star_topology.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "element_circulation.hpp"
+#include "ndframe/equilibrium/element_circulation.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "cell_classes.hpp"
+#include "ndframe/equilibrium/cell_classes.hpp"
 
 #include <array>
 #include <cmath>
