@@ -35,9 +35,9 @@ std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerC
   idx_t cut = 0;
   std::vector<idx_t> cellOwner(numCells);
   // METIS takes connectivity and weights by non-const pointers but does not change them with C numbering.
-  const int status =
-      METIS_PartMeshNodal(&numCells, &nodes, offsets.data(), const_cast<idx_t*>(cellNodes.data()),
-                          weights.empty() ? nullptr : const_cast<idx_t*>(weights.data()), nullptr, &numParts, nullptr, options, &cut, cellOwner.data(), owner.data());
+  const int status = METIS_PartMeshNodal(&numCells, &nodes, offsets.data(), const_cast<idx_t*>(cellNodes.data()),
+                                         weights.empty() ? nullptr : const_cast<idx_t*>(weights.data()), nullptr,
+                                         &numParts, nullptr, options, &cut, cellOwner.data(), owner.data());
   if (status == METIS_ERROR_MEMORY)
     throw std::bad_alloc();
   NDFRAME_ASSERT(status == METIS_OK, fmt::format("METIS_PartMeshNodal returned {}", status));

@@ -33,10 +33,10 @@ public:
   virtual void follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) = 0;
 
   /// Improves u by E x until the residual of the equations above is at most `tolerance` times the loads and the forces
-  /// of the kept dofs on each other as they are at first, or round-off. u is what the last call left, zero at first, but
-  /// for the kept dofs of all bodies, whose values are given here and are improved with it. The springs pull towards the
-  /// u of the beginning. loads: per body, in the nodes' own axes. Returns load - K u at the kept dofs. Throws
-  /// NotConverged and SingularBody.
+  /// of the kept dofs on each other as they are at first, or round-off. u is what the last call left, zero at first,
+  /// but for the kept dofs of all bodies, whose values are given here and are improved with it. The springs pull
+  /// towards the u of the beginning. loads: per body, in the nodes' own axes. Returns load - K u at the kept dofs.
+  /// Throws NotConverged and SingularBody.
   virtual Vector solve(const std::vector<const Vector*>& loads, Vector& kept, double tolerance) = 0;
 
   /// u per body, in the nodes' own axes, on all ranks. Between solves each rank has that of its own nodes only.

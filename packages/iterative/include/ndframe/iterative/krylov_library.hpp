@@ -66,8 +66,8 @@ public:
   /// throw.
   using Watch = std::function<void(int iteration, double residual)>;
 
-  /// K_ii x_i = b_i from x = 0 until CG's own residual is below `tolerance` |b_i|, or maxIterations. `b` has the dofs of
-  /// this rank's nodes, zero outside the interior. Throws SingularBody when CG meets a direction without energy.
+  /// K_ii x_i = b_i from x = 0 until CG's own residual is below `tolerance` |b_i|, or maxIterations. `b` has the dofs
+  /// of this rank's nodes, zero outside the interior. Throws SingularBody when CG meets a direction without energy.
   virtual Result solve(const Vector& b, double tolerance, int maxIterations, const Watch& watch) const = 0;
 };
 
