@@ -56,7 +56,7 @@ def draw(folder, given):
     time.stackplot(ranks, [[1e3 * s for s in part] for part in parts],
                    labels=("arithmetic", "messages", "bytes", "sums over all ranks"))
     time.set(xscale="log", xlabel="ranks", ylabel="ms an iteration", title=f"{DOFS:,} dofs a rank".replace(",", " "))
-    time.legend(loc="lower right")
+    time.legend(loc="center")
     room.loglog(ranks, [memory(r) / 2.0**30 for r in ranks], label="a rank")
     room.loglog(ranks, [REPLICATED * DOFS * r / 2.0**30 for r in ranks], "--", label="of it replicated")
     room.axhline(MEMORY / 2.0**30, color="grey", label="4 GiB")

@@ -45,7 +45,7 @@ Traffic trafficOf(Hierarchy& hierarchy, int level, const char* matrix)
   if (import.is_null())
     return {};
   return {std::int64_t(import->getDistributor().getNumSends()),
-          std::int64_t(import->getNumExportIDs() * sizeof(double))};
+          std::int64_t(import->getNumExportIDs()) * std::int64_t(sizeof(double))};
 }
 
 /// What a rank sends in a cycle: a level takes the residual and seven products in its smoothers of degree 2, as counted

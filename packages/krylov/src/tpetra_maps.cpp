@@ -44,7 +44,7 @@ Teuchos::RCP<const TpetraMap> heldMap(const IndexMap& nodes, int perNode,
 Halo::Halo(const Teuchos::RCP<const TpetraMap>& own, const Teuchos::RCP<const TpetraMap>& needed) : import_(own, needed)
 {
   const auto traffic = [](std::size_t messages, std::size_t values) {
-    return Traffic{std::int64_t(messages), std::int64_t(values * sizeof(double))};
+    return Traffic{std::int64_t(messages), std::int64_t(values) * std::int64_t(sizeof(double))};
   };
   fetch_ = traffic(import_.getDistributor().getNumSends(), import_.getNumExportIDs());
   add_ = traffic(import_.getDistributor().getNumReceives(), import_.getNumRemoteIDs());
