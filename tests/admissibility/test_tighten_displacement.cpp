@@ -31,8 +31,8 @@ struct Scene
         displacement[b][i] *= 0.02;
         w[i] *= 0.01;
       }
-      bound.residual.push_back(stiff(b, w));
-      bound.traction.push_back(contactForces(body, int(b), strip.patches, {traction, traction}));
+      bound.residual.push_back(atNodes(stiff(b, w), 2));
+      bound.traction.push_back(atNodes(contactForces(body, int(b), strip.patches, {traction, traction}), 2));
       bound.distance += dot(w, bound.residual[b]);
     }
     bound.distance = std::sqrt(bound.distance);

@@ -38,7 +38,7 @@ Solution solvedAsNetwork(const InterfaceSystem& system)
   return solution;
 }
 
-double difference(const Vector& a, const Vector& b)
+double largestDifference(const Vector& a, const Vector& b)
 {
   double largest = 0.0;
   for (std::size_t i = 0; i < a.size(); ++i)
@@ -59,9 +59,9 @@ TEST_P(Networks, AreSolvedAsTheDenseSystemIs)
     const Solution sparse = solvedAsNetwork(system);
     EXPECT_EQ(sparse.status.closed, dense.closed);
     const double force = largestEntry(dense.forceDirichlet), u = largestEntry(dense.uDirichlet);
-    EXPECT_LT(difference(sparse.status.force, dense.forceDirichlet), 1e-9 * force);
-    EXPECT_LT(difference(sparse.uDirichlet, dense.uDirichlet), 1e-9 * u);
-    EXPECT_LT(difference(sparse.uNeumann, dense.uNeumann), 1e-9 * u);
+    EXPECT_LT(largestDifference(sparse.status.force, dense.forceDirichlet), 1e-9 * force);
+    EXPECT_LT(largestDifference(sparse.uDirichlet, dense.uDirichlet), 1e-9 * u);
+    EXPECT_LT(largestDifference(sparse.uNeumann, dense.uNeumann), 1e-9 * u);
   }
 }
 
@@ -72,9 +72,9 @@ void expectSolvedAsTogether(const std::string& coupling, const InterfaceSystem& 
   const auto other = run(*makeCoupling("<Parameter name='Type' type='string' value='" + coupling + "'/>"), system);
   EXPECT_EQ(other.state.closed, together.state.closed);
   const double force = largestEntry(together.state.forceDirichlet), u = largestEntry(together.state.uDirichlet);
-  EXPECT_LT(difference(other.state.forceDirichlet, together.state.forceDirichlet), 1e-9 * force);
-  EXPECT_LT(difference(other.state.uDirichlet, together.state.uDirichlet), 1e-8 * u);
-  EXPECT_LT(difference(other.state.tractionNeumann, together.state.tractionNeumann),
+  EXPECT_LT(largestDifference(other.state.forceDirichlet, together.state.forceDirichlet), 1e-9 * force);
+  EXPECT_LT(largestDifference(other.state.uDirichlet, together.state.uDirichlet), 1e-8 * u);
+  EXPECT_LT(largestDifference(other.state.tractionNeumann, together.state.tractionNeumann),
             1e-8 * largestEntry(together.state.tractionNeumann));
   expectEquilibrium(system, other.state, 1e-8);
   expectComplementarity(system, other.state, 1e-8);
@@ -138,8 +138,8 @@ TEST_P(Networks, CountAnUnknownOnceThatStandsTwice)
     Vector force = both.status.force;
     force[std::size_t(unknown)] += force.back();
     force.pop_back();
-    EXPECT_LT(difference(once.status.force, force), 1e-9 * largestEntry(once.status.force));
-    EXPECT_LT(difference(once.uDirichlet, both.uDirichlet), 1e-9 * largestEntry(once.uDirichlet));
+    EXPECT_LT(largestDifference(once.status.force, force), 1e-9 * largestEntry(once.status.force));
+    EXPECT_LT(largestDifference(once.uDirichlet, both.uDirichlet), 1e-9 * largestEntry(once.uDirichlet));
     EXPECT_EQ(both.uDirichlet.back(), both.uDirichlet[std::size_t(unknown)]);
   }
 }

@@ -11,7 +11,6 @@ using namespace ndframe::test;
 using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
-using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 
@@ -25,7 +24,8 @@ std::vector<WarningSummary> warningsOf(const Scene& scene)
 
 auto warning(const std::string& kind, const std::string& message)
 {
-  return AllOf(Field(&WarningSummary::kind, kind), Field(&WarningSummary::message, HasSubstr(message)));
+  return AllOf(testing::Field(&WarningSummary::kind, kind),
+               testing::Field(&WarningSummary::message, HasSubstr(message)));
 }
 
 /// Steel on steel in N and mm: strains of some 1e-5.

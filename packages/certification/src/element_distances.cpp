@@ -58,7 +58,7 @@ const std::vector<CellValues>& ElementDistances::to(const std::vector<NodalField
     if (scene_.dim() == 2)
       continue;
     const std::vector<int> cells = changed(b, v[b]);
-    const Vector found = elementDistances(scene_, b, recovered_.stress.corrections[b], v[b], &cells);
+    const CellValues found = elementDistances(scene_, b, recovered_.stress.corrections[b], v[b], &cells);
     for (std::size_t c = 0; c < cells.size(); ++c)
       distances_[b][std::size_t(cells[c])] = found[c];
   }

@@ -22,7 +22,7 @@ bool isFixed(const BodySystem& system, std::size_t dof)
 /// True when two sets of nodal forces differ only where supports take the difference.
 bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
 {
-  const Vector first = system.dofs.frames.toLocal(a), second = system.dofs.frames.toLocal(b);
+  const NodalField first = system.dofs.frames.toLocal(a), second = system.dofs.frames.toLocal(b);
   double difference = 0.0, scale = 0.0;
   for (std::size_t i = 0; i < first.size(); ++i) {
     scale = std::max({scale, std::abs(first[i]), std::abs(system.load[i])});
@@ -35,7 +35,7 @@ bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
 /// Normal displacements of a field at a body's trace.
 Vector traceValues(const BodySystem& system, const BodyTrace& trace, const Vector& solved)
 {
-  const Vector own = system.dofs.frames.toLocal(solved);
+  const NodalField own = system.dofs.frames.toLocal(solved);
   Vector kept;
   for (const int dof : trace.map.dofs())
     kept.push_back(own[std::size_t(dof)]);
@@ -62,7 +62,7 @@ Vector solveTrace(const BodyTrace& trace, const RestrictedInverse& inverse, cons
 /// Effective load plus contact forces, in the nodes' own axes.
 Vector loaded(const BodySystem& system, const Vector& effective, const Vector& force)
 {
-  Vector load = system.dofs.frames.toLocal(force);
+  Vector load = system.dofs.frames.toLocal(force).whole();
   for (std::size_t i = 0; i < load.size(); ++i)
     load[i] += effective[i];
   return load;
@@ -103,7 +103,7 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
   const WholeSolver& whole = *condensed.trace(body)->whole;
   try {
     for (const std::size_t f : unknown) {
-      Vector u = system.dofs.frames.toLocal(fields[f]);
+      Vector u = system.dofs.frames.toLocal(fields[f]).whole();
       for (std::size_t i = 0; i < u.size(); ++i)
         u[i] -= system.dofs.prescribed[i];
       u = whole.solveFree(loaded(system, condensed.loads[b], forces[f]), std::move(u));
@@ -144,7 +144,7 @@ Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceSt
   const Vector kept = trace.map.keptForces(trace.forces(state.forceDirichlet, state.forceNeumann));
   for (std::size_t k = 0; k < kept.size(); ++k)
     force[std::size_t(trace.map.dofs()[k])] += kept[k];
-  return system.dofs.frames.toGlobal(force);
+  return system.dofs.frames.toGlobal(force).whole();
 }
 
 std::vector<NodalField> intermediateFields(const Model& model, const CondensedModel& condensed, int body,

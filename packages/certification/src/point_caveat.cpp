@@ -34,7 +34,7 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
   double total = 0.0;
   std::vector<NodalField> reactions;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const Vector u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
+    const NodalField u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
     reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
     for (const NodalField* forces : {&std::as_const(reactions[b]), &scene.condensed.systems[b].load})
       for (const double force : *forces)

@@ -153,7 +153,8 @@ std::vector<NodalField> ReferenceSolution::onFineMesh(const std::vector<NodalFie
 Vector ReferenceSolution::applyStiffness(std::size_t body, const Vector& displacement) const
 {
   const BodySystem& system = systems_[body];
-  return system.dofs.frames.toGlobal(multiply(system.K, system.dofs.frames.toLocal(displacement), comm_));
+  const NodalField local = system.dofs.frames.toLocal(displacement);
+  return system.dofs.frames.toGlobal(multiply(system.K, local, comm_)).whole();
 }
 
 double ReferenceSolution::fineNorm(const std::vector<NodalField>& displacement) const
@@ -182,7 +183,7 @@ double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<
   double squared = D * D;
   for (std::size_t b = 0; b < v.size(); ++b) {
     const Vector stiff = applyStiffness(b, v[b]);
-    const Vector load = systems_[b].dofs.frames.toGlobal(systems_[b].load);
+    const NodalField load = systems_[b].dofs.frames.toGlobal(systems_[b].load);
     squared += dot(v[b], stiff) - 2.0 * (dot(load, v[b]) - dot(start[b], stiff));
   }
   if (!patches.empty()) {

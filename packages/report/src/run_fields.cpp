@@ -109,7 +109,7 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
   const auto offsets = gapOffsets(run.model);
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
-    const Vector u = run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u[step]);
+    const NodalField u = run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u[step]);
     out.nodal.push_back(vectorFields("disp_", run.solved.fields[b].displacement[step], std::size_t(body.mesh.dim)));
     if (!offsets.empty())
       append(out.nodal.back(), vectorFields("offset_", offsets[b], std::size_t(body.mesh.dim)));

@@ -53,7 +53,7 @@ struct Fields
   {}
 
   const Vector& displacement;
-  Vector strained; ///< but for a rigid motion
+  NodalField strained; ///< but for a rigid motion
 };
 
 ProbeSummary outlineOf(const Model& model, int number, const ProbeOptions& probe,

@@ -58,7 +58,7 @@ double leastCoefficient(const LinePolynomial& p)
   return least;
 }
 
-LinePolynomial difference(LinePolynomial a, const LinePolynomial& b)
+LinePolynomial differenceOf(LinePolynomial a, const LinePolynomial& b)
 {
   a.resize(std::max(a.size(), b.size()), 0.0);
   for (std::size_t k = 0; k < b.size(); ++k)

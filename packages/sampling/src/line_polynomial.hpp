@@ -16,6 +16,6 @@ LinePolynomial through(const std::vector<double>& values);
 /// A lower bound of its values: the least Bernstein coefficient.
 double leastCoefficient(const LinePolynomial& p);
 
-LinePolynomial difference(LinePolynomial a, const LinePolynomial& b);
+LinePolynomial differenceOf(LinePolynomial a, const LinePolynomial& b);
 
 } // namespace ndframe

@@ -124,7 +124,7 @@ bool SwitchCurve::Finder::addCurve(Strip strip, const Side& lower, const Side& u
     LinePolynomial eta = curve(strip, lower, upper, degree);
     const double distance = largestAlong(s_, frame_.curve(strip.middle, strip.half, eta)) / frame_.leastSlope();
     const double inside =
-        std::min(leastCoefficient(difference(eta, strip.lower)), leastCoefficient(difference(strip.upper, eta)));
+        std::min(leastCoefficient(differenceOf(eta, strip.lower)), leastCoefficient(differenceOf(strip.upper, eta)));
     const double area = areaWithin(distance + std::max(0.0, -inside), strip);
     if (area < least) {
       least = area;
