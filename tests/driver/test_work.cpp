@@ -303,7 +303,9 @@ TEST(Ledger, CountsOnlyWhatAnEstimatorNeeds)
   EXPECT_THAT(countsAdded(Scene("punch"), {"Estimators={Discretization}"}),
               UnorderedElementsAre(Pair("back-solves", 1), Pair("stars", numPoints(Scene("punch")))));
   EXPECT_THAT(countsAdded(Scene("punch"), {"Estimators={Zienkiewicz-Zhu, Residual}"}), IsEmpty());
-  EXPECT_THAT(countsAdded(Scene("beam-3d"), {"Estimators={Global}"}), UnorderedElementsAre(Pair("recovery steps", 10)));
+  // The six shapes of a box's cells.
+  EXPECT_THAT(countsAdded(Scene("beam-3d"), {"Estimators={Global}"}),
+              UnorderedElementsAre(Pair("recovery steps", 10), Pair("cell matrices", 6)));
 }
 
 /// The tractions of a converged iteration that are admissible as they are: u_h is in equilibrium with them already.
