@@ -39,7 +39,7 @@ public:
     return count;
   }
 
-  int operator()(int body, int node) const { return same_[std::size_t(first_[std::size_t(body)] + node)]; }
+  int operator()(int body, int node) const { return same_[std::size_t(first_[std::size_t(body)]) + std::size_t(node)]; }
 
 private:
   int representative(int vertex)

@@ -151,7 +151,7 @@ Vector WholeProblem::forcesOn(const Vector& rest) const
     const TraceMap& map = network_.bodies[b]->map;
     Vector kept;
     for (int k = 0; k < map.size(); ++k)
-      kept.push_back(-rest[std::size_t(network_.offsets[b] + k)]);
+      kept.push_back(-rest[std::size_t(network_.offsets[b]) + std::size_t(k)]);
     const Vector own = map.forces(kept);
     all.insert(all.end(), own.begin(), own.end());
   }

@@ -89,7 +89,7 @@ void JoinedInput::joinBlock(ExodusBlock block)
     block.nodesPerElement = part.nodesPerElement;
     const std::vector<int> ids = pieces_[p]->elementIds();
     for (int place = 0; place < part.numElements; ++place)
-      members.push_back({ids[std::size_t(part.firstElement + place)], p, place});
+      members.push_back({ids[std::size_t(part.firstElement) + std::size_t(place)], p, place});
   }
   std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) { return a.id < b.id; });
   const auto twice =

@@ -59,9 +59,9 @@ bool isInPieces(const OutputOptions& output, const ExodusScene& scene, const Com
 
 std::vector<std::string> writeWhole(const std::string& path, const SceneContent& content, Ledger& ledger)
 {
-  const auto& [scene, steps, records] = content;
+  const ExodusScene& scene = content.scene;
   const auto write = [&](const std::string& temporary) {
-    writeExodus(temporary, scene.title, scene.bodies, scene.sides, steps, records);
+    writeExodus(temporary, scene.title, scene.bodies, scene.sides, content.steps, content.records);
   };
   ledger.count("bytes written", writeAtomically(path, write));
   removeAll(piecesBeside(path));
@@ -71,16 +71,17 @@ std::vector<std::string> writeWhole(const std::string& path, const SceneContent&
 std::vector<std::string> writePieces(const std::string& path, const SceneContent& content, const Comm& comm,
                                      Ledger& ledger)
 {
-  const auto& [scene, steps, records] = content;
+  const ExodusScene& scene = content.scene;
   const ExodusSharing sharing = shareCells(scene.bodies, comm.size());
   std::vector<std::string> names;
   for (int piece = 0; piece < comm.size(); ++piece)
     names.push_back(pieceName(path, comm.size(), piece));
   const std::string& own = names[std::size_t(comm.rank())];
   std::optional<PendingFile> file;
-  onEveryRank(comm, [&, &scene = scene, &steps = steps, &records = records] {
+  onEveryRank(comm, [&] {
     file.emplace(own, [&](const std::string& temporary) {
-      writeExodusPiece(temporary, scene.title, scene.bodies, scene.sides, steps, records, sharing, comm.rank());
+      writeExodusPiece(temporary, scene.title, scene.bodies, scene.sides, content.steps, content.records, sharing,
+                       comm.rank());
     });
   });
   keepAll(*file, own, comm);

@@ -81,7 +81,8 @@ using CellValues = Field<struct OfCells>;
 /// `dim` values at each of all nodes.
 inline NodalField atNodes(Vector values, int dim)
 {
-  return {IndexMap::whole(IndexMap::Global(values.size()) / dim), dim, std::move(values)};
+  const auto size = IndexMap::Global(values.size());
+  return {IndexMap::whole(size / dim), dim, std::move(values)};
 }
 /// One value for each of all cells.
 inline CellValues ofCells(Vector values)
