@@ -24,10 +24,13 @@ void renumberRow(BlockMatrix& K, std::size_t r, std::vector<std::pair<int, std::
   for (std::int64_t b = first; b < last; ++b)
     order.emplace_back(K.nodes.local(K.cols[std::size_t(b)]), b - first);
   std::sort(order.begin(), order.end());
+  for (std::int64_t b = first; b < last; ++b)
+    K.cols[std::size_t(b)] = order[std::size_t(b - first)].first;
+  if (K.values.empty())
+    return;
   given.assign(K.values.begin() + first * size, K.values.begin() + last * size);
   for (std::int64_t b = first; b < last; ++b) {
-    const auto& [column, place] = order[std::size_t(b - first)];
-    K.cols[std::size_t(b)] = column;
+    const std::int64_t place = order[std::size_t(b - first)].second;
     std::copy_n(given.begin() + place * size, size, K.values.begin() + b * size);
   }
 }
@@ -45,11 +48,11 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
       needed.push_back(node);
   BlockMatrix K{dim, IndexMap(numNodes, {owned.begin(), owned.end()}, std::move(needed)), std::move(rowPtr),
                 std::move(cols), std::move(values)};
-  K.values.resize(K.cols.size() * std::size_t(dim) * std::size_t(dim), 0.0);
   std::vector<std::pair<int, std::int64_t>> order;
   std::vector<double> given;
   for (std::size_t r = 0; !isWhole && r < owned.size(); ++r)
     renumberRow(K, r, order, given);
+  K.values.resize(K.cols.size() * std::size_t(dim) * std::size_t(dim), 0.0);
   return K;
 }
 

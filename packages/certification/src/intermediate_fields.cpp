@@ -60,9 +60,9 @@ Vector solveTrace(const BodyTrace& trace, const RestrictedInverse& inverse, cons
 }
 
 /// Effective load plus contact forces, in the nodes' own axes.
-Vector loaded(const BodySystem& system, const Vector& effective, const Vector& force)
+NodalField loaded(const BodySystem& system, const Vector& effective, const Vector& force)
 {
-  Vector load = system.dofs.frames.toLocal(force).whole();
+  NodalField load = system.dofs.frames.toLocal(force);
   for (std::size_t i = 0; i < load.size(); ++i)
     load[i] += effective[i];
   return load;
@@ -168,7 +168,7 @@ std::vector<NodalField> intermediateFields(const Model& model, const CondensedMo
   const auto inverse = trace.S->inverseOn(isFree, 0.0);
   DenseMatrix loads(model.bodies[b].numDofs(), int(unknown.size())), kept(int(start.size()), int(unknown.size()));
   for (std::size_t j = 0; j < unknown.size(); ++j) {
-    const Vector load = loaded(system, condensed.loads[b], forces[unknown[j]]);
+    const NodalField load = loaded(system, condensed.loads[b], forces[unknown[j]]);
     const Vector g = traceLoadUnder(condensed, body, load);
     const Vector values = trace.map.keptValues(solveTrace(trace, *inverse, isFree, g, start));
     std::copy(load.begin(), load.end(), loads.col(int(j)));

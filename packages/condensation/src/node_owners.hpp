@@ -11,7 +11,7 @@ namespace ndframe
 class NodeOwners
 {
 public:
-  NodeOwners(const Model& model, int ranks); ///< model: must outlive it
+  NodeOwners(const Model& model, int ranks);
 
   /// The nodes of a body that a rank owns, ascending.
   std::vector<int> ownedBy(int rank, int body) const;

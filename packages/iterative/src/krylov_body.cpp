@@ -9,6 +9,7 @@
 #include "joined_krylov.hpp"
 #include "ndframe/algebra/split_body.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "own_dofs.hpp"
 #include "recycled_solutions.hpp"
 #include "restarted_gradients.hpp"
 #include "stored_problem.hpp"
@@ -54,8 +55,8 @@ public:
     const int iterations = restartedGradients(
         options_.tolerance * initial, initial, options_.maxIterations, norm(residual), ledger_,
         [&](double reduction, int most, const auto& watch) {
-          const ConjugateGradients::Result step = cg_->solve(ownPart(residual), reduction, most, watch);
-          const Vector x = gathered(step.x);
+          const ConjugateGradients::Result step = cg_->solve(ownPart(matrix_, residual), reduction, most, watch);
+          const Vector x = gathered(matrix_, step.x.data(), comm_);
           for (std::size_t dof = 0; dof < u.size(); ++dof)
             if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
               u[dof] += x[dof];
@@ -82,27 +83,6 @@ private:
       a[i] += b[i];
     return a;
   }
-  /// The dofs of this rank's nodes.
-  Vector ownPart(const Vector& all) const
-  {
-    Vector own;
-    for (int r = 0; r < matrix_.numRows(); ++r) {
-      const auto first = all.begin() + std::ptrdiff_t(matrix_.rowNode(r)) * matrix_.dim;
-      own.insert(own.end(), first, first + matrix_.dim);
-    }
-    return own;
-  }
-
-  Vector gathered(const Vector& own) const
-  {
-    Vector all(roles_.size(), 0.0);
-    for (int r = 0; r < matrix_.numRows(); ++r)
-      std::copy_n(own.begin() + std::ptrdiff_t(r) * matrix_.dim, matrix_.dim,
-                  all.begin() + std::ptrdiff_t(matrix_.rowNode(r)) * matrix_.dim);
-    comm_.sum(all);
-    return all;
-  }
-
   /// load - K u on the interior dofs, zero elsewhere.
   Vector interiorResidual(const Vector& load, const Vector& u) const
   {

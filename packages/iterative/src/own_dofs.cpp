@@ -6,6 +6,26 @@
 namespace ndframe
 {
 
+Vector ownPart(const BlockMatrix& K, const Vector& all)
+{
+  Vector own;
+  own.reserve(std::size_t(K.numRows()) * std::size_t(K.dim));
+  for (int r = 0; r < K.numRows(); ++r) {
+    const auto first = all.begin() + std::ptrdiff_t(K.rowNode(r)) * K.dim;
+    own.insert(own.end(), first, first + K.dim);
+  }
+  return own;
+}
+
+Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm)
+{
+  Vector all(std::size_t(K.numDofs()), 0.0);
+  for (int r = 0; r < K.numRows(); ++r, own += K.dim)
+    std::copy_n(own, K.dim, all.begin() + std::ptrdiff_t(K.rowNode(r)) * K.dim);
+  comm.sum(all);
+  return all;
+}
+
 OwnDofs::OwnDofs(const std::vector<const SolverProblem*>& problems, const Comm& comm) : problems_(problems), comm_(comm)
 {
   for (const SolverProblem* problem : problems_) {
@@ -31,27 +51,23 @@ Vector OwnDofs::part(const std::vector<const Vector*>& all) const
   Vector own;
   own.reserve(size());
   for (std::size_t b = 0; b < all.size(); ++b) {
-    const BlockMatrix& K = *problems_[b]->matrix;
-    for (int r = 0; r < K.numRows(); ++r)
-      for (int i = 0; i < K.dim; ++i)
-        own.push_back(isFree_[own.size()] ? (*all[b])[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)]
-                                          : 0.0);
+    const Vector ofBody = ownPart(*problems_[b]->matrix, *all[b]);
+    own.insert(own.end(), ofBody.begin(), ofBody.end());
   }
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (!isFree_[i])
+      own[i] = 0.0;
   return own;
 }
 
 std::vector<Vector> OwnDofs::gathered(const Vector& own) const
 {
   std::vector<Vector> all;
-  auto next = own.begin();
+  const double* next = own.data();
   for (const SolverProblem* problem : problems_) {
     const BlockMatrix& K = *problem->matrix;
-    all.emplace_back(std::size_t(K.numDofs()), 0.0);
-    for (int r = 0; r < K.numRows(); ++r) {
-      std::copy_n(next, K.dim, all.back().begin() + std::ptrdiff_t(K.rowNode(r)) * K.dim);
-      next += K.dim;
-    }
-    comm_.sum(all.back());
+    all.push_back(ndframe::gathered(K, next, comm_));
+    next += std::ptrdiff_t(K.numRows()) * K.dim;
   }
   return all;
 }

@@ -8,6 +8,11 @@
 namespace ndframe
 {
 
+/// The entries at the dofs of this rank's rows of a vector of all dofs, and such a vector from the entries of all
+/// ranks.
+Vector ownPart(const BlockMatrix& K, const Vector& all);
+Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm); ///< own: of all rows. Collective
+
 /// The dofs of this rank's nodes, those of one body after those of another, and where the kept dofs of all bodies are
 /// among them. Only kept values and gathered() are on all ranks.
 class OwnDofs
