@@ -1,5 +1,8 @@
 #include <gtest/gtest.h>
 
+#include <type_traits>
+
+#include "ndframe/algebra/dense.hpp"
 #include "ndframe/algebra/field.hpp"
 
 namespace ndframe
@@ -23,6 +26,17 @@ TEST(Field, OnlyAWholeFieldIsAVector)
   EXPECT_EQ(whole.map().globalSize(), 2);
   const NodalField shared(IndexMap(3, {0}, {1}), 2);
   EXPECT_THROW(shared.whole(), InternalError);
+}
+
+// A traction is no force, and one value a node none of an unknown.
+TEST(Field, OfOneKindIsNotTakenForAnother)
+{
+  EXPECT_FALSE((std::is_convertible_v<InterfaceValues, UnknownValues>));
+  EXPECT_FALSE((std::is_convertible_v<UnknownValues, InterfaceValues>));
+  EXPECT_FALSE((std::is_convertible_v<Vector, UnknownValues>)); // which says of what it has values
+  EXPECT_TRUE((std::is_convertible_v<UnknownValues, Vector>));
+  const UnknownValues shared(IndexMap(3, {0}, {1}), 1, {1.0, 2.0});
+  EXPECT_THROW(norm(shared), InternalError);
 }
 
 TEST(Field, ValuesMustFitTheMap)

@@ -21,6 +21,7 @@ TEST(IndexMap, GivesOwnNumbersFirstThenGhostsBothAscending)
   EXPECT_EQ(numbers, (Globals{2, 5, 9, 0, 3, 11}));
   EXPECT_TRUE(map.owns(2));
   EXPECT_FALSE(map.owns(3));
+  EXPECT_FALSE(map.owns(map.local(3))); // which it does not hold
 }
 
 TEST(IndexMap, LocalAndGlobalNumbersAreInverse)

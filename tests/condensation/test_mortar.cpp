@@ -100,8 +100,8 @@ TEST_P(MortarOf, IsAnL2Projection)
   Vector rest = x;
   for (std::size_t i = 0; i < rest.size(); ++i)
     rest[i] -= projected[i];
-  EXPECT_LT(largestEntry(system.mortar->forcesOf(system.forceOf(rest))),
-            1e-13 * largestEntry(system.mortar->forcesOf(system.forceOf(Vector(rest.size(), 1.0)))));
+  EXPECT_LT(largestEntry(system.mortar->forcesOf(system.forceOf(ofUnknowns(rest)))),
+            1e-13 * largestEntry(system.mortar->forcesOf(system.forceOf(ofUnknowns(Vector(rest.size(), 1.0))))));
 }
 
 TEST_P(MortarOf, MeansAreClosedAndNothingPulls)

@@ -95,9 +95,8 @@ InterfaceSystem emptySystem(int nodes)
   system.C = std::make_shared<ContactMatrix>(std::vector<InterfaceMesh>{straightInterface(x, 1)});
   system.nodeOfUnknown.resize(std::size_t(nodes));
   std::iota(system.nodeOfUnknown.begin(), system.nodeOfUnknown.end(), 0);
-  system.gap.assign(std::size_t(nodes), 0.0);
+  system.gap = system.obstacle = ofUnknowns(Vector(std::size_t(nodes), 0.0));
   system.isObstacle.assign(std::size_t(nodes), 0);
-  system.obstacle.assign(std::size_t(nodes), 0.0);
   return system;
 }
 
@@ -161,7 +160,7 @@ InterfaceSystem randomSystem(unsigned seed, bool floats)
   for (double& value : load)
     value += floats ? 0.5 : 0.2;
   DenseMatrix S1 = floats ? softChain(n) : mildStiffness(n, seed + 1, 0.8);
-  system.gap = randomNumbers(n, seed + 2);
+  system.gap = ofUnknowns(randomNumbers(n, seed + 2));
   for (double& gap : system.gap)
     gap = 0.1 * std::abs(gap);
   Vector otherLoad = randomNumbers(n, seed + 4);
@@ -184,7 +183,7 @@ InterfaceSystem floatingNeumannSystem(unsigned seed)
   Vector load = randomNumbers(n, seed + 4);
   for (double& value : load)
     value = 0.5 * value - 0.3;
-  system.gap = randomNumbers(n, seed + 2);
+  system.gap = ofUnknowns(randomNumbers(n, seed + 2));
   for (double& gap : system.gap)
     gap = 0.3 * std::abs(gap);
   system.bodies.push_back(makeBody(all, true, mildStiffness(n, seed + 1, 0.8), randomNumbers(n, seed + 3)));
@@ -214,8 +213,8 @@ InterfaceSystem obstacleSystem(unsigned seed, bool floats)
   std::copy(matching.gap.begin(), matching.gap.end(), system.gap.begin() + 1);
   const Vector at = randomNumbers(2, seed + 7);
   system.isObstacle.front() = system.isObstacle.back() = 1;
-  system.obstacle.front() = 0.1 * at[0];
-  system.obstacle.back() = 0.1 * at[1];
+  system.obstacle[0] = 0.1 * at[0];
+  system.obstacle[std::size_t(n) + 1] = 0.1 * at[1];
   for (BodyTrace body : matching.bodies) {
     for (int& unknown : body.unknowns)
       ++unknown;
@@ -276,7 +275,7 @@ InterfaceSystem inOtherUnits(InterfaceSystem system, double stiffness, double le
     for (double& g : body.g)
       g *= stiffness * length;
   }
-  for (Vector* const lengths : {&system.gap, &system.obstacle})
+  for (UnknownValues* const lengths : {&system.gap, &system.obstacle})
     for (double& value : *lengths)
       value *= length;
   return system;

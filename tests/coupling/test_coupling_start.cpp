@@ -50,7 +50,7 @@ CouplingStart startFrom(const InterfaceState& state)
 /// Tractions of either sign, a thousand times too large, and statuses by chance.
 CouplingStart garbage(const InterfaceSystem& system, unsigned seed)
 {
-  CouplingStart start{randomNumbers(system.C->size(), seed + 100), {}, 0.0};
+  CouplingStart start{atInterface(randomNumbers(system.C->size(), seed + 100)), {}, 0.0};
   for (double& traction : start.traction)
     traction *= 1e3;
   for (const double number : randomNumbers(system.size(), seed + 200))
@@ -141,13 +141,13 @@ TEST(CouplingStart, NodesWithAPrescribedDisplacementCarryNoForce)
 {
   InterfaceSystem system = emptySystem(4);
   system.nodeOfUnknown = {1, 2, 3};
-  system.gap.resize(3);
+  system.gap = ofUnknowns({0.0, 0.0, 0.0});
   system.bodies.push_back(makeBody({0, 1, 2}, true, mildStiffness(3, 1, 0.5), {1.0, 1.0, 1.0}));
   system.bodies.push_back(makeBody({0, 1, 2}, false, mildStiffness(3, 2, 1.0), Vector(3, 0.0)));
-  const Vector given{-5.0, -1.0, -2.0, -3.0};
+  const InterfaceValues given = atInterface({-5.0, -1.0, -2.0, -3.0});
   const auto first = run(*neumannDirichlet(1e-14, {}, 1), system, {given, {}, {}}).state;
   EXPECT_NEAR(system.C->apply(first.tractionNeumann)[0], 0.0, 1e-14);
-  const Vector wanted = system.force(given);
+  const UnknownValues wanted = system.force(given);
   for (std::size_t i = 0; i < wanted.size(); ++i)
     EXPECT_NEAR(first.forceNeumann[i], wanted[i], 1e-14);
 }

@@ -17,14 +17,15 @@ namespace
 
 constexpr unsigned numSeeds = 12;
 
-CouplingResult sweeps(const InterfaceSystem& system, int number, const std::string& more = {}, Vector traction = {})
+CouplingResult sweeps(const InterfaceSystem& system, int number, const std::string& more = {},
+                      InterfaceValues traction = {})
 {
   Ledger ledger;
   return run(*neumannDirichlet(1e-14, more, number), system, ledger, {std::move(traction), {}, 1e-30});
 }
 
 /// e for these contact forces of the two sides.
-double errorOf(const InterfaceSystem& system, const Vector& dirichletForce, const Vector& neumannForce)
+double errorOf(const InterfaceSystem& system, const UnknownValues& dirichletForce, const UnknownValues& neumannForce)
 {
   Ledger ledger;
   const RoleSystem dirichlet = gatherRole(system, ContactRole::Dirichlet),
@@ -33,7 +34,7 @@ double errorOf(const InterfaceSystem& system, const Vector& dirichletForce, cons
   InterfaceState state;
   state.forceDirichlet = dirichletForce;
   state.forceNeumann = neumannForce;
-  state.strainedNeumann = problem.solve(neumannForce);
+  state.strainedNeumann = ofUnknowns(problem.solve(neumannForce));
   return IterationError(system, dirichlet, neumann, problem, ledger).measure(state);
 }
 
@@ -126,7 +127,8 @@ TEST(IterationError, DoesNotDependOnWhichBodyIsCalledDirichlet)
     for (const auto& system : randomScenes(seed)) {
       if (system.isObstacle.front()) // whom only the Dirichlet body meets
         continue;
-      const Vector a = randomNumbers(system.size(), seed + 7), b = randomNumbers(system.size(), seed + 8);
+      const UnknownValues a = ofUnknowns(randomNumbers(system.size(), seed + 7)),
+                          b = ofUnknowns(randomNumbers(system.size(), seed + 8));
       const double e = errorOf(system, a, b);
       EXPECT_NEAR(errorOf(exchanged(system), b, a), e, 1e-9 * e);
     }
@@ -147,7 +149,7 @@ TEST(IterationError, LeavesOutAResultantThatAFloatingBodyCannotStand)
 {
   // The floating block feels only what strains it; the foundation, which is held, feels all.
   const auto system = patchSystem();
-  const Vector uniform = system.force(Vector(6, -1.0)), none(6, 0.0);
+  const UnknownValues uniform = system.force(atInterface(Vector(6, -1.0))), none = ofUnknowns(Vector(6, 0.0));
   const double e = errorOf(system, uniform, none);
   // The foundation follows the pressure: S2 = C, so half the pressure stores 1/4 int 1 dS = 5/4.
   EXPECT_NEAR(e * e, 5.0 / 4.0, 1e-13);
@@ -157,7 +159,7 @@ TEST(IterationError, ContractsByTheFactorOfItsMode)
 {
   for (const double mu : {0.3, 1.0, 2.5}) {
     const auto system = oneMode(mu);
-    Vector start = run(*makeCoupling(text("Type", "Monolithic")), system).state.tractionDirichlet;
+    InterfaceValues start = run(*makeCoupling(text("Type", "Monolithic")), system).state.tractionDirichlet;
     for (double& traction : start)
       traction *= 0.9;
     for (const double theta : {0.2, 0.35, 0.5}) {

@@ -19,7 +19,7 @@ CouplingResult monolithic(const InterfaceSystem& system)
 InterfaceSystem stack(unsigned seed)
 {
   InterfaceSystem system = emptySystem(6);
-  system.gap = {0.0, 0.02, 0.0, 0.01, 0.0, 0.03};
+  system.gap = ofUnknowns({0.0, 0.02, 0.0, 0.01, 0.0, 0.03});
   BodyTrace middle = makeBody({0, 1, 2, 3, 4, 5}, true, floatingChain(6), randomNumbers(6, seed), true);
   for (std::size_t k = 0; k < 3; ++k)
     middle.roles[k] = ContactRole::Neumann;

@@ -20,7 +20,7 @@ namespace
 struct Solution
 {
   UnilateralState status;
-  Vector uDirichlet, uNeumann;
+  UnknownValues uDirichlet, uNeumann;
 };
 
 Solution solvedAsNetwork(const InterfaceSystem& system)
@@ -33,9 +33,15 @@ Solution solvedAsNetwork(const InterfaceSystem& system)
   start.closed.assign(std::size_t(system.size()), 1);
   auto [status, v] = settleNetwork(network, factored, refinedTolerance, system, start, ledger);
   solution.status = std::move(status);
-  solution.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, v);
-  solution.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, v));
+  solution.uDirichlet = ofUnknowns(rowValues(network.dirichlet, network.dirichletOffset, v));
+  solution.uNeumann = system.withObstacles(ofUnknowns(rowValues(network.neumann, network.neumannOffset, v)));
   return solution;
+}
+
+UnknownValues withOneMore(Vector values, double last)
+{
+  values.push_back(last);
+  return ofUnknowns(std::move(values));
 }
 
 double largestDifference(const Vector& a, const Vector& b)
@@ -131,9 +137,9 @@ TEST_P(Networks, CountAnUnknownOnceThatStandsTwice)
       body.dependents.push_back({twice.size(), body.roles[std::size_t(place)], {{int(place), 1.0}}, 0.0});
     }
     twice.nodeOfUnknown.push_back(twice.nodeOfUnknown[std::size_t(unknown)]);
-    twice.gap.push_back(twice.gap[std::size_t(unknown)] + (unknown % 2 == 0 ? 0.0 : 1.0));
+    twice.gap = withOneMore(twice.gap, twice.gap[std::size_t(unknown)] + (unknown % 2 == 0 ? 0.0 : 1.0));
     twice.isObstacle.push_back(0);
-    twice.obstacle.push_back(0.0);
+    twice.obstacle = withOneMore(twice.obstacle, 0.0);
     const Solution both = solvedAsNetwork(twice);
     Vector force = both.status.force;
     force[std::size_t(unknown)] += force.back();

@@ -18,7 +18,7 @@ class FullThenHalf final : public RelaxationController
 {
 public:
   void start() override { sweep_ = 0; }
-  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) override
   {
     const double theta = ++sweep_ == 1 ? 1.0 : 0.5;
     return {relax(dirichlet, neumann, theta), theta, "own"};
@@ -174,7 +174,7 @@ TEST(NeumannDirichlet, NodesWithAPrescribedDisplacementCarryNoForce)
 {
   InterfaceSystem system = emptySystem(4);
   system.nodeOfUnknown = {1, 2, 3};
-  system.gap.resize(3);
+  system.gap = ofUnknowns({0.0, 0.0, 0.0});
   system.bodies.push_back(makeBody({0, 1, 2}, true, mildStiffness(3, 1, 0.5), {1.0, 1.0, 1.0}));
   system.bodies.push_back(makeBody({0, 1, 2}, false, mildStiffness(3, 2, 1.0), Vector(3, 0.0)));
   const auto result = run(*neumannDirichlet(1e-12), system);
@@ -187,7 +187,7 @@ TEST(NeumannDirichlet, ObserverSeesEverySweep)
 {
   Ledger ledger;
   std::vector<int> sweeps;
-  Vector lastTraction;
+  InterfaceValues lastTraction;
   const auto result = neumannDirichlet(0.1)->solve(
       patchSystem(),
       [&](const SweepRecord& record, const InterfaceState& state) {

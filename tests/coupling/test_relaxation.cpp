@@ -38,10 +38,12 @@ std::string complaint(const std::string& entries)
 /// The factors of four sweeps on a small linear map, in units where a stress of 1 is `unit`.
 Vector factors(RelaxationController& controller, double unit)
 {
-  Vector traction{0.0, 0.0}, thetas;
+  InterfaceValues traction = atInterface({0.0, 0.0});
+  Vector thetas;
   controller.start();
   for (int sweep = 0; sweep < 4; ++sweep) {
-    const Vector image{-0.4 * traction[0] + 0.3 * traction[1] - unit, 0.2 * traction[0] - 0.7 * traction[1] - 2 * unit};
+    const InterfaceValues image =
+        atInterface({-0.4 * traction[0] + 0.3 * traction[1] - unit, 0.2 * traction[0] - 0.7 * traction[1] - 2 * unit});
     const auto next = controller.next(image, traction);
     thetas.push_back(next.theta);
     traction = next.traction;
@@ -55,7 +57,7 @@ TEST(Relaxation, ConstantIsTheFormula)
 {
   const auto controller = makeRelaxation(constant("0.25"));
   for (int sweep = 0; sweep < 3; ++sweep) {
-    const auto next = controller->next({-4.0, 8.0}, {4.0, 0.0});
+    const auto next = controller->next(atInterface({-4.0, 8.0}), atInterface({4.0, 0.0}));
     EXPECT_EQ(next.traction, (Vector{2.0, 2.0}));
     EXPECT_EQ(next.theta, 0.25);
     EXPECT_EQ(next.note, "");
@@ -70,7 +72,7 @@ TEST(Relaxation, AitkenSolvesAffineFixedPointInTwoSweeps)
     controller->start();
     double traction = 0.0;
     for (int sweep = 0; sweep < 2; ++sweep)
-      traction = controller->next({a * traction - 1.0}, {traction}).traction[0];
+      traction = controller->next(atInterface({a * traction - 1.0}), atInterface({traction})).traction[0];
     EXPECT_NEAR(traction, -1.0 / (1.0 - a), 1e-14) << a;
   }
 }
@@ -100,11 +102,11 @@ TEST(Relaxation, AitkenRefusesAndReportsFactorsOutOfRange)
   // The residuals -1, -0.9 propose theta = 5; then -0.9, -1 a negative one.
   const auto controller = makeRelaxation(aitken());
   controller->start();
-  controller->next({-1.0}, {0.0});
-  const auto large = controller->next({-0.9}, {0.0});
+  controller->next(atInterface({-1.0}), atInterface({0.0}));
+  const auto large = controller->next(atInterface({-0.9}), atInterface({0.0}));
   EXPECT_EQ(large.theta, 0.5);
   EXPECT_EQ(large.note, "theta 5 refused");
-  const auto negative = controller->next({-1.0}, {0.0});
+  const auto negative = controller->next(atInterface({-1.0}), atInterface({0.0}));
   EXPECT_EQ(negative.theta, 0.5);
   EXPECT_EQ(negative.note, "theta -4.5 refused");
 }
@@ -114,7 +116,7 @@ TEST(Relaxation, AitkenKeepsItsFactorWhenNothingChanges)
   const auto controller = makeRelaxation(aitken(0.75));
   controller->start();
   for (int sweep = 0; sweep < 3; ++sweep)
-    EXPECT_EQ(controller->next({-1.0}, {-1.0}).theta, 0.75);
+    EXPECT_EQ(controller->next(atInterface({-1.0}), atInterface({-1.0})).theta, 0.75);
 }
 
 TEST(Relaxation, AutomaticHasTheBestThetaOfTheSpectrum)
@@ -125,7 +127,8 @@ TEST(Relaxation, AutomaticHasTheBestThetaOfTheSpectrum)
   for (const auto& [spectrum, theta] : {std::pair(held, 2.0 / 6.0), std::pair(floating, 2.0 / 5.5)}) {
     controller->startWith(spectrum);
     for (int sweep = 0; sweep < 3; ++sweep)
-      EXPECT_NEAR(controller->next({-1.0}, {std::pow(0.5, sweep) - 1.0}).theta, theta, 0.05 * theta); // two digits
+      EXPECT_NEAR(controller->next(atInterface({-1.0}), atInterface({std::pow(0.5, sweep) - 1.0})).theta, theta,
+                  0.05 * theta); // two digits
   }
 }
 
@@ -137,7 +140,7 @@ TEST(Relaxation, AutomaticConvergesWhereAnEigenvalueWasUnderestimated)
   double traction = 0.0;
   bool noted = false;
   for (int sweep = 0; sweep < 30; ++sweep) {
-    const auto next = controller->next({-10.0 * traction - 1.0}, {traction});
+    const auto next = controller->next(atInterface({-10.0 * traction - 1.0}), atInterface({traction}));
     noted = noted || next.note.find("theta lowered") == 0;
     traction = next.traction[0];
   }
@@ -149,7 +152,7 @@ TEST(Relaxation, AutomaticWithoutASpectrumBeginsWithOneHalf)
 {
   const auto controller = makeRelaxation(text("Type", "Automatic"));
   controller->startWith({std::nan(""), std::nan(""), false, false});
-  EXPECT_EQ(controller->next({-1.0}, {0.0}).theta, 0.5);
+  EXPECT_EQ(controller->next(atInterface({-1.0}), atInterface({0.0})).theta, 0.5);
 }
 
 TEST(Relaxation, FactorsOutOfRangeAreRefused)

@@ -159,7 +159,7 @@ TEST(RoleSpectrum, OfASingleNodeHeldByContactContractsAtOnce)
 {
   InterfaceSystem system = emptySystem(2);
   system.nodeOfUnknown.resize(1);
-  system.gap.resize(1);
+  system.gap = ofUnknowns({0.0});
   system.bodies.push_back(makeBody({0}, true, DenseMatrix(1, 1), {1.0}, true));
   system.bodies.push_back(makeBody({0}, false, DenseMatrix(Vector{2.0}), {0.0}));
   const auto spectrum = spectrumOf(system);

@@ -207,7 +207,8 @@ TEST(InterfaceSystem, TractionAndForceUndoEachOther)
   InterfaceSystem system;
   system.C = std::make_shared<ContactMatrix>(std::vector<InterfaceMesh>{straightInterface({0.0, 1.0, 4.0, 4.5}, 2)});
   system.nodeOfUnknown = {1, 2, 4, 6}; // a support prescribes the others
-  const Vector force = randomVector(4, 1), traction = system.traction(force);
+  const UnknownValues force = ofUnknowns(randomVector(4, 1));
+  const InterfaceValues traction = system.traction(force);
   ASSERT_EQ(traction.size(), 7u);
   EXPECT_LT(relativeDifference(system.force(traction), force), 1e-14);
   const Vector nodal = system.C->apply(traction);

@@ -12,7 +12,7 @@ class Faulty final : public RelaxationController
 {
 public:
   void start() override {}
-  RelaxedTraction next(const Vector& dirichlet, const Vector& /*neumann*/) override
+  RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& /*neumann*/) override
   {
     NDFRAME_ASSERT(dirichlet.empty(), "broken on purpose");
     return {};

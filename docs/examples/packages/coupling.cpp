@@ -31,7 +31,7 @@ InterfaceSystem twoNodes()
   InterfaceSystem system;
   system.C = std::make_shared<ContactMatrix>(std::vector<InterfaceMesh>{edge});
   system.nodeOfUnknown = {0, 1};
-  system.gap = system.obstacle = {0.0, 0.0};
+  system.gap = system.obstacle = ofUnknowns({0.0, 0.0});
   system.isObstacle = {0, 0};
   system.bodies = {springs(true, 1.0, {4.0, -1.0}), springs(false, 3.0, {0.0, 0.0})};
   return system;

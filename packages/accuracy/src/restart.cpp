@@ -30,7 +30,7 @@ CarriedContact contactOn(const Model& model, const Vector& traction, const std::
 {
   if (model.interfaces.empty())
     return {};
-  return {model.interfaces, traction, {closed.begin(), closed.end()}};
+  return {model.interfaces, atInterface(traction), {closed.begin(), closed.end()}};
 }
 
 /// Turns the interfaces as the roles that were chosen on them left them.

@@ -59,7 +59,7 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
 int BlockMatrix::rowOf(int node) const
 {
   const int row = nodes.local(node);
-  return row >= 0 && nodes.owns(row) ? row : -1;
+  return nodes.owns(row) ? row : -1;
 }
 
 const double* BlockMatrix::block(int r, int column) const

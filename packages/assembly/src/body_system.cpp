@@ -41,7 +41,7 @@ void scatter(BlockMatrix& K, const int* nodes, int nodesPerCell, const std::vect
   const int dim = K.dim, dofs = nodesPerCell * dim;
   for (int a = 0; a < nodesPerCell; ++a) {
     const int row = local[std::size_t(nodes[a])];
-    if (row < 0 || !K.nodes.owns(row))
+    if (!K.nodes.owns(row))
       continue;
     for (int b = 0; b < nodesPerCell; ++b) {
       double* block = K.block(row, local[std::size_t(nodes[b])]);
@@ -60,8 +60,7 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
   double points[(dim + 1) * dim], element[dofs * dofs];
   for (int c = 0; c < body.mesh.numCells(); ++c) {
     const int* nodes = body.nodes.cell(c);
-    if (std::none_of(nodes, nodes + nodesPerCell,
-                     [&](int node) { return local[std::size_t(node)] >= 0 && K.nodes.owns(local[std::size_t(node)]); }))
+    if (std::none_of(nodes, nodes + nodesPerCell, [&](int node) { return K.nodes.owns(local[std::size_t(node)]); }))
       continue;
     cellPoints(body.mesh, c, points);
     elementStiffness<dim, order>(points, body.laws(c), rule, element);

@@ -47,7 +47,7 @@ private:
   bool wants(Estimator estimator) const { return options_.wants(estimator); }
 
   void admitTractions();
-  IntermediateField nearestField(const Vector& traction, TractionSign sign);
+  IntermediateField nearestField(const InterfaceValues& traction, TractionSign sign);
   void solveIntermediateFields();
   void recoverStresses();
   void checkStresses();
@@ -93,7 +93,7 @@ void Certifier::admitTractions()
 
 /// The admissible traction, of those that may stand for the computed one, that changes the solution least and that its
 /// stress carries best, about; and its field, unless there is nothing to choose.
-IntermediateField Certifier::nearestField(const Vector& traction, TractionSign sign)
+IntermediateField Certifier::nearestField(const InterfaceValues& traction, TractionSign sign)
 {
   std::vector<IntermediateField> fields;
   std::vector<IntermediateField*> wanted;

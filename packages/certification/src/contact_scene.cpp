@@ -147,10 +147,10 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
   return conditions;
 }
 
-Vector meanTraction(const CouplingResult& coupling, bool updated)
+InterfaceValues meanTraction(const CouplingResult& coupling, bool updated)
 {
-  const Vector& dirichlet = coupling.state.tractionDirichlet;
-  const Vector& previous = coupling.state.tractionNeumann;
+  const InterfaceValues& dirichlet = coupling.state.tractionDirichlet;
+  const InterfaceValues& previous = coupling.state.tractionNeumann;
   const double theta = coupling.history.empty() ? 0.0 : coupling.history.back().theta;
   return relax(dirichlet, updated ? relax(dirichlet, previous, theta) : previous, 0.5);
 }

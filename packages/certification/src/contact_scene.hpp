@@ -21,6 +21,6 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
 
 /// t~ = (t1 - t2) / 2 at the interface nodes: the mean of Lambda_dir(p) and the traction that body 2 is in equilibrium
 /// with, Lambda_neu(p-1), or (`updated`) the one that its next problem would use, Lambda_neu(p).
-Vector meanTraction(const CouplingResult& coupling, bool updated);
+InterfaceValues meanTraction(const CouplingResult& coupling, bool updated);
 
 } // namespace ndframe

@@ -122,10 +122,10 @@ double ratio(double value, double scale)
 
 /// The pressure of a node is its force over its share of the side, the integral of its function: never tension, zero
 /// where contact is open, and with the resultant of the forces, which the nodal values C^-1 r are not. The same of the
-/// functions of means, where contact is asked of these. force: per unknown.
-void addPressures(std::vector<ContactNode>& nodes, const InterfaceSystem& system, const Vector& force)
+/// functions of means, where contact is asked of these.
+void addPressures(std::vector<ContactNode>& nodes, const InterfaceSystem& system, const UnknownValues& force)
 {
-  const Vector share = system.shares();
+  const InterfaceValues share = system.shares();
   if (system.mortar) {
     Vector pressure = system.mortar->forcesOf(force);
     const Vector shares = system.mortar->forcesOf(system.atUnknowns(share));
@@ -170,8 +170,8 @@ std::vector<std::pair<double, double>> conditionsOf(const std::vector<ContactNod
     force.push_back(node.nodalForce);
   }
   if (system.mortar) {
-    left = system.mortar->meansOf(system.atUnknowns(left));
-    force = system.mortar->forcesOf(system.atUnknowns(force));
+    left = system.mortar->meansOf(system.atUnknowns(atInterface(std::move(left))));
+    force = system.mortar->forcesOf(system.atUnknowns(atInterface(std::move(force))));
   }
   std::vector<std::pair<double, double>> conditions;
   for (std::size_t i = 0; i < left.size(); ++i)

@@ -38,8 +38,9 @@ public:
     }
     if (model.conditions == ContactConditions::Bernstein)
       chooseBasis();
+    system.gap = system.obstacle = ofUnknowns(Vector(system.nodeOfUnknown.size(), 0.0));
     for (std::size_t i = 0; i < system.nodeOfUnknown.size(); ++i)
-      describe(int(i));
+      describe(i);
   }
 
   std::vector<BodyTraceNodes> bodies() && { return std::move(bodies_); }
@@ -106,11 +107,11 @@ private:
   SparseRow rowOf(int node) const { return system_.basis ? system_.basis->row(node) : SparseRow{{node, 1.0}}; }
 
   /// Gap, obstacle and the bodies' coefficients of an unknown.
-  void describe(int unknown)
+  void describe(std::size_t unknown)
   {
-    const int node = system_.nodeOfUnknown[std::size_t(unknown)];
+    const int node = system_.nodeOfUnknown[unknown];
     const SparseRow row = rowOf(node);
-    double gap = 0.0, smallest = gaps_[std::size_t(node)], obstacle = 0.0;
+    double gap = 0.0, smallest = gaps_[std::size_t(node)];
     for (const auto& [other, share] : row) {
       gap += share * gaps_[std::size_t(other)];
       smallest = std::min(smallest, gaps_[std::size_t(other)]);
@@ -121,11 +122,10 @@ private:
         addCoefficient(own, s, row);
       else
         for (const auto& [other, share] : row)
-          obstacle += share * own.along * places_[std::size_t(other)][s].side.held;
+          system_.obstacle[unknown] += share * own.along * places_[std::size_t(other)][s].side.held;
     }
     // What is open at all nodes is not closed before anything moves: coefficients may lie below a convex gap.
-    system_.gap.push_back(std::max(gap, smallest));
-    system_.obstacle.push_back(obstacle);
+    system_.gap[unknown] = std::max(gap, smallest);
   }
 
   void addCoefficient(const Place& own, std::size_t side, const SparseRow& row)

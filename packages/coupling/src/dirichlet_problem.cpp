@@ -71,7 +71,7 @@ DirichletProblem::DirichletProblem(const RoleSystem& dirichlet, const RoleSystem
       problem_(*S_, boundedEntries(R_), motionsOf(dirichlet, neumann), namesOf(dirichlet, neumann), ledger)
 {}
 
-DirichletStep DirichletProblem::solve(Vector u2, const Vector& gap, const std::vector<char>& closed)
+DirichletStep DirichletProblem::solve(UnknownValues u2, const UnknownValues& gap, const std::vector<char>& closed)
 {
   const std::size_t n = gap.size(), all = b_.size();
   Vector bound = u2;

@@ -9,7 +9,7 @@ namespace ndframe
 struct DirichletStep
 {
   UnilateralState status; ///< of the Dirichlet bodies, per interface unknown
-  Vector uNeumann;        ///< u2_N with its rigid motions
+  UnknownValues uNeumann; ///< u2_N with its rigid motions
   Vector motions;         ///< their amplitudes alpha
 };
 
@@ -26,7 +26,7 @@ public:
   DirichletProblem(const RoleSystem& dirichlet, const RoleSystem& neumann, Ledger& ledger);
 
   /// u2: a solution of the Neumann problem. Throws NotConverged when the load pulls a body off.
-  DirichletStep solve(Vector u2, const Vector& gap, const std::vector<char>& closed);
+  DirichletStep solve(UnknownValues u2, const UnknownValues& gap, const std::vector<char>& closed);
 
 private:
   DenseMatrix R_;

@@ -32,26 +32,26 @@ Demand demandOfAll(const RoleSystem& dirichlet, const RoleSystem& neumann)
   return demand;
 }
 
-Vector tractionFor(const InterfaceSystem& system, Demand demand, Vector force)
+InterfaceValues tractionFor(const InterfaceSystem& system, Demand demand, UnknownValues force)
 {
   const MotionBalance balance(system, std::move(demand.motions));
   return system.traction(balance.corrected(std::move(force), std::move(demand.work)));
 }
 
-Vector noForce(const InterfaceSystem& system)
+UnknownValues noForce(const InterfaceSystem& system)
 {
-  return Vector(std::size_t(system.size()), 0.0);
+  return ofUnknowns(Vector(std::size_t(system.size()), 0.0));
 }
 
 /// Zero, but for what floating Neumann bodies need: their problem has no solution under an unbalanced traction.
-Vector zeroTraction(const InterfaceSystem& system, const RoleSystem&, const RoleSystem& neumann)
+InterfaceValues zeroTraction(const InterfaceSystem& system, const RoleSystem&, const RoleSystem& neumann)
 {
   return tractionFor(system, {neumann.freeMotions, multiplyTransposed(neumann.freeMotions, neumann.g)},
                      noForce(system));
 }
 
 /// Carries the loads of all floating bodies. Zero where supports hold every body.
-Vector balancedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann)
+InterfaceValues balancedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann)
 {
   return tractionFor(system, demandOfAll(dirichlet, neumann), noForce(system));
 }
@@ -64,8 +64,8 @@ const Names<InitialTraction>& initialTractions()
   return names;
 }
 
-Vector carriedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
-                       const Vector& given)
+InterfaceValues carriedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
+                                const InterfaceValues& given)
 {
   return tractionFor(system, demandOfAll(dirichlet, neumann), system.force(given));
 }

@@ -5,16 +5,16 @@
 namespace ndframe
 {
 
-/// Lambda_0: the traction before the first sweep, per interface node.
-using InitialTraction = Vector (*)(const InterfaceSystem& system, const RoleSystem& dirichlet,
-                                   const RoleSystem& neumann);
+/// Lambda_0: the traction before the first sweep.
+using InitialTraction = InterfaceValues (*)(const InterfaceSystem& system, const RoleSystem& dirichlet,
+                                            const RoleSystem& neumann);
 
 /// "Zero" (the paper), "Balanced". Both balance the loads of floating Neumann bodies.
 const Names<InitialTraction>& initialTractions();
 
 /// The traction nearest to a given one that carries the loads of all floating bodies and puts no force on the nodes
 /// where supports prescribe the normal displacement.
-Vector carriedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
-                       const Vector& given);
+InterfaceValues carriedTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
+                                const InterfaceValues& given);
 
 } // namespace ndframe

@@ -16,17 +16,17 @@ IterationError::IterationError(const InterfaceSystem& system, const RoleSystem& 
 
 double IterationError::measure(const InterfaceState& state) const
 {
-  Vector half = state.forceDirichlet;
+  UnknownValues half = state.forceDirichlet;
   for (std::size_t i = 0; i < half.size(); ++i)
     half[i] = 0.5 * (half[i] - state.forceNeumann[i]);
-  const Vector onDirichlet = dirichletBalance_.balanced(half), onNeumann = neumannBalance_.balanced(half);
+  const UnknownValues onDirichlet = dirichletBalance_.balanced(half), onNeumann = neumannBalance_.balanced(half);
   const double dirichletEnergy = dot(onDirichlet, dirichletInverse_->solve(onDirichlet));
 
-  Vector mean = state.forceNeumann;
+  UnknownValues mean = state.forceNeumann;
   for (std::size_t i = 0; i < mean.size(); ++i)
     mean[i] += onNeumann[i];
   // Under Lambda_neu, less that under the mean: S_N^-1 r_N.
-  const Vector change = difference(state.strainedNeumann, system_.withObstacles(neumann_.solve(mean)));
+  const Vector change = difference(state.strainedNeumann, system_.withObstacles(ofUnknowns(neumann_.solve(mean))));
   const double neumannEnergy = std::max(dot(onNeumann, change), 0.0); // below 0 by round-off of a difference
   return std::sqrt(dirichletEnergy + neumannEnergy);
 }

@@ -105,12 +105,12 @@ private:
     closed.insert(closed.end(), system.isObstacle.begin(), system.isObstacle.end());
     UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
     const auto half = std::ptrdiff_t(n);
-    state.uNeumann.assign(status.u.begin() + half, status.u.end());
+    state.uDirichlet = state.uNeumann = ofUnknowns({status.u.begin() + half, status.u.end()});
     for (std::size_t i = 0; i < n; ++i)
-      state.uDirichlet.push_back(status.u[i] + status.u[n + i]);
+      state.uDirichlet[i] += status.u[i];
     state.uNeumann = system.withObstacles(std::move(state.uNeumann));
     state.closed.assign(status.closed.begin(), status.closed.begin() + half);
-    state.forceDirichlet.assign(status.force.begin(), status.force.begin() + half);
+    state.forceDirichlet = ofUnknowns({status.force.begin(), status.force.begin() + half});
     state.forceNeumann = state.forceDirichlet;
     state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
     return status;

@@ -9,13 +9,13 @@ MotionBalance::MotionBalance(const InterfaceSystem& system, DenseMatrix motions)
     : motions_(std::move(motions)), forces_(motions_.rows(), motions_.cols())
 {
   for (int m = 0; m < motions_.cols(); ++m) {
-    const Vector force = system.forceOf(motions_.column(m));
+    const UnknownValues force = system.forceOf(ofUnknowns(motions_.column(m)));
     std::copy(force.begin(), force.end(), forces_.col(m));
   }
   inverse_ = pseudoInverse(multiplyTransposed(motions_, forces_), rigidTolerance);
 }
 
-Vector MotionBalance::corrected(Vector force, Vector work) const
+UnknownValues MotionBalance::corrected(UnknownValues force, Vector work) const
 {
   if (motions_.cols() == 0)
     return force;
@@ -28,7 +28,7 @@ Vector MotionBalance::corrected(Vector force, Vector work) const
   return force;
 }
 
-Vector MotionBalance::balanced(Vector force) const
+UnknownValues MotionBalance::balanced(UnknownValues force) const
 {
   return corrected(std::move(force), Vector(std::size_t(motions_.cols()), 0.0));
 }

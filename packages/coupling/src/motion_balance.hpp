@@ -15,9 +15,9 @@ public:
   MotionBalance(const InterfaceSystem& system, DenseMatrix motions);
 
   /// force + C R a with R^T (force + C R a) = work.
-  Vector corrected(Vector force, Vector work) const;
+  UnknownValues corrected(UnknownValues force, Vector work) const;
   /// The force without work on the motions.
-  Vector balanced(Vector force) const;
+  UnknownValues balanced(UnknownValues force) const;
 
 private:
   DenseMatrix motions_, forces_; ///< R, C R

@@ -99,10 +99,10 @@ std::vector<int> tightestFirst(const Network& network, const std::vector<char>& 
   return chosen;
 }
 
-Vector conditionForces(const InterfaceSystem& system, const Vector& traction)
+Vector conditionForces(const InterfaceSystem& system, const InterfaceValues& traction)
 {
-  const Vector force = system.force(traction);
-  return system.mortar ? system.mortar->forcesOf(force) : force;
+  UnknownValues force = system.force(traction);
+  return system.mortar ? system.mortar->forcesOf(force) : Vector(std::move(force));
 }
 
 void setDisplacement(const Network& network, const Vector& v, StatusPass& pass)
@@ -125,10 +125,10 @@ InterfaceState stateAt(const Network& network, const InterfaceSystem& system, co
                        const UnilateralState& status)
 {
   InterfaceState state;
-  state.uDirichlet = rowValues(network.dirichlet, network.dirichletOffset, v);
-  state.uNeumann = system.withObstacles(rowValues(network.neumann, network.neumannOffset, v));
+  state.uDirichlet = ofUnknowns(rowValues(network.dirichlet, network.dirichletOffset, v));
+  state.uNeumann = system.withObstacles(ofUnknowns(rowValues(network.neumann, network.neumannOffset, v)));
   state.closed = system.mortar ? system.mortar->statusesAtUnknowns(status.closed) : status.closed;
-  state.forceDirichlet = system.mortar ? system.mortar->forcesAtUnknowns(status.force) : status.force;
+  state.forceDirichlet = ofUnknowns(system.mortar ? system.mortar->forcesAtUnknowns(status.force) : status.force);
   state.forceNeumann = state.forceDirichlet;
   state.tractionDirichlet = state.tractionNeumann = system.traction(state.forceDirichlet);
   return state;

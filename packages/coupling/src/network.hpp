@@ -44,7 +44,7 @@ std::vector<std::string> motionNames(const Network& network);
 std::vector<int> tightestFirst(const Network& network, const std::vector<char>& closed);
 
 /// The forces of a traction, per condition.
-Vector conditionForces(const InterfaceSystem& system, const Vector& traction);
+Vector conditionForces(const InterfaceSystem& system, const InterfaceValues& traction);
 
 /// What a pass found, but for its forces: the unknowns at v, and what round-off is compared with.
 void setDisplacement(const Network& network, const Vector& v, StatusPass& pass);

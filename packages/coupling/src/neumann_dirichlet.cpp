@@ -50,28 +50,28 @@ public:
       iteration.emplace(system, body1, body2, neumann, ledger);
     const Stopping stopping = stopping_.withGoal(start.iterationError.value_or(0.0));
     CouplingResult result;
-    Vector traction = firstTraction(system, body1, body2, start);
+    InterfaceValues traction = firstTraction(system, body1, body2, start);
     std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0, start);
     startRelaxation(system, ledger, start);
     do {
-      const Vector force = system.force(traction);
-      Vector u2;
+      const UnknownValues force = system.force(traction);
+      UnknownValues u2;
       DirichletStep step;
       try {
-        u2 = system.withObstacles(neumann.solve(force)); // (25)
-        step = dirichlet.solve(u2, system.gap, closed);  // (26)
+        u2 = system.withObstacles(ofUnknowns(neumann.solve(force))); // (25)
+        step = dirichlet.solve(u2, system.gap, closed);              // (26)
       } catch (const NotConverged& failure) {
         if (result.history.empty())
           throw;
         result.reason = failure.what();
         return result;
       }
-      const Vector stepTraction = system.traction(step.status.force), lastJump = jumpOf(result.state);
-      auto relaxed = relaxation_->next(stepTraction, traction); // (27)
-      closed = step.status.closed;
+      const Vector lastJump = jumpOf(result.state);
       result.state = displacements(step, std::move(u2));
       result.state.forceNeumann = force;
-      result.state.tractionDirichlet = stepTraction;
+      result.state.tractionDirichlet = system.traction(result.state.forceDirichlet);
+      auto relaxed = relaxation_->next(result.state.tractionDirichlet, traction); // (27)
+      closed = step.status.closed;
       result.state.tractionNeumann = std::exchange(traction, relaxed.traction);
       report(system, result, step.status, relaxed, lastJump, iteration);
       announce(result, stopping, observe, ledger);
@@ -89,14 +89,14 @@ private:
   }
 
   /// The state but for the traction before the step, and the one after.
-  static InterfaceState displacements(const DirichletStep& step, Vector strainedNeumann)
+  static InterfaceState displacements(const DirichletStep& step, UnknownValues strainedNeumann)
   {
     InterfaceState state;
-    state.uDirichlet = step.status.u;
+    state.uDirichlet = ofUnknowns(step.status.u);
     state.uNeumann = step.uNeumann;
     state.motionsNeumann = step.motions;
     state.strainedNeumann = std::move(strainedNeumann);
-    state.forceDirichlet = step.status.force;
+    state.forceDirichlet = ofUnknowns(step.status.force);
     state.closed = step.status.closed;
     return state;
   }
@@ -109,8 +109,8 @@ private:
       relaxation_->start();
   }
 
-  Vector firstTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
-                       const CouplingStart& start) const
+  InterfaceValues firstTraction(const InterfaceSystem& system, const RoleSystem& dirichlet, const RoleSystem& neumann,
+                                const CouplingStart& start) const
   {
     if (start.traction.empty())
       return initial_(system, dirichlet, neumann);

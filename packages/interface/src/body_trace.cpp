@@ -66,7 +66,7 @@ DenseMatrix motionTraces(const RigidBasis& basis, const DenseMatrix& motions, co
   return traces;
 }
 
-Vector BodyTrace::forces(const Vector& onDirichlet, const Vector& onNeumann) const
+Vector BodyTrace::forces(const UnknownValues& onDirichlet, const UnknownValues& onNeumann) const
 {
   const auto along = [&](ContactRole role, int unknown) {
     return signOf(role) * (role == ContactRole::Dirichlet ? onDirichlet : onNeumann)[std::size_t(unknown)];
@@ -90,7 +90,7 @@ ContactRole InterfaceSystem::roleOf(const BodyTrace& body) const
   return ContactRole::Dirichlet;
 }
 
-Vector InterfaceSystem::withObstacles(Vector uNeumann) const
+UnknownValues InterfaceSystem::withObstacles(UnknownValues uNeumann) const
 {
   for (std::size_t i = 0; i < isObstacle.size(); ++i)
     if (isObstacle[i])
@@ -98,21 +98,21 @@ Vector InterfaceSystem::withObstacles(Vector uNeumann) const
   return uNeumann;
 }
 
-Vector InterfaceSystem::shares() const
+InterfaceValues InterfaceSystem::shares() const
 {
   Vector nodal = C->apply(Vector(std::size_t(C->size()), 1.0));
-  return basis ? basis->forces(nodal) : nodal;
+  return atInterface(basis ? basis->forces(nodal) : std::move(nodal));
 }
 
-Vector InterfaceSystem::atUnknowns(const Vector& ofNodes) const
+UnknownValues InterfaceSystem::atUnknowns(const InterfaceValues& ofNodes) const
 {
-  Vector ofUnknowns;
+  Vector values;
   for (const int node : nodeOfUnknown)
-    ofUnknowns.push_back(ofNodes[std::size_t(node)]);
-  return ofUnknowns;
+    values.push_back(ofNodes[std::size_t(node)]);
+  return ofUnknowns(std::move(values));
 }
 
-Vector InterfaceSystem::atNodes(const Vector& ofUnknowns) const
+Vector InterfaceSystem::atNodes(const UnknownValues& ofUnknowns) const
 {
   Vector all(std::size_t(C ? C->size() : 0), 0.0); // a scene without interfaces has no contact matrix
   for (std::size_t i = 0; i < nodeOfUnknown.size(); ++i)
@@ -120,16 +120,16 @@ Vector InterfaceSystem::atNodes(const Vector& ofUnknowns) const
   return all;
 }
 
-Vector InterfaceSystem::nodalForces(const Vector& unknownForce) const
+InterfaceValues InterfaceSystem::nodalForces(const UnknownValues& unknownForce) const
 {
-  const Vector nodal = atNodes(unknownForce);
-  return basis ? basis->nodalForces(nodal) : nodal;
+  Vector nodal = atNodes(unknownForce);
+  return atInterface(basis ? basis->nodalForces(nodal) : std::move(nodal));
 }
 
-Vector InterfaceSystem::traction(const Vector& unknownForce) const
+InterfaceValues InterfaceSystem::traction(const UnknownValues& unknownForce) const
 {
   Vector force = atNodes(unknownForce);
-  const Vector share = slitEnds.empty() ? Vector() : shares();
+  const InterfaceValues share = slitEnds.empty() ? InterfaceValues() : shares();
   for (const SlitEnd& end : slitEnds) {
     double forceBeside = 0.0, shareBeside = 0.0;
     for (const int node : end.beside) {
@@ -139,21 +139,21 @@ Vector InterfaceSystem::traction(const Vector& unknownForce) const
     if (shareBeside > 0.0)
       force[std::size_t(end.node)] = forceBeside / shareBeside * share[std::size_t(end.node)];
   }
-  return C->solve(basis ? basis->nodalForces(force) : force);
+  return atInterface(C->solve(basis ? basis->nodalForces(force) : force));
 }
 
-Vector InterfaceSystem::force(const Vector& nodalTraction) const
+UnknownValues InterfaceSystem::force(const InterfaceValues& nodalTraction) const
 {
   Vector nodal = C->apply(nodalTraction);
   if (basis)
     nodal = basis->forces(nodal);
-  return atUnknowns(nodal);
+  return atUnknowns(atInterface(std::move(nodal)));
 }
 
-Vector InterfaceSystem::forceOf(const Vector& tractionAtUnknowns) const
+UnknownValues InterfaceSystem::forceOf(const UnknownValues& tractionAtUnknowns) const
 {
-  const Vector nodal = atNodes(tractionAtUnknowns);
-  return force(basis ? basis->values(nodal) : nodal);
+  Vector nodal = atNodes(tractionAtUnknowns);
+  return force(atInterface(basis ? basis->values(nodal) : std::move(nodal)));
 }
 
 } // namespace ndframe

@@ -67,13 +67,12 @@ std::vector<Value> transfer(const std::vector<InterfaceMesh>& from, const std::v
 
 } // namespace
 
-Vector transferTraction(const std::vector<InterfaceMesh>& from, const Vector& traction,
-                        const std::vector<InterfaceMesh>& to)
+InterfaceValues transferTraction(const std::vector<InterfaceMesh>& from, const InterfaceValues& traction,
+                                 const std::vector<InterfaceMesh>& to)
 {
-  return transfer(from, traction, to,
-                  [](const InterfaceMesh& mesh, const double* values, const FacetTree::Place& place, const double*) {
-                    return valueAt(mesh, values, place);
-                  });
+  return atInterface(transfer(from, traction.whole(), to,
+                              [](const InterfaceMesh& mesh, const double* values, const FacetTree::Place& place,
+                                 const double*) { return valueAt(mesh, values, place); }));
 }
 
 std::vector<char> transferClosed(const std::vector<InterfaceMesh>& from, const std::vector<char>& closed,

@@ -5,20 +5,20 @@
 namespace ndframe
 {
 
-Vector nextTraction(const Run& run)
+InterfaceValues nextTraction(const Run& run)
 {
   if (run.model.interfaces.empty())
     return {};
   const CouplingResult& coupling = run.solved.coupling;
   const double theta = coupling.history.back().theta;
   const std::vector<char> closed = statusesOfNodes(run.condensed.interface, coupling.state.closed);
-  Vector traction = coupling.state.tractionNeumann;
+  InterfaceValues traction = coupling.state.tractionNeumann;
   for (std::size_t i = 0; i < traction.size(); ++i)
     traction[i] = closed[i] ? traction[i] + theta * (coupling.state.tractionDirichlet[i] - traction[i]) : 0.0;
   return traction;
 }
 
-CarriedContact contactOf(const Run& run, Vector traction)
+CarriedContact contactOf(const Run& run, InterfaceValues traction)
 {
   if (run.model.interfaces.empty())
     return {};

@@ -16,7 +16,7 @@ class Averaging final : public RelaxationController
 public:
   explicit Averaging(int firstSweep) : firstSweep_(firstSweep), sweep_(firstSweep) {}
   void start() override { sweep_ = firstSweep_; }
-  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) override
   {
     const double theta = 1.0 / sweep_++;
     return {relax(dirichlet, neumann, theta), theta, {}};
@@ -44,7 +44,7 @@ public:
                        const CouplingStart&) const override
   {
     const auto n = std::size_t(system.size());
-    const Vector none(n, 0.0);
+    const UnknownValues none = ofUnknowns(Vector(n, 0.0));
     CouplingResult result;
     InterfaceState& state = result.state;
     state.forceDirichlet = none;
@@ -97,7 +97,7 @@ private:
   /// u = S^-1 (g + r) of every body.
   static void displace(const InterfaceSystem& system, InterfaceState& state)
   {
-    state.uDirichlet.assign(state.forceDirichlet.size(), 0.0);
+    state.uDirichlet = ofUnknowns(Vector(state.forceDirichlet.size(), 0.0));
     state.uNeumann = system.withObstacles(state.uDirichlet);
     for (const BodyTrace& body : system.bodies) {
       if (body.freeMotions.cols() > 0)

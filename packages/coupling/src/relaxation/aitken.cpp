@@ -31,16 +31,12 @@ public:
     residual_.clear();
   }
 
-  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) override
   {
-    Vector residual(dirichlet.size());
-    for (std::size_t i = 0; i < residual.size(); ++i)
-      residual[i] = dirichlet[i] - neumann[i];
+    Vector residual = difference(dirichlet, neumann);
     std::string note;
     if (!residual_.empty()) {
-      Vector change(residual.size());
-      for (std::size_t i = 0; i < change.size(); ++i)
-        change[i] = residual[i] - residual_[i];
+      const Vector change = difference(residual, residual_);
       const double squared = dot(change, change);
       const double proposed = squared > 0.0 ? -theta_ * dot(residual_, change) / squared : theta_;
       if (proposed > lowestTheta && proposed < highestTheta)

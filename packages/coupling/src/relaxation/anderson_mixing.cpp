@@ -45,12 +45,12 @@ void AndersonMixing::remember(const Vector& residual, const Vector& traction)
   }
 }
 
-Vector AndersonMixing::next(const Vector& dirichlet, const Vector& neumann, double theta)
+InterfaceValues AndersonMixing::next(const InterfaceValues& dirichlet, const InterfaceValues& neumann, double theta)
 {
   const Vector residual = difference(dirichlet, neumann);
   if (!residual_.empty() && restarts_ < mostRestarts)
     remember(residual, neumann);
-  Vector next = relax(dirichlet, neumann, theta);
+  InterfaceValues next = relax(dirichlet, neumann, theta);
   if (!residualChanges_.empty()) {
     const Vector gamma = multiply(pseudoInverse(columns(residualChanges_), dependent), residual);
     for (std::size_t j = 0; j < gamma.size(); ++j)

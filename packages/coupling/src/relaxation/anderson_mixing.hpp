@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/field.hpp"
 
 namespace ndframe
 {
@@ -23,7 +23,7 @@ public:
   void start();
 
   /// Lambda_neu(p). dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1).
-  Vector next(const Vector& dirichlet, const Vector& neumann, double theta);
+  InterfaceValues next(const InterfaceValues& dirichlet, const InterfaceValues& neumann, double theta);
 
 private:
   void remember(const Vector& residual, const Vector& traction);

@@ -53,10 +53,10 @@ public:
       start();
   }
 
-  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) override
   {
     const std::string note = watch(dirichlet, neumann);
-    Vector next = mixes_ ? mixing_.next(dirichlet, neumann, theta_) : relax(dirichlet, neumann, theta_);
+    InterfaceValues next = mixes_ ? mixing_.next(dirichlet, neumann, theta_) : relax(dirichlet, neumann, theta_);
     return {std::move(next), theta_, note};
   }
 
@@ -71,11 +71,9 @@ private:
   }
 
   /// Lowers theta where tractions overshoot; returns the note.
-  std::string watch(const Vector& dirichlet, const Vector& neumann)
+  std::string watch(const InterfaceValues& dirichlet, const InterfaceValues& neumann)
   {
-    Vector residual(dirichlet.size());
-    for (std::size_t i = 0; i < residual.size(); ++i)
-      residual[i] = dirichlet[i] - neumann[i];
+    Vector residual = difference(dirichlet, neumann);
     const bool grows = !residual_.empty() && dot(residual, residual_) < 0.0 && norm(residual) > norm(residual_);
     overshoots_ = grows ? overshoots_ + 1 : 0;
     residual_ = std::move(residual);

@@ -15,7 +15,7 @@ public:
   explicit Constant(double theta) : theta_(theta) {}
   void start() override {}
   std::optional<double> givenTheta() const override { return theta_; }
-  RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) override
+  RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) override
   {
     return {relax(dirichlet, neumann, theta_), theta_, {}};
   }

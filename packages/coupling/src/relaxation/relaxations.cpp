@@ -3,9 +3,9 @@
 namespace ndframe
 {
 
-Vector relax(const Vector& dirichlet, const Vector& neumann, double theta)
+InterfaceValues relax(const InterfaceValues& dirichlet, const InterfaceValues& neumann, double theta)
 {
-  Vector next(neumann.size());
+  InterfaceValues next = neumann;
   for (std::size_t i = 0; i < next.size(); ++i)
     next[i] = theta * dirichlet[i] + (1.0 - theta) * neumann[i];
   return next;

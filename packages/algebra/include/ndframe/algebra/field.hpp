@@ -77,6 +77,10 @@ private:
 using NodalField = Field<struct AtNodes>;
 /// Values of the cells of a body, one for each.
 using CellValues = Field<struct OfCells>;
+/// Values at the nodes of all interfaces, one for each: a traction or forces along n_c.
+using InterfaceValues = Field<struct AtInterfaceNodes>;
+/// Values of the unknowns of contact, one for each: displacements, gaps or forces along n_c.
+using UnknownValues = Field<struct OfUnknowns>;
 
 /// `dim` values at each of all nodes.
 inline NodalField atNodes(Vector values, int dim)
@@ -84,11 +88,27 @@ inline NodalField atNodes(Vector values, int dim)
   const auto size = IndexMap::Global(values.size());
   return {IndexMap::whole(size / dim), dim, std::move(values)};
 }
-/// One value for each of all cells.
-inline CellValues ofCells(Vector values)
+/// One value for each of all numbers.
+template <class Where>
+Field<Where> ofAll(Vector values)
 {
   const auto size = IndexMap::Global(values.size());
   return {IndexMap::whole(size), 1, std::move(values)};
+}
+/// The same, of all cells.
+inline CellValues ofCells(Vector values)
+{
+  return ofAll<OfCells>(std::move(values));
+}
+/// The same, of all interface nodes.
+inline InterfaceValues atInterface(Vector values)
+{
+  return ofAll<AtInterfaceNodes>(std::move(values));
+}
+/// The same, of all unknowns.
+inline UnknownValues ofUnknowns(Vector values)
+{
+  return ofAll<OfUnknowns>(std::move(values));
 }
 
 } // namespace ndframe

@@ -54,7 +54,8 @@ public:
   int numOwned() const { return numOwned_; }                                 ///< numbers that this rank owns
   int size() const { return isWhole() ? numOwned_ : int(numbers_->size()); } ///< owned ones and ghosts
   bool isWhole() const { return Global(numOwned_) == globalSize_; }          ///< nothing is left to other ranks
-  bool owns(int local) const { return local < numOwned_; }                   ///< a number of this rank: not a ghost
+  /// Whether a number of this rank, as local() gives it, is neither a ghost nor -1.
+  bool owns(int local) const { return local >= 0 && local < numOwned_; }
 
   /// The global number of one of this rank, 0 <= local < size().
   Global global(int local) const { return isWhole() ? local : (*numbers_)[std::size_t(local)]; }

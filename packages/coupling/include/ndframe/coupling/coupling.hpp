@@ -17,14 +17,15 @@ namespace ndframe
 struct InterfaceState
 {
   /// Normal displacements along n_c of the Dirichlet bodies, a length (InterfaceSystem).
-  Vector uDirichlet, uNeumann; ///< normal displacements per unknown
-  Vector motionsNeumann;  ///< amplitudes of the Neumann bodies' free motions, if the coupling finds them separately
-  Vector strainedNeumann; ///< then uNeumann without them: a large motion costs the sum the digits of small strains
+  UnknownValues uDirichlet, uNeumann; ///< normal displacements
+  Vector motionsNeumann; ///< amplitudes of the Neumann bodies' free motions, if the coupling finds them separately
+  UnknownValues
+      strainedNeumann; ///< then uNeumann without them: a large motion costs the sum the digits of small strains
   /// Nodal forces along n_c on the Dirichlet bodies, negative in compression.
-  Vector forceDirichlet, forceNeumann; ///< C Lambda_dir, C Lambda_neu per unknown
+  UnknownValues forceDirichlet, forceNeumann; ///< C Lambda_dir, C Lambda_neu
   /// Nodal traction of the Dirichlet bodies along n_c, a stress; negative in compression.
-  Vector tractionDirichlet, tractionNeumann; ///< Lambda per interface node (all nodes of the contact matrix)
-  std::vector<char> closed;                  ///< status per unknown
+  InterfaceValues tractionDirichlet, tractionNeumann; ///< Lambda (all nodes of the contact matrix)
+  std::vector<char> closed;                           ///< status per unknown
   /// The interiors too where the coupling found them, in the order of InterfaceSystem::bodies: u in the nodes' own
   /// axes, zero on fixed dofs.
   std::vector<NodalField> fields;
@@ -69,7 +70,7 @@ struct CouplingResult
 /// statuses that do not hold a body are changed. Monolithic, which has no iteration, uses the statuses only.
 struct CouplingStart
 {
-  Vector traction;          ///< Lambda_0 per interface node (of the contact matrix); empty: Initial Traction
+  InterfaceValues traction; ///< Lambda_0 (nodes of the contact matrix); empty: Initial Traction
   std::vector<char> closed; ///< status per unknown; empty: all closed, if the bodies may touch
   /// Given: SweepRecord::iterationError is measured. > 0: the sweeps end below it, which replaces Tolerance.
   std::optional<double> iterationError;

@@ -3,7 +3,7 @@
 #include <optional>
 #include <string>
 
-#include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/field.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/coupling/role_spectrum.hpp"
 
@@ -13,9 +13,9 @@ namespace ndframe
 /// The next interface traction and how it was found.
 struct RelaxedTraction
 {
-  Vector traction;  ///< Lambda_neu(p)
-  double theta;     ///< the factor used, dimensionless
-  std::string note; ///< something the user should see in this sweep's line; usually empty
+  InterfaceValues traction; ///< Lambda_neu(p)
+  double theta;             ///< the factor used, dimensionless
+  std::string note;         ///< something the user should see in this sweep's line; usually empty
 };
 
 /// Chooses the relaxation factor theta_p of the update (18), (27):
@@ -33,12 +33,12 @@ public:
   virtual void startWith(const RoleSpectrum&) { start(); }
   /// The factor of all sweeps, where the deck says it.
   virtual std::optional<double> givenTheta() const { return std::nullopt; }
-  /// dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1), both per interface node, a stress.
-  virtual RelaxedTraction next(const Vector& dirichlet, const Vector& neumann) = 0;
+  /// dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1), both at the interface's nodes, a stress.
+  virtual RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) = 0;
 };
 
 /// The update (27) with a given factor.
-Vector relax(const Vector& dirichlet, const Vector& neumann, double theta);
+InterfaceValues relax(const InterfaceValues& dirichlet, const InterfaceValues& neumann, double theta);
 
 /// "Automatic", "Constant", "Aitken".
 void registerRelaxations(Registry<RelaxationController>& registry);

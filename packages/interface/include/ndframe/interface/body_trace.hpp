@@ -72,7 +72,7 @@ struct BodyTrace
 
   /// The contact forces on this body along n_c, per value of the trace, from those per unknown; those of dependents are
   /// shared out.
-  Vector forces(const Vector& onDirichlet, const Vector& onNeumann) const;
+  Vector forces(const UnknownValues& onDirichlet, const UnknownValues& onNeumann) const;
 };
 
 /// An interface node where a slit ends (InterfaceMesh::facesItself), and those on its facets that face others. What is
@@ -90,13 +90,13 @@ struct SlitEnd
 /// and gaps of an unknown are those of the contact basis: of the node's value, or of a coefficient.
 struct InterfaceSystem
 {
-  int dim = 2;                    ///< of the bodies
-  std::vector<int> nodeOfUnknown; ///< node number in the numbering of the contact matrix
-  Vector gap;                     ///< per unknown
-  std::vector<char> isObstacle;   ///< per unknown: only one body is free
-  Vector obstacle;                ///< per unknown: the held body's displacement along the free one's normal; else 0
-  std::vector<BodyTrace> bodies;  ///< those that have unknowns, by ascending BodyTrace::body
-  std::vector<SlitEnd> slitEnds;  ///< of all interfaces; empty without slits
+  int dim = 2;                               ///< of the bodies
+  std::vector<int> nodeOfUnknown;            ///< node number in the numbering of the contact matrix
+  UnknownValues gap;                         ///< between the bodies
+  std::vector<char> isObstacle;              ///< per unknown: only one body is free
+  UnknownValues obstacle;                    ///< the held body's displacement along the free one's normal; else 0
+  std::vector<BodyTrace> bodies;             ///< those that have unknowns, by ascending BodyTrace::body
+  std::vector<SlitEnd> slitEnds;             ///< of all interfaces; empty without slits
   std::shared_ptr<const ContactMatrix> C;    ///< null without interfaces
   std::shared_ptr<const ContactBasis> basis; ///< null: values at the nodes
   std::shared_ptr<const MortarSpace> mortar; ///< null: contact is asked of every unknown by itself
@@ -105,22 +105,22 @@ struct InterfaceSystem
   /// A body's role on the unknowns that it shares; one that meets obstacles only is a Dirichlet body.
   ContactRole roleOf(const BodyTrace& body) const;
   /// At the unknowns' own nodes.
-  Vector atUnknowns(const Vector& ofNodes) const;
+  UnknownValues atUnknowns(const InterfaceValues& ofNodes) const;
   /// Displacements of the Neumann side with those of the obstacles filled in.
-  Vector withObstacles(Vector uNeumann) const;
+  UnknownValues withObstacles(UnknownValues uNeumann) const;
   /// Per interface node the integral of its function: what a traction of 1 makes of it.
-  Vector shares() const;
+  InterfaceValues shares() const;
   /// Nodal forces along n_c, per interface node, from those at the unknowns.
-  Vector nodalForces(const Vector& force) const;
+  InterfaceValues nodalForces(const UnknownValues& force) const;
   /// Nodal tractions Lambda = C^-1 r from the forces at the unknowns; where slits end with the mean of those beside.
-  Vector traction(const Vector& force) const;
+  InterfaceValues traction(const UnknownValues& force) const;
   /// The forces at the unknowns of nodal tractions, and of the traction that has these values or coefficients there.
-  Vector force(const Vector& traction) const;
-  Vector forceOf(const Vector& tractionAtUnknowns) const; ///< zero is taken where there is no unknown
+  UnknownValues force(const InterfaceValues& traction) const;
+  UnknownValues forceOf(const UnknownValues& traction) const; ///< zero is taken where there is no unknown
 
 private:
   /// Per interface node; zero where there is no unknown.
-  Vector atNodes(const Vector& ofUnknowns) const;
+  Vector atNodes(const UnknownValues& ofUnknowns) const;
 };
 
 /// S in the values of the trace: u_N = A s + b gives S_N = A^-T S A^-1. The condensed body must outlive it.

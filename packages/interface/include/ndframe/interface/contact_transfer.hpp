@@ -10,7 +10,7 @@ namespace ndframe
 struct CarriedContact
 {
   std::vector<InterfaceMesh> interfaces; ///< empty: nothing is carried
-  Vector traction;                       ///< Lambda along n_c, a stress; negative in compression
+  InterfaceValues traction;              ///< Lambda along n_c, a stress; negative in compression
   std::vector<char> closed;              ///< 1: closed
 };
 

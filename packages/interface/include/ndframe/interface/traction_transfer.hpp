@@ -15,8 +15,8 @@ namespace ndframe
 
 /// A traction's nodal values: the old polynomial (order 1 or 2) at the new nodes. Exact where each new facet lies in
 /// one old facet and the order does not fall: then resultants and Bernstein coefficients of one sign stay.
-Vector transferTraction(const std::vector<InterfaceMesh>& from, const Vector& traction,
-                        const std::vector<InterfaceMesh>& to);
+InterfaceValues transferTraction(const std::vector<InterfaceMesh>& from, const InterfaceValues& traction,
+                                 const std::vector<InterfaceMesh>& to);
 
 /// Statuses per interface node (1: closed): those of the nearest node of the facet on which the new node lies; closed
 /// where an open and a closed one are equally near, for the status method opens many nodes in one pass.
