@@ -24,8 +24,8 @@ void addResultant(std::vector<double>& sum, double force, const Direction& norma
 /// Per interface node of the whole scene, once for all interfaces.
 struct NodalContact
 {
-  Vector dirichlet, neumann; ///< forces along the normals
-  Vector shares;
+  InterfaceValues dirichlet, neumann; ///< forces along the normals
+  InterfaceValues shares;
 };
 
 NodalContact nodalContact(const Run& run)
