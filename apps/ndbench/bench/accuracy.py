@@ -35,7 +35,7 @@ class UniformMeshes:
 
     def dofs(self, cells):
         known = self.scene.sizes[2]
-        return self.solved(known)[1] * (cells / known) ** 2
+        return self.solved(known)[1] * (cells / known) ** self.scene.dim
 
     def cells_for(self, error):
         return cells_for(error, lambda cells: self.solved(cells)[0], self.scene.sizes[1:3],
@@ -85,7 +85,7 @@ def contest(program, scene, target, meshes, exact):
     for what, error in errors.items():
         cells = meshes.cells_for(error / exact.norm)
         dofs = meshes.dofs(cells)
-        cases = () if dofs > LARGEST else tuple(Case(scene, method, cells) for method in UNIFORM)
+        cases = () if dofs > LARGEST else tuple(Case(scene, method, cells) for method in UNIFORM if method.fits(scene))
         rivals.append(Rival(what, dofs, cases))
     return Contest(scene, target, tuple(rivals))
 

@@ -8,6 +8,9 @@ ROOT = pathlib.Path(__file__).resolve().parents[3]
 GRADED = pathlib.Path(__file__).resolve().parents[1] / "references"
 
 
+NO_TABLE = "Output/Contact Table=false"
+
+
 def no_gap(_):
     return 0.0
 
@@ -16,17 +19,19 @@ def no_gap(_):
 class Scene:
     """A deck whose meshes follow from n, the cells along the interface (across the beam).
 
-    The supports of every scene prescribe zero, which the true error relies on (truth.py).
+    The supports of every scene prescribe zero, which the true error relies on (truth.py). Solids in contact write no
+    contact table: it relies on complementary contact there, without a gap.
     """
 
     name: str
     meshes: typing.Callable  # n -> settings
     finest: typing.Callable  # level 0, 1, 2 -> settings of the graded meshes that make the reference
     sizes: tuple  # cells for second-order elements, coarse to fine; the first two are the short form
-    targets: tuple = ()  # relative errors of runs with a target, likewise; plane scenes only
+    targets: tuple = ()  # relative errors of runs with a target, likewise
     settings: tuple = ()
     gap: typing.Callable = no_gap  # x -> the deck's gap on the interface
     alone: bool = False  # one body, no interface
+    dim: int = 2
 
     @property
     def deck(self):
@@ -55,6 +60,11 @@ def gmsh(scene, *bodies):
     return meshes
 
 
+def to_target(level):
+    """The meshes of runs with a target."""
+    yield f"Accuracy/Target={(0.04, 0.02, 0.009)[level]}"
+
+
 def graded_beam(level):
     """Cells get finer towards the clamped end and, across, towards the edges."""
     yield cells("beam", *((8, 4, 4), (12, 8, 6), (20, 14, 10))[level])
@@ -74,5 +84,9 @@ SCENES = (
           gap=lambda x: 0.5 * x * x),
     # Not the deck's own support, which prescribes the exact solution: a clamp, where the stress is singular.
     Scene("beam-3d", lambda n: (cells("beam", 4 * n, n, n / 2),), graded_beam, (2, 4, 8, 12),
-          settings=("Bodies/beam/Supports/root/Type=Clamp", "Bodies/beam/Supports/root/Side=left"), alone=True),
+          settings=("Bodies/beam/Supports/root/Type=Clamp", "Bodies/beam/Supports/root/Side=left"), alone=True, dim=3),
+    Scene("punch-3d", lambda n: (cells("punch", n, n, n), cells("foundation", 2 * n, 2 * n, n)), to_target, (4, 6, 8, 12),
+          (0.1, 0.05, 0.02, 0.01), settings=(NO_TABLE,), dim=3),
+    Scene("contact-loss-3d", lambda n: (cells("upper", n, n, n / 2), cells("lower", 2 * n, 2 * n, n)), to_target,
+          (4, 6, 8, 12), (0.1, 0.05, 0.02, 0.01), settings=(NO_TABLE,), dim=3),
 )

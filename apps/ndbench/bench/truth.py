@@ -20,6 +20,9 @@ a(u_2,u_2) = L_2(u_2) - int t_2 u_2N dS with the tractions t_1, t_2 of the conta
 
     2 J(v) = -a(v,v) + 2 int (t_1 u_1N - t_2 u_2N) dS.
 
+Solids in contact are solved by `Monolithic` without a gap: forces and openings are complementary, 2 J(v) = -a(v,v). The
+integral in (*) is left out, so that the error is an upper bound where contact ends inside.
+
 Limits: supports that prescribe zero; plane scenes with one straight interface along x. 2 J(u) is known
 up to a bracket (references.py), and with it the error.
 """
