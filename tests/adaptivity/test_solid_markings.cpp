@@ -1,8 +1,10 @@
 // Markings and predictions in space: around an edge, and where the solution is smooth.
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
+#include <set>
 
 #include <gtest/gtest.h>
 
@@ -114,6 +116,39 @@ TEST(PredictedMarkingInSpace, LeavesMeshesAloneThatAreGoodEnough)
   const int cells = edge.mesh().numCells();
   edge.refineTo(1.01 * edge.error());
   EXPECT_EQ(edge.mesh().numCells(), cells);
+}
+
+/// Edge vectors of a cell in the order of its vertices' numbers, in units of the longest coordinate difference.
+std::array<std::int64_t, 9> orderedShape(const Mesh& mesh, int cell)
+{
+  std::array<int, 4> v;
+  std::copy_n(mesh.cell(cell), 4, v.begin());
+  std::sort(v.begin(), v.end());
+  std::array<double, 9> edges;
+  double longest = 0.0;
+  for (std::size_t i = 0; i < 9; ++i) {
+    edges[i] = mesh.point(v[i / 3 + 1])[i % 3] - mesh.point(v[0])[i % 3];
+    longest = std::max(longest, std::abs(edges[i]));
+  }
+  std::array<std::int64_t, 9> shape;
+  std::transform(edges.begin(), edges.end(), shape.begin(),
+                 [&](double edge) { return std::llround(edge / longest * (1 << 20)); });
+  return shape;
+}
+
+TEST(BisectionInSpace, CellsOfOneShapeHaveTheirVerticesInOneOrder)
+{
+  Edge edge(0.75);
+  const double start = edge.error();
+  for (const double fall : {0.3, 0.12}) {
+    edge.refineTo(fall * start);
+    std::set<std::array<std::int64_t, 9>> shapes;
+    for (int c = 0; c < edge.mesh().numCells(); ++c)
+      shapes.insert(orderedShape(edge.mesh(), c));
+    EXPECT_GT(edge.mesh().numCells(), 10 * 72);
+    EXPECT_LE(shapes.size(), 72u);
+    EXPECT_TRUE(checkMesh(edge.mesh()).empty());
+  }
 }
 
 TEST(DoerflerMarkingInSpace, HalvesOnce)

@@ -84,6 +84,27 @@ TEST(BandedProgram, AgreesWithTheDenseActiveSetMethod)
   }
 }
 
+TEST(BandedProgram, ANumberingThatMakesTheBandWideChangesNothing)
+{
+  constexpr int n = 90;
+  std::mt19937 random(4);
+  for (int conditions = 0; conditions < 3; ++conditions) {
+    const BandedProgram program = randomProgram(n, 2, conditions, random);
+    BandedProgram wide{BandMatrix(n, n - 1), Vector(std::size_t(n)), SparseColumns(n, conditions), program.r};
+    const auto place = [](int i) { return 37 * i % n; };
+    for (int i = 0; i < n; ++i) {
+      wide.f[std::size_t(place(i))] = program.f[std::size_t(i)];
+      for (int j = std::max(0, i - 2); j <= i; ++j)
+        wide.M(place(i), place(j)) = program.M(i, j);
+      for (int k = 0; k < conditions; ++k)
+        wide.W(place(i), k) = program.W(i, k);
+    }
+    const Vector x = *minimise(program), y = *minimise(wide);
+    for (int i = 0; i < n; ++i)
+      EXPECT_NEAR(y[std::size_t(place(i))], x[std::size_t(i)], 1e-11) << i;
+  }
+}
+
 TEST(BandedProgram, DependentAndVanishingConditionsAreHarmless)
 {
   std::mt19937 random(2);

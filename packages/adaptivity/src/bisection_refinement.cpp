@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdint>
 #include <functional>
 #include <numeric>
 
@@ -45,7 +47,55 @@ std::vector<int> halvingsOf(const Mesh& mesh, const std::vector<int>& ancestors,
   return halvings;
 }
 
-/// Halving: Bisection or TetrahedronBisection.
+/// Where a point is on Morton's curve through coordinates (x, x + y, 2x + y + z) in 2^21 steps of the mesh. All edges
+/// of cells that come from halving Kuhn's tetrahedra in cubes go up, or not down, in all three, or down in all three.
+std::vector<std::uint64_t> placesOnCurve(const Mesh& mesh)
+{
+  std::vector<std::array<double, 3>> points;
+  std::array<double, 3> lowest{HUGE_VAL, HUGE_VAL, HUGE_VAL};
+  double extent = 0.0;
+  for (int p = 0; p < mesh.numPoints(); ++p) {
+    const double* x = mesh.point(p);
+    points.push_back({x[0], x[0] + x[1], 2.0 * x[0] + x[1] + x[2]});
+    for (std::size_t k = 0; k < 3; ++k)
+      lowest[k] = std::min(lowest[k], points.back()[k]);
+  }
+  for (const auto& point : points)
+    for (std::size_t k = 0; k < 3; ++k)
+      extent = std::max(extent, point[k] - lowest[k]);
+  std::vector<std::uint64_t> places;
+  for (const auto& point : points) {
+    std::uint64_t place = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      const auto steps = std::uint64_t((point[k] - lowest[k]) / extent * 0x1FFFFF + 0.5);
+      for (unsigned bit = 0; bit < 21; ++bit)
+        place |= (steps >> bit & 1) << (3 * bit + k);
+    }
+    places.push_back(place);
+  }
+  return places;
+}
+
+/// Numbers the points along a curve: neighbours are near each other in memory, and cells that differ by place and size
+/// alone have their vertices in the same order, which makes them one class (CellClasses).
+void numberAlongCurve(Mesh& mesh)
+{
+  const std::vector<std::uint64_t> places = placesOnCurve(mesh);
+  std::vector<int> order(places.size()), numbers(places.size());
+  std::iota(order.begin(), order.end(), 0);
+  std::stable_sort(order.begin(), order.end(),
+                   [&](int a, int b) { return places[std::size_t(a)] < places[std::size_t(b)]; });
+  const std::vector<double> points = mesh.points;
+  for (std::size_t p = 0; p < order.size(); ++p) {
+    numbers[std::size_t(order[p])] = int(p);
+    std::copy_n(points.begin() + 3 * std::ptrdiff_t(order[p]), 3, mesh.points.begin() + 3 * std::ptrdiff_t(p));
+  }
+  for (int& vertex : mesh.cells)
+    vertex = numbers[std::size_t(vertex)];
+}
+
+/// Halving: Bisection or TetrahedronBisection. The first meshes are as given; points of later ones have numbers of
+/// their own in space.
 template <class Halving>
 class BisectedMeshes final : public RefinedMeshes
 {
@@ -54,7 +104,7 @@ public:
       : bisection_(std::move(meshes), twins), ancestors_(ownAncestors(bisection_.meshes()))
   {}
 
-  const std::vector<Mesh>& meshes() const override { return bisection_.meshes(); }
+  const std::vector<Mesh>& meshes() const override { return numbered_.empty() ? bisection_.meshes() : numbered_; }
   const std::vector<std::vector<int>>& ancestors() const override { return ancestors_; }
 
   std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const override
@@ -62,6 +112,10 @@ public:
     auto next = std::make_unique<BisectedMeshes>(*this);
     next->ancestors_ = ownAncestors(meshes());
     while (next->halve(sizes)) {
+    }
+    if (meshes().front().dim == 3) {
+      next->numbered_ = next->bisection_.meshes();
+      std::for_each(next->numbered_.begin(), next->numbered_.end(), numberAlongCurve);
     }
     return next;
   }
@@ -75,7 +129,7 @@ private:
     std::vector<std::vector<int>> halvings;
     bool wanted = false;
     for (std::size_t b = 0; b < sizes.size(); ++b) {
-      halvings.push_back(halvingsOf(meshes()[b], ancestors_[b], sizes[b]));
+      halvings.push_back(halvingsOf(bisection_.meshes()[b], ancestors_[b], sizes[b]));
       wanted = wanted || std::any_of(halvings[b].begin(), halvings[b].end(), [](int n) { return n > 0; });
     }
     if (!wanted)
@@ -91,6 +145,7 @@ private:
   }
 
   Halving bisection_;
+  std::vector<Mesh> numbered_; ///< its meshes; empty: as they are
   std::vector<std::vector<int>> ancestors_;
 };
 

@@ -27,26 +27,25 @@ Point pointOf(const Mesh& mesh, int vertex)
   return {x[0], x[1], x[2]};
 }
 
-/// New points by where they are, bit by bit: middles of edges.
-std::map<Point, int> pointsFrom(const Mesh& mesh, int first)
+/// Points by where they are, bit by bit.
+std::map<Point, int> pointsByPlace(const Mesh& mesh)
 {
   std::map<Point, int> points;
-  for (int p = first; p < mesh.numPoints(); ++p)
+  for (int p = 0; p < mesh.numPoints(); ++p)
     points[pointOf(mesh, p)] = p;
   return points;
 }
 
-/// Puts the vertices that came between a and b behind a.
-void addPieces(const Mesh& mesh, const std::map<Point, int>& points, int a, int b, std::vector<int>& chain)
+/// Puts the vertices that came between x and y, and y, behind x.
+void addPieces(const std::map<Point, int>& points, const Point& x, const Point& y, std::vector<int>& chain)
 {
-  const Point x = pointOf(mesh, a), y = pointOf(mesh, b);
   const auto middle = points.find({0.5 * (x[0] + y[0]), 0.5 * (x[1] + y[1]), 0.5 * (x[2] + y[2])});
   if (middle == points.end()) {
-    chain.push_back(b);
+    chain.push_back(points.at(y));
     return;
   }
-  addPieces(mesh, points, a, middle->second, chain);
-  addPieces(mesh, points, middle->second, b, chain);
+  addPieces(points, x, middle->first, chain);
+  addPieces(points, middle->first, y, chain);
 }
 
 double distance(const Mesh& mesh, int a, int b)
@@ -60,12 +59,11 @@ double distance(const Mesh& mesh, int a, int b)
 void EdgeExponents::findCreases(const Mesh& mesh)
 {
   creases_.emplace_back();
-  numPoints_.push_back(mesh.numPoints());
   for (const auto& [a, b] : creasesOf(mesh)) {
     const Point x = pointOf(mesh, a), y = pointOf(mesh, b);
     const double length = distance(mesh, a, b);
     creases_.back().push_back(
-        {{a, b}, {(y[0] - x[0]) / length, (y[1] - x[1]) / length, (y[2] - x[2]) / length}, smooth_});
+        {{x, y}, {}, {(y[0] - x[0]) / length, (y[1] - x[1]) / length, (y[2] - x[2]) / length}, smooth_});
   }
 }
 
@@ -80,18 +78,15 @@ void EdgeExponents::observe(const std::vector<const Mesh*>& meshes, const std::v
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     const Mesh& mesh = *meshes[b];
     NDFRAME_ASSERT(contributions[b].size() == std::size_t(mesh.numCells()), "one contribution per cell is needed");
-    const std::map<Point, int> points = pointsFrom(mesh, numPoints_[b]);
+    const std::map<Point, int> points = pointsByPlace(mesh);
     for (Crease& crease : creases_[b]) {
       if (isCoarse) {
         crease.exponent = smooth_;
         crease.tube = {};
       }
-      const std::vector<int> before = std::move(crease.chain);
-      crease.chain = {before.front()};
-      for (std::size_t k = 1; k < before.size(); ++k)
-        addPieces(mesh, points, before[k - 1], before[k], crease.chain);
+      crease.chain = {points.at(crease.ends[0])};
+      addPieces(points, crease.ends[0], crease.ends[1], crease.chain);
     }
-    numPoints_[b] = mesh.numPoints();
     const std::vector<Tube> tubes = tubesOf(mesh, contributions[b], creases_[b]);
     for (std::size_t i = 0; i < tubes.size(); ++i)
       if (!isCoarse)

@@ -19,6 +19,8 @@ constexpr double proximal = 1e-10;
 constexpr int maxProximalSteps = 100;
 /// Steps of full exchange that may fail to reduce the number of wrong signs.
 constexpr int patience = 3;
+/// Wider bands are those of surfaces: mostly zeros.
+constexpr int widestBand = 64;
 
 /// A part of M that nothing couples with the rest, and the conditions on it.
 struct Block
@@ -66,6 +68,35 @@ void addResponse(const Block& block, const SparseColumns& W, SymmetricEntries& r
       response.add(block.conditions[a], block.conditions[b], sum);
     }
 }
+
+SymmetricEntries entriesOf(const BandMatrix& M)
+{
+  SymmetricEntries entries;
+  entries.size = M.size();
+  for (int i = 0; i < M.size(); ++i)
+    for (int j = i; j < std::min(M.size(), i + M.bandwidth() + 1); ++j)
+      if (i == j || M(i, j) != 0.0)
+        entries.add(i, j, M(i, j));
+  return entries;
+}
+
+/// Factor of a band matrix, of its entries alone where the band is wide.
+class BandFactor
+{
+public:
+  explicit BandFactor(BandMatrix M)
+  {
+    if (M.bandwidth() > widestBand)
+      sparse_.emplace(entriesOf(M));
+    else
+      band_.emplace(std::move(M));
+  }
+  Vector solve(Vector b) const { return sparse_ ? sparse_->solve(b) : band_->solve(std::move(b)); }
+
+private:
+  std::optional<BandCholesky> band_;
+  std::optional<SparseCholesky> sparse_;
+};
 
 class BlockPivoting
 {
@@ -149,7 +180,7 @@ private:
     std::vector<char> fixed(fixed_.begin() + block.first, fixed_.begin() + block.last);
     if (fixed == block.factoredSet)
       return;
-    const BandCholesky M(freePart(block, fixed));
+    const BandFactor M(freePart(block, fixed));
     const auto solution = [&](Vector right) {
       for (std::size_t i = 0; i < right.size(); ++i)
         if (fixed[i])

@@ -28,7 +28,8 @@ struct BandedProgram
 /// each), so do its factors, and the conditions' multipliers come from a sparse matrix: time grows with the number of
 /// blocks.
 ///
-/// KKT conditions hold to 1e-12 relative, bounds exactly. Each step costs one banded factorisation.
+/// KKT conditions hold to 1e-12 relative, bounds exactly. Each step costs one factorisation: of the band, or of its
+/// entries alone where it is wide.
 std::optional<Vector> minimise(const BandedProgram& program);
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include <numeric>
 
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/base/lanes.hpp"
 
 namespace ndframe
 {
@@ -25,6 +26,30 @@ void addProduct(const ThroughMatrix& left, const DenseMatrix& W, int row, int co
       for (int i = 0; i < left.rows; ++i)
         sum[l] += left(i, l) * w[i];
   }
+}
+
+/// y = factor A x, A column by column: `most` rows, or `size` where most is 18, the data of a face at most.
+template <std::size_t most>
+inline __attribute__((always_inline)) void multiplyUpTo(const double* A, const double* x, std::size_t size,
+                                                        double factor, double* y)
+{
+  double sums[most] = {};
+  for (std::size_t j = 0; j < size; ++j, A += size)
+    for (std::size_t i = 0; i < (most < 18 ? most : size); ++i)
+      sums[i] += A[i] * x[j];
+  for (std::size_t i = 0; i < size; ++i)
+    y[i] = factor * sums[i];
+}
+
+/// Inside, faces have 12 unknowns and edges 6 where displacements are of the second order.
+NDFRAME_EVERY_PROCESSOR void multiplyBlock(const double* A, const double* x, std::size_t size, double factor, double* y)
+{
+  if (size == 12)
+    multiplyUpTo<12>(A, x, 12, factor, y);
+  else if (size == 6)
+    multiplyUpTo<6>(A, x, 6, factor, y);
+  else
+    multiplyUpTo<18>(A, x, size, factor, y);
 }
 
 } // namespace
@@ -218,13 +243,11 @@ void StressBlocks::precondition(const Vector& gradient, const std::vector<char>&
   runInRanges(numBlocks(), threads, [&](int begin, int end) {
     for (int b = begin; b < end; ++b) {
       const auto first = std::size_t(begin_[std::size_t(b)]), size = std::size_t(sizeOf(b));
-      std::array<double, 18> sums{}; // data of a face at most
-      const double* column = blocks_.data() + at_[std::size_t(b)];
-      for (std::size_t j = 0; j < size && held[std::size_t(b)] == 0; ++j, column += size)
-        for (std::size_t i = 0; i < size; ++i)
-          sums[i] += column[i] * gradient[first + j];
-      for (std::size_t i = 0; i < size; ++i)
-        result[first + i] = factor_[std::size_t(b)] * sums[i];
+      double* z = result.data() + first;
+      if (held[std::size_t(b)] != 0)
+        std::fill_n(z, size, 0.0);
+      else
+        multiplyBlock(blocks_.data() + at_[std::size_t(b)], gradient.data() + first, size, factor_[std::size_t(b)], z);
     }
   });
 }

@@ -12,7 +12,7 @@ namespace ndframe
 StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                              std::vector<DescentField> fields, const DescentWatch& watch, const Comm& comm, int threads)
     : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), comm_(comm), threads_(threads),
-      edges_(stressEdges(faces)), ofClasses_(faces.cells()), blocks_(faces, edges_, ofClasses_),
+      seats_(faces.seats()), edges_(stressEdges(faces)), ofClasses_(faces.cells()), blocks_(faces, edges_, ofClasses_),
       unknowns_(faces, edges_, blocks_), matrices_(faces.cells(), ofClasses_, comm.rank(), comm.size())
 {
   for (const DescentField& field : fields_) {
@@ -112,13 +112,12 @@ void StressDescent::gather(int batch, const Vector& tractions, double* x) const
   for (int facet = 0; facet < 4; ++facet, x += size * lanes) {
     T.fill(turned[0].data());
     for (std::size_t c = 0; c < count; ++c) {
-      const int cell = matrices_.cells(batch)[c], f = faces_->of(cell, facet);
-      const StressFace& face = (*faces_)[f];
-      T[c] = tractions.data() + std::size_t(f) * size;
-      sign[c] = sideSign(face.sideOf(cell));
-      if (sign[c] > 0.0 || face.turned.rows() == 0)
+      const StressFaces::Seat& seat = seats_[std::size_t(matrices_.cells(batch)[c]) * 4 + std::size_t(facet)];
+      T[c] = tractions.data() + std::size_t(seat.face) * size;
+      sign[c] = seat.sign;
+      if (seat.sign != 0.0F)
         continue;
-      face.toSide(1, T[c], int(size), turned[c].data());
+      (*faces_)[seat.face].toSide(1, T[c], int(size), turned[c].data());
       T[c] = turned[c].data();
       sign[c] = 1.0;
     }

@@ -68,6 +68,7 @@ private:
   const DescentWatch& watch_;
   const Comm& comm_;
   int threads_;
+  std::vector<StressFaces::Seat> seats_;
   std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at those of other ranks
   std::vector<StressEdge> edges_;
   ClassMatrices ofClasses_;

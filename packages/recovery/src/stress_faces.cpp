@@ -274,4 +274,16 @@ bool StressFaces::coincide(const StressFace& face, const Vector& arms, const Dir
   return true;
 }
 
+std::vector<StressFaces::Seat> StressFaces::seats() const
+{
+  std::vector<Seat> seats;
+  for (int cell = 0; cell < cells_->size(); ++cell)
+    for (int facet = 0; facet < 4; ++facet) {
+      const StressFace& face = faces_[std::size_t(of(cell, facet))];
+      const bool isTurned = face.sideOf(cell) == 1 && face.turned.rows() > 0;
+      seats.push_back({of(cell, facet), isTurned ? 0.0F : float(sideSign(face.sideOf(cell)))});
+    }
+  return seats;
+}
+
 } // namespace ndframe

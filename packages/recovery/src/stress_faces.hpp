@@ -68,6 +68,13 @@ Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLengt
 class StressFaces
 {
 public:
+  /// Whose traction a cell has at a facet, and with what sign; 0: by StressFace::toSide.
+  struct Seat
+  {
+    int face;
+    float sign;
+  };
+
   /// contact: patches whose normal tractions may change, vertices ascending on their first sides; bodies by their
   /// numbers in `cells`.
   explicit StressFaces(const StressCells& cells, const std::vector<ContactPatch>& contact = {});
@@ -82,6 +89,7 @@ public:
     const int face = within(cell, facet);
     return joined_[std::size_t(face)] < 0 ? face : joined_[std::size_t(face)];
   }
+  std::vector<Seat> seats() const; ///< per cell and sorted facet
   /// The same without contact: as its body alone has it.
   int within(int cell, int facet) const { return faceOf_[std::size_t(cell) * 4 + std::size_t(facet)]; }
   /// A face of one body with another in its place.

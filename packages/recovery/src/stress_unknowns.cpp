@@ -36,7 +36,7 @@ void multiplyColumns(const DenseMatrix& columns, const double* G, double* sums)
 
 StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges,
                                const StressBlocks& blocks)
-    : faces_(faces), edges_(edges), blocks_(blocks)
+    : faces_(faces), edges_(edges), blocks_(blocks), ofCarriers_(std::size_t(faces.size()), Wrench{})
 {
   const auto frame = [](const Direction& point, double size) { return Frame{{point[0], point[1], point[2]}, size}; };
   for (const StressFace& face : faces.all())
@@ -116,12 +116,12 @@ void StressUnknowns::addTractions(int f, const Vector& unknowns, double* T) cons
 }
 
 /// What forces on the faces of an edge's ring are for its wrench.
-void StressUnknowns::addForces(int e, const std::vector<Wrench>& ofCarriers, double* sum) const
+void StressUnknowns::addForces(int e, double* sum) const
 {
   const Frame& edge = edgeFrames_[std::size_t(e)];
   for (int at = firstOfEdge_[std::size_t(e)]; at < firstOfEdge_[std::size_t(e) + 1]; ++at) {
     const Place& place = ofEdges_[std::size_t(at)];
-    const Wrench& forces = ofCarriers[std::size_t(place.other)];
+    const Wrench& forces = ofCarriers_[std::size_t(place.other)];
     if (place.step >= 0) {
       const DenseMatrix& through = edges_[std::size_t(e)].ring[std::size_t(place.step)].through;
       for (int k = 0; k < through.cols(); ++k)
@@ -144,14 +144,13 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
 {
   const auto size = std::size_t(faces_.cells().facetData());
   gradient.resize(std::size_t(blocks_.size()));
-  std::vector<Wrench> ofCarriers(std::size_t(faces_.size()), Wrench{});
   runInRanges(faces_.size(), threads, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
       const StressFace& face = faces_[f];
       const double* G = faceForces.data() + std::size_t(f) * size;
       double* y = gradient.data() + blocks_.ofFace(f);
       multiplyColumns(face.free->own, G, y);
-      multiplyColumns(face.free->carrier, G, ofCarriers[std::size_t(f)].data());
+      multiplyColumns(face.free->carrier, G, ofCarriers_[std::size_t(f)].data());
       std::copy_n(G + face.free->own.rows(), face.free->higher, y + face.free->own.cols());
     }
   });
@@ -159,7 +158,7 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
     for (int e = first; e < last; ++e) {
       double* sum = gradient.data() + blocks_.ofEdge(std::size_t(e));
       std::fill(sum, sum + (blocks_.ofEdge(std::size_t(e) + 1) - blocks_.ofEdge(std::size_t(e))), 0.0);
-      addForces(e, ofCarriers, sum);
+      addForces(e, sum);
     }
   });
 }

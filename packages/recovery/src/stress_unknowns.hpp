@@ -34,7 +34,7 @@ private:
   void listPlaces();
   Wrench amounts(int face, const Vector& unknowns) const;
   void addTractions(int face, const Vector& unknowns, double* T) const;
-  void addForces(int edge, const std::vector<Wrench>& ofCarriers, double* sum) const;
+  void addForces(int edge, double* sum) const;
 
   const StressFaces& faces_;
   const std::vector<StressEdge>& edges_;
@@ -42,6 +42,7 @@ private:
   std::vector<Frame> faceFrames_, edgeFrames_;
   std::vector<int> firstOfFace_, firstOfEdge_; ///< and the end
   std::vector<Place> ofFaces_, ofEdges_;
+  mutable std::vector<Wrench> ofCarriers_; ///< per face: forces, while gradient() works
 };
 
 } // namespace ndframe

@@ -22,7 +22,7 @@ class EdgeExponents
 public:
   explicit EdgeExponents(int degree) : smooth_(degree + 1.0) {} ///< degree: p
 
-  /// The next mesh of every body and eta_K on it. Points that stay keep their numbers; edges are halved in the middle.
+  /// The next mesh of every body and eta_K on it. Points that stay keep their places; edges are halved in the middle.
   /// isCoarse: nothing can be learned from this mesh, nor from those before.
   void observe(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& contributions, bool isCoarse = false);
 
@@ -41,7 +41,8 @@ private:
   };
   struct Crease
   {
-    std::vector<int> chain; ///< its vertices, from end to end
+    std::array<std::array<double, 3>, 2> ends;
+    std::vector<int> chain; ///< its vertices on the last mesh, from end to end
     std::array<double, 3> direction;
     double exponent;
     Tube tube{}; ///< on the last mesh that could teach
@@ -53,7 +54,6 @@ private:
   void tellVertices(const Mesh& mesh, const std::vector<Crease>& creases);
 
   double smooth_;
-  std::vector<int> numPoints_;               ///< per body, of the last mesh
   std::vector<std::vector<Crease>> creases_; ///< per body
   std::vector<Vector> exponents_;
   EdgeDirections directions_;
