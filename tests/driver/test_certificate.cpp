@@ -163,6 +163,26 @@ TEST(Bound, IsSmallerWithTheOptimalTractionAndWithSweeps)
   }
 }
 
+/// A converged solution: the estimator of the iteration is the distance that the traction is responsible for, and with
+/// full contact nothing else.
+TEST(Traction, IsNearerInEnergyThanTheProjectionWhereThatMovesIt)
+{
+  const auto scene = smallScene("punch")
+                         .set("Bodies/foundation/Material/Young Modulus=0.01")
+                         .set("Coupling/Type=Monolithic")
+                         .set("Error Estimation/Estimators={Global, Algorithm, Reference}")
+                         .set("Error Estimation/Reference/Refinements=2");
+  const auto moved = Scene(scene).run(), nearest = Scene(scene).set(projected).run();
+  EXPECT_GT(moved.ledger->counted("traction steps"), 0);
+  EXPECT_EQ(nearest.ledger->counted("traction steps"), 0);
+  EXPECT_LT(errorsOf(moved).algorithm->absolute, 0.9 * errorsOf(nearest).algorithm->absolute);
+  EXPECT_LT(errorsOf(moved).global->absolute, 0.9 * errorsOf(nearest).global->absolute);
+  EXPECT_TRUE(errorsOf(moved).guaranteed) << errorsOf(moved).reason;
+  EXPECT_GE(errorsOf(moved).global->absolute, errorsOf(moved).reference->displacement);
+  const auto alone = Scene(scene).set("Error Estimation/Estimators={Algorithm}").run();
+  EXPECT_DOUBLE_EQ(errorsOf(alone).algorithm->absolute, errorsOf(moved).algorithm->absolute);
+}
+
 /// A body that only contact holds follows a constant gap as a rigid body.
 TEST(Gap, ThatIsConstantLeavesTheBoundOfAFloatingBodyAlone)
 {

@@ -10,6 +10,7 @@
 #include "ndframe/estimation/residual.hpp"
 #include "ndframe/estimation/zienkiewicz_zhu.hpp"
 #include "ndframe/scene/stage.hpp"
+#include "nearest_traction.hpp"
 #include "point_caveat.hpp"
 #include "reference_solution.hpp"
 
@@ -98,20 +99,26 @@ IntermediateField Certifier::nearestField(const InterfaceValues& traction, Tract
   std::vector<IntermediateField> fields;
   std::vector<IntermediateField*> wanted;
   const Vector cost = options_.mode == ErrorMode::Paper ? Vector() : openingCost(scene_, traction);
-  for (const Vector& candidate : tractionsOfSides(scene_, traction)) {
-    const ContactTraction admitted = admitTraction(scene_, candidate, sign, cost);
-    fields.push_back({{admitted, admitted}, {}});
+  const std::vector<Vector> candidates = tractionsOfSides(scene_, traction);
+  std::vector<Vector> admitted;
+  for (const Vector& candidate : candidates) {
+    admitted.push_back(admitNodal(scene_, candidate, sign, cost));
+    fields.push_back(fieldOf(scene_, admitted.back()));
   }
-  if (fields.size() == 1)
-    return std::move(fields.front());
-  for (IntermediateField& field : fields)
-    wanted.push_back(&field);
-  solveFields(scene_, wanted);
+  for (std::size_t f = 0; f < fields.size() && fields.size() > 1; ++f)
+    wanted.push_back(&fields[f]);
+  if (!wanted.empty())
+    solveFields(scene_, wanted);
   Vector costs;
-  for (const IntermediateField& field : fields)
+  for (const IntermediateField* field : wanted)
     costs.push_back(
-        std::hypot(changeInEnergy(scene_.bodies, scene_.solved, field.displacement), interfaceMisfit(scene_, field)));
-  return std::move(fields[std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin())]);
+        std::hypot(changeInEnergy(scene_.bodies, scene_.solved, field->displacement), interfaceMisfit(scene_, *field)));
+  const auto best = std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin());
+  const bool moves = scene_.dim() == 2 && options_.mode == ErrorMode::Strict &&
+                     options_.tractionWith(recovery_, 2) == TractionType::Optimal;
+  return moves
+             ? nearestInEnergy(scene_, candidates[best], admitted[best], std::move(fields[best]), {sign, cost}, ledger_)
+             : std::move(fields[best]);
 }
 
 void Certifier::solveIntermediateFields()

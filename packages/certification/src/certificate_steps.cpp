@@ -38,14 +38,6 @@ std::vector<Vector> stiffnessOf(const std::vector<const BodyModel*>& bodies)
   return stiffness;
 }
 
-/// 1/|f| int psi_i dS of a patch's nodal functions: lambda_a, or lambda_a (2 lambda_a - 1) and 4 lambda_a lambda_b.
-double shareOf(int dim, int order, std::size_t node)
-{
-  if (order == 1)
-    return 1.0 / dim;
-  return (node < std::size_t(dim) ? 3.0 - dim : 4.0) / (dim * (dim + 1));
-}
-
 double largest(const std::vector<NodalField>& fields)
 {
   double value = 0.0;
@@ -56,6 +48,13 @@ double largest(const std::vector<NodalField>& fields)
 }
 
 } // namespace
+
+double shareOf(int dim, int order, std::size_t node)
+{
+  if (order == 1)
+    return 1.0 / dim;
+  return (node < std::size_t(dim) ? 3.0 - dim : 4.0) / (dim * (dim + 1));
+}
 
 void Guarantee::require(bool holds, const std::string& otherwise)
 {
@@ -174,19 +173,22 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
   return cost;
 }
 
-ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
+Vector admitNodal(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
 {
   const auto balance = balanceConditions(scene.model, scene.condensed, scene.patches);
   try {
-    const Vector projected =
-        projectTraction(scene.patches, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
-    return tractionFromNodes(scene.patches, projected, scene.order, scene.degree);
+    return projectTraction(scene.patches, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
   } catch (const InfeasibleTraction& failure) {
     throw NotConverged(fmt::format("no pressure on the interfaces balances the loads ({}): they act too close to the "
                                    "edge of contact, so there is no equilibrated stress and no bound. Hold the body or "
                                    "move its load",
                                    failure.motion));
   }
+}
+
+ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
+{
+  return tractionFromNodes(scene.patches, admitNodal(scene, nodal, sign, cost), scene.order, scene.degree);
 }
 
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields)

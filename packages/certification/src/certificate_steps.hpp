@@ -63,9 +63,13 @@ SceneField makeSceneField(const IntermediateField& field);
 /// The interface tractions of a stress as one body feels them (FieldInput::contact); empty without contact.
 Vector sharesOf(const CertifiedScene& scene, const SceneStress& stress, int body);
 
-/// Steps 1 and 2 of section 5.3 for a traction at the interface nodes. Throws NotConverged when no traction that
-/// presses everywhere holds a floating body.
+/// 1/|f| int psi_i dS of a patch's nodal functions: lambda_a, or lambda_a (2 lambda_a - 1) and 4 lambda_a lambda_b.
+double shareOf(int dim, int order, std::size_t node);
+
+/// Steps 1 and 2 of section 5.3 for a traction at the interface nodes, and its values there. Throws NotConverged when
+/// no traction that presses everywhere holds a floating body.
 /// cost: as in projectTraction.
+Vector admitNodal(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost);
 ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign,
                               const Vector& cost = {});
 
