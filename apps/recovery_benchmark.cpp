@@ -133,9 +133,10 @@ Vector solveBlock(const BodyModel& body, Ledger& ledger)
   std::vector<int> nodes(std::size_t(body.nodes.numNodes()));
   std::iota(nodes.begin(), nodes.end(), 0);
   const BodySystem system = assembleBody(body, makeDofLayout(body.nodes, makeConstraints(body), {}), nodes);
-  SolverProblem problem{&system.K, system.dofs.roles, {}, {}, body.nodes.points};
+  SolverProblem problem{&system.K, system.dofs.roles, {}, {}, nodePoints(body.nodes)};
   const auto factor = solver->factor(problem, Comm::single(), ledger);
-  const DenseMatrix u = factor->expand(DenseMatrix(system.effectiveLoad(Comm::single()).whole()), DenseMatrix(0, 1));
+  const DenseMatrix u =
+      factor->expand(DenseMatrix(system.effectiveLoad(Comm::single()).all().whole()), DenseMatrix(0, 1));
   Vector solution = u.column(0);
   for (std::size_t i = 0; i < solution.size(); ++i)
     solution[i] += system.dofs.prescribed[i];

@@ -47,13 +47,13 @@ std::vector<ContactPatch> pairFacets(const BodyModel& upper, const BodyModel& lo
     patch.sides = {{{0, mine}, {1, other}}};
     patch.measure = facetNormal(upper.mesh, mine, patch.normal.data());
     const auto ours = contactNodes(upper, patch.sides[0]);
-    if (!isSame(upper.nodes.point(ours[0]), lower.nodes.point(contactNodes(lower, patch.sides[1])[0])))
+    if (!isSame(upper.nodes.point(ours[0]).data(), lower.nodes.point(contactNodes(lower, patch.sides[1])[0]).data()))
       patch.sides[1].places = {1, 0, 2};
     for (std::size_t i = 0; i <= std::size_t(upper.nodes.order); ++i)
       patch.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
     patch.pairs = patch.nodes;
     for (std::size_t end = 0; end < 2; ++end)
-      std::copy_n(upper.nodes.point(ours[end]), 2, patch.points[end].begin());
+      std::copy_n(upper.nodes.point(ours[end]).data(), 2, patch.points[end].begin());
     patches.push_back(patch);
   }
   return patches;
@@ -98,7 +98,7 @@ double ContactStrip::jump(const std::vector<NodalField>& displacement, std::size
 std::array<double, 2> ContactStrip::point(std::size_t patch, double t) const
 {
   const auto nodes = contactNodes(bodies[0], patches[patch].sides[0]);
-  const double *a = bodies[0].nodes.point(nodes[0]), *b = bodies[0].nodes.point(nodes[1]);
+  const auto a = bodies[0].nodes.point(nodes[0]), b = bodies[0].nodes.point(nodes[1]);
   return {a[0] + t * (b[0] - a[0]), a[1] + t * (b[1] - a[1])};
 }
 

@@ -87,7 +87,7 @@ struct ContactPatches : testing::TestWithParam<Kind>
     const FacetNodes ours = contactNodes(bodies[0], patch.sides[0]), theirs = contactNodes(bodies[1], patch.sides[1]);
     for (std::size_t a = 0; a < patch.numVertices(); ++a)
       for (std::size_t k = 0; k < patch.numVertices(); ++k)
-        if (isSame(bodies[0].nodes.point(ours[k]), bodies[1].nodes.point(theirs[a]), dim))
+        if (isSame(bodies[0].nodes.point(ours[k]).data(), bodies[1].nodes.point(theirs[a]).data(), dim))
           patch.sides[1].places[a] = int(k);
     for (std::size_t i = 0; i < patch.numNodes(order); ++i)
       patch.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
@@ -182,7 +182,7 @@ TEST_P(ContactPatches, HaveNodesOfBothBodiesAtTheSamePoints)
   for (const ContactPatch& patch : patches) {
     const FacetNodes ours = contactNodes(bodies[0], patch.sides[0]), theirs = contactNodes(bodies[1], patch.sides[1]);
     for (std::size_t i = 0; i < patch.numNodes(order); ++i)
-      EXPECT_TRUE(isSame(bodies[0].nodes.point(ours[i]), bodies[1].nodes.point(theirs[i]), dim));
+      EXPECT_TRUE(isSame(bodies[0].nodes.point(ours[i]).data(), bodies[1].nodes.point(theirs[i]).data(), dim));
   }
 }
 

@@ -145,7 +145,7 @@ Vector hatTimesMotion(const BodyModel& body, int vertex, int motion)
       if (body.mesh.cell(c)[edges[e][0]] == vertex || body.mesh.cell(c)[edges[e][1]] == vertex)
         hat[std::size_t(body.nodes.cell(c)[dim + 1 + int(e)])] = 0.5;
   for (int node = 0; node < body.nodes.numNodes(); ++node) {
-    rigidMotion(dim, motion, body.nodes.point(node), u.data() + node * dim);
+    rigidMotion(dim, motion, body.nodes.point(node).data(), u.data() + node * dim);
     for (int k = 0; k < dim; ++k)
       u[std::size_t(node * dim + k)] *= hat[std::size_t(node)];
   }

@@ -44,7 +44,7 @@ struct Floor
         patch.nodes[i] = number.insert({ours[i], int(number.size())}).first->second;
       patch.pairs = patch.nodes;
       for (std::size_t a = 0; a < 3; ++a)
-        std::copy_n(body.nodes.point(ours[a]), 3, patch.points[a].begin());
+        std::copy_n(body.nodes.point(ours[a]).data(), 3, patch.points[a].begin());
       patches.push_back(patch);
     }
     numNodes = int(number.size());

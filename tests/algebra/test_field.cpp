@@ -4,6 +4,7 @@
 
 #include "ndframe/algebra/dense.hpp"
 #include "ndframe/algebra/field.hpp"
+#include "ndframe/algebra/sparse_field.hpp"
 
 namespace ndframe
 {
@@ -51,6 +52,33 @@ TEST(Field, AFieldThatEndsGivesItsValuesAway)
   const double* const values = eta.data();
   const Vector taken = std::move(eta);
   EXPECT_EQ(taken.data(), values);
+}
+
+TEST(SparseField, HasTheValuesThatItWasMadeFrom)
+{
+  const NodalField some = atNodes({0.0, 0.0, 0.0, -3.0, 0.0, 0.0, 2.0, 1.0}, 2);
+  const SparseField sparse(some);
+  EXPECT_EQ(sparse.all(), some);
+  EXPECT_EQ(sparse.size(), some.size());
+  EXPECT_EQ(sparse.largest(), 3.0);
+  Vector x(some.size(), 1.0);
+  sparse.addTo(x, 2.0);
+  for (std::size_t i = 0; i < x.size(); ++i)
+    EXPECT_EQ(x[i], 1.0 + 2.0 * some[i]);
+}
+
+// What a load on a side takes does not grow with the inside of the body.
+TEST(SparseField, StoresOnlyNodesThatHaveSomething)
+{
+  std::vector<int> stored;
+  const auto note = [&](int node, const double*) { stored.push_back(node); };
+  SparseField(atNodes({0.0, 0.0, 0.0, -3.0, 0.0, 0.0, 2.0, 0.0}, 2)).each(note);
+  EXPECT_EQ(stored, (std::vector<int>{1, 3}));
+  const SparseField nothing(atNodes(Vector(6, 0.0), 3));
+  nothing.each(note);
+  EXPECT_EQ(stored.size(), 2u);
+  EXPECT_TRUE(nothing.isZero());
+  EXPECT_EQ(nothing.all(), atNodes(Vector(6, 0.0), 3));
 }
 
 } // namespace ndframe

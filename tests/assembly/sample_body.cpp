@@ -118,9 +118,9 @@ BodySystem assemble(const BodyModel& body, const Comm& comm)
 
 Vector interpolate(const NodeMap& nodes, const std::function<void(const double*, double*)>& field)
 {
-  Vector u(nodes.points.size());
+  Vector u(std::size_t(nodes.numNodes()) * std::size_t(nodes.dim));
   for (int node = 0; node < nodes.numNodes(); ++node)
-    field(nodes.point(node), u.data() + node * nodes.dim);
+    field(nodes.point(node).data(), u.data() + node * nodes.dim);
   return u;
 }
 
@@ -138,12 +138,13 @@ NodalField solve(const BodySystem& system, const Comm& comm)
     for (std::size_t i = 0; i < free.size(); ++i)
       K(int(i), int(j)) = column[free[i]];
   }
-  const Vector load = system.effectiveLoad(comm);
+  const Vector load = system.effectiveLoad(comm).all();
   Vector rhs;
   for (const std::size_t dof : free)
     rhs.push_back(load[dof]);
   const Vector x = DenseCholesky(K).solve(rhs);
-  Vector u = system.dofs.prescribed;
+  Vector u(load.size(), 0.0);
+  system.dofs.addPrescribed(u);
   for (std::size_t i = 0; i < free.size(); ++i)
     u[free[i]] = x[i];
   return system.dofs.frames.toGlobal(u);

@@ -132,7 +132,7 @@ TEST(CollectConstraints, InclinedRollersHoldTheirCornerFully)
   EXPECT_EQ(set.nodes().size(), 9u);
   const double angle = 20.0 * M_PI / 180.0;
   for (const auto& [number, node] : set.nodes()) {
-    const double* x = body.nodes.point(number);
+    const auto x = body.nodes.point(number);
     expectOrthonormal(node);
     EXPECT_EQ(node.count, x[0] == 0.0 && x[1] == 0.0 ? 2 : 1);
     const bool onBottom = std::abs(-x[0] * std::sin(angle) + x[1] * std::cos(angle)) < 1e-12;

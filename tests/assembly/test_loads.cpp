@@ -28,6 +28,12 @@ Vector loadOf(const BodyModel& body)
   return assembleLoad(body, Frames(body.mesh.dim, body.nodes.numNodes()));
 }
 
+std::vector<double> placeOf(const BodyModel& body, int node)
+{
+  const auto x = body.nodes.point(node);
+  return {x.begin(), x.begin() + body.mesh.dim};
+}
+
 Vector loadOf(const Mesh& mesh, int order, std::vector<Condition> loads)
 {
   return loadOf(loaded(mesh, order, std::move(loads)));
@@ -175,9 +181,9 @@ TEST_P(Loads, DoNotDependOnTheNumbering)
     const Vector f = loadOf(body), otherF = loadOf(other);
     std::map<std::vector<double>, int> nodeAt;
     for (int node = 0; node < body.nodes.numNodes(); ++node)
-      nodeAt[{body.nodes.point(node), body.nodes.point(node) + mesh.dim}] = node;
+      nodeAt[placeOf(body, node)] = node;
     for (int node = 0; node < other.nodes.numNodes(); ++node) {
-      const int same = nodeAt.at({other.nodes.point(node), other.nodes.point(node) + mesh.dim});
+      const int same = nodeAt.at(placeOf(other, node));
       for (int k = 0; k < mesh.dim; ++k)
         EXPECT_NEAR(otherF[std::size_t(node * mesh.dim + k)], f[std::size_t(same * mesh.dim + k)], 1e-14);
     }

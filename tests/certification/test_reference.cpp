@@ -124,7 +124,7 @@ TEST(Reference, StressDistanceIsThatOfTheExactStress)
   auto admissible = exact.displacement();
   for (std::size_t b = 0; b < admissible.size(); ++b)
     for (int i = 0; i < scenery.model.bodies[b].nodes.numNodes(); ++i)
-      if (const double* x = scenery.model.bodies[b].nodes.point(i); x[0] > 0.1 && x[1] > -0.9)
+      if (const auto x = scenery.model.bodies[b].nodes.point(i); x[0] > 0.1 && x[1] > -0.9)
         for (std::size_t k = 0; k < 2; ++k)
           admissible[b][std::size_t(i) * 2 + k] += 0.1 * random();
   const double D = exact.distance(admissible);

@@ -49,7 +49,7 @@ Wrench wrenchOf(const NodeMap& nodes, const Vector& forces)
 {
   Wrench sum = zero(nodes.dim);
   for (int i = 0; i < nodes.numNodes(); ++i)
-    add(sum, vectorOf(nodes.point(i), std::size_t(nodes.dim)),
+    add(sum, vectorOf(nodes.point(i).data(), std::size_t(nodes.dim)),
         vectorOf(forces.data() + std::ptrdiff_t(i) * nodes.dim, std::size_t(nodes.dim)), nodes.dim);
   return sum;
 }
@@ -71,7 +71,7 @@ double scaleOf(const NodeMap& nodes, const Vector& forces)
 {
   double sum = 0.0;
   for (std::size_t i = 0; i < forces.size(); ++i) {
-    const double* x = nodes.point(int(i) / nodes.dim);
+    const auto x = nodes.point(int(i) / nodes.dim);
     sum += std::abs(forces[i]) * (1.0 + std::hypot(x[0], x[1], nodes.dim == 3 ? x[2] : 0.0));
   }
   return sum;
@@ -94,12 +94,12 @@ TEST_P(Equilibrium, OfLoadsReactionsAndContactOnEveryBody)
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
     const Vector contact = contactForces(run.model, run.condensed, run.solved.coupling.state, int(b));
-    const Wrench loads = wrenchOf(body.nodes, run.model.loads[b]), pressed = wrenchOf(body.nodes, contact);
+    const Wrench loads = wrenchOf(body.nodes, run.model.loads[b].all()), pressed = wrenchOf(body.nodes, contact);
     const Wrench held = wrenchOf(run.summary.bodies[b].supports, body.mesh.dim);
     const Vector reactions = supportForces(run.model, run.condensed, run.solved.coupling.state, int(b),
                                            run.solved.fields[b].u.back(), alone());
     const double scale =
-        scaleOf(body.nodes, run.model.loads[b]) + scaleOf(body.nodes, contact) + scaleOf(body.nodes, reactions);
+        scaleOf(body.nodes, run.model.loads[b].all()) + scaleOf(body.nodes, contact) + scaleOf(body.nodes, reactions);
     ASSERT_GT(scale, 0.0) << body.name;
     for (std::size_t k = 0; k < held.size(); ++k)
       EXPECT_NEAR(loads[k] + pressed[k] + held[k], 0.0, 1e-11 * scale) << body.name << ", component " << k;

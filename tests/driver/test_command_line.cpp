@@ -244,6 +244,8 @@ TEST_F(Program, PlansItsMemoryAndRefusesWhatCannotFit)
   EXPECT_THAT(call({"--plan", shippedDeck("gmsh-msh2")}).out,
               HasSubstr("memory: checked when the mesh files are read"));
   EXPECT_THAT(call({"--plan", shippedDeck("krylov")}).out, HasSubstr("memory: not estimated for Krylov"));
+  EXPECT_THAT(call({"--plan", shippedDeck("punch-3d"), "--set", "Linear Solver/Type=Multigrid"}).out,
+              HasSubstr("memory: about 0.12 GB for some 15 000 dofs;"));
   EXPECT_THAT(call({"--plan", shippedDeck("punch"), "--set", "Bodies/punch/Mesh/Cells={20000, 20000}"}).out,
               HasSubstr("left: NOT ENOUGH"));
 }

@@ -40,7 +40,8 @@ void expectExactFields(const Run& run, const std::array<Strain, 2>& strains, dou
     const Strain& strain = strains[b];
     Vector exact;
     for (int i = 0; i < body.nodes.numNodes(); ++i) {
-      const double *p = body.nodes.point(i), x = c * p[0] + s * p[1], y = c * p[1] - s * p[0];
+      const auto p = body.nodes.point(i);
+      const double x = c * p[0] + s * p[1], y = c * p[1] - s * p[0];
       const double ux = strain.widen * x;
       const double uy = b == 0 ? -strains[1].shrink - strain.shrink * y : -strain.shrink * (y + 1.0);
       exact.insert(exact.end(), {c * ux - s * uy, s * ux + c * uy});
@@ -219,7 +220,8 @@ TEST(PatchDeck, IsExactForASolid)
       const double c = std::cos(degrees * M_PI / 180.0), s = std::sin(degrees * M_PI / 180.0);
       Vector exact;
       for (int i = 0; i < body.nodes.numNodes(); ++i) {
-        const double *p = body.nodes.point(i), x = c * p[0] + s * p[1], y = c * p[1] - s * p[0];
+        const auto p = body.nodes.point(i);
+        const double x = c * p[0] + s * p[1], y = c * p[1] - s * p[0];
         const double ux = -0.5 * x, uy = 0.125 * y;
         exact.insert(exact.end(), {c * ux - s * uy, s * ux + c * uy, 0.125 * p[2]});
       }

@@ -114,7 +114,7 @@ TEST(Speed, ALoadIsIntegratedOnceForCheckAndAssembly)
   Ledger ledger;
   const auto condensed = condense(model, *solver, *representation, Comm::single(), ledger);
   EXPECT_EQ(CountingLoad::asked, afterReading);
-  EXPECT_EQ(condensed.systems[0].load, integrateLoads(model.bodies[0]));
+  EXPECT_EQ(condensed.systems[0].load.all(), integrateLoads(model.bodies[0]));
 }
 
 /// The first sweep of a zero traction has nothing to multiply at all.

@@ -51,7 +51,8 @@ Edges cellEdges(int dim)
 
 std::vector<double> coordinates(const NodeMap& map, int node)
 {
-  return {map.point(node), map.point(node) + map.dim};
+  const auto x = map.point(node);
+  return {x.begin(), x.begin() + map.dim};
 }
 
 std::vector<double> middle(const NodeMap& map, int a, int b)
@@ -125,7 +126,7 @@ TEST_P(NodeMapOf, HasFacetNodesOnTheFacet)
       const auto nodes = nodesOf({c, local});
       EXPECT_EQ(std::set<int>(nodes.begin(), nodes.end()).size(), nodes.size());
       for (const int node : nodes)
-        EXPECT_LT(distanceFromFacet(mesh, {c, local}, map.point(node)), 1e-14);
+        EXPECT_LT(distanceFromFacet(mesh, {c, local}, map.point(node).data()), 1e-14);
       EXPECT_GT(distanceFromFacet(mesh, {c, local}, mesh.point(mesh.cell(c)[local])), 1e-3);
     }
 }

@@ -50,7 +50,7 @@ TEST(Prolongation, IsTheSameField)
     for (const int order : {1, 2}) {
       const Mesh mesh = test::renumbered(test::box(cells, "Alternating", 20.0), 5), refined = refineUniformly(mesh);
       const NodeMap coarse = makeNodeMap(mesh, order), fine = makeNodeMap(refined, order);
-      const auto values = random.vector(coarse.points.size()), result = prolongate(coarse, fine, values);
+      const auto values = random.vector(nodePoints(coarse).size()), result = prolongate(coarse, fine, values);
       for (int c = 0; c < refined.numCells(); ++c) {
         const Point point(mesh.dim, c % numChildren(mesh.dim), random);
         const auto expected = valueAt(coarse, values, c / numChildren(mesh.dim), point.parent);
@@ -64,7 +64,7 @@ TEST(Prolongation, IsTheSameField)
 TEST(Prolongation, RefusesNodesOfAnotherMesh)
 {
   const NodeMap coarse = makeNodeMap(test::box({2, 2}), 2);
-  EXPECT_THROW(prolongate(coarse, coarse, coarse.points), InternalError);
+  EXPECT_THROW(prolongate(coarse, coarse, nodePoints(coarse)), InternalError);
 }
 
 } // namespace

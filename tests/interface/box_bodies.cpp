@@ -152,7 +152,7 @@ CondensedBox::CondensedBox(const BodyModel& model, const std::vector<TraceNormal
   problem.roles = system.dofs.roles;
   problem.kept = system.dofs.keptDofs();
   problem.nearNullSpace = rigidModes(rigidBasis(model.mesh), model.nodes, system.dofs.frames);
-  problem.nodePoints = model.nodes.points;
+  problem.nodePoints = nodePoints(model.nodes);
   condensed = makeSolver("Cholmod")->factor(problem, comm(), ledger);
 }
 

@@ -23,7 +23,7 @@ struct ObliqueBox
                           list("top", text("Type", "Roller") + text("Side", "top")))),
         traces(bottom()), body(model, traces), load(randomVector(std::size_t(model.numDofs()), 1))
   {
-    body.system.load = body.system.dofs.frames.toLocal(load);
+    body.system.load = SparseField(body.system.dofs.frames.toLocal(load));
   }
 
   std::vector<TraceNormal> bottom() const
@@ -44,15 +44,15 @@ struct ObliqueBox
   }
   Vector reducedLoad(const SymmetricOperator& S) const
   {
-    return traceLoad(*body.condensed, map(), S, body.system.effectiveLoad(comm()));
+    return traceLoad(*body.condensed, map(), S, body.system.effectiveLoad(comm()).all());
   }
   /// The whole body's displacement under the load, with these normal displacements; global axes.
   Vector displacement(const Vector& normalDisplacement) const
   {
     const Vector kept = map().keptValues(normalDisplacement);
-    Vector u = body.condensed->expand(DenseMatrix(body.system.effectiveLoad(comm())), DenseMatrix(kept)).column(0);
-    for (std::size_t i = 0; i < u.size(); ++i)
-      u[i] += body.system.dofs.prescribed[i];
+    Vector u =
+        body.condensed->expand(DenseMatrix(body.system.effectiveLoad(comm()).all()), DenseMatrix(kept)).column(0);
+    body.system.dofs.addPrescribed(u);
     return body.system.dofs.frames.toGlobal(u);
   }
   /// K u - f of the uncondensed body, in global axes.
@@ -117,7 +117,7 @@ TEST(BodyTrace, CondensedEquationIsThatOfTheUncondensedBody)
         reaction[2 * node + k] -= box.traces[i].normal[k] * r;
     }
     for (int node = 0; node < box.model.nodes.numNodes(); ++node) {
-      const double* x = box.model.nodes.point(node);
+      const auto x = box.model.nodes.point(node);
       const auto dof = std::size_t(2 * node);
       EXPECT_NEAR(x[0] > 0.0 ? reaction[dof] : 0.0, 0.0, 1e-12) << type << " at " << x[0] << ", " << x[1];
       EXPECT_NEAR(x[1] < 1.0 ? reaction[dof + 1] : 0.0, 0.0, 1e-12) << type << " at " << x[0] << ", " << x[1];

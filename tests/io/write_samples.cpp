@@ -33,8 +33,10 @@ std::vector<double> centroid(const Mesh& mesh, const Vertices& vertices, int cou
 Vector atNodes(const NodeMap& nodes, int body, double time)
 {
   Vector values;
-  for (int n = 0; n < nodes.numNodes(); ++n)
-    values.push_back(sampleValue({nodes.point(n), nodes.point(n) + nodes.dim}, body, time));
+  for (int n = 0; n < nodes.numNodes(); ++n) {
+    const auto x = nodes.point(n);
+    values.push_back(sampleValue({x.begin(), x.begin() + nodes.dim}, body, time));
+  }
   return values;
 }
 

@@ -38,7 +38,7 @@ struct Element
     const NodeMap nodeMap = makeNodeMap(cell, order);
     Vector u(dofs);
     for (int a = 0; a < nodes; ++a)
-      field(nodeMap.point(nodeMap.cell(0)[a]), u.data() + a * dim);
+      field(nodeMap.point(nodeMap.cell(0)[a]).data(), u.data() + a * dim);
     return u;
   }
 };

@@ -108,7 +108,7 @@ BalanceConditions balanceOf(const ContactScene& scene, const BodySystem& system)
       balance.work(int(node), m) = dot(system.dofs.frames.toLocal(force), modes.column(m));
   }
   for (int m = 0; m < motions.cols(); ++m) {
-    balance.value.push_back(-dot(system.load, modes.column(m)));
+    balance.value.push_back(-dot(system.load.all(), modes.column(m)));
     balance.names.push_back(std::to_string(m));
   }
   return balance;
@@ -149,10 +149,12 @@ ContactScene contactScene(const ContactKind& kind)
   scene.field.optimise = true;
   pin(systems[0], scene.bodies[0], scene.balance.work.cols());
   for (std::size_t b = 0; b < 2; ++b) {
-    const Vector force =
+    NodalField force =
         systems[b].dofs.frames.toLocal(contactForces(scene.bodies[b], int(b), patches, scene.field.tractions));
+    const NodalField load = systems[b].load.all();
     for (std::size_t i = 0; i < force.size(); ++i)
-      systems[b].load[i] += force[i];
+      force[i] += load[i];
+    systems[b].load = SparseField(force);
     scene.displacement.push_back(solve(systems[b], comm()));
     std::vector<Facet> own;
     for (const ContactPatch& patch : patches)

@@ -102,7 +102,8 @@ double imbalance(const ContactScene& scene, const ContactTraction& traction)
     force[i] -= before[i];
   double moments[3] = {};
   for (int node = 0; node < punch.nodes.numNodes(); ++node) {
-    const double *x = punch.nodes.point(node), *f = force.data() + 2 * node;
+    const auto x = punch.nodes.point(node);
+    const double* f = force.data() + 2 * node;
     moments[0] += f[0], moments[1] += f[1], moments[2] += x[0] * f[1] - x[1] * f[0];
   }
   return std::max({std::abs(moments[0]), std::abs(moments[1]), std::abs(moments[2])}) / norm(before);

@@ -177,10 +177,12 @@ private:
   {
     for (std::size_t b = 0; b < 2; ++b) {
       BodySystem system = test::assemble(bodies[b], test::comm());
-      const Vector force =
+      NodalField force =
           system.dofs.frames.toLocal(contactForces(bodies[b], int(b), recovery.patches, field.tractions));
+      const NodalField load = system.load.all();
       for (std::size_t i = 0; i < force.size(); ++i)
-        system.load[i] += force[i];
+        force[i] += load[i];
+      system.load = SparseField(force);
       displacement_.push_back(test::solve(system, test::comm()));
       std::vector<Facet> own;
       for (const ContactPatch& patch : recovery.patches)

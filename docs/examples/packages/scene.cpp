@@ -19,8 +19,7 @@ int main()
       buildModel(readScene(params), *components); // meshes, nodes, pairs of contact; nothing is assembled
 
   double force = 0.0;
-  for (std::size_t i = 1; i < model.loads[0].size(); i += 2)
-    force += model.loads[0][i]; // along y
+  model.loads[0].each([&](int /*node*/, const double* values) { force += values[1]; }); // along y
   bool pulledOff = false;
   try {
     refusePulledOff(model);

@@ -74,7 +74,7 @@ void Admission::refuse(const Pair& pair, double excess)
   const BodyModel& body = *bodies_[pair.body[0]];
   result_.caveat +=
       fmt::format("{} and {} overlap by {:.2g} at {}, where supports hold both. ", body.name,
-                  bodies_[pair.body[1]]->name, excess, pointText(body.nodes.point(pair.node[0]), body.mesh.dim));
+                  bodies_[pair.body[1]]->name, excess, pointText(body.nodes.point(pair.node[0]).data(), body.mesh.dim));
 }
 
 void Admission::move(const Pair& pair, const Compliance& apart, double force)

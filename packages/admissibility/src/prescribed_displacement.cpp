@@ -50,7 +50,7 @@ Vector PrescribedDisplacement::atNodes(Facet facet) const
   for (int a = 0; a < body_.nodes.nodesPerFacet; ++a) {
     ofFunctions.clear();
     for (const auto& function : functions_)
-      ofFunctions.push_back(valueAt(function, dim, body_.nodes.point(nodes[a])));
+      ofFunctions.push_back(valueAt(function, dim, body_.nodes.point(nodes[a]).data()));
     displacement(ofFunctions.data(), values.data() + std::ptrdiff_t(a) * dim);
   }
   return values;

@@ -126,7 +126,7 @@ double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm)
           sizes[std::size_t(K.rowNode(r)) * std::size_t(dim) + std::size_t(i)] +=
               std::abs(*entry++ * u[std::size_t(K.colNode(b)) * std::size_t(dim) + std::size_t(j)]);
   comm.sum(sizes);
-  return 16.0 * std::numeric_limits<double>::epsilon() * norm(sizes);
+  return rowRoundOff * norm(sizes);
 }
 
 } // namespace ndframe

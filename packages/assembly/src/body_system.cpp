@@ -79,12 +79,18 @@ NodalField assembleLoad(const BodyModel& body, const Frames& frames)
   return frames.toLocal(integrateLoads(body));
 }
 
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes)
+SparseField inOwnAxes(const SparseField& global, const Frames& frames)
 {
-  return assembleBody(body, std::move(dofs), ownedNodes, integrateLoads(body));
+  return frames.anyTurned() ? SparseField(frames.toLocal(global.all())) : global;
 }
 
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes, const Vector& load)
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes)
+{
+  return assembleBody(body, std::move(dofs), ownedNodes, SparseField(integrateLoads(body)));
+}
+
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes,
+                        const SparseField& load)
 {
   BodySystem system{std::move(dofs), makeSparsity(body.nodes, ownedNodes), {}};
   std::vector<int> local(std::size_t(body.nodes.numNodes()), -1);
@@ -92,7 +98,7 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector
     local[std::size_t(system.K.nodes.global(i))] = i;
   withDimAndOrder(body.mesh.dim, body.nodes.order,
                   [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, local); });
-  system.load = system.dofs.frames.toLocal(load);
+  system.load = inOwnAxes(load, system.dofs.frames);
   return system;
 }
 
@@ -104,15 +110,17 @@ double BodyModel::poissonRatio() const
   return largest;
 }
 
-NodalField BodySystem::effectiveLoad(const Comm& comm) const
+SparseField BodySystem::effectiveLoad(const Comm& comm) const
 {
-  if (std::all_of(dofs.prescribed.begin(), dofs.prescribed.end(), [](double value) { return value == 0.0; }))
+  if (dofs.prescribed.empty())
     return load;
-  const Vector moved = multiply(K, dofs.prescribed, comm);
-  NodalField effective = load;
+  Vector held(load.size(), 0.0);
+  dofs.addPrescribed(held);
+  const Vector moved = multiply(K, held, comm);
+  NodalField effective = load.all();
   for (std::size_t i = 0; i < effective.size(); ++i)
     effective[i] -= moved[i];
-  return effective;
+  return SparseField(effective);
 }
 
 } // namespace ndframe

@@ -96,9 +96,10 @@ ConstraintSet collectConstraints(const std::vector<std::unique_ptr<Support>>& su
         clash = constraint.node;
     if (clash >= 0)
       diagnostics.add(supports[s]->params().mistake(
-          "", fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of one "
-                          "of them (split the side) or make them agree.",
-                          heldByOthers(supports, s, mesh, nodes, clash), pointText(nodes.point(clash), mesh.dim))));
+          "",
+          fmt::format("contradicts {} at {}: another displacement is prescribed there; leave the point out of one "
+                      "of them (split the side) or make them agree.",
+                      heldByOthers(supports, s, mesh, nodes, clash), pointText(nodes.point(clash).data(), mesh.dim))));
   }
   diagnostics.throwIfAny();
   return set;

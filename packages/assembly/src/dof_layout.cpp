@@ -120,7 +120,8 @@ void layOutNode(DofLayout& layout, int dim, AskedNode& asked)
   for (std::size_t k = 0; k < places.size(); ++k) {
     layout.roles[dof(k)] = int(k) < numFixed ? DofRole::Fixed : DofRole::Kept;
     if (int(k) < numFixed)
-      layout.prescribed[dof(k)] = places[k].second * asked.fixed->value[k];
+      if (const double value = places[k].second * asked.fixed->value[k]; value != 0.0)
+        layout.prescribed.emplace_back(int(dof(k)), value);
   }
   asked.places.assign(places.begin() + numFixed, places.end());
 }
@@ -184,6 +185,7 @@ void addTrace(DofLayout& layout, int dim, AskedNode& asked, const TraceNormal& t
 
 void Frames::turn(int node, const double* axes)
 {
+  index_.resize(std::size_t(numNodes_), -1);
   index_[std::size_t(node)] = int(axes_.size()) / (dim_ * dim_);
   axes_.insert(axes_.end(), axes, axes + std::ptrdiff_t(dim_) * dim_);
 }
@@ -224,6 +226,12 @@ bool DofLayout::splitsLike(const DofLayout& other) const
   return frames == other.frames && roles == other.roles && keptDofs() == other.keptDofs();
 }
 
+void DofLayout::addPrescribed(Vector& u, double factor) const
+{
+  for (const auto& [dof, value] : prescribed)
+    u[std::size_t(dof)] += factor * value;
+}
+
 std::vector<int> DofLayout::keptDofs() const
 {
   std::vector<int> kept;
@@ -236,17 +244,14 @@ std::vector<int> DofLayout::keptDofs() const
 DofLayout makeDofLayout(const NodeMap& nodes, const ConstraintSet& constraints, const std::vector<TraceNormal>& traces)
 {
   const auto numDofs = std::size_t(nodes.numNodes()) * std::size_t(nodes.dim);
-  DofLayout layout{Frames(nodes.dim, nodes.numNodes()),
-                   std::vector<DofRole>(numDofs, DofRole::Interior),
-                   Vector(numDofs, 0.0),
-                   {},
-                   {}};
+  DofLayout layout{Frames(nodes.dim, nodes.numNodes()), std::vector<DofRole>(numDofs, DofRole::Interior), {}, {}, {}};
   std::vector<int> nodeOfTrace;
   std::vector<AskedNode> asked = gatherNodes(constraints, traces, nodeOfTrace);
   for (AskedNode& node : asked) {
     findAxes(node, traces, constraints);
     layOutNode(layout, nodes.dim, node);
   }
+  std::sort(layout.prescribed.begin(), layout.prescribed.end());
   for (std::size_t given = 0; given < traces.size(); ++given)
     addTrace(layout, nodes.dim, asked[std::size_t(nodeOfTrace[given])], traces[given],
              constraints.heldValue(traces[given].node, traces[given].normal));

@@ -150,7 +150,7 @@ DenseMatrix rigidModes(const RigidBasis& basis, const NodeMap& nodes, const Fram
   for (int m = 0; m < basis.size(); ++m) {
     Vector mode(std::size_t(modes.rows()));
     for (int node = 0; node < nodes.numNodes(); ++node) {
-      const Direction u = basis.displacement(m, nodes.point(node));
+      const Direction u = basis.displacement(m, nodes.point(node).data());
       std::copy_n(u.begin(), nodes.dim, mode.begin() + std::ptrdiff_t(node) * nodes.dim);
     }
     const Vector local = frames.toLocal(mode);
@@ -169,7 +169,7 @@ DenseMatrix supportRows(const RigidBasis& basis, const NodeMap& nodes, const Con
   for (const auto& [node, fixed] : constraints.nodes())
     for (int k = 0; k < fixed.count; ++k, ++row)
       for (int m = 0; m < basis.size(); ++m)
-        matrix(row, m) = dotProduct(fixed.direction[std::size_t(k)], basis.displacement(m, nodes.point(node)));
+        matrix(row, m) = dotProduct(fixed.direction[std::size_t(k)], basis.displacement(m, nodes.point(node).data()));
   return matrix;
 }
 

@@ -104,7 +104,8 @@ std::vector<NodeConstraint> Support::constraints(const Mesh& mesh, const NodeMap
   std::vector<NodeConstraint> all;
   for (const int node : sideNodes(nodes, side(mesh)))
     for (std::size_t k = 0; k < held.size(); ++k)
-      all.push_back({node, held[k], functions().empty() ? 0.0 : valueAt(functions()[k], mesh.dim, nodes.point(node))});
+      all.push_back(
+          {node, held[k], functions().empty() ? 0.0 : valueAt(functions()[k], mesh.dim, nodes.point(node).data())});
   return all;
 }
 

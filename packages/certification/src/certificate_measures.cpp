@@ -231,7 +231,7 @@ std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const Recover
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Vector& displacement = admissible.displacement.displacement[b];
     strainEnergy += energy(*scene.bodies[b], displacement);
-    work += dot(scene.model.loads[b], displacement);
+    work += dot(scene.model.loads[b].all(), displacement);
     if (measure.prescribed > 0.0 && !scene.bodies[b]->loads.empty())
       return std::nullopt;
   }

@@ -138,7 +138,7 @@ private:
       piece.unknowns[2] = unknown(body, ends[0], ends[1]);
     const double squared = std::pow(b[0] - a[0], 2) + std::pow(b[1] - a[1], 2);
     for (int i = 0; i <= scene_.order; ++i) {
-      const double* x = body.nodes.point(nodes[std::size_t(i)]);
+      const auto x = body.nodes.point(nodes[std::size_t(i)]);
       const double t = ((x[0] - a[0]) * (b[0] - a[0]) + (x[1] - a[1]) * (b[1] - a[1])) / squared;
       const std::array<double, 2> lambda{1.0 - t, t};
       std::array<double, 3> N{};

@@ -102,10 +102,10 @@ std::string geometryCaveat(const Model& model)
                     &second = model.bodies[std::size_t(interface.neumann().body)];
     const double shortest = *std::min_element(interface.measures.begin(), interface.measures.end());
     for (std::size_t i = 0; i < std::size_t(interface.numNodes()); ++i) {
-      const double *x = first.nodes.point(interface.dirichlet().nodes[i]),
-                   *y = second.nodes.point(interface.neumann().nodes[i]);
+      const auto x = first.nodes.point(interface.dirichlet().nodes[i]),
+                 y = second.nodes.point(interface.neumann().nodes[i]);
       double squared = 0.0, fromOrigin = 0.0;
-      for (int k = 0; k < interface.dim; ++k) {
+      for (std::size_t k = 0; k < std::size_t(interface.dim); ++k) {
         squared += (x[k] - y[k]) * (x[k] - y[k]);
         fromOrigin += x[k] * x[k];
       }
@@ -113,7 +113,7 @@ std::string geometryCaveat(const Model& model)
       if (apart > sameLine * (shortest + std::sqrt(fromOrigin)))
         return fmt::format(
             "the two sides of \"{}\" are {:.1e} apart at {}: give the meshes' coordinates with all digits",
-            interface.name, apart, pointText(x, interface.dim));
+            interface.name, apart, pointText(x.data(), interface.dim));
     }
   }
   return {};
@@ -137,7 +137,7 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
       rows.push_back(motionWork(model.bodies[b], system.dofs.frames.toGlobal(motion), patches, ofBody));
-      conditions.value.push_back(-dot(system.load, motion));
+      conditions.value.push_back(-dot(system.load.all(), motion));
       conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }
   }

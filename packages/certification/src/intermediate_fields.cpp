@@ -23,9 +23,9 @@ bool isFixed(const BodySystem& system, std::size_t dof)
 bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
 {
   const NodalField first = system.dofs.frames.toLocal(a), second = system.dofs.frames.toLocal(b);
-  double difference = 0.0, scale = 0.0;
+  double difference = 0.0, scale = system.load.largest();
   for (std::size_t i = 0; i < first.size(); ++i) {
-    scale = std::max({scale, std::abs(first[i]), std::abs(system.load[i])});
+    scale = std::max(scale, std::abs(first[i]));
     if (!isFixed(system, i))
       difference = std::max(difference, std::abs(first[i] - second[i]));
   }
@@ -60,12 +60,11 @@ Vector solveTrace(const BodyTrace& trace, const RestrictedInverse& inverse, cons
 }
 
 /// Effective load plus contact forces, in the nodes' own axes.
-NodalField loaded(const BodySystem& system, const Vector& effective, const Vector& force)
+NodalField loaded(const BodySystem& system, const SparseField& effective, const Vector& force)
 {
-  NodalField load = system.dofs.frames.toLocal(force);
-  for (std::size_t i = 0; i < load.size(); ++i)
-    load[i] += effective[i];
-  return load;
+  Vector load = system.dofs.frames.toLocal(force);
+  effective.addTo(load);
+  return atNodes(std::move(load), effective.width());
 }
 
 /// g = reduced load plus contact forces. Forces that act on kept dofs only need no back-solve: true of every straight
@@ -77,8 +76,8 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
   const BodyTrace& trace = *condensed.trace(body);
   double inside = 0.0, largest = 0.0;
   Vector force = load;
+  condensed.loads[b].addTo(force, -1.0);
   for (std::size_t i = 0; i < force.size(); ++i) {
-    force[i] -= condensed.loads[b][i];
     largest = std::max(largest, std::abs(force[i]));
     if (system.dofs.roles[i] == DofRole::Interior)
       inside = std::max(inside, std::abs(force[i]));
@@ -104,11 +103,9 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
   try {
     for (const std::size_t f : unknown) {
       Vector u = system.dofs.frames.toLocal(fields[f]).whole();
-      for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] -= system.dofs.prescribed[i];
+      system.dofs.addPrescribed(u, -1.0);
       u = whole.solveFree(loaded(system, condensed.loads[b], forces[f]), std::move(u));
-      for (std::size_t i = 0; i < u.size(); ++i)
-        u[i] += system.dofs.prescribed[i];
+      system.dofs.addPrescribed(u);
       fields[f] = system.dofs.frames.toGlobal(u);
     }
     return true;
@@ -127,8 +124,7 @@ std::vector<NodalField> expandAll(const BodySystem& system, const CondensedBody&
   std::vector<NodalField> fields;
   for (int f = 0; f < u.cols(); ++f) {
     Vector full = u.column(f);
-    for (std::size_t i = 0; i < full.size(); ++i)
-      full[i] += system.dofs.prescribed[i];
+    system.dofs.addPrescribed(full);
     fields.push_back(system.dofs.frames.toGlobal(full));
   }
   return fields;

@@ -36,7 +36,8 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const NodalField u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
     reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
-    for (const NodalField* forces : {&std::as_const(reactions[b]), &scene.condensed.systems[b].load})
+    const NodalField load = scene.condensed.systems[b].load.all();
+    for (const NodalField* forces : {&std::as_const(reactions[b]), &load})
       for (const double force : *forces)
         total += std::abs(force);
   }

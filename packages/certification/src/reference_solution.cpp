@@ -183,7 +183,7 @@ double ReferenceSolution::stressDistance(const Model& coarse, const std::vector<
   double squared = D * D;
   for (std::size_t b = 0; b < v.size(); ++b) {
     const Vector stiff = applyStiffness(b, v[b]);
-    const NodalField load = systems_[b].dofs.frames.toGlobal(systems_[b].load);
+    const NodalField load = systems_[b].dofs.frames.toGlobal(systems_[b].load.all());
     squared += dot(v[b], stiff) - 2.0 * (dot(load, v[b]) - dot(start[b], stiff));
   }
   if (!patches.empty()) {

@@ -54,11 +54,11 @@ std::unique_ptr<CondensedBody> factorBody(const Model& model, int number, const 
     return solver.factor(solverProblem(model, number, system), comm, ledger);
   } catch (const SingularBody& failure) {
     const int node = failure.dof < 0 ? -1 : failure.dof / body.mesh.dim;
-    throw InputError(
-        fmt::format("Bodies/{}: its matrix is singular{}: is a part of the mesh not connected to the rest, or an "
-                    "element nearly flat? ({})",
-                    body.name, node < 0 ? std::string() : " at " + pointText(body.nodes.point(node), body.mesh.dim),
-                    failure.what()));
+    throw InputError(fmt::format(
+        "Bodies/{}: its matrix is singular{}: is a part of the mesh not connected to the rest, or an "
+        "element nearly flat? ({})",
+        body.name, node < 0 ? std::string() : " at " + pointText(body.nodes.point(node).data(), body.mesh.dim),
+        failure.what()));
   }
 }
 
@@ -111,6 +111,7 @@ public:
     result_.systems.reserve(model.bodies.size()); // the factors point to the matrices
     result_.condensed.resize(model.bodies.size());
     result_.loads.resize(model.bodies.size());
+    result_.ranks.resize(model.bodies.size());
     result_.threads = solver.allowsThreads(comm.size()) ? numThreads(comm) : 1;
     traces_.resize(model.bodies.size());
   }
@@ -125,6 +126,9 @@ public:
       layOutBody(b, traceNodes[b]);
     if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return !kept.factor; }))
       owners_.emplace(model_, comm_.size());
+    for (std::size_t b = 0; b < model_.bodies.size(); ++b)
+      if (!kept_[b].factor)
+        result_.ranks[b] = owners_->ofVertices(model_, int(b));
     const std::vector<int> sizes = model_.numDofs();
     const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
     assembleWhatIsNew(largest); // before the others begin: it has to be ordered first, for only one can be at a time
@@ -193,7 +197,7 @@ private:
       system = assemble(model_, b, std::move(layouts_[b]), *owners_, comm_);
     } else { // other loads or prescribed values, the same matrix
       system.dofs = std::move(layouts_[b]);
-      system.load = system.dofs.frames.toLocal(model_.loads[b]);
+      system.load = inOwnAxes(model_.loads[b], system.dofs.frames);
     }
     result_.loads[b] = system.effectiveLoad(comm_);
   }
@@ -219,7 +223,7 @@ private:
       return;
     }
     trace.g = ReducedLoad([&body = *result_.condensed[b], map = trace.map, S = trace.S, &load = result_.loads[b]] {
-      return traceLoad(body, map, *S, load);
+      return traceLoad(body, map, *S, load.all());
     });
     if (trace.whole == nullptr)
       trace.g.size(); // finds it now, while other bodies are condensed beside

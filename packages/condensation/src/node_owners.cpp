@@ -113,9 +113,8 @@ private:
   {
     for (std::size_t b = 0; b < bodies_.size(); ++b) {
       const NodeMap& nodes = body(b).nodes;
-      const auto ends = edgeEnds(nodes);
       for (int node = 0; node < nodes.numNodes(); ++node) {
-        const auto [first, second] = ends.empty() ? std::array{node, node} : ends[std::size_t(node)];
+        const auto [first, second] = nodes.ends(node);
         action(bodies_[b], node, std::min(vertices_(int(b), first), vertices_(int(b), second)));
       }
     }
@@ -145,6 +144,12 @@ NodeOwners::NodeOwners(const Model& model, int ranks)
   else
     for (const int body : all)
       Group(model, {body}).shareOut(ranks, ranks_);
+}
+
+std::vector<int> NodeOwners::ofVertices(const Model& model, int body) const
+{
+  const auto first = ranks_[std::size_t(body)].begin();
+  return {first, first + model.bodies[std::size_t(body)].nodes.numVertices()};
 }
 
 std::vector<int> NodeOwners::ownedBy(int rank, int body) const

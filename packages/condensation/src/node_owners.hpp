@@ -15,6 +15,8 @@ public:
 
   /// The nodes of a body that a rank owns, ascending.
   std::vector<int> ownedBy(int rank, int body) const;
+  /// Of the vertices of a body.
+  std::vector<int> ofVertices(const Model& model, int body) const;
 
 private:
   std::vector<std::vector<int>> ranks_; ///< per body and node

@@ -101,8 +101,9 @@ NodalField supportForces(const Model& model, const CondensedModel& condensed, co
   Vector forces = multiply(system.K, u, comm);
   const NodalField inGlobalAxes = contactForces(model, condensed, state, body);
   const NodalField contact = system.dofs.frames.toLocal(inGlobalAxes);
+  system.load.addTo(forces, -1.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
-    forces[i] = system.dofs.roles[i] == DofRole::Fixed ? forces[i] - system.load[i] - contact[i] : 0.0;
+    forces[i] = system.dofs.roles[i] == DofRole::Fixed ? forces[i] - contact[i] : 0.0;
   return system.dofs.frames.toGlobal(forces);
 }
 

@@ -71,8 +71,9 @@ DenseMatrix solutions(const CondensedModel& condensed, int body, const std::vect
       std::copy_n(states[std::size_t(s)].fields[place].begin(), u.rows(), u.col(s));
     return u;
   }
+  const NodalField load = condensed.loads[b].all();
   for (int s = 0; s < steps; ++s)
-    std::copy(condensed.loads[b].begin(), condensed.loads[b].end(), u.col(s));
+    std::copy(load.begin(), load.end(), u.col(s));
   return condensed.condensed[b]->expand(u, trace == nullptr ? DenseMatrix(0, steps) : keptMatrix(*trace, states));
 }
 
@@ -99,10 +100,9 @@ Balance balance(const BodySystem& system, const BodyTrace* trace, const Interfac
   Vector residual = multiply(system.K, u, comm);
   Balance result;
   result.roundOff = lastDigits * largestEntry(diagonal(system.K, comm)) * largestEntry(u);
-  result.force = largestEntry(system.load);
+  result.force = system.load.largest();
   result.loaded = result.force > 0.0;
-  for (std::size_t i = 0; i < residual.size(); ++i)
-    residual[i] -= system.load[i];
+  system.load.addTo(residual, -1.0);
   result.force = std::max(result.force, largestEntry(residual));
   if (trace != nullptr) {
     const Vector kept = trace->map.keptForces(trace->forces(state.forceDirichlet, state.forceNeumann));
@@ -201,8 +201,7 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
     const DenseMatrix u = solutions(condensed, body, states);
     for (int s = 0; s < steps; ++s) {
       Vector full = u.column(s);
-      for (std::size_t i = 0; i < full.size(); ++i)
-        full[i] += system.dofs.prescribed[i];
+      system.dofs.addPrescribed(full);
       Vector moved = full;
       if (const Vector amplitudes = amplitudesOf(int(b), condensed.interface, states[std::size_t(s)]);
           !amplitudes.empty())

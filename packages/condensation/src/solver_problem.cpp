@@ -11,7 +11,7 @@ SolverProblem solverProblem(const Model& model, int number, const BodySystem& sy
   problem.roles = system.dofs.roles;
   problem.kept = system.dofs.keptDofs();
   problem.nearNullSpace = rigidModes(model.rigid[std::size_t(number)], body.nodes, system.dofs.frames);
-  problem.nodePoints = body.nodes.points;
+  problem.nodePoints = nodePoints(body.nodes);
   problem.outline = model.outline(number);
   problem.edgeNodes.ends = edgeEnds(body.nodes);
   const Frames& frames = system.dofs.frames;

@@ -71,7 +71,7 @@ double smallestContactForce(const CondensedModel& condensed, const std::vector<B
   for (std::size_t b = 0; b < fields.size(); ++b) {
     const BodySystem& system = condensed.systems[b];
     const double stiff = largestEntry(diagonal(system.K, comm)) * largestEntry(fields[b].displacement.back());
-    smallest = std::max({smallest, noForce * largestEntry(system.load), noStiffForce * stiff});
+    smallest = std::max({smallest, noForce * system.load.largest(), noStiffForce * stiff});
   }
   return smallest;
 }
@@ -93,7 +93,7 @@ void checkNumberRange(const Model& model, const SceneSettings& scene, Diagnostic
     const double size = largest(body.mesh.points), modulus = largestModulus(body, scene.bodies[b], diagnostics);
     checkRange(size, ListPlace(scene.bodies[b].shape), "", "the coordinates", diagnostics);
     const double prescribed = modulus * std::pow(size, body.mesh.dim - 2) * largestPrescribed(model.constraints[b]);
-    driving = largest({driving, largest(model.loads[b]), prescribed});
+    driving = largest({driving, model.loads[b].largest(), prescribed});
   }
   checkRange(driving, scene.bodiesPlace, "", "the nodal forces of loads and prescribed displacements", diagnostics);
   for (const auto& interface : model.interfaces)

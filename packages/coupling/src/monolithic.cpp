@@ -51,7 +51,7 @@ private:
       WholeProblem problem(system);
       const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
       InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
-      state.fields = problem.fields();
+      state.fields = std::move(problem).takeFields();
       CouplingResult result = settled(system, std::move(state), status, reasonFor(system));
       result.contactTolerance = problem.roundOff();
       return result;

@@ -56,19 +56,17 @@ WholeProblem::WholeProblem(const InterfaceSystem& system)
   std::vector<const WholeSolver*> solvers;
   for (const BodyTrace* body : network_.bodies) {
     solvers.push_back(body->whole);
-    loads_.push_back(&body->load->whole());
+    loads_.push_back(body->load);
   }
   joined_ =
       solvers.front()->join(solvers, rowsFor(ClosedRows(network_.jump, {}, network_.bound, network_.size()), false));
 }
 
-std::vector<NodalField> WholeProblem::fields() const
+std::vector<NodalField> WholeProblem::takeFields() &&
 {
   std::vector<NodalField> fields;
-  for (Vector& values : joined_->fields()) {
-    const NodalField& load = *network_.bodies[fields.size()]->load;
-    fields.emplace_back(load.map(), load.width(), std::move(values));
-  }
+  for (Vector& values : std::move(*joined_).takeFields())
+    fields.push_back(atNodes(std::move(values), loads_.front()->width()));
   return fields;
 }
 
@@ -164,8 +162,8 @@ void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
   pass.unbalanced = largestEntry(rows_->reduced(forces));
   pass.force = rows_->forces(forces);
   setDisplacement(network_, v_, pass);
-  for (const Vector* load : loads_)
-    pass.load = std::max(pass.load, largestEntry(*load));
+  for (const SparseField* load : loads_)
+    pass.load = std::max(pass.load, load->largest());
   pass.roundOff = roundOff();
 }
 

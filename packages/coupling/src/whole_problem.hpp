@@ -31,7 +31,8 @@ public:
 
   const Network& network() const { return network_; }
   const Vector& displacement() const { return v_; } ///< of the last pass
-  std::vector<NodalField> fields() const;           ///< of the last pass, per body, in the nodes' own axes; collective
+  /// The fields of the last pass, per body, in the nodes' own axes; no pass can follow. Collective.
+  std::vector<NodalField> takeFields() &&;
   /// What signs and gaps are compared with at the end.
   double roundOff() const;
 
@@ -48,7 +49,7 @@ private:
   std::vector<std::string> motions_;
   DenseMatrix approach_;       ///< of both sides per unknown under the free motions
   std::vector<char> atVertex_; ///< per entry of v
-  std::vector<const Vector*> loads_;
+  std::vector<const SparseField*> loads_;
   Vector v_, kept_; ///< per entry, the latter as the kept dofs have it
   std::optional<ClosedRows> rows_;
   std::unique_ptr<JoinedSystem> joined_;

@@ -130,7 +130,7 @@ std::string planText(const RunSettings& settings, const Components& components, 
 {
   return fmt::format("{}\n\n  memory: {}",
                      Plan(settings, *components.linearSolvers.build(settings.scene.linearSolver), comm.size()).text(),
-                     memoryPlan(settings));
+                     memoryPlan(settings, comm.size()));
 }
 
 void greet(const RunSettings& settings, const CommandLine& options, const Log& log)

@@ -28,7 +28,7 @@ std::vector<NamedYardstick> measureBodies(const Model& model)
   Yardstick sum;
   for (std::size_t b = 0; b < systems.size(); ++b) {
     const SolverProblem problem = solverProblem(model, int(b), systems[b]);
-    bodies.push_back({model.bodies[b].name, measureYardstick(problem, systems[b].load)});
+    bodies.push_back({model.bodies[b].name, measureYardstick(problem, systems[b].load.all())});
     sum += bodies.back().yardstick;
   }
   bodies.push_back({"all", sum});

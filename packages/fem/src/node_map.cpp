@@ -38,7 +38,7 @@ template <int dim>
 NodeMap quadraticNodeMap(const Mesh& mesh)
 {
   using Basis = Lagrange<dim, 2>;
-  NodeMap map{dim, 2, Basis::nodes, Lagrange<dim - 1, 2>::nodes, {}, mesh.points};
+  NodeMap map{dim, 2, Basis::nodes, Lagrange<dim - 1, 2>::nodes, {}, mesh.points, {}};
   map.cellNodes.reserve(std::size_t(mesh.numCells()) * Basis::nodes);
   EdgeNumbering edges(mesh.numPoints());
   for (int c = 0; c < mesh.numCells(); ++c) {
@@ -49,23 +49,10 @@ NodeMap quadraticNodeMap(const Mesh& mesh)
       const int e = edges.number(v[edge[0]], v[edge[1]]);
       map.cellNodes.push_back(mesh.numPoints() + e);
       if (e == known)
-        for (int k = 0; k < dim; ++k)
-          map.points.push_back(0.5 * (mesh.point(v[edge[0]])[k] + mesh.point(v[edge[1]])[k]));
+        map.edges.push_back({v[edge[0]], v[edge[1]]});
     }
   }
   return map;
-}
-
-template <int dim>
-void findEdgeEnds(const NodeMap& map, std::vector<std::array<int, 2>>& ends)
-{
-  for (int c = 0; c < map.numCells(); ++c) {
-    const int* nodes = map.cell(c);
-    for (std::size_t e = 0; e < SimplexEdges<dim>::vertices.size(); ++e) {
-      const auto& edge = SimplexEdges<dim>::vertices[e];
-      ends[std::size_t(nodes[dim + 1 + int(e)])] = {nodes[edge[0]], nodes[edge[1]]};
-    }
-  }
 }
 
 /// Local node numbers of all facets of one element type.
@@ -97,7 +84,7 @@ NodeMap makeNodeMap(const Mesh& mesh, int order)
   NDFRAME_ASSERT(order == 1 || order == 2, "the order of a node map is 1 or 2");
   if (order == 2)
     return mesh.dim == 2 ? quadraticNodeMap<2>(mesh) : quadraticNodeMap<3>(mesh);
-  return NodeMap{mesh.dim, 1, mesh.dim + 1, mesh.dim, mesh.cells, mesh.points};
+  return NodeMap{mesh.dim, 1, mesh.dim + 1, mesh.dim, mesh.cells, mesh.points, {}};
 }
 
 std::vector<std::array<int, 2>> edgeEnds(const NodeMap& map)
@@ -105,10 +92,21 @@ std::vector<std::array<int, 2>> edgeEnds(const NodeMap& map)
   if (map.order == 1)
     return {};
   std::vector<std::array<int, 2>> ends;
+  ends.reserve(std::size_t(map.numNodes()));
   for (int node = 0; node < map.numNodes(); ++node)
-    ends.push_back({node, node});
-  map.dim == 2 ? findEdgeEnds<2>(map, ends) : findEdgeEnds<3>(map, ends);
+    ends.push_back(map.ends(node));
   return ends;
+}
+
+std::vector<double> nodePoints(const NodeMap& map)
+{
+  std::vector<double> points;
+  points.reserve(std::size_t(map.numNodes()) * std::size_t(map.dim));
+  for (int node = 0; node < map.numNodes(); ++node) {
+    const auto x = map.point(node);
+    points.insert(points.end(), x.begin(), x.begin() + map.dim);
+  }
+  return points;
 }
 
 const int* facetLocalNodes(int dim, int order, int localFacet)

@@ -64,7 +64,7 @@ std::vector<double> prolongate(const NodeMap& coarse, const NodeMap& fine, const
 {
   NDFRAME_ASSERT(fine.order == coarse.order && fine.numCells() == coarse.numCells() * numChildren(coarse.dim),
                  "the fine nodes are those of the refined mesh");
-  std::vector<double> result(fine.points.size());
+  std::vector<double> result(std::size_t(fine.numNodes()) * std::size_t(fine.dim));
   withDimAndOrder(coarse.dim, coarse.order,
                   [&](auto d, auto p) { prolongateCells<d(), p()>(coarse, fine, values, result); });
   return result;

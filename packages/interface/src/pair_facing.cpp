@@ -30,7 +30,8 @@ FacingNodes nodesOf(const FacingPiece& piece, const NodeMap& first, const NodeMa
 
 void addPoints(std::vector<double>& points, const NodeMap& map, int node)
 {
-  points.insert(points.end(), map.point(node), map.point(node) + map.dim);
+  const auto x = map.point(node);
+  points.insert(points.end(), x.begin(), x.begin() + map.dim);
 }
 
 /// Quadratic bodies know curves exactly as far as the sides do; linear ones are polygons.

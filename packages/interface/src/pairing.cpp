@@ -47,7 +47,7 @@ struct Comparison
     return std::size_t(std::max_element(distance.begin(), distance.end()) - distance.begin());
   }
   double largestDistance() const { return distance[worst()]; }
-  std::string worstPosition() const { return pointText(from.map.point(from.nodes[worst()]), from.map.dim); }
+  std::string worstPosition() const { return pointText(from.map.point(from.nodes[worst()]).data(), from.map.dim); }
 };
 
 Comparison compare(const SideNodes& from, const SideNodes& to)
@@ -55,7 +55,7 @@ Comparison compare(const SideNodes& from, const SideNodes& to)
   const NearestPoint tree(to.map, to.nodes);
   Comparison comparison{from, to, {}, {}};
   for (const int node : from.nodes) {
-    const auto [index, squared] = tree.find(from.map.point(node));
+    const auto [index, squared] = tree.find(from.map.point(node).data());
     comparison.nearest.push_back(index);
     comparison.distance.push_back(std::sqrt(squared));
   }
@@ -67,12 +67,12 @@ void refuseOffset(const InterfaceSettings& settings, const Comparison& sides, co
                   const std::string& names)
 {
   const std::size_t worst = sides.worst();
-  const double* x = sides.from.map.point(sides.from.nodes[worst]);
-  const double* y = sides.to.map.point(sides.to.nodes[sides.nearest[worst]]);
+  const auto x = sides.from.map.point(sides.from.nodes[worst]);
+  const auto y = sides.to.map.point(sides.to.nodes[sides.nearest[worst]]);
   const double distance = sides.largestDistance();
   double along = 0.0;
-  for (int k = 0; k < sides.from.map.dim; ++k)
-    along += (y[k] - x[k]) * normals[worst][std::size_t(k)];
+  for (std::size_t k = 0; k < std::size_t(sides.from.map.dim); ++k)
+    along += (y[k] - x[k]) * normals[worst][k];
   if (along < -facing * distance)
     throw InputError(
         settings.place.mistake("", fmt::format("the bodies overlap at the start: by {:.3g} at {} ({}); move "
@@ -169,8 +169,8 @@ void addPartners(InterfaceMesh& interface, const NodeMap& dirichlet, const Compa
 {
   for (std::size_t i = 0; i < interface.sides[0].nodes.size(); ++i) {
     interface.sides[1].nodes.push_back(sides.to.nodes[sides.nearest[i]]);
-    const double* x = dirichlet.point(interface.sides[0].nodes[i]);
-    interface.points.insert(interface.points.end(), x, x + interface.dim);
+    const auto x = dirichlet.point(interface.sides[0].nodes[i]);
+    interface.points.insert(interface.points.end(), x.begin(), x.begin() + interface.dim);
   }
 }
 
@@ -182,7 +182,8 @@ Diagnostic liesOnNothing(const InterfaceSettings& settings, const Comparison& si
       "", fmt::format("no part of one side lies on the other ({}): their nearest nodes are {:.3g} apart, at {}. Sides "
                       "of solids that are meshed independently touch where they are flat and lie on each other; curved "
                       "ones need the same nodes (one gmsh script with a common face).",
-                      names, sides.distance[nearest], pointText(sides.from.map.point(sides.from.nodes[nearest]), 3)));
+                      names, sides.distance[nearest],
+                      pointText(sides.from.map.point(sides.from.nodes[nearest]).data(), 3)));
 }
 
 } // namespace

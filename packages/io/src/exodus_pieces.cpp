@@ -60,17 +60,19 @@ void fillEmptyPieces(ExodusSharing& sharing)
 
 } // namespace
 
-ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces)
+ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces,
+                         const std::vector<std::vector<int>>& pieceOfVertex)
 {
   ExodusSharing sharing{pieces, {}};
   std::size_t cells = 0;
-  for (const ExodusBody& body : bodies) {
-    const NodeMap& nodes = *body.nodes;
-    const std::vector<int> owner = partitionNodes(nodes.cellNodes, nodes.nodesPerCell, nodes.numNodes(), pieces);
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Mesh& mesh = *bodies[b].mesh;
+    const std::vector<int> owner =
+        pieceOfVertex.empty() ? partitionNodes(mesh.cells, mesh.dim + 1, mesh.numPoints(), pieces) : pieceOfVertex[b];
     sharing.owner.emplace_back();
-    cells += std::size_t(nodes.numCells());
-    for (int cell = 0; cell < nodes.numCells(); ++cell) {
-      const int lowest = *std::min_element(nodes.cell(cell), nodes.cell(cell) + nodes.nodesPerCell);
+    cells += std::size_t(mesh.numCells());
+    for (int cell = 0; cell < mesh.numCells(); ++cell) {
+      const int lowest = *std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1);
       sharing.owner.back().push_back(owner[std::size_t(lowest)]);
     }
   }

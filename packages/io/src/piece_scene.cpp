@@ -25,16 +25,22 @@ std::vector<int> takeFacets(const std::vector<Facet>& facets, const PieceBody& p
 
 void takeNodes(const NodeMap& whole, PieceBody& part)
 {
-  part.nodes = {whole.dim, whole.order, whole.nodesPerCell, whole.nodesPerFacet, {}, {}};
+  part.nodes = {whole.dim, whole.order, whole.nodesPerCell, whole.nodesPerFacet, {}, {}, {}};
   for (const int cell : part.cells)
     part.nodes.cellNodes.insert(part.nodes.cellNodes.end(), whole.cell(cell), whole.cell(cell) + whole.nodesPerCell);
   part.ofBody = part.nodes.cellNodes;
   std::sort(part.ofBody.begin(), part.ofBody.end());
   part.ofBody.erase(std::unique(part.ofBody.begin(), part.ofBody.end()), part.ofBody.end());
+  const auto numberOf = [&](int node) {
+    return int(std::lower_bound(part.ofBody.begin(), part.ofBody.end(), node) - part.ofBody.begin());
+  };
   for (int& node : part.nodes.cellNodes)
-    node = int(std::lower_bound(part.ofBody.begin(), part.ofBody.end(), node) - part.ofBody.begin());
+    node = numberOf(node);
   for (const int node : part.ofBody)
-    part.nodes.points.insert(part.nodes.points.end(), whole.point(node), whole.point(node) + whole.dim);
+    if (const auto x = whole.point(node); node < whole.numVertices())
+      part.nodes.points.insert(part.nodes.points.end(), x.begin(), x.begin() + whole.dim);
+    else
+      part.nodes.edges.push_back({numberOf(whole.ends(node)[0]), numberOf(whole.ends(node)[1])});
 }
 
 PieceBody takeBody(const ExodusBody& body, const std::vector<int>& owner, int piece)

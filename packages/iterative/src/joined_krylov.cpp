@@ -69,6 +69,8 @@ public:
     for (const auto& level : levels_)
       bodies.levels.push_back(level.get());
     gradients_ = make(bodies, {open, diagonal(open), {}}, comm_);
+    for (const auto& level : levels_) // the gradients have what they need of it, and it is as large as all bodies
+      level->interpolation = LinearInterpolation({}, level->interpolation.dim);
   }
 
   void follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) override
@@ -87,7 +89,7 @@ public:
       setCoarse(onVertices, springs);
   }
 
-  Vector solve(const std::vector<const Vector*>& loads, Vector& kept, double tolerance) override
+  Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) override
   {
     const Vector load = own_.part(loads), centre = kept;
     own_.setKept(kept, u_);
@@ -113,7 +115,12 @@ public:
     return rest;
   }
 
-  std::vector<Vector> fields() const override { return own_.gathered(u_); }
+  std::vector<Vector> takeFields() && override
+  {
+    gradients_.reset(); // their memory is needed
+    levels_.clear();
+    return own_.gathered(u_);
+  }
   double tolerance() const override { return options_.tolerance; }
 
 private:
@@ -190,16 +197,7 @@ private:
     own_.setKept(kept, u_);
   }
 
-  double roundOff() const
-  {
-    const std::vector<Vector> u = fields();
-    double squares = 0.0;
-    for (std::size_t b = 0; b < u.size(); ++b) {
-      const double own = productRoundOff(*problems_[b]->matrix, u[b], comm_);
-      squares += own * own;
-    }
-    return std::sqrt(squares);
-  }
+  double roundOff() const { return rowRoundOff * own_.norm(gradients_->sizes(u_)); }
 
   std::vector<const SolverProblem*> problems_;
   Comm comm_;

@@ -99,6 +99,13 @@ private:
   std::vector<std::vector<Part>> parts_; ///< per node
 };
 
+/// The place of a dof of all among those of this rank's rows; -1: another rank's, or none.
+int ownDof(const BlockMatrix& matrix, int dof)
+{
+  const int row = dof < 0 ? -1 : matrix.rowOf(dof / matrix.dim);
+  return row < 0 ? -1 : row * matrix.dim + dof % matrix.dim;
+}
+
 BlockMatrix followingMatrix(const BlockMatrix& K, const Followers& followers, const Comm& comm)
 {
   const auto placesOf = [&](int node) {
@@ -139,38 +146,48 @@ BlockMatrix stacked(const std::vector<std::unique_ptr<LinearLevel>>& levels)
   return result;
 }
 
-/// The bodies' modes side by side; those of an unknown are its own.
-DenseMatrix stackedModes(const std::vector<std::unique_ptr<LinearLevel>>& levels, const std::vector<int>& keptDofs,
-                         const JoinedRows& rows, int numDofs)
+/// At kept dofs of all ranks. own: a column at own dofs.
+Vector atKept(const BlockMatrix& matrix, const std::vector<int>& keptDofs, const double* own, const Comm& comm)
+{
+  Vector result(keptDofs.size(), 0.0);
+  for (std::size_t k = 0; k < keptDofs.size(); ++k)
+    if (const int dof = ownDof(matrix, keptDofs[k]); dof >= 0)
+      result[k] = own[dof];
+  comm.sum(result);
+  return result;
+}
+
+/// The bodies' modes side by side, at own dofs; those of an unknown are its own.
+DenseMatrix stackedModes(const std::vector<std::unique_ptr<LinearLevel>>& levels, const BlockMatrix& matrix,
+                         const std::vector<int>& keptDofs, const JoinedRows& rows, const Comm& comm)
 {
   int modes = levels.front()->problem.nearNullSpace.cols();
   for (const auto& level : levels)
     modes = std::min(modes, level->problem.nearNullSpace.cols());
-  DenseMatrix given(modes == 0 ? 0 : numDofs, modes);
-  for (int m = 0, first = 0; m < modes; ++m, first = 0)
-    for (const auto& level : levels) {
-      const DenseMatrix& own = level->problem.nearNullSpace;
-      std::copy_n(own.col(m), own.rows(), given.col(m) + first);
-      first += own.rows();
-    }
-  DenseMatrix result = given;
-  for (std::size_t k = 0; k < keptDofs.size(); ++k)
-    for (int m = 0; m < modes && keptDofs[k] >= 0; ++m) {
-      double& value = result(keptDofs[k], m) = 0.0;
+  DenseMatrix result(modes == 0 ? 0 : matrix.numRows() * matrix.dim, modes);
+  for (int m = 0; m < modes; ++m) {
+    double* next = result.col(m);
+    for (const auto& level : levels)
+      next = std::copy_n(level->problem.nearNullSpace.col(m), level->problem.nearNullSpace.rows(), next);
+    const Vector given = atKept(matrix, keptDofs, result.col(m), comm);
+    for (std::size_t k = 0; k < keptDofs.size(); ++k) {
+      const int dof = ownDof(matrix, keptDofs[k]);
+      if (dof < 0)
+        continue;
+      result(dof, m) = 0.0;
       for (const auto& [other, share] : rows.unknowns[k])
-        value += share * given(keptDofs[std::size_t(other)], m);
+        result(dof, m) += share * given[std::size_t(other)];
     }
+  }
   return result;
 }
 
 void addSprings(BlockMatrix& matrix, const std::vector<int>& keptDofs, const Vector& springs)
 {
   for (std::size_t k = 0; k < springs.size(); ++k) {
-    if (springs[k] == 0.0 || keptDofs[k] < 0)
-      continue;
-    const int row = matrix.rowOf(keptDofs[k] / matrix.dim), component = keptDofs[k] % matrix.dim;
-    if (row >= 0)
-      matrix.block(row, row)[std::ptrdiff_t(component) * (matrix.dim + 1)] += springs[k];
+    const int dof = springs[k] == 0.0 ? -1 : ownDof(matrix, keptDofs[k]), row = dof / matrix.dim;
+    if (dof >= 0)
+      matrix.block(row, row)[std::ptrdiff_t(dof % matrix.dim) * (matrix.dim + 1)] += springs[k];
   }
 }
 
@@ -189,8 +206,8 @@ JoinedLevel::JoinedLevel(const std::vector<std::unique_ptr<LinearLevel>>& levels
   for (int dof = 0; dof < numDofs; ++dof)
     if (followers.isKept(dof) && !followers.isUnknown(dof))
       problem.roles[std::size_t(dof)] = DofRole::Fixed;
-  problem.nearNullSpace = stackedModes(levels, keptDofs, rows, numDofs);
   matrix = followingMatrix(stacked(levels), followers, comm);
+  problem.nearNullSpace = stackedModes(levels, matrix, keptDofs, rows, comm);
   addSprings(matrix, keptDofs, springs);
   problem.matrix = &matrix;
 }

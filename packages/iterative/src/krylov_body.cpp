@@ -108,7 +108,7 @@ SolverProblem freed(const SolverProblem& problem, bool hasTwoLevels)
 {
   if (problem.kept.empty())
     return {};
-  SolverProblem result = hasTwoLevels ? withVerticesOnly(problem) : problem;
+  SolverProblem result = hasTwoLevels ? withOwnVertices(problem) : problem;
   for (const int dof : result.kept)
     result.roles[std::size_t(dof)] = DofRole::Interior;
   return result;

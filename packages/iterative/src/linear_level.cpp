@@ -159,6 +159,29 @@ BlockMatrix galerkinMatrix(const SolverProblem& problem, const LinearInterpolati
   return std::move(product).rowsOf(own);
 }
 
+/// Of this rank's own vertices, from values of all nodes or of these.
+class OwnValues
+{
+public:
+  OwnValues(const SolverProblem& fine, const LinearInterpolation& P, const BlockMatrix& level)
+      : P_(P), level_(level), numDofs_(fine.matrix->numDofs())
+  {}
+  /// To `own`, at the dofs of own vertices; size: of `given`.
+  void take(const double* given, int size, double* own) const
+  {
+    for (int v = 0; v < level_.numRows(); ++v) {
+      const int from = size == numDofs_ ? P_.vertices[std::size_t(level_.rowNode(v))] : v;
+      own = std::copy_n(given + std::ptrdiff_t(from) * P_.dim, P_.dim, own);
+    }
+  }
+  int size() const { return level_.numRows() * P_.dim; }
+
+private:
+  const LinearInterpolation& P_;
+  const BlockMatrix& level_;
+  int numDofs_;
+};
+
 } // namespace
 
 LinearInterpolation::LinearInterpolation(const EdgeNodes& nodes, int dimension) : dim(dimension), ends(nodes.ends)
@@ -194,20 +217,20 @@ LinearInterpolation::LinearInterpolation(const EdgeNodes& nodes, int dimension) 
 LinearLevel::LinearLevel(const SolverProblem& fine, const Comm& comm)
     : interpolation(fine.edgeNodes, fine.matrix->dim), matrix(galerkinMatrix(fine, interpolation, comm))
 {
-  const int dim = matrix.dim;
-  const bool hasAllNodes = fine.nearNullSpace.rows() == fine.matrix->numDofs();
-  const bool hasAllPoints = int(fine.nodePoints.size()) == fine.matrix->numDofs();
   problem.matrix = &matrix;
-  problem.nearNullSpace = DenseMatrix(fine.nearNullSpace.cols() == 0 ? 0 : matrix.numDofs(), fine.nearNullSpace.cols());
-  for (std::size_t v = 0; v < interpolation.vertices.size(); ++v)
-    for (int i = 0; i < dim; ++i) {
-      const int dof = interpolation.vertices[v] * dim + i, own = int(v) * dim + i;
-      const bool isInterior = fine.roles[std::size_t(dof)] == DofRole::Interior;
-      problem.roles.push_back(isInterior ? DofRole::Interior : DofRole::Fixed);
-      for (int m = 0; m < problem.nearNullSpace.cols(); ++m)
-        problem.nearNullSpace(own, m) = fine.nearNullSpace(hasAllNodes ? dof : own, m);
-      if (!fine.nodePoints.empty())
-        problem.nodePoints.push_back(fine.nodePoints[std::size_t(hasAllPoints ? dof : own)]);
+  const DenseMatrix& modes = fine.nearNullSpace;
+  const OwnValues values(fine, interpolation, matrix);
+  problem.nearNullSpace = DenseMatrix(modes.cols() == 0 ? 0 : values.size(), modes.cols());
+  for (int m = 0; m < modes.cols(); ++m)
+    values.take(modes.col(m), modes.rows(), problem.nearNullSpace.col(m));
+  if (!fine.nodePoints.empty()) {
+    problem.nodePoints.resize(std::size_t(values.size()));
+    values.take(fine.nodePoints.data(), int(fine.nodePoints.size()), problem.nodePoints.data());
+  }
+  for (const int vertex : interpolation.vertices)
+    for (int i = 0; i < matrix.dim; ++i) {
+      const auto dof = std::size_t(vertex) * std::size_t(matrix.dim) + std::size_t(i);
+      problem.roles.push_back(fine.roles[dof] == DofRole::Interior ? DofRole::Interior : DofRole::Fixed);
     }
 }
 

@@ -46,13 +46,17 @@ OwnDofs::OwnDofs(const std::vector<const SolverProblem*>& problems, const Comm& 
       isKept_[std::size_t(place)] = 1;
 }
 
-Vector OwnDofs::part(const std::vector<const Vector*>& all) const
+Vector OwnDofs::part(const std::vector<const SparseField*>& loads) const
 {
-  Vector own;
-  own.reserve(size());
-  for (std::size_t b = 0; b < all.size(); ++b) {
-    const Vector ofBody = ownPart(*problems_[b]->matrix, *all[b]);
-    own.insert(own.end(), ofBody.begin(), ofBody.end());
+  Vector own(size(), 0.0);
+  std::ptrdiff_t first = 0;
+  for (std::size_t b = 0; b < loads.size(); ++b) {
+    const BlockMatrix& K = *problems_[b]->matrix;
+    loads[b]->each([&](int node, const double* values) {
+      if (const int row = K.rowOf(node); row >= 0)
+        std::copy_n(values, K.dim, own.begin() + first + std::ptrdiff_t(row) * K.dim);
+    });
+    first += std::ptrdiff_t(K.numRows()) * K.dim;
   }
   for (std::size_t i = 0; i < own.size(); ++i)
     if (!isFree_[i])

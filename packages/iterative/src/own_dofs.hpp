@@ -4,6 +4,7 @@
 
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/sparse_field.hpp"
 
 namespace ndframe
 {
@@ -25,8 +26,8 @@ public:
   /// Free and no kept dof.
   bool isInside(std::size_t own) const { return isFree_[own] && !isKept_[own]; }
 
-  /// Of vectors of all dofs, per body; zero on dofs that are not free.
-  Vector part(const std::vector<const Vector*>& all) const;
+  /// Of loads, per body; zero on dofs that are not free.
+  Vector part(const std::vector<const SparseField*>& loads) const;
   /// Per body, all dofs, on all ranks. Collective.
   std::vector<Vector> gathered(const Vector& own) const;
   /// Per kept dof of all bodies, on all ranks. Collective.

@@ -22,7 +22,7 @@ public:
       : body_(std::move(first)), second_(std::move(second)), comm_(comm), ledger_(ledger)
   {
     if (const WholeSolver* whole = wholeSolver(*body_); whole == nullptr || problem.kept.empty())
-      problem_ = withVerticesOnly(problem);
+      problem_ = withOwnVertices(problem);
   }
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
@@ -97,13 +97,13 @@ private:
         problem_.roles[std::size_t(dof)] = DofRole::Kept;
     }
     body_.reset(); // its memory is needed
-    body_ = std::exchange(second_, nullptr)->factor(withAllNodes(std::exchange(problem_, {})), comm_, ledger_);
+    body_ = std::exchange(second_, nullptr)->factor(withAllNodes(std::exchange(problem_, {}), comm_), comm_, ledger_);
     ledger_.count("solvers given up");
   }
 
   mutable std::unique_ptr<CondensedBody> body_;
   mutable std::shared_ptr<const LinearSolver> second_; ///< null once it is taken
-  mutable SolverProblem problem_;                      ///< withVerticesOnly(); empty where the first body has it
+  mutable SolverProblem problem_;                      ///< withOwnVertices(); empty where the first body has it
   Comm comm_;
   Ledger& ledger_;
 };

@@ -1,5 +1,8 @@
 #include "block_operator.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 #include "block_product.hpp"
 
 namespace ndframe
@@ -47,6 +50,19 @@ void BlockOperator::multiply(const TpetraVectors& x, double* y) const
     if (!interior_[dof])
       y[dof] = 0.0;
   ++products_;
+}
+
+void BlockOperator::sizes(const TpetraVectors& x, double* y) const
+{
+  const auto values = seen(x);
+  const auto dim = std::size_t(matrix_.dim);
+  const double* entry = matrix_.values.data();
+  std::fill_n(y, interior_.size(), 0.0);
+  for (std::size_t r = 0; r < std::size_t(matrix_.numRows()); ++r)
+    for (auto b = std::size_t(matrix_.rowPtr[r]); b < std::size_t(matrix_.rowPtr[r + 1]); ++b)
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j)
+          y[r * dim + i] += std::abs(*entry++ * values.getRawPtr()[std::size_t(matrix_.cols[b]) * dim + j]);
 }
 
 std::vector<double> BlockOperator::inverseDiagonal() const

@@ -16,6 +16,8 @@ public:
 
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return dofMap_; }
   void multiply(const TpetraVectors& x, double* y) const override;
+  /// y = |K| |x|, the moduli of the entries, in all rows.
+  void sizes(const TpetraVectors& x, double* y) const;
   std::vector<double> inverseDiagonal() const override;
   int products() const override { return products_; }
   Traffic traffic() const override { return halo_ ? halo_->traffic() : Traffic(); }

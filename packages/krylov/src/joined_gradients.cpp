@@ -65,6 +65,12 @@ public:
     matrix_->multiplyBodies(x.data(), y.data());
     return y;
   }
+  Vector sizes(const Vector& x) const override
+  {
+    Vector y(x.size());
+    matrix_->sizesOfBodies(x.data(), y.data());
+    return y;
+  }
   void follow(const JoinedUnknowns& unknowns) override
   {
     matrix_->follow(unknowns);

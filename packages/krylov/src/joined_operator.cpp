@@ -30,15 +30,26 @@ void JoinedOperator::follow(const JoinedUnknowns& unknowns)
   }
 }
 
-void JoinedOperator::multiplyBodies(const double* x, double* y) const
+template <class Take>
+void JoinedOperator::eachBody(const double* x, double* y, const Take& take) const
 {
   std::size_t first = 0;
   for (std::size_t b = 0; b < parts_.size(); ++b) {
     const std::size_t size = moved_[b]->getLocalLength();
     std::copy_n(x + first, size, moved_[b]->getDataNonConst(0).getRawPtr());
-    parts_[b]->multiply(*moved_[b], y + first);
+    take(*parts_[b], *moved_[b], y + first);
     first += size;
   }
+}
+
+void JoinedOperator::multiplyBodies(const double* x, double* y) const
+{
+  eachBody(x, y, [](const BlockOperator& K, const TpetraVectors& own, double* to) { K.multiply(own, to); });
+}
+
+void JoinedOperator::sizesOfBodies(const double* x, double* y) const
+{
+  eachBody(x, y, [](const BlockOperator& K, const TpetraVectors& own, double* to) { K.sizes(own, to); });
 }
 
 void JoinedOperator::multiply(const TpetraVectors& x, double* y) const

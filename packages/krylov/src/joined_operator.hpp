@@ -15,6 +15,7 @@ public:
   void follow(const JoinedUnknowns& unknowns); ///< collective
   /// y = K x as if nothing joined the bodies.
   void multiplyBodies(const double* x, double* y) const;
+  void sizesOfBodies(const double* x, double* y) const; ///< the same of moduli, in all rows
 
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return dofMap_; }
   void multiply(const TpetraVectors& x, double* y) const override;
@@ -23,6 +24,10 @@ public:
   Traffic traffic() const override;
 
 private:
+  /// take(body, its part of x, of y)
+  template <class Take>
+  void eachBody(const double* x, double* y, const Take& take) const;
+
   std::vector<Teuchos::RCP<BlockOperator>> parts_;
   std::vector<Teuchos::RCP<TpetraVectors>> moved_; ///< E x, per body
   Teuchos::RCP<const TpetraMap> dofMap_;

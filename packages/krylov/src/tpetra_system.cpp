@@ -84,10 +84,11 @@ Teuchos::RCP<TpetraVectors> makeModes(const SolverProblem& problem, const Teucho
   const DenseMatrix& given = problem.nearNullSpace;
   if (given.cols() == 0)
     return Teuchos::null;
+  const bool hasAll = given.rows() == problem.matrix->nodes.globalSize() * problem.matrix->dim;
   const auto modes = Teuchos::rcp(new TpetraVectors(dofMap, std::size_t(given.cols())));
   for (int m = 0; m < given.cols(); ++m)
     for (Local i = 0; i < Local(dofMap->getNodeNumElements()); ++i)
-      modes->replaceLocalValue(i, std::size_t(m), given(int(dofMap->getGlobalElement(i)), m));
+      modes->replaceLocalValue(i, std::size_t(m), given(hasAll ? int(dofMap->getGlobalElement(i)) : i, m));
   return modes;
 }
 
@@ -95,13 +96,18 @@ Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
                                             const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
 {
   const BlockMatrix& K = *problem.matrix;
-  if (problem.nodePoints.empty())
+  const int has = problem.nodePoints.empty() ? 0 : 1;
+  int any = 0; // a rank may have no nodes
+  Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, 1, &has, &any);
+  if (any == 0)
     return Teuchos::null;
+  const bool hasAll = IndexMap::Global(problem.nodePoints.size()) == K.nodes.globalSize() * K.dim;
   const auto points = Teuchos::rcp(new TpetraVectors(ownedMap(K.nodes, 1, comm), std::size_t(K.dim)));
   for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i)
-      points->replaceLocalValue(Local(r), std::size_t(i),
-                                problem.nodePoints[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)]);
+      points->replaceLocalValue(
+          Local(r), std::size_t(i),
+          problem.nodePoints[std::size_t(hasAll ? K.rowNode(r) : r) * std::size_t(K.dim) + std::size_t(i)]);
   return points;
 }
 

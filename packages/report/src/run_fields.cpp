@@ -136,7 +136,7 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
 
 ExodusScene exodusScene(const Run& run)
 {
-  ExodusScene scene{run.summary.title, {}, {}};
+  ExodusScene scene{run.summary.title, {}, {}, run.condensed.ranks};
   for (const auto& body : run.model.bodies)
     scene.bodies.push_back({body.name, &body.mesh, &body.nodes, partsOf(body)});
   for (const auto& interface : run.model.interfaces) {

@@ -15,6 +15,7 @@ struct ExodusScene
   std::string title;
   std::vector<ExodusBody> bodies;
   std::vector<ExodusContactSide> sides;
+  std::vector<std::vector<int>> ranks{}; ///< per body and vertex, that have its rows; empty where that is not known
 };
 
 ExodusScene exodusScene(const Run& run);

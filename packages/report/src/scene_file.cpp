@@ -72,7 +72,7 @@ std::vector<std::string> writePieces(const std::string& path, const SceneContent
                                      Ledger& ledger)
 {
   const ExodusScene& scene = content.scene;
-  const ExodusSharing sharing = shareCells(scene.bodies, comm.size());
+  const ExodusSharing sharing = shareCells(scene.bodies, comm.size(), scene.ranks);
   std::vector<std::string> names;
   for (int piece = 0; piece < comm.size(); ++piece)
     names.push_back(pieceName(path, comm.size(), piece));

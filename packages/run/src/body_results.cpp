@@ -39,7 +39,7 @@ PeakSummary largestDisplacement(const NodeMap& nodes, const Vector& displacement
     sizes.push_back(std::hypot(u[0], u[1], nodes.dim == 3 ? u[2] : 0.0));
   }
   const std::size_t peak = peakOf(sizes);
-  return {sizes[peak], coordinates(nodes.point(int(peak)), nodes.dim)};
+  return {sizes[peak], coordinates(nodes.point(int(peak)).data(), nodes.dim)};
 }
 
 PeakSummary largestStrain(const BodyModel& body, const Vector& u)
@@ -83,7 +83,7 @@ void completeBodies(RunSummary& all, const Run& run, const Comm& comm)
     summary.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
     summary.regions = regionSummaries(body, energies);
     all.energy += summary.energy;
-    summary.loadForce = resultant(run.model.loads[b], body.mesh.dim);
+    summary.loadForce = resultant(run.model.loads[b].all(), body.mesh.dim);
     summary.supports =
         supportReactions(body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm));
     summary.displacement = largestDisplacement(body.nodes, run.solved.fields[b].displacement.back());

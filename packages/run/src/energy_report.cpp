@@ -113,7 +113,7 @@ void addWorkOfLoads(EnergySummary& summary, const Model& model, const Causes& ca
   summary.workOf = "the loads";
   const NumberBracket work = *(summary.work = times(-2.0, summary.energy));
   const double force = causes.loads == 1 && causes.loadIsConstant
-                           ? forceOf(model.loads[causes.body], model.bodies[causes.body].mesh.dim)
+                           ? forceOf(model.loads[causes.body].all(), model.bodies[causes.body].mesh.dim)
                            : 0.0;
   if (force > 0.0 && work.lower > 0.0)
     summary.drive = DriveSummary{causes.name(model),

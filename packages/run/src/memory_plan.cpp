@@ -19,8 +19,11 @@ namespace
 /// Of the process before it has read anything.
 constexpr double atStart = 30e6;
 
-/// A dof of a solid with its matrix, two levels and what is beside them.
+/// A dof of a solid with its matrix, two levels and what is beside them, on one rank.
 constexpr double multigridBytes = 1500.0;
+
+/// The same on several ranks, of a dof that is the rank's own and of any dof of the scene; libraries and MPI.
+constexpr double ownBytes = 1300.0, replicatedBytes = 80.0, atStartOfRanks = 1e8;
 
 bool isDirect(const RunSettings& settings)
 {
@@ -66,23 +69,37 @@ double memoryOfBody(double dofs, int dim)
   return dim == 2 ? dofs * (45.0 + 75.0 * std::log2(dofs)) : 200.0 * std::pow(dofs, 4.0 / 3.0);
 }
 
-std::string memoryPlan(const RunSettings& settings)
+double memoryOfRank(double dofs, int ranks)
+{
+  return atStartOfRanks + (ranks == 1 ? ownBytes : ownBytes / ranks + replicatedBytes) * dofs;
+}
+
+std::string memoryPlan(const RunSettings& settings, int ranks)
 {
   const std::string left = fmt::format("{} left", memoryLeft().text());
-  if (!isDirect(settings))
+  const bool isMultigrid = settings.linearSolver == "Multigrid";
+  if (!isDirect(settings) && !isMultigrid)
     return fmt::format("not estimated for {}; {}", settings.linearSolver, left);
   double bytes = atStart, dofs = 0.0;
+  bool areSolids = true;
   for (const BodySettings& body : settings.scene.bodies) {
     if (body.isRigid)
       continue;
     const auto ofBox = dofsOfBox(body.shape, settings.scene.order);
     if (!ofBox)
       return fmt::format("checked when the mesh files are read; {}", left);
+    const int dim = int(body.shape.get<std::vector<int>>("Cells").size());
     dofs += *ofBox;
-    bytes += memoryOfBody(*ofBox, int(body.shape.get<std::vector<int>>("Cells").size()));
+    bytes += memoryOfBody(*ofBox, dim);
+    areSolids = areSolids && dim == 3;
   }
-  return fmt::format("about {:.2g} GB for some {} dofs; {}{}", 1e-9 * bytes, grouped(std::int64_t(dofs)), left,
-                     bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
+  if (isMultigrid && !areSolids)
+    return fmt::format("not estimated for {} in the plane; {}", settings.linearSolver, left);
+  if (isMultigrid)
+    bytes = memoryOfRank(dofs, ranks);
+  return fmt::format("about {:.2g} GB{} for some {} dofs; {}{}", 1e-9 * bytes,
+                     isMultigrid && ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "",
+                     grouped(std::int64_t(dofs)), left, bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
 }
 
 void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, const Comm& comm,

@@ -93,7 +93,7 @@ Vector offsetOf(const Model& model, int body)
     Direction sum{};
     double weights = 0.0;
     for (std::size_t s = 0; s < sides.size(); ++s)
-      addNearest(trees[s], sides[s], map.point(node), sum, weights);
+      addNearest(trees[s], sides[s], map.point(node).data(), sum, weights);
     for (std::size_t k = 0; k < std::size_t(map.dim); ++k)
       offset[std::size_t(node) * std::size_t(map.dim) + k] = sum[k] / weights;
   }

@@ -56,7 +56,7 @@ std::vector<NodeConstraint> choosePins(const Model& model, int body, const Dense
       for (int k = 0; k < nodes.dim; ++k) {
         Vector row;
         for (int m = 0; m < left.cols(); ++m)
-          row.push_back(displacementOf(rigid, left.column(m), nodes.point(node))[std::size_t(k)]);
+          row.push_back(displacementOf(rigid, left.column(m), nodes.point(node).data())[std::size_t(k)]);
         if (norm(row) <= (1.0 + balanced) * longest)
           continue;
         longest = norm(row);
@@ -128,10 +128,10 @@ Vector pinForces(const Model& model, const Vector& work)
     for (const auto& pin : hold.pins) {
       Vector row;
       for (int j = 0; j < model.jointMotions.cols(); ++j)
-        row.push_back(
-            dotProduct(pin.direction, displacementOf(model.rigid[std::size_t(hold.body)],
-                                                     ofBody(model, model.jointMotions, j, hold.body),
-                                                     model.bodies[std::size_t(hold.body)].nodes.point(pin.node))));
+        row.push_back(dotProduct(pin.direction,
+                                 displacementOf(model.rigid[std::size_t(hold.body)],
+                                                ofBody(model, model.jointMotions, j, hold.body),
+                                                model.bodies[std::size_t(hold.body)].nodes.point(pin.node).data())));
       rows.push_back(std::move(row));
     }
   DenseMatrix moved(int(work.size()), int(rows.size()));
@@ -170,11 +170,11 @@ void refuseImbalance(const Model& model, Diagnostics& diagnostics)
   double loads = 0.0, largest = 0.0;
   Vector work(std::size_t(model.jointMotions.cols()), 0.0);
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    for (const double force : model.loads[b])
+    const NodalField all = model.loads[b].all();
+    for (const double force : all)
       loads += std::abs(force);
     for (std::size_t j = 0; j < work.size(); ++j)
-      work[j] +=
-          workAlong(model.bodies[b], model.rigid[b], ofBody(model, model.jointMotions, int(j), int(b)), model.loads[b]);
+      work[j] += workAlong(model.bodies[b], model.rigid[b], ofBody(model, model.jointMotions, int(j), int(b)), all);
   }
   const Vector forces = pinForces(model, work);
   largest = largestEntry(forces);

@@ -82,7 +82,7 @@ double workAlong(const BodyModel& body, const RigidBasis& rigid, const Vector& m
 {
   double work = 0.0;
   for (int node = 0; node < body.nodes.numNodes(); ++node) {
-    const Direction u = displacementOf(rigid, motion, body.nodes.point(node));
+    const Direction u = displacementOf(rigid, motion, body.nodes.point(node).data());
     for (int k = 0; k < body.mesh.dim; ++k)
       work += forces[std::size_t(node) * std::size_t(body.mesh.dim) + std::size_t(k)] * u[std::size_t(k)];
   }
@@ -121,7 +121,7 @@ void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement
     const Vector own(first, first + model.rigid[b].size());
     const NodeMap& nodes = model.bodies[b].nodes;
     for (int node = 0; largestEntry(own) > 0.0 && node < nodes.numNodes(); ++node) {
-      const Direction u = displacementOf(model.rigid[b], own, nodes.point(node));
+      const Direction u = displacementOf(model.rigid[b], own, nodes.point(node).data());
       for (int k = 0; k < nodes.dim; ++k)
         (*displacement[b])[std::size_t(node) * std::size_t(nodes.dim) + std::size_t(k)] -= u[std::size_t(k)];
     }

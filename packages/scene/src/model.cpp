@@ -73,8 +73,8 @@ void collecting(Diagnostics& diagnostics, const Step& step)
 
 /// Per body the integrals of all its loads; threads compute their parts side by side where some have to be sampled.
 /// Loads that are not finite somewhere are found before anything is solved.
-std::vector<NodalField> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Keep keep, int threads,
-                                      Diagnostics& diagnostics)
+std::vector<SparseField> evaluateLoads(const std::vector<BodyModel>& bodies, Load::Keep keep, int threads,
+                                       Diagnostics& diagnostics)
 {
   std::vector<BodyLoads> loads;
   std::vector<std::pair<std::size_t, int>> parts; // of bodies
@@ -89,9 +89,9 @@ std::vector<NodalField> evaluateLoads(const std::vector<BodyModel>& bodies, Load
     const auto [body, part] = parts[std::size_t(task)];
     loads[body].compute(part);
   });
-  std::vector<NodalField> sums(bodies.size());
+  std::vector<SparseField> sums(bodies.size());
   for (std::size_t b = 0; b < bodies.size(); ++b)
-    collecting(diagnostics, [&] { sums[b] = loads[b].take(); });
+    collecting(diagnostics, [&] { sums[b] = SparseField(loads[b].take()); });
   return sums;
 }
 

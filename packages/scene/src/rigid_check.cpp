@@ -106,13 +106,13 @@ void addMotions(RigidNetwork& network, const Model& model, std::size_t b)
   for (int j = 0; j < model.freeMotions[b].cols(); ++j) {
     const Vector motion = model.freeMotions[b].column(j);
     double work = 0.0, magnitude = 0.0;
-    for (int node = 0; node < body.nodes.numNodes(); ++node) {
-      const Direction u = displacementOf(model.rigid[b], motion, body.nodes.point(node));
+    model.loads[b].each([&](int node, const double* values) {
+      const Direction u = displacementOf(model.rigid[b], motion, body.nodes.point(node).data());
       Direction force{};
-      std::copy_n(model.loads[b].begin() + std::ptrdiff_t(node) * body.nodes.dim, body.nodes.dim, force.begin());
+      std::copy_n(values, body.nodes.dim, force.begin());
       work += dotProduct(force, u);
       magnitude += std::sqrt(dotProduct(force, force) * dotProduct(u, u));
-    }
+    });
     network.work.push_back(work);
     network.magnitude.push_back(magnitude);
     const double turning = std::accumulate(motion.begin() + body.nodes.dim, motion.end(), 0.0,

@@ -54,8 +54,10 @@ Vector diagonal(const BlockMatrix& K, const Comm& comm);
 /// Mean of the diagonal over all rows, a scale for springs and tolerances.
 double meanDiagonal(const BlockMatrix& K, const Comm& comm);
 
-/// What computing K u may leave of a residual, whatever u is, as a Euclidean norm: unit round-offs times |K| |u|, and
-/// something for the length of the rows.
+/// What computing a row of a product may leave, relative to the product of the moduli: unit round-offs, and something
+/// for the length of the rows.
+inline constexpr double rowRoundOff = 16.0 * std::numeric_limits<double>::epsilon();
+/// What computing K u may leave of a residual, whatever u is, as a Euclidean norm: rowRoundOff times |K| |u|.
 double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm);
 
 } // namespace ndframe

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/sparse_field.hpp"
 #include "ndframe/algebra/sparse_row.hpp"
 
 namespace ndframe
@@ -37,10 +38,11 @@ public:
   /// but for the kept dofs of all bodies, whose values are given here and are improved with it. The springs pull
   /// towards the u of the beginning. loads: per body, in the nodes' own axes. Returns load - K u at the kept dofs.
   /// Throws NotConverged and SingularBody.
-  virtual Vector solve(const std::vector<const Vector*>& loads, Vector& kept, double tolerance) = 0;
+  virtual Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) = 0;
 
-  /// u per body, in the nodes' own axes, on all ranks. Between solves each rank has that of its own nodes only.
-  virtual std::vector<Vector> fields() const = 0;
+  /// u per body, in the nodes' own axes, on all ranks. Between solves each rank has that of its own nodes only. Nothing
+  /// else can be asked of the system afterwards but its tolerance.
+  virtual std::vector<Vector> takeFields() && = 0;
 
   /// What the deck asks for.
   virtual double tolerance() const = 0;

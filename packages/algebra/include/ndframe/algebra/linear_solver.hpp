@@ -48,10 +48,12 @@ struct SolverProblem
   const BlockMatrix* matrix = nullptr; ///< K, not owned
   std::vector<DofRole> roles;          ///< one per dof
   std::vector<int> kept;               ///< the Kept dofs, in the order of the condensed system
-  DenseMatrix nearNullSpace;           ///< numDofs x modes: rigid motions in the dofs' own frames (used by multigrid)
-  std::vector<double> nodePoints;      ///< dim * numNodes coordinates
-  EdgeNodes edgeNodes;                 ///< used by multigrid
-  BodyOutline outline;                 ///< used where the solver is chosen
+  /// Rigid motions in the dofs' own frames, one a column, and coordinates, dim a node: used by multigrid, which takes
+  /// those of all nodes or of this rank's own ones only (of a row each).
+  DenseMatrix nearNullSpace;
+  std::vector<double> nodePoints; ///< the same
+  EdgeNodes edgeNodes;            ///< used by multigrid
+  BodyOutline outline;            ///< used where the solver is chosen
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,

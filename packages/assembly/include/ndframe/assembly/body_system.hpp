@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ndframe/algebra/block_matrix.hpp"
+#include "ndframe/algebra/sparse_field.hpp"
 #include "ndframe/assembly/dof_layout.hpp"
 #include "ndframe/assembly/side_condition.hpp"
 #include "ndframe/mechanics/cell_laws.hpp"
@@ -50,21 +51,25 @@ struct BodyModel
 /// fixed).
 struct BodySystem
 {
-  DofLayout dofs;  ///< their axes and roles
-  BlockMatrix K;   ///< this rank's rows; forces per length
-  NodalField load; ///< f, in the nodes' own axes
+  DofLayout dofs;   ///< their axes and roles
+  BlockMatrix K;    ///< this rank's rows; forces per length
+  SparseField load; ///< f, in the nodes' own axes
 
   /// f - K u_prescribed: the load once the fixed dofs are moved to their values.
-  NodalField effectiveLoad(const Comm& comm) const;
+  SparseField effectiveLoad(const Comm& comm) const;
 };
 
 /// Assembles K on the owned nodes; `load`: what integrateLoads gave. Kernels are exact for straight elements.
-BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes, const Vector& load);
+BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes,
+                        const SparseField& load);
 
 /// The same, integrating the loads.
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes);
 
 /// f of equation (19) for a set of loads, in the nodes' own axes: a new load case needs nothing else.
 NodalField assembleLoad(const BodyModel& body, const Frames& frames);
+
+/// Forces in global axes, as integrateLoads gives them, in the nodes' own axes.
+SparseField inOwnAxes(const SparseField& global, const Frames& frames);
 
 } // namespace ndframe

@@ -15,10 +15,10 @@ namespace ndframe
 class Frames
 {
 public:
-  Frames(int dim, int numNodes) : dim_(dim), index_(std::size_t(numNodes), -1) {} ///< x, y, z at all nodes
+  Frames(int dim, int numNodes) : dim_(dim), numNodes_(numNodes) {} ///< x, y, z at all nodes
 
-  bool isTurned(int node) const { return index_[std::size_t(node)] >= 0; } ///< it has axes of its own
-  bool anyTurned() const { return !axes_.empty(); }                        ///< any node has
+  bool isTurned(int node) const { return anyTurned() && index_[std::size_t(node)] >= 0; } ///< it has axes of its own
+  bool anyTurned() const { return !axes_.empty(); }                                       ///< any node has
   /// dim x dim, row k = axis of component k; only for turned nodes.
   const double* axes(int node) const
   {
@@ -33,8 +33,8 @@ public:
   bool operator==(const Frames& other) const; ///< exactly, nodes turned in the same order
 
 private:
-  int dim_;
-  std::vector<int> index_;
+  int dim_, numNodes_;
+  std::vector<int> index_; ///< empty: no node is turned
   std::vector<double> axes_;
 };
 
@@ -70,11 +70,12 @@ struct DofLayout
 {
   Frames frames;                          ///< axes of the components
   std::vector<DofRole> roles;             ///< one per dof
-  Vector prescribed;                      ///< values of the fixed dofs, zero elsewhere
+  SparseRow prescribed;                   ///< values of the fixed dofs that are not zero, ascending
   std::vector<TraceDof> trace;            ///< one per trace normal that does not depend on others, in their order
   std::vector<DependentTrace> dependents; ///< the other trace normals, in their order
 
-  std::vector<int> keptDofs() const; ///< of `trace`, in its order: the condensed system's
+  void addPrescribed(Vector& u, double factor = 1.0) const; ///< u += factor times them
+  std::vector<int> keptDofs() const;                        ///< of `trace`, in its order: the condensed system's
   /// The same axes, the same dofs fixed and kept: K and its factor are the same, whatever the prescribed values.
   bool splitsLike(const DofLayout& other) const;
 };

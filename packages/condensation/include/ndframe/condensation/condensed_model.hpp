@@ -16,9 +16,10 @@ namespace ndframe
 struct CondensedModel
 {
   std::vector<BodySystem> systems;                       ///< per body; the factors refer to their matrices
-  std::vector<NodalField> loads;                         ///< effective loads, per body
+  std::vector<SparseField> loads;                        ///< effective loads, per body
   std::vector<std::unique_ptr<CondensedBody>> condensed; ///< per body: its factor
   InterfaceSystem interface;                             ///< no unknowns without interfaces
+  std::vector<std::vector<int>> ranks;                   ///< per body and vertex, which rank has its rows
   SceneRecipe recipe;                                    ///< of the model that was condensed
   std::vector<int> exchanged;                            ///< bodies whose roles were exchanged since then, ascending
   int threads = 1;                                       ///< that may solve with different bodies at the same time

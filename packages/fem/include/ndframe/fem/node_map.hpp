@@ -20,21 +20,39 @@ struct NodeMap
   int nodesPerCell = 0;       ///< 3, 6 (dim 2) or 4, 10 (dim 3) for order 1, 2
   int nodesPerFacet = 0;      ///< 2, 3 (dim 2) or 3, 6 (dim 3) for order 1, 2
   std::vector<int> cellNodes; ///< nodesPerCell * numCells
-  std::vector<double> points; ///< dim * numNodes
+  std::vector<double> points; ///< dim * numVertices
+  /// Of each node on an edge, after the vertices, the ends of the edge; empty for order 1.
+  std::vector<std::array<int, 2>> edges{};
 
-  int numNodes() const { return dim == 0 ? 0 : int(points.size()) / dim; } ///< points, and edges for order 2
+  int numVertices() const { return dim == 0 ? 0 : int(points.size()) / dim; } ///< nodes that are points of the mesh
+  int numNodes() const { return numVertices() + int(edges.size()); }          ///< vertices, and edges for order 2
   int numCells() const { return nodesPerCell == 0 ? 0 : int(cellNodes.size()) / nodesPerCell; } ///< of the mesh
   /// The nodesPerCell nodes of a cell, in the local order.
   const int* cell(int c) const { return cellNodes.data() + std::size_t(c) * std::size_t(nodesPerCell); }
-  /// The dim coordinates of a node.
-  const double* point(int node) const { return points.data() + std::size_t(node) * std::size_t(dim); }
+  /// The ends of the edge that a node is the middle of; a vertex is both of its ends.
+  std::array<int, 2> ends(int node) const
+  {
+    return node < numVertices() ? std::array<int, 2>{node, node} : edges[std::size_t(node - numVertices())];
+  }
+  /// The coordinates of a node, zero beyond dim.
+  std::array<double, 3> point(int node) const
+  {
+    const auto [a, b] = ends(node);
+    std::array<double, 3> x{};
+    for (int k = 0; k < dim; ++k)
+      x[std::size_t(k)] = a == b ? coordinate(a, k) : 0.5 * (coordinate(a, k) + coordinate(b, k));
+    return x;
+  }
+  double coordinate(int vertex, int k) const { return points[std::size_t(vertex) * std::size_t(dim) + std::size_t(k)]; }
 };
 
 /// order: 1 or 2.
 NodeMap makeNodeMap(const Mesh& mesh, int order);
 
-/// Per node of an order 2 map the ends of its edge; a vertex is both of its ends. Empty for order 1.
+/// ends() of all nodes of an order 2 map. Empty for order 1.
 std::vector<std::array<int, 2>> edgeEnds(const NodeMap& map);
+/// Coordinates of all nodes, dim for each.
+std::vector<double> nodePoints(const NodeMap& map);
 
 /// Local numbers of a facet's nodes: its vertices in increasing local number, then (order 2) its edges in the order
 /// 01, 12, 20 of these vertices. nodesPerFacet entries.

@@ -64,7 +64,7 @@ struct BodyTrace
   ReducedLoad g;                              ///< per value
   std::vector<DependentUnknown> dependents;   ///< where more unknowns meet than its nodes can follow one by one
   const WholeSolver* whole = nullptr;         ///< of the body, null where it is none
-  const NodalField* load = nullptr;           ///< its effective load
+  const SparseField* load = nullptr;          ///< its effective load
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames; ///< per column of freeMotions: with the body's name, for messages
 

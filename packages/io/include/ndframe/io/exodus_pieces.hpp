@@ -16,9 +16,11 @@ struct ExodusSharing
   std::vector<std::vector<int>> owner; ///< per body and cell, the piece, from 0
 };
 
-/// A cell belongs to the piece of its lowest node; nodes are shared out as matrix rows are (mesh/partition.hpp). A
-/// piece that would have none gets a cell of the largest one. There must be as many cells as pieces.
-ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces);
+/// A cell belongs to the piece of its lowest node, which is a vertex. pieceOfVertex: per body and vertex; empty: each
+/// body's vertices are shared out by mesh/partition.hpp. A piece that would have no cell gets one of the largest piece.
+/// There must be as many cells as pieces.
+ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces,
+                         const std::vector<std::vector<int>>& pieceOfVertex = {});
 
 /// The pieces "NAME.e.N.r" that stand beside "NAME.e", of any N, sorted: regular files, of complete sets or not.
 std::vector<std::string> piecesBeside(const std::string& path);

@@ -97,6 +97,8 @@ public:
   virtual void follow(const JoinedUnknowns& unknowns) = 0;
   /// K x of the bodies as if nothing joined them, zero where no dof is free; on the dofs of this rank's nodes.
   virtual Vector multiply(const Vector& x) const = 0;
+  /// |K| |x| of the bodies, the same of moduli, in all rows.
+  virtual Vector sizes(const Vector& x) const = 0;
   /// problem: that of all vertices. isRead(): called as soon as it is not needed any more, before the coarse level is
   /// set up, which takes much memory.
   virtual void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal,

@@ -30,8 +30,10 @@ private:
   static std::vector<double> coordinates(const Points& all, const std::vector<int>& numbers)
   {
     std::vector<double> result;
-    for (const int number : numbers)
-      result.insert(result.end(), all.point(number), all.point(number) + all.dim);
+    for (const int number : numbers) {
+      const auto x = all.point(number);
+      result.insert(result.end(), &x[0], &x[0] + all.dim);
+    }
     return result;
   }
 

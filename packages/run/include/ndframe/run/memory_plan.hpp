@@ -14,8 +14,13 @@ namespace ndframe
 ///   n (45 + 75 log2 n) in two dimensions, 200 n^(4/3) in three
 double memoryOfBody(double dofs, int dim);
 
-/// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes.
-std::string memoryPlan(const RunSettings& settings);
+/// About how many bytes each of so many ranks takes where solids of so many dofs together are solved by Multigrid and
+/// Monolithic: its share of matrix and levels, and what it has of the whole scene (docs/scaling.md).
+double memoryOfRank(double dofs, int ranks);
+
+/// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes; for Multigrid
+/// in three dimensions that of a rank.
+std::string memoryPlan(const RunSettings& settings, int ranks);
 
 /// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
 /// Collective.

@@ -39,7 +39,7 @@ struct Model
 {
   std::vector<BodyModel> bodies;            ///< in the order of the deck
   std::vector<ConstraintSet> constraints;   ///< per body
-  std::vector<NodalField> loads;            ///< per body: int q . v in global axes, as integrateLoads gives it
+  std::vector<SparseField> loads;           ///< per body: int q . v in global axes, as integrateLoads gives it
   std::vector<RigidBasis> rigid;            ///< per body
   std::vector<DenseMatrix> freeMotions;     ///< per body: columns span the rigid motions that its supports leave free
   std::vector<DenseMatrix> balancedMotions; ///< per body: those of its rigid motions without support along which
