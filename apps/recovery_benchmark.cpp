@@ -133,13 +133,16 @@ Vector solveBlock(const BodyModel& body, Ledger& ledger)
   std::vector<int> nodes(std::size_t(body.nodes.numNodes()));
   std::iota(nodes.begin(), nodes.end(), 0);
   const BodySystem system = assembleBody(body, makeDofLayout(body.nodes, makeConstraints(body), {}), nodes);
-  SolverProblem problem{&system.K, system.dofs.roles, {}, {}, nodePoints(body.nodes)};
+  SolverProblem problem;
+  problem.matrix = &system.K;
+  problem.roles = system.dofs.roles;
+  problem.nodePoints = nodePoints(body.nodes);
   const auto factor = solver->factor(problem, Comm::single(), ledger);
   const DenseMatrix u =
       factor->expand(DenseMatrix(system.effectiveLoad(Comm::single()).all().whole()), DenseMatrix(0, 1));
   Vector solution = u.column(0);
-  for (std::size_t i = 0; i < solution.size(); ++i)
-    solution[i] += system.dofs.prescribed[i];
+  for (const auto& [dof, value] : system.dofs.prescribed)
+    solution[std::size_t(dof)] += value;
   return solution;
 }
 

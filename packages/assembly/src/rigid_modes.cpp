@@ -153,7 +153,7 @@ DenseMatrix rigidModes(const RigidBasis& basis, const NodeMap& nodes, const Fram
       const Direction u = basis.displacement(m, nodes.point(node).data());
       std::copy_n(u.begin(), nodes.dim, mode.begin() + std::ptrdiff_t(node) * nodes.dim);
     }
-    const Vector local = frames.toLocal(mode);
+    const NodalField local = frames.toLocal(mode);
     std::copy(local.begin(), local.end(), modes.col(m));
   }
   return modes;

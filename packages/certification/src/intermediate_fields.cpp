@@ -62,7 +62,7 @@ Vector solveTrace(const BodyTrace& trace, const RestrictedInverse& inverse, cons
 /// Effective load plus contact forces, in the nodes' own axes.
 NodalField loaded(const BodySystem& system, const SparseField& effective, const Vector& force)
 {
-  Vector load = system.dofs.frames.toLocal(force);
+  Vector load = system.dofs.frames.toLocal(force).whole();
   effective.addTo(load);
   return atNodes(std::move(load), effective.width());
 }

@@ -74,8 +74,8 @@ NodalField contactForces(const Model& model, const CondensedModel& condensed, co
 {
   const BodyModel& on = model.bodies[std::size_t(body)];
   Vector forces(std::size_t(on.numDofs()), 0.0);
-  const Vector dirichlet = condensed.interface.nodalForces(state.forceDirichlet);
-  Vector neumann = condensed.interface.nodalForces(state.forceNeumann);
+  const InterfaceValues dirichlet = condensed.interface.nodalForces(state.forceDirichlet);
+  InterfaceValues neumann = condensed.interface.nodalForces(state.forceNeumann);
   for (double& force : neumann)
     force = -force;
   std::size_t first = 0;

@@ -101,8 +101,8 @@ std::vector<int> tightestFirst(const Network& network, const std::vector<char>& 
 
 Vector conditionForces(const InterfaceSystem& system, const InterfaceValues& traction)
 {
-  UnknownValues force = system.force(traction);
-  return system.mortar ? system.mortar->forcesOf(force) : Vector(std::move(force));
+  const UnknownValues force = system.force(traction);
+  return system.mortar ? system.mortar->forcesOf(force) : force.whole();
 }
 
 void setDisplacement(const Network& network, const Vector& v, StatusPass& pass)
