@@ -79,7 +79,7 @@ public:
 
 private:
   /// F r + opening <= 0, r <= 0, one force after the other; the largest change, relative.
-  static double sweep(const DenseMatrix& F, const Vector& opening, Vector& r)
+  static double sweep(const DenseMatrix& F, const Vector& opening, UnknownValues& r)
   {
     double change = 0.0, largest = 0.0;
     for (int i = 0; i < F.rows(); ++i) {
