@@ -246,6 +246,17 @@ TEST_F(Program, PlansItsMemoryAndRefusesWhatCannotFit)
   EXPECT_THAT(call({"--plan", shippedDeck("krylov")}).out, HasSubstr("memory: not estimated for Krylov"));
   EXPECT_THAT(call({"--plan", shippedDeck("punch-3d"), "--set", "Linear Solver/Type=Multigrid"}).out,
               HasSubstr("memory: about 0.12 GB for some 15 000 dofs;"));
+  // A large solid has no factor, unless its volume hardly changes; a bound takes more than the solution.
+  const auto large = [](std::vector<std::string> more) {
+    more.insert(more.begin(), {"--plan", shippedDeck("punch-3d"), "--set", "Bodies/punch/Mesh/Cells={20, 20, 20}",
+                               "--set", "Bodies/foundation/Mesh/Cells={40, 40, 20}"});
+    return call(more).out;
+  };
+  EXPECT_THAT(large({}), HasSubstr("memory: about 2.3 GB for some 960 000 dofs;"));
+  EXPECT_THAT(large({"--set", "Error Estimation/Estimators={}"}),
+              HasSubstr("memory: about 1.3 GB for some 960 000 dofs;"));
+  EXPECT_THAT(large({"--set", "Bodies/punch/Material/Poisson Ratio=0.499"}),
+              HasSubstr("memory: about 16 GB for some 960 000 dofs;"));
   EXPECT_THAT(call({"--plan", shippedDeck("punch"), "--set", "Bodies/punch/Mesh/Cells={20000, 20000}"}).out,
               HasSubstr("left: NOT ENOUGH"));
 }

@@ -128,9 +128,9 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
 
 std::string planText(const RunSettings& settings, const Components& components, const Comm& comm)
 {
-  return fmt::format("{}\n\n  memory: {}",
-                     Plan(settings, *components.linearSolvers.build(settings.scene.linearSolver), comm.size()).text(),
-                     memoryPlan(settings, comm.size()));
+  const auto solver = components.linearSolvers.build(settings.scene.linearSolver);
+  return fmt::format("{}\n\n  memory: {}", Plan(settings, *solver, comm.size()).text(),
+                     memoryPlan(settings, *solver, comm.size()));
 }
 
 void greet(const RunSettings& settings, const CommandLine& options, const Log& log)

@@ -1,5 +1,6 @@
 #include "ndframe/run/memory_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <optional>
@@ -25,6 +26,9 @@ constexpr double multigridBytes = 1500.0;
 /// The same on several ranks, of a dof that is the rank's own and of any dof of the scene; libraries and MPI.
 constexpr double ownBytes = 1300.0, replicatedBytes = 80.0, atStartOfRanks = 1e8;
 
+/// A dof of a solid whose error is bounded: that works on whole meshes, on every rank.
+constexpr double certifiedBytes = 2400.0;
+
 bool isDirect(const RunSettings& settings)
 {
   return settings.linearSolver != "Krylov" && settings.linearSolver != "Multigrid";
@@ -42,6 +46,20 @@ std::optional<double> dofsOfBox(const Params& mesh, int order)
     return 3.0 * bricks * (order == 1 ? 1.0 : 8.0);
   const double vertices = mesh.get<std::string>("Pattern") == "Crossed" ? 2.0 : 1.0;
   return 2.0 * bricks * vertices * (order == 1 ? 1.0 : 4.0);
+}
+
+/// Whether these solids, in contact if they are several, are solved without a factor.
+bool takesMultigrid(const RunSettings& settings, const LinearSolver& solver, double dofs, int ranks)
+{
+  const bool isTogether = settings.coupling == "Automatic" || settings.coupling == "Monolithic";
+  BodyOutline all{3, std::int64_t(dofs), 0, false, 0.0};
+  for (const BodySettings& body : settings.scene.bodies) {
+    all.bodies += !body.isRigid;
+    if (body.material && body.material->has("Poisson Ratio"))
+      all.poissonRatio = std::max(all.poissonRatio, body.material->get<double>("Poisson Ratio"));
+  }
+  all.isCondensed = all.bodies > 1 && !isTogether;
+  return solver.name(all, ranks) == "Multigrid";
 }
 
 /// Of the stored Schur complements and their factors: three matrices a body.
@@ -74,11 +92,11 @@ double memoryOfRank(double dofs, int ranks)
   return atStartOfRanks + (ranks == 1 ? ownBytes : ownBytes / ranks + replicatedBytes) * dofs;
 }
 
-std::string memoryPlan(const RunSettings& settings, int ranks)
+std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, int ranks)
 {
   const std::string left = fmt::format("{} left", memoryLeft().text());
-  const bool isMultigrid = settings.linearSolver == "Multigrid";
-  if (!isDirect(settings) && !isMultigrid)
+  const bool namesMultigrid = settings.linearSolver == "Multigrid";
+  if (!isDirect(settings) && !namesMultigrid)
     return fmt::format("not estimated for {}; {}", settings.linearSolver, left);
   double bytes = atStart, dofs = 0.0;
   bool areSolids = true;
@@ -93,10 +111,12 @@ std::string memoryPlan(const RunSettings& settings, int ranks)
     bytes += memoryOfBody(*ofBox, dim);
     areSolids = areSolids && dim == 3;
   }
-  if (isMultigrid && !areSolids)
+  if (namesMultigrid && !areSolids)
     return fmt::format("not estimated for {} in the plane; {}", settings.linearSolver, left);
+  const bool isMultigrid = areSolids && takesMultigrid(settings, solver, dofs, ranks);
   if (isMultigrid)
-    bytes = memoryOfRank(dofs, ranks);
+    bytes = std::max(memoryOfRank(dofs, ranks),
+                     settings.errors && !settings.errors->estimators.empty() ? certifiedBytes * dofs : 0.0);
   return fmt::format("about {:.2g} GB{} for some {} dofs; {}{}", 1e-9 * bytes,
                      isMultigrid && ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "",
                      grouped(std::int64_t(dofs)), left, bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
