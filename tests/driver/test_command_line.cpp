@@ -247,7 +247,7 @@ TEST_F(Program, PlansItsMemoryAndRefusesWhatCannotFit)
   EXPECT_THAT(call({"--plan", shippedDeck("punch-3d"), "--set", "Linear Solver/Type=Multigrid"}).out,
               HasSubstr("memory: about 0.12 GB for some 15 000 dofs;"));
   // A large solid has no factor, unless its volume hardly changes; a bound takes more than the solution.
-  const auto large = [](std::vector<std::string> more) {
+  const auto large = [this](std::vector<std::string> more) {
     more.insert(more.begin(), {"--plan", shippedDeck("punch-3d"), "--set", "Bodies/punch/Mesh/Cells={20, 20, 20}",
                                "--set", "Bodies/foundation/Mesh/Cells={40, 40, 20}"});
     return call(more).out;

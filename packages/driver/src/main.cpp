@@ -129,8 +129,10 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
 std::string planText(const RunSettings& settings, const Components& components, const Comm& comm)
 {
   const auto solver = components.linearSolvers.build(settings.scene.linearSolver);
+  const bool solvesWhole =
+      settings.outline.interfaces > 0 && components.couplings.build(settings.couplingList)->solvesWhole(3);
   return fmt::format("{}\n\n  memory: {}", Plan(settings, *solver, comm.size()).text(),
-                     memoryPlan(settings, *solver, comm.size()));
+                     memoryPlan(settings, *solver, solvesWhole, comm.size()));
 }
 
 void greet(const RunSettings& settings, const CommandLine& options, const Log& log)

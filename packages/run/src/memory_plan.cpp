@@ -49,16 +49,15 @@ std::optional<double> dofsOfBox(const Params& mesh, int order)
 }
 
 /// Whether these solids, in contact if they are several, are solved without a factor.
-bool takesMultigrid(const RunSettings& settings, const LinearSolver& solver, double dofs, int ranks)
+bool takesMultigrid(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, double dofs, int ranks)
 {
-  const bool isTogether = settings.coupling == "Automatic" || settings.coupling == "Monolithic";
   BodyOutline all{3, std::int64_t(dofs), 0, false, 0.0};
   for (const BodySettings& body : settings.scene.bodies) {
     all.bodies += !body.isRigid;
     if (body.material && body.material->has("Poisson Ratio"))
       all.poissonRatio = std::max(all.poissonRatio, body.material->get<double>("Poisson Ratio"));
   }
-  all.isCondensed = all.bodies > 1 && !isTogether;
+  all.isCondensed = all.bodies > 1 && !solvesWhole;
   return solver.name(all, ranks) == "Multigrid";
 }
 
@@ -92,7 +91,7 @@ double memoryOfRank(double dofs, int ranks)
   return atStartOfRanks + (ranks == 1 ? ownBytes : ownBytes / ranks + replicatedBytes) * dofs;
 }
 
-std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, int ranks)
+std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, int ranks)
 {
   const std::string left = fmt::format("{} left", memoryLeft().text());
   const bool namesMultigrid = settings.linearSolver == "Multigrid";
@@ -113,7 +112,7 @@ std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, 
   }
   if (namesMultigrid && !areSolids)
     return fmt::format("not estimated for {} in the plane; {}", settings.linearSolver, left);
-  const bool isMultigrid = areSolids && takesMultigrid(settings, solver, dofs, ranks);
+  const bool isMultigrid = areSolids && takesMultigrid(settings, solver, solvesWhole, dofs, ranks);
   if (isMultigrid)
     bytes = std::max(memoryOfRank(dofs, ranks),
                      settings.errors && !settings.errors->estimators.empty() ? certifiedBytes * dofs : 0.0);

@@ -19,8 +19,8 @@ double memoryOfBody(double dofs, int dim);
 double memoryOfRank(double dofs, int ranks);
 
 /// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes; for Multigrid
-/// in three dimensions, which Automatic may choose, that of a rank.
-std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, int ranks);
+/// in three dimensions, which Automatic may choose, that of a rank. solvesWhole: so does the coupling with solids.
+std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, int ranks);
 
 /// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
 /// Collective.
