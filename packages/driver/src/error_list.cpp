@@ -19,11 +19,9 @@ ListSpec tractionSpec()
   list.params = {
       {"Type", std::string("Automatic"), tractionTypeNames().range(),
        "Optimal: the one that makes the bound small: in 2D nearest to the solution in energy and then improved by "
-       "stars "
-       "that span both bodies (Recovery/Type Star), in 3D found together with the stresses (Global). Projected: the "
-       "one "
-       "nearest to the computed tractions in L2 (section 5.3 of the paper). Automatic: Optimal where the recovery can "
-       "find it, otherwise Projected."},
+       "stars that span both bodies (Recovery/Type Star), in 3D found together with the stresses (Global). "
+       "Projected: the one nearest to the computed tractions in L2 (section 5.3 of the paper). Automatic: Optimal "
+       "where the recovery can find it, otherwise Projected."},
       {"Mean", std::string("Previous"), tractionMeanNames().range(),
        "Which traction of the Neumann side enters the mean of the two sides: Previous, with which its body is in "
        "equilibrium, or Updated, the one for the next sweep."}};
