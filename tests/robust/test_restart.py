@@ -59,7 +59,7 @@ class Restarts(RoughWorld):
 
     def assert_same(self, name, other):
         (_, ours, our_fields), (_, theirs, their_fields) = self.results(name), self.results(other)
-        self.assertEqual(ours, theirs)
+        self.assertEqual({}, {key: (ours.get(key), theirs.get(key)) for key in {*ours, *theirs} if ours.get(key) != theirs.get(key)})
         self.assertEqual(our_fields, their_fields)
 
     def assert_goes_on(self, deck, *settings, code=0):
@@ -155,7 +155,7 @@ class Killed(Restarts):
                 goes_on = ("--restart",) if (self.folder / name / "punch.checkpoint").exists() else ()
             done = self.run_command(*self.command(name, PUNCH, PRECISE, *goes_on))
             if done.returncode == 2:  # the last one came to its end
-                self.assertIn("has reached its target", done.stderr)
+                self.assertIn("is finished", done.stderr)
             else:
                 self.assertEqual(done.returncode, 0, done.stderr)
             self.assert_same(name, "whole")
@@ -187,6 +187,81 @@ class Killed(Restarts):
         self.assert_near("moved", "whole")
 
 
+# Some 190 sweeps.
+SLOW = ("Coupling/Relaxation/Theta=0.1", "Coupling/Stopping/Tolerance=1e-9", "Coupling/Stopping/Maximum Sweeps=1000")
+# Statuses that change in most sweeps, on interfaces whose factor moves with them.
+MOVING = ("Bodies/upper/Mesh/Cells={250, 4}", "Bodies/lower/Mesh/Cells={500, 4}", "Coupling/Stopping/Tolerance=1e-9",
+          "Coupling/Stopping/Maximum Sweeps=1000", "Coupling/Type=Neumann-Dirichlet")
+
+
+class Sweeps(Restarts):
+    """Runs that a limit of sweeps has ended go on from the last that were kept."""
+
+    def assert_sweeps_go_on(self, deck, settings, *limits, ranks=1, every=20):
+        path, settings = DECKS / f"{deck}.xml", (*settings, f"Output/Checkpoint Sweeps={every}")
+        self.end("whole", path, settings, ranks=ranks)
+        self.assertGreater(self.results("whole")[0]["coupling"]["sweeps"], max(limits))
+        for limit in limits:
+            name = f"to-{limit}"
+            self.end(name, path, (*settings, f"Coupling/Stopping/Maximum Sweeps={limit}"), code=3, ranks=ranks)
+            done = self.end(name, path, settings, "--restart", ranks=ranks)
+            self.assertIn(f"{(limit - 1) // every * every} sweeps are not solved again", done.stdout)
+            self.assert_same(name, "whole")
+
+    def test_a_constant_factor(self):
+        self.assert_sweeps_go_on("punch", SLOW, 21, 59, 150)
+
+    def test_a_certificate(self):
+        self.assert_sweeps_go_on("certificate", SLOW, 90)
+
+    def test_operators_that_are_applied(self):
+        self.assert_sweeps_go_on("punch", (*SLOW, "Interface Operator/Type=Matrix Free"), 90)
+
+    def test_factors_that_move(self):
+        self.assert_sweeps_go_on("contact-loss", (*MOVING, "Coupling/Relaxation/Type=Constant", "Coupling/Relaxation/Theta=0.05"), 5, 10, 30, every=4)
+
+    def test_factors_that_move_under_a_changing_theta(self):
+        self.assert_sweeps_go_on("contact-loss", (*MOVING, "Coupling/Relaxation/Type=Aitken"), 4, 7, every=2)
+
+    def test_on_ranks(self):
+        self.assert_sweeps_go_on("punch", (*SLOW, "Linear Solver/Type=Krylov"), 90, ranks=3)
+
+    def test_on_the_way_to_a_target(self):
+        """Level 3 and its sweeps; the sweeps of a level count from its own."""
+        settings = ("Accuracy/Target=0.003", "Coupling/Relaxation/Theta=0.02", "Coupling/Initial Traction=Zero",
+                    "Coupling/Stopping/Maximum Sweeps=2000", "Output/Checkpoint Sweeps=7")
+        self.end("whole", PUNCH, settings)
+        levels = self.results("whole")[0]["accuracy"]["levels"]
+        self.assertGreater(max(level["sweeps"] for level in levels), 14)
+        found = set()
+        for limit in (10, 15, 20, 30, 40, 60):
+            name = f"to-{limit}"
+            self.run_command(*self.command(name, PUNCH, (*settings, f"Coupling/Stopping/Maximum Sweeps={limit}")))
+            if not (self.folder / name / "punch.checkpoint").exists():
+                continue
+            done = self.run_command(*self.command(name, PUNCH, settings, "--restart"))
+            if "is finished" in done.stderr:
+                continue
+            found.add(done.stdout.split("not solved again")[0].split(": ")[-1])
+            self.assert_same(name, "whole")
+        self.assertTrue(any("sweeps" in text for text in found), found)
+
+    def test_killed_anywhere(self):
+        self.end("whole", PUNCH, (*SLOW, "Output/Checkpoint Sweeps=1"))
+        path, kills = self.folder / "killed" / "punch.checkpoint", 0
+        for _ in range(6):
+            goes_on = ("--restart",) if path.exists() else ()
+            process = self.start(*self.command("killed", PUNCH, (*SLOW, "Output/Checkpoint Sweeps=1"), *goes_on))
+            time.sleep(0.02 + 0.06 * random.Random(kills).random())
+            kills += process.poll() is None
+            end_session(process)
+        done = self.run_command(*self.command("killed", PUNCH, (*SLOW, "Output/Checkpoint Sweeps=1"),
+                                              *(("--restart",) if path.exists() else ())))
+        self.assertIn(done.returncode, (0, 2), done.stderr)
+        self.assertGreater(kills, 0)
+        self.assert_same("killed", "whole")
+
+
 class Refused(Restarts):
     def refuse(self, *messages, deck=PUNCH, settings=PRECISE, ranks=1):
         done = self.end("run", deck, settings, "--restart", code=2, ranks=ranks)
@@ -203,7 +278,7 @@ class Refused(Restarts):
 
     def test_a_run_that_has_reached_its_target(self):
         self.end("run", PUNCH, PRECISE)
-        self.refuse('the run of "run/punch.checkpoint" has reached its target', "it wrote run/punch.e, ")
+        self.refuse('the run of "run/punch.checkpoint" is finished', "it wrote run/punch.e, ")
 
     def test_another_deck(self):
         self.ended()
@@ -231,7 +306,7 @@ class Refused(Restarts):
     def test_another_version(self):
         path = self.ended()
         path.write_bytes(path.read_bytes().replace(b"gversione0.1.0", b"gversione0.0.9"))
-        self.refuse("was written by ndframe 0.0.9 (format 3), and this is 0.1.0 (format 3)", BEGIN_AGAIN)
+        self.refuse("was written by ndframe 0.0.9 (format 4), and this is 0.1.0 (format 4)", BEGIN_AGAIN)
 
     def test_files_that_are_no_checkpoints(self):
         path = self.ended()
@@ -247,11 +322,25 @@ class Refused(Restarts):
         path.mkdir()
         self.refuse('cannot read "run/punch.checkpoint"', BEGIN_AGAIN, ranks=2)
 
-    def test_decks_without_levels(self):
-        done = self.run_program("-i", PUNCH, "--restart")
-        self.assert_refused(done, "--restart continues from the levels of a run with a target", "no list Accuracy")
-        done = self.run_program("-i", PUNCH, "--set", "Output/Checkpoint=true")
-        self.assert_refused(done, "Output: Checkpoint continues from the levels", "no list Accuracy")
+    def test_decks_without_levels_and_sweeps(self):
+        for setting in ("Coupling/Type=Monolithic", "Output/Checkpoint Sweeps=0"):
+            deck = DECKS / "automatic.xml" if "Type" in setting else PUNCH
+            done = self.run_program("-i", deck, "--set", "Output/Checkpoint=true", "--set", setting)
+            self.assert_refused(done, "Output: Checkpoint continues from the levels of a run with a target or from the sweeps",
+                                "the deck asks for neither")
+
+    def test_all_sweeps(self):
+        done = self.run_program("-i", PUNCH, "--set", "Output/Checkpoint=true", "--set", "Output/Steps=All Sweeps")
+        self.assert_refused(done, "Checkpoint Sweeps keeps the last state alone", "set Checkpoint Sweeps = 0")
+
+    def test_sweeps_of_another_deck(self):
+        self.end("run", PUNCH, (*SLOW, "Coupling/Stopping/Maximum Sweeps=50"), code=3)
+        self.refuse("belongs to another deck: Coupling/Stopping/Tolerance is 1e-06 and was 1e-09",
+                    settings=(*SLOW, "Coupling/Stopping/Tolerance=1e-6"))
+
+    def test_finished_sweeps(self):
+        self.end("run", PUNCH, SLOW)
+        self.refuse('the run of "run/punch.checkpoint" is finished', settings=SLOW)
 
     def test_studies(self):
         for more in (("--restart",), ("--set", "Output/Checkpoint=true")):

@@ -48,7 +48,7 @@ Run AdaptiveRun::run(Model known)
 {
   const SerialBlas serial;
   if (restart_.from)
-    refuseOtherDeck(*restart_.from);
+    refuseOtherDeck(restart_, tools_.settings);
   begin(std::move(known));
   bool goesOn = true;
   if (restart_.from)
@@ -95,8 +95,10 @@ bool AdaptiveRun::takeNext()
     keepCheckpoint();
     return false;
   }
-  if (restart_.write)
+  if (restart_.write) {
+    const auto timer = timeStage(tools_.ledger, Stage::Write);
     restart_.write(checkpoint());
+  }
   return solveNext();
 }
 
@@ -163,23 +165,27 @@ void AdaptiveRun::solveLevel()
   condenseRun(run_, tools_, observer);
   findRoles(run_, tools_, observer);
   CouplingStart start = firstStart();
-  const double unknown = std::numeric_limits<double>::infinity();
-  for (double iterationBefore = unknown, boundBefore = unknown;;) {
+  SweepsRecord before = takeSweeps(start);
+  for (;;) {
+    start.sweeps.every = restart_.sweeps;
+    start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start.iterationError); };
     solveRun(run_, tools_, silent_, start);
-    sweeps_ += int(run_.solved.coupling.history.size());
+    start.sweeps.after.reset();
+    sweeps_ = before.before += int(run_.solved.coupling.history.size());
     certifyRun(run_, tools_);
     if (!balances_ || !run_.certificate || !run_.solved.coupling.converged || run_.contradiction)
       return;
     const LevelErrors errors(run_, options_);
     const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
-    const bool mayFall = errors.mayBeOfSweeps(summary_.levels) && errors.bound < falling * boundBefore;
-    if (errors.iteration >= iterationBefore || errors.iteration == 0.0 || (errors.iteration <= allowed && !mayFall))
+    const bool mayFall = errors.mayBeOfSweeps(summary_.levels) && errors.bound < falling * before.boundBefore;
+    if (errors.iteration >= before.iterationBefore || errors.iteration == 0.0 ||
+        (errors.iteration <= allowed && !mayFall))
       return;
     start.traction = nextTraction(run_);
     start.closed = run_.solved.coupling.state.closed;
     start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
-    iterationBefore = errors.iteration;
-    boundBefore = errors.bound;
+    before.iterationBefore = errors.iteration;
+    before.boundBefore = errors.bound;
   }
 }
 

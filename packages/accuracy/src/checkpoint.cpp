@@ -26,6 +26,7 @@ std::map<std::string, std::string> parametersOf(const std::string& deckJson)
   const Json flat = deck.flatten();
   for (const auto& [path, value] : flat.items())
     parameters[path.substr(1)] = value.dump(-1, ' ', false, Json::error_handler_t::replace);
+  parameters.erase("Coupling/Stopping/Maximum Sweeps");
   return parameters;
 }
 

@@ -57,10 +57,13 @@ private:
   LevelRecord recordOf(const LevelSummary& level, LevelLesson&& lesson, const CarriedContact& contact) const;
   Checkpoint checkpoint() const;
   void keepCheckpoint() const;
-  void refuseOtherDeck(const Checkpoint& checkpoint) const;
   /// Goes through the levels of a checkpoint without solving them, and solves the next one; false when there is none.
   bool resume(const Checkpoint& checkpoint);
   void restore(const LevelRecord& level);
+  void recall(const EnergyEnds& energy);
+  /// The sweeps that a checkpoint has of the present level, if it has some: the start then goes on from them.
+  SweepsRecord takeSweeps(CouplingStart& start);
+  void keepSweeps(const SweepsRecord& before, const SweepsDone& done, std::optional<double> goal) const;
 
   const AccuracyComponents& components_;
   RunObserver& observer_;
@@ -84,7 +87,8 @@ private:
   std::int64_t firstMemory_ = peakMemory(); ///< bytes, before there was a mesh
   std::int64_t earlierMemory_ = 0;          ///< the most that an earlier process took
   AccuracySummary summary_;
-  std::vector<LevelRecord> done_; ///< for a checkpoint, if there is one
+  std::vector<LevelRecord> done_;          ///< for a checkpoint, if there is one
+  std::optional<SweepsRecord> sweepsDone_; ///< of a checkpoint, until they are taken
 };
 
 } // namespace ndframe

@@ -50,6 +50,14 @@ std::vector<Ledger::Stage> stagesOf(const std::vector<StageRecord>& records)
   return stages;
 }
 
+EnergyEnds energyEnds(const EnergyRecord& record)
+{
+  const auto &lower = record.lowerSide(), &upper = record.upperSide();
+  return {{lower.value, lower.roundOff, lower.name},
+          {upper.value, upper.roundOff, upper.name},
+          record.certificates()};
+}
+
 /// The names of another scene's parts would not fit.
 bool fits(const LevelRecord& level, const Model& model)
 {
@@ -74,10 +82,7 @@ LevelRecord AdaptiveRun::recordOf(const LevelSummary& level, LevelLesson&& lesso
   for (const InterfaceMesh& interface : run_.model.interfaces)
     record.dirichletBodies.push_back(interface.dirichlet().body);
   record.roles = rolesOf(run_);
-  const auto &lower = run_.energy.lowerSide(), &upper = run_.energy.upperSide();
-  record.energyLower = {lower.value, lower.roundOff, lower.name};
-  record.energyUpper = {upper.value, upper.roundOff, upper.name};
-  record.certificates = run_.energy.certificates();
+  record.energy = energyEnds(run_.energy);
   return record;
 }
 
@@ -102,12 +107,34 @@ void AdaptiveRun::keepCheckpoint() const
     restart_.keep(checkpoint());
 }
 
-void AdaptiveRun::refuseOtherDeck(const Checkpoint& checkpoint) const
+void AdaptiveRun::recall(const EnergyEnds& energy)
 {
-  const std::string difference = differenceOf(toJson(tools_.settings.deck), checkpoint.deckJson);
-  if (!difference.empty())
-    throw InputError(fmt::format("\"{}\" belongs to another deck: {}; use the original deck, or run without --restart.",
-                                 restart_.file, difference));
+  const auto &lower = energy.lower, &upper = energy.upper;
+  run_.energy = EnergyRecord({lower.value, lower.roundOff, lower.name}, {upper.value, upper.roundOff, upper.name},
+                             energy.certificates);
+  run_.energies.of(SceneIdentity(tools_.settings.scene, run_.model)) = run_.energy;
+}
+
+SweepsRecord AdaptiveRun::takeSweeps(CouplingStart& start)
+{
+  if (!sweepsDone_)
+    return {};
+  SweepsRecord taken = std::move(*sweepsDone_);
+  sweepsDone_.reset();
+  recall(taken.energy);
+  start.iterationError = taken.goal;
+  start.sweeps.after = std::move(taken.done);
+  return taken;
+}
+
+void AdaptiveRun::keepSweeps(const SweepsRecord& before, const SweepsDone& done, std::optional<double> goal) const
+{
+  Checkpoint kept = checkpoint();
+  kept.sweeps = before;
+  kept.sweeps->done = done;
+  kept.sweeps->goal = goal;
+  kept.sweeps->energy = energyEnds(run_.energy);
+  restart_.write(kept);
 }
 
 bool AdaptiveRun::resume(const Checkpoint& checkpoint)
@@ -123,6 +150,11 @@ bool AdaptiveRun::resume(const Checkpoint& checkpoint)
   if (restart_.write)
     done_ = checkpoint.levels;
   tools_.ledger.restore(checkpoint.counts, stagesOf(checkpoint.stages));
+  sweepsDone_ = checkpoint.sweeps;
+  if (checkpoint.levels.empty()) {
+    attempt(run_, observer_, [&] { solveLevel(); });
+    return true;
+  }
   if (checkpoint.levels.back().maximumDofs > 0)
     return solveNext();
   summary_.limit = endOfProgress(options_, summary_.levels, {});
@@ -142,10 +174,7 @@ void AdaptiveRun::restore(const LevelRecord& level)
   orient(run_.model, level.dirichletBodies);
   if (run_.summary.coupling)
     run_.summary.coupling->roles = level.roles;
-  const auto &lower = level.energyLower, &upper = level.energyUpper;
-  run_.energy = EnergyRecord({lower.value, lower.roundOff, lower.name}, {upper.value, upper.roundOff, upper.name},
-                             level.certificates);
-  run_.energies.of(SceneIdentity(tools_.settings.scene, run_.model)) = run_.energy;
+  recall(level.energy);
   planner_->learn(run_.model, level.lesson);
   enter(level.summary, contactOn(run_.model, level.tractionNeumann, level.closed));
   errors_ = LevelErrors(level.lesson.errors);

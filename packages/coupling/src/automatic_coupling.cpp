@@ -28,6 +28,7 @@ public:
   }
   bool solvesWhole(int dim) const override { return dim == 3 && together_->solvesWhole(dim); }
   bool needsSpectrum() const override { return sweeps_->needsSpectrum(); }
+  bool keepsSweeps() const override { return sweeps_->keepsSweeps(); }
   std::optional<double> givenTheta() const override { return sweeps_->givenTheta(); }
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,

@@ -28,6 +28,13 @@ public:
   /// u2: a solution of the Neumann problem. Throws NotConverged when the load pulls a body off.
   DirichletStep solve(UnknownValues u2, const UnknownValues& gap, const std::vector<char>& closed);
 
+  /// The bits of the next solution do not depend on those before.
+  void forgetSolutions()
+  {
+    problem_.forgetFactor();
+    S_->forgetSolutions();
+  }
+
 private:
   DenseMatrix R_;
   std::shared_ptr<const SymmetricOperator> S_; ///< [I R]^T S1 [I R]

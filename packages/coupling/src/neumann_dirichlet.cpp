@@ -37,6 +37,7 @@ public:
   Roles roles() const override { return roles_; }
   bool needsSpectrum() const override { return relaxation_->needsSpectrum(); }
   std::optional<double> givenTheta() const override { return relaxation_->givenTheta(); }
+  bool keepsSweeps() const override { return true; }
 
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
@@ -50,36 +51,70 @@ public:
       iteration.emplace(system, body1, body2, neumann, ledger);
     const Stopping stopping = stopping_.withGoal(start.iterationError.value_or(0.0));
     CouplingResult result;
+    result.state.closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0, start);
     InterfaceValues traction = firstTraction(system, body1, body2, start);
-    std::vector<char> closed = firstStatuses(system, body1.freeMotions.cols() + body2.freeMotions.cols() > 0, start);
     startRelaxation(system, ledger, start);
-    do {
-      const UnknownValues force = system.force(traction);
-      UnknownValues u2;
-      DirichletStep step;
+    if (start.sweeps.after) {
+      traction = goOn(*start.sweeps.after, system, result, ledger);
+      forget(dirichlet, body2);
+    }
+    for (;;) {
       try {
-        u2 = system.withObstacles(ofUnknowns(neumann.solve(force))); // (25)
-        step = dirichlet.solve(u2, system.gap, closed);              // (26)
+        sweep(system, neumann, dirichlet, iteration, traction, result);
       } catch (const NotConverged& failure) {
         if (result.history.empty())
           throw;
         result.reason = failure.what();
         return result;
       }
-      const Vector lastJump = jumpOf(result.state);
-      result.state = displacements(step, std::move(u2));
-      result.state.forceNeumann = force;
-      result.state.tractionDirichlet = system.traction(result.state.forceDirichlet);
-      auto relaxed = relaxation_->next(result.state.tractionDirichlet, traction); // (27)
-      closed = step.status.closed;
-      result.state.tractionNeumann = std::exchange(traction, relaxed.traction);
-      report(system, result, step.status, relaxed, lastJump, iteration);
       announce(result, stopping, observe, ledger);
-    } while (!stopping.ends(result, agree(result.state, norm(body1.g) + norm(body2.g))));
-    return result;
+      if (stopping.ends(result, agree(result.state, norm(body1.g) + norm(body2.g))))
+        return result;
+      if (start.sweeps.every > 0 && int(result.history.size()) % start.sweeps.every == 0) {
+        start.sweeps.keep({result.history, result.state, traction, relaxation_->memory(), ledger.counts()});
+        forget(dirichlet, body2);
+      }
+    }
   }
 
 private:
+  /// What was kept knows nothing of the solutions before it, so that those after it must not.
+  static void forget(DirichletProblem& dirichlet, const RoleSystem& neumann)
+  {
+    dirichlet.forgetSolutions();
+    neumann.S->forgetSolutions();
+  }
+
+  /// One sweep from a traction, which becomes that of the next one. Where it throws, nothing has changed.
+  void sweep(const InterfaceSystem& system, const NeumannProblem& neumann, DirichletProblem& dirichlet,
+             const std::optional<IterationError>& iteration, InterfaceValues& traction, CouplingResult& result) const
+  {
+    const UnknownValues force = system.force(traction);
+    UnknownValues u2 = system.withObstacles(ofUnknowns(neumann.solve(force)));       // (25)
+    const DirichletStep step = dirichlet.solve(u2, system.gap, result.state.closed); // (26)
+    const Vector lastJump = jumpOf(result.state);
+    result.state = displacements(step, std::move(u2));
+    result.state.forceNeumann = force;
+    result.state.tractionDirichlet = system.traction(result.state.forceDirichlet);
+    auto relaxed = relaxation_->next(result.state.tractionDirichlet, traction); // (27)
+    result.state.tractionNeumann = std::exchange(traction, relaxed.traction);
+    report(system, result, step.status, relaxed, lastJump, iteration);
+  }
+
+  /// Takes the sweeps that are done; returns the traction of the next one.
+  InterfaceValues goOn(const SweepsDone& done, const InterfaceSystem& system, CouplingResult& result,
+                       Ledger& ledger) const
+  {
+    const bool fits = int(done.traction.size()) == system.C->size() && done.state.closed.size() == system.gap.size() &&
+                      done.state.tractionDirichlet.size() == done.traction.size() && !done.history.empty();
+    if (!fits || !relaxation_->recall(done.relaxation))
+      throw InputError("The sweeps to go on from are those of another interface, or of another Relaxation.");
+    result.history = done.history;
+    result.state = done.state;
+    ledger.restore(done.counts, ledger.stages());
+    return done.traction;
+  }
+
   static void announce(const CouplingResult& result, const Stopping& stopping, const SweepObserver& observe,
                        Ledger& ledger)
   {

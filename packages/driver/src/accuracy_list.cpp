@@ -106,14 +106,26 @@ AccuracyOptions accuracyOptions(const Params& deck)
   return options;
 }
 
+void checkCheckpoint(const RunSettings& settings, const Coupling& coupling, Diagnostics& diagnostics)
+{
+  const OutputOptions& output = settings.output;
+  const bool sweeps = settings.outline.interfaces > 0 && coupling.keepsSweeps();
+  if (!output.checkpoint)
+    return;
+  if (!settings.accuracy && (!sweeps || output.checkpointSweeps == 0))
+    diagnostics.add(output.place.mistake(
+        "Checkpoint", "Checkpoint continues from the levels of a run with a target or from the sweeps of "
+                      "Neumann-Dirichlet (Checkpoint Sweeps), and the deck asks for neither."));
+  if (sweeps && output.checkpointSweeps > 0 && output.steps == StepsWritten::AllSweeps)
+    diagnostics.add(output.place.mistake(
+        "Checkpoint Sweeps", "Checkpoint Sweeps keeps the last state alone, and Steps = All Sweeps writes all of them; "
+                             "set Checkpoint Sweeps = 0 to continue from levels only, or remove Steps."));
+}
+
 void checkAccuracy(const RunSettings& settings, const AccuracyComponents& components, Diagnostics& diagnostics)
 {
   const OutputOptions& output = settings.output;
   if (!settings.accuracy) {
-    if (output.checkpoint)
-      diagnostics.add(output.place.mistake(
-          "Checkpoint",
-          "Checkpoint continues from the levels of a run with a target, and the deck has no list Accuracy."));
     if (output.allLevels)
       diagnostics.add(output.place.mistake("All Levels", "All Levels writes the meshes on the way to a target, and the "
                                                          "deck has no list Accuracy."));

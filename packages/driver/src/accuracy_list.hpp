@@ -17,6 +17,9 @@ void completeAccuracyDeck(DeckList& deck, Diagnostics& diagnostics);
 /// Reads it; for decks that have it.
 AccuracyOptions accuracyOptions(const Params& deck);
 
+/// Refuses Output/Checkpoint of a run that has nothing to continue from.
+void checkCheckpoint(const RunSettings& settings, const Coupling& coupling, Diagnostics& diagnostics);
+
 /// Refuses a list Accuracy that names no target or two, or that this deck cannot serve.
 void checkAccuracy(const RunSettings& settings, const AccuracyComponents& components, Diagnostics& diagnostics);
 

@@ -103,7 +103,7 @@ ExitCode solveDeck(const RunSettings& settings, const CommandLine& options, cons
       writer(level, number);
   };
   CheckpointFile checkpoint;
-  openCheckpoint(checkpoint, settings, options.deck, options.restart, comm, ledger, log);
+  openCheckpoint(checkpoint, settings, options.deck, options.restart, comm, log);
   Run run = runDeck(settings, components, comm, ledger, log, {}, onLevel, checkpoint.restart);
   computed = true;
   const auto written = writeResults(run, settings.output, options.deck, comm, ledger);

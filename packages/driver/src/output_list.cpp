@@ -42,8 +42,11 @@ ListSpec outputSpec()
       {"All Levels", false,
        "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
       {"Checkpoint", false,
-       "Write NAME.checkpoint after every level (decks with the list Accuracy): with --restart an interrupted run "
-       "continues from there."},
+       "Write NAME.checkpoint after every level (decks with the list Accuracy) and on the way through the sweeps of "
+       "Neumann-Dirichlet (Checkpoint Sweeps): with --restart an interrupted run continues from there."},
+      {"Checkpoint Sweeps", 20, atLeast(0),
+       "Write NAME.checkpoint after so many sweeps of a mesh each; 0: only after levels. Sweeps after it begin with a "
+       "new factor, which changes round-off."},
       {"Report", false,
        "Write NAME.report.html: scene, verdict, pictures and tables from the written files, on one self-contained "
        "page; `ndframe report NAME` makes it later. Needs Summary, and python3-netcdf4, python3-matplotlib and "
@@ -87,6 +90,7 @@ OutputOptions outputOptions(const Params& deck)
   options.report = list.get<bool>("Report");
   options.allLevels = list.get<bool>("All Levels");
   options.checkpoint = list.get<bool>("Checkpoint");
+  options.checkpointSweeps = list.get<int>("Checkpoint Sweeps");
   options.steps = stepsNames().value(list.get<std::string>("Steps"));
   options.equilibratedStress = list.get<bool>("Equilibrated Stress");
   options.meanStress = list.get<bool>("Mean Stress");

@@ -23,6 +23,7 @@ void checkLists(const RunTools& tools, const Components& components)
     checkRoles(tools.settings.scene, diagnostics);
   checkErrorEstimation(tools.settings.errors, tools.settings.output, diagnostics);
   checkAccuracy(tools.settings, components, diagnostics);
+  checkCheckpoint(tools.settings, *tools.coupling, diagnostics);
   diagnostics.throwIfAny();
 }
 
@@ -60,7 +61,7 @@ Run runDeck(const RunSettings& given, const Components& components, const Comm& 
   if (settings.accuracy)
     return runToTarget(std::move(tools), components, screen, onLevel, previous.energies,
                        findsInterfaces(given.deck) ? meshesOf(std::move(previous.model)) : Model(), restart);
-  return runOnce(tools, screen, std::move(previous));
+  return runOnce(tools, screen, std::move(previous), sweepsOf(restart, settings));
 }
 
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,

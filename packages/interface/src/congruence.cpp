@@ -93,6 +93,13 @@ public:
     return std::make_unique<SubstitutedInverse>(substitution_, std::move(inverses), isFree);
   }
 
+  void forgetSolutions() const override
+  {
+    for (const CongruencePart& part : parts_)
+      part.S->forgetSolutions();
+    motionInverse_ = {};
+  }
+
   bool hasPreconditioner() const override { return knowsInverses_ && substitution_.exists(); }
 
   Vector precondition(const Vector& b) const override

@@ -64,6 +64,12 @@ public:
   int size() const override { return size_; }
   Vector apply(const Vector& x) const override { return body_.applySchur(x); }
 
+  void forgetSolutions() const override
+  {
+    body_.forgetSolutions();
+    heldStiffness_.clear(); // by such a solution
+  }
+
   bool hasPreconditioner() const override { return neumann_.solvesNeumann(); }
 
   /// The Neumann solution, which knows nothing of the held entries, and there the inverse of S's diagonal.

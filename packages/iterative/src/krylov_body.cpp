@@ -76,6 +76,8 @@ public:
     return u;
   }
 
+  void forgetSolutions() const { recycled_ = {}; }
+
 private:
   static Vector sum(Vector a, const Vector& b)
   {
@@ -173,6 +175,13 @@ public:
   }
 
   void forget() const override { free_.reset(); }
+
+  void forgetSolutions() const override
+  {
+    for (const auto* system : {interior_.get(), free_.get()})
+      if (system != nullptr)
+        system->forgetSolutions();
+  }
 
   bool solvesWhole() const override { return makeJoined_ != nullptr; }
   const SolverProblem& freedProblem() const override { return freed_; }

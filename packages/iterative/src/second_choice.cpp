@@ -48,6 +48,7 @@ public:
 
   bool hasCheapSchur() const override { return body_->hasCheapSchur(); }
   std::string description() const override { return body_->description(); }
+  void forgetSolutions() const override { body_->forgetSolutions(); }
   bool solvesNeumann() const override { return neumannSolver(*body_).solvesNeumann(); }
   const FreeMotions& freeMotions() const override { return neumannSolver(*body_).freeMotions(); }
 

@@ -21,6 +21,16 @@ struct adl_serializer<std::optional<Value>>
   }
 };
 
+template <class Where>
+struct adl_serializer<ndframe::Field<Where>>
+{
+  static void to_json(json& target, const ndframe::Field<Where>& field) { target = field.whole(); }
+  static void from_json(const json& source, ndframe::Field<Where>& field)
+  {
+    field = ndframe::ofAll<Where>(source.get<ndframe::Vector>());
+  }
+};
+
 } // namespace nlohmann
 
 namespace ndframe
@@ -38,18 +48,25 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndBracket, closed, open)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EndOnSide, bracket, length)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelLesson, errors, contributions, ends, brackets)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyEnd, value, roundOff, name)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(EnergyEnds, lower, upper, certificates)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(LevelRecord, summary, lesson, maximumDofs, meshes, nextTraction, tractionNeumann,
-                                   closed, dirichletBodies, roles, energyLower, energyUpper, certificates)
+                                   closed, dirichletBodies, roles, energy)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepRecord, sweep, epsTau, iterationError, theta, statusChanges, statusPasses,
+                                   closed, open, forceDirichlet, forceNeumann, turned, penetration, note)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InterfaceState, uDirichlet, uNeumann, motionsNeumann, strainedNeumann,
+                                   forceDirichlet, forceNeumann, tractionDirichlet, tractionNeumann, closed)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsDone, history, state, traction, relaxation, counts)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsRecord, done, goal, before, iterationBefore, boundBefore, energy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, name, seconds, peakBytes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, seconds, firstMemory,
-                                   peakMemory, counts, stages)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, sweeps, seconds,
+                                   firstMemory, peakMemory, counts, stages)
 
 namespace
 {
 
 constexpr const char *kindKey = "kind", *formatKey = "format", *contentKey = "content";
 constexpr const char* kind = "ndframe checkpoint";
-constexpr int format = 3;
+constexpr int format = 4;
 
 std::string refusal(const std::string& path, const std::string& why)
 {
@@ -76,8 +93,8 @@ Checkpoint checkpointFromBytes(const std::string& bytes, const std::string& path
       throw InputError(refusal(path, fmt::format("was written by ndframe {} (format {}), and this is {} (format {})",
                                                  writer, file.at(formatKey).dump(), version, format)));
     Checkpoint checkpoint = file.at(contentKey).get<Checkpoint>();
-    if (checkpoint.levels.empty() && !checkpoint.isFinished)
-      throw InputError(refusal(path, "has no level"));
+    if (checkpoint.levels.empty() && !checkpoint.sweeps && !checkpoint.isFinished)
+      throw InputError(refusal(path, "has neither levels nor sweeps"));
     return checkpoint;
   } catch (const Json::exception&) {
     throw InputError(refusal(path, "lacks a part of a checkpoint"));

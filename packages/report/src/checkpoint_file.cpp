@@ -28,9 +28,11 @@ std::string contentsOf(const std::string& path)
 {
   std::error_code ignored;
   if (!std::filesystem::exists(path, ignored))
-    throw InputError(fmt::format("there is no \"{}\" to continue from: a run with Output/Checkpoint = true writes it "
-                                 "when its first level is done; run without --restart, from the beginning.",
-                                 path));
+    throw InputError(
+        fmt::format("there is no \"{}\" to continue from: a run with Output/Checkpoint = true writes it "
+                    "after its first level and its first Checkpoint Sweeps; run without --restart, from the "
+                    "beginning.",
+                    path));
   std::ifstream file(path, std::ios::binary);
   if (!std::filesystem::is_regular_file(path, ignored) || !file)
     throw InputError(fmt::format("cannot read \"{}\"; run without --restart, from the beginning.", path));
@@ -46,21 +48,31 @@ Checkpoint readCheckpoint(const std::string& path, const Comm& comm)
       checkpointFromBytes(fromRankZero(comm, [&] { return contentsOf(path); }), path, versionText());
   if (checkpoint.isFinished)
     throw InputError(fmt::format(
-        "the run of \"{}\" has reached its target, and nothing is left to do; it wrote {}. "
+        "the run of \"{}\" is finished, and nothing is left to do; it wrote {}. "
         "Without --restart it runs again.",
         path, checkpoint.results.empty() ? "nothing" : fmt::format("{}", fmt::join(checkpoint.results, ", "))));
   return checkpoint;
 }
 
+/// "level 1 is", "levels 1 to 3 and sweeps 1 to 40 of the next are".
+std::string partsOf(const Checkpoint& checkpoint)
+{
+  const std::size_t levels = checkpoint.levels.size(),
+                    sweeps = checkpoint.sweeps ? checkpoint.sweeps->done.history.size() : 0;
+  std::vector<std::string> parts;
+  if (levels > 0)
+    parts.push_back(levels == 1 ? "level 1" : fmt::format("levels 1 to {}", levels));
+  if (sweeps > 0)
+    parts.push_back(fmt::format("{} sweeps{}", sweeps, levels > 0 ? " of the next" : ""));
+  return fmt::format("{} {}", fmt::join(parts, " and "), levels == 1 && sweeps == 0 ? "is" : "are");
+}
+
 } // namespace
 
 void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std::string& deckName, bool goesOn,
-                    const Comm& comm, Ledger& ledger, const Log& log)
+                    const Comm& comm, const Log& log)
 {
   const OutputOptions& output = settings.output;
-  if (goesOn && !settings.accuracy)
-    throw InputError("--restart continues from the levels of a run with a target, and the deck has no list Accuracy; "
-                     "run without --restart.");
   if (!goesOn && !output.checkpoint)
     return;
   Restart& restart = file.restart;
@@ -68,14 +80,12 @@ void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std
   comm.broadcast(restart.file);
   if (goesOn) {
     restart.from = readCheckpoint(restart.file, comm);
-    const std::size_t levels = restart.from->levels.size();
-    log.line(fmt::format("  continues from {}: {} not solved again\n", restart.file,
-                         levels == 1 ? "level 1 is" : fmt::format("levels 1 to {} are", levels)));
+    log.line(fmt::format("  continues from {}: {} not solved again\n", restart.file, partsOf(*restart.from)));
   }
   if (!output.checkpoint)
     return;
-  restart.write = [&comm, &ledger, path = restart.file](const Checkpoint& checkpoint) {
-    const auto timer = timeStage(ledger, Stage::Write);
+  restart.sweeps = output.checkpointSweeps;
+  restart.write = [&comm, path = restart.file](const Checkpoint& checkpoint) {
     writeOnFirstRank(comm, [&] { writeTextAtomically(path, toBytes(checkpoint)); });
   };
   restart.keep = [&file](Checkpoint&& checkpoint) { file.last = std::move(checkpoint); };
@@ -83,9 +93,9 @@ void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std
 
 void endCheckpoint(CheckpointFile& file, const Run& run, const std::vector<std::string>& written, const Comm& comm)
 {
-  if (!file.restart.write || !run.summary.accuracy)
+  if (!file.restart.write)
     return;
-  if (run.summary.accuracy->reached) {
+  if (run.summary.accuracy ? run.summary.accuracy->reached : run.summary.solved && run.failure.empty()) {
     file.last.emplace();
     file.last->version = versionText();
     file.last->deckJson = run.summary.deckJson;

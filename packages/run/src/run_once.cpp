@@ -12,7 +12,7 @@ namespace
 {
 
 /// The whole run, starting with what stands in it of an earlier one.
-void compute(Run& run, const RunTools& tools, RunObserver& observer, const CarriedContact& contact)
+void compute(Run& run, const RunTools& tools, RunObserver& observer, const CarriedContact& contact, SweepsKept sweeps)
 {
   const SerialBlas serial;
   run.plan = Plan(tools.settings, *tools.solver, tools.comm.size());
@@ -23,7 +23,9 @@ void compute(Run& run, const RunTools& tools, RunObserver& observer, const Carri
   attempt(run, observer, [&] {
     condenseRun(run, tools, observer);
     findRoles(run, tools, observer);
-    solveRun(run, tools, observer, startLike(run, contact));
+    CouplingStart start = startLike(run, contact);
+    start.sweeps = std::move(sweeps);
+    solveRun(run, tools, observer, std::move(start));
     if (run.plan.runs(Stage::Certificate))
       certifyRun(run, tools);
   });
@@ -37,7 +39,7 @@ Reusable handOn(Run& run)
   return {std::move(run.model), std::move(run.condensed), std::move(run.reference), std::move(run.energies)};
 }
 
-Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous)
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, SweepsKept sweeps)
 {
   Run run;
   run.startSeconds = wallSeconds();
@@ -46,7 +48,7 @@ Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous)
   run.reference = std::move(previous.reference);
   run.energies = std::move(previous.energies);
   try {
-    compute(run, tools, observer, previous.contact);
+    compute(run, tools, observer, previous.contact, std::move(sweeps));
   } catch (...) {
     previous = handOn(run);
     throw;

@@ -21,6 +21,14 @@ public:
     const double theta = 1.0 / sweep_++;
     return {relax(dirichlet, neumann, theta), theta, {}};
   }
+  RelaxationMemory memory() const override { return {{double(sweep_)}}; }
+  bool recall(const RelaxationMemory& memory) override
+  {
+    if (memory.size() != 1 || memory.front().size() != 1)
+      return false;
+    sweep_ = int(memory.front().front());
+    return true;
+  }
 
 private:
   int firstSweep_, sweep_;

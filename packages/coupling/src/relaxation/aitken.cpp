@@ -48,6 +48,16 @@ public:
     return {relax(dirichlet, neumann, theta_), theta_, std::move(note)};
   }
 
+  RelaxationMemory memory() const override { return {{theta_}, residual_}; }
+  bool recall(const RelaxationMemory& memory) override
+  {
+    if (memory.size() != 2 || memory.front().size() != 1)
+      return false;
+    theta_ = memory.front().front();
+    residual_ = memory.back();
+    return true;
+  }
+
 private:
   double initialTheta_, theta_;
   Vector residual_; ///< of the sweep before; empty in the first

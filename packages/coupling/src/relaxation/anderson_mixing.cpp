@@ -3,14 +3,13 @@
 #include <algorithm>
 
 #include "ndframe/algebra/dense.hpp"
-#include "ndframe/coupling/relaxation_controller.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-constexpr std::size_t memory = 8; ///< sweeps
+constexpr std::size_t mixedSweeps = 8;
 constexpr int mostRestarts = 4;
 constexpr double dependent = 1e-10; ///< relative size below which a direction is round-off
 
@@ -39,7 +38,7 @@ void AndersonMixing::remember(const Vector& residual, const Vector& traction)
   }
   residualChanges_.push_back(difference(residual, residual_));
   tractionChanges_.push_back(difference(traction, traction_));
-  if (residualChanges_.size() > memory) {
+  if (residualChanges_.size() > mixedSweeps) {
     residualChanges_.pop_front();
     tractionChanges_.pop_front();
   }
@@ -60,6 +59,28 @@ InterfaceValues AndersonMixing::next(const InterfaceValues& dirichlet, const Int
   residual_ = residual;
   traction_ = neumann;
   return next;
+}
+
+RelaxationMemory AndersonMixing::memory() const
+{
+  RelaxationMemory memory{{double(restarts_)}, residual_, traction_};
+  memory.insert(memory.end(), residualChanges_.begin(), residualChanges_.end());
+  memory.insert(memory.end(), tractionChanges_.begin(), tractionChanges_.end());
+  return memory;
+}
+
+bool AndersonMixing::recall(const RelaxationMemory& memory)
+{
+  constexpr std::size_t single = 3;
+  if (memory.size() < single || memory.front().size() != 1 || (memory.size() - single) % 2 != 0)
+    return false;
+  restarts_ = int(memory.front().front());
+  residual_ = memory[1];
+  traction_ = memory[2];
+  const auto first = memory.begin() + single, middle = first + (memory.end() - first) / 2;
+  residualChanges_.assign(first, middle);
+  tractionChanges_.assign(middle, memory.end());
+  return true;
 }
 
 } // namespace ndframe

@@ -2,7 +2,7 @@
 
 #include <deque>
 
-#include "ndframe/algebra/field.hpp"
+#include "ndframe/coupling/relaxation_controller.hpp"
 
 namespace ndframe
 {
@@ -24,6 +24,10 @@ public:
 
   /// Lambda_neu(p). dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1).
   InterfaceValues next(const InterfaceValues& dirichlet, const InterfaceValues& neumann, double theta);
+
+  /// As RelaxationController has it.
+  RelaxationMemory memory() const;
+  bool recall(const RelaxationMemory& memory); ///< the same
 
 private:
   void remember(const Vector& residual, const Vector& traction);

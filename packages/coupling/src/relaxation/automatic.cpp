@@ -60,6 +60,24 @@ public:
     return {std::move(next), theta_, note};
   }
 
+  RelaxationMemory memory() const override
+  {
+    RelaxationMemory memory = mixing_.memory();
+    memory.push_back(residual_);
+    memory.push_back({theta_, double(overshoots_)});
+    return memory;
+  }
+
+  bool recall(const RelaxationMemory& memory) override
+  {
+    if (memory.size() < 2 || memory.back().size() != 2 || !mixing_.recall({memory.begin(), memory.end() - 2}))
+      return false;
+    residual_ = memory[memory.size() - 2];
+    theta_ = memory.back().front();
+    overshoots_ = int(memory.back().back());
+    return true;
+  }
+
 private:
   void begin(double theta, bool mixes)
   {

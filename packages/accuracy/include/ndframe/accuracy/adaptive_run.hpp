@@ -6,15 +6,23 @@
 namespace ndframe
 {
 
-/// What a run with a target is told of an earlier one that was ended, and leaves in case that it is ended itself.
+/// What a run is told of an earlier one that was ended, and leaves in case that it is ended itself.
 struct Restart
 {
-  std::function<void(const Checkpoint&)> write; ///< after every level that another one follows; empty: never
+  /// After every level that another one follows, and on the way through sweeps; empty: never.
+  std::function<void(const Checkpoint&)> write;
+  int sweeps = 0; ///< after so many of them each; 0: only after levels
   /// Called where a limit ends the run, to be written behind its results: higher limits go on from the last level.
   std::function<void(Checkpoint&&)> keep;
   std::optional<Checkpoint> from; ///< levels that are there already; none: the run begins with the first
   std::string file;               ///< where it comes from, for messages
 };
+
+/// Throws InputError where the checkpoint that a run is to go on from belongs to another deck.
+void refuseOtherDeck(const Restart& restart, const RunSettings& settings);
+
+/// The sweeps of a run without levels. Throws as refuseOtherDeck(). Settings and `restart` must live as long as they.
+SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings);
 
 /// Runs a deck with the list Accuracy up to the summary: solves and certifies on finer and finer meshes until the bound
 /// is below the target or a limit is met; `energies`: of earlier runs. The run that is returned is the one on the last

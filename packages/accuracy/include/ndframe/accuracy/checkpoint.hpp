@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <map>
 #include <optional>
 #include <string>
@@ -47,6 +48,13 @@ struct EnergyEnd
   std::string name;                   ///< of the certificate, "level 3"; empty without one
 };
 
+/// The bracket of the exact energy by the certificates so far.
+struct EnergyEnds
+{
+  EnergyEnd lower, upper; ///< the best of all
+  int certificates = 0;   ///< of them
+};
+
 /// All that a level of a run with a target leaves to those after it, apart from what is made from it again: meshes by
 /// the same refinements, interfaces from the meshes.
 struct LevelRecord
@@ -60,9 +68,18 @@ struct LevelRecord
   std::vector<int> closed;                           ///< per interface node
   std::vector<int> dirichletBodies;                  ///< per interface
   std::vector<RoleSummary> roles;                    ///< that were chosen; empty where they were given
-  /// The lower end of the bracket, and the upper one.
-  EnergyEnd energyLower, energyUpper; ///< of the exact energy, by all certificates so far
-  int certificates = 0;               ///< of them
+  EnergyEnds energy;                                 ///< with this level's
+};
+
+/// The sweeps of a level that was not done, or of a run without levels.
+struct SweepsRecord
+{
+  SweepsDone done;            ///< since they began with a goal of their own
+  std::optional<double> goal; ///< for their part of the error; none: Coupling/Stopping
+  int before = 0;             ///< sweeps on this mesh with larger goals
+  /// What those left of it and of the bound; infinite without any.
+  double iterationBefore = std::numeric_limits<double>::infinity(), boundBefore = iterationBefore; ///< in energy norm
+  EnergyEnds energy;                                                                               ///< with theirs
 };
 
 /// What a stage of the ledger took.
@@ -73,15 +90,16 @@ struct StageRecord
   std::int64_t peakBytes = 0; ///< largest resident size while it ran
 };
 
-/// NAME.checkpoint: what a run with a target that was ended goes on from.
+/// NAME.checkpoint: what a run that was ended goes on from.
 struct Checkpoint
 {
-  std::string version;              ///< of ndframe
-  std::string deckJson;             ///< effective
-  bool isFinished = false;          ///< the run has reached its target: nothing of what follows but its files
-  std::vector<std::string> results; ///< names of the files that a finished run wrote; else empty
-  std::vector<LevelRecord> levels;  ///< that are done, the first one first; none of a finished run
-  double seconds = 0.0;             ///< since the run began
+  std::string version;                ///< of ndframe
+  std::string deckJson;               ///< effective
+  bool isFinished = false;            ///< the run has come to its end: nothing of what follows but its files
+  std::vector<std::string> results;   ///< names of the files that a finished run wrote; else empty
+  std::vector<LevelRecord> levels;    ///< that are done, the first one first; none of a finished run
+  std::optional<SweepsRecord> sweeps; ///< on the meshes after them
+  double seconds = 0.0;               ///< since the run began
   /// Largest resident sizes of rank 0: when the first process began, and of all processes so far.
   std::int64_t firstMemory = 0, peakMemory = 0; ///< bytes, before there was a mesh and the most
   std::map<std::string, std::int64_t> counts;   ///< of the ledger
@@ -89,7 +107,8 @@ struct Checkpoint
 };
 
 /// "Bodies/punch/Material/Young Modulus is 2 and was 1" of the first parameter in which two effective decks differ, and
-/// how many more there are; empty when they are the same but for title, Output, Expect and the limits of Accuracy.
+/// how many more there are; empty when they are the same but for title, Output, Expect, the limits of Accuracy and
+/// Maximum Sweeps.
 std::string differenceOf(const std::string& deckJson, const std::string& earlierJson);
 
 } // namespace ndframe

@@ -85,6 +85,9 @@ public:
   /// True when schurComplement() comes with the factor.
   virtual bool hasCheapSchur() const = 0;
 
+  /// Forgets what earlier solutions have left to start others from, where it keeps something (SymmetricOperator).
+  virtual void forgetSolutions() const {}
+
   virtual std::string description() const = 0; ///< e.g. "Cholmod, METIS nested dissection, 1.3e6 nonzeros"
 };
 

@@ -29,6 +29,8 @@ public:
   /// The inverse of A_FF + shift I on the free entries (`isFree` has size(), shift >= 0). Throws NotPositiveDefinite
   /// when that is singular. The operator must outlive the inverse.
   virtual std::unique_ptr<RestrictedInverse> inverseOn(const std::vector<char>& isFree, double shift) const = 0;
+  /// Forgets what earlier solutions have left to start others from: those that follow have bits of their own.
+  virtual void forgetSolutions() const {}
   /// The stored matrix; null when the operator is only applied.
   virtual const DenseMatrix* dense() const = 0;
 };

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <vector>
@@ -63,6 +65,25 @@ struct CouplingResult
   std::string reason;            ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
 };
 
+/// What sweeps that are done leave to those that follow. On the same bodies these have the same bits as if they had
+/// followed at once.
+struct SweepsDone
+{
+  std::vector<SweepRecord> history;           ///< all of them
+  InterfaceState state;                       ///< after the last one
+  InterfaceValues traction;                   ///< with which the next one begins
+  RelaxationMemory relaxation;                ///< of the controller
+  std::map<std::string, std::int64_t> counts; ///< of the ledger
+};
+
+/// Sweeps that go on from earlier ones, and are kept so that others may go on from them.
+struct SweepsKept
+{
+  std::optional<SweepsDone> after; ///< none: they begin with the first
+  int every = 0;                   ///< after so many sweeps each, those that are done are kept; 0: never
+  std::function<void(const SweepsDone&)> keep = {}; ///< how
+};
+
 /// Where an iteration begins, and when it may end, if not as the deck says. All may be empty.
 ///
 /// A wrong start costs sweeps and status passes and changes nothing in the answer beyond the stopping tolerance: the
@@ -75,6 +96,7 @@ struct CouplingStart
   /// Given: SweepRecord::iterationError is measured. > 0: the sweeps end below it, which replaces Tolerance.
   std::optional<double> iterationError;
   std::optional<RoleSpectrum> spectrum = {}; ///< of the sweeps, if it is known already (Coupling::needsSpectrum)
+  SweepsKept sweeps = {};                    ///< where the coupling can (Coupling::keepsSweeps)
 };
 
 /// Called after every sweep, for the screen and for those who want all states.
@@ -109,6 +131,8 @@ public:
   /// Whether solve() takes bodies of so many dimensions as they are, without their Schur complements, where their
   /// solver offers it (WholeSolver).
   virtual bool solvesWhole(int /*dim*/) const { return false; }
+  /// Whether solve() heeds CouplingStart::sweeps. It throws InputError where they are not those of the system.
+  virtual bool keepsSweeps() const { return false; }
   /// Whether solve() finds the eigenvalues of the sweeps unless the start has them.
   virtual bool needsSpectrum() const { return false; }
   /// The relaxation factor of all sweeps, where the deck says it: what roles are chosen for.

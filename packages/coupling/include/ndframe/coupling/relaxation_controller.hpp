@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "ndframe/algebra/field.hpp"
 #include "ndframe/base/registry.hpp"
@@ -17,6 +18,9 @@ struct RelaxedTraction
   double theta;             ///< the factor used, dimensionless
   std::string note;         ///< something the user should see in this sweep's line; usually empty
 };
+
+/// What a controller knows of earlier sweeps, in an order of its own.
+using RelaxationMemory = std::vector<Vector>;
 
 /// Chooses the relaxation factor theta_p of the update (18), (27):
 ///
@@ -35,6 +39,11 @@ public:
   virtual std::optional<double> givenTheta() const { return std::nullopt; }
   /// dirichlet: Lambda_dir(p), neumann: Lambda_neu(p-1), both at the interface's nodes, a stress.
   virtual RelaxedTraction next(const InterfaceValues& dirichlet, const InterfaceValues& neumann) = 0;
+  /// All that next() depends on but its arguments and how it was started.
+  virtual RelaxationMemory memory() const = 0;
+  /// Goes on, after start() or startWith(), as the controller did whose memory this is, with the same bits. False where
+  /// it is not the memory of such a controller.
+  virtual bool recall(const RelaxationMemory& memory) = 0;
 };
 
 /// The update (27) with a given factor.

@@ -49,6 +49,7 @@ struct OutputOptions
   bool report = false;                              ///< NAME.report.html
   bool allLevels = false;                           ///< every level of a run with a target
   bool checkpoint = false;                          ///< NAME.checkpoint
+  int checkpointSweeps = 0;                         ///< also after so many sweeps each; 0: only after levels
   StepsWritten steps = StepsWritten::Final;         ///< of NAME.e
   /// Element means of sigma^ and of the mean stress (sigma^ + K eps(u^)) / 2 are written.
   bool equilibratedStress = false, meanStress = false; ///< in NAME.e

@@ -6,7 +6,7 @@ namespace ndframe
 {
 
 /// Runs a deck on the meshes that it names up to the summary, starting with what it may take over of an earlier run:
-/// `previous`, which holds what can still be reused when this throws.
-Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous);
+/// `previous`, which holds what can still be reused when this throws. sweeps: kept, and gone on from.
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, SweepsKept sweeps = {});
 
 } // namespace ndframe

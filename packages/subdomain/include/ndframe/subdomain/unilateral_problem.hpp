@@ -27,6 +27,8 @@ public:
   /// Throws NotConverged when the load does not press the body on what holds it (naming the free motions) or after too
   /// many passes.
   UnilateralState solve(const Vector& b, const Vector& bound, std::vector<char> closed);
+  /// The next solution factors anew: its bits do not depend on those before.
+  void forgetFactor() { factor_.reset(); }
 
 private:
   class Conditions;
