@@ -58,8 +58,8 @@ StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdg
                            const ClassMatrices& matrices)
     : faces_(&faces), edges_(&edges), ofClasses_(faces, edges, matrices)
 {
-  for (const StressFace& face : faces.all())
-    begin_.push_back(begin_.back() + face.numOwn());
+  for (int f = 0; f < faces.size(); ++f)
+    begin_.push_back(begin_.back() + (faces.isNear(f) ? faces[f].numOwn() : 0));
   for (const StressEdge& edge : edges)
     begin_.push_back(begin_.back() + edge.basis.cols());
   place();
@@ -80,7 +80,7 @@ void StressBlocks::place()
     const bool isFace = b < faces_->size();
     const int edge = b - faces_->size();
     first_[std::size_t(b)] = b;
-    auto key = isFace ? ofClasses_.keyOfFace(b) : ofClasses_.keyOfEdge(edge);
+    auto key = sizeOf(b) == 0 ? std::vector<int>() : (isFace ? ofClasses_.keyOfFace(b) : ofClasses_.keyOfEdge(edge));
     if (key.empty()) {
       at_[std::size_t(b)] = alone_;
       alone_ += entries(b);
@@ -209,13 +209,17 @@ void StressBlocks::addEdge(int e, int cell, const DenseMatrix& W, double* sum) c
       addProduct(through[a], W, begin[a], begin[b], through[b], sum);
 }
 
-void StressBlocks::invert(const Comm& comm, int threads)
+void StressBlocks::invert(const StressSharing& sharing, int threads)
 {
-  comm.sum(blocks_);
+  sharing.values().add(
+      [&](int b) {
+        return SharedValues::Place{at_[std::size_t(b)], isShared(b) ? 0 : entries(b)};
+      },
+      blocks_);
   std::vector<int> kept;
   std::size_t end = alone_;
   for (int b = 0; b < numBlocks(); ++b)
-    if (first_[std::size_t(b)] == b) {
+    if (first_[std::size_t(b)] == b && (isShared(b) || sharing.owns(b))) {
       kept.push_back(b);
       end = std::max(end, at_[std::size_t(b)] + entries(b));
     }

@@ -128,6 +128,8 @@ std::vector<StressEdge> Rings::find()
 /// Walks from face to face through the cells between them.
 void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& around)
 {
+  if (std::none_of(around.begin(), around.end(), [&](int f) { return faces_.isNear(f); }))
+    return;
   const auto isOpen = [&](int f) { return faces_[f].isBoundary(); };
   const auto open = std::find_if(around.begin(), around.end(), isOpen);
   StressEdge edge;

@@ -35,7 +35,8 @@ struct ThroughMatrix
   std::array<double, 36> values{}; ///< 6 x 6 at most
 };
 
-/// All edges around which anything can circulate. Those at which a body touches itself are left out.
+/// All edges of own cells around which anything can circulate, whole rings. Those at which a body touches itself are
+/// left out.
 std::vector<StressEdge> stressEdges(const StressFaces& faces);
 
 } // namespace ndframe

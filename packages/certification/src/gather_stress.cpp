@@ -1,0 +1,14 @@
+#include "ndframe/certification/certificate.hpp"
+#include "ndframe/recovery/scene_pieces.hpp"
+
+namespace ndframe
+{
+
+void Certificate::gatherStress(const Comm& comm)
+{
+  if (pieces)
+    gatherPieces(*pieces, corrections, comm);
+  pieces.reset();
+}
+
+} // namespace ndframe
