@@ -61,7 +61,7 @@ StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdg
   for (int f = 0; f < faces.size(); ++f)
     begin_.push_back(begin_.back() + (faces.isNear(f) ? faces[f].numOwn() : 0));
   for (const StressEdge& edge : edges)
-    begin_.push_back(begin_.back() + edge.basis.cols());
+    begin_.push_back(begin_.back() + edge.unknowns);
   place();
   listEdges();
   blocks_.assign(alone_, 0.0);

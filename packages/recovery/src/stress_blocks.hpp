@@ -8,7 +8,7 @@ namespace ndframe
 {
 
 /// The diagonal blocks of the energy as a function of the tractions that may change: one a face (StressFace::own), one
-/// an edge (StressEdge::basis); unknowns are numbered in this order. Their inverses precondition the steps of
+/// an edge (StressEdge::unknowns); unknowns are numbered in this order. Their inverses precondition the steps of
 /// StressDescent. Blocks that are the same but for a factor (ClassBlocks) are kept once. Faces without an own cell have
 /// none.
 class StressBlocks
