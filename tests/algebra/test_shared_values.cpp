@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "common/test_main.hpp"
+#include "ndframe/algebra/dense.hpp"
 #include "ndframe/algebra/shared_values.hpp"
 
 namespace ndframe
@@ -84,6 +85,27 @@ TEST(SharedValues, GatheredAndLargestAreTheSameOnAllRanks)
   Vector largest{double(rank), -double(rank)};
   takeLargest(largest, test::comm());
   EXPECT_EQ(largest, (Vector{double(ranks - 1), 0.0}));
+}
+
+TEST(SharedValues, AMatrixThatIsNotDefiniteOnOneRankIsSoOnAll)
+{
+  const int last = test::comm().size() - 1;
+  const auto fail = [&](int row) {
+    return [&test = test::comm(), last, row] {
+      if (test.rank() == last)
+        throw NotPositiveDefinite(row);
+    };
+  };
+  for (const int row : {-1, 0, 7}) {
+    int found = -2;
+    try {
+      definiteOnEveryRank(test::comm(), fail(row));
+    } catch (const NotPositiveDefinite& failure) {
+      found = failure.row;
+    }
+    EXPECT_EQ(found, row);
+  }
+  EXPECT_NO_THROW(definiteOnEveryRank(test::comm(), [] {}));
 }
 
 } // namespace ndframe

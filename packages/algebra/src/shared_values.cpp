@@ -5,6 +5,7 @@
 #include <mpi.h>
 
 #include "mpi_comm.hpp"
+#include "ndframe/algebra/dense.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -146,6 +147,22 @@ Vector gatheredFrom(const Vector& own, const Comm& comm)
   Vector all(total);
   MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(), MPI_DOUBLE, mpiComm(comm));
   return all;
+}
+
+void definiteOnEveryRank(const Comm& comm, const std::function<void()>& work)
+{
+  constexpr double none = -2.0; // -1 is a row that is not known
+  Vector row{none};
+  try {
+    work();
+  } catch (const NotPositiveDefinite& failure) {
+    if (comm.size() == 1)
+      throw;
+    row[0] = double(failure.row);
+  }
+  takeLargest(row, comm);
+  if (row[0] > none)
+    throw NotPositiveDefinite(int(row[0]));
 }
 
 } // namespace ndframe

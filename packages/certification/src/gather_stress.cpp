@@ -11,4 +11,10 @@ void Certificate::gatherStress(const Comm& comm)
   pieces.reset();
 }
 
+void Certificate::forgetStress()
+{
+  corrections = {};
+  pieces.reset();
+}
+
 } // namespace ndframe

@@ -125,13 +125,15 @@ private:
   {
     Vector touching{-1.0}; // a vertex of the whole body
     const BodyPiece* piece = this->piece(std::size_t(body));
-    try {
-      balanceOwn(body, faces);
-    } catch (const SelfTouching& place) {
-      if (piece == nullptr)
-        throw;
-      touching[0] = piece->points[std::size_t(place.vertex)];
-    }
+    definiteOnEveryRank(comm_, [&] {
+      try {
+        balanceOwn(body, faces);
+      } catch (const SelfTouching& place) {
+        if (piece == nullptr)
+          throw;
+        touching[0] = piece->points[std::size_t(place.vertex)];
+      }
+    });
     takeLargest(touching, comm_);
     if (touching[0] >= 0.0)
       throw SelfTouching(*piece->whole, int(touching[0]));

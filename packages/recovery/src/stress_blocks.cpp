@@ -224,7 +224,7 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
       end = std::max(end, at_[std::size_t(b)] + entries(b));
     }
   blocks_.resize(end, 0.0);
-  runInRanges(int(kept.size()), threads, [&](int first, int last) {
+  const auto invertSome = [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const int b = kept[std::size_t(i)];
       double* values = blocks_.data() + at_[std::size_t(b)];
@@ -237,7 +237,8 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
       const DenseMatrix inverse = DenseCholesky(std::move(block)).inverse();
       std::copy_n(inverse.col(0), entries(b), values);
     }
-  });
+  };
+  definiteOnEveryRank(sharing.comm(), [&] { runInRanges(int(kept.size()), threads, invertSome); });
 }
 
 void StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads,

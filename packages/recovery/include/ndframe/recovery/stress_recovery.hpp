@@ -51,7 +51,8 @@ public:
 
   /// All fields share geometry and factors. Collective; results are replicated but for SceneStress::pieces.
   /// Ledger counts: "stars" (star problems factored, whatever the number of fields), "star sweeps", "interface stars",
-  /// "element problems", "recovery steps".
+  /// "element problems", "recovery steps", "cell matrices"; on several ranks "cell matrices of the largest rank",
+  /// "recovery messages" and "recovery bytes" of all ranks.
   virtual std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields,
                                            const Comm& comm, Ledger& ledger) const = 0;
 
