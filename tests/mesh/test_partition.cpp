@@ -58,4 +58,27 @@ TEST(Partition, IsDeterministic)
   EXPECT_EQ(partitionNodes(mesh.cells, 3, mesh.numPoints(), 3), partitionNodes(mesh.cells, 3, mesh.numPoints(), 3));
 }
 
+TEST(PartitionByPlace, PartsAreEqualToOneAndHangTogether)
+{
+  std::vector<std::array<double, 3>> points;
+  for (int i = 0; i < 12; ++i)
+    for (int j = 0; j < 5; ++j)
+      for (int k = 0; k < 4; ++k)
+        points.push_back({double(i), double(j), double(k)});
+  for (const int parts : {1, 2, 3, 4, 7, 8}) {
+    const std::vector<int> owner = partitionByPlace(points, parts);
+    std::vector<int> count(std::size_t(parts), 0);
+    for (const int part : owner)
+      ++count[std::size_t(part)];
+    EXPECT_LE(*std::max_element(count.begin(), count.end()) - *std::min_element(count.begin(), count.end()), 1)
+        << parts;
+    int cut = 0; // neighbours along x of different parts
+    for (std::size_t i = 0; i + 20 < points.size(); ++i)
+      cut += int(owner[i] != owner[i + 20]);
+    EXPECT_LE(cut, 20 * (parts - 1)) << parts;
+  }
+  EXPECT_EQ(partitionByPlace({}, 3), std::vector<int>());
+  EXPECT_EQ(partitionByPlace({{0, 0, 0}, {0, 0, 0}, {0, 0, 0}}, 3), (std::vector<int>{0, 1, 2}));
+}
+
 } // namespace

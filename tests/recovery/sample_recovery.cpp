@@ -2,6 +2,9 @@
 
 #include <fmt/format.h>
 
+#include "common/test_main.hpp"
+#include "ndframe/recovery/scene_pieces.hpp"
+
 namespace ndframe::test
 {
 
@@ -20,6 +23,18 @@ std::unique_ptr<StressRecovery> makeRecovery(const std::string& type,
   const Params params = validate(parseDeck(xml + "</ParameterList>", "recovery.xml"), spec, diagnostics);
   diagnostics.throwIfAny();
   return registry.build(params);
+}
+
+std::vector<SceneStress> recoverWhole(const StressRecovery& recovery, const RecoveryScene& scene,
+                                      const std::vector<SceneField>& fields, Ledger& ledger)
+{
+  std::vector<SceneStress> stresses = recovery.recover(scene, fields, comm(), ledger);
+  for (SceneStress& stress : stresses)
+    if (stress.pieces) {
+      gatherPieces(*stress.pieces, stress.corrections, comm());
+      stress.pieces.reset();
+    }
+  return stresses;
 }
 
 } // namespace ndframe::test

@@ -12,4 +12,8 @@ namespace ndframe::test
 std::unique_ptr<StressRecovery> makeRecovery(const std::string& type,
                                              const std::vector<std::pair<std::string, int>>& entries = {});
 
+/// What a recovery gives on all ranks of test::comm(), with the corrections of all cells.
+std::vector<SceneStress> recoverWhole(const StressRecovery& recovery, const RecoveryScene& scene,
+                                      const std::vector<SceneField>& fields, Ledger& ledger);
+
 } // namespace ndframe::test

@@ -23,7 +23,7 @@ StressCorrection recovered(const test::Problem& problem, const std::string& type
   SceneField field;
   field.displacement = {&problem.displacement};
   const auto recovery = test::makeRecovery(type, {{"Degree", problem.data.degree}, {effort, amount}});
-  return recovery->recover(scene, {field}, test::comm(), ledger)[0].corrections[0];
+  return test::recoverWhole(*recovery, scene, {field}, ledger)[0].corrections[0];
 }
 
 StressCorrection recovered(const test::Problem& problem, const std::string& type, const std::string& effort, int amount)

@@ -49,8 +49,8 @@ void withRecoveries(const test::Problem& problem, const std::function<void(const
       continue;
     SCOPED_TRACE(recovery.name + (recovery.entries.empty() ? "" : " with a sweep"));
     Ledger ledger;
-    const auto stresses = component->recover({{&problem.body}, {problem.data}, {}},
-                                             {{{&problem.displacement}, {}, false, {}}}, test::comm(), ledger);
+    const auto stresses = test::recoverWhole(*component, {{&problem.body}, {problem.data}, {}},
+                                             {{{&problem.displacement}, {}, false, {}}}, ledger);
     check(stresses[0].corrections[0]);
   }
 }

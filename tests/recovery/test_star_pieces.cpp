@@ -6,9 +6,9 @@
 
 #include "fem/sample_meshes.hpp"
 #include "ndframe/equilibrium/row_reduction.hpp"
+#include "ndframe/equilibrium/star_flow.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
 #include "ndframe/fem/quadrature.hpp"
-#include "star_flow.hpp"
 
 namespace ndframe
 {

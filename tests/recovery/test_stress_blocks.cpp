@@ -18,7 +18,7 @@ class Energy
 public:
   explicit Energy(const test::Problem& problem)
       : body_(problem.body, problem.data), cells_({&body_}), faces_(cells_), edges_(stressEdges(faces_)),
-        ofClasses(cells_), matrices_(cells_, ofClasses, 0, 1), blocks(faces_, edges_, ofClasses),
+        ofClasses(cells_), matrices_(cells_, ofClasses), blocks(faces_, edges_, ofClasses),
         unknowns_(faces_, edges_, blocks)
   {
     CellBlocks work(body_.facetData());
@@ -33,7 +33,7 @@ public:
           for (int c = 0; c < found.count; ++c)
             blocks.add(found.cells[c], parts[std::size_t(c)]);
         });
-    blocks.invert(Comm::single(), 1);
+    blocks.invert(StressSharing(faces_, edges_, Comm::single()), 1);
   }
 
   /// Half its derivative.

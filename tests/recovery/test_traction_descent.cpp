@@ -68,7 +68,7 @@ public:
   {
     Ledger ledger;
     const auto method = test::makeRecovery("Global", {{"Degree", kind_.degree}, {"Steps", steps}});
-    return method->recover(recovery, {field}, test::comm(), ledger)[0];
+    return test::recoverWhole(*method, recovery, {field}, ledger)[0];
   }
 
   /// |c|^2 + 2 int t (u~1_N - u~2_N - g)

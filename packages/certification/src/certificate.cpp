@@ -171,9 +171,8 @@ void Certifier::checkStresses()
 {
   const auto timer = timeStage(ledger_, Stage::CertifyEquilibrium);
   const auto defectOf = [&](const RecoveredField& recovered) -> std::optional<double> {
-    if (recovered.stress.corrections.empty())
-      return std::nullopt;
-    return equilibriumDefect(scene_, recoveryScene_, recovered);
+    const bool isThere = !recovered.stress.corrections.empty();
+    return isThere ? std::optional(equilibriumDefect(scene_, recoveryScene_, recovered)) : std::nullopt;
   };
   result_.summary.equilibrium = defectOf(global_);
   result_.summary.equilibriumDiscretization = defectOf(separate_);
@@ -271,6 +270,7 @@ void Certifier::measure()
   compareWithIndicators();
   summary.advice = advice(summary, scene_.coupling.history);
   result_.corrections = std::move(global_.stress.corrections);
+  result_.pieces = std::move(global_.stress.pieces);
 }
 
 void Certifier::compare(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)

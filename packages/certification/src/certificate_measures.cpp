@@ -14,7 +14,7 @@
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/equilibrium/equilibrium_check.hpp"
 #include "ndframe/equilibrium/settle_balance.hpp"
-#include "ndframe/simd/cell_distances.hpp"
+#include "ndframe/recovery/scene_pieces.hpp"
 
 namespace ndframe
 {
@@ -69,7 +69,7 @@ double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recov
     Vector v = recovered.field.displacement[b];
     for (std::size_t i = 0; i < v.size(); ++i)
       v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
-    squares.push_back(elementDistances(scene, b, recovered.stress.corrections[b], v));
+    squares.push_back(elementDistances(scene, b, recovered.stress, &v));
   }
   return 0.5 * totalOf(squares);
 }
@@ -132,7 +132,7 @@ double correctionNorm(const CertifiedScene& scene, const RecoveredField& recover
   std::vector<CellValues> energies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b]->isRigid)
-      energies.push_back(ofCells(cellDistances(*scene.bodies[b], recovered.stress.corrections[b], nullptr)));
+      energies.push_back(elementDistances(scene, b, recovered.stress, nullptr));
   return totalOf(energies);
 }
 
@@ -144,17 +144,25 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
   for (std::size_t f = 0; f < recovered.size(); ++f)
     for (const BodyModel* body : scene.bodies)
       sizes.push_back(body->numDofs());
-  runLargestFirst(sizes, scene.condensed.threads, [&](int i) {
+  const auto settleOne = [&](int i) {
     RecoveredField& field = *recovered[std::size_t(i) / bodies];
     const std::size_t b = std::size_t(i) % bodies;
     StressCorrection& correction = field.stress.corrections[b];
     if (scene.bodies[b]->isRigid || !needsSettling(scene.bodies[b]->mesh, correction))
       return;
     const Vector contact = sharesOf(scene, field.stress, int(b));
-    const FieldInput input{&field.field.displacement[b].whole(), &contact};
-    settleBalance(*scene.bodies[b], recovery.data[b], input, correction);
     ledger.count("settled stresses");
-  });
+    if (field.stress.pieces) {
+      const BodyPiece& piece = *field.stress.pieces->bodies[b];
+      const Vector held = piece.ofContact(contact);
+      settleBalance(piece, {&field.field.displacement[b].whole(), &held}, correction, scene.comm);
+    } else
+      settleBalance(*scene.bodies[b], recovery.data[b], {&field.field.displacement[b].whole(), &contact}, correction);
+  };
+  if (recovered.empty() || !recovered.front()->stress.pieces)
+    runLargestFirst(sizes, scene.condensed.threads, settleOne);
+  for (int i = 0; i < int(sizes.size()) && recovered.front()->stress.pieces; ++i) // all ranks in one order
+    settleOne(i);
 }
 
 double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered)
@@ -163,8 +171,13 @@ double equilibriumDefect(const CertifiedScene& scene, const RecoveryScene& recov
   for (const int body : scene.model.elasticBodies()) {
     const auto b = std::size_t(body);
     const Vector contact = sharesOf(scene, recovered.stress, body);
+    const StressCorrection& correction = recovered.stress.corrections[b];
     const FieldInput input{&recovered.field.displacement[b].whole(), &contact};
-    const auto defects = checkEquilibrium(*scene.bodies[b], recovery.data[b], input, recovered.stress.corrections[b]);
+    const BodyPiece* piece = recovered.stress.pieces ? recovered.stress.pieces->bodies[b].get() : nullptr;
+    const Vector held = piece == nullptr ? Vector() : piece->ofContact(contact);
+    const auto defects = piece == nullptr
+                             ? checkEquilibrium(*scene.bodies[b], recovery.data[b], input, correction)
+                             : checkEquilibrium(*piece, {input.displacement, &held}, correction, scene.comm);
     largest = std::max(largest, defects.largest() * defects.scale);
     scale = std::max(scale, defects.scale);
   }

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/recovery/scene_pieces.hpp"
 #include "ndframe/simd/cell_distances.hpp"
 
 namespace ndframe
@@ -21,22 +22,53 @@ std::vector<int> allCells(const BodyModel& body)
   return cells;
 }
 
+/// What this rank measures of some cells of a solid.
+struct Share
+{
+  const BodyModel* model;
+  std::vector<int> cells;  ///< of the model
+  std::vector<int> places; ///< and which of the given ones they are
+};
+
+/// The own cells of the rank's piece; a range of them where all ranks have all.
+Share shareOf(const CertifiedScene& scene, std::size_t body, const SceneStress& stress, const std::vector<int>& cells)
+{
+  if (stress.pieces) {
+    const BodyPiece& piece = *stress.pieces->bodies[body];
+    Share share{&piece.model, {}, {}};
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      if (const int cell = piece.local(cells[i]); cell >= 0 && piece.owns(cell)) {
+        share.cells.push_back(cell);
+        share.places.push_back(int(i));
+      }
+    return share;
+  }
+  const auto begin = [&](int rank) { return std::int64_t(cells.size()) * rank / scene.comm.size(); };
+  const std::int64_t first = begin(scene.comm.rank()), last = begin(scene.comm.rank() + 1);
+  Share share{
+      scene.bodies[body], {cells.begin() + first, cells.begin() + last}, std::vector<int>(std::size_t(last - first))};
+  std::iota(share.places.begin(), share.places.end(), int(first));
+  return share;
+}
+
 } // namespace
 
-CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const StressCorrection& correction,
-                            const Vector& v, const std::vector<int>* cells)
+CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const SceneStress& stress, const Vector* v,
+                            const std::vector<int>* cells)
 {
+  const StressCorrection& correction = stress.corrections[body];
   if (scene.dim() == 2)
-    return ofCells(cellDistances(*scene.bodies[body], correction, &v));
+    return ofCells(cellDistances(*scene.bodies[body], correction, v));
   const std::vector<int> all = cells == nullptr ? allCells(*scene.bodies[body]) : *cells;
-  const auto share = [&](int rank) { return std::int64_t(all.size()) * rank / scene.comm.size(); };
-  const std::int64_t begin = share(scene.comm.rank()), end = share(scene.comm.rank() + 1);
   Vector found(all.size(), 0.0);
-  runInRanges(int((end - begin + group - 1) / group), numThreads(scene.comm), [&](int first, int last) {
-    const std::int64_t from = begin + first * group, to = std::min(begin + last * group, end);
-    const Vector distances =
-        solidDistances(*scene.bodies[body], correction, &v, std::vector<int>(all.begin() + from, all.begin() + to));
-    std::copy(distances.begin(), distances.end(), found.begin() + from);
+  const Share share = shareOf(scene, body, stress, all);
+  const auto size = std::int64_t(share.places.size());
+  runInRanges(int((size + group - 1) / group), numThreads(scene.comm), [&](int first, int last) {
+    const std::int64_t from = first * group, to = std::min(last * group, size);
+    const Vector distances = solidDistances(*share.model, correction, v,
+                                            std::vector<int>(share.cells.begin() + from, share.cells.begin() + to));
+    for (std::int64_t i = from; i < to; ++i)
+      found[std::size_t(share.places[std::size_t(i)])] = distances[std::size_t(i - from)];
   });
   scene.comm.sum(found);
   return ofCells(std::move(found));
@@ -58,7 +90,7 @@ const std::vector<CellValues>& ElementDistances::to(const std::vector<NodalField
     if (scene_.dim() == 2)
       continue;
     const std::vector<int> cells = changed(b, v[b]);
-    const CellValues found = elementDistances(scene_, b, recovered_.stress.corrections[b], v[b], &cells);
+    const CellValues found = elementDistances(scene_, b, recovered_.stress, &v[b].whole(), &cells);
     for (std::size_t c = 0; c < cells.size(); ++c)
       distances_[b][std::size_t(cells[c])] = found[c];
   }
@@ -66,7 +98,7 @@ const std::vector<CellValues>& ElementDistances::to(const std::vector<NodalField
     runLargestFirst(scene_.model.numDofs(), scene_.condensed.threads, [&](int body) {
       const auto b = std::size_t(body);
       if (!scene_.bodies[b]->isRigid && !(v[b] == last_[b]))
-        distances_[b] = elementDistances(scene_, b, recovered_.stress.corrections[b], v[b]);
+        distances_[b] = elementDistances(scene_, b, recovered_.stress, &v[b].whole());
     });
   last_ = std::move(v);
   return distances_;

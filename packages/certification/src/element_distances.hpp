@@ -5,10 +5,10 @@
 namespace ndframe
 {
 
-/// cellDistances of a body, at some cells of a solid, of which there is one value each: threads and ranks share them.
-/// `cells`: null for all. Collective.
-CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const StressCorrection& correction,
-                            const Vector& v, const std::vector<int>* cells = nullptr);
+/// cellDistances of a body, at some cells of a solid, of which there is one value each: threads share them, and ranks,
+/// where they have pieces of the body. v: null for zero. `cells`: null for all. Collective.
+CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const SceneStress& stress, const Vector* v,
+                            const std::vector<int>* cells = nullptr);
 
 /// cellDistances of all bodies for admissible displacements that come one after the other. Cells of solids, and
 /// plane bodies, where the displacement stays as it was are not measured again.

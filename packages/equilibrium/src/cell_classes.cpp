@@ -63,4 +63,30 @@ CellClasses::CellClasses(const std::vector<const BodyModel*>& bodies)
     }
 }
 
+CellClasses CellClasses::among(const std::vector<int>& cells) const
+{
+  std::vector<int> place(first_.size(), -1);
+  for (const int cell : cells)
+    place[std::size_t(of(cell))] = 0;
+  CellClasses some;
+  for (int number = 0; number < size(); ++number)
+    if (place[std::size_t(number)] == 0) {
+      place[std::size_t(number)] = int(some.origin_.size());
+      some.origin_.push_back(origin(number));
+      some.count_.push_back(count(number));
+    }
+  some.first_.assign(some.origin_.size(), -1);
+  some.hasOrigin_.assign(some.origin_.size(), 0);
+  for (const int cell : cells) {
+    const int number = place[std::size_t(of(cell))];
+    if (some.first_[std::size_t(number)] < 0) {
+      some.first_[std::size_t(number)] = int(some.of_.size());
+      some.hasOrigin_[std::size_t(number)] = char(cell == some.origin_[std::size_t(number)]);
+    }
+    some.of_.push_back(number);
+    some.length_.push_back(length_[std::size_t(cell)]);
+  }
+  return some;
+}
+
 } // namespace ndframe

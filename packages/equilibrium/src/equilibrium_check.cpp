@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <map>
 
 #include "ndframe/base/diagnostics.hpp"
@@ -60,16 +61,23 @@ public:
         facetRule_(simplexRule(data.dim - 1, 2 * data.degree))
   {}
 
+  /// Of a cell that another rank owns.
+  void addGhost(const SplitStress& stress, int cell)
+  {
+    for (int facet = 0; facet <= mesh_.dim; ++facet)
+      addFacet(stress, {cell, stress.cell.local[std::size_t(facet)]}, facet);
+  }
+
   void addCell(const SplitStress& stress, int cell)
   {
     scale_ = std::max(scale_, visibleRoundOff * stressOfSums(stress.map, cell));
     checkDivergence(stress, cell);
     checkInside(stress);
-    for (int facet = 0; facet <= mesh_.dim; ++facet)
-      addFacet(stress, {cell, stress.cell.local[std::size_t(facet)]}, facet);
+    addGhost(stress, cell);
   }
 
-  EquilibriumDefects finish();
+  /// The boundary of cells for which isOwn(cell) holds.
+  EquilibriumDefects finish(const std::function<bool(int)>& isOwn);
 
 private:
   struct Waiting
@@ -212,10 +220,11 @@ void EquilibriumSearch::checkBoundary(const Waiting& outer)
   }
 }
 
-EquilibriumDefects EquilibriumSearch::finish()
+EquilibriumDefects EquilibriumSearch::finish(const std::function<bool(int)>& isOwn)
 {
   for (const auto& [vertices, outer] : waiting_)
-    checkBoundary(outer);
+    if (isOwn(outer.facet.cell))
+      checkBoundary(outer);
   const double factor = scale_ > 0.0 ? 1.0 / scale_ : 0.0;
   return {defects_.divergence * factor, defects_.interior * factor, defects_.jumps * factor, defects_.loads * factor,
           scale_};
@@ -235,7 +244,25 @@ EquilibriumDefects checkEquilibrium(const BodyModel& body, const StaticData& dat
   EquilibriumSearch search(body, data, field);
   for (int cell = 0; cell < body.mesh.numCells(); ++cell)
     search.addCell(equilibratedStress(body, *field.displacement, correction, cell), cell);
-  return search.finish();
+  return search.finish([](int) { return true; });
+}
+
+EquilibriumDefects checkEquilibrium(const BodyPiece& piece, const FieldInput& field, const StressCorrection& correction,
+                                    const Comm& comm)
+{
+  NDFRAME_ASSERT(field.displacement != nullptr && piece.data.degree == correction.degree,
+                 "data and stress do not match");
+  EquilibriumSearch search(piece.model, piece.data, field);
+  for (int cell = 0; cell < piece.model.mesh.numCells(); ++cell) {
+    const SplitStress stress = equilibratedStress(piece.model, *field.displacement, correction, cell);
+    piece.owns(cell) ? search.addCell(stress, cell) : search.addGhost(stress, cell);
+  }
+  const EquilibriumDefects own = search.finish([&](int cell) { return piece.owns(cell); });
+  Vector all{own.divergence * own.scale, own.interior * own.scale, own.jumps * own.scale, own.loads * own.scale,
+             own.scale};
+  takeLargest(all, comm);
+  const double factor = all[4] > 0.0 ? 1.0 / all[4] : 0.0;
+  return {all[0] * factor, all[1] * factor, all[2] * factor, all[3] * factor, all[4]};
 }
 
 } // namespace ndframe

@@ -3,12 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "balance_settler.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "ndframe/equilibrium/cell_stress.hpp"
-#include "ndframe/equilibrium/reference_stress.hpp"
-#include "ndframe/equilibrium/star_wrench.hpp"
-#include "prescribed_tractions.hpp"
-#include "settle_tree.hpp"
 
 namespace ndframe
 {
@@ -17,241 +13,88 @@ namespace
 
 /// Imbalance over the smallest facet, relative to the largest force over the largest facet, that is left as it is.
 constexpr double unseen = 1e-13;
-/// Supports that resist a motion by less than this, relative, do not resist it.
-constexpr double noResistance = 1e-10;
 
-class BalanceSettler
+} // namespace
+
+/// The ranks' parts hand on to each other what the parts behind them have; where that passes is the same as if cells
+/// did it one by one, but no rank waits for another.
+void BalanceSettler::runWith(const Comm& comm)
 {
-public:
-  BalanceSettler(const BodyModel& body, const StaticData& data, const FieldInput& field, StressCorrection& correction)
-      : body_(body), mesh_(body.mesh), data_(data), prescribed_(body, data, field), displacement_(*field.displacement),
-        correction_(correction), reference_(referenceStress(data.dim, data.degree)),
-        facetMeans_(meanCoordinates(facetBasis(data.dim, data.degree))),
-        cellMeans_(meanCoordinates(loadBasis(data.dim, data.degree))), size_(diameter(body.mesh)), tree_(body.mesh)
-  {
-    elastic_.reserve(std::size_t(mesh_.numCells()));
-    left_.reserve(elastic_.capacity());
-    for (int cell = 0; cell < mesh_.numCells(); ++cell)
-      elastic_.push_back(cellStress(body, cell, tree_.cell(cell), displacement_));
-  }
-
-  void run()
-  {
-    setTractions();
-    for (int cell = 0; cell < mesh_.numCells(); ++cell)
-      setLoads(cell);
-    for (int cell = 0; cell < mesh_.numCells(); ++cell)
-      left_.push_back(cellWrench(cell));
-    for (const CellTree::Part& part : tree_.parts()) {
-      react(part);
-      handOn(part);
-    }
-  }
-
-private:
-  int facetData() const { return reference_.facetModes * data_.dim; }
-  double* traction(int half) { return correction_.tractions.data() + std::ptrdiff_t(half) * facetData(); }
-  Facet facetOf(int half) const;
-  Vector elasticTraction(int half) const;
-  void setTractions();
-  void setOuterTraction(int half, const Vector& elastic);
-  void setLoads(int cell);
-
-  Vector centre(int cell) const;
-  Vector arms(int half, const Vector& about) const;
-  Vector cellWrench(int cell);
-  void addTo(Vector& wrench, int half, const Vector& about, const Vector& traction, double sign) const;
-  void change(int half, const Vector& moments, double sign);
-  DenseMatrix reactions(int half, const Vector& about) const;
-  void react(const CellTree::Part& part);
-  void handOn(const CellTree::Part& part);
-
-  const BodyModel& body_;
-  const Mesh& mesh_;
-  const StaticData& data_;
-  const PrescribedTractions prescribed_;
-  const Vector& displacement_;
-  StressCorrection& correction_;
-  const ReferenceStress& reference_;
-  const Vector facetMeans_, cellMeans_;
-  const double size_; ///< moments are divided by it
-  const CellTree tree_;
-  std::vector<CellStress> elastic_; ///< K eps(u~) per cell
-  std::vector<Vector> left_;        ///< per cell: wrench of its tractions minus that of its loads, about its centre
-};
-
-Facet BalanceSettler::facetOf(int half) const
-{
-  const int facets = data_.dim + 1;
-  return {half / facets, tree_.cell(half / facets).local[std::size_t(half % facets)]};
-}
-
-/// Moments of K eps(u~) n, outward: |f| n = - dim |E| grad lambda of the opposite vertex.
-Vector BalanceSettler::elasticTraction(int half) const
-{
-  const int dim = data_.dim, facet = half % (dim + 1);
-  const CellStress& stress = elastic_[std::size_t(half / (dim + 1))];
-  Vector moments(std::size_t(facetData()), 0.0);
-  for (int b = 0; b < dim; ++b) {
-    double force[3] = {};
-    addForce(stress, b < facet ? b : b + 1, facet, -dim * stress.measure, force);
-    for (std::size_t at = 0; at < moments.size(); ++at)
-      moments[at] += facetMeans_[at - at % std::size_t(dim) + std::size_t(b)] * force[at % std::size_t(dim)];
-  }
-  return moments;
-}
-
-/// What the loads and K eps(u~) leave to the correction in the directions without support; reactions stay.
-void BalanceSettler::setOuterTraction(int half, const Vector& elastic)
-{
-  const Facet facet = facetOf(half);
-  const Vector* given = prescribed_.moments(facet);
-  const std::size_t dim = std::size_t(data_.dim);
-  double* own = traction(half);
-  for (std::size_t at = 0; at < elastic.size(); at += dim) {
-    Direction excess{};
-    for (std::size_t i = 0; i < dim; ++i)
-      excess[i] = own[at + i] + elastic[at + i] - (given == nullptr ? 0.0 : (*given)[at + i]);
-    excess = prescribed_.freePart(facet, excess);
-    for (std::size_t i = 0; i < dim; ++i)
-      own[at + i] -= excess[i];
+  begin();
+  const PartGraph graph(*piece_, tree_, comm);
+  const Mesh& whole = piece_->whole->mesh;
+  const Vector about(whole.point(0), whole.point(0) + whole.dim);
+  reactTogether(graph, about, comm);
+  passOn(graph, about, comm);
+  for (std::size_t part = 0; part < tree_.parts().size(); ++part) {
+    const int number = graph.number(part);
+    handOn(graph.parent(number) < 0 ? tree_.parts()[part]
+                                    : tree_.treeFrom(graph.exit(number, *piece_, tree_) / (data_.dim + 1)));
   }
 }
 
-void BalanceSettler::setTractions()
+/// The wrench that every part has, of all ranks.
+Vector BalanceSettler::totals(const PartGraph& graph, const Vector& about, const Comm& comm) const
 {
-  for (int half = 0; half < mesh_.numCells() * (data_.dim + 1); ++half) {
-    const int twin = tree_.twin(half);
-    if (twin >= 0 && twin < half)
+  const auto size = std::size_t(wrenchSize(data_.dim));
+  Vector all(std::size_t(graph.size()) * size, 0.0);
+  for (std::size_t part = 0; part < tree_.parts().size(); ++part) {
+    Vector total(size, 0.0);
+    addTotal(tree_.parts()[part], about, total);
+    std::copy(total.begin(), total.end(), all.begin() + std::ptrdiff_t(graph.number(part)) * std::ptrdiff_t(size));
+  }
+  comm.sum(all);
+  return all;
+}
+
+/// Every connected part of the body with all its supports.
+void BalanceSettler::reactTogether(const PartGraph& graph, const Vector& about, const Comm& comm)
+{
+  const int size = wrenchSize(data_.dim);
+  const Vector ofParts = totals(graph, about, comm);
+  std::vector<DenseMatrix> resistance(std::size_t(graph.size()), DenseMatrix(size, size));
+  for (std::size_t part = 0; part < tree_.parts().size(); ++part)
+    addResistance(tree_.parts()[part], about, resistance[std::size_t(graph.root(graph.number(part)))]);
+  Vector entries;
+  for (const DenseMatrix& matrix : resistance)
+    entries.insert(entries.end(), matrix.data(), matrix.data() + std::ptrdiff_t(size) * size);
+  comm.sum(entries);
+  for (std::size_t part = 0; part < tree_.parts().size(); ++part) {
+    const int root = graph.root(graph.number(part));
+    Vector total(std::size_t(size), 0.0);
+    for (int other = 0; other < graph.size(); ++other)
+      for (int i = 0; i < size && graph.root(other) == root; ++i)
+        total[std::size_t(i)] += ofParts[std::size_t(other) * std::size_t(size) + std::size_t(i)];
+    DenseMatrix all(size, size);
+    std::copy_n(entries.begin() + std::ptrdiff_t(root) * size * size, std::ptrdiff_t(size) * size, all.col(0));
+    react(tree_.parts()[part], about, total, all);
+  }
+}
+
+/// What parts give to the ones that they hang on: what they have, and those that hang on them.
+void BalanceSettler::passOn(const PartGraph& graph, const Vector& about, const Comm& comm)
+{
+  const auto size = std::size_t(wrenchSize(data_.dim));
+  Vector flow = totals(graph, about, comm);
+  for (auto part = graph.order().rbegin(); part != graph.order().rend(); ++part) {
+    const int parent = graph.parent(*part);
+    for (std::size_t i = 0; i < size && parent >= 0; ++i)
+      flow[std::size_t(parent) * size + i] += flow[std::size_t(*part) * size + i];
+  }
+  for (const int part : graph.order()) {
+    const int parent = graph.parent(part);
+    if (parent < 0 || !(graph.isOwn(part) || graph.isOwn(parent)))
       continue;
-    const Vector elastic = elasticTraction(half);
-    if (twin < 0) {
-      setOuterTraction(half, elastic);
-      continue;
-    }
-    const Vector other = elasticTraction(twin);
-    for (std::size_t i = 0; i < elastic.size(); ++i)
-      traction(twin)[i] = -(traction(half)[i] + (elastic[i] + other[i]));
-  }
-}
-
-/// div c = - b_h - div K eps(u~).
-void BalanceSettler::setLoads(int cell)
-{
-  const int dim = data_.dim, size = reference_.loads;
-  double* loads = correction_.loads.data() + std::ptrdiff_t(cell) * size;
-  std::fill_n(loads, size, 0.0);
-  for (int vertex = 0; vertex <= dim && !data_.cellShares.empty(); ++vertex) {
-    const double* share = data_.cellShares.data() + (std::ptrdiff_t(cell) * (dim + 1) + vertex) * size;
-    for (int i = 0; i < size; ++i)
-      loads[i] -= share[i];
-  }
-  if (data_.order == 1)
-    return;
-  const CellStress& stress = elastic_[std::size_t(cell)];
-  for (int vertex = 0; vertex <= dim; ++vertex) // the first load mode is 1, the others have no mean value
-    addForce(stress, vertex, vertex, -stress.measure, loads);
-}
-
-Vector BalanceSettler::centre(int cell) const
-{
-  Vector mean(std::size_t(data_.dim), 0.0);
-  for (const double* point : corners(mesh_, tree_.cell(cell), -1))
-    for (std::size_t i = 0; i < mean.size(); ++i)
-      mean[i] += point[i] / (data_.dim + 1);
-  return mean;
-}
-
-Vector BalanceSettler::arms(int half, const Vector& about) const
-{
-  const int facets = data_.dim + 1;
-  return momentArms(facetMeans_, corners(mesh_, tree_.cell(half / facets), half % facets), about.data(), data_.dim);
-}
-
-void BalanceSettler::addTo(Vector& wrench, int half, const Vector& about, const Vector& traction, double sign) const
-{
-  addWrench(data_.dim, arms(half, about), traction.data(), sign, size_, wrench);
-}
-
-Vector BalanceSettler::cellWrench(int cell)
-{
-  const int dim = data_.dim;
-  const Vector about = centre(cell);
-  Vector wrench(std::size_t(wrenchSize(dim)), 0.0);
-  for (int half = cell * (dim + 1); half < (cell + 1) * (dim + 1); ++half)
-    addTo(wrench, half, about, Vector(traction(half), traction(half) + facetData()), 1.0);
-  const Vector loadArms = momentArms(cellMeans_, corners(mesh_, tree_.cell(cell), -1), about.data(), dim);
-  addWrench(dim, loadArms, correction_.loads.data() + std::ptrdiff_t(cell) * reference_.loads, -1.0, size_, wrench);
-  return wrench;
-}
-
-void BalanceSettler::change(int half, const Vector& moments, double sign)
-{
-  for (std::size_t i = 0; i < moments.size(); ++i)
-    traction(half)[i] += sign * moments[i];
-  const int cell = half / (data_.dim + 1);
-  addTo(left_[std::size_t(cell)], half, centre(cell), moments, sign);
-}
-
-/// Wrench of the reactions that supports can give on a facet, as a map of all its moments.
-DenseMatrix BalanceSettler::reactions(int half, const Vector& about) const
-{
-  DenseMatrix map = wrenchMap(data_.dim, arms(half, about), reference_.facetModes, size_);
-  for (int row = 0; row < map.rows(); ++row)
-    for (int at = 0; at < map.cols(); at += data_.dim) {
-      Direction all{};
-      for (int i = 0; i < data_.dim; ++i)
-        all[std::size_t(i)] = map(row, at + i);
-      const Direction free = prescribed_.freePart(facetOf(half), all);
-      for (int i = 0; i < data_.dim; ++i)
-        map(row, at + i) -= free[std::size_t(i)];
-    }
-  return map;
-}
-
-/// The supports of a part of the mesh take its total wrench, by the smallest reactions that can.
-void BalanceSettler::react(const CellTree::Part& part)
-{
-  const int facets = data_.dim + 1, size = wrenchSize(data_.dim);
-  const Vector about = centre(part.cells.front());
-  std::vector<int> supported;
-  Vector total(std::size_t(size), 0.0);
-  DenseMatrix resistance(size, size);
-  for (const int cell : part.cells) {
-    const Vector moved = wrenchAbout(data_.dim, left_[std::size_t(cell)], centre(cell), about, size_);
-    for (std::size_t i = 0; i < moved.size(); ++i)
-      total[i] += moved[i];
-    for (int half = cell * facets; half < (cell + 1) * facets; ++half)
-      if (tree_.twin(half) < 0 && prescribed_.isSupported(facetOf(half)))
-        supported.push_back(half);
-  }
-  for (const int half : supported) {
-    const DenseMatrix map = reactions(half, about);
-    for (int i = 0; i < size; ++i)
-      for (int j = 0; j < size; ++j)
-        for (int k = 0; k < map.cols(); ++k)
-          resistance(i, j) += map(i, k) * map(j, k);
-  }
-  if (supported.empty())
-    return;
-  const DenseMatrix motion = multiply(pseudoInverse(resistance, noResistance), DenseMatrix(total));
-  for (const int half : supported)
-    change(half, multiplyTransposed(reactions(half, about), motion).column(0), -1.0);
-}
-
-/// From the leaves to the root: each cell gives what it has to the next.
-void BalanceSettler::handOn(const CellTree::Part& part)
-{
-  for (std::size_t at = part.cells.size() - 1; at > 0; --at) {
-    const int cell = part.cells[at], half = part.towardsRoot[at];
-    const FacetSplit split = splitFacet(data_.dim, arms(half, centre(cell)), reference_.facetModes, size_);
-    const Vector moments = multiply(split.carrier, DenseMatrix(left_[std::size_t(cell)])).column(0);
+    const int half = graph.exit(part, *piece_, tree_);
+    const Vector middle = centre(half / (data_.dim + 1));
+    const auto begin = flow.begin() + std::ptrdiff_t(part) * std::ptrdiff_t(size);
+    const Vector there = wrenchAbout(data_.dim, Vector(begin, begin + std::ptrdiff_t(size)), about, middle, size_);
+    const FacetSplit split = splitFacet(data_.dim, arms(half, middle), reference_.facetModes, size_);
+    const Vector moments = multiply(split.carrier, DenseMatrix(there)).column(0);
     change(half, moments, -1.0);
     change(tree_.twin(half), moments, 1.0);
   }
 }
-
-} // namespace
 
 bool needsSettling(const Mesh& mesh, const StressCorrection& correction)
 {
@@ -269,7 +112,15 @@ bool needsSettling(const Mesh& mesh, const StressCorrection& correction)
 void settleBalance(const BodyModel& body, const StaticData& data, const FieldInput& field, StressCorrection& correction)
 {
   NDFRAME_ASSERT(field.displacement != nullptr && data.degree == correction.degree, "data and stress do not match");
-  BalanceSettler(body, data, field, correction).run();
+  BalanceSettler(body, data, field, diameter(body.mesh), nullptr, correction).run();
+}
+
+void settleBalance(const BodyPiece& piece, const FieldInput& field, StressCorrection& correction, const Comm& comm)
+{
+  NDFRAME_ASSERT(field.displacement != nullptr && piece.data.degree == correction.degree,
+                 "data and stress do not match");
+  BalanceSettler(piece.model, piece.data, field, diameter(piece.whole->mesh), &piece, correction).runWith(comm);
+  piece.fetchGhosts(correction);
 }
 
 } // namespace ndframe

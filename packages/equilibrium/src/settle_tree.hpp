@@ -7,7 +7,8 @@
 namespace ndframe
 {
 
-/// The cells of a mesh joined across their facets (half facets: facet_twins.hpp) into a tree per connected part.
+/// The cells of a mesh, or some of them, joined across their facets (half facets: facet_twins.hpp) into a tree per
+/// connected part.
 class CellTree
 {
 public:
@@ -18,17 +19,20 @@ public:
     std::vector<int> cells, towardsRoot;
   };
 
-  explicit CellTree(const Mesh& mesh);
+  /// isIn: per cell, zero for those that belong to no part; empty: all do.
+  explicit CellTree(const Mesh& mesh, std::vector<char> isIn = {});
 
   const SortedCell& cell(int cell) const { return cells_[std::size_t(cell)]; }
   int twin(int half) const { return twin_[std::size_t(half)]; } ///< -1 on the boundary
   const std::vector<Part>& parts() const { return parts_; }
 
-private:
-  Part treeFrom(int root, int facets) const;
+  /// The part of a cell with that cell for its root.
+  Part treeFrom(int root) const;
 
+private:
   std::vector<SortedCell> cells_;
   std::vector<int> twin_;
+  std::vector<char> isIn_;
   std::vector<Part> parts_;
 };
 

@@ -4,7 +4,7 @@
 #include <numeric>
 
 #include "ndframe/equilibrium/cell_form.hpp"
-#include "self_touching.hpp"
+#include "ndframe/equilibrium/self_touching.hpp"
 
 namespace ndframe
 {

@@ -23,6 +23,15 @@ ClassMatrices::ClassMatrices(const StressCells& cells)
     find(forms, large.data() + first, std::min(CellForms::lanes, size_ - first));
 }
 
+int ClassMatrices::numOwn() const
+{
+  int own = 0;
+  for (int number = 0; number < int(place_.size()); ++number)
+    own += int(place_[std::size_t(number)] >= 0 && cells_->classes().hasOrigin(number) &&
+               cells_->isOwn(cells_->classes().first(number)));
+  return own;
+}
+
 /// Those of some classes side by side.
 void ClassMatrices::find(const CellForms& forms, const int* classes, int count)
 {

@@ -20,6 +20,8 @@ public:
   explicit ClassMatrices(const StressCells& cells);
 
   int size() const { return size_; }
+  /// Of these, the ones of classes that have their origin in an own cell: over all ranks, every class once.
+  int numOwn() const;
   /// Whether a cell's class has a matrix.
   bool has(int cell) const { return place(cell) >= 0; }
   /// The matrix of a cell's class, row by row; that of the cell is CellClasses::scale times it.

@@ -3,7 +3,7 @@
 #include <algorithm>
 
 #include "ndframe/equilibrium/facet_twins.hpp"
-#include "self_touching.hpp"
+#include "ndframe/equilibrium/self_touching.hpp"
 
 namespace ndframe
 {

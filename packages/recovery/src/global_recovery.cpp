@@ -1,12 +1,14 @@
 #include "global_recovery.hpp"
 
 #include <algorithm>
-#include <atomic>
 
 #include <fmt/format.h>
 
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/equilibrium/cell_form.hpp"
+#include "ndframe/equilibrium/self_touching.hpp"
+#include "ndframe/recovery/scene_pieces.hpp"
+#include "recovery_progress.hpp"
 #include "stress_descent.hpp"
 #include "wrench_balance.hpp"
 
@@ -18,36 +20,6 @@ namespace
 constexpr int highestDegree = 2;   ///< of stresses in space
 constexpr int starsTogether = 128; ///< that are kept until they are added in order; 16 kB each
 
-/// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken. Any
-/// thread may say so.
-class RecoveryProgress
-{
-public:
-  RecoveryProgress(const RecoveryScene& scene, std::size_t descents, int steps, const Comm& comm, Ledger& ledger)
-      : ledger_(ledger), steps_(std::int64_t(descents) * steps)
-  {
-    for (const BodyModel* body : scene.bodies)
-      if (!body->isRigid) {
-        stars_ += body->mesh.numPoints();
-        cells_ += body->mesh.numCells() / comm.size(); // of this rank
-      }
-  }
-
-  void starIsBalanced() { tell("star", ++balanced_, stars_); }
-  void cellIsRead() { tell("cell", ++read_, cells_); }
-  void stepIsTaken() { tell("step", ++taken_, steps_); }
-
-private:
-  void tell(const char* name, std::int64_t number, std::int64_t of)
-  {
-    ledger_.tell(Depth::Step, Progress::part(name, number, of, double(number) / double(of)));
-  }
-
-  Ledger& ledger_;
-  std::int64_t stars_ = 0, cells_ = 0, steps_;
-  std::atomic<std::int64_t> balanced_ = 0, read_ = 0, taken_ = 0;
-};
-
 /// One recovery of all fields.
 class GlobalStages
 {
@@ -57,10 +29,12 @@ public:
       : scene_(scene), fields_(fields), steps_(steps), comm_(comm), ledger_(ledger), threads_(numThreads(comm)),
         progress_(scene, fields.size() * (optimises() ? 1 : numElastic()), steps, comm, ledger)
   {
+    if (comm.size() > 1)
+      pieces_ = cutScene(scene, optimises(), comm);
     for (const SceneField& field : fields) {
-      stresses_.push_back({{}, field.tractions});
+      stresses_.push_back({{}, field.tractions, pieces_});
       for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-        stresses_.back().corrections.push_back(zeroCorrection(scene.bodies[b]->mesh, scene.data[b].degree));
+        stresses_.back().corrections.push_back(zeroCorrection(model(b).mesh, scene.data[b].degree));
     }
   }
 
@@ -72,31 +46,48 @@ public:
       if (!scene_.bodies[b]->isRigid)
         elastic.push_back(int(b));
     if (optimises())
-      recover(elastic, scene_.patches);
+      recover(elastic, pieces_ ? pieces_->patches : scene_.patches);
     else
       for (const int body : elastic)
         recover({body}, {});
+    const std::int64_t messages = comm_.sum(messages_), bytes = comm_.sum(bytes_);
+    if (comm_.size() > 1) {
+      ledger_.count("recovery messages", messages);
+      ledger_.count("recovery bytes", bytes);
+    }
     return std::move(stresses_);
   }
 
 private:
+  const BodyPiece* piece(std::size_t body) const { return pieces_ ? pieces_->bodies[body].get() : nullptr; }
+  /// What this rank has of a body.
+  const BodyModel& model(std::size_t b) const { return piece(b) ? piece(b)->model : *scene_.bodies[b]; }
+  const StaticData& data(std::size_t b) const { return piece(b) ? piece(b)->data : scene_.data[b]; }
+
   void recover(const std::vector<int>& bodies, const std::vector<ContactPatch>& contact)
   {
     std::vector<std::unique_ptr<StarBody>> stars(scene_.bodies.size());
     std::vector<const StarBody*> pointers;
+    std::vector<const BodyPiece*> pieces;
     for (const int body : bodies)
-      stars[std::size_t(body)] =
-          std::make_unique<StarBody>(*scene_.bodies[std::size_t(body)], scene_.data[std::size_t(body)]);
+      stars[std::size_t(body)] = std::make_unique<StarBody>(model(std::size_t(body)), data(std::size_t(body)));
     for (const auto& star : stars)
       pointers.push_back(star.get());
-    const StressCells cells(std::move(pointers));
+    for (std::size_t b = 0; pieces_ && b < stars.size(); ++b)
+      pieces.push_back(piece(b));
+    const StressCells cells(std::move(pointers), pieces);
     const StressFaces faces(cells, contact);
     for (const int body : bodies)
       balance(body, faces);
     const DescentWatch watch{[this] { progress_.cellIsRead(); }, [this] { progress_.stepIsTaken(); }};
     StressDescent descent(faces, contact, descentFields(), watch, comm_, threads_);
-    ledger_.count("cell matrices", descent.numMatrices());
+    const auto [allMatrices, mostMatrices] = descent.numMatrices();
+    ledger_.count("cell matrices", allMatrices);
     descent.lower(steps_);
+    if (pieces_) {
+      ledger_.count("cell matrices of the largest rank", mostMatrices);
+      fetchGhosts(bodies, descent.shared());
+    }
     for (std::size_t f = 0; f < fields_.size(); ++f)
       if (changes(f))
         stresses_[f].tractions[1] = stresses_[f].tractions[0];
@@ -129,14 +120,43 @@ private:
     return all;
   }
 
+  /// All ranks stop where the mesh of a body touches itself.
   void balance(int body, const StressFaces& faces)
+  {
+    Vector touching{-1.0}; // a vertex of the whole body
+    const BodyPiece* piece = this->piece(std::size_t(body));
+    definiteOnEveryRank(comm_, [&] {
+      try {
+        balanceOwn(body, faces);
+      } catch (const SelfTouching& place) {
+        if (piece == nullptr)
+          throw;
+        touching[0] = piece->points[std::size_t(place.vertex)];
+      }
+    });
+    takeLargest(touching, comm_);
+    if (touching[0] >= 0.0)
+      throw SelfTouching(*piece->whole, int(touching[0]));
+    for (SceneStress& stress : stresses_) {
+      StressCorrection& correction = stress.corrections[std::size_t(body)];
+      Vector largest{correction.imbalance, correction.force};
+      takeLargest(largest, comm_);
+      correction.imbalance = largest[0];
+      correction.force = largest[1];
+    }
+  }
+
+  void balanceOwn(int body, const StressFaces& faces)
   {
     const auto b = std::size_t(body);
     std::vector<Vector> contact;
     std::vector<FieldInput> inputs;
     BodyCorrections corrections;
-    for (const SceneField& field : fields_)
+    for (const SceneField& field : fields_) {
       contact.push_back(contactShares(scene_.patches, field.tractions, body));
+      if (piece(b) != nullptr)
+        contact.back() = piece(b)->ofContact(contact.back());
+    }
     for (std::size_t f = 0; f < fields_.size(); ++f) {
       inputs.push_back({fields_[f].displacement[b], &contact[f]});
       corrections.push_back(&stresses_[f].corrections[b]);
@@ -145,18 +165,44 @@ private:
     StarLoads loads(stars, inputs);
     loads.keepStresses(threads_);
     const WrenchBalance balance(body, faces);
-    const int vertices = scene_.bodies[b]->mesh.numPoints();
-    for (int first = 0, last = 0; first < vertices; first = last) {
-      last = std::min(first + starsTogether, vertices);
+    const std::vector<int> vertices = ownVertices(b);
+    for (int first = 0, last = 0; first < int(vertices.size()); first = last) {
+      last = std::min(first + starsTogether, int(vertices.size()));
       std::vector<BalancedStar> balanced(std::size_t(last - first));
       runInRanges(last - first, threads_, [&](int from, int to) {
         for (int i = from; i < to; ++i) {
-          balanced[std::size_t(i)] = balancedStar(stars.star(first + i), loads, balance);
+          balanced[std::size_t(i)] = balancedStar(stars.star(vertices[std::size_t(first + i)]), loads, balance);
           progress_.starIsBalanced();
         }
       });
       for (const BalancedStar& star : balanced)
         addTo(stars, star, corrections);
+    }
+  }
+
+  /// Those that an own cell has; other ranks do the stars of the others.
+  std::vector<int> ownVertices(std::size_t body) const
+  {
+    const Mesh& mesh = model(body).mesh;
+    std::vector<char> isOwn(std::size_t(mesh.numPoints()), 0);
+    for (int cell = 0; cell < mesh.numCells(); ++cell)
+      for (int i = 0; i < 4 && (piece(body) == nullptr || piece(body)->owns(cell)); ++i)
+        isOwn[std::size_t(mesh.cell(cell)[i])] = 1;
+    std::vector<int> vertices;
+    for (int v = 0; v < mesh.numPoints(); ++v)
+      if (isOwn[std::size_t(v)] != 0)
+        vertices.push_back(v);
+    return vertices;
+  }
+
+  void fetchGhosts(const std::vector<int>& bodies, const SharedValues& unknowns)
+  {
+    messages_ += unknowns.messages();
+    bytes_ += unknowns.bytes();
+    for (const int body : bodies) {
+      const BodyPiece& own = *piece(std::size_t(body));
+      for (SceneStress& stress : stresses_)
+        own.fetchGhosts(stress.corrections[std::size_t(body)]);
     }
   }
 
@@ -191,7 +237,9 @@ private:
   Ledger& ledger_;
   int threads_;
   RecoveryProgress progress_;
-  std::vector<SceneStress> stresses_; ///< per field
+  std::shared_ptr<const ScenePieces> pieces_; ///< null on a single process
+  std::vector<SceneStress> stresses_;         ///< per field
+  std::int64_t messages_ = 0, bytes_ = 0;     ///< that this rank has sent
 };
 
 class GlobalRecovery final : public StressRecovery

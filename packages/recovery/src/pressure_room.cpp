@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "ndframe/admissibility/quadratic_program.hpp"
+#include "ndframe/algebra/shared_values.hpp"
 
 namespace ndframe
 {
@@ -44,7 +45,7 @@ Vector interiorChange(const StressFaces& faces, const std::vector<ContactPatch>&
   if (toBernstein.cols() == linear)
     return change;
   for (int f = 0; f < faces.size(); ++f) {
-    if (faces[f].contact < 0)
+    if (faces[f].contact < 0 || !faces.isNear(f))
       continue;
     const Vector moments = traction.moments(faces[f].contact);
     const Vector b = multiply(toBernstein, moments);
@@ -75,26 +76,39 @@ Vector normalMoments(const ContactPatch& patch, const double* T, std::size_t mod
 }
 
 PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactPatch>& contact,
-                           const ContactTraction& traction)
-    : faces_(&faces), contact_(&contact), toBernstein_(bernsteinOfMoments(3, traction.degree)), held_(contact.size(), 0)
+                           const ContactTraction& traction, const Comm& comm)
+    : faces_(&faces), contact_(&contact), comm_(comm), toBernstein_(bernsteinOfMoments(3, traction.degree)),
+      held_(contact.size(), 0)
 {
   constexpr double nothing = 1e-9; // of the largest: where bodies part
-  double largest = 0.0;
+  Vector largest{0.0};
   for (int f = 0; f < faces.size(); ++f) {
-    if (faces[f].contact < 0)
+    if (faces[f].contact < 0 || !faces.isNear(f))
       continue;
     const auto patch = std::size_t(faces[f].contact);
     Vector room = multiply(toBernstein_, traction.moments(int(patch)));
     for (double& value : room) {
       value = std::max(0.0, -value / contact[patch].measure);
-      largest = std::max(largest, value);
+      largest[0] = std::max(largest[0], value);
     }
     inContact_.push_back(f);
     room_.push_back(std::move(room));
   }
+  takeLargest(largest, comm_);
   for (std::size_t i = 0; i < room_.size(); ++i)
-    if (*std::min_element(room_[i].begin(), room_[i].end()) <= nothing * largest)
+    if (*std::min_element(room_[i].begin(), room_[i].end()) <= nothing * largest[0])
       held_[std::size_t(faces[inContact_[i]].contact)] = 1;
+  agree();
+}
+
+/// What one rank holds all hold: edges whose rings reach there stay, too.
+void PressureRoom::agree()
+{
+  if (comm_.size() == 1)
+    return;
+  Vector flags(held_.begin(), held_.end());
+  takeLargest(flags, comm_);
+  std::transform(flags.begin(), flags.end(), held_.begin(), [](double flag) { return char(flag > 0.0); });
 }
 
 /// What tractions along the normal change the coefficients by.
@@ -121,12 +135,17 @@ double PressureRoom::move(const Vector& tractions, double length)
         allowed[i] = std::min(allowed[i], room_[i][k] / changes[i][k]);
     reached = std::min(reached, allowed[i]);
   }
+  Vector least{-reached};
+  takeLargest(least, comm_);
+  reached = -least.front();
   for (std::size_t i = 0; i < inContact_.size(); ++i) {
     for (std::size_t k = 0; k < changes[i].size(); ++k)
       room_[i][k] = std::max(0.0, room_[i][k] - reached * changes[i][k]);
     if (allowed[i] < std::max(soon * length, same * reached))
       held_[std::size_t((*faces_)[inContact_[i]].contact)] = 1;
   }
+  if (reached < length)
+    agree();
   return reached;
 }
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ndframe/algebra/comm.hpp"
 #include "stress_faces.hpp"
 
 namespace ndframe
@@ -18,23 +19,27 @@ Vector normalMoments(const ContactPatch& patch, const double* T, std::size_t mod
 class PressureRoom
 {
 public:
-  /// traction: admissible, on the patches `contact`. All must outlive it.
-  PressureRoom(const StressFaces& faces, const std::vector<ContactPatch>& contact, const ContactTraction& traction);
+  /// traction: admissible, on the patches `contact`. All must outlive it. Collective.
+  PressureRoom(const StressFaces& faces, const std::vector<ContactPatch>& contact, const ContactTraction& traction,
+               const Comm& comm);
 
   /// Per patch: nonzero where the traction stays as it is.
   const std::vector<char>& held() const { return held_; }
 
   /// Moves along tractions (per face, on its first cell) by `length` or as far as admissible; facets that allow less
   /// than half of `length` are held from then on. Returns how far; less than `length` where facets were held.
+  /// Collective.
   double move(const Vector& tractions, double length);
 
 private:
+  void agree();
   Vector coefficients(int face, const Vector& tractions) const;
 
   const StressFaces* faces_;
   const std::vector<ContactPatch>* contact_;
+  Comm comm_;
   DenseMatrix toBernstein_;
-  std::vector<int> inContact_; ///< faces
+  std::vector<int> inContact_; ///< faces that an own cell has
   std::vector<char> held_;
   std::vector<Vector> room_; ///< per entry of inContact_: minus the coefficients
 };

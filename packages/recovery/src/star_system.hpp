@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "star_balance.hpp"
+#include "ndframe/equilibrium/star_balance.hpp"
 
 namespace ndframe
 {

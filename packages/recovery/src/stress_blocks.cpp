@@ -58,10 +58,10 @@ StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdg
                            const ClassMatrices& matrices)
     : faces_(&faces), edges_(&edges), ofClasses_(faces, edges, matrices)
 {
-  for (const StressFace& face : faces.all())
-    begin_.push_back(begin_.back() + face.numOwn());
+  for (int f = 0; f < faces.size(); ++f)
+    begin_.push_back(begin_.back() + (faces.isNear(f) ? faces[f].numOwn() : 0));
   for (const StressEdge& edge : edges)
-    begin_.push_back(begin_.back() + edge.basis.cols());
+    begin_.push_back(begin_.back() + edge.unknowns);
   place();
   listEdges();
   blocks_.assign(alone_, 0.0);
@@ -80,7 +80,7 @@ void StressBlocks::place()
     const bool isFace = b < faces_->size();
     const int edge = b - faces_->size();
     first_[std::size_t(b)] = b;
-    auto key = isFace ? ofClasses_.keyOfFace(b) : ofClasses_.keyOfEdge(edge);
+    auto key = sizeOf(b) == 0 ? std::vector<int>() : (isFace ? ofClasses_.keyOfFace(b) : ofClasses_.keyOfEdge(edge));
     if (key.empty()) {
       at_[std::size_t(b)] = alone_;
       alone_ += entries(b);
@@ -209,18 +209,22 @@ void StressBlocks::addEdge(int e, int cell, const DenseMatrix& W, double* sum) c
       addProduct(through[a], W, begin[a], begin[b], through[b], sum);
 }
 
-void StressBlocks::invert(const Comm& comm, int threads)
+void StressBlocks::invert(const StressSharing& sharing, int threads)
 {
-  comm.sum(blocks_);
+  sharing.values().add(
+      [&](int b) {
+        return SharedValues::Place{at_[std::size_t(b)], isShared(b) ? 0 : entries(b)};
+      },
+      blocks_);
   std::vector<int> kept;
   std::size_t end = alone_;
   for (int b = 0; b < numBlocks(); ++b)
-    if (first_[std::size_t(b)] == b) {
+    if (first_[std::size_t(b)] == b && (isShared(b) || sharing.owns(b))) {
       kept.push_back(b);
       end = std::max(end, at_[std::size_t(b)] + entries(b));
     }
   blocks_.resize(end, 0.0);
-  runInRanges(int(kept.size()), threads, [&](int first, int last) {
+  const auto invertSome = [&](int first, int last) {
     for (int i = first; i < last; ++i) {
       const int b = kept[std::size_t(i)];
       double* values = blocks_.data() + at_[std::size_t(b)];
@@ -233,7 +237,8 @@ void StressBlocks::invert(const Comm& comm, int threads)
       const DenseMatrix inverse = DenseCholesky(std::move(block)).inverse();
       std::copy_n(inverse.col(0), entries(b), values);
     }
-  });
+  };
+  definiteOnEveryRank(sharing.comm(), [&] { runInRanges(int(kept.size()), threads, invertSome); });
 }
 
 void StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads,

@@ -2,13 +2,15 @@
 
 #include "cell_blocks.hpp"
 #include "class_blocks.hpp"
+#include "stress_sharing.hpp"
 
 namespace ndframe
 {
 
 /// The diagonal blocks of the energy as a function of the tractions that may change: one a face (StressFace::own), one
-/// an edge (StressEdge::basis); unknowns are numbered in this order. Their inverses precondition the steps of
-/// StressDescent. Blocks that are the same but for a factor (ClassBlocks) are kept once.
+/// an edge (StressEdge::unknowns); unknowns are numbered in this order. Their inverses precondition the steps of
+/// StressDescent. Blocks that are the same but for a factor (ClassBlocks) are kept once. Faces without an own cell have
+/// none.
 class StressBlocks
 {
 public:
@@ -25,10 +27,15 @@ public:
   /// The same for a cell with the matrix of its class.
   Vector partsOfClass(int cell) const;
   void add(int cell, const Vector& parts);
-  /// To be called when the ranks have added what is theirs. Collective.
-  void invert(const Comm& comm, int threads);
+  /// To be called when every rank has added its own cells: blocks that a rank owns are then complete. Collective.
+  void invert(const StressSharing& sharing, int threads);
   /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
   void precondition(const Vector& gradient, const std::vector<char>& held, int threads, Vector& result) const;
+  /// A block's unknowns.
+  SharedValues::Place placeOf(int block) const
+  {
+    return {std::size_t(begin_[std::size_t(block)]), std::size_t(sizeOf(block))};
+  }
   int numBlocks() const { return int(begin_.size()) - 1; }
   /// Blocks that differ.
   int numKept() const { return numKept_; }

@@ -3,18 +3,21 @@
 #include <utility>
 #include <vector>
 
+#include "ndframe/equilibrium/body_piece.hpp"
 #include "ndframe/equilibrium/cell_classes.hpp"
-#include "star_body.hpp"
+#include "ndframe/equilibrium/star_body.hpp"
 
 namespace ndframe
 {
 
-/// The cells of all bodies whose tractions change together, numbered one body after the other.
+/// The cells of all bodies whose tractions change together, numbered one body after the other: all of them, or those
+/// that this rank holds.
 class StressCells
 {
 public:
   /// bodies: those of a scene, null for the others. They must outlive this.
-  explicit StressCells(std::vector<const StarBody*> bodies);
+  /// pieces: of the bodies, where these are pieces; they must outlive this, too.
+  explicit StressCells(std::vector<const StarBody*> bodies, const std::vector<const BodyPiece*>& pieces = {});
 
   int size() const { return first_.back(); }
   int numBodies() const { return int(bodies_.size()); }
@@ -31,12 +34,22 @@ public:
   SortedCell sorted(int number) const;
   /// Of all cells, by their numbers.
   const CellClasses& classes() const { return classes_; }
+  /// The vertices of a sorted facet of the cell that is the origin of a cell's class.
+  std::vector<const double*> cornersOfOrigin(int number, int facet) const;
+
+  int rank() const { return rank_; }
+  /// The rank that owns a cell.
+  int owner(int number) const { return owner_.empty() ? rank_ : owner_[std::size_t(number)]; }
+  bool isOwn(int number) const { return owner(number) == rank_; }
 
 private:
   std::vector<const StarBody*> bodies_;
   const StarBody* any_ = nullptr;
   std::vector<int> first_{0}; ///< per body, and the end
   CellClasses classes_;
+  int rank_ = 0;
+  std::vector<int> owner_;              ///< per cell; empty: all are own
+  std::vector<const BodyModel*> whole_; ///< per body, all its cells
 };
 
 } // namespace ndframe

@@ -12,8 +12,8 @@ namespace ndframe
 StressDescent::StressDescent(const StressFaces& faces, const std::vector<ContactPatch>& contact,
                              std::vector<DescentField> fields, const DescentWatch& watch, const Comm& comm, int threads)
     : faces_(&faces), contact_(&contact), fields_(std::move(fields)), watch_(watch), comm_(comm), threads_(threads),
-      seats_(faces.seats()), edges_(stressEdges(faces)), ofClasses_(faces.cells()), blocks_(faces, edges_, ofClasses_),
-      unknowns_(faces, edges_, blocks_), matrices_(faces.cells(), ofClasses_, comm.rank(), comm.size())
+      seats_(faces.seats()), edges_(stressEdges(faces)), sharing_(faces, edges_, comm), ofClasses_(faces.cells()),
+      blocks_(faces, edges_, ofClasses_), unknowns_(faces, edges_, blocks_), matrices_(faces.cells(), ofClasses_)
 {
   for (const DescentField& field : fields_) {
     if (field.traction != nullptr)
@@ -21,16 +21,18 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
     start_.emplace_back(std::size_t(faces.cells().size()) * 4 * std::size_t(facetData()), 0.0);
   }
   findMatrices();
-  blocks_.invert(comm, threads);
+  blocks_.invert(sharing_, threads);
 }
 
-int StressDescent::numMatrices() const
+std::array<std::int64_t, 2> StressDescent::numMatrices() const
 {
-  int cells = 0;
+  std::int64_t cells = 0;
   for (int batch = 0; batch < matrices_.numBatches(); ++batch)
     if (!matrices_.isOfClass(batch))
       cells += matrices_.sizeOf(batch);
-  return ofClasses_.size() + int(comm_.sum(cells));
+  Vector most{double(ofClasses_.size() + cells)};
+  takeLargest(most, comm_);
+  return {comm_.sum(ofClasses_.numOwn() + cells), std::int64_t(most.front())};
 }
 
 /// Those of this rank.
@@ -169,11 +171,11 @@ void StressDescent::faceForces(const Vector& cellForces, Vector& result) const
   });
 }
 
-/// By the unknowns, from what all ranks have of that by the faces' tractions.
+/// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks.
 void StressDescent::gradientOf(const Vector& faceForces, Vector& gradient) const
 {
   unknowns_.gradient(faceForces, threads_, gradient);
-  comm_.sum(gradient);
+  sharing_.values().add([this](int block) { return blocks_.placeOf(block); }, gradient);
 }
 
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
@@ -181,7 +183,7 @@ void StressDescent::addOpening(const Vector& opening, Vector& faceForces) const
 {
   const auto modes = std::size_t(facetData()) / 3;
   for (int f = 0; f < faces_->size(); ++f)
-    if (const int number = (*faces_)[f].contact; number >= 0) {
+    if (const int number = (*faces_)[f].contact; number >= 0 && sharing_.owns(f)) {
       const ContactPatch& patch = (*contact_)[std::size_t(number)];
       for (std::size_t k = 0; k < modes; ++k)
         for (std::size_t i = 0; i < 3; ++i)
@@ -190,7 +192,7 @@ void StressDescent::addOpening(const Vector& opening, Vector& faceForces) const
     }
 }
 
-/// The blocks of StressBlocks that stay as they are with these patches held.
+/// The blocks of StressBlocks that stay as they are with these patches held, and those of other ranks.
 std::vector<char> StressDescent::held(const std::vector<char>& patches) const
 {
   std::vector<char> blocks(std::size_t(blocks_.numBlocks()), 0);
@@ -198,8 +200,8 @@ std::vector<char> StressDescent::held(const std::vector<char>& patches) const
     const int number = (*faces_)[face].contact;
     return number >= 0 && patches[std::size_t(number)] != 0;
   };
-  for (int f = 0; f < faces_->size(); ++f)
-    blocks[std::size_t(f)] = char(isHeld(f));
+  for (int b = 0; b < blocks_.numBlocks(); ++b)
+    blocks[std::size_t(b)] = char(!sharing_.owns(b) || (b < faces_->size() && isHeld(b)));
   for (std::size_t e = 0; e < edges_.size(); ++e)
     for (const StressEdge::Step& step : edges_[e].ring)
       if (isHeld(step.face))
@@ -212,7 +214,7 @@ void StressDescent::lower(int steps)
   for (std::size_t f = 0; f < fields_.size(); ++f) {
     Vector forces, residual;
     faceForces(start_[f], forces);
-    if (fields_[f].traction != nullptr && comm_.rank() == 0) // the ranks' forces are added up
+    if (fields_[f].traction != nullptr)
       addOpening(*fields_[f].opening, forces);
     gradientOf(forces, residual);
     for (double& value : residual)
@@ -221,23 +223,25 @@ void StressDescent::lower(int steps)
   }
 }
 
-/// ofCells: space for what cellForces() finds, zero at other ranks' cells.
+/// ofCells: space for what cellForces() finds, zero at ghosts. Residuals and directions are zero where another rank
+/// owns, but for directions that are about to be taken.
 void StressDescent::lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const
 {
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
-    room.emplace(*faces_, *contact_, *field.traction);
+    room.emplace(*faces_, *contact_, *field.traction, comm_);
   std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
   Vector z, Ap, tractions, ofFaces, x(residual.size(), 0.0);
   blocks_.precondition(residual, still, threads_, z);
   Vector p = z;
-  double rz = dot(residual, z);
+  double rz = sharing_.dotOfAll(residual, z);
   for (int step = 0; step < steps && rz > 0.0; ++step) {
+    sharing_.values().fetch([this](int block) { return blocks_.placeOf(block); }, p);
     unknowns_.tractions(p, threads_, tractions);
     cellForces(tractions, ofCells);
     faceForces(ofCells, ofFaces);
     gradientOf(ofFaces, Ap);
-    const double curvature = dot(p, Ap);
+    const double curvature = sharing_.dotOfAll(p, Ap);
     if (!(curvature > 0.0))
       break;
     const double wanted = rz / curvature, length = room ? room->move(tractions, wanted) : wanted;
@@ -248,7 +252,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, Vector ofC
     if (length < wanted)
       still = held(room->held());
     blocks_.precondition(residual, still, threads_, z);
-    const double next = dot(residual, z), kept = length < wanted ? 0.0 : next / rz;
+    const double next = sharing_.dotOfAll(residual, z), kept = length < wanted ? 0.0 : next / rz;
     for (std::size_t i = 0; i < p.size(); ++i)
       p[i] = z[i] + kept * p[i];
     rz = next;
@@ -258,13 +262,13 @@ void StressDescent::lower(const DescentField& field, Vector residual, Vector ofC
   add(tractions, field);
 }
 
-/// Adds the normal part of a face's traction to a patch, in equal shares.
-void StressDescent::addNormal(std::size_t patch, const double* T, ContactTraction& traction) const
+/// Adds the normal part of a face's traction to the change of a patch's, in equal shares.
+void StressDescent::addNormal(std::size_t patch, const double* T, const ContactTraction& traction, Vector& change) const
 {
   const Vector moments = normalMoments((*contact_)[patch], T, traction.numModes());
   for (std::size_t vertex = 0; vertex < 3; ++vertex)
     for (std::size_t k = 0; k < moments.size(); ++k)
-      traction.shares[traction.first(patch, vertex) + k] += moments[k] / 3.0;
+      change[traction.first(patch, vertex) + k] += moments[k] / 3.0;
 }
 
 /// Adds tractions of faces to a field.
@@ -273,6 +277,7 @@ void StressDescent::add(const Vector& tractions, const DescentField& field) cons
   const int size = facetData();
   const StressCells& cells = faces_->cells();
   std::array<double, 18> T{}; // facet data at most
+  Vector ofPatches(field.traction == nullptr ? 0 : field.traction->shares.size(), 0.0);
   for (int f = 0; f < faces_->size(); ++f) {
     const StressFace& face = (*faces_)[f];
     const double* change = tractions.data() + std::ptrdiff_t(f) * size;
@@ -284,9 +289,12 @@ void StressDescent::add(const Vector& tractions, const DescentField& field) cons
       for (int i = 0; i < size; ++i)
         sum[i] += T[std::size_t(i)];
     }
-    if (field.traction != nullptr && face.contact >= 0)
-      addNormal(std::size_t(face.contact), change, *field.traction);
+    if (field.traction != nullptr && face.contact >= 0 && sharing_.owns(f))
+      addNormal(std::size_t(face.contact), change, *field.traction, ofPatches);
   }
+  comm_.sum(ofPatches);
+  for (std::size_t i = 0; i < ofPatches.size(); ++i)
+    field.traction->shares[i] += ofPatches[i];
 }
 
 } // namespace ndframe

@@ -35,8 +35,8 @@ struct DescentWatch
 class StressDescent
 {
 public:
-  /// Finds all matrices: every rank those of its share of the cells. faces, contact, watch and what the fields point to
-  /// must outlive it. Collective, as are all functions.
+  /// Finds the matrices of own cells. faces, contact, watch and what the fields point to must outlive it. Collective,
+  /// as are all functions. Corrections are changed at own cells, and at others in part.
   StressDescent(const StressFaces& faces, const std::vector<ContactPatch>& contact, std::vector<DescentField> fields,
                 const DescentWatch& watch, const Comm& comm, int threads);
   StressDescent(const StressDescent&) = delete;
@@ -44,8 +44,9 @@ public:
 
   /// Takes `steps` steps, every field for itself.
   void lower(int steps);
-  /// Matrices A_E that were found by all ranks: one a class or cell without one.
-  int numMatrices() const;
+  /// Matrices A_E that all ranks found, one a class or cell without one, and the most that one of them holds.
+  std::array<std::int64_t, 2> numMatrices() const;
+  const SharedValues& shared() const { return sharing_.values(); } ///< to ask what was sent
 
 private:
   void lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const;
@@ -59,7 +60,7 @@ private:
   void addOpening(const Vector& opening, Vector& faceForces) const;
   std::vector<char> held(const std::vector<char>& patches) const;
   void add(const Vector& tractions, const DescentField& field) const;
-  void addNormal(std::size_t patch, const double* T, ContactTraction& traction) const;
+  void addNormal(std::size_t patch, const double* T, const ContactTraction& traction, Vector& change) const;
   int facetData() const { return faces_->cells().facetData(); }
 
   const StressFaces* faces_;
@@ -69,8 +70,9 @@ private:
   const Comm& comm_;
   int threads_;
   std::vector<StressFaces::Seat> seats_;
-  std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at those of other ranks
+  std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at ghosts
   std::vector<StressEdge> edges_;
+  StressSharing sharing_;
   ClassMatrices ofClasses_;
   StressBlocks blocks_;
   StressUnknowns unknowns_;

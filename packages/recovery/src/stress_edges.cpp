@@ -66,14 +66,15 @@ private:
   std::vector<int> first_{0}, same_;
 };
 
-/// What a step is to do on a face.
-DenseMatrix throughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face)
+/// What a step is to do on a face. basis: 6 x unknowns, the wrenches about the middle.
+DenseMatrix throughMatrix(const StressEdge& edge, const DenseMatrix& basis, const StressEdge::Step& step,
+                          const StressFace& face)
 {
-  DenseMatrix wrenches(wrenchSize(3), edge.basis.cols());
+  DenseMatrix wrenches(wrenchSize(3), basis.cols());
   for (int k = 0; k < wrenches.cols(); ++k) {
     Wrench wrench{};
     for (std::size_t i = 0; i < wrench.size(); ++i)
-      wrench[i] = step.sign * edge.basis(int(i), k);
+      wrench[i] = step.sign * basis(int(i), k);
     wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
     std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
   }
@@ -128,6 +129,8 @@ std::vector<StressEdge> Rings::find()
 /// Walks from face to face through the cells between them.
 void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& around)
 {
+  if (std::none_of(around.begin(), around.end(), [&](int f) { return faces_.isNear(f); }))
+    return;
   const auto isOpen = [&](int f) { return faces_[f].isBoundary(); };
   const auto open = std::find_if(around.begin(), around.end(), isOpen);
   StressEdge edge;
@@ -155,12 +158,13 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
   edge.length = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
   for (std::size_t i = 0; i < 3; ++i)
     edge.middle[i] = 0.5 * (a[i] + b[i]);
-  edge.basis = circulating(edge);
-  if (edge.basis.cols() == 0)
+  const DenseMatrix basis = circulating(edge);
+  edge.unknowns = basis.cols();
+  if (edge.unknowns == 0)
     return;
   for (StressEdge::Step& taken : edge.ring)
-    if (edge.basis.cols() < wrenchSize(3) || !faces_[taken.face].isInside())
-      taken.through = throughMatrix(edge, taken, faces_[taken.face]);
+    if (edge.unknowns < wrenchSize(3) || !faces_[taken.face].isInside())
+      taken.through = throughMatrix(edge, basis, taken, faces_[taken.face]);
   edges_.push_back(std::move(edge));
 }
 

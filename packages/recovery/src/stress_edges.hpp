@@ -20,7 +20,7 @@ struct StressEdge
   std::vector<Step> ring; ///< closed inside; at supported boundaries from one facet there to another
   Direction middle{};
   double length = 0.0;
-  DenseMatrix basis; ///< 6 x unknowns: the wrenches that may circulate, about the middle
+  int unknowns = 0; ///< the wrenches that may circulate: six, or those that all faces of the ring can take
 };
 
 /// StressEdge::Step::through whether it is empty or not.
@@ -35,7 +35,8 @@ struct ThroughMatrix
   std::array<double, 36> values{}; ///< 6 x 6 at most
 };
 
-/// All edges around which anything can circulate. Those at which a body touches itself are left out.
+/// All edges of own cells around which anything can circulate, whole rings. Those at which a body touches itself are
+/// left out.
 std::vector<StressEdge> stressEdges(const StressFaces& faces);
 
 } // namespace ndframe

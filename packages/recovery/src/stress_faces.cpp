@@ -139,7 +139,7 @@ void StressFaces::addFaces(int body, std::size_t more)
     }
     const Vector arms = findGeometry(face);
     if (face.isInside())
-      freeTractions(face, arms);
+      freeTractions(face);
     else
       freeReactions(face, arms);
     for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
@@ -149,10 +149,14 @@ void StressFaces::addFaces(int body, std::size_t more)
   }
 }
 
-/// Centre, size and arms; returns the arms of all modes.
 Vector StressFaces::findGeometry(StressFace& face) const
 {
-  const auto vertices = corners(cells_->mesh(face.cell[0]), cells_->sorted(face.cell[0]), face.facet[0]);
+  return findGeometry(corners(cells_->mesh(face.cell[0]), cells_->sorted(face.cell[0]), face.facet[0]), face);
+}
+
+/// Centre, size and arms; returns the arms of all modes.
+Vector StressFaces::findGeometry(const std::vector<const double*>& vertices, StressFace& face) const
+{
   Direction e{}, f{};
   for (std::size_t i = 0; i < 3; ++i) {
     face.centre[i] = (vertices[0][i] + vertices[1][i] + vertices[2][i]) / 3.0;
@@ -168,13 +172,16 @@ Vector StressFaces::findGeometry(StressFace& face) const
   return arms;
 }
 
-/// What cells of one class have at the same facet is the same, for tractions are forces.
-void StressFaces::freeTractions(StressFace& face, const Vector& arms)
+/// What cells of one class have at the same facet is the same, for tractions are forces; found where the class has its
+/// origin, so that it is the same to the bit on all ranks that hold the face.
+void StressFaces::freeTractions(StressFace& face)
 {
   constexpr int wrench = 6, linear = 9; // data of the modes that carry a wrench: splitFacet() uses no others
   auto& found = inside_[std::size_t(cells_->classes().of(face.cell[0])) * 4 + std::size_t(face.facet[0])];
   if (!found) {
-    const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), face.size);
+    StressFace origin;
+    const Vector arms = findGeometry(cells_->cornersOfOrigin(face.cell[0], face.facet[0]), origin);
+    const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), origin.size);
     found = std::make_shared<FreeTractions>(FreeTractions{upperLeft(split.modes, linear, linear - wrench),
                                                           upperLeft(split.carrier, linear, wrench),
                                                           {},
@@ -230,6 +237,8 @@ void StressFaces::joinContact(const std::vector<ContactPatch>& contact)
       continue;
     StressFace face;
     const std::size_t count = cells_->has(patch.sides[1].body) ? 2 : 1;
+    if (patch.sides[0].facet.cell < 0 || (count == 2 && patch.sides[1].facet.cell < 0))
+      continue; // another rank's
     bool isFree = true;
     for (std::size_t side = 0; side < count; ++side) {
       const auto& [body, facet, places] = patch.sides[side];

@@ -64,7 +64,8 @@ Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLengt
                    double toLength);
 
 /// All faces of solids. A patch whose two sides coincide is one face that both bodies share; at a rigid body it
-/// is a boundary face whose normal traction may change.
+/// is a boundary face whose normal traction may change. Where cells are those that a rank holds, faces of ghosts that
+/// have another cell elsewhere look like a boundary without loads; no edge of an own cell meets them.
 class StressFaces
 {
 public:
@@ -92,13 +93,20 @@ public:
   std::vector<Seat> seats() const; ///< per cell and sorted facet
   /// The same without contact: as its body alone has it.
   int within(int cell, int facet) const { return faceOf_[std::size_t(cell) * 4 + std::size_t(facet)]; }
+  /// Whether an own cell has it: only then its tractions may be changed by this rank.
+  bool isNear(int face) const
+  {
+    const auto& cell = faces_[std::size_t(face)].cell;
+    return cells_->isOwn(cell[0]) || (cell[1] >= 0 && cells_->isOwn(cell[1]));
+  }
   /// A face of one body with another in its place.
   bool isReplaced(int face) const { return joined_[std::size_t(face)] >= 0; }
 
 private:
   void addFaces(int body, std::size_t more);
   Vector findGeometry(StressFace& face) const;
-  void freeTractions(StressFace& face, const Vector& arms);
+  Vector findGeometry(const std::vector<const double*>& vertices, StressFace& face) const;
+  void freeTractions(StressFace& face);
   void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count);
   void freeReactions(StressFace& face, const Vector& arms);
   void joinContact(const std::vector<ContactPatch>& contact);

@@ -81,14 +81,11 @@ void pushLanes(const CellMap* maps, int count, double* forces)
   multiplyByInverse(maps, count, 1, 3, forces);
 }
 
-StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses, int rank, int ranks)
-    : cells_(&cells), ofClasses_(&ofClasses), tractions_(std::size_t(cells.any().reference().tractions)),
-      forms_(solidForms(cells.any().data().degree))
+StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses)
+    : cells_(&cells), ofClasses_(&ofClasses), batches_(all()),
+      tractions_(std::size_t(cells.any().reference().tractions)), forms_(solidForms(cells.any().data().degree))
 {
   NDFRAME_ASSERT(cells.any().reference().data() * lanes <= mostNumbers, "more data than a cell of degree 2 has");
-  const std::vector<Batch> every = all();
-  const auto share = [count = std::ptrdiff_t(every.size()), ranks](int r) { return count * r / ranks; };
-  batches_.assign(every.begin() + share(rank), every.begin() + share(rank + 1));
   int kept = 0;
   for (Batch& batch : batches_)
     if (batch.kept >= 0)
@@ -97,12 +94,14 @@ StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& of
   kept_.resize(at(kept));
 }
 
-/// Of all ranks, by their first cells.
+/// By their first cells.
 std::vector<StressMatrices::Batch> StressMatrices::all() const
 {
   std::vector<Batch> batches;
   std::vector<int> open(std::size_t(cells_->classes().size()) + 1, -1); // per class, and of cells without one
   for (int cell = 0; cell < cells_->size(); ++cell) {
+    if (!cells_->isOwn(cell))
+      continue;
     const bool isOfClass = ofClasses_->has(cell);
     int& batch = isOfClass ? open[std::size_t(cells_->classes().of(cell))] : open.back();
     if (batch < 0 || batches[std::size_t(batch)].count == lanes) {

@@ -42,8 +42,8 @@ public:
   static constexpr int lanes = CellForms::lanes;
   static constexpr int mostNumbers = 84 * lanes;
 
-  /// Of a rank's share of the batches; those of small classes are still to be found. All must outlive it.
-  StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses, int rank, int ranks);
+  /// Of own cells; those of small classes are still to be found. All must outlive it.
+  StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses);
 
   /// Finds those of a batch without a class; batches may be found at the same time. use() sees them once.
   void find(int batch, Vector& work, const std::function<void(const CellMatrices&)>& use);

@@ -107,6 +107,8 @@ Wrench StressUnknowns::amounts(int f, const Vector& unknowns) const
 
 void StressUnknowns::addTractions(int f, const Vector& unknowns, double* T) const
 {
+  if (!faces_.isNear(f))
+    return;
   const StressFace& face = faces_[f];
   const double* y = unknowns.data() + blocks_.ofFace(f);
   addColumns(face.free->own, y, T);
@@ -146,6 +148,8 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
   gradient.resize(std::size_t(blocks_.size()));
   runInRanges(faces_.size(), threads, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
+      if (!faces_.isNear(f))
+        continue;
       const StressFace& face = faces_[f];
       const double* G = faceForces.data() + std::size_t(f) * size;
       double* y = gradient.data() + blocks_.ofFace(f);

@@ -12,9 +12,9 @@ public:
   /// All must outlive it.
   StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges, const StressBlocks& blocks);
 
-  /// T per face, on its first cell.
+  /// T per face that an own cell has, on its first cell; zero on the others.
   void tractions(const Vector& unknowns, int threads, Vector& tractions) const;
-  /// By the unknowns, from that by the faces' tractions.
+  /// By the unknowns, from that by the tractions of the faces that an own cell has.
   void gradient(const Vector& faceForces, int threads, Vector& gradient) const;
 
 private:

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "star_data.hpp"
+#include "ndframe/equilibrium/star_data.hpp"
 #include "stress_faces.hpp"
 
 namespace ndframe

@@ -26,8 +26,8 @@ constexpr double multigridBytes = 1500.0;
 /// The same on several ranks, of a dof that is the rank's own and of any dof of the scene; libraries and MPI.
 constexpr double ownBytes = 1300.0, replicatedBytes = 80.0, atStartOfRanks = 1e8;
 
-/// A dof of a solid whose error is bounded: that works on whole meshes, on every rank.
-constexpr double certifiedBytes = 2400.0;
+/// A dof of a solid whose error is bounded, on one rank; on several, of a rank's own and of any.
+constexpr double certifiedBytes = 2400.0, ownCertifiedBytes = 2000.0, replicatedCertifiedBytes = 170.0;
 
 bool isDirect(const RunSettings& settings)
 {
@@ -91,6 +91,12 @@ double memoryOfRank(double dofs, int ranks)
   return atStartOfRanks + (ranks == 1 ? ownBytes : ownBytes / ranks + replicatedBytes) * dofs;
 }
 
+double memoryOfCertificate(double dofs, int ranks)
+{
+  return ranks == 1 ? certifiedBytes * dofs
+                    : atStartOfRanks + (ownCertifiedBytes / ranks + replicatedCertifiedBytes) * dofs;
+}
+
 std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, int ranks)
 {
   const std::string left = fmt::format("{} left", memoryLeft().text());
@@ -115,7 +121,7 @@ std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, 
   const bool isMultigrid = areSolids && takesMultigrid(settings, solver, solvesWhole, dofs, ranks);
   if (isMultigrid)
     bytes = std::max(memoryOfRank(dofs, ranks),
-                     settings.errors && !settings.errors->estimators.empty() ? certifiedBytes * dofs : 0.0);
+                     settings.errors && !settings.errors->estimators.empty() ? memoryOfCertificate(dofs, ranks) : 0.0);
   return fmt::format("about {:.2g} GB{} for some {} dofs; {}{}", 1e-9 * bytes,
                      isMultigrid && ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "",
                      grouped(std::int64_t(dofs)), left, bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");

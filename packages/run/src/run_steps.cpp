@@ -227,6 +227,10 @@ void certifyRun(Run& run, const RunTools& tools)
     run.failure = "no certificate: " + certified.failure;
   if (!run.certificate)
     return;
+  if (tools.settings.output.equilibratedStress || tools.settings.output.meanStress)
+    run.certificate->gatherStress(tools.comm);
+  else
+    run.certificate->forgetStress();
   EnergyRecord& record = run.energies.of(SceneIdentity(tools.settings.scene, run.model));
   if (!run.contradiction)
     run.contradiction = compareEnergies(record, *run.certificate, run.energies.name(run.level));

@@ -27,7 +27,12 @@ struct Certificate
   ContactTraction traction;          ///< the admissible traction t^ of the global measure; empty shares without contact
   std::vector<NodalField> intermediate;      ///< u~ per body, global axes; empty when not recovered
   std::vector<NodalField> admissible;        ///< u^ per body, global axes; empty when not recovered
-  std::vector<StressCorrection> corrections; ///< of the global stress, per body
+  std::vector<StressCorrection> corrections; ///< of the global stress, per body: as SceneStress
+  std::shared_ptr<const ScenePieces> pieces{}; ///< of them, where cells are shared by the ranks
+
+  /// All ranks get the corrections of all cells, 0.7 kB a cell of order 2: for files that show them. Collective.
+  void gatherStress(const Comm& comm);
+  void forgetStress(); ///< gives back the memory of corrections that nobody will ask for
 };
 
 /// Section 5: everything that the options (the deck's Error Estimation, or less) ask for, for the final state of a run.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "ndframe/equilibrium/body_piece.hpp"
 #include "ndframe/equilibrium/equilibrated_stress.hpp"
 
 namespace ndframe
@@ -23,5 +24,10 @@ struct EquilibriumDefects
 /// Evaluates sigma^ in every cell and looks at the polynomials themselves; independent of how sigma^ was found.
 EquilibriumDefects checkEquilibrium(const BodyModel& body, const StaticData& data, const FieldInput& field,
                                     const StressCorrection& correction);
+
+/// The same where cells are shared: every rank looks at its own cells and their facets, for which it has the data of
+/// the ghosts; the largest of all ranks. Collective.
+EquilibriumDefects checkEquilibrium(const BodyPiece& piece, const FieldInput& field, const StressCorrection& correction,
+                                    const Comm& comm);
 
 } // namespace ndframe

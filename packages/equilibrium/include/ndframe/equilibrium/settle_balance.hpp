@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/equilibrium/stress_correction.hpp"
+#include "ndframe/equilibrium/body_piece.hpp"
 
 namespace ndframe
 {
@@ -18,5 +18,9 @@ bool needsSettling(const Mesh& mesh, const StressCorrection& correction);
 /// one cell.
 void settleBalance(const BodyModel& body, const StaticData& data, const FieldInput& field,
                    StressCorrection& correction);
+
+/// The same where cells are shared: every rank's connected parts hand on what they have within themselves, and then, as
+/// if each were one cell, through one facet to another rank's. correction: of the piece's cells. Collective.
+void settleBalance(const BodyPiece& piece, const FieldInput& field, StressCorrection& correction, const Comm& comm);
 
 } // namespace ndframe

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <vector>
 
 namespace ndframe
@@ -11,5 +12,9 @@ namespace ndframe
 /// one.
 std::vector<int> partitionNodes(const std::vector<int>& cellNodes, int nodesPerCell, int numNodes, int parts,
                                 const std::vector<int>& weights = {});
+
+/// Owner rank of every point: halves (or the share of the ranks on each side) along the longest extent, again and
+/// again, so that parts have as many points each, to one. Points at one place in this direction go by their numbers.
+std::vector<int> partitionByPlace(const std::vector<std::array<double, 3>>& points, int parts);
 
 } // namespace ndframe

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/base/ledger.hpp"
@@ -30,11 +32,15 @@ struct SceneField
   Vector opening;
 };
 
+struct ScenePieces;
+
 /// sigma^ = K eps(u~) + c on all bodies, and the tractions it carries on the interfaces.
 struct SceneStress
 {
-  std::vector<StressCorrection> corrections; ///< per body
+  std::vector<StressCorrection> corrections; ///< per body: of all cells, or of those of this rank's piece
   SideTractions tractions;                   ///< as given, or the optimised one twice
+  /// Where cells are shared by the ranks: what the corrections of bodies with a piece belong to (scene_pieces.hpp).
+  std::shared_ptr<const ScenePieces> pieces{};
 };
 
 /// How equilibrated stresses are found.
@@ -43,9 +49,10 @@ class StressRecovery
 public:
   virtual ~StressRecovery() = default;
 
-  /// All fields share geometry and factors. Collective; results are replicated.
+  /// All fields share geometry and factors. Collective; results are replicated but for SceneStress::pieces.
   /// Ledger counts: "stars" (star problems factored, whatever the number of fields), "star sweeps", "interface stars",
-  /// "element problems", "recovery steps".
+  /// "element problems", "recovery steps", "cell matrices"; on several ranks "cell matrices of the largest rank",
+  /// "recovery messages" and "recovery bytes" of all ranks.
   virtual std::vector<SceneStress> recover(const RecoveryScene& scene, const std::vector<SceneField>& fields,
                                            const Comm& comm, Ledger& ledger) const = 0;
 

@@ -18,6 +18,10 @@ double memoryOfBody(double dofs, int dim);
 /// Monolithic: its share of matrix and levels, and what it has of the whole scene (docs/scaling.md).
 double memoryOfRank(double dofs, int ranks);
 
+/// The same where their error is bounded, too: what stars, faces and edges of a rank's cells take, and what it has of
+/// all.
+double memoryOfCertificate(double dofs, int ranks);
+
 /// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes; for Multigrid
 /// in three dimensions, which Automatic may choose, that of a rank. solvesWhole: so does the coupling with solids.
 std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, int ranks);

@@ -1,9 +1,9 @@
-#include "star_body.hpp"
+#include "ndframe/equilibrium/star_body.hpp"
 
 #include <algorithm>
 
+#include "ndframe/equilibrium/self_touching.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
-#include "self_touching.hpp"
 
 namespace ndframe
 {

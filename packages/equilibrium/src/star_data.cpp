@@ -1,4 +1,4 @@
-#include "star_data.hpp"
+#include "ndframe/equilibrium/star_data.hpp"
 
 #include <algorithm>
 #include <cmath>

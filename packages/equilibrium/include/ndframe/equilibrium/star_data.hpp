@@ -1,8 +1,8 @@
 #pragma once
 
 #include "ndframe/equilibrium/cell_stress.hpp"
+#include "ndframe/equilibrium/star_body.hpp"
 #include "ndframe/equilibrium/stress_correction.hpp"
-#include "star_body.hpp"
 
 namespace ndframe
 {

@@ -3,9 +3,9 @@
 #include <vector>
 
 #include "ndframe/equilibrium/row_reduction.hpp"
+#include "ndframe/equilibrium/star_data.hpp"
+#include "ndframe/equilibrium/star_flow.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
-#include "star_data.hpp"
-#include "star_flow.hpp"
 
 namespace ndframe
 {

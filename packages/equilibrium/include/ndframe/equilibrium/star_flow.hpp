@@ -1,6 +1,6 @@
 #pragma once
 
-#include "star_body.hpp"
+#include "ndframe/equilibrium/star_body.hpp"
 
 namespace ndframe
 {

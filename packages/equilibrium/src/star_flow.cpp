@@ -1,4 +1,4 @@
-#include "star_flow.hpp"
+#include "ndframe/equilibrium/star_flow.hpp"
 
 #include <algorithm>
 

@@ -1,4 +1,4 @@
-#include "star_balance.hpp"
+#include "ndframe/equilibrium/star_balance.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -1,4 +1,4 @@
-#include "self_touching.hpp"
+#include "ndframe/equilibrium/self_touching.hpp"
 
 #include <fmt/format.h>
 

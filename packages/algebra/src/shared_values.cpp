@@ -1,0 +1,168 @@
+#include "ndframe/algebra/shared_values.hpp"
+
+#include <algorithm>
+
+#include <mpi.h>
+
+#include "mpi_comm.hpp"
+#include "ndframe/algebra/dense.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+int messageLength(std::size_t count)
+{
+  NDFRAME_ASSERT(count <= std::size_t(INT32_MAX), "a message is too long for MPI");
+  return int(count);
+}
+
+std::size_t countOf(const std::vector<int>& things, const SharedValues::Places& places)
+{
+  std::size_t count = 0;
+  for (const int thing : things)
+    count += places(thing).count;
+  return count;
+}
+
+Vector packed(const std::vector<int>& things, const SharedValues::Places& places, const Vector& values)
+{
+  Vector message;
+  message.reserve(countOf(things, places));
+  for (const int thing : things) {
+    const auto [first, count] = places(thing);
+    const auto begin = values.begin() + std::ptrdiff_t(first);
+    message.insert(message.end(), begin, begin + std::ptrdiff_t(count));
+  }
+  return message;
+}
+
+/// take(value, message entry) for all values of these things.
+template <class Take>
+void unpack(const std::vector<int>& things, const SharedValues::Places& places, const Vector& message, Vector& values,
+            const Take& take)
+{
+  auto from = message.begin();
+  for (const int thing : things) {
+    const auto [first, count] = places(thing);
+    for (std::size_t i = first; i < first + count; ++i)
+      take(values[i], *from++);
+  }
+}
+
+} // namespace
+
+/// Per neighbour, what it sent.
+std::vector<Vector> SharedValues::sent(List from, List to, const Places& places, const Vector& values) const
+{
+  constexpr int tag = 318;
+  std::vector<Vector> out, in;
+  std::vector<MPI_Request> requests;
+  if (neighbours_.empty())
+    return in;
+  for (const SharedWith& other : neighbours_) {
+    in.emplace_back(countOf(other.*to, places));
+    out.push_back(packed(other.*from, places, values));
+  }
+  for (std::size_t n = 0; n < neighbours_.size(); ++n) {
+    if (!in[n].empty())
+      MPI_Irecv(in[n].data(), messageLength(in[n].size()), MPI_DOUBLE, neighbours_[n].rank, tag, mpiComm(comm_),
+                &requests.emplace_back());
+    if (out[n].empty())
+      continue;
+    MPI_Isend(out[n].data(), messageLength(out[n].size()), MPI_DOUBLE, neighbours_[n].rank, tag, mpiComm(comm_),
+              &requests.emplace_back());
+    ++messages_;
+    bytes_ += std::int64_t(out[n].size()) * std::int64_t(sizeof(double));
+  }
+  MPI_Waitall(int(requests.size()), requests.data(), MPI_STATUSES_IGNORE);
+  return in;
+}
+
+void SharedValues::fetch(const Places& places, Vector& values) const
+{
+  const std::vector<Vector> found = sent(&SharedWith::lent, &SharedWith::borrowed, places, values);
+  for (std::size_t n = 0; n < found.size(); ++n)
+    unpack(neighbours_[n].borrowed, places, found[n], values, [](double& value, double theirs) { value = theirs; });
+}
+
+void SharedValues::add(const Places& places, Vector& values) const
+{
+  const std::vector<Vector> found = sent(&SharedWith::borrowed, &SharedWith::lent, places, values);
+  for (std::size_t n = 0; n < found.size(); ++n) {
+    unpack(neighbours_[n].lent, places, found[n], values, [](double& value, double theirs) { value += theirs; });
+    for (const int thing : neighbours_[n].borrowed) {
+      const auto begin = values.begin() + std::ptrdiff_t(places(thing).first);
+      std::fill(begin, begin + std::ptrdiff_t(places(thing).count), 0.0);
+    }
+  }
+}
+
+std::vector<std::vector<int>> askedFor(const std::vector<std::vector<int>>& wanted, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return {{}};
+  NDFRAME_ASSERT(int(wanted.size()) == comm.size(), "a list for every rank");
+  std::vector<int> out, toEach, fromEach(wanted.size()), firstOut, firstIn;
+  for (const std::vector<int>& list : wanted) {
+    firstOut.push_back(int(out.size()));
+    toEach.push_back(messageLength(list.size()));
+    out.insert(out.end(), list.begin(), list.end());
+  }
+  MPI_Alltoall(toEach.data(), 1, MPI_INT, fromEach.data(), 1, MPI_INT, mpiComm(comm));
+  std::size_t total = 0;
+  for (const int count : fromEach) {
+    firstIn.push_back(messageLength(total));
+    total += std::size_t(count);
+  }
+  std::vector<int> in(total);
+  MPI_Alltoallv(out.data(), toEach.data(), firstOut.data(), MPI_INT, in.data(), fromEach.data(), firstIn.data(),
+                MPI_INT, mpiComm(comm));
+  std::vector<std::vector<int>> asked;
+  for (std::size_t rank = 0; rank < wanted.size(); ++rank)
+    asked.emplace_back(in.begin() + firstIn[rank], in.begin() + firstIn[rank] + fromEach[rank]);
+  return asked;
+}
+
+void takeLargest(Vector& values, const Comm& comm)
+{
+  if (comm.size() > 1)
+    MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_MAX, mpiComm(comm));
+}
+
+Vector gatheredFrom(const Vector& own, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return own;
+  std::vector<int> counts(std::size_t(comm.size()), 0), first(counts);
+  const int count = messageLength(own.size());
+  MPI_Allgather(&count, 1, MPI_INT, counts.data(), 1, MPI_INT, mpiComm(comm));
+  std::size_t total = 0;
+  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
+    first[rank] = messageLength(total);
+    total += std::size_t(counts[rank]);
+  }
+  Vector all(total);
+  MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(), MPI_DOUBLE, mpiComm(comm));
+  return all;
+}
+
+void definiteOnEveryRank(const Comm& comm, const std::function<void()>& work)
+{
+  constexpr double none = -2.0; // -1 is a row that is not known
+  Vector row{none};
+  try {
+    work();
+  } catch (const NotPositiveDefinite& failure) {
+    if (comm.size() == 1)
+      throw;
+    row[0] = double(failure.row);
+  }
+  takeLargest(row, comm);
+  if (row[0] > none)
+    throw NotPositiveDefinite(int(row[0]));
+}
+
+} // namespace ndframe

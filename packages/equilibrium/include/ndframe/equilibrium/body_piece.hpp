@@ -1,0 +1,42 @@
+#pragma once
+
+#include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/equilibrium/stress_correction.hpp"
+
+namespace ndframe
+{
+
+/// What a rank holds of a body whose cells are shared by the ranks: its own cells, and those that have a vertex in
+/// common with one of them, its ghosts. Cells and vertices are numbered in the order of the body's, nodes as in the
+/// body, so that displacements of the whole body serve the piece.
+struct BodyPiece
+{
+  BodyModel model;                  ///< cells, vertices, node numbers and laws; without sides, supports and loads
+  StaticData data;                  ///< of the held cells, without the oscillation
+  const BodyModel* whole = nullptr; ///< not owned
+  std::size_t numContact = 0;       ///< contact facets of the body
+  std::vector<int> cells;           ///< held ones by their numbers in the body, ascending
+  std::vector<int> owner;           ///< per held cell
+  std::vector<int> points;          ///< vertices by their numbers in the body, ascending
+  std::vector<int> contact;         ///< per facet of data.contact its place among the body's
+  int rank = 0;                     ///< this one
+  SharedValues shared;              ///< the values of held cells
+
+  bool owns(int cell) const { return owner[std::size_t(cell)] == rank; } ///< a held cell
+  std::vector<int> ownCells() const;
+  /// The held cell of this number in the body, or -1.
+  int local(int cell) const;
+  /// The shares of all contact facets of the body (FieldInput::contact), of the held ones.
+  Vector ofContact(const Vector& all) const;
+  /// Those of a piece become those of the body, on all ranks. Collective.
+  void gather(StressCorrection& correction, const Comm& comm) const;
+  /// The ghosts' data become those of their owners. Collective.
+  void fetchGhosts(StressCorrection& correction) const;
+};
+
+/// owner: per cell of the body. isTouched: per vertex of the body, nonzero where an own cell has it (and where one does
+/// through contact): cells that have such a vertex are held. body must outlive the piece. Collective.
+BodyPiece cutPiece(const BodyModel& body, const StaticData& data, const std::vector<int>& owner,
+                   const std::vector<char>& isTouched, const Comm& comm);
+
+} // namespace ndframe
