@@ -25,9 +25,9 @@ struct Certificate
   std::vector<CellValues> etaGlobal, etaDiscretization, /**< of the mesh, (55) */ etaAlgorithm; ///< of the sweeps, (50)
   std::vector<ContactPatch> patches; ///< of all interfaces, in the order of their InterfaceMesh facets
   ContactTraction traction;          ///< the admissible traction t^ of the global measure; empty shares without contact
-  std::vector<NodalField> intermediate;      ///< u~ per body, global axes; empty when not recovered
-  std::vector<NodalField> admissible;        ///< u^ per body, global axes; empty when not recovered
-  std::vector<StressCorrection> corrections; ///< of the global stress, per body: as SceneStress
+  std::vector<NodalField> intermediate;        ///< u~ per body, global axes; empty when not recovered
+  std::vector<NodalField> admissible;          ///< u^ per body, global axes; empty when not recovered
+  std::vector<StressCorrection> corrections;   ///< of the global stress, per body: as SceneStress
   std::shared_ptr<const ScenePieces> pieces{}; ///< of them, where cells are shared by the ranks
 
   /// All ranks get the corrections of all cells, 0.7 kB a cell of order 2: for files that show them. Collective.
