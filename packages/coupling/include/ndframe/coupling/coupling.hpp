@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/algebra/joined_system.hpp"
 #include "ndframe/base/ledger.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/coupling/relaxation_controller.hpp"
@@ -75,6 +76,9 @@ struct CouplingStart
   /// Given: SweepRecord::iterationError is measured. > 0: the sweeps end below it, which replaces Tolerance.
   std::optional<double> iterationError;
   std::optional<RoleSpectrum> spectrum = {}; ///< of the sweeps, if it is known already (Coupling::needsSpectrum)
+  /// What InterfaceState::fields begin with where the coupling finds them. Empty: with zero.
+  std::vector<NodalField> fields = {};
+  Exactness exactness = Exactness::Full; ///< of them
 };
 
 /// Called after every sweep, for the screen and for those who want all states.
