@@ -52,6 +52,7 @@ Checkpoint sample()
   done.counts = {{"sweeps", 20}};
   checkpoint.sweeps->goal = 1e-3;
   checkpoint.sweeps->before = 7;
+  checkpoint.solution = {{0.1, -0.0}, {}};
   checkpoint.seconds = 1.5;
   checkpoint.firstMemory = 30000000;
   checkpoint.peakMemory = std::int64_t(1) << 35;

@@ -16,9 +16,6 @@ namespace ndframe
 namespace
 {
 
-/// Sweeps that go on make the bound fall by a tenth at least; another digit where only that may help.
-constexpr double falling = 0.9, oneMoreDigit = 0.1;
-
 /// By the deck, which has to say how errors are estimated.
 const std::vector<Estimator>& estimatorsOf(const RunTools& tools)
 {
@@ -158,45 +155,6 @@ Progress AdaptiveRun::progress() const
                            options_.target);
 }
 
-/// Sweeps until their part is small beside the mesh's, and the certificate of that state.
-void AdaptiveRun::solveLevel()
-{
-  RunObserver& observer = summary_.levels.empty() ? observer_ : silent_;
-  condenseRun(run_, tools_, observer);
-  findRoles(run_, tools_, observer);
-  CouplingStart start = firstStart();
-  SweepsRecord before = takeSweeps(start);
-  for (;;) {
-    start.sweeps.every = restart_.sweeps;
-    start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start.iterationError); };
-    solveRun(run_, tools_, silent_, start);
-    start.sweeps.after.reset();
-    sweeps_ = before.before += int(run_.solved.coupling.history.size());
-    certifyRun(run_, tools_);
-    if (!balances_ || !run_.certificate || !run_.solved.coupling.converged || run_.contradiction)
-      return;
-    const LevelErrors errors(run_, options_);
-    const double allowed = std::min(allowedIteration(errors.mesh), errors.iterationToTarget());
-    const bool mayFall = errors.mayBeOfSweeps(summary_.levels) && errors.bound < falling * before.boundBefore;
-    if (errors.iteration >= before.iterationBefore || errors.iteration == 0.0 ||
-        (errors.iteration <= allowed && !mayFall))
-      return;
-    start.traction = nextTraction(run_);
-    start.closed = run_.solved.coupling.state.closed;
-    start.iterationError = errors.iteration > allowed ? allowed : oneMoreDigit * errors.iteration;
-    before.iterationBefore = errors.iteration;
-    before.boundBefore = errors.bound;
-  }
-}
-
-CouplingStart AdaptiveRun::firstStart() const
-{
-  const bool begins = carried_.interfaces.empty();
-  CouplingStart start = begins ? CouplingStart() : startFrom(run_, transfer_->onto(run_.model.interfaces, carried_));
-  start.iterationError = allowedIteration(expectedMesh_);
-  return start;
-}
-
 void AdaptiveRun::record(const LevelErrors& errors, LevelLesson&& lesson)
 {
   LevelSummary level = summarizeLevel(run_, errors);
@@ -242,8 +200,11 @@ void AdaptiveRun::refine()
 void AdaptiveRun::carryOver(MeshPlan plan)
 {
   expectedMesh_ = plan.bound / errors_->bound * errors_->mesh;
+  expectsTarget_ = plan.bound <= errors_->target;
   planner_->accept(std::move(plan));
   carried_ = std::move(next_);
+  if (!run_.solved.fields.empty()) // else it is of a checkpoint
+    solution_ = CarriedSolution(run_);
 }
 
 /// A level may end with a larger bound than one before, or without any: then that one is computed again. One sweep
@@ -251,7 +212,7 @@ void AdaptiveRun::carryOver(MeshPlan plan)
 void AdaptiveRun::returnToBest()
 {
   const bool isLast = best_.level == int(summary_.levels.size());
-  if (isLast && run_.certificate && run_.failure.empty())
+  if (isLast && run_.certificate && run_.failure.empty() && !isLoose_)
     return;
   if (summary_.limit.empty())
     summary_.limit = run_.failure.empty() ? run_.solved.coupling.reason : run_.failure;
@@ -267,6 +228,12 @@ void AdaptiveRun::returnToBest()
 
 void AdaptiveRun::solveBestAgain()
 {
+  if (best_.level == int(summary_.levels.size()) && run_.certificate) {
+    SweepsRecord before;
+    before.before = sweeps_;
+    solveFrom(presentState(), before);
+    return;
+  }
   readLevel(best_.meshes, best_.contact.interfaces);
   condenseRun(run_, tools_, silent_);
   CouplingStart start = startFrom(run_, best_.contact);

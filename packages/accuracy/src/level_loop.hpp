@@ -3,6 +3,7 @@
 #include <limits>
 #include <optional>
 
+#include "carried_solution.hpp"
 #include "ndframe/accuracy/adaptive_run.hpp"
 #include "ndframe/run/failure.hpp"
 
@@ -41,7 +42,11 @@ private:
   void beginLevel(Model&& model, const std::vector<InterfaceMesh>& before);
   Progress progress() const;
   void solveLevel();
+  /// Solves from there and certifies. before: sweeps on this mesh, which those of the solve are added to.
+  void solveFrom(CouplingStart start, SweepsRecord& before);
   CouplingStart firstStart() const;
+  /// What the iteration has reached, to go on from.
+  CouplingStart presentState() const;
   double allowedIteration(double mesh) const { return stopping_->allowed(mesh, options_.iterationShare); }
   void record(const LevelErrors& errors, LevelLesson&& lesson);
   /// The level as the user is told of it, and the best one if it is. contact: with the Neumann traction.
@@ -82,6 +87,9 @@ private:
   std::optional<LevelErrors> errors_;                        ///< of the last level that was recorded
   CarriedContact next_;                                      ///< what the level after it begins with
   CarriedContact carried_;                                   ///< what the present level begins with
+  CarriedSolution solution_;                                 ///< of the level before
+  bool expectsTarget_ = false;                               ///< the meshes were made to reach the target
+  bool isLoose_ = false; ///< the solution of this level is as exact as the next meshes need it
   BestLevel best_;
   int sweeps_ = 0;                          ///< of this level
   std::int64_t firstMemory_ = peakMemory(); ///< bytes, before there was a mesh

@@ -53,9 +53,7 @@ std::vector<Ledger::Stage> stagesOf(const std::vector<StageRecord>& records)
 EnergyEnds energyEnds(const EnergyRecord& record)
 {
   const auto &lower = record.lowerSide(), &upper = record.upperSide();
-  return {{lower.value, lower.roundOff, lower.name},
-          {upper.value, upper.roundOff, upper.name},
-          record.certificates()};
+  return {{lower.value, lower.roundOff, lower.name}, {upper.value, upper.roundOff, upper.name}, record.certificates()};
 }
 
 /// The names of another scene's parts would not fit.
@@ -98,6 +96,8 @@ Checkpoint AdaptiveRun::checkpoint() const
   checkpoint.counts = tools_.ledger.counts();
   for (const auto& stage : tools_.ledger.stages())
     checkpoint.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
+  if (!run_.solved.coupling.state.fields.empty())
+    checkpoint.solution = CarriedSolution(run_).values();
   return checkpoint;
 }
 
@@ -151,6 +151,8 @@ bool AdaptiveRun::resume(const Checkpoint& checkpoint)
     done_ = checkpoint.levels;
   tools_.ledger.restore(checkpoint.counts, stagesOf(checkpoint.stages));
   sweepsDone_ = checkpoint.sweeps;
+  if (!checkpoint.solution.empty())
+    solution_ = CarriedSolution(run_.model, checkpoint.solution);
   if (checkpoint.levels.empty()) {
     attempt(run_, observer_, [&] { solveLevel(); });
     return true;

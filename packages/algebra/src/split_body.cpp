@@ -58,6 +58,12 @@ const NeumannSolver& neumannSolver(const CondensedBody& body)
   return *solver;
 }
 
+double toleranceFor(Exactness exactness, double tolerance)
+{
+  constexpr double looser = 1e3, most = 1e-7;
+  return exactness == Exactness::Full ? tolerance : std::max(tolerance, std::min(looser * tolerance, most));
+}
+
 const WholeSolver* wholeSolver(const CondensedBody& body)
 {
   const auto* solver = dynamic_cast<const WholeSolver*>(&body);

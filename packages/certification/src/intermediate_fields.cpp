@@ -93,7 +93,8 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
   return g;
 }
 
-/// The unknown fields by iterations on the whole body, from those that are there. False where it gives up.
+/// The unknown fields by iterations on the whole body, from those that are there. What they lack of finite element
+/// equilibrium is made up for by the tractions (settleBalance). False where it gives up.
 bool solveWhole(const CondensedModel& condensed, int body, const std::vector<NodalField>& forces,
                 const std::vector<std::size_t>& unknown, std::vector<NodalField>& fields)
 {
@@ -104,7 +105,7 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
     for (const std::size_t f : unknown) {
       Vector u = system.dofs.frames.toLocal(fields[f]).whole();
       system.dofs.addPrescribed(u, -1.0);
-      u = whole.solveFree(loaded(system, condensed.loads[b], forces[f]), std::move(u));
+      u = whole.solveFree(loaded(system, condensed.loads[b], forces[f]), std::move(u), Exactness::Rough);
       system.dofs.addPrescribed(u);
       fields[f] = system.dofs.frames.toGlobal(u);
     }

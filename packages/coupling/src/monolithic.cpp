@@ -48,7 +48,7 @@ private:
     if (!areSolvedWhole(system))
       return {};
     try {
-      WholeProblem problem(system);
+      WholeProblem problem(system, start);
       const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
       InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
       state.fields = std::move(problem).takeFields();

@@ -49,9 +49,10 @@ bool areSolvedWhole(const InterfaceSystem& system)
                      [](const BodyTrace& body) { return body.isSolvedWhole(); });
 }
 
-WholeProblem::WholeProblem(const InterfaceSystem& system)
+WholeProblem::WholeProblem(const InterfaceSystem& system, const CouplingStart& start)
     : network_(unloadedNetworkOf(system)), motions_(motionNames(network_)), approach_(approachOf(network_)),
-      atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0), kept_(v_), tolerance_(early)
+      atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0), kept_(v_),
+      exactness_(start.exactness), tolerance_(early)
 {
   std::vector<const WholeSolver*> solvers;
   for (const BodyTrace* body : network_.bodies) {
@@ -60,6 +61,22 @@ WholeProblem::WholeProblem(const InterfaceSystem& system)
   }
   joined_ =
       solvers.front()->join(solvers, rowsFor(ClosedRows(network_.jump, {}, network_.bound, network_.size()), false));
+  if (!start.fields.empty())
+    begin(start.fields);
+}
+
+void WholeProblem::begin(const std::vector<NodalField>& fields)
+{
+  std::vector<const Vector*> all;
+  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
+    const NodalField& field = fields[b];
+    all.push_back(&field.whole());
+    const TraceMap& map = network_.bodies[b]->map;
+    for (int k = 0; k < map.size(); ++k)
+      kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] = field[std::size_t(map.dofs()[std::size_t(k)])];
+  }
+  joined_->begin(all);
+  takeKept();
 }
 
 std::vector<NodalField> WholeProblem::takeFields() &&
@@ -72,7 +89,7 @@ std::vector<NodalField> WholeProblem::takeFields() &&
 
 double WholeProblem::roundOff() const
 {
-  return std::max(statusRoundOff, amplification * joined_->tolerance());
+  return std::max(statusRoundOff, amplification * finest());
 }
 
 bool WholeProblem::holds(const std::vector<char>& closed)
@@ -170,12 +187,18 @@ void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
 void WholeProblem::settle(double tolerance, StatusPass& pass)
 {
   const Vector rest = joined_->solve(loads_, kept_, tolerance);
+  takeKept();
+  evaluate(rest, pass);
+}
+
+/// The entries of v that the kept dofs stand for.
+void WholeProblem::takeKept()
+{
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
     const TraceMap& map = network_.bodies[b]->map;
     const Vector values = map.values({kept_.begin() + network_.offsets[b], kept_.begin() + network_.offsets[b + 1]});
     std::copy(values.begin(), values.end(), v_.begin() + network_.offsets[b]);
   }
-  evaluate(rest, pass);
 }
 
 void WholeProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
@@ -183,20 +206,19 @@ void WholeProblem::solve(const std::vector<char>& closed, double proximal, Statu
   rows_.emplace(network_.jump, tightestFirst(network_, closed), network_.bound, network_.size());
   joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal);
   moveToStatuses();
-  const double finest = joined_->tolerance();
-  pass.isFinal = proximal > 0.0 || tolerance_ <= finest;
-  settle(pass.isFinal ? finest : tolerance_, pass);
+  pass.isFinal = proximal > 0.0 || tolerance_ <= finest();
+  settle(pass.isFinal ? finest() : tolerance_, pass);
   if (pass.isFinal)
     return;
   const std::size_t wrong = violations(pass, std::vector<char>(closed.size(), 1), network_.bound, closed).size();
   if (wrong > 0 && ++earlyPasses_ < mostEarlyPasses) {
     tolerance_ =
-        std::max(finest, std::min(tolerance_, early * std::min(1.0, 10.0 * double(wrong) / double(closed.size()))));
+        std::max(finest(), std::min(tolerance_, early * std::min(1.0, 10.0 * double(wrong) / double(closed.size()))));
     return;
   }
-  tolerance_ = finest;
+  tolerance_ = finest();
   pass.isFinal = true;
-  settle(finest, pass);
+  settle(finest(), pass);
 }
 
 } // namespace ndframe

@@ -21,8 +21,8 @@ namespace ndframe
 class WholeProblem final : public StatusSystem
 {
 public:
-  /// The system must outlive it, and all its bodies must be solved whole.
-  explicit WholeProblem(const InterfaceSystem& system);
+  /// The system must outlive it, and all its bodies must be solved whole. start: the fields, and how far to go.
+  WholeProblem(const InterfaceSystem& system, const CouplingStart& start);
 
   bool holds(const std::vector<char>& closed) override;
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
@@ -40,7 +40,10 @@ private:
   JoinedRows rowsFor(const ClosedRows& closed, bool onVertices) const;
   ClosedRows closedOnVertices(const std::vector<char>& closed) const;
   bool isAtVertex(std::size_t entry) const { return atVertex_[entry] != 0; }
+  void begin(const std::vector<NodalField>& fields);
+  double finest() const { return toleranceFor(exactness_, joined_->tolerance()); }
   void settle(double tolerance, StatusPass& pass);
+  void takeKept();
   void moveToStatuses();
   Vector forcesOn(const Vector& rest) const;
   void evaluate(const Vector& rest, StatusPass& pass) const;
@@ -53,6 +56,7 @@ private:
   Vector v_, kept_; ///< per entry, the latter as the kept dofs have it
   std::optional<ClosedRows> rows_;
   std::unique_ptr<JoinedSystem> joined_;
+  Exactness exactness_;
   double tolerance_;
   int earlyPasses_ = 0;
 };

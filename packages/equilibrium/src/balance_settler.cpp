@@ -1,6 +1,7 @@
 #include "balance_settler.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ndframe
 {
@@ -214,6 +215,19 @@ void BalanceSettler::handOn(const CellTree::Part& part)
     change(half, moments, -1.0);
     change(tree_.twin(half), moments, 1.0);
   }
+}
+
+/// What no other cell and no support took, moments over the size of the cell.
+double BalanceSettler::largestLeft() const
+{
+  double largest = 0.0;
+  for (int cell = 0; cell < mesh_.numCells(); ++cell) {
+    const Vector& wrench = left_[std::size_t(cell)];
+    const double arm = size_ / std::pow(cellMeasure(mesh_, cell), 1.0 / data_.dim);
+    for (std::size_t i = 0; i < wrench.size() && isOwn(cell); ++i)
+      largest = std::max(largest, std::abs(wrench[i]) * (int(i) < data_.dim ? 1.0 : arm));
+  }
+  return largest;
 }
 
 } // namespace ndframe

@@ -40,6 +40,7 @@ public:
       react(part, about, total, resistance);
       handOn(part);
     }
+    correction_.imbalance = largestLeft();
   }
 
   void runWith(const Comm& comm);
@@ -70,6 +71,7 @@ private:
   void addResistance(const CellTree::Part& part, const Vector& about, DenseMatrix& resistance) const;
   void react(const CellTree::Part& part, const Vector& about, const Vector& total, const DenseMatrix& resistance);
   void handOn(const CellTree::Part& part);
+  double largestLeft() const;
 
   const BodyModel& body_;
   const Mesh& mesh_;

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "balance_settler.hpp"
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -31,6 +32,9 @@ void BalanceSettler::runWith(const Comm& comm)
     handOn(graph.parent(number) < 0 ? tree_.parts()[part]
                                     : tree_.treeFrom(graph.exit(number, *piece_, tree_) / (data_.dim + 1)));
   }
+  Vector largest{largestLeft()};
+  takeLargest(largest, comm);
+  correction_.imbalance = largest[0];
 }
 
 /// The wrench that every part has, of all ranks.

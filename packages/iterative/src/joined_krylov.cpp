@@ -89,6 +89,8 @@ public:
       setCoarse(onVertices, springs);
   }
 
+  void begin(const std::vector<const Vector*>& fields) override { u_ = own_.part(fields); }
+
   Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) override
   {
     const Vector load = own_.part(loads), centre = kept;
@@ -122,6 +124,7 @@ public:
     return own_.gathered(u_);
   }
   double tolerance() const override { return options_.tolerance; }
+  double largestEigenvalue() const { return gradients_->largestEigenvalue(); }
 
 private:
   bool isStale(const JoinedRows& onVertices, double springs) const
@@ -218,9 +221,11 @@ private:
 
 std::unique_ptr<JoinedSystem> makeJoinedKrylov(std::vector<const SolverProblem*> problems, const JoinedRows& open,
                                                const Comm& comm, Ledger& ledger, KrylovOptions options,
-                                               const MakeJoinedGradients& make)
+                                               const MakeJoinedGradients& make, double& largestEigenvalue)
 {
-  return std::make_unique<JoinedKrylov>(std::move(problems), open, comm, ledger, options, make);
+  auto joined = std::make_unique<JoinedKrylov>(std::move(problems), open, comm, ledger, options, make);
+  largestEigenvalue = joined->largestEigenvalue();
+  return joined;
 }
 
 } // namespace ndframe

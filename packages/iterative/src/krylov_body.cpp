@@ -32,20 +32,20 @@ class KrylovSystem
 {
 public:
   KrylovSystem(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-               const MakeConjugateGradients& makeCg)
+               const MakeConjugateGradients& makeCg, bool hasTwoLevels)
       : matrix_(*problem.matrix), roles_(problem.roles), comm_(comm), ledger_(ledger), options_(options)
   {
     const std::lock_guard lock(librariesInUse());
     startMpi();
     cg_ = makeCg(problem, comm, meanDiagonal(matrix_, comm));
-    if (cg_->work().products > 0)
+    if (hasTwoLevels)
       ledger_.count("multigrid set-ups");
     work_.enter(cg_->work(), comm_, ledger_);
   }
 
   /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first, or beside
   /// the reference if that is larger, or round-off. Throws NotConverged and SingularBody.
-  Vector solve(const Vector& load, Vector u, double reference = 0.0) const
+  Vector solve(const Vector& load, Vector u, double reference = 0.0, Exactness exactness = Exactness::Full) const
   {
     const std::lock_guard lock(librariesInUse());
     Vector residual = interiorResidual(load, u);
@@ -53,7 +53,7 @@ public:
     u = sum(std::move(u), recycled_.start(residual));
     const Vector start = u, missing = residual = interiorResidual(load, u);
     const int iterations = restartedGradients(
-        options_.tolerance * initial, initial, options_.maxIterations, norm(residual), ledger_,
+        toleranceFor(exactness, options_.tolerance) * initial, initial, options_.maxIterations, norm(residual), ledger_,
         [&](double reduction, int most, const auto& watch) {
           const ConjugateGradients::Result step = cg_->solve(ownPart(matrix_, residual), reduction, most, watch);
           const Vector x = gathered(matrix_, step.x.data(), comm_);
@@ -151,7 +151,7 @@ public:
     Vector load(std::size_t(numDofs()), 0.0), kept;
     for (std::size_t c = 0; c < kept_.size(); ++c)
       load[std::size_t(kept_[c])] = force[c];
-    const Vector u = solveFree(load, Vector(load.size(), 0.0));
+    const Vector u = solveFree(load, Vector(load.size(), 0.0), Exactness::Full);
     for (const int dof : kept_)
       kept.push_back(u[std::size_t(dof)]);
     return kept;
@@ -159,19 +159,21 @@ public:
 
   bool solvesNeumann() const override { return true; }
 
-  Vector solveFree(const Vector& load, Vector start) const override
+  Vector solveFree(const Vector& load, Vector start, Exactness exactness) const override
   {
-    if (!free_) {
-      SolverProblem held = freed_;
-      for (const int k : motions_.held)
-        held.roles[std::size_t(kept_[std::size_t(k)])] = DofRole::Fixed;
-      free_ = makeSystem(held);
-    }
     Vector carried = load;
     for (std::size_t dof = 0; dof < carried.size(); ++dof)
       if (roles_[dof] == DofRole::Fixed)
         carried[dof] = 0.0;
-    return free_->solve(load, std::move(start), norm(carried));
+    try {
+      return freeSystem().solve(load, start, norm(carried), exactness);
+    } catch (const SingularBody&) {
+      if (largestEigenvalue_ == 0.0)
+        throw;
+    }
+    free_.reset(); // the eigenvalue of others was too small
+    largestEigenvalue_ = 0.0;
+    return freeSystem().solve(load, std::move(start), norm(carried), exactness);
   }
 
   void forget() const override { free_.reset(); }
@@ -183,6 +185,8 @@ public:
         system->forgetSolutions();
   }
 
+  void setLargestEigenvalue(double value) const override { largestEigenvalue_ = value; }
+
   bool solvesWhole() const override { return makeJoined_ != nullptr; }
   const SolverProblem& freedProblem() const override { return freed_; }
 
@@ -193,7 +197,11 @@ public:
     std::vector<const SolverProblem*> problems;
     for (const WholeSolver* body : bodies)
       problems.push_back(&body->freedProblem());
-    return makeJoinedKrylov(std::move(problems), open, comm_, ledger_, options_, makeJoined_);
+    double largest = 0.0;
+    auto joined = makeJoinedKrylov(std::move(problems), open, comm_, ledger_, options_, makeJoined_, largest);
+    for (const WholeSolver* body : bodies)
+      body->setLargestEigenvalue(largest);
+    return joined;
   }
 
   DenseMatrix schurComplement() const override
@@ -222,7 +230,19 @@ public:
 private:
   std::unique_ptr<KrylovSystem> makeSystem(const SolverProblem& problem) const
   {
-    return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, makeCg_);
+    return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, makeCg_, makeJoined_ != nullptr);
+  }
+
+  const KrylovSystem& freeSystem() const
+  {
+    if (!free_) {
+      SolverProblem held = freed_;
+      for (const int k : motions_.held)
+        held.roles[std::size_t(kept_[std::size_t(k)])] = DofRole::Fixed;
+      held.largestEigenvalue = largestEigenvalue_;
+      free_ = makeSystem(held);
+    }
+    return *free_;
   }
 
   /// Set up when it is first needed: where whole bodies are solved together nobody asks.
@@ -243,6 +263,7 @@ private:
   std::string description_;
   mutable std::unique_ptr<KrylovSystem> interior_;
   mutable std::unique_ptr<KrylovSystem> free_; ///< with the kept dofs as unknowns: set up when it is first needed
+  mutable double largestEigenvalue_ = 0.0;     ///< of the system that this body was joined to
 };
 
 } // namespace

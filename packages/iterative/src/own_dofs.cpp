@@ -64,6 +64,20 @@ Vector OwnDofs::part(const std::vector<const SparseField*>& loads) const
   return own;
 }
 
+Vector OwnDofs::part(const std::vector<const Vector*>& all) const
+{
+  Vector own;
+  own.reserve(size());
+  for (std::size_t b = 0; b < all.size(); ++b) {
+    const Vector ofBody = ownPart(*problems_[b]->matrix, *all[b]);
+    own.insert(own.end(), ofBody.begin(), ofBody.end());
+  }
+  for (std::size_t i = 0; i < own.size(); ++i)
+    if (!isFree_[i])
+      own[i] = 0.0;
+  return own;
+}
+
 std::vector<Vector> OwnDofs::gathered(const Vector& own) const
 {
   std::vector<Vector> all;

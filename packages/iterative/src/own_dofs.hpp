@@ -28,6 +28,7 @@ public:
 
   /// Of loads, per body; zero on dofs that are not free.
   Vector part(const std::vector<const SparseField*>& loads) const;
+  Vector part(const std::vector<const Vector*>& all) const; ///< of vectors of all dofs
   /// Per body, all dofs, on all ranks. Collective.
   std::vector<Vector> gathered(const Vector& own) const;
   /// Per kept dof of all bodies, on all ranks. Collective.

@@ -59,9 +59,14 @@ public:
   {
     return wholeSolver(*body_)->join(bodies, open);
   }
-  Vector solveFree(const Vector& load, Vector start) const override
+  Vector solveFree(const Vector& load, Vector start, Exactness exactness) const override
   {
-    return wholeSolver(*body_)->solveFree(load, std::move(start));
+    return wholeSolver(*body_)->solveFree(load, std::move(start), exactness);
+  }
+  void setLargestEigenvalue(double value) const override
+  {
+    if (solvesWhole())
+      wholeSolver(*body_)->setLargestEigenvalue(value);
   }
   void forget() const override
   {

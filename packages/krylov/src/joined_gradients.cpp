@@ -71,6 +71,7 @@ public:
     matrix_->sizesOfBodies(x.data(), y.data());
     return y;
   }
+  double largestEigenvalue() const override { return cycle_->largestEigenvalue(); }
   void follow(const JoinedUnknowns& unknowns) override
   {
     matrix_->follow(unknowns);

@@ -55,8 +55,8 @@ public:
     startKokkos();
     const auto matrix = Teuchos::rcp(new BlockOperator(problem, comm));
     const TpetraSystem system(level.problem, comm, decoupledDiagonal);
-    const auto cycle =
-        Teuchos::rcp(new TwoLevelCycle(matrix, std::make_unique<LinearTransfer>(problem, level, system.dofMap)));
+    const auto cycle = Teuchos::rcp(new TwoLevelCycle(
+        matrix, std::make_unique<LinearTransfer>(problem, level, system.dofMap), problem.largestEigenvalue));
     cycle->setCoarse(system, coarse);
     const auto work = [matrix, cycle] { return workOf(*matrix, *cycle); };
     return makeBelosCg({matrix, cycle, work}, belos);

@@ -17,15 +17,15 @@ Teuchos::RCP<TpetraVectors> vectorOn(const Teuchos::RCP<const TpetraMap>& map)
 
 } // namespace
 
-TwoLevelCycle::TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer)
-    : matrix_(std::move(matrix)), inverseDiagonal_(matrix_->inverseDiagonal()), transfer_(std::move(transfer)),
+TwoLevelCycle::TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer,
+                             double largest)
+    : matrix_(std::move(matrix)), inverseDiagonal_(matrix_->inverseDiagonal()),
+      largest_(largest > 0.0 ? largest : ndframe::largestEigenvalue(*matrix_, inverseDiagonal_, lanczosSteps)),
+      centre_(0.5 * largest_ * (margin + 1.0 / smoothedShare)),
+      halfWidth_(0.5 * largest_ * (margin - 1.0 / smoothedShare)), transfer_(std::move(transfer)),
       residual_(inverseDiagonal_.size()), product_(inverseDiagonal_.size()), step_(vectorOn(getDomainMap())),
       nextStep_(vectorOn(getDomainMap()))
-{
-  const double largest = largestEigenvalue(*matrix_, inverseDiagonal_, lanczosSteps);
-  centre_ = 0.5 * largest * (margin + 1.0 / smoothedShare);
-  halfWidth_ = 0.5 * largest * (margin - 1.0 / smoothedShare);
-}
+{}
 
 void TwoLevelCycle::setCoarse(const TpetraSystem& system, const Preconditioner& coarse)
 {

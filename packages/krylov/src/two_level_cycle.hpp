@@ -16,8 +16,8 @@ namespace ndframe
 class TwoLevelCycle final : public TpetraOperator
 {
 public:
-  /// Takes the largest eigenvalue of the matrix as it is now.
-  TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer);
+  /// largest: eigenvalue of D^-1 K; 0: that of the matrix as it is now is found.
+  TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer, double largest = 0.0);
   void dropCoarse() { coarse_.reset(); } ///< its memory is needed; setCoarse() must follow
   void setCoarse(const TpetraSystem& system, const Preconditioner& coarse);
   /// The matrix has another diagonal, and no larger eigenvalue.
@@ -28,6 +28,7 @@ public:
   /// alpha = 1, beta = 0 whatever is given.
   void apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETransp mode, double alpha, double beta) const override;
 
+  double largestEigenvalue() const { return largest_; }
   int cycles() const { return cycles_; } ///< so far
   Traffic traffic() const;               ///< of transfers and coarse level, of this rank, so far
 
@@ -41,6 +42,7 @@ private:
 
   Teuchos::RCP<const FineOperator> matrix_;
   std::vector<double> inverseDiagonal_;
+  double largest_;            ///< eigenvalue of D^-1 K
   double centre_, halfWidth_; ///< of the interval
   std::unique_ptr<FineTransfer> transfer_;
   std::shared_ptr<PreconditionerHandle> coarse_;

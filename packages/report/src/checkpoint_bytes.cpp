@@ -58,8 +58,8 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InterfaceState, uDirichlet, uNeumann, motions
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsDone, history, state, traction, relaxation, counts)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsRecord, done, goal, before, iterationBefore, boundBefore, energy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, name, seconds, peakBytes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, sweeps, seconds,
-                                   firstMemory, peakMemory, counts, stages)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, sweeps, solution,
+                                   seconds, firstMemory, peakMemory, counts, stages)
 
 namespace
 {

@@ -85,9 +85,11 @@ struct SweepsRecord
 /// What a stage of the ledger took.
 struct StageRecord
 {
-  std::string name;           ///< as the ledger calls it, "factor"
-  double seconds = 0.0;       ///< wall-clock time of all its passes
-  std::int64_t peakBytes = 0; ///< largest resident size while it ran
+  std::string name; ///< as the ledger calls it, "factor"
+  /// Displacements of the last level, where iterations on the next meshes begin with them; else empty.
+  std::vector<Vector> solution; ///< per elastic body and node, global axes
+  double seconds = 0.0;         ///< wall-clock time of all its passes
+  std::int64_t peakBytes = 0;   ///< largest resident size while it ran
 };
 
 /// NAME.checkpoint: what a run that was ended goes on from.

@@ -42,6 +42,8 @@ public:
 
   void accept(MeshPlan plan); ///< its meshes are the present ones from now on
   const std::vector<Mesh>& meshes() const { return present_->meshes(); } ///< the present ones, as in MeshPlan
+  /// RefinedMeshes::ancestors of the present meshes.
+  const std::vector<std::vector<int>>& ancestors() const { return present_->ancestors(); }
   /// RefinedMeshes::note of the present meshes.
   std::string note() const { return present_->note(); }
 

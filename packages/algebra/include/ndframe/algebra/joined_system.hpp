@@ -19,6 +19,17 @@ struct JoinedRows
   std::vector<SparseRow> unknowns; ///< L, one row per kept dof, empty where no unknown stands
 };
 
+/// How far iterations go: to the tolerance of the deck, or as far as they must where what is left of the residual is
+/// made up for.
+enum class Exactness
+{
+  Full,
+  Rough ///< 10^3 times the tolerance, but not more than 1e-7 unless the deck asks for no more
+};
+
+/// The tolerance that this means.
+double toleranceFor(Exactness exactness, double tolerance);
+
 /// The matrices of several bodies as one system on what is free of them and the unknowns that their kept dofs follow:
 ///
 ///   E^T (K + springs) E x = E^T (load - K u),   springs a multiple of the diagonal at the unknowns.
@@ -33,6 +44,9 @@ public:
   /// elsewhere): what the coarse level goes by, which is set up again only where these differ in many rows.
   virtual void follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) = 0;
 
+  /// u is this from now on, per body, in the nodes' own axes, on all ranks.
+  virtual void begin(const std::vector<const Vector*>& fields) = 0;
+
   /// Improves u by E x until the residual of the equations above is at most `tolerance` times the loads and the forces
   /// of the kept dofs on each other as they are at first, or round-off. u is what the last call left, zero at first,
   /// but for the kept dofs of all bodies, whose values are given here and are improved with it. The springs pull
@@ -44,8 +58,7 @@ public:
   /// else can be asked of the system afterwards but its tolerance.
   virtual std::vector<Vector> takeFields() && = 0;
 
-  /// What the deck asks for.
-  virtual double tolerance() const = 0;
+  virtual double tolerance() const = 0; ///< what the deck asks for
 };
 
 /// A body whose matrix is solved by iterations on all its dofs.
@@ -56,7 +69,7 @@ public:
 
   /// K u = load on all dofs that are not fixed but those that hold the body (FreeMotions::held of its NeumannSolver),
   /// where u keeps the values of `start`, as it does on fixed dofs. There too if the load balances.
-  virtual Vector solveFree(const Vector& load, Vector start) const = 0;
+  virtual Vector solveFree(const Vector& load, Vector start, Exactness exactness) const = 0;
 
   /// Gives back the memory that solveFree() keeps for the next call, which sets up again what it needs.
   virtual void forget() const = 0;
@@ -70,6 +83,9 @@ public:
 
   /// With the kept dofs as interior ones.
   virtual const SolverProblem& freedProblem() const = 0;
+
+  /// The largest eigenvalue of D^-1 K that was found for this body together with others: solveFree() takes it, too.
+  virtual void setLargestEigenvalue(double /*value*/) const {}
 
   /// A joined system did not converge: whether the body has another solver and takes that from now on.
   virtual bool givesUp() const { return false; }

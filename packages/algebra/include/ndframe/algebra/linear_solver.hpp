@@ -54,6 +54,8 @@ struct SolverProblem
   std::vector<double> nodePoints; ///< the same
   EdgeNodes edgeNodes;            ///< used by multigrid
   BodyOutline outline;            ///< used where the solver is chosen
+  /// Of D^-1 K on the dofs that are not fixed or kept, D the diagonal, about; 0: unknown. Used by multigrid.
+  double largestEigenvalue = 0.0;
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "ndframe/algebra/joined_system.hpp"
 #include "ndframe/base/ledger.hpp"
 #include "ndframe/base/registry.hpp"
 #include "ndframe/coupling/relaxation_controller.hpp"
@@ -97,6 +98,9 @@ struct CouplingStart
   std::optional<double> iterationError;
   std::optional<RoleSpectrum> spectrum = {}; ///< of the sweeps, if it is known already (Coupling::needsSpectrum)
   SweepsKept sweeps = {};                    ///< where the coupling can (Coupling::keepsSweeps)
+  /// What InterfaceState::fields begin with where the coupling finds them. Empty: with zero.
+  std::vector<NodalField> fields = {};
+  Exactness exactness = Exactness::Full; ///< of them
 };
 
 /// Called after every sweep, for the screen and for those who want all states.

@@ -5,17 +5,18 @@
 namespace ndframe
 {
 
-/// True when the round-off of u~, spread over the smallest facets, could be seen in the equilibrium of sigma^: meshes
-/// that are strongly graded, bodies that move much more than they deform.
+/// True when what u~ lacks of finite element equilibrium, spread over the smallest facets, could be seen in the
+/// equilibrium of sigma^: a solver that stopped early, or round-off on meshes that are strongly graded and in bodies
+/// that move much more than they deform.
 bool needsSettling(const Mesh& mesh, const StressCorrection& correction);
 
-/// Takes the last digits out of the balance of sigma^. K eps(u~) is in finite element equilibrium up to the round-off
-/// of u~ only, eps |K| |u~| per node, whatever the solver; on a small facet this is a stress that one can see.
+/// Takes what u~ lacks of finite element equilibrium out of the balance of sigma^: where the solver stopped, and
+/// eps |K| |u~| per node whatever the solver; on a small facet this is a stress that one can see.
 ///
 /// The loads of all cells and the tractions on all facets are set to what they have to be; then every cell's wrench
-/// that is left over (round-off) is handed on from cell to cell, along a tree, to the supports. All changes are of the
-/// size of the defects. What no support takes (loads and contact traction of a free body that do not balance) stays in
-/// one cell.
+/// that is left over is handed on from cell to cell, along a tree, to the supports. All changes are of the size of the
+/// defects, added up along the tree. What no support takes (loads and contact traction of a free body that do not
+/// balance) stays in one cell; StressCorrection::imbalance is then what cells have left.
 void settleBalance(const BodyModel& body, const StaticData& data, const FieldInput& field,
                    StressCorrection& correction);
 

@@ -24,8 +24,9 @@ struct StressCorrection
   Vector tractions;                         ///< per cell, facet (sorted), mode, component: int (c n) . L_k, a force
   Vector loads;                             ///< per cell, load mode, component: int (div c) m_k, a force
 
-  double imbalance = 0.0; ///< largest wrench of a star (moments over its size) that had no support to take it
-  double force = 0.0;     ///< largest force in a star: what its data and sigma~ amount to
+  /// Largest wrench of a star (moments over its size) that had no support to take it; of a cell after settleBalance().
+  double imbalance = 0.0;
+  double force = 0.0; ///< largest force in a star: what its data and sigma~ amount to
   /// Round-off when sigma~ is in finite element equilibrium with the data. Not relative to each star's own forces:
   /// where the body is free of stress these are round-off themselves.
   double defect() const { return force > 0.0 ? imbalance / force : 0.0; }

@@ -84,8 +84,7 @@ struct JoinedBodies
 {
   std::vector<const SolverProblem*> problems; ///< kept dofs are interior ones
   std::vector<const LinearLevel*> levels;     ///< of them
-  /// Numbers of the kept dofs among those of all nodes, and among those of all vertices.
-  std::vector<int> kept, keptOnVertices; ///< numbers of the kept dofs among all; -1: not at a vertex
+  std::vector<int> kept, keptOnVertices; ///< numbers of the kept dofs among all, and among vertices' (-1: not at one)
 };
 
 /// Conjugate gradients on a joined system: b and x have the dofs of this rank's nodes, one body after another, those of
@@ -95,6 +94,7 @@ class JoinedGradients : public ConjugateGradients
 public:
   /// From now on. The coarse level stays as it is until setCoarse().
   virtual void follow(const JoinedUnknowns& unknowns) = 0;
+  virtual double largestEigenvalue() const = 0; ///< of D^-1 K for the first unknowns
   /// K x of the bodies as if nothing joined them, zero where no dof is free; on the dofs of this rank's nodes.
   virtual Vector multiply(const Vector& x) const = 0;
   /// |K| |x| of the bodies, the same of moduli, in all rows.
