@@ -132,6 +132,8 @@ MeshPlanner::MeshPlanner(const RunSettings& settings, const AccuracyComponents& 
   for (const Mesh& mesh : first.meshes)
     eulers_.push_back(dim_ == 2 ? eulerNumber(mesh) : 0);
   present_ = refinement->begin(std::move(first), comm);
+  if (!present_->areNested())
+    edges_ = EdgeExponents(degree_, EdgeExponents::Meshes::MadeAnew);
 }
 
 std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const

@@ -1,6 +1,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include <fmt/format.h>
+
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/base/list_place.hpp"
 #include "ndframe/mesh/cell_locator.hpp"
@@ -15,11 +17,23 @@ namespace ndframe
 namespace
 {
 
-/// Cells that contribute nothing may grow, but what is predicted for them does not reach far.
-constexpr double logMostGrowth = 2.0;
+/// Cells that contribute nothing may grow, but what is predicted for them does not reach far: their edges by 2.
+double logMostGrowth(int dim)
+{
+  return dim;
+}
 
 /// gmsh's edges are that much shorter on average than they should be.
-constexpr double shortfall = 0.95;
+double shortfall(int dim)
+{
+  return dim == 2 ? 0.95 : 0.95;
+}
+
+/// Of an equilateral triangle, a regular tetrahedron: edge / measure^(1/dim).
+double edgePerRoot(int dim)
+{
+  return dim == 2 ? 2.0 / std::pow(3.0, 0.25) : std::cbrt(6.0 * std::sqrt(2.0));
+}
 
 /// What all meshes of a run have in common.
 struct RemeshScene
@@ -29,38 +43,39 @@ struct RemeshScene
   const Comm& comm;
 };
 
-/// log2 of the area that a part of an ancestor shall have.
-double logAreaOf(const Mesh& parts, int part, const CellSize& size, double ancestorArea)
+/// log2 of the measure that a part of an ancestor shall have.
+double logMeasureOf(const Mesh& parts, int part, const CellSize& size, double ancestorMeasure)
 {
-  double wanted = std::min(size.logMeasureAt(cellCentre(parts, part)), std::log2(ancestorArea) + logMostGrowth);
+  double wanted =
+      std::min(size.logMeasureAt(cellCentre(parts, part)), std::log2(ancestorMeasure) + logMostGrowth(parts.dim));
   for (const FineSegment& segment : size.fine)
     if (segment.facetOn(parts, part) > 0.0)
       wanted = std::min(wanted, std::log2(cellMeasure(parts, part)));
   return wanted;
 }
 
-/// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another
+/// Steps of log2 of a wanted measure: gmsh answers round-off in a length, which differs from rank to rank, with another
 /// mesh.
-constexpr double logAreaStep = 1.0 / 64;
+constexpr double logMeasureStep = 1.0 / 64;
 
-/// Edges of equilateral triangles with the wanted areas, the geometric mean of the cells around a vertex.
+/// Edges of equilateral cells with the wanted measures, the geometric mean of the cells around a vertex.
 std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancestors, const Mesh& mesh,
                               const std::vector<CellSize>& sizes)
 {
-  Vector logAreas;
+  Vector logMeasures;
   for (int c = 0; c < parts.numCells(); ++c) {
     const int ancestor = ancestors[std::size_t(c)];
-    logAreas.push_back(logAreaOf(parts, c, sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor)));
+    logMeasures.push_back(logMeasureOf(parts, c, sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor)));
   }
   const VertexCells cells(parts);
-  const double edgePerRootOfArea = 2.0 / std::pow(3.0, 0.25) / shortfall;
+  const double edge = edgePerRoot(mesh.dim) / shortfall(mesh.dim);
   std::vector<double> lengths;
   for (int v = 0; v < parts.numPoints(); ++v) {
     double sum = 0.0;
     for (const int* c = cells.begin(v); c != cells.end(v); ++c)
-      sum += logAreas[std::size_t(*c)];
-    const double logArea = logAreaStep * std::round(sum / double(cells.end(v) - cells.begin(v)) / logAreaStep);
-    lengths.push_back(edgePerRootOfArea * std::exp2(0.5 * logArea));
+      sum += logMeasures[std::size_t(*c)];
+    const double mean = sum / double(cells.end(v) - cells.begin(v));
+    lengths.push_back(edge * std::exp2(logMeasureStep * std::round(mean / logMeasureStep) / mesh.dim));
   }
   return lengths;
 }
@@ -93,10 +108,8 @@ std::vector<int> ancestorsIn(const Mesh& before, const Mesh& mesh)
 {
   const CellLocator cells(before);
   std::vector<int> ancestors;
-  for (int c = 0; c < mesh.numCells(); ++c) {
-    const std::array<double, 3> centre = cellCentre(mesh, c);
-    ancestors.push_back(cells.find({centre[0], centre[1]}).cell);
-  }
+  for (int c = 0; c < mesh.numCells(); ++c)
+    ancestors.push_back(cells.find(cellCentre(mesh, c)).cell);
   return ancestors;
 }
 
@@ -114,7 +127,8 @@ public:
 
   std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const override
   {
-    const auto parts = bisectedMeshes(meshes_, {})->refined(sizes);
+    const bool isSolid = meshes_.front().dim == 3;
+    const auto parts = bisectedMeshes(meshes_, isSolid ? twins() : std::vector<FacetTwin>())->refined(sizes);
     std::vector<WantedMesh> wanted;
     for (std::size_t b = 0; b < meshes_.size(); ++b) {
       const Mesh& mesh = parts->meshes()[b];
@@ -129,6 +143,7 @@ public:
     return std::make_unique<RemeshedMeshes>(scene_, std::move(next), std::move(ancestors));
   }
 
+  bool areNested() const override { return false; }
   std::string note() const override { return note_; }
 
   /// Loading gmsh takes longer than solving on a few cells more.
@@ -139,9 +154,14 @@ private:
   /// makes.
   std::unique_ptr<RefinedMeshes> bisected(const SizeField& sizes) const
   {
-    const auto next = bisectedMeshes(meshes_, twinsOf(meshes_, scene_->matching))->refined(sizes);
+    const auto next = bisectedMeshes(meshes_, twins())->refined(sizes);
     return std::make_unique<RemeshedMeshes>(scene_, next->meshes(), next->ancestors(),
-                                            "gmsh failed with these sizes; the previous triangles were bisected");
+                                            "gmsh failed with these sizes; the previous cells were bisected");
+  }
+
+  std::vector<FacetTwin> twins() const
+  {
+    return meshes_.front().dim == 3 ? commonFacets(meshes_) : twinsOf(meshes_, scene_->matching);
   }
 
   std::shared_ptr<const RemeshScene> scene_;
@@ -157,16 +177,29 @@ public:
 
   std::unique_ptr<RefinedMeshes> begin(FirstMeshes first, const Comm& comm) const override
   {
-    if (first.meshes.front().dim == 3)
-      throw InputError(place_.mistake("Type", "gmsh remeshes in two dimensions only; refine by Bisection."));
     auto scene = std::make_shared<RemeshScene>(RemeshScene{{}, matchingSides(first.meshes, first.twins), comm});
     for (const auto& source : first.sources)
       scene->scripts.push_back(source->script());
+    if (first.meshes.front().dim == 3)
+      refuseTwoScripts(*scene, first.twins);
     std::vector<std::vector<int>> ancestors = ownAncestors(first.meshes);
     return std::make_unique<RemeshedMeshes>(std::move(scene), std::move(first.meshes), std::move(ancestors));
   }
 
 private:
+  void refuseTwoScripts(const RemeshScene& scene, const std::vector<FacetTwin>& twins) const
+  {
+    for (const FacetTwin& twin : twins) {
+      const std::string &one = scene.scripts[std::size_t(twin.first)].file,
+                        &other = scene.scripts[std::size_t(twin.second)].file;
+      if (one != other)
+        throw InputError(place_.mistake(
+            "Type", fmt::format("sides of {} and {} have the same triangles, and gmsh would not mesh two scripts "
+                                "alike; draw both bodies in one script with a common face, or refine by Bisection.",
+                                one, other)));
+    }
+  }
+
   ListPlace place_;
 };
 
@@ -175,9 +208,10 @@ private:
 void registerRemesh(Registry<Refinement>& registry)
 {
   registry.add("Remesh",
-               "gmsh remeshes .geo scripts with the required sizes. Vertices of a curved boundary lie on the curve, "
-               "matching sides still match. Costs 0.1 s per mesh and more. Where gmsh fails, it is tried again with "
-               "other algorithms and slightly smaller sizes; in the end the triangles are bisected. In 2D only.",
+               "gmsh remeshes .geo scripts with the required sizes. Vertices of a curved boundary lie on the curve or "
+               "surface, matching sides still match; solids that match are of one script and share a face there. "
+               "Costs 0.1 s per mesh and more. Where gmsh fails, it is tried again with other algorithms and slightly "
+               "smaller sizes; in the end the cells are bisected.",
                {}, [](const Params& list) { return std::make_unique<RemeshRefinement>(list); });
 }
 
