@@ -81,8 +81,45 @@ void EdgeExponents::findCreases(const Mesh& mesh)
 {
   creases_.emplace_back();
   for (const auto& [a, b] : creasesOf(mesh)) {
-    creases_.back().push_back({{pointOf(mesh, a), pointOf(mesh, b)}, wayBetween(mesh, a, b).first, smooth_});
+    creases_.back().push_back(
+        {{pointOf(mesh, a), pointOf(mesh, b)}, wayBetween(mesh, a, b).first, smooth_, int(creases_.back().size())});
   }
+  if (kind_ == Meshes::MadeAnew)
+    findRows(creases_.back());
+}
+
+void EdgeExponents::findRows(std::vector<Crease>& creases)
+{
+  std::map<Point, std::vector<std::size_t>> around;
+  for (std::size_t i = 0; i < creases.size(); ++i)
+    for (const Point& end : creases[i].ends)
+      around[end].push_back(i);
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    std::vector<std::size_t> reached{i};
+    while (!reached.empty()) {
+      const Crease& here = creases[reached.back()];
+      reached.pop_back();
+      for (const Point& end : here.ends)
+        for (const std::size_t other : around.at(end))
+          if (creases[other].row > creases[i].row && std::abs(dot(here.direction, creases[other].direction)) > along) {
+            creases[other].row = creases[i].row;
+            reached.push_back(other);
+          }
+    }
+  }
+}
+
+void EdgeExponents::addInRows(const std::vector<Crease>& creases, std::vector<Tube>& tubes)
+{
+  std::map<int, Tube> sums;
+  for (std::size_t i = 0; i < creases.size(); ++i) {
+    Tube& sum = sums[creases[i].row];
+    sum.squared += tubes[i].squared;
+    sum.volume += tubes[i].volume;
+    sum.length += tubes[i].length;
+  }
+  for (std::size_t i = 0; i < creases.size(); ++i)
+    tubes[i] = sums.at(creases[i].row);
 }
 
 void EdgeExponents::findHalves(const Mesh& mesh, std::vector<Crease>& creases)
@@ -147,7 +184,9 @@ void EdgeExponents::observe(const std::vector<const Mesh*>& meshes, const std::v
         crease.tube = {};
       }
     (kind_ == Meshes::Halved ? findHalves : findPieces)(mesh, creases_[b]);
-    const std::vector<Tube> tubes = tubesOf(mesh, contributions[b], creases_[b]);
+    std::vector<Tube> tubes = tubesOf(mesh, contributions[b], creases_[b]);
+    if (kind_ == Meshes::MadeAnew)
+      addInRows(creases_[b], tubes);
     for (std::size_t i = 0; i < tubes.size(); ++i)
       if (!isCoarse)
         learn(creases_[b][i], tubes[i]);

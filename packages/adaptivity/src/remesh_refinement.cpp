@@ -1,39 +1,18 @@
-#include <algorithm>
-#include <cmath>
-
 #include <fmt/format.h>
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/base/list_place.hpp"
 #include "ndframe/mesh/cell_locator.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
-#include "ndframe/mesh/vertex_cells.hpp"
 #include "ndframe/meshing/remesh.hpp"
 #include "persistent_remesh.hpp"
 #include "refinements.hpp"
+#include "remesh_sizes.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Cells that contribute nothing may grow, but what is predicted for them does not reach far: their edges by 2.
-double logMostGrowth(int dim)
-{
-  return dim;
-}
-
-/// gmsh's edges are that much shorter on average than they should be.
-double shortfall(int dim)
-{
-  return dim == 2 ? 0.95 : 0.95;
-}
-
-/// Of an equilateral triangle, a regular tetrahedron: edge / measure^(1/dim).
-double edgePerRoot(int dim)
-{
-  return dim == 2 ? 2.0 / std::pow(3.0, 0.25) : std::cbrt(6.0 * std::sqrt(2.0));
-}
 
 /// What all meshes of a run have in common.
 struct RemeshScene
@@ -43,41 +22,19 @@ struct RemeshScene
   const Comm& comm;
 };
 
-/// log2 of the measure that a part of an ancestor shall have.
-double logMeasureOf(const Mesh& parts, int part, const CellSize& size, double ancestorMeasure)
+/// In space gmsh's cells are too large where sizes hardly change and too small where they fall towards an edge, by 1.5
+/// times their volume each, so that a mesh takes 40 % more dofs. Two more meshes with lengths that allow for it come
+/// close; where gmsh gives up, the last mesh stays.
+void correctSizes(std::vector<WantedMesh> wanted, const MeshMaker& make, std::vector<Mesh>& meshes)
 {
-  double wanted =
-      std::min(size.logMeasureAt(cellCentre(parts, part)), std::log2(ancestorMeasure) + logMostGrowth(parts.dim));
-  for (const FineSegment& segment : size.fine)
-    if (segment.facetOn(parts, part) > 0.0)
-      wanted = std::min(wanted, std::log2(cellMeasure(parts, part)));
-  return wanted;
-}
-
-/// Steps of log2 of a wanted measure: gmsh answers round-off in a length, which differs from rank to rank, with another
-/// mesh.
-constexpr double logMeasureStep = 1.0 / 64;
-
-/// Edges of equilateral cells with the wanted measures, the geometric mean of the cells around a vertex.
-std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancestors, const Mesh& mesh,
-                              const std::vector<CellSize>& sizes)
-{
-  Vector logMeasures;
-  for (int c = 0; c < parts.numCells(); ++c) {
-    const int ancestor = ancestors[std::size_t(c)];
-    logMeasures.push_back(logMeasureOf(parts, c, sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor)));
+  constexpr int times = 2;
+  try {
+    for (int k = 0; k < times; ++k) {
+      wanted = correctedLengths(wanted, meshes);
+      meshes = remeshPersistently(wanted, make);
+    }
+  } catch (const RemeshFailure&) {
   }
-  const VertexCells cells(parts);
-  const double edge = edgePerRoot(mesh.dim) / shortfall(mesh.dim);
-  std::vector<double> lengths;
-  for (int v = 0; v < parts.numPoints(); ++v) {
-    double sum = 0.0;
-    for (const int* c = cells.begin(v); c != cells.end(v); ++c)
-      sum += logMeasures[std::size_t(*c)];
-    const double mean = sum / double(cells.end(v) - cells.begin(v));
-    lengths.push_back(edge * std::exp2(logMeasureStep * std::round(mean / logMeasureStep) / mesh.dim));
-  }
-  return lengths;
 }
 
 /// Meshed on rank 0, which tells the others; one mesh a message. None where gmsh gives up.
@@ -91,6 +48,8 @@ std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<Wante
   const std::string outcome = fromRankZero(scene.comm, [&]() -> std::string {
     try {
       meshes = remeshPersistently(wanted, make);
+      if (meshes.front().dim == 3)
+        correctSizes(wanted, make, meshes);
       return made;
     } catch (const RemeshFailure&) {
       return "gmsh gives up";

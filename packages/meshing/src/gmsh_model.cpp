@@ -13,6 +13,8 @@ namespace
 /// gmsh integrates sizes along curves to 1e-9 if it is not told otherwise, which takes longer than to make the mesh.
 constexpr double curvePrecision = 1e-5;
 constexpr int delaunay = 1; ///< of tetrahedra
+/// Tetrahedra with a smaller mean ratio are mended: gmsh's own 0.3 costs 7 % of the dofs, 0.8 three times its time.
+constexpr double mendedShape = 0.6;
 
 /// gmsh's pairs of a dimension and a tag.
 std::vector<int> dimTags(int dim, const std::vector<int>& tags)
@@ -98,12 +100,14 @@ void GmshModel::forgetOwnSizes()
   require(error);
 }
 
-void GmshModel::repeatExactly()
+void GmshModel::useSettingsForSolids()
 {
   for (const char* threads : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D",
                               "Mesh.MaxNumThreads3D", "Mesh.RandomSeed"})
     session_.setNumber(threads, 1);
   session_.setNumber("Mesh.Algorithm3D", delaunay);
+  session_.setNumber("Mesh.Optimize", 1);
+  session_.setNumber("Mesh.OptimizeThreshold", mendedShape);
   session_.setNumber("Mesh.RecombineAll", 0);
   session_.setNumber("Mesh.Recombine3DAll", 0);
   session_.setNumber("Mesh.SubdivisionAlgorithm", 0);

@@ -42,8 +42,9 @@ public:
   std::vector<int> boundaryOf(int dim, int tag) const; ///< of one of them, those of dimension dim - 1
   /// Meshes nothing but these, what bounds them and what lies in them.
   void showOnly(int dim, const std::vector<int>& tags);
-  /// One thread, no random numbers of the script's, and no meshing constraints (Transfinite, Recombine) of it.
-  void repeatExactly();
+  /// One thread and no random numbers, so that meshes are the same every time; good shapes; nothing Transfinite or
+  /// recombined, whatever the script says.
+  void useSettingsForSolids();
   /// Sizes from nothing but this function.
   void setSizes(SizeAt sizeAt, const void* data, int surfaceAlgorithm);
 

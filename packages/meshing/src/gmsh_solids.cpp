@@ -33,7 +33,7 @@ GmshSolids::GmshSolids(std::vector<MeshScript> bodies) : bodies_(std::move(bodie
       assign(3, volume, b);
     }
   model_.showOnly(3, shown);
-  model_.repeatExactly();
+  model_.useSettingsForSolids();
 }
 
 void GmshSolids::assign(int dim, int tag, std::size_t body)

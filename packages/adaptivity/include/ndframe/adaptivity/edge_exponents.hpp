@@ -23,7 +23,7 @@ public:
   enum class Meshes
   {
     Halved,   ///< points keep their places, edges are halved in the middle
-    MadeAnew, ///< an edge lies along the first mesh's edge that it is nearest to and turned from the least
+    MadeAnew, ///< an edge lies along the one of the first mesh that it is nearest to; those in a row learn together
   };
   explicit EdgeExponents(int degree, Meshes meshes = Meshes::Halved) ///< degree: p
       : smooth_(degree + 1.0), kind_(meshes)
@@ -57,11 +57,14 @@ private:
     std::array<std::array<double, 3>, 2> ends;
     std::array<double, 3> direction;
     double exponent;
+    int row;                     ///< edges with the same number go on straight, or nearly so
     std::vector<Piece> pieces{}; ///< of the last mesh that lie along it, from end to end
     Tube tube{};                 ///< on the last mesh that could teach
   };
 
   void findCreases(const Mesh& mesh);
+  static void findRows(std::vector<Crease>& creases);
+  static void addInRows(const std::vector<Crease>& creases, std::vector<Tube>& tubes);
   static void findHalves(const Mesh& mesh, std::vector<Crease>& creases);
   static void findPieces(const Mesh& mesh, std::vector<Crease>& creases);
   static std::vector<Tube> tubesOf(const Mesh& mesh, const Vector& contributions, const std::vector<Crease>& creases);
