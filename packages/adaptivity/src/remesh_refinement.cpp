@@ -22,21 +22,6 @@ struct RemeshScene
   const Comm& comm;
 };
 
-/// In space gmsh's cells are too large where sizes hardly change and too small where they fall towards an edge, by 1.5
-/// times their volume each, so that a mesh takes 40 % more dofs. Two more meshes with lengths that allow for it come
-/// close; where gmsh gives up, the last mesh stays.
-void correctSizes(std::vector<WantedMesh> wanted, const MeshMaker& make, std::vector<Mesh>& meshes)
-{
-  constexpr int times = 2;
-  try {
-    for (int k = 0; k < times; ++k) {
-      wanted = correctedLengths(wanted, meshes);
-      meshes = remeshPersistently(wanted, make);
-    }
-  } catch (const RemeshFailure&) {
-  }
-}
-
 /// Meshed on rank 0, which tells the others; one mesh a message. None where gmsh gives up.
 std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<WantedMesh>& wanted)
 {
@@ -48,8 +33,6 @@ std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<Wante
   const std::string outcome = fromRankZero(scene.comm, [&]() -> std::string {
     try {
       meshes = remeshPersistently(wanted, make);
-      if (meshes.front().dim == 3)
-        correctSizes(wanted, make, meshes);
       return made;
     } catch (const RemeshFailure&) {
       return "gmsh gives up";
@@ -105,8 +88,8 @@ public:
   bool areNested() const override { return false; }
   std::string note() const override { return note_; }
 
-  /// Loading gmsh takes longer than solving on a few cells more.
-  double slack() const override { return 0.2; }
+  /// Loading gmsh takes longer than solving on a few cells more; in space cells cost more.
+  double slack() const override { return meshes_.front().dim == 2 ? 0.2 : 0.1; }
 
 private:
   /// What is left where gmsh gives up: the vertices stay, curved boundaries are followed again by the next mesh that it

@@ -1,7 +1,6 @@
 #pragma once
 
 #include "ndframe/adaptivity/size_field.hpp"
-#include "ndframe/meshing/remesh.hpp"
 
 namespace ndframe
 {
@@ -11,9 +10,5 @@ namespace ndframe
 /// part. Cells may have edges of twice the length that they have in `mesh`.
 std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancestors, const Mesh& mesh,
                               const std::vector<CellSize>& sizes);
-
-/// Lengths for solids that gmsh made with the wanted ones, at the vertices of what it made: shorter ones where cells
-/// came out too large, longer ones where they came out too small.
-std::vector<WantedMesh> correctedLengths(const std::vector<WantedMesh>& wanted, const std::vector<Mesh>& made);
 
 } // namespace ndframe

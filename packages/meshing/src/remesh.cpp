@@ -6,9 +6,11 @@
 #include <fstream>
 #include <limits>
 #include <map>
+#include <optional>
 
 #include <fmt/format.h>
 
+#include "corrected_lengths.hpp"
 #include "gmsh_geometry.hpp"
 #include "gmsh_library.hpp"
 #include "gmsh_solids.hpp"
@@ -160,12 +162,13 @@ void makePlaneMeshes(const std::vector<MeshScript>& scripts, const std::vector<M
 }
 
 /// Bodies of one script as one model.
-void makeSolids(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
-                const SceneLengths& lengths, GmshAlgorithm algorithm, const std::filesystem::path& folder)
+std::vector<Mesh> meshSolids(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
+                             const SceneLengths& lengths, GmshAlgorithm algorithm, const std::filesystem::path& folder)
 {
   std::map<std::string, std::vector<std::size_t>> bodiesOf;
   for (std::size_t b = 0; b < scripts.size(); ++b)
     bodiesOf[scripts[b].file].push_back(b);
+  std::vector<Mesh> meshes(scripts.size());
   for (const auto& [file, bodies] : bodiesOf) {
     std::vector<MeshScript> parts;
     std::vector<const LengthField*> fields;
@@ -179,9 +182,35 @@ void makeSolids(const std::vector<MeshScript>& scripts, const std::vector<Matchi
     for (const MatchingSides& sides : matching)
       if (place.count(sides.first) > 0 && place.count(sides.second) > 0)
         solids.requireCommonFace(place[sides.first], place[sides.second]);
-    const std::vector<Mesh> made = solids.mesh(fields, algorithm, (folder / "gmsh.msh").string());
-    for (std::size_t i = 0; i < bodies.size(); ++i)
+    std::vector<Mesh> made = solids.mesh(fields, algorithm, (folder / "gmsh.msh").string());
+    for (std::size_t i = 0; i < bodies.size(); ++i) {
       keep(made[i], bodies[i], folder);
+      meshes[bodies[i]] = std::move(made[i]);
+    }
+  }
+  return meshes;
+}
+
+/// Lengths are corrected twice, after which sizes hardly change; where gmsh gives up then, the last mesh is good
+/// enough.
+void makeSolids(const std::vector<MeshScript>& scripts, const std::vector<MatchingSides>& matching,
+                const SceneLengths& lengths, GmshAlgorithm algorithm, const std::filesystem::path& folder)
+{
+  constexpr int corrections = 2;
+  std::vector<Mesh> made = meshSolids(scripts, matching, lengths, algorithm, folder);
+  std::optional<SceneLengths> given;
+  std::vector<WantedMesh> next; // what `given` refers to
+  try {
+    for (int k = 0; k < corrections; ++k) {
+      std::vector<WantedMesh> corrected;
+      for (std::size_t b = 0; b < made.size(); ++b)
+        corrected.push_back(correctedLengths(lengths.ofBody(b), given ? given->ofBody(b) : lengths.ofBody(b), made[b]));
+      given.reset();
+      next = std::move(corrected);
+      given.emplace(next, matching);
+      made = meshSolids(scripts, matching, *given, algorithm, folder);
+    }
+  } catch (const GmshGaveUp&) {
   }
 }
 
