@@ -314,7 +314,7 @@ TEST(RemeshRefinement, BisectsSolidsWhereGmshGivesUp)
   const auto meshes = begin(first);
   stackedCubesScript("Point(900) = {0.5, 0.5, 0.5}; Point(901) = {0.5, 0.5, 2}; Line(900) = {900, 901};\n"
                      "Curve{900} In Volume{1};\n"); // leaves the volume
-  const auto next = meshes->refined(sizesOf(meshes->meshes(), 5e-3));
+  const auto next = meshes->refined(sizesOf(meshes->meshes(), 2e-4));
   EXPECT_NE(next->note().find("the previous cells were bisected"), std::string::npos);
   for (std::size_t b = 0; b < 2; ++b) {
     EXPECT_GT(next->meshes()[b].numCells(), first.meshes[b].numCells());
