@@ -75,6 +75,7 @@ public:
   FailingMeshes(std::unique_ptr<RefinedMeshes> meshes, int level) : meshes_(std::move(meshes)), level_(level) {}
   const std::vector<Mesh>& meshes() const override { return meshes_->meshes(); }
   const std::vector<std::vector<int>>& ancestors() const override { return meshes_->ancestors(); }
+  bool areNested() const override { return meshes_->areNested(); }
   double slack() const override { return meshes_->slack(); }
   std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const override
   {

@@ -117,3 +117,42 @@ TEST(EdgeExponents, HoldForAllVerticesOfTheEdgeAndForNoneInside)
   }
   EXPECT_EQ(onEdge, 9);
 }
+
+TEST(EdgeExponents, AreLearnedFromMeshesMadeAnew)
+{
+  // No vertex of one mesh but those of the cube is one of the other's.
+  for (const double lambda : {0.55, 0.77, 0.9}) {
+    const Mesh coarse = cubes(3), fine = cubes(7);
+    EdgeExponents exponents(solidDegree, EdgeExponents::Meshes::MadeAnew);
+    exponents.observe({&coarse}, {edgeContributions(coarse, lambda)});
+    exponents.observe({&fine}, {edgeContributions(fine, lambda)});
+    for (int v = 0; v < fine.numPoints(); ++v) {
+      const double* x = fine.point(v);
+      if (x[0] == 0.0 && x[1] == 0.0)
+        EXPECT_NEAR(exponents.exponents()[0][std::size_t(v)], lambda, 0.02) << x[2];
+    }
+    EXPECT_EQ(std::abs(exponents.directions()[0][0][2]), 1.0);
+  }
+}
+
+TEST(EdgeExponents, OfARowOfEdgesAreOne)
+{
+  // Noise from edge to edge is averaged out along the row.
+  const Mesh coarse = cubes(4), fine = cubes(9);
+  Vector before = edgeContributions(coarse, 0.77), after = edgeContributions(fine, 0.77);
+  for (std::size_t c = 0; c < before.size(); ++c)
+    before[c] *= c % 2 == 0 ? 1.2 : 0.8;
+  EdgeExponents exponents(solidDegree, EdgeExponents::Meshes::MadeAnew);
+  exponents.observe({&coarse}, {before});
+  exponents.observe({&fine}, {after});
+  double first = 0.0;
+  for (int v = 0; v < fine.numPoints(); ++v) {
+    const double* x = fine.point(v);
+    if (x[0] != 0.0 || x[1] != 0.0 || x[2] == 0.0 || x[2] == 1.0)
+      continue;
+    if (first == 0.0)
+      first = exponents.exponents()[0][std::size_t(v)];
+    EXPECT_EQ(exponents.exponents()[0][std::size_t(v)], first);
+  }
+  EXPECT_NEAR(first, 0.77, 0.05);
+}

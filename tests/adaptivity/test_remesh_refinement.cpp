@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <fstream>
 #include <numeric>
 
@@ -92,6 +93,30 @@ double areaOf(const Mesh& mesh)
   for (int c = 0; c < mesh.numCells(); ++c)
     area += cellMeasure(mesh, c);
   return area;
+}
+
+/// Two cubes on each other that share a face; more: what else the script says.
+std::string stackedCubesScript(const std::string& more = {})
+{
+  const std::string path = fmt::format("{}ndframe-cubes-{}.geo", testing::TempDir(), getpid());
+  std::ofstream(path) << "SetFactory(\"OpenCASCADE\"); Mesh.MeshSizeMax = 0.4;\n"
+                         "Box(1) = {0, 0, 0, 1, 1, 1}; Box(2) = {0, 0, -1, 1, 1, 1}; Coherence;\n"
+                         "Physical Volume(\"up\") = {1}; Physical Volume(\"down\") = {2};\n"
+                         "Physical Surface(\"contact\") = Surface In BoundingBox {-0.1, -0.1, -0.1, 1.1, 1.1, 0.1};\n"
+                      << more;
+  return path;
+}
+
+FirstMeshes stackedCubes()
+{
+  const std::string path = stackedCubesScript();
+  FirstMeshes first;
+  for (const char* region : {"up", "down"}) {
+    first.sources.push_back(source({"Type=Gmsh", "File=" + path, std::string("Regions={") + region + "}"}));
+    first.meshes.push_back(first.sources.back()->read());
+  }
+  first.twins = commonFacets(first.meshes);
+  return first;
 }
 
 } // namespace
@@ -237,4 +262,78 @@ TEST(RemeshRefinement, NeedsScripts)
   first.sources.push_back(source({"Type=Box", "Lower={0, 0}", "Upper={1, 1}", "Cells={2, 2}"}));
   first.meshes.push_back(first.sources.back()->read());
   EXPECT_THROW(begin(first), InputError);
+}
+
+TEST(RemeshRefinement, MakesSolidsOfTheWantedMeasuresThatMatch)
+{
+  const auto first = begin(stackedCubes());
+  SizeField sizes = sizesOf(first->meshes(), 1e-3);
+  for (CellSize& size : sizes[1])
+    size.logMeasure = std::log2(4e-3);
+  const auto next = first->refined(sizes);
+  EXPECT_FALSE(next->areNested());
+  EXPECT_EQ(next->note(), "");
+  EXPECT_NEAR(areaOf(next->meshes()[0]) / next->meshes()[0].numCells(), 1e-3, 2e-4);
+  const std::size_t facets = next->meshes()[0].findSide("contact")->facets.size();
+  EXPECT_GT(facets, 30u);
+  EXPECT_EQ(commonFacets(next->meshes()).size(), facets);
+  EXPECT_EQ(next->meshes()[1].findSide("contact")->facets.size(), facets);
+}
+
+TEST(RemeshRefinement, SolidsMayAlsoBecomeCoarser)
+{
+  const auto first = begin(stackedCubes());
+  const auto fine = first->refined(sizesOf(first->meshes(), 1e-3));
+  const auto coarse = fine->refined(sizesOf(fine->meshes(), 5e-3));
+  EXPECT_LT(coarse->meshes()[0].numCells(), fine->meshes()[0].numCells() / 3);
+}
+
+TEST(RemeshRefinement, AncestorsOfSolidsHoldTheCentres)
+{
+  const auto first = begin(stackedCubes());
+  const auto next = first->refined(sizesOf(first->meshes(), 3e-3));
+  for (std::size_t b = 0; b < 2; ++b)
+    for (int c = 0; c < next->meshes()[b].numCells(); ++c) {
+      const Mesh& mesh = first->meshes()[b];
+      const std::array<double, 3> centre = cellCentre(next->meshes()[b], c);
+      const int ancestor = next->ancestors()[b][std::size_t(c)];
+      for (int local = 0; local < 4; ++local) {
+        double normal[3], beyond = 0.0;
+        facetNormal(mesh, {ancestor, local}, normal);
+        const std::array<double, 3> onFacet = facetCentre(mesh, {ancestor, local});
+        for (std::size_t k = 0; k < 3; ++k)
+          beyond += normal[k] * (centre[k] - onFacet[k]);
+        EXPECT_LE(beyond, 1e-12);
+      }
+    }
+}
+
+TEST(RemeshRefinement, BisectsSolidsWhereGmshGivesUp)
+{
+  const FirstMeshes first = stackedCubes();
+  const auto meshes = begin(first);
+  stackedCubesScript("Point(900) = {0.5, 0.5, 0.5}; Point(901) = {0.5, 0.5, 2}; Line(900) = {900, 901};\n"
+                     "Curve{900} In Volume{1};\n"); // leaves the volume
+  const auto next = meshes->refined(sizesOf(meshes->meshes(), 2e-4));
+  EXPECT_NE(next->note().find("the previous cells were bisected"), std::string::npos);
+  for (std::size_t b = 0; b < 2; ++b) {
+    EXPECT_GT(next->meshes()[b].numCells(), first.meshes[b].numCells());
+    EXPECT_NEAR(areaOf(next->meshes()[b]), 1.0, 1e-12);
+  }
+  EXPECT_EQ(commonFacets(next->meshes()).size(), next->meshes()[0].findSide("contact")->facets.size());
+}
+
+TEST(RemeshRefinement, SolidsThatMatchAreOfOneScript)
+{
+  FirstMeshes first = stackedCubes();
+  const std::string other = fmt::format("{}ndframe-cubes-{}-other.geo", testing::TempDir(), getpid());
+  std::filesystem::copy_file(fmt::format("{}ndframe-cubes-{}.geo", testing::TempDir(), getpid()), other,
+                             std::filesystem::copy_options::overwrite_existing);
+  first.sources[1] = source({"Type=Gmsh", "File=" + other, "Regions={down}"});
+  try {
+    begin(first);
+    ADD_FAILURE() << "two scripts";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("gmsh would not mesh two scripts alike"), std::string::npos);
+  }
 }

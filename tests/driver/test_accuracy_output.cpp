@@ -245,7 +245,7 @@ INSTANTIATE_TEST_SUITE_P(
         Mistake{"punch",
                 {"Accuracy/Target=0.1", "Output/All Levels=true", "Output/Exodus=false"},
                 "All Levels writes Exodus files, and Exodus is false"},
-        Mistake{"beam-3d", {"Accuracy/Target=0.1", "Accuracy/Refinement/Type=Remesh"}, "in two dimensions only"}));
+        Mistake{"beam-3d", {"Accuracy/Target=0.1", "Accuracy/Refinement/Type=Remesh"}, "refine by Bisection"}));
 
 TEST_F(RunWithATarget, ShowsBetweenWhichNodesContactEnds)
 {

@@ -70,13 +70,13 @@ TEST(RemeshErrors, GmshsMessagesComeThrough)
   EXPECT_THAT([&] { remeshed(scene, third); }, ThrowsMessage<InputError>(HasSubstr("test.xml:4: Mesh: " + path)));
 }
 
-TEST(RemeshErrors, SolidsAreRefused)
+TEST(RemeshErrors, ScriptsThatMakeSolidsNowAreRefused)
 {
   const std::string path = scratchFile("square.geo", square);
   const ScriptScene scene = sceneOf({scriptOf(path)});
   scratchFile("square.geo", square + "Extrude {0, 0, 1} { Surface{1}; }");
   EXPECT_THAT([&] { remeshed(scene, third); },
-              ThrowsMessage<InputError>(HasSubstr("remeshing works in two dimensions only.")));
+              ThrowsMessage<InputError>(HasSubstr("the script makes solids now, and it made a plane mesh before.")));
 }
 
 TEST(RemeshErrors, TimeIsLimited)

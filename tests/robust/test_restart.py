@@ -89,6 +89,9 @@ class AfterEachLevel(Restarts):
     def test_with_meshes_that_are_made_again(self):
         self.assert_goes_on("drawn-punch", "Accuracy/Target=0.005", "Accuracy/Refinement/Type=Remesh")
 
+    def test_with_solids_that_are_made_again(self):
+        self.assert_goes_on("stamp-3d", "Accuracy/Target=0.06", "Accuracy/Refinement/Type=Remesh")
+
     def test_with_tied_and_rigid_bodies(self):
         self.assert_goes_on("flange", "Accuracy/Target=0.04")
 

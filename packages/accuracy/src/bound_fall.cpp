@@ -22,7 +22,7 @@ void BoundFall::learn(double before, double predicted, double found)
     return;
   constexpr double least = 0.4;
   const double last = std::log(found / before) / std::log(predicted / before);
-  power_ = std::clamp(0.5 * (last + (knowsEdges_ ? 1.0 : power_)), least, 1.0);
+  power_ = std::clamp(0.5 * (last + (knowsEdges_ ? 1.0 : power_)), least, most_);
 }
 
 void BoundFall::edgesBecameKnown()

@@ -132,6 +132,10 @@ MeshPlanner::MeshPlanner(const RunSettings& settings, const AccuracyComponents& 
   for (const Mesh& mesh : first.meshes)
     eulers_.push_back(dim_ == 2 ? eulerNumber(mesh) : 0);
   present_ = refinement->begin(std::move(first), comm);
+  if (!present_->areNested()) {
+    edges_ = EdgeExponents(degree_, EdgeExponents::Meshes::MadeAnew);
+    fall_.meshesAreMadeAnew();
+  }
 }
 
 std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
@@ -161,7 +165,8 @@ void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
   for (const int b : model.elasticBodies())
     uncut.push_back(&model.bodies[std::size_t(b)].uncut());
   learnExponents(uncut, lesson.contributions, errors.relative > tooCoarse(dim_));
-  contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions());
+  contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions(),
+                         dim_ == 3 && !present_->areNested());
   brackets_ = lesson.brackets;
   relative_ = errors.relative;
   bound_ = errors.bound;

@@ -120,6 +120,7 @@ public:
     return next;
   }
 
+  bool areNested() const override { return meshes().front().dim == 3; } // inner edges of triangles are flipped
   double slack() const override { return meshes().front().dim == 2 ? 0.01 : 0.04; }
 
 private:

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "around_vertices.hpp"
+
 namespace ndframe
 {
 namespace
@@ -14,8 +16,9 @@ bool isCorner(double exponent)
   return exponent <= 1.5;
 }
 
-ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double contribution, const Vector& ofVertices,
-                               const std::vector<std::array<double, 3>>* directions, ErrorDecay decay)
+ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double measure, double contribution,
+                               const Vector& ofVertices, const std::vector<std::array<double, 3>>* directions,
+                               ErrorDecay decay)
 {
   const auto smaller = [&](int v, int w) { return ofVertices[std::size_t(v)] < ofVertices[std::size_t(w)]; };
   const int vertex = *std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1, smaller);
@@ -26,7 +29,7 @@ ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double contribution, 
   if (directions)
     place.direction = (*directions)[std::size_t(vertex)];
   return {{2.0 * std::log2(contribution), atPlace ? exponent : decay.smoothExponent()},
-          cellMeasure(mesh, cell),
+          measure,
           atPlace,
           place,
           place.squaredDistance(cellCentre(mesh, cell))};
@@ -35,13 +38,33 @@ ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double contribution, 
 } // namespace
 
 ContributionModel::ContributionModel(const std::vector<Mesh>& meshes, const std::vector<Vector>& contributions,
-                                     const std::vector<Vector>& exponents, int degree, const EdgeDirections& directions)
-    : decay_{degree, meshes.front().dim}, cells_(meshes.size())
+                                     const std::vector<Vector>& exponents, int degree, const EdgeDirections& directions,
+                                     bool areMadeAnew)
+    : decay_{degree, meshes.front().dim}, areMadeAnew_(areMadeAnew), cells_(meshes.size())
 {
-  for (std::size_t b = 0; b < meshes.size(); ++b)
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const Vector measures = measuresOf(meshes[b]);
     for (int c = 0; c < meshes[b].numCells(); ++c)
-      cells_[b].push_back(cellOf(meshes[b], c, contributions[b][std::size_t(c)], exponents[b],
+      cells_[b].push_back(cellOf(meshes[b], c, measures[std::size_t(c)], contributions[b][std::size_t(c)], exponents[b],
                                  directions.empty() ? nullptr : &directions[b], decay_));
+  }
+}
+
+Vector ContributionModel::measuresOf(const Mesh& mesh) const
+{
+  Vector measures;
+  for (int c = 0; c < mesh.numCells(); ++c)
+    measures.push_back(cellMeasure(mesh, c));
+  if (!areMadeAnew_)
+    return measures;
+  const Vector logs = meanAroundVertices(mesh, [&](int c) { return std::log2(measures[std::size_t(c)]); });
+  for (int c = 0; c < mesh.numCells(); ++c) {
+    double sum = 0.0;
+    for (int k = 0; k <= mesh.dim; ++k)
+      sum += logs[std::size_t(mesh.cell(c)[k])];
+    measures[std::size_t(c)] = std::exp2(sum / (mesh.dim + 1));
+  }
+  return measures;
 }
 
 std::vector<std::vector<CellDecay>> ContributionModel::decays() const
@@ -67,11 +90,13 @@ double ContributionModel::logSquared(const Cell& cell, double measure, const std
 double ContributionModel::errorOn(const std::vector<Mesh>& meshes, const std::vector<std::vector<int>>& ancestors) const
 {
   double squared = 0.0;
-  for (std::size_t b = 0; b < meshes.size(); ++b)
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const Vector measures = measuresOf(meshes[b]);
     for (int c = 0; c < meshes[b].numCells(); ++c) {
       const Cell& ancestor = cells_[b][std::size_t(ancestors[b][std::size_t(c)])];
-      squared += std::exp2(logSquared(ancestor, cellMeasure(meshes[b], c), cellCentre(meshes[b], c)));
+      squared += std::exp2(logSquared(ancestor, measures[std::size_t(c)], cellCentre(meshes[b], c)));
     }
+  }
   return std::sqrt(squared);
 }
 

@@ -44,7 +44,7 @@ public:
   SizeField sizes(const ContributionModel& model, double target) const override
   {
     const double level = predictRefinement(model.decays(), target, model.decay()).level;
-    return fieldOf(model, [&](const ContributionModel::Cell& cell) { return sizeOf(cell, level, model.decay()); });
+    return fieldOf(model, [&](const ContributionModel::Cell& cell) { return sizeOf(model, cell, level); });
   }
 
   std::optional<std::int64_t> cellsFor(const ContributionModel& model, double target) const override
@@ -55,13 +55,15 @@ public:
 private:
   /// Smooth cells are halved at most so often at once, cells at a corner twice as often.
   static constexpr double mostHalvings = 8.0;
+  static constexpr double mostDoublings = 3.0; ///< of the measure, where meshes are made anew
 
   /// Solves eta^2 = 2^level of ContributionModel for the measure.
-  static CellSize sizeOf(const ContributionModel::Cell& cell, double level, ErrorDecay decay)
+  static CellSize sizeOf(const ContributionModel& model, const ContributionModel::Cell& cell, double level)
   {
+    const ErrorDecay decay = model.decay();
     const double halvings = (cell.decay.logSquared - level) / decay.ofCell();
     if (!cell.atPlace)
-      return halved(cell, std::clamp(halvings, 0.0, mostHalvings));
+      return halved(cell, std::clamp(halvings, model.areMadeAnew() ? -mostDoublings : 0.0, mostHalvings));
     CellSize size;
     size.gradation = decay.smoothExponent() / decay.ofCell() - cell.decay.exponent / decay.ofCell();
     size.logMeasure = std::log2(cell.measure) - halvings - size.gradation * std::log2(cell.squaredDistance);

@@ -1,25 +1,18 @@
-#include <algorithm>
-#include <cmath>
+#include <fmt/format.h>
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/base/list_place.hpp"
 #include "ndframe/mesh/cell_locator.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
-#include "ndframe/mesh/vertex_cells.hpp"
 #include "ndframe/meshing/remesh.hpp"
 #include "persistent_remesh.hpp"
 #include "refinements.hpp"
+#include "remesh_sizes.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// Cells that contribute nothing may grow, but what is predicted for them does not reach far.
-constexpr double logMostGrowth = 2.0;
-
-/// gmsh's edges are that much shorter on average than they should be.
-constexpr double shortfall = 0.95;
 
 /// What all meshes of a run have in common.
 struct RemeshScene
@@ -28,42 +21,6 @@ struct RemeshScene
   std::vector<MatchingSides> matching;
   const Comm& comm;
 };
-
-/// log2 of the area that a part of an ancestor shall have.
-double logAreaOf(const Mesh& parts, int part, const CellSize& size, double ancestorArea)
-{
-  double wanted = std::min(size.logMeasureAt(cellCentre(parts, part)), std::log2(ancestorArea) + logMostGrowth);
-  for (const FineSegment& segment : size.fine)
-    if (segment.facetOn(parts, part) > 0.0)
-      wanted = std::min(wanted, std::log2(cellMeasure(parts, part)));
-  return wanted;
-}
-
-/// Steps of log2 of a wanted area: gmsh answers round-off in a length, which differs from rank to rank, with another
-/// mesh.
-constexpr double logAreaStep = 1.0 / 64;
-
-/// Edges of equilateral triangles with the wanted areas, the geometric mean of the cells around a vertex.
-std::vector<double> lengthsOn(const Mesh& parts, const std::vector<int>& ancestors, const Mesh& mesh,
-                              const std::vector<CellSize>& sizes)
-{
-  Vector logAreas;
-  for (int c = 0; c < parts.numCells(); ++c) {
-    const int ancestor = ancestors[std::size_t(c)];
-    logAreas.push_back(logAreaOf(parts, c, sizes[std::size_t(ancestor)], cellMeasure(mesh, ancestor)));
-  }
-  const VertexCells cells(parts);
-  const double edgePerRootOfArea = 2.0 / std::pow(3.0, 0.25) / shortfall;
-  std::vector<double> lengths;
-  for (int v = 0; v < parts.numPoints(); ++v) {
-    double sum = 0.0;
-    for (const int* c = cells.begin(v); c != cells.end(v); ++c)
-      sum += logAreas[std::size_t(*c)];
-    const double logArea = logAreaStep * std::round(sum / double(cells.end(v) - cells.begin(v)) / logAreaStep);
-    lengths.push_back(edgePerRootOfArea * std::exp2(0.5 * logArea));
-  }
-  return lengths;
-}
 
 /// Meshed on rank 0, which tells the others; one mesh a message. None where gmsh gives up.
 std::vector<Mesh> remeshShared(const RemeshScene& scene, const std::vector<WantedMesh>& wanted)
@@ -93,10 +50,8 @@ std::vector<int> ancestorsIn(const Mesh& before, const Mesh& mesh)
 {
   const CellLocator cells(before);
   std::vector<int> ancestors;
-  for (int c = 0; c < mesh.numCells(); ++c) {
-    const std::array<double, 3> centre = cellCentre(mesh, c);
-    ancestors.push_back(cells.find({centre[0], centre[1]}).cell);
-  }
+  for (int c = 0; c < mesh.numCells(); ++c)
+    ancestors.push_back(cells.find(cellCentre(mesh, c)).cell);
   return ancestors;
 }
 
@@ -114,7 +69,8 @@ public:
 
   std::unique_ptr<RefinedMeshes> refined(const SizeField& sizes) const override
   {
-    const auto parts = bisectedMeshes(meshes_, {})->refined(sizes);
+    const bool isSolid = meshes_.front().dim == 3;
+    const auto parts = bisectedMeshes(meshes_, isSolid ? twins() : std::vector<FacetTwin>())->refined(sizes);
     std::vector<WantedMesh> wanted;
     for (std::size_t b = 0; b < meshes_.size(); ++b) {
       const Mesh& mesh = parts->meshes()[b];
@@ -129,19 +85,25 @@ public:
     return std::make_unique<RemeshedMeshes>(scene_, std::move(next), std::move(ancestors));
   }
 
+  bool areNested() const override { return false; }
   std::string note() const override { return note_; }
 
-  /// Loading gmsh takes longer than solving on a few cells more.
-  double slack() const override { return 0.2; }
+  /// Loading gmsh takes longer than solving on a few cells more; in space cells cost more.
+  double slack() const override { return meshes_.front().dim == 2 ? 0.2 : 0.1; }
 
 private:
   /// What is left where gmsh gives up: the vertices stay, curved boundaries are followed again by the next mesh that it
   /// makes.
   std::unique_ptr<RefinedMeshes> bisected(const SizeField& sizes) const
   {
-    const auto next = bisectedMeshes(meshes_, twinsOf(meshes_, scene_->matching))->refined(sizes);
+    const auto next = bisectedMeshes(meshes_, twins())->refined(sizes);
     return std::make_unique<RemeshedMeshes>(scene_, next->meshes(), next->ancestors(),
-                                            "gmsh failed with these sizes; the previous triangles were bisected");
+                                            "gmsh failed with these sizes; the previous cells were bisected");
+  }
+
+  std::vector<FacetTwin> twins() const
+  {
+    return meshes_.front().dim == 3 ? commonFacets(meshes_) : twinsOf(meshes_, scene_->matching);
   }
 
   std::shared_ptr<const RemeshScene> scene_;
@@ -157,16 +119,29 @@ public:
 
   std::unique_ptr<RefinedMeshes> begin(FirstMeshes first, const Comm& comm) const override
   {
-    if (first.meshes.front().dim == 3)
-      throw InputError(place_.mistake("Type", "gmsh remeshes in two dimensions only; refine by Bisection."));
     auto scene = std::make_shared<RemeshScene>(RemeshScene{{}, matchingSides(first.meshes, first.twins), comm});
     for (const auto& source : first.sources)
       scene->scripts.push_back(source->script());
+    if (first.meshes.front().dim == 3)
+      refuseTwoScripts(*scene, first.twins);
     std::vector<std::vector<int>> ancestors = ownAncestors(first.meshes);
     return std::make_unique<RemeshedMeshes>(std::move(scene), std::move(first.meshes), std::move(ancestors));
   }
 
 private:
+  void refuseTwoScripts(const RemeshScene& scene, const std::vector<FacetTwin>& twins) const
+  {
+    for (const FacetTwin& twin : twins) {
+      const std::string &one = scene.scripts[std::size_t(twin.first)].file,
+                        &other = scene.scripts[std::size_t(twin.second)].file;
+      if (one != other)
+        throw InputError(place_.mistake(
+            "Type", fmt::format("sides of {} and {} have the same triangles, and gmsh would not mesh two scripts "
+                                "alike; draw both bodies in one script with a common face, or refine by Bisection.",
+                                one, other)));
+    }
+  }
+
   ListPlace place_;
 };
 
@@ -175,9 +150,10 @@ private:
 void registerRemesh(Registry<Refinement>& registry)
 {
   registry.add("Remesh",
-               "gmsh remeshes .geo scripts with the required sizes. Vertices of a curved boundary lie on the curve, "
-               "matching sides still match. Costs 0.1 s per mesh and more. Where gmsh fails, it is tried again with "
-               "other algorithms and slightly smaller sizes; in the end the triangles are bisected. In 2D only.",
+               "gmsh remeshes .geo scripts with the required sizes. Vertices of a curved boundary lie on the curve or "
+               "surface, matching sides still match; solids that match are of one script and share a face there. "
+               "Costs 0.1 s per mesh and more. Where gmsh fails, it is tried again with other algorithms and slightly "
+               "smaller sizes; in the end the cells are bisected.",
                {}, [](const Params& list) { return std::make_unique<RemeshRefinement>(list); });
 }
 

@@ -21,6 +21,12 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
   lifted_.assign(reference.lift.data(), reference.lift.col(reference.tractions));
   bubbled_.assign(reference.bubble.data(),
                   reference.bubble.data() + std::ptrdiff_t(reference.coefficients) * reference.bubbles);
+  for (int i = 0; i < reference.coefficients; ++i)
+    for (int j = 0; j < reference.tractions; ++j)
+      liftRounded_.push_back(float(reference.lift(i, j)));
+  liftedRounded_.assign(lifted_.begin(), lifted_.end());
+  bubbleRounded_.assign(bubble_.begin(), bubble_.end());
+  bubbledRounded_.assign(bubbled_.begin(), bubbled_.end());
   for (int j = 0; j < data; ++j)
     for (int i = j; i < data; ++i)
       add(i, j);

@@ -37,6 +37,7 @@ public:
   NDFRAME_GMSH(closestPoint, gmshModelGetClosestPoint);
   NDFRAME_GMSH(setBackground, gmshModelMeshFieldSetAsBackgroundMesh);
   NDFRAME_GMSH(setSizeCallback, gmshModelMeshSetSizeCallback);
+  NDFRAME_GMSH(removeConstraints, gmshModelMeshRemoveConstraints);
   NDFRAME_GMSH(clearMesh, gmshModelMeshClear);
   NDFRAME_GMSH(nodes, gmshModelMeshGetNodes);
   NDFRAME_GMSH(setNode, gmshModelMeshSetNode);

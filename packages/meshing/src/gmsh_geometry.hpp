@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "gmsh_session.hpp"
+#include "gmsh_model.hpp"
 #include "length_field.hpp"
 #include "ndframe/meshing/remesh.hpp"
 
@@ -49,22 +49,16 @@ private:
     double distance; ///< between both
   };
 
-  void forgetOwnSizes();
-  /// None: all surfaces.
-  void showOnly(const std::vector<int>& surfaces);
   void fix(const FixedSide& side);
   void fixCurve(int curve, const FixedSide& side);
   void replaceCurve(int curve, const std::vector<CurvePoint>& inside, std::array<Node, 2> ends);
 
-  std::vector<int> entitiesOf(int dim, const std::vector<std::string>& groups) const;
-  std::vector<int> boundaryOf(int dim, const std::vector<int>& tags) const;
   std::vector<Node> nodesOf(int dim, int entity) const;
   /// In the direction of the parameter.
   std::array<Node, 2> endsOf(int curve) const;
   CurvePoint project(int curve, Point point) const;
-  void require(int error) const { session_.requireSuccess(error, "gmsh cannot remesh the script"); }
 
-  GmshSession session_;
+  GmshModel model_;
   const GmshFunctions& gmsh_ = GmshFunctions::get();
   std::vector<std::string> regions_;
   std::set<int> free_; ///< curves of the body's boundary whose vertices gmsh may choose

@@ -10,6 +10,16 @@
 
 namespace ndframe
 {
+namespace
+{
+
+double distanceOf(const Mesh& mesh, int v, int w)
+{
+  const double *a = mesh.point(v), *b = mesh.point(w);
+  return mesh.dim == 2 ? std::hypot(b[0] - a[0], b[1] - a[1]) : std::hypot(b[0] - a[0], b[1] - a[1], b[2] - a[2]);
+}
+
+} // namespace
 
 LengthField::LengthField(const Mesh& mesh, std::vector<double> lengths)
     : mesh_(mesh), cells_(mesh), lengths_(std::move(lengths))
@@ -17,11 +27,11 @@ LengthField::LengthField(const Mesh& mesh, std::vector<double> lengths)
   NDFRAME_ASSERT(lengths_.size() == std::size_t(mesh.numPoints()), "one length per vertex");
 }
 
-double LengthField::at(const std::array<double, 2>& point) const
+double LengthField::at(const std::array<double, 3>& point) const
 {
   const CellLocator::Place place = cells_.find(point);
   double length = 0.0;
-  for (std::size_t k = 0; k < 3; ++k)
+  for (std::size_t k = 0; k <= std::size_t(mesh_.dim); ++k)
     length += place.weights[k] * lengths_[std::size_t(mesh_.cell(place.cell)[k])];
   return length;
 }
@@ -39,9 +49,9 @@ std::vector<double> withLimitedGrowth(const Mesh& mesh, std::vector<double> leng
     if (length > lengths[std::size_t(v)])
       continue;
     for (const int* cell = cells.begin(v); cell != cells.end(v); ++cell)
-      for (int k = 0; k < 3; ++k) {
+      for (int k = 0; k <= mesh.dim; ++k) {
         const int w = mesh.cell(*cell)[k];
-        const double distance = std::hypot(mesh.point(w)[0] - mesh.point(v)[0], mesh.point(w)[1] - mesh.point(v)[1]);
+        const double distance = distanceOf(mesh, v, w);
         if (length + slope * distance < lengths[std::size_t(w)])
           queue.emplace(lengths[std::size_t(w)] = length + slope * distance, w);
       }

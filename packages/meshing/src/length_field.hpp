@@ -8,7 +8,7 @@
 namespace ndframe
 {
 
-/// A positive function on a plane mesh, given at its vertices and linear in every cell. Beyond the mesh (a curved
+/// A positive function on a mesh, given at its vertices and linear in every cell. Beyond the mesh (a curved
 /// boundary lies beside its chords) it is that of the nearest point.
 class LengthField
 {
@@ -20,7 +20,7 @@ public:
   const std::vector<double>& lengths() const { return lengths_; }
   void setLengths(std::vector<double> lengths) { lengths_ = std::move(lengths); }
 
-  double at(const std::array<double, 2>& point) const;
+  double at(const std::array<double, 3>& point) const;
 
 private:
   const Mesh& mesh_;
@@ -29,7 +29,7 @@ private:
 };
 
 /// Lengths at the vertices of a mesh made smaller where they grow by more than `slope` per distance along an edge: gmsh
-/// makes bad triangles where sizes jump.
+/// makes bad cells where sizes jump.
 std::vector<double> withLimitedGrowth(const Mesh& mesh, std::vector<double> lengths, double slope);
 
 } // namespace ndframe

@@ -1,9 +1,11 @@
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <map>
 #include <tuple>
 #include <utility>
 
+#include "ndframe/mesh/vertex_tuples.hpp"
 #include "ndframe/meshing/remesh.hpp"
 
 namespace ndframe
@@ -80,6 +82,32 @@ std::vector<FacetTwin> twinsOf(const std::vector<Mesh>& meshes, const std::vecto
           twins.push_back({sides.first, facet, sides.second, other});
       }
     }
+  return twins;
+}
+
+std::vector<FacetTwin> commonFacets(const std::vector<Mesh>& meshes)
+{
+  using Triangle = std::array<std::array<double, 3>, 3>;
+  std::map<Triangle, std::pair<int, Facet>> met;
+  std::vector<FacetTwin> twins;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    const VertexTuples facets = allFacets(meshes[b], meshes[b].numPoints());
+    for (int place = 0, end = 0; place < facets.size(); place = end) {
+      end = facets.groupEnd(place);
+      if (end - place > 1)
+        continue;
+      const Facet facet{facets.at(place) / 4, facets.at(place) % 4};
+      int vertices[3];
+      facetVertices(meshes[b], facet, vertices);
+      Triangle triangle;
+      for (std::size_t v = 0; v < 3; ++v)
+        std::copy_n(meshes[b].point(vertices[v]), 3, triangle[v].begin());
+      std::sort(triangle.begin(), triangle.end());
+      const auto [other, isNew] = met.emplace(triangle, std::pair(int(b), facet));
+      if (!isNew && other->second.first != int(b))
+        twins.push_back({other->second.first, other->second.second, int(b), facet});
+    }
+  }
   return twins;
 }
 

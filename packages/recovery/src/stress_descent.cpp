@@ -138,7 +138,7 @@ void StressDescent::cellForces(const Vector& tractions, Vector& result) const
     std::array<double, StressMatrices::mostNumbers> x, forces;
     for (int batch = first; batch < last; ++batch) {
       gather(batch, tractions, x.data());
-      matrices_.multiply(batch, x.data(), forces.data());
+      matrices_.multiply(batch, x.data(), forces.data(), StressMatrices::Digits::Few); // for directions
       for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
         double* own = result.data() + std::size_t(matrices_.cells(batch)[c]) * size;
         for (std::size_t i = 0; i < size; ++i)

@@ -1,6 +1,8 @@
 #include "stress_matrices.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
 #include "ndframe/base/lanes.hpp"
 #include "ndframe/equilibrium/lane_tables.hpp"
@@ -114,12 +116,29 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
   return batches;
 }
 
+namespace
+{
+
+/// Cells that are not much longer than wide: single precision leaves four digits of their forces.
+bool areRound(const CellMap* maps)
+{
+  constexpr double mostStretched = 12.0;
+  const auto norm = [](const auto& matrix) {
+    return std::sqrt(std::inner_product(matrix.begin(), matrix.end(), matrix.begin(), 0.0));
+  };
+  return std::all_of(maps, maps + CellForms::lanes,
+                     [&](const CellMap& map) { return norm(map.F) * norm(map.inverse) < mostStretched; });
+}
+
+} // namespace
+
 void StressMatrices::find(int number, Vector& work, const std::function<void(const CellMatrices&)>& use)
 {
-  const Batch& batch = batches_[std::size_t(number)];
+  Batch& batch = batches_[std::size_t(number)];
   CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
   Vector own;
   findCompliances(*cells_, batch.cells.data(), batch.count, maps, own);
+  batch.isRound = areRound(maps);
   const CellForms::Condensed found = forms_.condensed(own.data(), work);
   double* kept = kept_.data() + at(batch.kept);
   std::copy(own.begin(), own.end(), kept);
@@ -144,7 +163,7 @@ void StressMatrices::multiplyData(int batch, const double* x, double* forces) co
   multiplyClass(batches_[std::size_t(batch)], std::size_t(ofClasses_->columns()), x, forces);
 }
 
-void StressMatrices::multiply(int number, const double* T, double* forces) const
+void StressMatrices::multiply(int number, const double* T, double* forces, Digits digits) const
 {
   const Batch& batch = batches_[std::size_t(number)];
   if (batch.kept < 0) {
@@ -156,7 +175,10 @@ void StressMatrices::multiply(int number, const double* T, double* forces) const
   std::copy_n(T, tractions_ * lanes, x.data());
   pullBackLanes(maps, int(tractions_), x.data());
   const double* kept = kept_.data() + at(batch.kept);
-  forms_.apply(kept, kept + compliances(), x.data(), forces);
+  if (batch.isRound && digits == Digits::Few)
+    forms_.applyRounded(kept, kept + compliances(), x.data(), forces);
+  else
+    forms_.apply(kept, kept + compliances(), x.data(), forces);
   pushLanes(maps, int(tractions_), forces);
 }
 

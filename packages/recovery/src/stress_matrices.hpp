@@ -52,8 +52,13 @@ public:
   bool isOfClass(int batch) const { return batches_[std::size_t(batch)].kept < 0; }
   int sizeOf(int batch) const { return batches_[std::size_t(batch)].count; }
   const int* cells(int batch) const { return batches_[std::size_t(batch)].cells.data(); }
+  enum class Digits
+  {
+    All,
+    Few ///< single precision for batches without a class whose cells are not stretched: four digits and more
+  };
   /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
-  void multiply(int batch, const double* T, double* forces) const;
+  void multiply(int batch, const double* T, double* forces, Digits digits = Digits::All) const;
   /// The same for tractions and loads, T and G; of a class.
   void multiplyData(int batch, const double* x, double* forces) const;
 
@@ -61,7 +66,8 @@ private:
   struct Batch
   {
     std::array<int, lanes> cells;
-    int count, kept; ///< where the matrices are; -1: in a class
+    int count, kept;      ///< where the matrices are; -1: in a class
+    bool isRound = false; ///< no cell is stretched much: forces in single precision are good enough for directions
   };
 
   std::vector<Batch> all() const;

@@ -24,6 +24,8 @@ public:
   /// Per mesh and cell of meshes(): the cell of the meshes before in whose place it stands (of which it is a part, but
   /// where shapes were mended), or in which its centre lies.
   virtual const std::vector<std::vector<int>>& ancestors() const = 0;
+  /// Points of earlier meshes stay, and edges are halved in the middle.
+  virtual bool areNested() const = 0;
   /// They are the meshes before, cell by cell.
   bool areUnchanged() const;
 

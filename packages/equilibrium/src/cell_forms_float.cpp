@@ -1,0 +1,141 @@
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/base/lanes.hpp"
+#include "ndframe/equilibrium/cell_forms.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr std::size_t lanes = CellForms::lanes, bubbles = 18, factorEntries = bubbles * (bubbles + 1) / 2;
+constexpr std::size_t terms = 21, strains = 6, subCells = 4, mostCoefficients = 240, mostTractions = 72;
+
+typedef float Floats __attribute__((vector_size(sizeof(float) * lanes)));
+
+/// Rounds numbers side by side, each lane times its scale.
+NDFRAME_EVERY_PROCESSOR void round(const double* from, const double* scale, std::size_t count, Floats* to)
+{
+  DoubleLanes value, factor;
+  load(scale, factor);
+  for (std::size_t i = 0; i < count; ++i) {
+    load(from + i * lanes, value);
+    to[i] = __builtin_convertvector(value * factor, Floats);
+  }
+}
+
+/// multiplyTable, for up to six rows at once.
+NDFRAME_EVERY_PROCESSOR void multiply(const float* table, std::size_t stride, std::size_t rows, std::size_t columns,
+                                      const Floats* x, Floats* y)
+{
+  constexpr std::size_t together = 6;
+  for (std::size_t i = 0; i < rows; i += together, table += together * stride, y += together) {
+    Floats sums[together] = {};
+    for (std::size_t j = 0; j < columns; ++j) {
+      const Floats value = x[j];
+#pragma GCC unroll 6
+      for (std::size_t k = 0; k < together; ++k)
+        sums[k] += table[k * stride + j] * value;
+    }
+    for (std::size_t k = 0; k < together; ++k)
+      y[k] = sums[k];
+  }
+}
+
+/// Stresses become what they do work with; stress: by sub-cell, component, function.
+NDFRAME_EVERY_PROCESSOR void weigh(const Floats* compliances, std::size_t modes, Floats* stress)
+{
+  constexpr float weight = 1.0F / 6.0F / float(subCells); // of the reference tetrahedron
+  Floats C[strains][strains], given[strains];
+  for (std::size_t a = 0; a < strains; ++a)
+    for (std::size_t b = a; b < strains; ++b)
+      C[b][a] = C[a][b] = weight * *compliances++;
+  for (std::size_t sub = 0; sub < subCells; ++sub, stress += strains * modes)
+    for (std::size_t m = 0; m < modes; ++m) {
+      for (std::size_t a = 0; a < strains; ++a)
+        given[a] = stress[a * modes + m];
+      for (std::size_t a = 0; a < strains; ++a) {
+        Floats sum{};
+        for (std::size_t b = 0; b < strains; ++b)
+          sum += C[a][b] * given[b];
+        stress[a * modes + m] = sum;
+      }
+    }
+}
+
+/// y := -bb^-1 y, from columns of L with the inverses of its diagonal.
+NDFRAME_EVERY_PROCESSOR void solveNegative(const Floats* L, Floats* y)
+{
+  const Floats* entry = L;
+  for (std::size_t b = 0; b < bubbles; ++b) {
+    y[b] *= *entry++;
+    for (std::size_t i = b + 1; i < bubbles; ++i)
+      y[i] -= *entry++ * y[b];
+  }
+  for (std::size_t b = bubbles; b-- > 0;) {
+    entry -= bubbles - b;
+    for (std::size_t i = b + 1; i < bubbles; ++i)
+      y[b] -= entry[i - b] * y[i];
+    y[b] *= entry[0];
+  }
+  for (std::size_t b = 0; b < bubbles; ++b)
+    y[b] = -y[b];
+}
+
+/// Per lane 1 / the largest of some numbers; 1 where all are 0.
+void findScales(const double* values, std::size_t count, double* scales)
+{
+  std::fill_n(scales, lanes, 0.0);
+  for (std::size_t i = 0; i < count; ++i)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      scales[lane] = std::max(scales[lane], std::abs(values[i * lanes + lane]));
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    scales[lane] = scales[lane] > 0.0 ? 1.0 / scales[lane] : 1.0;
+}
+
+/// L of bb times s: off the diagonal times sqrt(s), on it, where inverses are, by sqrt(s).
+void roundFactor(const double* factor, const double* scales, Floats* L)
+{
+  double root[lanes], inverse[lanes];
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    inverse[lane] = 1.0 / (root[lane] = std::sqrt(scales[lane]));
+  for (std::size_t b = 0; b < bubbles; ++b) {
+    round(factor, inverse, 1, L);
+    round(factor + lanes, root, bubbles - b - 1, L + 1);
+    factor += (bubbles - b) * lanes;
+    L += bubbles - b;
+  }
+}
+
+} // namespace
+
+void CellForms::applyRounded(const double* compliances, const double* factor, const double* T, double* forces) const
+{
+  const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
+  const auto modes = std::size_t(reference_.basis.size());
+  double ofCompliances[lanes], ofTractions[lanes];
+  findScales(compliances, terms, ofCompliances);
+  findScales(T, tractions, ofTractions);
+  Floats C[terms], x[mostTractions], stress[mostCoefficients];
+  round(compliances, ofCompliances, terms, C);
+  round(T, ofTractions, tractions, x);
+  multiply(liftRounded_.data(), tractions, coefficients, tractions, x, stress);
+  weigh(C, modes, stress);
+  if (reference_.bubbles > 0) {
+    Floats inside[mostCoefficients], L[factorEntries], y[bubbles];
+    roundFactor(factor, ofCompliances, L);
+    multiply(bubbledRounded_.data(), coefficients, bubbles, coefficients, stress, y);
+    solveNegative(L, y);
+    multiply(bubbleRounded_.data(), bubbles, coefficients, bubbles, y, inside);
+    weigh(C, modes, inside);
+    for (std::size_t i = 0; i < coefficients; ++i)
+      stress[i] += inside[i];
+  }
+  multiply(liftedRounded_.data(), coefficients, tractions, coefficients, stress, x);
+  for (std::size_t i = 0; i < tractions; ++i)
+    for (std::size_t lane = 0; lane < lanes; ++lane)
+      forces[i * lanes + lane] = double(x[i][lane]) / (ofCompliances[lane] * ofTractions[lane]);
+}
+
+} // namespace ndframe
