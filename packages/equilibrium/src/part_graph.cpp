@@ -27,7 +27,8 @@ PartGraph::PartGraph(const BodyPiece& piece, const CellTree& own, const Comm& co
       hang(part);
 }
 
-/// One facet for two parts that touch; the rank that has the one with the smaller number names it.
+/// The largest facet of two parts that touch, where what passes makes the least stress; the rank that has the one with
+/// the smaller number names it.
 void PartGraph::findJoints(const BodyPiece& piece, const CellTree& own, const Comm& comm)
 {
   const int facets = piece.model.mesh.dim + 1;
@@ -36,6 +37,11 @@ void PartGraph::findJoints(const BodyPiece& piece, const CellTree& own, const Co
     for (const int cell : own.parts()[part].cells)
       partOf[std::size_t(cell)] = number(part);
   piece.shared.fetch([](int cell) { return SharedValues::Place{std::size_t(cell), 1}; }, partOf);
+  const auto size = [&](int half) {
+    double normal[3];
+    const int cell = half / facets;
+    return facetNormal(piece.model.mesh, {cell, own.cell(cell).local[std::size_t(half % facets)]}, normal);
+  };
   std::map<std::pair<int, int>, int> found; // half facets
   for (const CellTree::Part& part : own.parts())
     for (const int cell : part.cells)
@@ -44,8 +50,9 @@ void PartGraph::findJoints(const BodyPiece& piece, const CellTree& own, const Co
         if (other < 0 || piece.owns(other) || partOf[std::size_t(other)] < partOf[std::size_t(cell)])
           continue;
         const std::pair<int, int> both{partOf[std::size_t(cell)], partOf[std::size_t(other)]};
-        const int known = found.emplace(both, half).first->second;
-        found[both] = std::min(known, half);
+        int& largest = found.emplace(both, half).first->second;
+        if (size(half) > size(largest))
+          largest = half;
       }
   Vector named;
   for (const auto& [parts, half] : found)
