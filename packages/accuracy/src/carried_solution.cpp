@@ -59,9 +59,10 @@ CarriedSolution::CarriedSolution(const Run& run)
   if (run.solved.fields.size() != run.model.bodies.size())
     return;
   std::vector<Vector> values;
-  for (const int b : run.model.elasticBodies())
-    values.push_back(
-        run.condensed.systems[std::size_t(b)].dofs.frames.toGlobal(run.solved.fields[std::size_t(b)].u.back()));
+  for (const int number : run.model.elasticBodies()) {
+    const auto b = std::size_t(number);
+    values.emplace_back(run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u.back()).whole());
+  }
   *this = CarriedSolution(run.model, std::move(values));
 }
 

@@ -85,11 +85,9 @@ struct SweepsRecord
 /// What a stage of the ledger took.
 struct StageRecord
 {
-  std::string name; ///< as the ledger calls it, "factor"
-  /// Displacements of the last level, where iterations on the next meshes begin with them; else empty.
-  std::vector<Vector> solution; ///< per elastic body and node, global axes
-  double seconds = 0.0;         ///< wall-clock time of all its passes
-  std::int64_t peakBytes = 0;   ///< largest resident size while it ran
+  std::string name;           ///< as the ledger calls it, "factor"
+  double seconds = 0.0;       ///< wall-clock time of all its passes
+  std::int64_t peakBytes = 0; ///< largest resident size while it ran
 };
 
 /// NAME.checkpoint: what a run that was ended goes on from.
@@ -101,7 +99,9 @@ struct Checkpoint
   std::vector<std::string> results;   ///< names of the files that a finished run wrote; else empty
   std::vector<LevelRecord> levels;    ///< that are done, the first one first; none of a finished run
   std::optional<SweepsRecord> sweeps; ///< on the meshes after them
-  double seconds = 0.0;               ///< since the run began
+  /// Displacements of the last level, where iterations on the next meshes begin with them; else empty.
+  std::vector<Vector> solution; ///< per elastic body and node, global axes
+  double seconds = 0.0;         ///< since the run began
   /// Largest resident sizes of rank 0: when the first process began, and of all processes so far.
   std::int64_t firstMemory = 0, peakMemory = 0; ///< bytes, before there was a mesh and the most
   std::map<std::string, std::int64_t> counts;   ///< of the ledger
