@@ -96,19 +96,36 @@ StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& of
   kept_.resize(at(kept));
 }
 
-/// By their first cells.
+namespace
+{
+
+/// Whether a cell is not much longer than wide: single precision leaves four digits of its forces.
+bool isRound(const CellMap& map)
+{
+  constexpr double mostStretched = 12.0;
+  const auto norm = [](const auto& matrix) {
+    return std::sqrt(std::inner_product(matrix.begin(), matrix.end(), matrix.begin(), 0.0));
+  };
+  return norm(map.F) * norm(map.inverse) < mostStretched;
+}
+
+} // namespace
+
+/// By their first cells. Which cells are side by side changes nothing but round-off.
 std::vector<StressMatrices::Batch> StressMatrices::all() const
 {
   std::vector<Batch> batches;
-  std::vector<int> open(std::size_t(cells_->classes().size()) + 1, -1); // per class, and of cells without one
+  const auto classes = std::size_t(cells_->classes().size());
+  std::vector<int> open(classes + 2, -1); // per class, and of cells without one, stretched and round
   for (int cell = 0; cell < cells_->size(); ++cell) {
     if (!cells_->isOwn(cell))
       continue;
-    const bool isOfClass = ofClasses_->has(cell);
-    int& batch = isOfClass ? open[std::size_t(cells_->classes().of(cell))] : open.back();
+    const bool isOfClass = ofClasses_->has(cell),
+               round = !isOfClass && isRound(cellMap(cells_->mesh(cell), cells_->sorted(cell)));
+    int& batch = open[isOfClass ? std::size_t(cells_->classes().of(cell)) : classes + std::size_t(round)];
     if (batch < 0 || batches[std::size_t(batch)].count == lanes) {
       batch = int(batches.size());
-      batches.push_back({{}, 0, isOfClass ? -1 : 0});
+      batches.push_back({{}, 0, isOfClass ? -1 : 0, round});
     }
     Batch& place = batches[std::size_t(batch)];
     place.cells[std::size_t(place.count++)] = cell;
@@ -116,29 +133,12 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
   return batches;
 }
 
-namespace
-{
-
-/// Cells that are not much longer than wide: single precision leaves four digits of their forces.
-bool areRound(const CellMap* maps)
-{
-  constexpr double mostStretched = 12.0;
-  const auto norm = [](const auto& matrix) {
-    return std::sqrt(std::inner_product(matrix.begin(), matrix.end(), matrix.begin(), 0.0));
-  };
-  return std::all_of(maps, maps + CellForms::lanes,
-                     [&](const CellMap& map) { return norm(map.F) * norm(map.inverse) < mostStretched; });
-}
-
-} // namespace
-
 void StressMatrices::find(int number, Vector& work, const std::function<void(const CellMatrices&)>& use)
 {
   Batch& batch = batches_[std::size_t(number)];
   CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
   Vector own;
   findCompliances(*cells_, batch.cells.data(), batch.count, maps, own);
-  batch.isRound = areRound(maps);
   const CellForms::Condensed found = forms_.condensed(own.data(), work);
   double* kept = kept_.data() + at(batch.kept);
   std::copy(own.begin(), own.end(), kept);
