@@ -67,8 +67,8 @@ std::vector<std::uint64_t> placesOnCurve(const Mesh& mesh)
   for (const auto& point : points) {
     std::uint64_t place = 0;
     for (std::size_t k = 0; k < 3; ++k) {
-      const auto steps = std::uint64_t((point[k] - lowest[k]) / extent * 0x1FFFFF + 0.5);
-      for (unsigned bit = 0; bit < 21; ++bit)
+      const auto steps = std::uint64_t(std::llround((point[k] - lowest[k]) / extent * 0x1FFFFF));
+      for (std::size_t bit = 0; bit < 21; ++bit)
         place |= (steps >> bit & 1) << (3 * bit + k);
     }
     places.push_back(place);
