@@ -51,9 +51,10 @@ private:
       WholeProblem problem(system, start);
       const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
       InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
+      const double contactTolerance = problem.roundOff();
       state.fields = std::move(problem).takeFields();
       CouplingResult result = settled(system, std::move(state), status, reasonFor(system));
-      result.contactTolerance = problem.roundOff();
+      result.contactTolerance = contactTolerance;
       return result;
     } catch (const NotConverged&) {
       bool allGiveUp = true;

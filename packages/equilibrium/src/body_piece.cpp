@@ -53,7 +53,7 @@ void cutModel(const BodyModel& body, BodyPiece& piece)
   model.name = body.name;
   model.mesh.dim = body.mesh.dim;
   model.mesh.points = selected(body.mesh.points, std::size_t(body.mesh.dim), piece.points);
-  model.mesh.cells = selected(body.mesh.cells, std::size_t(body.mesh.dim + 1), piece.cells);
+  model.mesh.cells = selected(body.mesh.cells, std::size_t(body.mesh.dim) + 1, piece.cells);
   for (int& vertex : model.mesh.cells)
     vertex = placeOf(piece.points, vertex);
   model.nodes.dim = body.nodes.dim;
@@ -79,7 +79,7 @@ void cutData(const StaticData& data, BodyPiece& piece)
       piece.data.boundary.push_back(data.boundary[i]);
       piece.data.boundary.back().facet.cell = cell;
     }
-  if (!boundary.empty())
+  if (!data.boundary.empty())
     piece.data.facetShares = selected(data.facetShares, data.facetShares.size() / data.boundary.size(), boundary);
   if (!data.cellShares.empty())
     piece.data.cellShares =
