@@ -81,9 +81,9 @@ void cutData(const StaticData& data, BodyPiece& piece)
     }
   if (!data.boundary.empty())
     piece.data.facetShares = selected(data.facetShares, data.facetShares.size() / data.boundary.size(), boundary);
-  if (!data.cellShares.empty())
-    piece.data.cellShares =
-        selected(data.cellShares, data.cellShares.size() / std::size_t(piece.whole->mesh.numCells()), piece.cells);
+  const auto cells = std::size_t(piece.whole->mesh.numCells());
+  if (cells > 0)
+    piece.data.cellShares = selected(data.cellShares, data.cellShares.size() / cells, piece.cells);
   for (std::size_t i = 0; i < data.contact.size(); ++i)
     if (const int cell = piece.local(data.contact[i].cell); cell >= 0) {
       piece.contact.push_back(int(i));

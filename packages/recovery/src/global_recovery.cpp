@@ -171,7 +171,8 @@ private:
       std::vector<BalancedStar> balanced(std::size_t(last - first));
       runInRanges(last - first, threads_, [&](int from, int to) {
         for (int i = from; i < to; ++i) {
-          balanced[std::size_t(i)] = balancedStar(stars.star(vertices[std::size_t(first) + std::size_t(i)]), loads, balance);
+          balanced[std::size_t(i)] =
+              balancedStar(stars.star(vertices[std::size_t(first) + std::size_t(i)]), loads, balance);
           progress_.starIsBalanced();
         }
       });
