@@ -101,6 +101,17 @@ class AfterEachLevel(Restarts):
     def test_with_two_levels_of_a_solver(self):
         self.assert_goes_on("punch-3d", "Accuracy/Target=0.06", "Linear Solver/Type=Multigrid", code=4)
 
+    def test_from_factors_to_two_levels_of_a_solver(self):
+        """A level that is factored leaves its displacements to one that is not."""
+        settings, path = ("Accuracy/Target=0.018",), DECKS / "punch-3d.xml"
+        self.end("whole", path, settings, code=4)
+        counts = self.results("whole")[0]["ledger"]["counts"]
+        self.assertGreater(counts["multigrid set-ups"], 0)
+        self.assertEqual(self.results("whole")[0]["accuracy"]["number_of_levels"], 5)
+        self.end("to-4", path, (*settings, "Accuracy/Maximum Levels=4"), code=5)
+        self.end("to-4", path, settings, "--restart", code=4)
+        self.assert_same("to-4", "whole")
+
     def test_without_interfaces_and_with_markings_that_do_not_aim(self):
         self.assert_goes_on("punch", "Accuracy/Target=0.03", "Accuracy/Marking/Type=Doerfler")
 

@@ -203,7 +203,7 @@ void AdaptiveRun::carryOver(MeshPlan plan)
   expectsTarget_ = plan.bound <= errors_->target;
   planner_->accept(std::move(plan));
   carried_ = std::move(next_);
-  if (!run_.solved.fields.empty()) // else it is of a checkpoint
+  if (carriesSolution()) // else it may be of a checkpoint
     solution_ = CarriedSolution(run_);
 }
 

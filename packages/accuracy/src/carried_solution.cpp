@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "ndframe/fem/lagrange.hpp"
+#include "ndframe/mesh/cells_of_points.hpp"
 #include "places.hpp"
 
 namespace ndframe
@@ -15,41 +16,46 @@ namespace
 
 using Point = std::array<double, 3>;
 
-double determinant(const Point& a, const Point& b, const Point& c)
+/// A point near a cell by its barycentric coordinates there.
+template <int dim>
+PointInCell placeIn(const NodeMap& nodes, int cell, const Point& x)
 {
-  return a[0] * (b[1] * c[2] - b[2] * c[1]) - a[1] * (b[0] * c[2] - b[2] * c[0]) + a[2] * (b[0] * c[1] - b[1] * c[0]);
+  double points[(dim + 1) * dim], gradients[(dim + 1) * dim];
+  for (int v = 0; v <= dim; ++v)
+    std::copy_n(nodes.point(nodes.cell(cell)[v]).data(), dim, points + v * dim);
+  barycentricGradients<dim>(points, gradients);
+  PointInCell place{cell, {1.0}};
+  for (int v = 0; v <= dim; ++v)
+    for (int k = 0; k < dim; ++k)
+      place.lambda[std::size_t(v)] += gradients[v * dim + k] * (x[std::size_t(k)] - points[k]);
+  return place;
 }
 
-/// Barycentric coordinates in a cell, those of a triangle as of a tetrahedron with a fourth vertex above the plane.
-std::array<double, 4> coordinatesIn(const NodeMap& nodes, int cell, const Point& x)
+/// In the one of some cells that it is least outside of.
+template <int dim>
+PointInCell nearestPlace(const NodeMap& nodes, const std::vector<int>& cells, const Point& x)
 {
-  const Point origin = nodes.point(nodes.cell(cell)[0]);
-  const auto from = [&](const Point& point) {
-    return Point{point[0] - origin[0], point[1] - origin[1], point[2] - origin[2]};
-  };
-  std::array<Point, 3> edges{};
-  edges[2] = {0.0, 0.0, 1.0};
-  for (int v = 1; v <= nodes.dim; ++v)
-    edges[std::size_t(v) - 1] = from(nodes.point(nodes.cell(cell)[v]));
-  const double whole = determinant(edges[0], edges[1], edges[2]);
-  std::array<double, 4> lambda{1.0, 0.0, 0.0, 0.0};
-  for (std::size_t v = 0; v < std::size_t(nodes.dim); ++v) {
-    std::array<Point, 3> replaced = edges;
-    replaced[v] = from(x);
-    lambda[v + 1] = determinant(replaced[0], replaced[1], replaced[2]) / whole;
-    lambda[0] -= lambda[v + 1];
+  PointInCell nearest;
+  double inside = -HUGE_VAL;
+  for (const int cell : cells) {
+    const PointInCell place = placeIn<dim>(nodes, cell, x);
+    const double least = *std::min_element(place.lambda.begin(), place.lambda.begin() + dim + 1);
+    if (least > inside) {
+      inside = least;
+      nearest = place;
+    }
   }
-  return lambda;
+  return nearest;
 }
 
 template <int dim, int order>
-void addValues(const NodeMap& nodes, int cell, const std::array<double, 4>& lambda, const Vector& values, double* sum)
+void addValues(const NodeMap& nodes, const PointInCell& place, const Vector& values, double* sum)
 {
   double N[Lagrange<dim, order>::nodes];
-  Lagrange<dim, order>::values(lambda.data(), N);
+  Lagrange<dim, order>::values(place.lambda.data(), N);
   for (int a = 0; a < Lagrange<dim, order>::nodes; ++a)
     for (int k = 0; k < dim; ++k)
-      sum[k] += N[a] * values[std::size_t(nodes.cell(cell)[a]) * dim + std::size_t(k)];
+      sum[k] += N[a] * values[std::size_t(nodes.cell(place.cell)[a]) * dim + std::size_t(k)];
 }
 
 } // namespace
@@ -96,29 +102,14 @@ Vector CarriedSolution::Body::at(const BodyModel& body, const std::vector<int>& 
   std::vector<char> isKnown(std::size_t(body.nodes.numNodes()), 0);
   for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
     const int ancestor = ancestors[std::size_t(body.parents.empty() ? cell : body.parents[std::size_t(cell)])];
+    const std::vector<int> itself{ancestor}, &candidates = parts.empty() ? itself : parts[std::size_t(ancestor)];
     for (int a = 0; a < body.nodes.nodesPerCell; ++a) {
       const auto node = std::size_t(body.nodes.cell(cell)[a]);
       if (std::exchange(isKnown[node], char(1)))
         continue;
-      const Point x = body.nodes.point(int(node));
-      std::array<double, 4> lambda{};
-      double inside = -HUGE_VAL;
-      int best = ancestor;
-      const auto look = [&](int part) {
-        const auto here = coordinatesIn(nodes, part, x);
-        const double least = *std::min_element(here.begin(), here.begin() + std::ptrdiff_t(dim) + 1);
-        if (least > inside) {
-          inside = least;
-          lambda = here;
-          best = part;
-        }
-      };
-      if (parts.empty())
-        look(ancestor);
-      for (std::size_t p = 0; !parts.empty() && p < parts[std::size_t(ancestor)].size(); ++p)
-        look(parts[std::size_t(ancestor)][p]);
       withDimAndOrder(body.nodes.dim, body.nodes.order, [&](auto d, auto p) {
-        addValues<d(), p()>(nodes, best, lambda, values, result.data() + node * dim);
+        const PointInCell place = nearestPlace<d()>(nodes, candidates, body.nodes.point(int(node)));
+        addValues<d(), p()>(nodes, place, values, result.data() + node * dim);
       });
     }
   }

@@ -45,6 +45,8 @@ private:
   /// Solves from there and certifies. before: sweeps on this mesh, which those of the solve are added to.
   void solveFrom(CouplingStart start, SweepsRecord& before);
   CouplingStart firstStart() const;
+  /// Whether there is a solution that iterations on the next meshes may begin with, whatever solved this level.
+  bool carriesSolution() const;
   /// What the iteration has reached, to go on from.
   CouplingStart presentState() const;
   double allowedIteration(double mesh) const { return stopping_->allowed(mesh, options_.iterationShare); }

@@ -26,6 +26,13 @@ bool holdsPoints(const Model& model)
 
 } // namespace
 
+bool AdaptiveRun::carriesSolution() const
+{
+  const bool mayBegin =
+      !run_.model.interfaces.empty() && tools_.coupling->solvesWhole(run_.model.interfaces.front().dim);
+  return mayBegin && !run_.solved.fields.empty();
+}
+
 CouplingStart AdaptiveRun::presentState() const
 {
   CouplingStart start;

@@ -132,7 +132,7 @@ MeshPlanner::MeshPlanner(const RunSettings& settings, const AccuracyComponents& 
   for (const Mesh& mesh : first.meshes)
     eulers_.push_back(dim_ == 2 ? eulerNumber(mesh) : 0);
   present_ = refinement->begin(std::move(first), comm);
-  if (!present_->areNested()) {
+  if (makesSolidsAnew()) {
     edges_ = EdgeExponents(degree_, EdgeExponents::Meshes::MadeAnew);
     fall_.meshesAreMadeAnew();
   }
@@ -166,7 +166,7 @@ void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
     uncut.push_back(&model.bodies[std::size_t(b)].uncut());
   learnExponents(uncut, lesson.contributions, errors.relative > tooCoarse(dim_));
   contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions(),
-                         dim_ == 3 && !present_->areNested());
+                         makesSolidsAnew());
   brackets_ = lesson.brackets;
   relative_ = errors.relative;
   bound_ = errors.bound;

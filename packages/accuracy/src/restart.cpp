@@ -96,7 +96,7 @@ Checkpoint AdaptiveRun::checkpoint() const
   checkpoint.counts = tools_.ledger.counts();
   for (const auto& stage : tools_.ledger.stages())
     checkpoint.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
-  if (!run_.solved.coupling.state.fields.empty())
+  if (carriesSolution())
     checkpoint.solution = CarriedSolution(run_).values();
   return checkpoint;
 }

@@ -61,6 +61,7 @@ private:
   /// Of the present meshes: cells with a facet where contact ends that is so long that its nodes bracket the end by
   /// more than `width` times the interface's length.
   std::vector<FineCell> cellsOfBrackets(double width) const;
+  bool makesSolidsAnew() const { return dim_ == 3 && !present_->areNested(); }
   double boundPerTotal() const { return correction_ * bound_ / total_; }
   std::int64_t dofsOf(const std::vector<Mesh>& meshes) const;
 
