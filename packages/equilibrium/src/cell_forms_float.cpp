@@ -1,16 +1,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_forms_kernels.hpp"
 #include "ndframe/base/lanes.hpp"
-#include "ndframe/equilibrium/cell_forms.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-constexpr std::size_t lanes = CellForms::lanes, bubbles = 18, factorEntries = bubbles * (bubbles + 1) / 2;
-constexpr std::size_t terms = 21, strains = 6, subCells = 4, mostCoefficients = 240, mostTractions = 72;
+constexpr std::size_t lanes = CellForms::lanes, mostTractions = 72;
 
 typedef float Floats __attribute__((vector_size(sizeof(float) * lanes)));
 
@@ -64,23 +63,9 @@ NDFRAME_EVERY_PROCESSOR void weigh(const Floats* compliances, std::size_t modes,
     }
 }
 
-/// y := -bb^-1 y, from columns of L with the inverses of its diagonal.
-NDFRAME_EVERY_PROCESSOR void solveNegative(const Floats* L, Floats* y)
+NDFRAME_EVERY_PROCESSOR void solveRounded(const Floats* L, Floats* y)
 {
-  const Floats* entry = L;
-  for (std::size_t b = 0; b < bubbles; ++b) {
-    y[b] *= *entry++;
-    for (std::size_t i = b + 1; i < bubbles; ++i)
-      y[i] -= *entry++ * y[b];
-  }
-  for (std::size_t b = bubbles; b-- > 0;) {
-    entry -= bubbles - b;
-    for (std::size_t i = b + 1; i < bubbles; ++i)
-      y[b] -= entry[i - b] * y[i];
-    y[b] *= entry[0];
-  }
-  for (std::size_t b = 0; b < bubbles; ++b)
-    y[b] = -y[b];
+  solveNegative(L, y);
 }
 
 /// Per lane 1 / the largest of some numbers; 1 where all are 0.
@@ -126,7 +111,7 @@ void CellForms::applyRounded(const double* compliances, const double* factor, co
     Floats inside[mostCoefficients], L[factorEntries], y[bubbles];
     roundFactor(factor, ofCompliances, L);
     multiply(bubbledRounded_.data(), coefficients, bubbles, coefficients, stress, y);
-    solveNegative(L, y);
+    solveRounded(L, y);
     multiply(bubbleRounded_.data(), bubbles, coefficients, bubbles, y, inside);
     weigh(C, modes, inside);
     for (std::size_t i = 0; i < coefficients; ++i)

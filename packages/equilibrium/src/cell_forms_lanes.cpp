@@ -1,19 +1,15 @@
 #include <algorithm>
 #include <cmath>
 
+#include "cell_forms_kernels.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/lanes.hpp"
-#include "ndframe/equilibrium/cell_forms.hpp"
 #include "ndframe/equilibrium/lane_tables.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-constexpr std::size_t terms = 21;   ///< of a compliance in space
-constexpr std::size_t bubbles = 18; ///< of degree 2
-constexpr std::size_t factorEntries = bubbles * (bubbles + 1) / 2, mostCoefficients = 240;
 
 constexpr std::size_t lanes = CellForms::lanes;
 
@@ -98,7 +94,6 @@ NDFRAME_EVERY_PROCESSOR void subtractSquare(const double* Y, std::size_t data, d
 /// makes the functions' products integrals. stress: by sub-cell, component, function.
 NDFRAME_EVERY_PROCESSOR void weigh(const double* compliances, std::size_t modes, double* stress)
 {
-  constexpr std::size_t subCells = 4, strains = 6;
   constexpr double weight = 1.0 / 6.0 / double(subCells); // of the reference tetrahedron
   DoubleLanes C[strains][strains], given[strains];
   for (std::size_t a = 0; a < strains; ++a)
@@ -121,25 +116,12 @@ NDFRAME_EVERY_PROCESSOR void weigh(const double* compliances, std::size_t modes,
 }
 
 /// y := -bb^-1 y, with what factor() leaves.
-NDFRAME_EVERY_PROCESSOR void solveNegative(const double* triangle, double* values)
+NDFRAME_EVERY_PROCESSOR void solveStored(const double* triangle, double* values)
 {
   DoubleLanes L[factorEntries], y[bubbles];
   std::memcpy(L, triangle, sizeof(L));
   std::memcpy(y, values, sizeof(y));
-  const DoubleLanes* entry = L;
-  for (std::size_t b = 0; b < bubbles; ++b) {
-    y[b] *= *entry++;
-    for (std::size_t i = b + 1; i < bubbles; ++i)
-      y[i] -= *entry++ * y[b];
-  }
-  for (std::size_t b = bubbles; b-- > 0;) {
-    entry -= bubbles - b;
-    for (std::size_t i = b + 1; i < bubbles; ++i)
-      y[b] -= entry[i - b] * y[i];
-    y[b] *= entry[0];
-  }
-  for (DoubleLanes& value : y)
-    value = -value;
+  solveNegative(L, y);
   std::memcpy(values, y, sizeof(y));
 }
 
@@ -183,7 +165,7 @@ void CellForms::findBubbles(const double* factor, const double* weighed, double*
   const auto coefficients = std::size_t(reference_.coefficients);
   double y[bubbles * lanes];
   multiplyTable(bubbled_.data(), coefficients, bubbles, coefficients, weighed, y);
-  solveNegative(factor, y);
+  solveStored(factor, y);
   multiplyTable(bubble_.data(), bubbles, coefficients, bubbles, y, inside);
 }
 
