@@ -108,6 +108,18 @@ TEST(Gmsh, MeshesScriptsOnTheFly)
   EXPECT_NEAR(volume(solid), 1.0, 1e-12);
 }
 
+/// With HXT on two threads one run of twenty crashed, hung or asked for all memory, and no two meshes were the same.
+TEST(Gmsh, ScriptsThatAskForHxtHaveTheSameMeshEveryTime)
+{
+  const std::string script =
+      "SetFactory(\"OpenCASCADE\"); Box(1) = {0, 0, 0, 1, 1, 1}; Cylinder(2) = {0.5, 0.5, 1, 0, 0, 1, 0.4};\n"
+      "Coherence; Mesh.MeshSizeMax = 0.2; Mesh.RandomFactor = 1e-4;\n";
+  const Mesh mesh = readMesh(gmsh(scratchFile("steady.geo", script)));
+  for (int i = 0; i < 3; ++i)
+    expectSameMesh(mesh, readMesh(gmsh(scratchFile("hxt.geo", script + "Mesh.Algorithm3D = 10; General.NumThreads = 2; "
+                                                                       "Mesh.MaxNumThreads3D = 2;\n"))));
+}
+
 TEST(Gmsh, LibraryIsNeverLoadedIntoThisProcess)
 {
   readMesh(gmsh(dataPath("square-4.1-binary.msh")));

@@ -111,8 +111,9 @@ void registerGmsh(Registry<MeshSource>& registry)
       "Physical groups of facets are the sides, by their names (unnamed ones: physical_TAG). Second-order elements are "
       "reduced to their vertices. Bodies of one .geo script share one run of gmsh.",
       {ParamSpec::required("File", Kind::String,
-                           "A .msh file (format 2.2 or 4.1, ASCII or binary) or a .geo script to be meshed on the fly; "
-                           "relative paths start from the deck's folder."),
+                           "A .msh file (format 2.2 or 4.1, ASCII or binary) or a .geo script to be meshed on the fly "
+                           "(on one thread, and never with HXT, which crashes in gmsh 4.8 and makes another mesh each "
+                           "time); relative paths start from the deck's folder."),
        {"Regions", std::vector<std::string>{},
         "Physical groups of cells that make up the body, e.g. one of two bodies in the file. Empty: all of them, or "
         "all cells if there are no such groups."},

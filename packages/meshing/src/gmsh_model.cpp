@@ -102,9 +102,7 @@ void GmshModel::forgetOwnSizes()
 
 void GmshModel::useSettingsForSolids()
 {
-  for (const char* threads : {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D",
-                              "Mesh.MaxNumThreads3D", "Mesh.RandomSeed"})
-    session_.setNumber(threads, 1);
+  session_.setNumber("Mesh.RandomSeed", 1);
   session_.setNumber("Mesh.Algorithm3D", delaunay);
   session_.setNumber("Mesh.Optimize", 1);
   session_.setNumber("Mesh.OptimizeThreshold", mendedShape);

@@ -42,7 +42,7 @@ public:
   std::vector<int> boundaryOf(int dim, int tag) const; ///< of one of them, those of dimension dim - 1
   /// Meshes nothing but these, what bounds them and what lies in them.
   void showOnly(int dim, const std::vector<int>& tags);
-  /// One thread and no random numbers, so that meshes are the same every time; good shapes; nothing Transfinite or
+  /// The same random numbers, so that meshes are the same every time; good shapes; nothing Transfinite or
   /// recombined, whatever the script says.
   void useSettingsForSolids();
   /// Sizes from nothing but this function.

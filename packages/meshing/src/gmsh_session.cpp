@@ -9,6 +9,14 @@
 namespace ndframe
 {
 
+namespace
+{
+
+/// Values of Mesh.Algorithm3D.
+constexpr int delaunay = 1, hxt = 10;
+
+} // namespace
+
 const GmshFunctions& GmshFunctions::get()
 {
   static const GmshFunctions functions;
@@ -64,6 +72,18 @@ void GmshSession::open(const std::string& path)
   int error = 0;
   gmsh_.open(path.c_str(), &error);
   requireSuccess(error, "gmsh cannot read the script");
+  keepToSteadyMeshers();
+}
+
+/// HXT of gmsh 4.8 crashes, hangs or asks for all memory in one of twenty runs of one script, more often on several
+/// threads, and makes another mesh each time on one thread, too.
+void GmshSession::keepToSteadyMeshers()
+{
+  for (const char* threads :
+       {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D", "Mesh.MaxNumThreads3D"})
+    setNumber(threads, 1);
+  if (number("Mesh.Algorithm3D") == hxt)
+    setNumber("Mesh.Algorithm3D", delaunay);
 }
 
 int GmshSession::dimension() const

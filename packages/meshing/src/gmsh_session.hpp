@@ -27,7 +27,8 @@ public:
   void setNumber(const char* option, double value);
   double number(const char* option) const;
 
-  /// Reads a script. Throws FileError with gmsh's messages, as generate and write do.
+  /// Reads a script; what it says of threads and HXT gives way to one thread and Delaunay. Throws FileError with gmsh's
+  /// messages, as generate and write do.
   void open(const std::string& path);
   /// Dimension of the geometry; FileError below 2.
   int dimension() const;
@@ -40,6 +41,8 @@ public:
   void requireSuccess(int error, const std::string& what) const;
 
 private:
+  void keepToSteadyMeshers();
+
   const GmshFunctions& gmsh_ = GmshFunctions::get();
 };
 
