@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "ndframe/sampling/point_sums.hpp"
 
@@ -140,15 +141,25 @@ double LoadMoments::takeProjection(const LoadedSimplex& simplex)
   return std::sqrt(simplex.measure * square);
 }
 
+/// A projection may have been made on fewer functions than the finer basis has.
+bool LoadMoments::isOrthogonalToAll(const LoadedSimplex& simplex) const
+{
+  return simplex.projection == nullptr || simplex.functions >= fine_.size();
+}
+
 /// rest: |q - q_h| for q_h with the moments of the finer basis.
 void LoadMoments::addRemainder(const LoadedSimplex& simplex, double rest)
 {
   const double root = std::sqrt(simplex.measure), small = roundOff * simplex.samples.scale * root;
+  double others = isOrthogonalToAll(simplex) ? 0.0 : std::exchange(rest, 0.0);
   if (isPiecewise_)
-    rest += distanceToPiecewise(simplex, {moments_.begin(), moments_.begin() + std::ptrdiff_t(dim_ + 1) * dim_}, dim_,
-                                dim_);
-  rest += 2.0 * dim_ * simplex.samples.spread * root; // of the samples and of the data
-  result_.rest = rest <= small ? 0.0 : rest;
+    others += distanceToPiecewise(simplex, {moments_.begin(), moments_.begin() + std::ptrdiff_t(dim_ + 1) * dim_}, dim_,
+                                  dim_);
+  others += 2.0 * dim_ * simplex.samples.spread * root; // of the samples and of the data
+  if (rest + others > small) {
+    result_.rest = rest;
+    result_.others = others;
+  }
   const std::size_t size = std::size_t(dim_), end = std::size_t(fine_.size()) * size;
   double largest = 0.0, square = 0.0;
   for (std::size_t i = carried_ * size; i < end; ++i) {
@@ -165,7 +176,7 @@ void LoadMoments::addRemainder(const LoadedSimplex& simplex, double rest)
 const SimplexMoments& LoadMoments::of(const LoadedSimplex& simplex)
 {
   result_.beyond.clear();
-  result_.rest = result_.beyondNorm = 0.0;
+  result_.rest = result_.others = result_.beyondNorm = 0.0;
   if (simplex.projection != nullptr || !simplex.samples.pieces.empty()) {
     moments_.resize(std::size_t(all_.size()) * std::size_t(dim_));
     const double rest = simplex.projection != nullptr ? takeProjection(simplex) : takeSamples(simplex);

@@ -17,8 +17,9 @@ struct SimplexMoments
   /// when they are round-off.
   std::vector<double> beyond;
   double beyondNorm = 0.0; ///< what they amount to in L2
-  /// Bound of what is left in L2; 0 when it is round-off.
-  double rest = 0.0;
+  /// Bounds of what is left in L2, of its part that is orthogonal to the finer basis and of the others, which are not
+  /// known to be; 0 when they are round-off.
+  double rest = 0.0, others = 0.0;
 };
 
 /// Moments of loads on the simplices of one kind, from the samples that the load vector is made of: facets with
@@ -42,6 +43,7 @@ private:
   double takeSamples(const LoadedSimplex& simplex);
   double takeProjection(const LoadedSimplex& simplex);
   void addRemainder(const LoadedSimplex& simplex, double rest);
+  bool isOrthogonalToAll(const LoadedSimplex& simplex) const;
   void spreadForces();
 
   int dim_, order_; ///< of the body

@@ -59,7 +59,7 @@ private:
   void addInCell(const LoadedSimplex& simplex);
   static void addTo(std::vector<double>& all, std::size_t place, const std::vector<double>& values,
                     double factor = 1.0);
-  void addBound(std::size_t cell, double constant, const SimplexMoments& moments);
+  void addBound(const LoadedSimplex& simplex, const SimplexMoments& moments);
 
   const BodyModel& body_;
   StaticData& data_;
@@ -106,8 +106,7 @@ void DataBuilder::addOnFacet(LoadedSimplex simplex)
     traction.resize(moments.beyond.size(), 0.0);
     addTo(traction, 0, moments.beyond);
   }
-  if (moments.rest + moments.beyondNorm > 0.0)
-    addBound(std::size_t(simplex.facet.cell), facetOscillationConstant(body_.mesh, simplex.facet), moments);
+  addBound(simplex, moments);
 }
 
 void DataBuilder::addInCell(const LoadedSimplex& simplex)
@@ -120,8 +119,7 @@ void DataBuilder::addInCell(const LoadedSimplex& simplex)
     data_.liftedLoads.resize(data_.oscillation.size() * moments.beyond.size(), 0.0);
     addTo(data_.liftedLoads, cell, moments.beyond, -1.0); // moments of the divergence
   }
-  if (moments.rest + moments.beyondNorm > 0.0)
-    addBound(cell, cellOscillationConstant(body_.mesh, int(cell)), moments);
+  addBound(simplex, moments);
 }
 
 void DataBuilder::addLoad(const Load& load)
@@ -140,10 +138,18 @@ void DataBuilder::addLoad(const Load& load)
                     body_.mesh.dim == 3 ? ", which should be planes inside a solid" : "");
 }
 
-void DataBuilder::addBound(std::size_t cell, double constant, const SimplexMoments& moments)
+void DataBuilder::addBound(const LoadedSimplex& simplex, const SimplexMoments& moments)
 {
-  data_.rest[cell] += constant * moments.rest;
-  data_.oscillation[cell] += constant * (moments.rest + moments.beyondNorm);
+  if (moments.rest + moments.others + moments.beyondNorm == 0.0)
+    return;
+  const Mesh& mesh = body_.mesh;
+  const Facet facet = simplex.facet;
+  const double constant =
+      simplex.isCell ? cellOscillationConstant(mesh, facet.cell) : facetOscillationConstant(mesh, facet);
+  const double share = simplex.isCell ? 1.0 : shareBeyondPolynomials(mesh.dim, richestDegree(mesh.dim));
+  const double rest = constant * (share * moments.rest + moments.others);
+  data_.rest[std::size_t(facet.cell)] += rest;
+  data_.oscillation[std::size_t(facet.cell)] += rest + constant * moments.beyondNorm;
 }
 
 void DataBuilder::finish()

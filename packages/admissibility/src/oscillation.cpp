@@ -65,8 +65,9 @@ double kornConstant(const Mesh& mesh, int cell)
   return 1.0 + 2.0 * inverseBeta2;
 }
 
-/// Squares for Kuhn's tetrahedron, rounded up from 0.6043 and 11.48 (test_oscillation_constants).
-constexpr double kuhnCell = 0.61, kuhnFacet = 11.5;
+/// Squares for Kuhn's tetrahedron, rounded up from 0.6043, 11.48 and, for what is orthogonal to quadratic tractions,
+/// 5.989 (test_oscillation_constants).
+constexpr double kuhnCell = 0.61, kuhnFacet = 11.5, kuhnFacetBeyond2 = 6.0;
 
 /// |A|^2, the largest eigenvalue of A A^T, for the matrix of three rows: by the cosine of a third of an angle.
 double squaredNorm(const std::array<Direction, 3>& A)
@@ -153,6 +154,11 @@ double facetOscillationConstant(const Mesh& mesh, Facet facet)
   const double poincare = cellDiameter(mesh, facet.cell) / M_PI, height = longestEdge(mesh, facet.cell, facet.local);
   const double ratio = facetNormal(mesh, facet, normal) / cellMeasure(mesh, facet.cell);
   return std::sqrt(ratio * (poincare * poincare + 2.0 * height / mesh.dim * poincare) * kornConstant(mesh, facet.cell));
+}
+
+double shareBeyondPolynomials(int dim, int degree)
+{
+  return dim == 3 && degree >= 2 ? std::sqrt(kuhnFacetBeyond2 / kuhnFacet) : 1.0;
 }
 
 double smallestStiffness(const Elasticity& law)

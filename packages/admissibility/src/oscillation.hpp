@@ -20,8 +20,11 @@ namespace ndframe
 /// In space the constants are those of Kuhn's tetrahedron (0, e1, e1 + e2, e1 + e2 + e3), found by a finite eigenvalue
 /// problem and a proof (theory.md, section 2), carried over by the map F of the cell's vertices in the best of their 24
 /// orders: C_E <= |F|^2 |F^-1| C_0, C_f^2 <= |F|^4 |F^-1|^2 |f| / (|f_Kuhn| |det F|) C_1^2 with spectral norms.
-/// Limits: pessimistic for flat cells, as the fourth power of the shape enters.
+/// shareBeyondPolynomials: what is left of C_f for a d that is also orthogonal to the polynomials of a degree on f;
+/// sqrt(6 / 11.5) in space from degree 2 on, where only Kuhn's tetrahedron knows the difference; otherwise 1. Limits:
+/// pessimistic for flat cells, as the fourth power of the shape enters.
 double cellOscillationConstant(const Mesh& mesh, int cell);
 double facetOscillationConstant(const Mesh& mesh, Facet facet);
+double shareBeyondPolynomials(int dim, int degree);
 
 } // namespace ndframe
