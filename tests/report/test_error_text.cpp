@@ -113,6 +113,20 @@ TEST(ErrorText, SaysWhatIsGuaranteed)
             "  mean stress       <=     0.03125    1.56 %   error of the mean of computed and equilibrated stress");
 }
 
+TEST(ErrorText, SaysWhatTheDataTakeWhereThatIsMuch)
+{
+  ErrorSummary errors = everything();
+  errors.global->oscillation = 0.25 * errors.global->absolute;
+  EXPECT_THAT(errorText(errors), Not(HasSubstr("  data")));
+  errors.global->oscillation = 0.5 * errors.global->absolute;
+  EXPECT_EQ(
+      lineOf(errorText(errors), "  data"),
+      "    data            <=     0.03125    1.56 %   <- loads or prescribed displacements jump or bend within cells; "
+      "mesh lines along jumps would help");
+  errors.guaranteed = false;
+  EXPECT_THAT(lineOf(errorText(errors), "  data"), HasSubstr("    data             ~ "));
+}
+
 TEST(ErrorText, SaysWhyItIsNotGuaranteed)
 {
   ErrorSummary errors = everything();

@@ -35,14 +35,26 @@ std::string arrow(bool points, const std::string& words)
   return points && !words.empty() ? "<- " + words : "";
 }
 
-/// The bound with what it is worth, and that of the mean stress.
+/// What the data take of the bound: nothing to see unless it is much, which no sweeps and few finer meshes mend.
+std::string dataText(const ErrorMeasureSummary& bound, const std::string& sign)
+{
+  constexpr double much = 0.25;
+  if (!(bound.oscillation > much * bound.absolute))
+    return "";
+  const double share = bound.relative * (bound.oscillation / bound.absolute);
+  return line("  data", sign, bound.oscillation, share,
+              "<- loads or prescribed displacements jump or bend within cells; mesh lines along jumps would help");
+}
+
+/// The bound with what it is worth.
 std::string boundText(const ErrorSummary& errors)
 {
   const bool holds = errors.guaranteed;
   std::string text;
   if (errors.global)
     text += line("error in energy", holds ? "<=" : "~", errors.global->absolute, errors.global->relative,
-                 holds ? "of the solution, guaranteed" : "of the solution, not guaranteed: " + errors.reason);
+                 holds ? "of the solution, guaranteed" : "of the solution, not guaranteed: " + errors.reason) +
+            dataText(*errors.global, holds ? "<=" : "~");
   return text;
 }
 
