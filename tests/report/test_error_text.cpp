@@ -122,7 +122,7 @@ TEST(ErrorText, SaysWhatTheDataTakeWhereThatIsMuch)
   EXPECT_EQ(
       lineOf(errorText(errors), "  data"),
       "    data            <=     0.03125    1.56 %   <- loads or prescribed displacements jump or bend within cells; "
-      "mesh lines along jumps would help");
+      "mesh lines along jumps (Splits of a Box) would help");
   errors.guaranteed = false;
   EXPECT_THAT(lineOf(errorText(errors), "  data"), HasSubstr("    data             ~ "));
 }

@@ -43,7 +43,8 @@ std::string dataText(const ErrorMeasureSummary& bound, const std::string& sign)
     return "";
   const double share = bound.relative * (bound.oscillation / bound.absolute);
   return line("  data", sign, bound.oscillation, share,
-              "<- loads or prescribed displacements jump or bend within cells; mesh lines along jumps would help");
+              "<- loads or prescribed displacements jump or bend within cells; mesh lines along jumps (Splits of a "
+              "Box) would help");
 }
 
 /// The bound with what it is worth.
