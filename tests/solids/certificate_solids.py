@@ -43,8 +43,10 @@ def maps(draw, kind):
 
 
 def load(draw):
-    """A pressure that stresses carry, or one whose oscillation is bounded."""
-    return draw.choice(("1", "1", "2", "1+x", "2+x-y", "1.5+0.5*x*y", "exp(x-y)", "1.1+sin(9*x)", "1+(x>0.3)"))
+    """A pressure that stresses carry, or one whose oscillation is bounded: smooth, or on a part of the side."""
+    a, b, slope = draw.uniform(0.0, 1.0), draw.uniform(0.1, 1.0), draw.uniform(-1.0, 1.0)
+    part = (f"(x<{a:.3f})*(y<{b:.3f})", f"(x+{slope:.3f}*y<{b:.3f})", f"10*(abs(x-{a:.3f})<0.02)")
+    return draw.choice((*part, "1", "1", "2", "1+x", "2+x-y", "1.5+0.5*x*y", "exp(x-y)", "1.1+sin(9*x)", "1+(x>0.3)"))
 
 
 def along(factor, v, *others):
