@@ -9,7 +9,8 @@ namespace ndframe
 namespace
 {
 
-constexpr double early = 1e-2;        ///< the residual that is enough to see which statuses change
+constexpr double early = 1e-1;        ///< the residual that is enough to see which statuses change
+constexpr double earlyShare = 0.5;    ///< of the one before: a pass that changes nothing says nothing new
 constexpr int mostEarlyPasses = 30;   ///< more of them go round in circles
 constexpr double amplification = 1e2; ///< of the tolerance: what single forces may be wrong by, relative to the largest
 
@@ -184,9 +185,9 @@ void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
   pass.roundOff = roundOff();
 }
 
-void WholeProblem::settle(double tolerance, StatusPass& pass)
+void WholeProblem::settle(double tolerance, double share, StatusPass& pass)
 {
-  const Vector rest = joined_->solve(loads_, kept_, tolerance);
+  const Vector rest = joined_->solve(loads_, kept_, tolerance, share);
   takeKept();
   evaluate(rest, pass);
 }
@@ -207,7 +208,7 @@ void WholeProblem::solve(const std::vector<char>& closed, double proximal, Statu
   joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal);
   moveToStatuses();
   pass.isFinal = proximal > 0.0 || tolerance_ <= finest();
-  settle(pass.isFinal ? finest() : tolerance_, pass);
+  pass.isFinal ? settle(finest(), 1.0, pass) : settle(tolerance_, earlyShare, pass);
   if (pass.isFinal)
     return;
   const std::size_t wrong = violations(pass, std::vector<char>(closed.size(), 1), network_.bound, closed).size();
@@ -218,7 +219,7 @@ void WholeProblem::solve(const std::vector<char>& closed, double proximal, Statu
   }
   tolerance_ = finest();
   pass.isFinal = true;
-  settle(finest(), pass);
+  settle(finest(), 1.0, pass);
 }
 
 } // namespace ndframe
