@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ndframe/base/lanes.hpp"
+
 namespace ndframe
 {
 namespace
@@ -29,6 +31,36 @@ std::array<int, 4> stepsOf(const StressFaces& faces, int cell, const StressEdge&
       if (edge.ring[s].face == faces.of(cell, facet))
         steps[std::size_t(facet)] = int(s);
   return steps;
+}
+
+/// A matrix by columns of at most 18 entries, the data of a face.
+struct FaceColumns
+{
+  const double* columns;
+  std::size_t rows, cols;
+
+  explicit FaceColumns(const DenseMatrix& matrix)
+      : columns(matrix.col(0)), rows(std::size_t(matrix.rows())), cols(std::size_t(matrix.cols()))
+  {}
+};
+
+/// sum += factor left^T A right; A's columns are `stride` apart.
+NDFRAME_EVERY_PROCESSOR void addCongruent(const double* A, std::size_t stride, const FaceColumns& left,
+                                          const FaceColumns& right, double factor, double* sum)
+{
+  const double* x = right.columns;
+  for (std::size_t j = 0; j < right.cols; ++j, x += right.rows) {
+    double product[18] = {};
+    for (std::size_t k = 0; k < right.rows; ++k)
+      for (std::size_t i = 0; i < left.rows; ++i)
+        product[i] += A[k * stride + i] * (factor * x[k]);
+    double sums[18] = {}; // side by side: each on its own waits for one addition after the other
+    for (std::size_t i = 0; i < left.rows; ++i)
+      for (std::size_t l = 0; l < left.cols; ++l)
+        sums[l] += left.columns[l * left.rows + i] * product[i];
+    for (std::size_t l = 0; l < left.cols; ++l)
+      *sum++ += sums[l];
+  }
 }
 
 } // namespace
@@ -78,25 +110,14 @@ double ClassBlocks::scaleOfEdge(int e) const
   return scale(least);
 }
 
-/// sum += left^T A right, the part of A between two facets.
+/// sum += left^T A right, the part of A between two facets. A is symmetric: its columns are read as rows of the other
+/// facet.
 void ClassBlocks::addProduct(int cell, std::array<int, 2> facets, const DenseMatrix& left, const DenseMatrix& right,
                              double* sum) const
 {
   const auto data = std::ptrdiff_t(faces_->cells().facetData()), stride = std::ptrdiff_t(matrices_->columns());
-  const double *A = matrices_->of(cell) + data * facets[0] * stride + data * facets[1], factor = scale(cell);
-  Vector product(std::size_t(left.rows()));
-  for (int j = 0; j < right.cols(); ++j, sum += left.cols()) {
-    for (int i = 0; i < left.rows(); ++i) {
-      const double* row = A + i * stride;
-      double value = 0.0;
-      for (int k = 0; k < right.rows(); ++k)
-        value += row[k] * right(k, j);
-      product[std::size_t(i)] = factor * value;
-    }
-    for (int l = 0; l < left.cols(); ++l)
-      for (int i = 0; i < left.rows(); ++i)
-        sum[l] += left(i, l) * product[std::size_t(i)];
-  }
+  const double* A = matrices_->of(cell) + data * facets[1] * stride + data * facets[0];
+  addCongruent(A, std::size_t(stride), FaceColumns(left), FaceColumns(right), scale(cell), sum);
 }
 
 void ClassBlocks::addFace(int cell, int facet, double* sum) const
