@@ -104,7 +104,8 @@ public:
     };
     const double first = residual(), reference = std::hypot(own_.norm(load), norm(rest));
     const int iterations = restartedGradients(
-        std::min(tolerance * reference, share * first), reference, options_.maxIterations, first, ledger_,
+        std::min(tolerance * reference, std::max(share * first, options_.tolerance * reference)), reference,
+        options_.maxIterations, first, ledger_,
         [&](double reduction, int most, const auto& watch) {
           const ConjugateGradients::Result step = gradients_->solve(right, reduction, most, watch);
           add(step.x, kept);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/lanes.hpp"
 
 namespace ndframe
@@ -33,7 +34,9 @@ std::array<int, 4> stepsOf(const StressFaces& faces, int cell, const StressEdge&
   return steps;
 }
 
-/// A matrix by columns of at most 18 entries, the data of a face.
+constexpr std::size_t mostData = 18; ///< of a face
+
+/// A matrix by columns of at most so many entries, and of as many columns at most.
 struct FaceColumns
 {
   const double* columns;
@@ -41,7 +44,9 @@ struct FaceColumns
 
   explicit FaceColumns(const DenseMatrix& matrix)
       : columns(matrix.col(0)), rows(std::size_t(matrix.rows())), cols(std::size_t(matrix.cols()))
-  {}
+  {
+    NDFRAME_ASSERT(rows <= mostData && cols <= mostData, "more data than a face has");
+  }
 };
 
 /// sum += factor left^T A right; A's columns are `stride` apart.
@@ -50,11 +55,11 @@ NDFRAME_EVERY_PROCESSOR void addCongruent(const double* A, std::size_t stride, c
 {
   const double* x = right.columns;
   for (std::size_t j = 0; j < right.cols; ++j, x += right.rows) {
-    double product[18] = {};
+    double product[mostData] = {};
     for (std::size_t k = 0; k < right.rows; ++k)
       for (std::size_t i = 0; i < left.rows; ++i)
         product[i] += A[k * stride + i] * (factor * x[k]);
-    double sums[18] = {}; // side by side: each on its own waits for one addition after the other
+    double sums[mostData] = {}; // side by side: each on its own waits for one addition after the other
     for (std::size_t i = 0; i < left.rows; ++i)
       for (std::size_t l = 0; l < left.cols; ++l)
         sums[l] += left.columns[l * left.rows + i] * product[i];
