@@ -207,19 +207,27 @@ void WholeProblem::solve(const std::vector<char>& closed, double proximal, Statu
   rows_.emplace(network_.jump, tightestFirst(network_, closed), network_.bound, network_.size());
   joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal);
   moveToStatuses();
-  pass.isFinal = proximal > 0.0 || tolerance_ <= finest();
-  pass.isFinal ? settle(finest(), 1.0, pass) : settle(tolerance_, earlyShare, pass);
+  pass.isFinal = proximal > 0.0 || ++earlyPasses_ > mostEarlyPasses || !isContradicted(closed, pass);
   if (pass.isFinal)
-    return;
-  const std::size_t wrong = violations(pass, std::vector<char>(closed.size(), 1), network_.bound, closed).size();
-  if (wrong > 0 && ++earlyPasses_ < mostEarlyPasses) {
-    tolerance_ =
-        std::max(finest(), std::min(tolerance_, early * std::min(1.0, 10.0 * double(wrong) / double(closed.size()))));
-    return;
+    settle(finest(), 1.0, pass);
+}
+
+/// Where statuses have changed before, goes on until some are contradicted, at last as far as shows a single wrong one.
+bool WholeProblem::isContradicted(const std::vector<char>& closed, StatusPass& pass)
+{
+  const auto toleranceOf = [&](std::size_t wrong) {
+    return std::max(finest(), early * std::min(1.0, 10.0 * double(wrong) / double(closed.size())));
+  };
+  for (const double last = earlyPasses_ > 1 ? toleranceOf(1) : tolerance_;; tolerance_ = last) {
+    settle(tolerance_, earlyShare, pass);
+    const std::size_t wrong = violations(pass, std::vector<char>(closed.size(), 1), network_.bound, closed).size();
+    if (wrong > 0) {
+      tolerance_ = std::min(tolerance_, toleranceOf(wrong));
+      return true;
+    }
+    if (tolerance_ <= last)
+      return false;
   }
-  tolerance_ = finest();
-  pass.isFinal = true;
-  settle(finest(), 1.0, pass);
 }
 
 } // namespace ndframe
