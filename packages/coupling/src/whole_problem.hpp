@@ -15,8 +15,8 @@ namespace ndframe
 /// the statuses before left them. Nothing is condensed.
 ///
 /// While statuses change a pass stops where it has halved the residual and that is 1e-1, later ones at less than that
-/// the fewer they are. A pass that contradicts none of its statuses, where a single wrong one would show, goes on to the
-/// tolerance of the solver.
+/// the fewer they are. A pass that contradicts none of its statuses, where a single wrong one would show, goes on to
+/// the tolerance of the solver.
 ///
 /// Source of the steps: the inexact semismooth Newton method (Hintermueller, Ito, Kunisch 2002, for exact ones).
 class WholeProblem final : public StatusSystem
