@@ -9,8 +9,7 @@ namespace ndframe
 namespace
 {
 
-constexpr double early = 1e-1;        ///< the residual that is enough to see which statuses change
-constexpr double earlyShare = 0.5;    ///< of the one before: a pass that changes nothing says nothing new
+constexpr double early = 1e-2;        ///< the residual that is enough to see which statuses change
 constexpr int mostEarlyPasses = 30;   ///< more of them go round in circles
 constexpr double amplification = 1e2; ///< of the tolerance: what single forces may be wrong by, relative to the largest
 
@@ -185,9 +184,9 @@ void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
   pass.roundOff = roundOff();
 }
 
-void WholeProblem::settle(double tolerance, double share, StatusPass& pass)
+void WholeProblem::settle(double tolerance, StatusPass& pass)
 {
-  const Vector rest = joined_->solve(loads_, kept_, tolerance, share);
+  const Vector rest = joined_->solve(loads_, kept_, tolerance);
   takeKept();
   evaluate(rest, pass);
 }
@@ -207,27 +206,19 @@ void WholeProblem::solve(const std::vector<char>& closed, double proximal, Statu
   rows_.emplace(network_.jump, tightestFirst(network_, closed), network_.bound, network_.size());
   joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal);
   moveToStatuses();
-  pass.isFinal = proximal > 0.0 || ++earlyPasses_ > mostEarlyPasses || !isContradicted(closed, pass);
+  pass.isFinal = proximal > 0.0 || tolerance_ <= finest();
+  settle(pass.isFinal ? finest() : tolerance_, pass);
   if (pass.isFinal)
-    settle(finest(), 1.0, pass);
-}
-
-/// Where statuses have changed before, goes on until some are contradicted, at last as far as shows a single wrong one.
-bool WholeProblem::isContradicted(const std::vector<char>& closed, StatusPass& pass)
-{
-  const auto toleranceOf = [&](std::size_t wrong) {
-    return std::max(finest(), early * std::min(1.0, 10.0 * double(wrong) / double(closed.size())));
-  };
-  for (const double last = earlyPasses_ > 1 ? toleranceOf(1) : tolerance_;; tolerance_ = last) {
-    settle(tolerance_, earlyShare, pass);
-    const std::size_t wrong = violations(pass, std::vector<char>(closed.size(), 1), network_.bound, closed).size();
-    if (wrong > 0) {
-      tolerance_ = std::min(tolerance_, toleranceOf(wrong));
-      return true;
-    }
-    if (tolerance_ <= last)
-      return false;
+    return;
+  const std::size_t wrong = violations(pass, std::vector<char>(closed.size(), 1), network_.bound, closed).size();
+  if (wrong > 0 && ++earlyPasses_ < mostEarlyPasses) {
+    tolerance_ =
+        std::max(finest(), std::min(tolerance_, early * std::min(1.0, 10.0 * double(wrong) / double(closed.size()))));
+    return;
   }
+  tolerance_ = finest();
+  pass.isFinal = true;
+  settle(finest(), pass);
 }
 
 } // namespace ndframe

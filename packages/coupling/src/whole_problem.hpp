@@ -14,9 +14,8 @@ namespace ndframe
 /// (ClosedRows), kept dofs follow what is left, and conjugate gradients solve all bodies at once, each time from where
 /// the statuses before left them. Nothing is condensed.
 ///
-/// While statuses change a pass stops where it has halved the residual and that is 1e-1, later ones at less than that
-/// the fewer they are. A pass that contradicts none of its statuses, where a single wrong one would show, goes on to
-/// the tolerance of the solver.
+/// While statuses change a pass stops at a residual of 1e-2, and earlier ones at less than that the fewer they are; the
+/// first pass that contradicts none of its statuses goes on to the tolerance of the solver, as do all after it.
 ///
 /// Source of the steps: the inexact semismooth Newton method (Hintermueller, Ito, Kunisch 2002, for exact ones).
 class WholeProblem final : public StatusSystem
@@ -43,8 +42,7 @@ private:
   bool isAtVertex(std::size_t entry) const { return atVertex_[entry] != 0; }
   void begin(const std::vector<NodalField>& fields);
   double finest() const { return toleranceFor(exactness_, joined_->tolerance()); }
-  bool isContradicted(const std::vector<char>& closed, StatusPass& pass);
-  void settle(double tolerance, double share, StatusPass& pass);
+  void settle(double tolerance, StatusPass& pass);
   void takeKept();
   void moveToStatuses();
   Vector forcesOn(const Vector& rest) const;

@@ -15,7 +15,7 @@ namespace
 {
 
 /// The coarse level is set up again where more than this share of its kept dofs has changed rows.
-constexpr double staleShare = 0.1;
+constexpr double staleShare = 0.04;
 
 /// One number for each kept dof of all bodies.
 struct KeptNumbers
@@ -91,7 +91,7 @@ public:
 
   void begin(const std::vector<const Vector*>& fields) override { u_ = own_.part(fields); }
 
-  Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance, double share) override
+  Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) override
   {
     const Vector load = own_.part(loads), centre = kept;
     own_.setKept(kept, u_);
@@ -104,8 +104,7 @@ public:
     };
     const double first = residual(), reference = std::hypot(own_.norm(load), norm(rest));
     const int iterations = restartedGradients(
-        std::min(tolerance * reference, std::max(share * first, options_.tolerance * reference)), reference,
-        options_.maxIterations, first, ledger_,
+        tolerance * reference, reference, options_.maxIterations, first, ledger_,
         [&](double reduction, int most, const auto& watch) {
           const ConjugateGradients::Result step = gradients_->solve(right, reduction, most, watch);
           add(step.x, kept);

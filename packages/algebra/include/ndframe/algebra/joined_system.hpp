@@ -48,11 +48,11 @@ public:
   virtual void begin(const std::vector<const Vector*>& fields) = 0;
 
   /// Improves u by E x until the residual of the equations above is at most `tolerance` times the loads and the forces
-  /// of the kept dofs on each other as they are at first, and at most `share` of what it is at first, or what the
-  /// deck asks for, or round-off. u is what the last call left, zero at first, but for the kept dofs of all bodies,
-  /// whose values are given here and are improved with it. The springs pull towards the u of the beginning. loads: per
-  /// body, in the nodes' own axes. Returns load - K u at the kept dofs. Throws NotConverged and SingularBody.
-  virtual Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance, double share) = 0;
+  /// of the kept dofs on each other as they are at first, or round-off. u is what the last call left, zero at first,
+  /// but for the kept dofs of all bodies, whose values are given here and are improved with it. The springs pull
+  /// towards the u of the beginning. loads: per body, in the nodes' own axes. Returns load - K u at the kept dofs.
+  /// Throws NotConverged and SingularBody.
+  virtual Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) = 0;
 
   /// u per body, in the nodes' own axes, on all ranks. Between solves each rank has that of its own nodes only. Nothing
   /// else can be asked of the system afterwards but its tolerance.

@@ -24,7 +24,7 @@ struct ResidualSummary
   double complementarity = 0.0;  ///< max |(u1_N - u2_N - g)_i (C Lambda)_i| / (max |gap or u| * max nodal force)
   double penetration = 0.0;      ///< largest positive u1_N - u2_N - g / largest |u|
   double tension = 0.0;          ///< largest positive nodal contact force / largest nodal force
-  double allowedInContact = 0.0; ///< all of them, by a coupling that was told to stop early
+  double allowedInContact = 0.0; ///< the last three, by a coupling that was told to stop early
 };
 
 /// Interiors recovered by one multi-right-hand-side back-solve per body, (25) and (26). One entry per body; without

@@ -27,7 +27,6 @@ struct ResidualLimits
   {
     ResidualLimits limits;
     limits.contact = std::max(limits.contact, residuals.allowedInContact);
-    limits.equilibrium = std::max(limits.equilibrium, residuals.allowedInContact);
     return limits;
   }
 };
