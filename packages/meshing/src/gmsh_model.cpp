@@ -12,7 +12,6 @@ namespace
 
 /// gmsh integrates sizes along curves to 1e-9 if it is not told otherwise, which takes longer than to make the mesh.
 constexpr double curvePrecision = 1e-5;
-constexpr int delaunay = 1; ///< of tetrahedra
 /// Tetrahedra of a worse shape are mended; with gmsh's own 0.3 a punch took 6 % more dofs to 2 %.
 constexpr double mendedShape = 0.6;
 
@@ -103,7 +102,7 @@ void GmshModel::forgetOwnSizes()
 void GmshModel::useSettingsForSolids()
 {
   session_.setNumber("Mesh.RandomSeed", 1);
-  session_.setNumber("Mesh.Algorithm3D", delaunay);
+  session_.setNumber("Mesh.Algorithm3D", gmshDelaunay);
   session_.setNumber("Mesh.Optimize", 1);
   session_.setNumber("Mesh.OptimizeThreshold", mendedShape);
   session_.setNumber("Mesh.RecombineAll", 0);

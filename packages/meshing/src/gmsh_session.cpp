@@ -12,8 +12,7 @@ namespace ndframe
 namespace
 {
 
-/// Values of Mesh.Algorithm3D.
-constexpr int delaunay = 1, hxt = 10;
+constexpr int hxt = 10; ///< a value of Mesh.Algorithm3D
 
 } // namespace
 
@@ -83,7 +82,7 @@ void GmshSession::keepToSteadyMeshers()
        {"General.NumThreads", "Mesh.MaxNumThreads1D", "Mesh.MaxNumThreads2D", "Mesh.MaxNumThreads3D"})
     setNumber(threads, 1);
   if (number("Mesh.Algorithm3D") == hxt)
-    setNumber("Mesh.Algorithm3D", delaunay);
+    setNumber("Mesh.Algorithm3D", gmshDelaunay);
 }
 
 int GmshSession::dimension() const

@@ -15,6 +15,8 @@ public:
   using FileError::FileError;
 };
 
+constexpr int gmshDelaunay = 1; ///< of tetrahedra: a value of Mesh.Algorithm3D
+
 /// gmsh between initialisation and finalisation, silent on the terminal. Only one at a time.
 class GmshSession
 {
