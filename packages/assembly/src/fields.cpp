@@ -22,20 +22,20 @@ std::vector<std::array<double, 6>> stressAtCentroids(const BodyModel& body, cons
 }
 
 template <int dim, int order>
-Vector strainEnergies(const BodyModel& body, const Vector& displacement)
+Vector strainEnergies(const BodyModel& body, const Vector& displacement, CellRange cells)
 {
   constexpr int strains = dim == 2 ? 3 : 6;
   const QuadratureRule rule = simplexRule(dim, 2 * (order - 1));
-  Vector all(std::size_t(body.mesh.numCells()), 0.0);
+  Vector all(std::size_t(cells.size()), 0.0);
   double strain[strains], stress[strains];
-  for (int c = 0; c < body.mesh.numCells(); ++c) {
+  for (int c = cells.first; c < cells.last; ++c) {
     const CellField<dim, order> cell(body, displacement, c);
     for (int g = 0; g < rule.size(); ++g) {
       cell.evaluate(rule.point(g), strain, stress);
       double density = 0.0;
       for (int i = 0; i < strains; ++i)
         density += stress[i] * strain[i];
-      all[std::size_t(c)] += cellMeasure(body.mesh, c) * rule.weights[std::size_t(g)] * density;
+      all[std::size_t(c - cells.first)] += cellMeasure(body.mesh, c) * rule.weights[std::size_t(g)] * density;
     }
   }
   return all;
@@ -43,10 +43,15 @@ Vector strainEnergies(const BodyModel& body, const Vector& displacement)
 
 } // namespace
 
+Vector cellEnergies(const BodyModel& body, const Vector& displacement, CellRange cells)
+{
+  return withDimAndOrder(body.mesh.dim, body.nodes.order,
+                         [&](auto d, auto p) { return strainEnergies<d(), p()>(body, displacement, cells); });
+}
+
 CellValues cellEnergies(const BodyModel& body, const Vector& displacement)
 {
-  return ofCells(withDimAndOrder(body.mesh.dim, body.nodes.order,
-                                 [&](auto d, auto p) { return strainEnergies<d(), p()>(body, displacement); }));
+  return ofCells(cellEnergies(body, displacement, {0, body.mesh.numCells()}));
 }
 
 std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vector& displacement)

@@ -72,14 +72,14 @@ double largestPrincipal(const double* e)
 }
 
 template <int dim, int order>
-std::vector<CellStrain> strainsAtVertices(const BodyModel& body, const Vector& displacement)
+std::vector<CellStrain> strainsAtVertices(const BodyModel& body, const Vector& displacement, CellRange cells)
 {
   constexpr int strains = dim == 2 ? 3 : 6;
-  std::vector<CellStrain> all(std::size_t(body.mesh.numCells()));
+  std::vector<CellStrain> all(std::size_t(cells.size()));
   double strain[strains], stress[strains];
-  for (int c = 0; c < body.mesh.numCells(); ++c) {
+  for (int c = cells.first; c < cells.last; ++c) {
     const CellField<dim, order> cell(body, displacement, c);
-    CellStrain& largest = all[std::size_t(c)];
+    CellStrain& largest = all[std::size_t(c - cells.first)];
     largest = {-1.0, 0};
     for (int v = 0; v <= dim; ++v) {
       double lambda[dim + 1] = {};
@@ -100,10 +100,10 @@ std::vector<std::array<double, 6>> nodalStress(const BodyModel& body, const Vect
                          [&](auto d, auto p) { return averageAtNodes<d(), p()>(body, displacement); });
 }
 
-std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement)
+std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement, CellRange cells)
 {
   return withDimAndOrder(body.mesh.dim, body.nodes.order,
-                         [&](auto d, auto p) { return strainsAtVertices<d(), p()>(body, displacement); });
+                         [&](auto d, auto p) { return strainsAtVertices<d(), p()>(body, displacement, cells); });
 }
 
 } // namespace ndframe

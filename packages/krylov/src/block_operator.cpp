@@ -65,6 +65,15 @@ void BlockOperator::sizes(const TpetraVectors& x, double* y) const
           y[r * dim + i] += std::abs(*entry++ * values.getRawPtr()[std::size_t(matrix_.cols[b]) * dim + j]);
 }
 
+std::vector<std::int64_t> BlockOperator::numbers() const
+{
+  std::vector<std::int64_t> all;
+  for (int r = 0; r < matrix_.numRows(); ++r)
+    for (int i = 0; i < matrix_.dim; ++i)
+      all.push_back(matrix_.nodes.global(r) * matrix_.dim + i);
+  return all;
+}
+
 std::vector<double> BlockOperator::inverseDiagonal() const
 {
   std::vector<double> inverse(interior_.size(), 0.0);

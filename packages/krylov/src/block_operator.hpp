@@ -19,6 +19,7 @@ public:
   /// y = |K| |x|, the moduli of the entries, in all rows.
   void sizes(const TpetraVectors& x, double* y) const;
   std::vector<double> inverseDiagonal() const override;
+  std::vector<std::int64_t> numbers() const override;
   int products() const override { return products_; }
   Traffic traffic() const override { return halo_ ? halo_->traffic() : Traffic(); }
 

@@ -14,8 +14,9 @@ public:
   virtual void multiply(const TpetraVectors& x, double* y) const = 0;
   /// 1 / A_ii, zero where a dof is no unknown.
   virtual std::vector<double> inverseDiagonal() const = 0;
-  virtual int products() const = 0;    ///< so far
-  virtual Traffic traffic() const = 0; ///< of this rank, so far
+  virtual std::vector<std::int64_t> numbers() const = 0; ///< of the dofs, the same on any number of ranks
+  virtual int products() const = 0;                      ///< so far
+  virtual Traffic traffic() const = 0;                   ///< of this rank, so far
 
   Teuchos::RCP<const TpetraMap> getRangeMap() const override { return getDomainMap(); }
   void apply(const TpetraVectors& x, TpetraVectors& y, Teuchos::ETransp mode, double alpha, double beta) const override;

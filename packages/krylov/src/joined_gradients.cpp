@@ -2,7 +2,6 @@
 
 #include "belos_cg.hpp"
 #include "joined_transfer.hpp"
-#include "tpetra_maps.hpp"
 #include "two_level_cycle.hpp"
 
 namespace ndframe
@@ -11,31 +10,33 @@ namespace ndframe
 namespace
 {
 
-Teuchos::RCP<const TpetraMap> fineMapOf(const JoinedBodies& bodies, const Comm& comm)
+IndexMap nodesOf(const JoinedBodies& bodies)
 {
   std::vector<const IndexMap*> nodes;
   for (const SolverProblem* problem : bodies.problems)
     nodes.push_back(&problem->matrix->nodes);
-  return ownedMap(stacked(nodes), bodies.problems.front()->matrix->dim, teuchosComm(comm));
+  return stacked(nodes);
 }
 
-Teuchos::RCP<const TpetraMap> coarseMapOf(const JoinedBodies& bodies, const Comm& comm)
+IndexMap verticesOf(const JoinedBodies& bodies)
 {
   std::vector<const IndexMap*> vertices;
   for (const LinearLevel* level : bodies.levels)
     vertices.push_back(&level->matrix.nodes);
-  return ownedMap(stacked(vertices), bodies.levels.front()->matrix.dim, teuchosComm(comm));
+  return stacked(vertices);
 }
 
-std::unique_ptr<JoinedTransfer> transferOf(const JoinedBodies& bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
-                                           const Comm& comm)
+std::unique_ptr<JoinedTransfer> transferOf(const JoinedBodies& bodies, const Comm& comm)
 {
+  const auto communicator = teuchosComm(comm);
+  const int dim = bodies.levels.front()->matrix.dim;
   std::vector<LinearTransfer> transfers;
   for (std::size_t b = 0; b < bodies.problems.size(); ++b)
     transfers.emplace_back(*bodies.problems[b], *bodies.levels[b],
-                           ownedMap(bodies.levels[b]->matrix.nodes, bodies.levels[b]->matrix.dim, teuchosComm(comm)));
-  return std::make_unique<JoinedTransfer>(std::move(transfers), fineMap, bodies.kept, coarseMapOf(bodies, comm),
-                                          bodies.keptOnVertices);
+                           ownedMap(bodies.levels[b]->matrix.nodes, dim, communicator));
+  return std::make_unique<JoinedTransfer>(std::move(transfers),
+                                          KeptPlaces(bodies.kept, nodesOf(bodies), dim, communicator),
+                                          KeptPlaces(bodies.keptOnVertices, verticesOf(bodies), dim, communicator));
 }
 
 class TwoLevelGradients final : public JoinedGradients
@@ -44,10 +45,10 @@ public:
   TwoLevelGradients(const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& comm,
                     std::shared_ptr<const Preconditioner> coarse, const Teuchos::ParameterList& belos)
       : comm_(comm), coarse_(std::move(coarse)),
-        matrix_(Teuchos::rcp(new JoinedOperator(bodies.problems, fineMapOf(bodies, comm), bodies.kept, comm)))
+        matrix_(Teuchos::rcp(new JoinedOperator(bodies.problems, nodesOf(bodies), bodies.kept, comm)))
   {
     matrix_->follow(unknowns);
-    auto transfer = transferOf(bodies, matrix_->getDomainMap(), comm);
+    auto transfer = transferOf(bodies, comm);
     transfer_ = transfer.get();
     transfer_->follow(unknowns.rows.unknowns);
     cycle_ = Teuchos::rcp(new TwoLevelCycle(matrix_, std::move(transfer)));

@@ -5,11 +5,15 @@
 namespace ndframe
 {
 
-JoinedOperator::JoinedOperator(const std::vector<const SolverProblem*>& bodies, Teuchos::RCP<const TpetraMap> dofMap,
+JoinedOperator::JoinedOperator(const std::vector<const SolverProblem*>& bodies, const IndexMap& nodes,
                                const std::vector<int>& kept, const Comm& comm)
-    : dofMap_(std::move(dofMap)), kept_(kept, dofMap_), work_(dofMap_->getNodeNumElements())
+    : dofMap_(ownedMap(nodes, bodies.front()->matrix->dim, teuchosComm(comm))),
+      kept_(kept, nodes, bodies.front()->matrix->dim, dofMap_->getComm()), work_(dofMap_->getNodeNumElements())
 {
+  std::int64_t first = 0;
   for (const SolverProblem* body : bodies) {
+    firstNumbers_.push_back(first);
+    first += body->matrix->nodes.globalSize() * body->matrix->dim;
     parts_.push_back(Teuchos::rcp(new BlockOperator(*body, comm)));
     moved_.push_back(Teuchos::rcp(new TpetraVectors(parts_.back()->getDomainMap(), 1)));
   }
@@ -63,6 +67,15 @@ void JoinedOperator::multiply(const TpetraVectors& x, double* y) const
     const std::size_t dof = kept_.own()[k].dof;
     y[dof] += springs_[k] * given.getRawPtr()[dof];
   }
+}
+
+std::vector<std::int64_t> JoinedOperator::numbers() const
+{
+  std::vector<std::int64_t> all;
+  for (std::size_t b = 0; b < parts_.size(); ++b)
+    for (const std::int64_t number : parts_[b]->numbers())
+      all.push_back(firstNumbers_[b] + number);
+  return all;
 }
 
 std::vector<double> JoinedOperator::inverseDiagonal() const

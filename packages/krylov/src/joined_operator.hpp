@@ -10,8 +10,9 @@ namespace ndframe
 class JoinedOperator final : public FineOperator
 {
 public:
-  JoinedOperator(const std::vector<const SolverProblem*>& bodies, Teuchos::RCP<const TpetraMap> dofMap,
-                 const std::vector<int>& kept, const Comm& comm);
+  /// nodes: of all bodies, stacked.
+  JoinedOperator(const std::vector<const SolverProblem*>& bodies, const IndexMap& nodes, const std::vector<int>& kept,
+                 const Comm& comm);
   void follow(const JoinedUnknowns& unknowns); ///< collective
   /// y = K x as if nothing joined the bodies.
   void multiplyBodies(const double* x, double* y) const;
@@ -20,6 +21,7 @@ public:
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return dofMap_; }
   void multiply(const TpetraVectors& x, double* y) const override;
   std::vector<double> inverseDiagonal() const override;
+  std::vector<std::int64_t> numbers() const override;
   int products() const override { return parts_.front()->products(); }
   Traffic traffic() const override;
 
@@ -29,6 +31,7 @@ private:
   void eachBody(const double* x, double* y, const Take& take) const;
 
   std::vector<Teuchos::RCP<BlockOperator>> parts_;
+  std::vector<std::int64_t> firstNumbers_;         ///< per body
   std::vector<Teuchos::RCP<TpetraVectors>> moved_; ///< E x, per body
   Teuchos::RCP<const TpetraMap> dofMap_;
   KeptPlaces kept_;

@@ -5,18 +5,16 @@
 namespace ndframe
 {
 
-JoinedTransfer::JoinedTransfer(std::vector<LinearTransfer> bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
-                               const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& coarseMap,
-                               const std::vector<int>& coarseKept)
-    : bodies_(std::move(bodies)), kept_(kept, fineMap), coarseKept_(coarseKept, coarseMap),
-      work_(fineMap->getNodeNumElements())
+JoinedTransfer::JoinedTransfer(std::vector<LinearTransfer> bodies, KeptPlaces kept, KeptPlaces coarseKept)
+    : bodies_(std::move(bodies)), kept_(std::move(kept)), coarseKept_(std::move(coarseKept))
 {
-  std::size_t first = 0;
+  std::size_t size = 0;
   for (const LinearTransfer& body : bodies_) {
     coarse_.push_back(Teuchos::rcp(new TpetraVectors(body.coarseMap(), 1)));
-    fineStarts_.push_back(first);
-    first += body.fineSize();
+    fineStarts_.push_back(size);
+    size += body.fineSize();
   }
+  work_.resize(size);
 }
 
 void JoinedTransfer::follow(const std::vector<SparseRow>& unknowns)

@@ -11,9 +11,7 @@ namespace ndframe
 class JoinedTransfer final : public FineTransfer
 {
 public:
-  JoinedTransfer(std::vector<LinearTransfer> bodies, const Teuchos::RCP<const TpetraMap>& fineMap,
-                 const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& coarseMap,
-                 const std::vector<int>& coarseKept);
+  JoinedTransfer(std::vector<LinearTransfer> bodies, KeptPlaces kept, KeptPlaces coarseKept);
   void follow(const std::vector<SparseRow>& unknowns);       ///< collective
   void followOnVertices(const std::vector<SparseRow>& kept); ///< collective
 

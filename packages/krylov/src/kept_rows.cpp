@@ -5,13 +5,14 @@
 namespace ndframe
 {
 
-KeptPlaces::KeptPlaces(const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& dofMap)
-    : comm_(dofMap->getComm())
+KeptPlaces::KeptPlaces(const std::vector<int>& kept, const IndexMap& nodes, int dim,
+                       Teuchos::RCP<const Teuchos::Comm<int>> comm)
+    : comm_(std::move(comm))
 {
   for (std::size_t k = 0; k < kept.size(); ++k) {
-    const auto local = kept[k] < 0 ? -1 : dofMap->getLocalElement(kept[k]);
-    if (local >= 0)
-      own_.push_back({int(k), std::size_t(local)});
+    const int node = kept[k] < 0 ? -1 : nodes.local(kept[k] / dim);
+    if (nodes.owns(node))
+      own_.push_back({int(k), std::size_t(node) * std::size_t(dim) + std::size_t(kept[k] % dim)});
   }
 }
 

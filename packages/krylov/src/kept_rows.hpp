@@ -12,8 +12,8 @@ namespace ndframe
 class KeptPlaces
 {
 public:
-  /// kept: their numbers. dofMap: the dofs of this rank.
-  KeptPlaces(const std::vector<int>& kept, const Teuchos::RCP<const TpetraMap>& dofMap);
+  /// kept: their numbers, dim for each node; -1: not among these. nodes: of this rank.
+  KeptPlaces(const std::vector<int>& kept, const IndexMap& nodes, int dim, Teuchos::RCP<const Teuchos::Comm<int>> comm);
 
   struct Place
   {

@@ -61,9 +61,12 @@ double largestEigenvalue(const FineOperator& K, const std::vector<double>& inver
     scale.push_back(std::sqrt(inverse));
   const auto map = K.getDomainMap();
   TpetraVectors previous(map, 1), current(map, 1), next(map, 1), work(map, 1);
-  for (std::size_t i = 0; i < scale.size(); ++i)
-    if (scale[i] > 0.0)
-      current.replaceLocalValue(int(i), 0, scattered(std::uint64_t(map->getGlobalElement(int(i)))));
+  {
+    const std::vector<std::int64_t> numbers = K.numbers();
+    for (std::size_t i = 0; i < scale.size(); ++i)
+      if (scale[i] > 0.0)
+        current.replaceLocalValue(int(i), 0, scattered(std::uint64_t(numbers[i])));
+  }
   current.scale(1.0 / std::sqrt(dotOf(current, current)));
   std::vector<double> diagonal, beside;
   for (int step = 0; step < steps; ++step) {

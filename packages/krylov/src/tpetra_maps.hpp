@@ -12,10 +12,12 @@ namespace ndframe
 
 Teuchos::RCP<const Teuchos::Comm<int>> teuchosComm(const Comm& comm);
 
-/// `perNode` consecutive numbers for each node that this rank owns, in the order of its own numbers.
+/// `perNode` consecutive numbers for each node that this rank owns, in the order of its own numbers. They are not the
+/// nodes' numbers: those of a rank follow those of the rank before, so that Tpetra needs no table to find them.
 Teuchos::RCP<const TpetraMap> ownedMap(const IndexMap& nodes, int perNode,
                                        const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
-/// The same for all nodes that this rank holds: the ghosts follow.
+/// The same for all nodes that this rank holds: the ghosts follow, by the numbers that their owners give them.
+/// Collective.
 Teuchos::RCP<const TpetraMap> heldMap(const IndexMap& nodes, int perNode,
                                       const Teuchos::RCP<const Teuchos::Comm<int>>& comm);
 

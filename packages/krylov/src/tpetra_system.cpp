@@ -84,11 +84,13 @@ Teuchos::RCP<TpetraVectors> makeModes(const SolverProblem& problem, const Teucho
   const DenseMatrix& given = problem.nearNullSpace;
   if (given.cols() == 0)
     return Teuchos::null;
-  const bool hasAll = given.rows() == problem.matrix->nodes.globalSize() * problem.matrix->dim;
+  const IndexMap& nodes = problem.matrix->nodes;
+  const Local dim = problem.matrix->dim;
+  const bool hasAll = given.rows() == nodes.globalSize() * dim;
   const auto modes = Teuchos::rcp(new TpetraVectors(dofMap, std::size_t(given.cols())));
   for (int m = 0; m < given.cols(); ++m)
     for (Local i = 0; i < Local(dofMap->getNodeNumElements()); ++i)
-      modes->replaceLocalValue(i, std::size_t(m), given(hasAll ? int(dofMap->getGlobalElement(i)) : i, m));
+      modes->replaceLocalValue(i, std::size_t(m), given(hasAll ? int(nodes.global(i / dim)) * dim + i % dim : i, m));
   return modes;
 }
 

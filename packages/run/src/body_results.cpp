@@ -42,14 +42,63 @@ PeakSummary largestDisplacement(const NodeMap& nodes, const Vector& displacement
   return {sizes[peak], coordinates(nodes.point(int(peak)).data(), nodes.dim)};
 }
 
-PeakSummary largestStrain(const BodyModel& body, const Vector& u)
+/// The part of a body's cells that this rank looks at.
+CellRange ownRange(const BodyModel& body, const Comm& comm)
 {
-  const auto strains = largestStrains(body, u);
-  Vector sizes;
+  const auto from = [&](int rank) { return int(std::int64_t(body.mesh.numCells()) * rank / comm.size()); };
+  return {from(comm.rank()), from(comm.rank() + 1)};
+}
+
+/// `values` of this rank after those of the ranks before it, and before those of the others.
+Vector ofAllRanks(const Vector& values, const Comm& comm)
+{
+  Vector all(values.size() * std::size_t(comm.size()), 0.0);
+  std::copy(values.begin(), values.end(), all.begin() + std::ptrdiff_t(values.size()) * comm.rank());
+  comm.sum(all);
+  return all;
+}
+
+/// The same whatever the number of ranks: of equally large strains that of the first cell.
+PeakSummary largestStrain(const BodyModel& body, const std::vector<CellStrain>& strains, const Comm& comm)
+{
+  Vector sizes{0.0};
   for (const auto& strain : strains)
     sizes.push_back(strain.value);
-  const std::size_t peak = peakOf(sizes);
-  return {sizes[peak], coordinates(body.mesh.point(strains[peak].vertex), body.mesh.dim)};
+  const Vector largest = ofAllRanks({*std::max_element(sizes.begin(), sizes.end())}, comm);
+  const double least = (1.0 - equallyLarge) * *std::max_element(largest.begin(), largest.end());
+  const auto own = std::find_if(strains.begin(), strains.end(), [&](const auto& s) { return s.value >= least; });
+  const bool has = own != strains.end();
+  const Vector all = ofAllRanks({has ? 1.0 : 0.0, has ? own->value : 0.0, has ? double(own->vertex) : 0.0}, comm);
+  std::size_t rank = 0;
+  while (all[3 * rank] == 0.0 && rank + 1 < largest.size())
+    ++rank;
+  return {all[3 * rank + 1], coordinates(body.mesh.point(int(all[3 * rank + 2])), body.mesh.dim)};
+}
+
+/// Fills in what cells say: energies and strains.
+void completeCells(BodySummary& summary, const BodyModel& body, const Vector& u, double strainLimit, const Comm& comm)
+{
+  const CellRange own = ownRange(body, comm);
+  const Vector energies = cellEnergies(body, u, own);
+  const std::vector<CellStrain> strains = largestStrains(body, u, own);
+  Vector sums(3 + body.regions.size(), 0.0); // energy, measure, that of strained cells, energies of the regions
+  for (int c = own.first; c < own.last; ++c) {
+    const auto i = std::size_t(c - own.first);
+    const double measure = cellMeasure(body.mesh, c);
+    sums[0] += energies[i];
+    sums[1] += measure;
+    if (strains[i].value > strainLimit)
+      sums[2] += measure;
+    if (!body.regions.empty())
+      sums[3 + std::size_t(body.regionOfCell[std::size_t(c)])] += energies[i];
+  }
+  comm.sum(sums);
+  summary.energy = sums[0];
+  summary.strainedShare = sums[2] / sums[1];
+  summary.regions.clear();
+  for (std::size_t r = 0; r < body.regions.size(); ++r)
+    summary.regions.push_back({body.regions[r].name, body.regions[r].numCells, sums[3 + r]});
+  summary.strain = largestStrain(body, strains, comm);
 }
 
 std::vector<double> resultant(const Vector& nodal, int dim)
@@ -60,34 +109,21 @@ std::vector<double> resultant(const Vector& nodal, int dim)
   return sum;
 }
 
-std::vector<RegionSummary> regionSummaries(const BodyModel& body, const CellValues& energies)
-{
-  std::vector<RegionSummary> summaries;
-  for (const BodyRegion& region : body.regions)
-    summaries.push_back({region.name, region.numCells, 0.0});
-  for (std::size_t c = 0; c < body.regionOfCell.size(); ++c)
-    summaries[std::size_t(body.regionOfCell[c])].energy += energies[c];
-  return summaries;
-}
-
 } // namespace
 
-void completeBodies(RunSummary& all, const Run& run, const Comm& comm)
+void completeBodies(RunSummary& all, const Run& run, double strainLimit, const Comm& comm)
 {
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
     const NodalField& local = run.solved.fields[b].u.back();
     const NodalField u = run.condensed.systems[b].dofs.frames.toGlobal(local);
     BodySummary& summary = all.bodies[b];
-    const CellValues energies = cellEnergies(body, u);
-    summary.energy = std::accumulate(energies.begin(), energies.end(), 0.0);
-    summary.regions = regionSummaries(body, energies);
+    completeCells(summary, body, u, strainLimit, comm);
     all.energy += summary.energy;
     summary.loadForce = resultant(run.model.loads[b].all(), body.mesh.dim);
     summary.supports =
         supportReactions(body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm));
     summary.displacement = largestDisplacement(body.nodes, run.solved.fields[b].displacement.back());
-    summary.strain = largestStrain(body, u);
   }
 }
 

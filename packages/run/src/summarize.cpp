@@ -216,7 +216,7 @@ RunSummary completeSummary(const Run& run, const RunSettings& settings, const Co
   addWarnings(summary, sceneWarnings(run.model, settings));
   if (!summary.solved)
     return summary;
-  completeBodies(summary, run, comm);
+  completeBodies(summary, run, settings.strainLimit, comm);
   completeInterfaces(summary, run);
   summary.probes = sampleProbes(run, settings.output.probes);
   addWarnings(summary, answerWarnings(run, summary, settings));

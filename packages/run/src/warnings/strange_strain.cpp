@@ -3,7 +3,6 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
-#include "ndframe/assembly/nodal_stress.hpp"
 
 namespace ndframe
 {
@@ -14,28 +13,6 @@ namespace
 constexpr double smallPart = 1e-4;
 /// Steel under 2 kPa: nobody computes that. Far below it strains are the round-off of a motion without any.
 constexpr double hardlyAny = 1e-8, roundOff = 1e-13;
-
-struct StrainOfBody
-{
-  double largest = 0.0;
-  double share = 0.0; ///< of the body's measure in cells above the limit
-};
-
-StrainOfBody strainOf(const BodyModel& body, const Vector& u, double limit)
-{
-  StrainOfBody result;
-  double total = 0.0, above = 0.0;
-  const auto strains = largestStrains(body, u);
-  for (int c = 0; c < body.mesh.numCells(); ++c) {
-    const double measure = cellMeasure(body.mesh, c);
-    total += measure;
-    result.largest = std::max(result.largest, strains[std::size_t(c)].value);
-    if (strains[std::size_t(c)].value > limit)
-      above += measure;
-  }
-  result.share = above / total;
-  return result;
-}
 
 /// The node of the interfaces with the smallest opening where all are open; nothing where one is closed or there is
 /// none.
@@ -59,16 +36,15 @@ void findStrangeStrain(const Answer& answer, const RunSettings& settings, Diagno
   for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
     const BodyModel& body = run.model.bodies[b];
     const PeakSummary& peak = answer.bodies[b].strain;
-    const StrainOfBody strain =
-        strainOf(body, run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u.back()), limit);
-    largest = std::max(largest, strain.largest);
+    const double share = answer.bodies[b].strainedShare;
+    largest = std::max(largest, peak.value);
     motion = std::max(motion, answer.bodies[b].displacement.value / diameter(body.mesh));
-    if (strain.share > smallPart)
+    if (share > smallPart)
       found.add(settings.scene.bodies[b].place.mistake(
           "",
           fmt::format("strains reach {:.2g} at {} and are above {:g} in {:.3g} % of the body: the theory assumes small "
                       "strains. Check the units of loads and moduli; where only ratios matter, raise Strain Limit.",
-                      peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * strain.share)));
+                      peak.value, pointText(peak.point.data(), body.mesh.dim), limit, 100.0 * share)));
   }
   if (const ContactNode* const node = nearestOpenNode(run); node != nullptr && motion > 0.0 && largest < hardlyAny)
     found.add(settings.scene.interfacesPlace.mistake(

@@ -3,7 +3,7 @@
 #include <array>
 #include <vector>
 
-#include "ndframe/assembly/body_system.hpp"
+#include "ndframe/assembly/fields.hpp"
 
 namespace ndframe
 {
@@ -21,6 +21,7 @@ struct CellStrain
   double value = 0.0; ///< dimensionless
   int vertex = 0;     ///< of the mesh
 };
-std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement); ///< one a cell
+/// One for each of these cells.
+std::vector<CellStrain> largestStrains(const BodyModel& body, const Vector& displacement, CellRange cells);
 
 } // namespace ndframe

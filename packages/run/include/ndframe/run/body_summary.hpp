@@ -38,6 +38,7 @@ struct BodySummary
   std::vector<SupportSummary> supports; ///< in deck order; without a solution their vectors are empty
   PeakSummary displacement;             ///< |u|
   PeakSummary strain;                   ///< absolute principal strain, in the plane in plane scenes
+  double strainedShare = 0.0;           ///< of its measure, in cells with strains above `Strain Limit`
   std::vector<RegionSummary> regions{}; ///< none: the body is one part
 };
 
