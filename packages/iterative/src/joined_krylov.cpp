@@ -5,6 +5,7 @@
 
 #include "cycle_count.hpp"
 #include "joined_level.hpp"
+#include "ndframe/base/memory.hpp"
 #include "own_dofs.hpp"
 #include "restarted_gradients.hpp"
 
@@ -142,10 +143,20 @@ private:
   void setCoarse(const JoinedRows& onVertices, double springs)
   {
     auto level = std::make_unique<const JoinedLevel>(levels_, kept_.coarse, onVertices, springs_, comm_);
-    gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] { level.reset(); });
+    gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] {
+      level.reset();
+      giveBack();
+    });
     coarseRows_ = onVertices;
     coarseSprings_ = springs;
     ledger_.count("multigrid set-ups");
+  }
+
+  /// Before the set-up of the coarse levels, which is the largest moment of several ranks.
+  void giveBack() const
+  {
+    if (comm_.size() > 1)
+      giveBackFreed();
   }
 
   /// Of E^T K E, at the places of unknowns.

@@ -1,8 +1,11 @@
 #include "ndframe/run/run_steps.hpp"
 
+#include <utility>
+
 #include <fmt/format.h>
 
 #include "field_names.hpp"
+#include "ndframe/base/memory.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/condensation/trust.hpp"
 #include "ndframe/run/energy_comparison.hpp"
@@ -34,9 +37,33 @@ std::string failureOf(const Step& step)
   }
 }
 
+/// Takes a step for which the solver's memory counts and that reads no node maps: several ranks, each of which has all
+/// of them, put them aside meanwhile, and give back what the stages before have left.
+template <class Step>
+void withoutNodes(Model& model, const Comm& comm, const Step& step)
+{
+  if (comm.size() == 1 || !model.solvesWhole)
+    return step();
+  std::vector<int> orders;
+  for (BodyModel& body : model.bodies)
+    orders.push_back(std::exchange(body.nodes, {}).order);
+  const auto restore = [&] {
+    for (std::size_t b = 0; b < orders.size(); ++b)
+      model.bodies[b].nodes = makeNodeMap(model.bodies[b].mesh, orders[b]);
+  };
+  giveBackFreed();
+  try {
+    step();
+  } catch (...) {
+    restore();
+    throw;
+  }
+  restore();
+}
+
 /// Couples the bodies; keeps the last state or, when asked, the state of every sweep.
-void couple(Solved& solved, const Model& model, const CondensedModel& condensed, const RunTools& tools,
-            RunObserver& observer, const CouplingStart& start)
+void couple(Solved& solved, Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+            const CouplingStart& start)
 {
   const bool keepAll = tools.settings.output.steps == StepsWritten::AllSweeps;
   observer.sweeps(model);
@@ -47,7 +74,8 @@ void couple(Solved& solved, const Model& model, const CondensedModel& condensed,
       if (keepAll)
         solved.states.push_back(state);
     };
-    solved.coupling = tools.coupling->solve(condensed.interface, observe, tools.ledger, start);
+    withoutNodes(model, tools.comm,
+                 [&] { solved.coupling = tools.coupling->solve(condensed.interface, observe, tools.ledger, start); });
     if (!keepAll)
       solved.states = {solved.coupling.state};
   }
@@ -180,7 +208,7 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
   observer.roles(run.summary.coupling->roles);
 }
 
-Solved solve(const Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+Solved solve(Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
              const CouplingStart& start)
 {
   Solved solved;

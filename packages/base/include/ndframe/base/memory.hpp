@@ -21,4 +21,8 @@ struct MemoryLeft
 /// what it has freed and keeps. `root`: where /proc and /sys are looked for; the limits are then left out.
 MemoryLeft memoryLeft(const std::string& root = "");
 
+/// Gives the system at once what was freed and is kept for what comes next, if the allocator is jemalloc (the
+/// program's).
+void giveBackFreed();
+
 } // namespace ndframe

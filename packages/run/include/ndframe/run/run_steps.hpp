@@ -52,7 +52,7 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer);
 
 /// Sweeps, displacements, contact. Where there is no solution and that lies in the problem, the result says why. start:
 /// with the spectrum that the coupling needs (Run::spectrum).
-Solved solve(const Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+Solved solve(Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
              const CouplingStart& start);
 
 /// The same into the run, whose certificate is of another state then. Throws NotConverged without a solution.
