@@ -16,7 +16,7 @@ MESSAGES, BYTES = 290, 919e3
 SUMS = 3  # of one number over all ranks, an iteration of conjugate gradients
 LEVEL_PRODUCTS, MOST_NEIGHBOURS, COARSENING = 10, 26, 27
 # Bytes of a rank: libraries, per dof of its own rows, per dof of the whole scene.
-LIBRARIES, OWN, REPLICATED = 98e6, 1300.0, 80.0
+LIBRARIES, OWN, REPLICATED = 98e6, 1150.0, 45.0
 MEMORY = 4 * 2.0**30  # of a rank
 
 

@@ -24,7 +24,7 @@ constexpr double atStart = 30e6;
 constexpr double multigridBytes = 1500.0;
 
 /// The same on several ranks, of a dof that is the rank's own and of any dof of the scene; libraries and MPI.
-constexpr double ownBytes = 1300.0, replicatedBytes = 80.0, atStartOfRanks = 1e8;
+constexpr double ownBytes = 1300.0, replicatedBytes = 45.0, atStartOfRanks = 1e8;
 
 /// A dof of a solid whose error is bounded, on one rank; on several, of a rank's own and of any.
 constexpr double certifiedBytes = 2400.0, ownCertifiedBytes = 2000.0, replicatedCertifiedBytes = 170.0;
