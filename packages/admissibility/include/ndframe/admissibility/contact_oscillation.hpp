@@ -6,7 +6,7 @@
 namespace ndframe
 {
 
-/// What the stresses leave over of t n where n turns along a patch of the plane: t n has one degree more than t. Per
+/// What the stresses leave over of t n where n turns along a patch: t n has one degree more than t. Per
 /// body and cell osc_E^2 with |int (t n - carried) . v dS| <= osc_E |v|_E over the cell's patches, in the energy norm:
 /// the energy of a stress of the richest degree that carries the rest, and the facet's constant (docs/theory.md) for
 /// what has a higher degree than that. Empty where nothing turns.
