@@ -58,21 +58,22 @@ def scene(draw, order):
     columns, rows = draw.randint(2, 4 if order == 1 else 3), draw.randint(1, 3 if order == 1 else 2)
     turn = math.radians(draw.uniform(4.0, 27.0))  # unequal squares turn by more
     if kind == "cylinder":
-        place = cylinder(columns * turn, draw.uniform(0.3, 2.0), draw.uniform(-0.3, 0.3))
+        place = cylinder(columns * turn, rows * turn * draw.uniform(0.6, 2.0), draw.uniform(-0.3, 0.3))
     elif kind == "sphere":
         turn = min(turn, math.radians(70.0 / max(columns, rows)))
         place = sphere(columns * turn, rows * turn, draw.uniform(-0.3, 0.3))
     else:
         place = saddle(min(1.0, columns * turn), draw.uniform(0.5, 1.5), draw.uniform(-0.3, 0.3))
-    inner, outer = 1.0 - draw.uniform(0.2, 0.8), 1.0 + draw.uniform(0.2, 1.5)
+    layers, size = (draw.randint(1, 2), draw.randint(1, 2)), turn if kind != "saddle" else 1.0 / columns
+    inner, outer = 1.0 - min(0.8, layers[0] * size * draw.uniform(0.6, 2.0)), 1.0 + layers[1] * size * draw.uniform(0.6, 2.0)
     young = lambda: 10.0 ** draw.uniform(-1.0, 1.0)
     load = draw.choice(("1", "1", "1+x", "1.2-0.5*x+0.3*y"))
-    shell = Solid("shell", (columns, rows, draw.randint(1, 2)), between(place, 1.0, outer), "bottom", young(), draw.uniform(0.0, 0.45),
+    shell = Solid("shell", (columns, rows, layers[1]), between(place, 1.0, outer), "bottom", young(), draw.uniform(0.0, 0.45),
                   {"left": "Roller", "front": "Roller"} if kind != "saddle" else {"left": "Roller"},
                   {"press": pressure("top", f"{10.0 ** draw.uniform(-2.5, -1)}*({load})")}, 0.15, draw.randint(0, 10**6))
     if kind == "saddle":
         shell.supports["back"] = "Roller"
-    core = Solid("core", (columns, rows, draw.randint(1, 2)), between(place, inner, 1.0), "top", young(), draw.uniform(0.0, 0.45),
+    core = Solid("core", (columns, rows, layers[0]), between(place, inner, 1.0), "top", young(), draw.uniform(0.0, 0.45),
                  {"bottom": "Clamp"}, {}, 0.15, draw.randint(0, 10**6))
     if draw.random() < 0.3:
         shell.loads["side"] = pressure("right", draw.choice(("0.01", "-0.005")))
