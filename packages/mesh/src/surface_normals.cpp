@@ -2,17 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
+#include <utility>
 
-#include "ndframe/mesh/vertex_tuples.hpp"
 #include "small_least_squares.hpp"
+#include "surface_fans.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-using Vector3 = TriangleSurface::Vector3;
 
 /// Normals that differ by less are one: coordinates in files have some digits only.
 constexpr double straightOn = 1e-6;
@@ -20,36 +18,6 @@ constexpr double straightOn = 1e-6;
 constexpr double leastCosine = 0.5;
 /// Steps towards the frame in which n itself is the axis: the error squares in each.
 constexpr int frameSteps = 8;
-
-double dot(const Vector3& a, const Vector3& b)
-{
-  return a[0] * b[0] + a[1] * b[1] + a[2] * b[2];
-}
-
-Vector3 sum(double a, const Vector3& x, double b, const Vector3& y)
-{
-  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
-}
-
-Vector3 cross(const Vector3& a, const Vector3& b)
-{
-  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
-}
-
-double norm(const Vector3& a)
-{
-  return std::sqrt(dot(a, a));
-}
-
-Vector3 unit(const Vector3& a)
-{
-  return sum(1.0 / norm(a), a, 0.0, a);
-}
-
-double distance(const Vector3& a, const Vector3& b)
-{
-  return norm(sum(1.0, a, -1.0, b));
-}
 
 /// Two directions across an axis of length 1.
 std::array<Vector3, 2> across(const Vector3& axis)
@@ -63,29 +31,14 @@ std::array<Vector3, 2> across(const Vector3& axis)
   return {first, cross(axis, first)};
 }
 
-/// The triangles around a vertex that edges at which the surface does not turn much hold together.
-struct Fan
-{
-  struct Neighbour
-  {
-    int vertex, fan;
-  };
-  int vertex = -1;
-  std::vector<int> triangles;
-  std::vector<Neighbour> neighbours;
-  int edges = 0;                                       ///< inside
-  bool isFlat = false, isKnown = false, isOwn = false; ///< isOwn: every triangle keeps its own normal
-  Vector3 normal{};                                    ///< of length 1
-
-  bool closes() const { return edges == int(triangles.size()); }
-};
-
 class SurfaceNormals
 {
 public:
   SurfaceNormals(const TriangleSurface& surface, double cornerAngle) : surface_(surface)
   {
-    makeFans(cornerAngle * std::acos(-1.0) / 180.0);
+    auto made = makeFans(surface, cornerAngle * std::acos(-1.0) / 180.0);
+    fans_ = std::move(made.fans);
+    fanOf_ = std::move(made.ofTriangle);
     for (Fan& fan : fans_)
       start(fan);
     for (Fan& fan : fans_)
@@ -121,7 +74,6 @@ private:
   const Vector3& normalOf(int triangle) const { return surface_.normals[std::size_t(triangle)]; }
   Vector3 chord(const Fan& fan, int vertex) const { return sum(1.0, point(vertex), -1.0, point(fan.vertex)); }
 
-  void makeFans(double cornerAngle);
   void start(Fan& fan) const;
   bool isBesideBends(const Fan& fan) const;
   bool accept(Fan& fan, const Vector3& normal) const;
@@ -135,66 +87,6 @@ private:
   std::vector<Fan> fans_;
   std::vector<int> fanOf_; ///< per triangle and vertex
 };
-
-/// The corners of triangles that an edge inside a fan holds together are one set.
-class CornerSets
-{
-public:
-  explicit CornerSets(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int corner)
-  {
-    while (parent_[std::size_t(corner)] != corner)
-      corner = parent_[std::size_t(corner)] = parent_[std::size_t(parent_[std::size_t(corner)])];
-    return corner;
-  }
-  void unite(int a, int b) { parent_[std::size_t(of(a))] = of(b); }
-
-private:
-  std::vector<int> parent_;
-};
-
-void SurfaceNormals::makeFans(double cornerAngle)
-{
-  const auto& triangles = surface_.triangles;
-  std::vector<int> edges; // edge i of a triangle goes from its vertex i to the next one
-  for (const auto& triangle : triangles)
-    for (std::size_t i = 0; i < 3; ++i)
-      edges.insert(edges.end(), {triangle[i], triangle[(i + 1) % 3]});
-  const auto cornerAt = [&](int triangle, int vertex) {
-    const auto& own = triangles[std::size_t(triangle)];
-    return 3 * triangle + int(std::find(own.begin(), own.end(), vertex) - own.begin());
-  };
-  const VertexTuples sorted(edges, 2, int(surface_.points.size()));
-  CornerSets sets(3 * triangles.size());
-  std::vector<int> inside; // corners, one for each end of an edge inside fans
-  for (int at = 0, next = 0; at < sorted.size(); at = next) {
-    next = sorted.groupEnd(at);
-    if (next != at + 2)
-      continue;
-    const int a = sorted.at(at) / 3, b = sorted.at(at + 1) / 3;
-    const Vector3 &m = normalOf(a), &n = normalOf(b);
-    if (std::atan2(norm(cross(m, n)), dot(m, n)) > cornerAngle)
-      continue;
-    for (int end = 0; end < 2; ++end) {
-      const int vertex = edges[2 * std::size_t(sorted.at(at)) + std::size_t(end)];
-      sets.unite(cornerAt(a, vertex), cornerAt(b, vertex));
-      inside.push_back(cornerAt(a, vertex));
-    }
-  }
-  std::vector<int> number(3 * triangles.size(), -1);
-  for (int corner = 0; corner < int(number.size()); ++corner) {
-    int& fan = number[std::size_t(sets.of(corner))];
-    if (fan < 0) {
-      fan = int(fans_.size());
-      fans_.emplace_back();
-    }
-    fans_[std::size_t(fan)].vertex = triangles[std::size_t(corner / 3)][std::size_t(corner % 3)];
-    fans_[std::size_t(fan)].triangles.push_back(corner / 3);
-    fanOf_.push_back(fan);
-  }
-  for (const int corner : inside)
-    ++fans_[std::size_t(fanOf_[std::size_t(corner)])].edges;
-}
 
 /// Neighbours, and the mean of the normals with weights that are right on spheres (Max 1999).
 void SurfaceNormals::start(Fan& fan) const
