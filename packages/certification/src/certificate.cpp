@@ -114,8 +114,8 @@ IntermediateField Certifier::nearestField(const InterfaceValues& traction, Tract
     costs.push_back(
         std::hypot(changeInEnergy(scene_.bodies, scene_.solved, field->displacement), interfaceMisfit(scene_, *field)));
   const auto best = std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin());
-  const bool moves = (scene_.dim() == 2 || !fields.front().tractions[0].vectors.empty()) && options_.mode == ErrorMode::Strict &&
-                     options_.tractionWith(recovery_, scene_.dim()) == TractionType::Optimal;
+  const bool moves = scene_.dim() == 2 && options_.mode == ErrorMode::Strict &&
+                     options_.tractionWith(recovery_, 2) == TractionType::Optimal;
   return moves
              ? nearestInEnergy(scene_, candidates[best], admitted[best], std::move(fields[best]), {sign, cost}, ledger_)
              : std::move(fields[best]);

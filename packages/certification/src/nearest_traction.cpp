@@ -54,7 +54,7 @@ public:
             dotProduct(patch.normalAt(i), here[i]) - dotProduct(patch.normalAt(i), there[i]);
     }
     place.distance = std::pow(changeInEnergy(scene_.bodies, scene_.solved, place.field.displacement), 2);
-    place.misfit = scene_.dim() == 2 ? std::pow(interfaceMisfit(scene_, place.field), 2) : 0.0;
+    place.misfit = std::pow(interfaceMisfit(scene_, place.field), 2);
     return place;
   }
 
