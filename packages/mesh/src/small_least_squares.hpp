@@ -32,7 +32,7 @@ public:
   /// Whether the equations say what an unknown is, whatever the others are.
   bool determines(std::size_t unknown) const
   {
-    constexpr double nearly = 0.99;
+    constexpr double nearly = 1.0 - 1e-10;
     Row column{}; // of A^T A: its solution is the projection of the unknown onto what is determined
     for (std::size_t i = 0; i < column.size(); ++i)
       column[i] = A_[i][unknown];
@@ -41,7 +41,8 @@ public:
 
 private:
   static constexpr double relative = 1e-3; ///< eps, of the mean eigenvalue
-  static constexpr int steps = 12;
+  static constexpr int steps = 40;
+  static constexpr double roundOff = 1e-16;
 
   Row iterated(const Row& right) const
   {
@@ -58,7 +59,9 @@ private:
         L[i][j] = i == j ? std::sqrt(L[j][j]) : L[i][j] / L[j][j];
       }
     Row x{};
-    for (int step = 0; step < steps; ++step) {
+    double change = 1.0, size = 0.0;
+    for (int step = 0; step < steps && change > roundOff * size; ++step) {
+      change = size = 0.0;
       Row rest = right;
       for (std::size_t i = 0; i < x.size(); ++i)
         for (std::size_t j = 0; j < x.size(); ++j)
@@ -73,6 +76,8 @@ private:
           rest[i] -= L[k][i] * rest[k];
         rest[i] /= L[i][i];
         x[i] += rest[i];
+        change = std::max(change, std::abs(rest[i]));
+        size = std::max(size, std::abs(x[i]));
       }
     }
     return x;

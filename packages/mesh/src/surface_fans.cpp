@@ -10,25 +10,9 @@ namespace ndframe
 namespace
 {
 
-/// The corners of triangles that an edge inside a fan holds together are one set.
-class CornerSets
-{
-public:
-  explicit CornerSets(std::size_t corners) : parent_(corners) { std::iota(parent_.begin(), parent_.end(), 0); }
-  int of(int corner)
-  {
-    while (parent_[std::size_t(corner)] != corner)
-      corner = parent_[std::size_t(corner)] = parent_[std::size_t(parent_[std::size_t(corner)])];
-    return corner;
-  }
-  void unite(int a, int b) { parent_[std::size_t(of(a))] = of(b); }
-
-private:
-  std::vector<int> parent_;
-};
-
-/// One corner for each end of an edge that lies inside fans.
-std::vector<int> uniteCorners(const TriangleSurface& surface, double cornerAngle, CornerSets& sets)
+/// Unites the corners of triangles that edges inside fans hold together. Returns one corner for each end of such an
+/// edge.
+std::vector<int> uniteCorners(const TriangleSurface& surface, double cornerAngle, UnitedSets& sets)
 {
   const auto& triangles = surface.triangles;
   std::vector<int> edges; // edge i of a triangle goes from its vertex i to the next one
@@ -60,10 +44,22 @@ std::vector<int> uniteCorners(const TriangleSurface& surface, double cornerAngle
 
 } // namespace
 
+UnitedSets::UnitedSets(std::size_t numbers) : parent_(numbers)
+{
+  std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+int UnitedSets::of(int number)
+{
+  while (parent_[std::size_t(number)] != number)
+    number = parent_[std::size_t(number)] = parent_[std::size_t(parent_[std::size_t(number)])];
+  return number;
+}
+
 SurfaceFans makeFans(const TriangleSurface& surface, double cornerAngle)
 {
   const std::size_t corners = 3 * surface.triangles.size();
-  CornerSets sets(corners);
+  UnitedSets sets(corners);
   const std::vector<int> inside = uniteCorners(surface, cornerAngle, sets);
   SurfaceFans result;
   std::vector<int> number(corners, -1);

@@ -52,8 +52,21 @@ struct Fan
   int edges = 0;                                       ///< inside
   bool isFlat = false, isKnown = false, isOwn = false; ///< isOwn: every triangle keeps its own normal
   Vector3 normal{};                                    ///< of length 1
+  double length = 1.0;                                 ///< of n
 
   bool closes() const { return edges == int(triangles.size()); }
+};
+
+/// Numbers that are united to sets.
+class UnitedSets
+{
+public:
+  explicit UnitedSets(std::size_t numbers); ///< each alone
+  int of(int number);                       ///< the set's name: one of its numbers
+  void unite(int a, int b) { parent_[std::size_t(of(a))] = of(b); }
+
+private:
+  std::vector<int> parent_;
 };
 
 /// All fans of a surface.

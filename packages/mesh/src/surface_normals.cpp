@@ -16,8 +16,9 @@ namespace
 constexpr double straightOn = 1e-6;
 /// The least cosine between n and the normals of its triangles.
 constexpr double leastCosine = 0.5;
-/// Steps towards the frame in which n itself is the axis: the error squares in each.
-constexpr int frameSteps = 8;
+/// Steps towards the frame in which n itself is the axis, at most; they end where it turns by less.
+constexpr int frameSteps = 20;
+constexpr double settled = 1e-15;
 
 /// Two directions across an axis of length 1.
 std::array<Vector3, 2> across(const Vector3& axis)
@@ -44,12 +45,13 @@ public:
     for (Fan& fan : fans_)
       if (fan.isFlat ? !isBesideBends(fan) : fan.closes()) {
         fan.isOwn = fan.isFlat;
-        fan.isKnown = fan.isFlat || fit(fan, true);
+        fan.isKnown = fan.isFlat || fit(fan, false);
       }
-    while (follow() || fitOpen(false) || fitOpen(true))
+    while (follow() || fitRest(false) || fitRest(true))
       continue;
     for (Fan& fan : fans_)
       fan.isOwn = fan.isOwn || !fan.isKnown;
+    findLengths();
   }
 
   std::vector<std::array<Vector3, 3>> ofTriangles() const
@@ -78,9 +80,10 @@ private:
   bool isBesideBends(const Fan& fan) const;
   bool accept(Fan& fan, const Vector3& normal) const;
   bool fit(Fan& fan, bool always) const;
-  bool fitOpen(bool always);
+  bool fitRest(bool always);
   bool follow();
   bool followNeighbours(Fan& fan) const;
+  void findLengths();
   Vector3 valueAt(const Fan& fan, std::size_t triangle) const;
 
   const TriangleSurface& surface_;
@@ -145,20 +148,22 @@ bool SurfaceNormals::fit(Fan& fan, bool always) const
       const double x = dot(e, u) / size, y = dot(e, v) / size, z = dot(e, normal) / size;
       fitted.add({x, y, 0.5 * x * x, x * y, 0.5 * y * y}, z - 0.5 * K * z * z, size / norm(e));
     }
-    if (!always && !(fitted.determines(0) && fitted.determines(1)))
+    if (step == 0 && !always && !(fitted.determines(0) && fitted.determines(1)))
       return false;
     const auto shape = fitted.solution();
     const double mean = 0.5 * (shape[2] + shape[4]);
     K = mean + std::copysign(std::hypot(0.5 * (shape[2] - shape[4]), shape[3]), mean);
     normal = unit(sum(1.0, sum(1.0, normal, -shape[0], u), -shape[1], v));
+    if (std::abs(shape[0]) + std::abs(shape[1]) < settled)
+      break;
   }
   if (!accept(fan, normal) && !accept(fan, fan.normal))
     fan.isOwn = true;
   return true;
 }
 
-/// Open fans that no neighbour decides: by themselves, unless they are flat. Returns whether one was decided.
-bool SurfaceNormals::fitOpen(bool always)
+/// Fans that no neighbour decides: by themselves, unless they are flat. Returns whether one was decided.
+bool SurfaceNormals::fitRest(bool always)
 {
   bool some = false;
   for (Fan& fan : fans_)
@@ -204,14 +209,28 @@ bool SurfaceNormals::followNeighbours(Fan& fan) const
   return accept(fan, normal);
 }
 
+/// One for all fans of a part that turns without an edge: what turns on a sphere or a cylinder must find n . (w x x) =
+/// 0 on every triangle.
+void SurfaceNormals::findLengths()
+{
+  UnitedSets parts(fans_.size());
+  for (std::size_t corner = 0; corner < fanOf_.size(); ++corner)
+    for (const std::size_t other : {corner / 3 * 3, corner / 3 * 3 + 1})
+      if (!fans_[std::size_t(fanOf_[corner])].isOwn && !fans_[std::size_t(fanOf_[other])].isOwn)
+        parts.unite(fanOf_[corner], fanOf_[other]);
+  std::vector<double> along(fans_.size(), 0.0), count(fans_.size(), 0.0);
+  for (std::size_t f = 0; f < fans_.size(); ++f)
+    for (const int t : fans_[f].triangles) {
+      along[std::size_t(parts.of(int(f)))] += dot(normalOf(t), fans_[f].normal);
+      count[std::size_t(parts.of(int(f)))] += 1.0;
+    }
+  for (std::size_t f = 0; f < fans_.size(); ++f)
+    fans_[f].length = count[std::size_t(parts.of(int(f)))] / along[std::size_t(parts.of(int(f)))];
+}
+
 Vector3 SurfaceNormals::valueAt(const Fan& fan, std::size_t triangle) const
 {
-  if (fan.isOwn)
-    return surface_.normals[triangle];
-  double along = 0.0;
-  for (const int t : fan.triangles)
-    along += dot(normalOf(t), fan.normal) / double(fan.triangles.size());
-  return sum(1.0 / along, fan.normal, 0.0, fan.normal);
+  return fan.isOwn ? surface_.normals[triangle] : sum(fan.length, fan.normal, 0.0, fan.normal);
 }
 
 } // namespace

@@ -21,7 +21,7 @@ struct TriangleSurface
 /// The triangles around a vertex form fans, up to such edges and the border. Where a fan closes, n is the normal of the
 /// quadric through the vertex that lies nearest to its neighbours (a flatter one where these do not determine it): right
 /// on spheres and cylinders, else up to the third power of the angles between triangles. In open fans n follows from the neighbours w: a chord e of a quadric has n_v . e = -
-/// n_w . e. n is so long that its parts along the normals of the fan's triangles are 1 in the mean.
+/// n_w . e. n is so long that its parts along the normals of the triangles are 1 in the mean, and of one length where the surface has no edge.
 ///
 /// Fans that are flat (up to 1e-6) keep the triangles' normal, but for open ones whose triangles all turn elsewhere: they
 /// are the end of a curved part. So do those in which no direction is within 60 degrees
