@@ -19,14 +19,17 @@ struct TriangleSurface
 /// continuous but across edges where the polyhedron turns by more than `cornerAngle` (degrees).
 ///
 /// The triangles around a vertex form fans, up to such edges and the border. Where a fan closes, n is the normal of the
-/// quadric through the vertex that lies nearest to its neighbours (a flatter one where these do not determine it): right
-/// on spheres and cylinders, else up to the third power of the angles between triangles. In open fans n follows from the neighbours w: a chord e of a quadric has n_v . e = -
-/// n_w . e. n is so long that its parts along the normals of the triangles are 1 in the mean, and of one length where the surface has no edge.
+/// quadric through the vertex that lies nearest to its neighbours: right on spheres and cylinders, else up to the third
+/// power of the angles between triangles. In open fans, and where neighbours lie so that no quadric is nearest, n
+/// follows from known neighbours w: a chord e of a quadric has n_v . e = - n_w . e. What is left takes the flattest
+/// quadric.
 ///
-/// Fans that are flat (up to 1e-6) keep the triangles' normal, but for open ones whose triangles all turn elsewhere: they
-/// are the end of a curved part. So do those in which no direction is within 60 degrees
-/// of all normals (the peak of a needle). Zero on triangles that keep their own normal at all three vertices; empty
-/// where all do.
+/// n is so long that its parts along the triangles' normals are 1 in the mean, and of one length on every part without
+/// an edge, so that n . (omega x x) = 0 on all of a sphere or cylinder for its rotations.
+///
+/// Fans that are flat (up to 1e-6) keep the triangles' normal, but for open ones whose triangles all turn elsewhere:
+/// they are the end of a curved part. So do those in which no direction is within 60 degrees of all normals (the peak
+/// of a needle). Zero on triangles that keep their own normal at all three vertices; empty where all do.
 std::vector<std::array<TriangleSurface::Vector3, 3>> turningNormals(const TriangleSurface& surface, double cornerAngle);
 
 } // namespace ndframe
