@@ -50,7 +50,7 @@ std::string StressKind::name() const
 
 const std::vector<StressKind>& stressKinds()
 {
-  static const std::vector<StressKind> kinds = {{2, 1}, {2, 2}, {2, 3}, {3, 1}, {3, 2}};
+  static const std::vector<StressKind> kinds = {{2, 1}, {2, 2}, {2, 3}, {3, 1}, {3, 2}, {3, 3}};
   return kinds;
 }
 

@@ -4,8 +4,8 @@ Two solids with 12 to some hundred tetrahedra each, or one and a rigid body, fla
 up to ten to one, shaken inside and numbered at random, of random moduli, loads, gaps and supports, first and second order,
 solved to the end or stopped anywhere. The error is that of a solution on cells half as large, once or twice; in every fourth
 scene the linear solver stops anywhere, and its energy is compared with that of factors. A guaranteed bound below the error is a
-violation; so are a bound that is not guaranteed although the run ended well, a stress out of balance, and (but on
-bent sides) a mean stress that is further from the reference than its bound. What a reference contradicts is asked again with
+violation; so are a bound that is not guaranteed although the run ended well, a stress out of balance, and
+a mean stress that is further from the reference than its bound. What a reference contradicts is asked again with
 references refined further: it may be the reference's own error. Prints the violations, and how sharp the bounds are.
 """
 
@@ -171,9 +171,7 @@ def judge(program, seed, refinements):
         run = solve(refinements)
         if run.code == 2 and any(reason in run.screen for reason in NOTHING_TO_SOLVE):
             return None, None, about
-        # Bent sides touch along their facets' own normals; the reference's vertices, along the facets' mean, bend that rule.
-        return *judge_certificate(run, solve, refinements, (0, 3), ends, not kind.startswith("bent"),
-                                  (TOO_COARSE,) if "rigid" in kind else ()), about
+        return *judge_certificate(run, solve, refinements, (0, 3), ends, True, (TOO_COARSE,) if "rigid" in kind else ()), about
 
 
 def main():

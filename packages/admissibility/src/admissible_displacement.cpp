@@ -53,12 +53,13 @@ private:
   void openBetween()
   {
     for (std::size_t f = 0; f < patches_.size(); ++f)
-      if (patches_[f].turns && bodies_.front()->nodes.order == 1)
-        separateBetween(f);
+      for (int e = 0; patches_[f].turns && bodies_.front()->nodes.order == 1 && e < facetEdges(patches_[f].dim).size;
+           ++e)
+        separateBetween(f, std::size_t(e));
   }
 
   void separate(const Pair& pair);
-  void separateBetween(std::size_t patch);
+  void separateBetween(std::size_t patch, std::size_t edge);
   void move(const Pair& pair, const Compliance& apart, double force);
   void refuse(const Pair& pair, double excess);
 
@@ -107,18 +108,20 @@ void Admission::separate(const Pair& pair)
   move(pair, apart, force);
 }
 
-void Admission::separateBetween(std::size_t patch)
+void Admission::separateBetween(std::size_t patch, std::size_t edge)
 {
-  const double needed = pairs_.excess(patch, 1);
+  const std::size_t between = pairs_.coefficients(patch).alongEdge(edge, false).front();
+  const double needed = pairs_.excess(patch, between);
   if (needed <= tolerance_)
     return;
   std::array<const Pair*, 2> ends{};
   std::array<Compliance, 2> apart{};
   double gain = 0.0;
   for (std::size_t end = 0; end < 2; ++end) {
-    ends[end] = &pairs_.all().at(patches_[patch].pairs[end]);
+    const auto vertex = std::size_t(facetEdges(patches_[patch].dim).ends[edge][end]);
+    ends[end] = &pairs_.all().at(patches_[patch].pairs[vertex]);
     apart[end] = pairs_.compliance(*ends[end]);
-    gain += apart[end].gain(pairs_.coefficients(patch).weight(1, end));
+    gain += apart[end].gain(pairs_.coefficients(patch).weight(between, vertex));
   }
   if (gain <= 0.0)
     return refuse(*ends[0], needed);

@@ -33,11 +33,13 @@ std::vector<double> facetContactMatrix(int dim, int order)
   return contactMatrix(dim, order, 0, [](const double*) { return 1.0; });
 }
 
-/// Those of edges along which n_c turns: the same times lambda_e, by end e.
-std::array<std::vector<double>, 2> turningContactMatrices(int order)
+/// Those of patches along which n_c turns: the same times lambda_e, by vertex e.
+std::vector<std::vector<double>> turningContactMatrices(int dim, int order)
 {
-  return {contactMatrix(2, order, 1, [](const double* lambda) { return lambda[0]; }),
-          contactMatrix(2, order, 1, [](const double* lambda) { return lambda[1]; })};
+  std::vector<std::vector<double>> matrices;
+  for (int e = 0; e < dim; ++e)
+    matrices.push_back(contactMatrix(dim, order, 1, [e](const double* lambda) { return lambda[e]; }));
+  return matrices;
 }
 
 /// int n_c . w L_k on every patch of a field w(patch) given at the patch's nodes.
@@ -45,7 +47,7 @@ template <class Field>
 Vector normalMoments(const std::vector<ContactPatch>& patches, int order, int degree, const Field& w)
 {
   const DenseMatrix moments = facetMoments(dimOf(patches), order, degree);
-  const EndTables turning = turningEdgeMoments(order, degree);
+  const EndTables turning = turningMoments(dimOf(patches), order, degree);
   Vector all;
   for (const ContactPatch& patch : patches) {
     const PatchVectors opening = w(patch);
@@ -53,7 +55,7 @@ Vector normalMoments(const std::vector<ContactPatch>& patches, int order, int de
       all.push_back(0.0);
       for (int i = 0; i < moments.rows(); ++i)
         if (patch.turns)
-          for (std::size_t e = 0; e < 2; ++e)
+          for (std::size_t e = 0; e < turning.size(); ++e)
             all.back() += patch.measure * dotProduct(patch.ends[e], opening[std::size_t(i)]) * turning[e](i, k);
         else
           all.back() += patch.measure * dotProduct(patch.normal, opening[std::size_t(i)]) * moments(i, k);
@@ -97,7 +99,7 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
   Vector force(std::size_t(body.numDofs()), 0.0);
   const auto dim = std::size_t(body.mesh.dim);
   const DenseMatrix moments = facetMoments(body.mesh.dim, body.nodes.order, tractions[0].degree);
-  const EndTables turning = turningEdgeMoments(body.nodes.order, tractions[0].degree);
+  const EndTables turning = turningMoments(body.mesh.dim, body.nodes.order, tractions[0].degree);
   for (const BodyPatch& own : patchesOfBody(patches, bodyIndex)) {
     const ContactPatch& patch = patches[own.patch];
     const auto nodes = contactNodes(body, patch.sides[own.side]);
@@ -110,7 +112,7 @@ Vector contactForces(const BodyModel& body, int bodyIndex, const std::vector<Con
     };
     if (!patch.turns)
       add(moments, patch.normal);
-    for (std::size_t e = 0; patch.turns && e < 2; ++e)
+    for (std::size_t e = 0; patch.turns && e < turning.size(); ++e)
       add(turning[e], patch.ends[e]);
   }
   return force;
@@ -146,7 +148,7 @@ SparseRow motionWork(const BodyModel& body, const Vector& motion, const std::vec
 {
   const int dim = body.mesh.dim;
   const auto matrix = facetContactMatrix(dim, body.nodes.order);
-  const auto turning = turningContactMatrices(body.nodes.order);
+  const auto turning = turningContactMatrices(dim, body.nodes.order);
   const auto n = std::size_t(body.nodes.nodesPerFacet);
   std::map<int, double> work;
   for (const BodyPatch& own : ofBody) {
@@ -163,7 +165,7 @@ SparseRow motionWork(const BodyModel& body, const Vector& motion, const std::vec
     };
     if (!patch.turns)
       add(matrix, patch.normal);
-    for (std::size_t e = 0; patch.turns && e < 2; ++e)
+    for (std::size_t e = 0; patch.turns && e < turning.size(); ++e)
       add(turning[e], patch.ends[e]);
   }
   return {work.begin(), work.end()};

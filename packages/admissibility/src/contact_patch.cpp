@@ -12,9 +12,13 @@ Direction ContactPatch::normalAt(std::size_t node) const
 {
   if (!turns)
     return normal;
-  if (node < 2)
+  if (node < numVertices())
     return ends[node];
-  return {0.5 * (ends[0][0] + ends[1][0]), 0.5 * (ends[0][1] + ends[1][1]), 0.0};
+  const auto [a, b] = facetEdges(dim).ends[node - numVertices()];
+  Direction middle{};
+  for (std::size_t k = 0; k < 3; ++k)
+    middle[k] = 0.5 * (ends[std::size_t(a)][k] + ends[std::size_t(b)][k]);
+  return middle;
 }
 
 std::vector<BodyPatch> patchesOfBody(const std::vector<ContactPatch>& patches, int body)

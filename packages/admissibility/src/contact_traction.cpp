@@ -13,16 +13,6 @@ namespace ndframe
 namespace
 {
 
-/// Exponents of the Bernstein polynomials of degree q on a facet; on edges from the first vertex to the second.
-std::vector<std::array<int, 3>> bernsteinPowers(int dim, int degree)
-{
-  std::vector<std::array<int, 3>> powers;
-  for (int i = degree; i >= 0; --i)
-    for (int j = degree - i; j >= (dim == 2 ? degree - i : 0); --j)
-      powers.push_back({i, j, degree - i - j});
-  return powers;
-}
-
 double factorial(int n)
 {
   return n <= 1 ? 1.0 : n * factorial(n - 1);
@@ -96,7 +86,8 @@ private:
   double component(const ContactPatch& patch, std::size_t side, std::size_t share, std::size_t i) const
   {
     const ContactTraction& traction = tractions_[side];
-    return patch.turns ? traction.vectors[share * 2 + i] : traction.shares[share] * patch.normal[i];
+    return patch.turns ? traction.vectors[share * std::size_t(patch.dim) + i]
+                       : traction.shares[share] * patch.normal[i];
   }
 
   const SideTractions& tractions_;

@@ -60,6 +60,15 @@ DenseMatrix facetMoments(int dim, int order, int degree)
   return moments;
 }
 
+std::vector<std::array<int, 3>> bernsteinPowers(int dim, int degree)
+{
+  std::vector<std::array<int, 3>> powers;
+  for (int i = degree; i >= 0; --i)
+    for (int j = degree - i; j >= (dim == 2 ? degree - i : 0); --j)
+      powers.push_back({i, j, degree - i - j});
+  return powers;
+}
+
 double bernsteinWeight(int dim, int order, int coefficient, int node)
 {
   if (order == 1 || coefficient < dim)

@@ -125,7 +125,7 @@ std::vector<Tightening::Condition> Tightening::conditions(const Opening& opening
     }
     for (std::size_t k = 0; k < jump.size(); ++k) {
       double gain = 0.0;
-      for (std::size_t node = 0; node <= std::size_t(jump.order); ++node)
+      for (std::size_t node = 0; node < patch.numNodes(jump.order); ++node)
         for (const auto& [pair, amount] : opening)
           if (const auto found = moves_.index.find(patch.pairs[node]);
               found != moves_.index.end() && found->second == pair)

@@ -181,15 +181,14 @@ void Certifier::checkStresses()
 /// u^ is tightened for the stress of the bound.
 ErrorMeasure Certifier::measureStressOf(const RecoveredField& field)
 {
-  const auto addUp = [&] { addOscillation(scene_, recoveryScene_, global_, options_.mode, admissible_); };
-  addUp();
+  addOscillation(scene_, recoveryScene_, global_, options_.mode, OscillationBound::ByConstants, admissible_);
   ElementDistances distances(scene_, field);
   const bool tightens = &field == &global_ && options_.mode == ErrorMode::Strict && !scene_.patches.empty();
   ErrorMeasure measure =
       tightens ? tighten(scene_, field, admissible_, distances) : measureStress(scene_, field, admissible_, distances);
   if (!sharpenOscillation(scene_, recoveryScene_, measure))
     return measure;
-  addUp();
+  addOscillation(scene_, recoveryScene_, global_, options_.mode, OscillationBound::Sharp, admissible_);
   return measureStress(scene_, field, admissible_, distances);
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "certificate_steps.hpp"
+#include "ndframe/admissibility/make_static_data.hpp"
 #include "ndframe/certification/error_summary.hpp"
 #include "ndframe/estimation/energy_bracket.hpp"
 
@@ -29,10 +30,10 @@ struct AdmissibleScene
 /// u^ and the gap.
 AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& recovery, ErrorMode mode);
 
-/// The data's oscillation and what the stress, if there is one, leaves over of t^ n where n turns along a facet; not in
-/// Paper mode.
+/// The data's oscillation and what the stress, if there is one, leaves over of t^ n where n turns along a facet (this
+/// bounded like `bound`); not in Paper mode.
 void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered,
-                    ErrorMode mode, AdmissibleScene& admissible);
+                    ErrorMode mode, OscillationBound bound, AdmissibleScene& admissible);
 
 /// Bounds the data's oscillation sharper where it is more than a small share of a measure; false where it is not.
 bool sharpenOscillation(const CertifiedScene& scene, RecoveryScene& recovery, const ErrorMeasure& measure);

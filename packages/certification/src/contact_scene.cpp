@@ -71,9 +71,10 @@ ContactPatch makePatch(const Model& model, const InterfaceMesh& interface, int f
       patch.drawn[i][k] = sign * interface.apart[std::size_t(ours[i])][k];
   if (!interface.endNormals.empty()) {
     const auto& ends = interface.endNormals[std::size_t(f)];
-    const bool backwards = ours[0] != *interface.nodesOf(f);
+    const int* order = interface.nodesOf(f);
     patch.turns = dotProduct(ends[0], ends[0]) > 0.0;
-    patch.ends = backwards ? std::array{ends[1], ends[0]} : ends;
+    for (std::size_t a = 0; a < patch.numVertices(); ++a)
+      patch.ends[a] = ends[std::size_t(std::find(order, order + patch.dim, ours[a]) - order)];
   }
   return patch;
 }

@@ -11,14 +11,14 @@ namespace ndframe
 {
 
 void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, const RecoveredField& recovered,
-                    ErrorMode mode, AdmissibleScene& admissible)
+                    ErrorMode mode, OscillationBound bound, AdmissibleScene& admissible)
 {
   admissible.oscillation.clear();
   for (const StaticData& data : recovery.data)
     admissible.oscillation.push_back(ofCells(data.oscillation));
   if (mode == ErrorMode::Paper || recovered.stress.corrections.empty())
     return;
-  const auto contact = contactOscillation(scene.bodies, scene.patches, recovered.stress.tractions[0]);
+  const auto contact = contactOscillation(scene.bodies, scene.patches, recovered.stress.tractions[0], bound);
   for (std::size_t b = 0; b < contact.size(); ++b)
     for (std::size_t cell = 0; cell < contact[b].size(); ++cell) {
       double& square = admissible.oscillation[b][cell];

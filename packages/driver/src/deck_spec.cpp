@@ -85,7 +85,8 @@ ListSpec interfaceSpec()
       {"Corner Angle", 35.0, inClosedRange(0.0, 180.0),
        "In degrees. Where the side's facets meet at a smaller angle on the first mesh, they represent a curve, and n_c "
        "turns along them from vertex to vertex; at a larger one each facet keeps its own normal, and the corner has "
-       "the conditions of both. 0: all facets keep their own, with one condition per vertex, along the mean."}};
+       "the conditions of both (in solids one, along the mean). 0: all facets keep their own, with one condition per "
+       "vertex, along the mean."}};
   ListSpec pairing = makeList("Pairing", "How sides in the plane whose meshes do not match are brought together.");
   pairing.params = {
       {"Type", std::string("Cut"), oneOf({"Cut", "Mortar"}),

@@ -82,11 +82,10 @@ const ReferenceStress& keptTables()
 
 const ReferenceStress& referenceStress(int dim, int degree)
 {
-  NDFRAME_ASSERT((dim == 2 && degree >= 1 && degree <= 3) || (dim == 3 && degree >= 1 && degree <= 2),
-                 "tables exist for dim 2 with degree 1 to 3 and dim 3 with degree 1, 2");
+  NDFRAME_ASSERT((dim == 2 || dim == 3) && degree >= 1 && degree <= 3, "tables exist for degrees 1 to 3");
   using Tables = const ReferenceStress& (*)();
   constexpr Tables ofPlane[] = {keptTables<2, 1, 0>, keptTables<2, 2, 3>, keptTables<2, 3, 9>};
-  constexpr Tables ofSpace[] = {keptTables<3, 1, 0>, keptTables<3, 2, 18>};
+  constexpr Tables ofSpace[] = {keptTables<3, 1, 0>, keptTables<3, 2, 18>, keptTables<3, 3, 66>};
   return (dim == 2 ? ofPlane : ofSpace)[degree - 1]();
 }
 

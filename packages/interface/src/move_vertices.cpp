@@ -4,7 +4,7 @@
 #include <optional>
 #include <utility>
 
-#include "loose_vertices.hpp"
+#include "ndframe/mesh/loose_vertices.hpp"
 
 namespace ndframe
 {

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "facet_tree.hpp"
+#include "ndframe/fem/lagrange.hpp"
+#include "ndframe/mesh/surface_normals.hpp"
 
 namespace ndframe
 {
@@ -17,7 +20,12 @@ constexpr double onFacet = 1e-6, sameEnd = 1e-9;
 
 Direction combine(double a, const Direction& x, double b, const Direction& y)
 {
-  return {a * x[0] + b * y[0], a * x[1] + b * y[1], 0.0};
+  return {a * x[0] + b * y[0], a * x[1] + b * y[1], a * x[2] + b * y[2]};
+}
+
+Direction crossProduct(const Direction& a, const Direction& b)
+{
+  return {a[1] * b[2] - a[2] * b[1], a[2] * b[0] - a[0] * b[2], a[0] * b[1] - a[1] * b[0]};
 }
 
 bool isZero(const Direction& d)
@@ -41,7 +49,7 @@ public:
 
   void turn(double cornerAngle)
   {
-    std::vector<std::array<Direction, 2>> ends(own_.size());
+    std::vector<VertexNormals> ends(own_.size());
     bool turns = false;
     for (int f = 0; f < mesh_.numFacets(); ++f) {
       ends[std::size_t(f)] = endsOf(f, cornerAngle);
@@ -121,10 +129,10 @@ private:
     return combine(2.0 / (dotProduct(sum, own_[first]) + dotProduct(sum, own_[second])), sum, 0.0, sum);
   }
 
-  std::array<Direction, 2> endsOf(int facet, double cornerAngle) const
+  VertexNormals endsOf(int facet, double cornerAngle) const
   {
     const Direction& own = own_[std::size_t(facet)];
-    std::array<Direction, 2> ends{own, own};
+    VertexNormals ends{own, own};
     std::array<Kind, 2> kinds{};
     for (const std::size_t end : {0u, 1u}) {
       kinds[end] = kind(vertex(facet, int(end)), cornerAngle);
@@ -144,16 +152,57 @@ private:
   std::vector<std::vector<int>> around_; ///< a vertex's facets
 };
 
-/// Where a point lies on a segment: from 0 at its first end to 1; NaN beside it.
-double placeOn(const double* a, const double* b, const double* x)
+/// The field on a side of a solid.
+std::vector<VertexNormals> onTriangles(const InterfaceMesh& mesh, double cornerAngle)
+{
+  TriangleSurface surface{{}, {}, mesh.facetNormals};
+  for (int i = 0; i < mesh.numNodes(); ++i)
+    surface.points.push_back({mesh.point(i)[0], mesh.point(i)[1], mesh.point(i)[2]});
+  for (int f = 0; f < mesh.numFacets(); ++f)
+    surface.triangles.push_back({mesh.nodesOf(f)[0], mesh.nodesOf(f)[1], mesh.nodesOf(f)[2]});
+  return turningNormals(surface, cornerAngle);
+}
+
+/// Barycentric coordinates of a point on a segment; nothing beside it.
+std::optional<std::array<double, 3>> placeOn(const double* a, const double* b, const double* x)
 {
   const double dx = b[0] - a[0], dy = b[1] - a[1], squared = dx * dx + dy * dy;
   const double along = ((x[0] - a[0]) * dx + (x[1] - a[1]) * dy) / squared;
   const double beside = ((x[0] - a[0]) * dy - (x[1] - a[1]) * dx) / squared;
-  for (const double end : {0.0, 1.0})
-    if (std::abs(along - end) <= sameEnd && std::abs(beside) <= onFacet)
-      return end;
-  return std::abs(beside) <= onFacet && along >= -onFacet && along <= 1.0 + onFacet ? along : std::nan("");
+  if (!(std::abs(beside) <= onFacet && along >= -onFacet && along <= 1.0 + onFacet))
+    return std::nullopt;
+  const double place = std::abs(along) <= sameEnd ? 0.0 : std::abs(along - 1.0) <= sameEnd ? 1.0 : along;
+  return std::array{1.0 - place, place, 0.0};
+}
+
+/// The same on a triangle.
+std::optional<std::array<double, 3>> placeOn(const std::array<const double*, 3>& corners, const double* x)
+{
+  std::array<Direction, 3> to{};
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t k = 0; k < 3; ++k)
+      to[i][k] = corners[i][k] - x[k];
+  const auto normal = [&](std::size_t i) { // of the triangle without vertex i, twice its area long
+    return crossProduct(to[(i + 1) % 3], to[(i + 2) % 3]);
+  };
+  const Direction whole = combine(1.0, combine(1.0, normal(0), 1.0, normal(1)), 1.0, normal(2));
+  const double squared = dotProduct(whole, whole), beside = dotProduct(to[0], whole) / std::pow(squared, 0.75);
+  std::array<double, 3> place{};
+  for (std::size_t i = 0; i < 3; ++i) {
+    place[i] = dotProduct(normal(i), whole) / squared;
+    for (const double end : {0.0, 1.0})
+      place[i] = std::abs(place[i] - end) <= sameEnd ? end : place[i];
+    if (!(place[i] >= -onFacet))
+      return std::nullopt;
+  }
+  return std::abs(beside) <= onFacet ? std::optional(place) : std::nullopt;
+}
+
+/// n in the middle of a facet's edge.
+Direction middleOf(const VertexNormals& ends, int dim, int edge)
+{
+  const auto [a, b] = dim == 2 ? SimplexEdges<1>::vertices[0] : SimplexEdges<2>::vertices[std::size_t(edge)];
+  return combine(0.5, ends[std::size_t(a)], 0.5, ends[std::size_t(b)]);
 }
 
 } // namespace
@@ -167,7 +216,7 @@ void setNodeNormals(InterfaceMesh& mesh)
     for (int i = 0; i < nodes; ++i) {
       const auto node = std::size_t(mesh.nodesOf(f)[i]);
       const auto& ends = mesh.endNormals[std::size_t(f)];
-      const Direction n = i < 2 ? ends[std::size_t(i)] : combine(0.5, ends[0], 0.5, ends[1]);
+      const Direction n = i < mesh.dim ? ends[std::size_t(i)] : middleOf(ends, mesh.dim, i - mesh.dim);
       const Direction change = combine(1.0, n, -1.0, value[node]);
       if (isZero(n) || (!isZero(value[node]) && dotProduct(change, change) > straightOn * straightOn))
         keeps[node] = 1;
@@ -180,7 +229,10 @@ void setNodeNormals(InterfaceMesh& mesh)
 
 void turnNormals(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle)
 {
-  TurningSide(mesh, dirichletMesh).turn(cornerAngle);
+  if (mesh.dim == 2)
+    TurningSide(mesh, dirichletMesh).turn(cornerAngle);
+  else
+    mesh.endNormals = onTriangles(mesh, cornerAngle);
   if (!mesh.endNormals.empty())
     setNodeNormals(mesh);
 }
@@ -196,23 +248,30 @@ void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerA
 bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
 {
   const FacetTree tree(earlier);
-  const auto vertex = [](const InterfaceMesh& side, int facet, int end) {
-    return side.point(side.nodesOf(facet)[end]);
+  const auto corners = [](const InterfaceMesh& side, int facet) {
+    std::array<const double*, 3> points{};
+    for (int i = 0; i < side.dim; ++i)
+      points[std::size_t(i)] = side.point(side.nodesOf(facet)[i]);
+    return points;
   };
-  std::vector<std::array<Direction, 2>> normals(std::size_t(mesh.numFacets()));
+  std::vector<VertexNormals> normals(std::size_t(mesh.numFacets()));
   for (int f = 0; f < mesh.numFacets(); ++f) {
-    const double *a = vertex(mesh, f, 0), *b = vertex(mesh, f, 1);
-    const double middle[3] = {0.5 * (a[0] + b[0]), 0.5 * (a[1] + b[1]), 0.0};
+    const auto own = corners(mesh, f);
+    double middle[3] = {};
+    for (int i = 0; i < mesh.dim; ++i)
+      for (int k = 0; k < mesh.dim; ++k)
+        middle[k] += own[std::size_t(i)][k] / mesh.dim;
     const int parent = tree.nearest(middle).facet;
-    const double *start = vertex(earlier, parent, 0), *end = vertex(earlier, parent, 1);
-    const std::array<double, 2> place{placeOn(start, end, a), placeOn(start, end, b)};
-    if (std::isnan(place[0]) || std::isnan(place[1]))
-      return false;
+    const auto theirs = corners(earlier, parent);
     const auto& ends = earlier.endNormals[std::size_t(parent)];
-    const Direction& ours = mesh.normals[std::size_t(*mesh.nodesOf(f))];
-    const double sign = dotProduct(ends[0], ours) < 0.0 ? -1.0 : 1.0; // seen from the other body
-    for (std::size_t i = 0; i < 2; ++i)
-      normals[std::size_t(f)][i] = combine(sign * (1.0 - place[i]), ends[0], sign * place[i], ends[1]);
+    const double sign = dotProduct(ends[0], mesh.facetNormals[std::size_t(f)]) < 0.0 ? -1.0 : 1.0; // of the other body
+    for (std::size_t i = 0; i < std::size_t(mesh.dim); ++i) {
+      const auto place = mesh.dim == 2 ? placeOn(theirs[0], theirs[1], own[i]) : placeOn(theirs, own[i]);
+      if (!place)
+        return false;
+      for (std::size_t a = 0; a < std::size_t(mesh.dim); ++a)
+        normals[std::size_t(f)][i] = combine(1.0, normals[std::size_t(f)][i], sign * (*place)[a], ends[a]);
+    }
   }
   mesh.endNormals = std::move(normals);
   setNodeNormals(mesh);

@@ -76,12 +76,12 @@ void addFacingNodes(InterfaceMesh& interface, const SideMap& map, const std::vec
 }
 
 /// n at the vertices of a piece's first facet; zeros where the facet keeps its own.
-std::array<Direction, 2> normalsOf(const SideMap& map, const FacingPiece& piece)
+VertexNormals normalsOf(const SideMap& map, const FacingPiece& piece)
 {
   const SideSegment& segment = map.segments()[piece.segment];
   if (!map.first().edges()[std::size_t(segment.firstEdge)].turns)
     return {};
-  std::array<Direction, 2> ends{map.normal(segment, piece.at[0]), map.normal(segment, piece.at[1])};
+  VertexNormals ends{map.normal(segment, piece.at[0]), map.normal(segment, piece.at[1])};
   if (piece.onFirst[0] > piece.onFirst[1])
     std::swap(ends[0], ends[1]);
   return ends;

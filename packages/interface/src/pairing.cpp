@@ -235,7 +235,7 @@ InterfaceMesh pairSides(const InterfaceSettings& settings, const BodyModel& diri
   if (!matchFacets(interface, neumann, second))
     throw InputError(otherFacets(settings, names));
   refuseSameSide(settings, interface, dirichlet, neumann);
-  if (interface.dim == 2)
+  if (surface == nullptr) // a rigid body has the normal, or faces a flat side
     turnNormals(interface, dirichlet.mesh, settings.cornerAngle);
   evaluateGap(settings, interface, surface != nullptr ? surface->gap : std::string());
   return interface;

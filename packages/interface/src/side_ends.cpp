@@ -1,9 +1,9 @@
 #include <cmath>
 #include <optional>
 
-#include "loose_vertices.hpp"
 #include "ndframe/cutting/solid_sides.hpp"
 #include "ndframe/interface/insertion.hpp"
+#include "ndframe/mesh/loose_vertices.hpp"
 
 namespace ndframe
 {

@@ -46,7 +46,7 @@ std::vector<Piece> facetEdges(const Mesh& mesh, const std::vector<Facet>& facets
     Piece piece{{}, {side.sides[0].nodes[std::size_t(local[0])], side.sides[0].nodes[std::size_t(local[1])]}};
     piece.edge = {{pointAt(mesh, piece.vertices[0]), pointAt(mesh, piece.vertices[1])}, {own, own}};
     if (!side.endNormals.empty() && dotProduct(side.endNormals[f][0], side.endNormals[f][0]) > 0.0) {
-      piece.edge.normals = side.endNormals[f];
+      piece.edge.normals = {side.endNormals[f][0], side.endNormals[f][1]};
       piece.edge.turns = true;
     }
     if (cross(difference(piece.edge.ends[1], piece.edge.ends[0]), own) > 0.0) { // the normal must be to the right

@@ -37,7 +37,7 @@ DenseMatrix releasedByTraction(const RecoveryScene& scene, const InterfaceVertex
   for (const PatchEnd& end : vertex.ends)
     rows += (scene.patches[std::size_t(end.patch)].turns ? 2 : 1) * modes;
   DenseMatrix map(rows, int(vertex.ends.size()) * modes);
-  const EndTables turning = turningModes(modes - 1, modes - 1);
+  const EndTables turning = turningModes(2, modes - 1, modes - 1);
   OrderedModes inOrder(2, modes - 1);
   int row = 0, col = 0;
   const auto add = [&](const DenseMatrix& block, double factor) {

@@ -80,7 +80,7 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, L
                               *bodies_[body], std::vector<FieldInput>{{field.displacement[body], &contact[body]}}));
 
   std::vector<TractionStep> steps = firstSteps(field, loads, threads);
-  const EndTables turning = turningModes(traction.degree, traction.degree);
+  const EndTables turning = turningModes(2, traction.degree, traction.degree);
   for (int pass = 0; pass < passes; ++pass)
     for (std::size_t v = 0; v < vertices_.size(); ++v)
       addTurned(turning, scene_.patches, vertices_[v], steps[v].apply(traction), traction);
@@ -91,7 +91,7 @@ ContactTraction InterfaceStars::optimise(const SceneField& field, int threads, L
 void InterfaceStars::sweep(const Vector& opening, ContactTraction& traction,
                            const std::vector<StressCorrection*>& corrections, Ledger& ledger) const
 {
-  const EndTables turning = turningModes(traction.degree, traction.degree);
+  const EndTables turning = turningModes(2, traction.degree, traction.degree);
   for (const InterfaceVertex& vertex : vertices_) {
     const InterfaceStar star(scene_, bodies_, vertex);
     std::vector<StarFields> x(star.sides().size());

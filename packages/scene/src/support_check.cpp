@@ -48,15 +48,21 @@ public:
   /// Whether no motion is left, shown without much work: A^T A has a sparse Cholesky factor. False: perhaps not.
   bool areIndependent() const
   {
+    constexpr double seen = 1e-12; // squared; of motions that all are about 1: what turns in a round hole has round-off
     SymmetricEntries gram;
     gram.size = numMotions_;
+    Vector squares(std::size_t(numMotions_), 0.0);
     for (int j = 0; j < numMotions_; ++j)
       gram.add(j, j, 0.0);
     for (const auto& row : rows_)
       for (const auto& [i, first] : row)
         for (const auto& [j, second] : row)
-          if (i <= j)
+          if (i <= j) {
             gram.add(i, j, first * second);
+            squares[std::size_t(i)] += i == j ? first * second : 0.0;
+          }
+    if (*std::min_element(squares.begin(), squares.end()) <= seen * largestEntry(squares))
+      return false;
     try {
       const SparseCholesky factor(gram);
       return true;

@@ -36,8 +36,8 @@ struct ContactPatch
   double measure = 0.0;             ///< length or area, on the interface's first side
   FacetNodes nodes{}; ///< interface nodes: vertices (in any order), then (order 2) the middles (FacetEdges)
   FacetNodes pairs{}; ///< their pairs of body nodes: nodes, but for the second node of a corner the first
-  bool turns = false; ///< only in the plane: n_c turns along the patch, linear between `ends`
-  std::array<Direction, 2> ends{};   ///< n_c at the vertices (nodes 0, 1) where it turns
+  bool turns = false; ///< n_c turns along the patch, linear between `ends`
+  std::array<Direction, 3> ends{};   ///< n_c at the vertices (the first `dim` nodes) where it turns
   bool isDrawnApart = false;         ///< the distance of the two sides as they are drawn is a part of the gap
   std::array<Direction, 3> drawn{};  ///< then (in the plane) x1 - x2 at the nodes, of the displacements' order
   std::array<Direction, 3> points{}; ///< its vertices on the interface's first side
@@ -47,7 +47,7 @@ struct ContactPatch
   std::size_t numNodes(int order) const { return std::size_t(numFacetNodes(dim, order)); }
   /// Both sides are of one body.
   bool touchesItself() const { return sides[0].body == sides[1].body; }
-  /// n_c at a node of the patch; where it turns 0, 1 are the vertices of an edge, 2 its middle.
+  /// n_c at a node of the patch, in the order of `nodes`.
   Direction normalAt(std::size_t node) const;
 };
 

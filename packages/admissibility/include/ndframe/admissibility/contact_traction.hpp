@@ -13,8 +13,8 @@ struct ContactTraction
   int degree = 0; ///< q, at least the order of the displacements
   Vector shares;  ///< per patch, per vertex, per mode (of facetBasis): int t_a L_k, a force
   /// Where n_c turns: what the stresses carry of t n_c, which is of one degree more than t (contactOscillation has the
-  /// rest). Laid out like `shares` with two components a mode; zero on patches that do not turn, empty without any that
-  /// does.
+  /// rest). Laid out like `shares` with `dim` components a mode; zero on patches that do not turn, empty without any
+  /// that does.
   Vector vectors{};
   int dim = 2; ///< of space
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <array>
+#include <vector>
 
 #include "ndframe/algebra/dense.hpp"
 
@@ -34,6 +35,9 @@ void facetFunctions(int dim, int order, const double* lambda, double* N);
 
 /// Their moments 1/|f| int N_i L_k dS, nodes x modes, with the basis of tractions of this degree.
 DenseMatrix facetMoments(int dim, int order, int degree);
+
+/// Exponents of the Bernstein polynomials of degree q on a facet; on edges from the first vertex to the second.
+std::vector<std::array<int, 3>> bernsteinPowers(int dim, int degree);
 
 /// Bernstein coefficients from nodal values on a facet, nodes x nodes: those of the vertices are the values there, that
 /// of an edge vw with the middle m is 2 x_m - (x_v + x_w) / 2.

@@ -6,17 +6,17 @@
 namespace ndframe
 {
 
-/// Tables for edges, the patches of the plane, along which n_c turns, n = sum_e n_e lambda_e; one for each end e, all
-/// means over an edge.
-using EndTables = std::array<DenseMatrix, 2>;
+/// Tables for patches along which n_c turns, n = sum_e n_e lambda_e; one for each vertex e, all means over the patch.
+/// dim: of space.
+using EndTables = std::vector<DenseMatrix>;
 
-/// lambda_e N_i L_k of the nodal functions: (order + 1) x (degree + 1).
-EndTables turningEdgeMoments(int order, int degree);
+/// lambda_e N_i L_k of the nodal functions: nodes x modes.
+EndTables turningMoments(int dim, int order, int degree);
 
-/// lambda_e L_k L_j: the moments k <= `fine` of lambda_e t by the moments j <= `degree` of t.
-EndTables turningModes(int degree, int fine);
+/// lambda_e L_k L_j: the moments of lambda_e t up to degree `fine` by those of t up to `degree`.
+EndTables turningModes(int dim, int degree, int fine);
 
-/// Moments of t n by those of t, mode by mode, two components: (fine + 1) * 2 values; forces.
+/// Moments of t n by those of t, mode by mode, `dim` components; forces.
 Vector turned(const EndTables& modes, const ContactPatch& patch, const Vector& moments);
 
 /// Adds a change of a patch's t (its moments) to what the share of one vertex carries of t n.

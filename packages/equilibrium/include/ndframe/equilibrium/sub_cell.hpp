@@ -42,7 +42,7 @@ inline double referenceMeasure(int dim)
 }
 
 /// Polynomials of a stress in one sub-cell, at most: degree 3 in the plane, 2 in space.
-inline constexpr int maxStressModes = 10;
+inline constexpr int maxStressModes = 20;
 
 /// Place of stress component (i, j) in Voigt notation (see Elasticity).
 inline int voigt(int dim, int i, int j)

@@ -22,6 +22,9 @@ struct InterfaceSide
   std::vector<Facet> facets; ///< per facet of the interface, on the body's mesh
 };
 
+/// n_c at the vertices of a facet, in their order; in the plane it has two.
+using VertexNormals = std::array<Direction, 3>;
+
 /// Two sides that may touch, whose meshes match: each facet has one that it faces. Everything is seen from the
 /// Dirichlet body: n_c = n_1.
 ///
@@ -47,9 +50,9 @@ struct InterfaceMesh
   std::vector<int> facets;        ///< interface nodes per facet, as facetLocalNodes has them on the first side
   std::vector<double> measures;   ///< of the facets, on the first side
   std::vector<Direction> facetNormals; ///< of the first side's facets, seen from the Dirichlet body as n_c
-  /// n_c at the two vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
+  /// n_c at the vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
   /// their own normal. Empty where nothing turns.
-  std::vector<std::array<Direction, 2>> endNormals;
+  std::vector<VertexNormals> endNormals;
   std::shared_ptr<const InterfaceMesh> firstMesh; ///< the side as first meshed, which gave the normals; null: this one
   std::shared_ptr<const SideMap> map; ///< in the plane which points face each other; null: sides match as drawn
   bool isCut = false;                 ///< the meshes were cut to match; each body is refined by itself

@@ -5,8 +5,10 @@
 namespace ndframe
 {
 
-/// The direction n along which two sides in the plane may not come closer, where their polygon stands for a curve:
-/// continuous, linear along every facet between the values at its vertices.
+/// The direction n along which two sides may not come closer, where their polygon or polyhedron stands for a curve or a
+/// curved surface: continuous, linear along every facet between the values at its vertices.
+///
+/// In space: turningNormals() (surface_normals.hpp), in which edges are what corners are here. In the plane:
 ///
 /// At a vertex n points along the radius of the circle through it and its neighbours (the facets' normals weighted by
 /// each other's lengths) and is so long that its parts along the two facets' normals are 1 in the mean: on equal chords
@@ -26,7 +28,7 @@ void setNodeNormals(InterfaceMesh& mesh);
 /// Gives every corner inside a side, where two facets of the plane meet at more than `cornerAngle`, a second node with
 /// the same body nodes, so that each facet keeps its own normal there: two conditions on one pair of nodes. Not with an
 /// angle of 0, where every vertex would be a corner and a curved side could not slip. maySplit: per interface node,
-/// false where it has to stay one.
+/// false where it has to stay one. In the plane only.
 void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle,
                   const std::vector<char>& maySplit);
 

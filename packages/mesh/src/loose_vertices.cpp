@@ -1,4 +1,4 @@
-#include "loose_vertices.hpp"
+#include "ndframe/mesh/loose_vertices.hpp"
 
 #include <algorithm>
 #include <array>
