@@ -319,6 +319,18 @@ class Passes(Restarts):
             with self.subTest(ranks=ranks):
                 self.assert_passes_go_on("hertz-3d", *WHOLE, ranks=ranks)
 
+    def test_on_another_number_of_ranks(self):
+        """Forces to 1e-10 of the loads, by iterations of one rank and of two."""
+        deck = DECKS / "hertz-3d.xml"
+        content = self.caught("whole", deck, WHOLE, 1, 0)[0]
+        (self.folder / "moved").mkdir()
+        (self.folder / "moved" / "hertz-3d.checkpoint").write_bytes(content)
+        done = self.end("moved", deck, WHOLE, "--restart", ranks=2)
+        self.assertIn("status pass", done.stdout)
+        ours, theirs = (self.results(name)[0] for name in ("moved", "whole"))
+        self.assertEqual(ours["interfaces"][0]["closed_nodes"], theirs["interfaces"][0]["closed_nodes"])
+        self.assertAlmostEqual(ours["energy"] / theirs["energy"], 1.0, delta=1e-8)
+
     def test_on_the_way_to_a_target(self):
         self.assert_passes_go_on("contact-loss-3d", "Linear Solver/Type=Multigrid", "Accuracy/Target=0.1", least=3, code=4)
 

@@ -99,7 +99,9 @@ StatusPasses firstPass(StatusSystem& system, std::vector<char> closed, Ledger& l
     now.closed = std::move(closed);
     return now;
   }
-  if (after->first.size() != closed.size() || after->closed.size() != closed.size() || !system.recall(after->system))
+  const std::size_t size = closed.size();
+  if (after->first.size() != size || after->closed.size() != size || after->u.size() != size ||
+      !system.recall(after->system))
     throw InputError("The status passes to go on from are those of another interface or coupling.");
   ledger.restore(after->counts, ledger.stages());
   return *after;
