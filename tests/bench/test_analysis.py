@@ -8,11 +8,12 @@ import pathlib
 import sys
 import tempfile
 import unittest
+import xml.etree.ElementTree
 
 sys.dont_write_bytecode = True
 sys.path.insert(0, str(pathlib.Path(sys.argv.pop(1)) / "apps/ndbench"))
 
-from bench import accuracy, analysis, campaign, last_mesh, methods, page, references, targets, truth
+from bench import accuracy, analysis, campaign, last_mesh, methods, page, program, references, targets, truth
 from bench.child import cost_of
 from bench.program import Run
 from bench.scenes import SCENES
@@ -159,6 +160,16 @@ class Truth(unittest.TestCase):
         for name, exact in references.load().items():
             self.assertTrue(exact.low <= exact.best <= exact.high < 0, name)
             self.assertLess(exact.high - exact.low, (1e-3 if exact.pressure else 1e-2) ** 2 * exact.norm**2, name)
+
+
+class Decks(unittest.TestCase):
+    def test_a_bare_deck_lacks_two_lists_and_nothing_else(self):
+        deck = next(scene for scene in SCENES if scene.joins_solids).deck
+        with tempfile.TemporaryDirectory() as folder:
+            lists = [xml.etree.ElementTree.parse(path).getroot() for path in (deck, program.bare(deck, folder))]
+        whole, left = ({entry.get("name"): xml.etree.ElementTree.tostring(entry) for entry in one} for one in lists)
+        self.assertEqual(set(whole) - set(left), {"Error Estimation", "Expect"})
+        self.assertLessEqual(left.items(), whole.items())
 
 
 class Child(unittest.TestCase):

@@ -122,6 +122,26 @@ class Campaign(unittest.TestCase):
             self.assertLess(abs(float(row["same_bound"]) - 1), 0.1, row)
             self.assertGreater(float(row["work"]), 1, row)
 
+    def test_solids_in_contact_have_their_own_table(self):
+        """No bound is below the upper end of what the true error may be."""
+        with tempfile.TemporaryDirectory() as folder:
+            done = ndbench(folder, "--solids", "--short")
+            self.assertEqual(done.returncode, 0, done.stderr)
+            files = pathlib.Path(folder)
+            with open(files / "solids.csv", newline="") as table:
+                rows = list(csv.DictReader(table))
+            self.assertEqual([path.name for path in files.glob("*.png")], ["bench-solids.png"])
+            self.assertIn("| punch-3d | adaptive, certified, target 10 % |", (files / "solids.md").read_text())
+            self.assertIn("| contact-loss-3d |", (files / "solids-fastest.md").read_text())
+        self.assertEqual(len(rows), 2 * 3 * 2)
+        self.check_rows(rows)
+        for row in rows:
+            self.assertEqual(row["exit"], "0")
+            self.assertEqual(bool(row["bound"]), "certified" in row["method"], row)
+            self.assertGreaterEqual(float(row["bound"] or "inf"), float(row["error_high"]), row)
+            if "target" in row["size"]:
+                self.assertLessEqual(100 * float(row["bound"]), float(row["size"].split()[1]), row)
+
     def test_targets_are_measured(self):
         with tempfile.TemporaryDirectory() as folder:
             done = ndbench(folder, "--targets", "--short")

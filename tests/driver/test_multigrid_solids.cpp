@@ -262,6 +262,37 @@ TEST(MultigridSolids, AreFactoredInContactAfterAllWhereTheyHaveASecondChoice)
             1e-6);
 }
 
+/// From passes that were kept before, to the same bits: the later ones are not of whole bodies, and not kept.
+TEST(MultigridSolids, AreFactoredAfterAllWhereTheyGoOnFromEarlierPasses)
+{
+  const auto outcome = liftingPlate().run();
+  const Params deck = liftingPlate().set("Coupling/Type=Monolithic").params();
+  const auto coupling = components().couplings.build(deck.sub("Coupling"));
+  const auto representation = components().interfaceOperators.build(deck.sub("Interface Operator"));
+  std::vector<SweepsDone> kept;
+  const auto solved = [&](std::optional<SweepsDone> after) {
+    const auto solver = makeWithSecondChoice(makeMultigrid(12), makeCholmod());
+    Ledger ledger;
+    const CondensedModel condensed = condense(outcome.run.model, *solver, *representation, Comm::single(), ledger);
+    CouplingStart start;
+    start.sweeps = {std::move(after), 1, [&](const SweepsDone& done) { kept.push_back(done); }};
+    auto result = coupling->solve(
+        condensed.interface, [](const SweepRecord&, const InterfaceState&) {}, ledger, start);
+    EXPECT_EQ(ledger.counted("solvers given up"), 2);
+    return result;
+  };
+  const auto whole = solved({});
+  const std::vector<SweepsDone> early = kept;
+  ASSERT_FALSE(early.empty());
+  for (const SweepsDone& done : early) {
+    EXPECT_FALSE(done.passes->system.fields.empty());
+    const auto rest = solved(done);
+    EXPECT_EQ(rest.state.closed, whole.state.closed);
+    EXPECT_EQ(rest.state.uDirichlet, whole.state.uDirichlet);
+    EXPECT_EQ(rest.state.tractionDirichlet, whole.state.tractionDirichlet);
+  }
+}
+
 /// Condensed, with a run a column, and by sweeps with Neumann problems.
 TEST(MultigridSolids, AreCondensedWhereTheDeckOrTheCouplingWantsIt)
 {

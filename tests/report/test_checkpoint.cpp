@@ -50,6 +50,16 @@ Checkpoint sample()
   done.traction = atInterface({1e300, 0.1});
   done.relaxation = {{0.5}, {}, {1.0 / 3.0, -0.0}};
   done.counts = {{"sweeps", 20}};
+  done.passes.emplace();
+  done.passes->first = {1, 1};
+  done.passes->closed = {1, 0};
+  done.passes->passes = 3;
+  done.passes->u = {0.1, 5e-324};
+  done.passes->history = {{{1, 0}, {1, 1}}, 4, true, true, 2};
+  done.passes->system.fields = {{1.0 / 3.0, -0.0}, {}};
+  done.passes->system.levelClosed = {0, 1};
+  done.passes->system.tolerance = 1e-3;
+  done.passes->counts = {{"status passes", 3}};
   checkpoint.sweeps->goal = 1e-3;
   checkpoint.sweeps->before = 7;
   checkpoint.solution = {{0.1, -0.0}, {}};
@@ -106,6 +116,10 @@ TEST(CheckpointFile, HoldsAllBitsOfAllNumbers)
   EXPECT_EQ(level.roles.front().dirichletBodies, given.roles.front().dirichletBodies);
   EXPECT_FALSE(level.roles.front().contractionExchanged.has_value());
   EXPECT_EQ(after.counts, before.counts);
+  const StatusPasses &passes = *after.sweeps->done.passes, &kept = *before.sweeps->done.passes;
+  expectSameBits(passes.u, kept.u);
+  expectSameBits(passes.system.fields.front(), kept.system.fields.front());
+  EXPECT_EQ(passes.history.seen, kept.history.seen);
 }
 
 TEST(CheckpointFile, IsRefusedWhereverItEndsTooEarly)

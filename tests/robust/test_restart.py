@@ -276,6 +276,84 @@ class Sweeps(Restarts):
         self.assert_same("killed", "whole")
 
 
+# Some ten passes over the statuses of solids that are solved whole, of a tenth of a second each.
+WHOLE = ("Linear Solver/Type=Multigrid", "Bodies/sphere/Mesh/Cells={6, 6, 4}", "Bodies/block/Mesh/Cells={6, 6, 4}")
+
+
+# Contact opens, and bricks are loose on the way.
+PRESSED = tuple(f"Bodies/brick 4.{i}/Loads/press 1/Value=(x<2)+0.01" for i in (1, 2, 3, 4))
+
+
+class Passes(Restarts):
+    """Couplings without sweeps go on from their last pass over the statuses."""
+
+    def caught(self, name, deck, settings, ranks, code):
+        """A run, and its checkpoints one after another, as far as they could be seen."""
+        process = self.start(*self.command(name, deck, settings, ranks=ranks))
+        path, caught = self.folder / name / f"{deck.stem}.checkpoint", []
+        while process.poll() is None:
+            content = path.read_bytes() if path.exists() else b""
+            if content and content not in caught[-1:]:
+                caught.append(content)
+            time.sleep(0.001)
+        self.assertEqual(process.returncode, code, name)
+        return caught
+
+    def assert_passes_go_on(self, deck, *settings, ranks=1, least=2, code=0):
+        path, whole, found = DECKS / f"{deck}.xml", f"whole-{ranks}", set()
+        caught = self.caught(whole, path, settings, ranks, code)
+        for number, content in enumerate(caught[:: 1 if ranks == 1 else max(1, len(caught) // 3)]):
+            name = f"pass-{ranks}-{number}"
+            (self.folder / name).mkdir()
+            (self.folder / name / f"{deck}.checkpoint").write_bytes(content)
+            done = self.run_command(*self.command(name, path, settings, "--restart", ranks=ranks))
+            if "is finished" in done.stderr:
+                continue
+            self.assertEqual(done.returncode, code, done.stdout + done.stderr)
+            found.add(done.stdout.split(" not solved again")[0].split(": ")[-1])
+            self.assert_same(name, whole)
+        self.assertGreaterEqual(sum("status pass" in text for text in found), least, found)
+
+    def test_of_whole_solids_on_1_2_and_3_ranks(self):
+        for ranks in (1, 2, 3):
+            with self.subTest(ranks=ranks):
+                self.assert_passes_go_on("hertz-3d", *WHOLE, ranks=ranks)
+
+    def test_on_another_number_of_ranks(self):
+        """Forces to 1e-10 of the loads, by iterations of one rank and of two."""
+        deck = DECKS / "hertz-3d.xml"
+        content = self.caught("whole", deck, WHOLE, 1, 0)[0]
+        (self.folder / "moved").mkdir()
+        (self.folder / "moved" / "hertz-3d.checkpoint").write_bytes(content)
+        done = self.end("moved", deck, WHOLE, "--restart", ranks=2)
+        self.assertIn("status pass", done.stdout)
+        ours, theirs = (self.results(name)[0] for name in ("moved", "whole"))
+        self.assertEqual(ours["interfaces"][0]["closed_nodes"], theirs["interfaces"][0]["closed_nodes"])
+        self.assertAlmostEqual(ours["energy"] / theirs["energy"], 1.0, delta=1e-8)
+
+    def test_on_the_way_to_a_target(self):
+        self.assert_passes_go_on("contact-loss-3d", "Linear Solver/Type=Multigrid", "Accuracy/Target=0.1", least=3, code=4)
+
+    def test_of_forces(self):
+        self.assert_passes_go_on("wall", *PRESSED, "Coupling/Type=FETI", least=1, code=4)
+
+    def test_killed_anywhere(self):
+        deck, kills = DECKS / "hertz-3d.xml", 0
+        self.end("whole", deck, WHOLE)
+        seconds = self.results("whole")[0]["ledger"]["total_seconds"]
+        path = self.folder / "killed" / "hertz-3d.checkpoint"
+        for seed in range(6):
+            goes_on = ("--restart",) if path.exists() else ()
+            process = self.start(*self.command("killed", deck, WHOLE, *goes_on))
+            time.sleep(seconds * random.Random(seed).random())
+            kills += process.poll() is None
+            end_session(process)
+        done = self.run_command(*self.command("killed", deck, WHOLE, *(("--restart",) if path.exists() else ())))
+        self.assertIn(done.returncode, (0, 2), done.stderr)
+        self.assertGreater(kills, 0)
+        self.assert_same("killed", "whole")
+
+
 class Refused(Restarts):
     def refuse(self, *messages, deck=PUNCH, settings=PRECISE, ranks=1):
         done = self.end("run", deck, settings, "--restart", code=2, ranks=ranks)
@@ -320,7 +398,7 @@ class Refused(Restarts):
     def test_another_version(self):
         path = self.ended()
         path.write_bytes(path.read_bytes().replace(b"gversione0.1.0", b"gversione0.0.9"))
-        self.refuse("was written by ndframe 0.0.9 (format 4), and this is 0.1.0 (format 4)", BEGIN_AGAIN)
+        self.refuse("was written by ndframe 0.0.9 (format 5), and this is 0.1.0 (format 5)", BEGIN_AGAIN)
 
     def test_files_that_are_no_checkpoints(self):
         path = self.ended()
@@ -336,9 +414,9 @@ class Refused(Restarts):
         path.mkdir()
         self.refuse('cannot read "run/punch.checkpoint"', BEGIN_AGAIN, ranks=2)
 
-    def test_decks_without_levels_and_sweeps(self):
-        for setting in ("Coupling/Type=Monolithic", "Output/Checkpoint Sweeps=0"):
-            deck = DECKS / "automatic.xml" if "Type" in setting else PUNCH
+    def test_decks_without_levels_sweeps_and_passes(self):
+        for deck, setting in ((DECKS / "beam-3d.xml", "Title=alone"), (PUNCH, "Output/Checkpoint Sweeps=0"),
+                              (DECKS / "wall.xml", "Output/Checkpoint Sweeps=0")):
             done = self.run_program("-i", deck, "--set", "Output/Checkpoint=true", "--set", setting)
             self.assert_refused(done, "Output: Checkpoint continues from the levels of a run with a target or from the sweeps",
                                 "the deck asks for neither")
@@ -346,6 +424,20 @@ class Refused(Restarts):
     def test_all_sweeps(self):
         done = self.run_program("-i", PUNCH, "--set", "Output/Checkpoint=true", "--set", "Output/Steps=All Sweeps")
         self.assert_refused(done, "Checkpoint Sweeps keeps the last state alone", "set Checkpoint Sweeps = 0")
+
+    def test_passes_of_another_deck_and_damaged_ones(self):
+        sphere = DECKS / "hertz-3d.xml"
+        process = self.start(*self.command("run", sphere, WHOLE))
+        path, end = self.folder / "run" / "hertz-3d.checkpoint", time.monotonic() + SECONDS
+        while not path.exists() and time.monotonic() < end:
+            time.sleep(0.001)
+        end_session(process)
+        self.refuse("belongs to another deck: Bodies/block/Material/Young Modulus is 2.0 and was 1.0", deck=sphere,
+                    settings=(*WHOLE, "Bodies/block/Material/Young Modulus=2"))
+        whole = path.read_bytes()
+        for damaged, message in ((whole[:-1], "ends too early"), (whole.replace(b"levelClosed", b"levelclosed"), "lacks a part")):
+            path.write_bytes(damaged)
+            self.refuse(message, BEGIN_AGAIN, deck=sphere, settings=WHOLE, ranks=2)
 
     def test_sweeps_of_another_deck(self):
         self.end("run", PUNCH, (*SLOW, "Coupling/Stopping/Maximum Sweeps=50"), code=3)

@@ -54,6 +54,18 @@ def finest_table(rows):
     return table([*head, "bound / error"], lines)
 
 
+def solids_table(rows):
+    """Every run."""
+    lines = [
+        [row["scene"], setting(row), f"{row['dofs']:,}", f"{row['seconds']:.2g}", f"{row['wall']:.2g}",
+         f"{row['peak_bytes'] / GIGABYTE:.2f}", error_text(row), number(row["bound"] and 100 * row["bound"], ".3g"),
+         number(row["effectivity"], ".3f")]
+        for row in rows
+    ]
+    head = ["scene", "run", "dofs", "processor", "seconds", "GB", "error", "bound, %", "bound / error"]
+    return table(head, lines)
+
+
 def percent(value):
     return f"{100 * value:g} %"
 

@@ -5,6 +5,7 @@ import matplotlib
 matplotlib.use("Agg")
 
 import matplotlib.pyplot as plt
+from matplotlib.ticker import FuncFormatter, LogLocator, NullFormatter
 
 from bench.analysis import exponents, power_law
 from bench.campaign import BETWEEN, OUTSIDE
@@ -52,6 +53,12 @@ def slope(axes, rows, x, y):
         axes.annotate(f"{power_law(points)[0]:.2f}", points[-1], fontsize=8, xytext=(4, 2), textcoords="offset points")
 
 
+def label_in_percent(axis):
+    axis.set_major_locator(LogLocator(subs=(1, 2, 5)))
+    axis.set_major_formatter(FuncFormatter(lambda value, _: f"{100 * value:g} %"))
+    axis.set_minor_formatter(NullFormatter())
+
+
 def error_against(rows, x, label, path):
     """Errors with the reference's bracket as error bars. Errors the reference is too coarse for are not drawn."""
     figure, parts = panels(rows)
@@ -68,7 +75,8 @@ def error_against(rows, x, label, path):
                 slope(axes, shown, x, "error")
             bounds = [(row[x], row["bound"]) for row in shown if row["bound"]]
             axes.plot(*zip(*bounds or [((), ())]), ":", color=style[method]["color"], linewidth=1)
-        axes.set(title=scene, xlabel=label, ylabel="true error / norm of the solution", xscale="log", yscale="log")
+        axes.set(title=scene, xlabel=label, ylabel="true error, of the norm of the solution", xscale="log", yscale="log")
+        label_in_percent(axes.yaxis)
         axes.grid(which="both", alpha=0.2)
     exponents = "; figures: exponent of the last three sizes" if x == "dofs" else ""
     legend(figure, style, "dotted: the guaranteed bound" + exponents)
@@ -117,6 +125,10 @@ def stage_shares(stages, path):
     handles = [plt.Rectangle((0, 0), 1, 1, color=colour) for colour in colours.values()]
     figure.legend(handles, names, loc="lower center", ncols=8, fontsize=9)
     save(figure, path)
+
+
+def draw_solids(rows, folder):
+    error_against(rows, "seconds", "processor seconds, start to exit", folder / "bench-solids.png")
 
 
 def draw(rows, stages, folder):

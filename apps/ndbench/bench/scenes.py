@@ -20,7 +20,8 @@ class Scene:
     """A deck whose meshes follow from n, the cells along the interface (across the beam).
 
     The supports of every scene prescribe zero, which the true error relies on (truth.py). Solids in contact write no
-    contact table: it relies on complementary contact there, without a gap.
+    contact table: it relies on complementary contact there, without a gap. hertz-3d has one: where its contact ends
+    inside a cell the sides overlap between nodes, and J(v) on a coarse mesh is below J(u).
     """
 
     name: str
@@ -36,6 +37,10 @@ class Scene:
     @property
     def deck(self):
         return ROOT / "decks" / f"{self.name}.xml"
+
+    @property
+    def joins_solids(self):
+        return self.dim == 3 and not self.alone
 
     def on(self, n):
         return (*self.settings, *self.meshes(n))
@@ -62,7 +67,7 @@ def gmsh(scene, *bodies):
 
 def to_target(level):
     """The meshes of runs with a target."""
-    yield f"Accuracy/Target={(0.04, 0.02, 0.009)[level]}"
+    yield f"Accuracy/Target={(0.02, 0.009, 0.0045)[level]}"
 
 
 def graded_beam(level):
@@ -85,8 +90,8 @@ SCENES = (
     # Not the deck's own support, which prescribes the exact solution: a clamp, where the stress is singular.
     Scene("beam-3d", lambda n: (cells("beam", 4 * n, n, n / 2),), graded_beam, (2, 4, 8, 12),
           settings=("Bodies/beam/Supports/root/Type=Clamp", "Bodies/beam/Supports/root/Side=left"), alone=True, dim=3),
-    Scene("punch-3d", lambda n: (cells("punch", n, n, n), cells("foundation", 2 * n, 2 * n, n)), to_target, (4, 6, 8, 12),
-          (0.1, 0.05, 0.02, 0.01), settings=(NO_TABLE,), dim=3),
+    Scene("punch-3d", lambda n: (cells("punch", n, n, n), cells("foundation", 2 * n, 2 * n, n)), to_target,
+          (4, 6, 8, 12, 16), (0.1, 0.05, 0.02, 0.01), settings=(NO_TABLE,), dim=3),
     Scene("contact-loss-3d", lambda n: (cells("upper", n, n, n / 2), cells("lower", 2 * n, 2 * n, n)), to_target,
-          (4, 6, 8, 12), (0.1, 0.05, 0.02, 0.01), settings=(NO_TABLE,), dim=3),
+          (4, 6, 8, 12, 16), (0.1, 0.05, 0.02, 0.01), settings=(NO_TABLE,), dim=3),
 )

@@ -94,7 +94,7 @@ bool AdaptiveRun::takeNext()
   }
   if (restart_.write) {
     const auto timer = timeStage(tools_.ledger, Stage::Write);
-    restart_.write(checkpoint());
+    restart_.write(levelCheckpoint());
   }
   return solveNext();
 }

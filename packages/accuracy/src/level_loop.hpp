@@ -63,6 +63,8 @@ private:
   // The way back into it (restart.cpp).
   LevelRecord recordOf(const LevelSummary& level, LevelLesson&& lesson, const CarriedContact& contact) const;
   Checkpoint checkpoint() const;
+  /// With the solution of the level that run_ is of.
+  Checkpoint levelCheckpoint() const;
   void keepCheckpoint() const;
   /// Goes through the levels of a checkpoint without solving them, and solves the next one; false when there is none.
   bool resume(const Checkpoint& checkpoint);
@@ -70,7 +72,7 @@ private:
   void recall(const EnergyEnds& energy);
   /// The sweeps that a checkpoint has of the present level, if it has some: the start then goes on from them.
   SweepsRecord takeSweeps(CouplingStart& start);
-  void keepSweeps(const SweepsRecord& before, const SweepsDone& done, std::optional<double> goal) const;
+  void keepSweeps(const SweepsRecord& before, const SweepsDone& done, const CouplingStart& start) const;
 
   const AccuracyComponents& components_;
   RunObserver& observer_;

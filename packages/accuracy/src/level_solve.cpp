@@ -45,7 +45,7 @@ CouplingStart AdaptiveRun::presentState() const
 void AdaptiveRun::solveFrom(CouplingStart start, SweepsRecord& before)
 {
   start.sweeps.every = restart_.sweeps;
-  start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start.iterationError); };
+  start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start); };
   solveRun(run_, tools_, silent_, start);
   isLoose_ = start.exactness == Exactness::Rough && !run_.solved.coupling.state.fields.empty();
   sweeps_ = before.before += int(run_.solved.coupling.history.size());

@@ -96,15 +96,21 @@ Checkpoint AdaptiveRun::checkpoint() const
   checkpoint.counts = tools_.ledger.counts();
   for (const auto& stage : tools_.ledger.stages())
     checkpoint.stages.push_back({stage.name, stage.seconds, stage.peakBytes});
-  if (carriesSolution())
-    checkpoint.solution = CarriedSolution(run_).values();
   return checkpoint;
+}
+
+Checkpoint AdaptiveRun::levelCheckpoint() const
+{
+  Checkpoint whole = checkpoint();
+  if (carriesSolution())
+    whole.solution = CarriedSolution(run_).values();
+  return whole;
 }
 
 void AdaptiveRun::keepCheckpoint() const
 {
   if (restart_.keep && !done_.empty())
-    restart_.keep(checkpoint());
+    restart_.keep(levelCheckpoint());
 }
 
 void AdaptiveRun::recall(const EnergyEnds& energy)
@@ -123,16 +129,18 @@ SweepsRecord AdaptiveRun::takeSweeps(CouplingStart& start)
   sweepsDone_.reset();
   recall(taken.energy);
   start.iterationError = taken.goal;
+  start.exactness = taken.isRough ? Exactness::Rough : Exactness::Full;
   start.sweeps.after = std::move(taken.done);
   return taken;
 }
 
-void AdaptiveRun::keepSweeps(const SweepsRecord& before, const SweepsDone& done, std::optional<double> goal) const
+void AdaptiveRun::keepSweeps(const SweepsRecord& before, const SweepsDone& done, const CouplingStart& start) const
 {
   Checkpoint kept = checkpoint();
   kept.sweeps = before;
   kept.sweeps->done = done;
-  kept.sweeps->goal = goal;
+  kept.sweeps->goal = start.iterationError;
+  kept.sweeps->isRough = start.exactness == Exactness::Rough;
   kept.sweeps->energy = energyEnds(run_.energy);
   restart_.write(kept);
 }

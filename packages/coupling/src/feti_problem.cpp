@@ -56,6 +56,27 @@ FetiProblem::FetiProblem(const Network& network, const FetiStop& stop, Ledger& l
   }
 }
 
+StatusMemory FetiProblem::memory()
+{
+  StatusMemory memory;
+  memory.displacement = v_;
+  memory.force = force_;
+  memory.motions = amplitude_;
+  memory.isOfForces = true;
+  return memory;
+}
+
+bool FetiProblem::recall(const StatusMemory& memory)
+{
+  if (!memory.isOfForces || memory.displacement.size() != v_.size() || memory.force.size() != force_.size() ||
+      memory.motions.size() != amplitude_.size())
+    return false;
+  v_ = memory.displacement;
+  force_ = memory.force;
+  amplitude_ = memory.motions;
+  return true;
+}
+
 bool FetiProblem::holds(const std::vector<char>& closed)
 {
   if (!set_ || !set_->isOf(closed))

@@ -36,6 +36,8 @@ public:
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
   int mostDraws() const override { return networkDraws; }
   const std::vector<std::string>& motions() const override { return motions_; }
+  StatusMemory memory() override;
+  bool recall(const StatusMemory& memory) override;
 
   /// Passes end at this tolerance from now on.
   void endAt(double tolerance) { stop_.tolerance = tolerance; }

@@ -22,11 +22,16 @@ public:
   CouplingResult solve(const InterfaceSystem& system, const SweepObserver& observe, Ledger& ledger,
                        const CouplingStart& start) const override
   {
-    CouplingResult result = settleWhole(system, start, ledger);
+    const bool isWhole = areSolvedWhole(system);
+    CouplingResult result = isWhole ? settleWhole(system, start, ledger) : CouplingResult();
     if (result.history.empty()) {
       InterfaceState state;
+      CouplingStart again; // a run that goes on from passes of whole bodies gives them up again
+      again.traction = start.traction;
+      again.closed = start.closed;
+      const CouplingStart& from = isWhole ? again : start;
       const UnilateralState status =
-          isNetwork(system) ? solveNetwork(system, start, ledger, state) : solvePair(system, start, ledger, state);
+          isNetwork(system) ? solveNetwork(system, from, ledger, state) : solvePair(system, from, ledger, state);
       result = settled(system, std::move(state), status, reasonFor(system));
     }
     observe(result.history.back(), result.state);
@@ -45,8 +50,6 @@ private:
   /// By iterations on whole bodies; no history where they are not solved so, or give it up.
   static CouplingResult settleWhole(const InterfaceSystem& system, const CouplingStart& start, Ledger& ledger)
   {
-    if (!areSolvedWhole(system))
-      return {};
     try {
       WholeProblem problem(system, start);
       const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
@@ -104,7 +107,7 @@ private:
     UnilateralProblem problem(*bodies.S, constrained, bodies.freeMotions, bodies.motionNames, ledger);
     std::vector<char> closed = firstStatuses(system, bodies.freeMotions.cols() > 0, start);
     closed.insert(closed.end(), system.isObstacle.begin(), system.isObstacle.end());
-    UnilateralState status = problem.solve(bodies.g, bound, std::move(closed));
+    UnilateralState status = problem.solve(bodies.g, bound, std::move(closed), passesOf(start.sweeps));
     const auto half = std::ptrdiff_t(n);
     state.uDirichlet = state.uNeumann = ofUnknowns({status.u.begin() + half, status.u.end()});
     for (std::size_t i = 0; i < n; ++i)

@@ -118,7 +118,8 @@ UnilateralState findStatuses(StatusSystem& problem, const Network& network, cons
   std::vector<char> first = firstStatuses(system, floats(system), start);
   if (system.mortar)
     first = system.mortar->statusesOf(first);
-  return findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound, std::move(first), ledger);
+  return findStatuses(problem, std::vector<char>(network.bound.size(), 1), network.bound, std::move(first), ledger,
+                      passesOf(start.sweeps));
 }
 
 InterfaceState stateAt(const Network& network, const InterfaceSystem& system, const Vector& v,

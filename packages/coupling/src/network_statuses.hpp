@@ -24,8 +24,7 @@ public:
   {
     if (!forces_ && held_.holds(closed))
       return true;
-    if (!forces_)
-      forces_.emplace(network_, FetiStop{tolerance}, ledger_);
+    takeForces();
     return forces_->holds(closed);
   }
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override
@@ -38,6 +37,15 @@ public:
   ProximalLimits proximalLimits() const override { return held_.proximalLimits(); }
   int mostDraws() const override { return networkDraws; }
   const std::vector<std::string>& motions() const override { return held_.motions(); }
+  /// Passes of `held` begin with nothing.
+  StatusMemory memory() override { return forces_ ? forces_->memory() : StatusMemory(); }
+  bool recall(const StatusMemory& memory) override
+  {
+    if (!memory.isOfForces)
+      return memory.fields.empty();
+    takeForces();
+    return forces_->recall(memory);
+  }
 
   /// Of the last pass.
   const Vector& displacement() const { return forces_ ? forces_->displacement() : held_.displacement(); }
@@ -47,6 +55,12 @@ public:
 private:
   /// Of forces while statuses change: exact ones go round in circles where loose bodies lean on each other.
   static constexpr double tolerance = 1e-8;
+
+  void takeForces()
+  {
+    if (!forces_)
+      forces_.emplace(network_, FetiStop{tolerance}, ledger_);
+  }
 
   const Network& network_;
   Held& held_;

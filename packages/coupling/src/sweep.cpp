@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/interface/congruence.hpp"
 
 namespace ndframe
@@ -118,6 +119,21 @@ RoleSystem gatherJump(const InterfaceSystem& system)
   }
   role.S = congruence(std::move(parts), 2 * n);
   return role;
+}
+
+PassesKept passesOf(const SweepsKept& sweeps)
+{
+  PassesKept kept;
+  if (sweeps.after && !sweeps.after->passes)
+    throw InputError("The sweeps to go on from are those of another coupling.");
+  kept.after = sweeps.after ? &*sweeps.after->passes : nullptr;
+  if (sweeps.every > 0 && sweeps.keep)
+    kept.keep = [&sweeps](const StatusPasses& done) {
+      SweepsDone all;
+      all.passes = done;
+      sweeps.keep(all);
+    };
+  return kept;
 }
 
 std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats, const CouplingStart& start)

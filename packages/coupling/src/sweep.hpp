@@ -28,6 +28,10 @@ RoleSystem gatherJump(const InterfaceSystem& system);
 /// do not float have a gap at every node: then one pass shows that they stay apart.
 std::vector<char> firstStatuses(const InterfaceSystem& system, bool floats, const CouplingStart& start);
 
+/// The same for status passes, after every one; `sweeps` must outlive it. Throws InputError where it goes on from
+/// sweeps.
+PassesKept passesOf(const SweepsKept& sweeps);
+
 /// Whether no node is closed and no traction left: each body is solved by itself.
 bool areApart(const SweepRecord& last);
 inline constexpr const char* apart = "the bodies do not touch: each is solved by itself";

@@ -61,22 +61,51 @@ WholeProblem::WholeProblem(const InterfaceSystem& system, const CouplingStart& s
   }
   joined_ =
       solvers.front()->join(solvers, rowsFor(ClosedRows(network_.jump, {}, network_.bound, network_.size()), false));
-  if (!start.fields.empty())
-    begin(start.fields);
+  std::vector<const Vector*> fields;
+  for (const NodalField& field : start.fields)
+    fields.push_back(&field.whole());
+  if (!fields.empty())
+    begin(fields);
 }
 
-void WholeProblem::begin(const std::vector<NodalField>& fields)
+void WholeProblem::begin(const std::vector<const Vector*>& fields)
 {
-  std::vector<const Vector*> all;
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const NodalField& field = fields[b];
-    all.push_back(&field.whole());
     const TraceMap& map = network_.bodies[b]->map;
     for (int k = 0; k < map.size(); ++k)
-      kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] = field[std::size_t(map.dofs()[std::size_t(k)])];
+      kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] = (*fields[b])[std::size_t(map.dofs()[std::size_t(k)])];
   }
-  joined_->begin(all);
+  joined_->begin(fields);
   takeKept();
+}
+
+/// Hierarchies are made again from the set that they were made for; the largest eigenvalue is that of the open bodies.
+StatusMemory WholeProblem::memory()
+{
+  StatusMemory memory;
+  memory.fields = joined_->fields();
+  memory.levelClosed = levelClosed_;
+  memory.levelProximal = levelProximal_;
+  memory.tolerance = tolerance_;
+  memory.earlyPasses = earlyPasses_;
+  return memory;
+}
+
+bool WholeProblem::recall(const StatusMemory& memory)
+{
+  bool fits = memory.fields.size() == network_.bodies.size() && memory.levelClosed.size() == network_.jump.size();
+  std::vector<const Vector*> fields;
+  for (std::size_t b = 0; fits && b < memory.fields.size(); ++b) {
+    fields.push_back(&memory.fields[b]);
+    fits = int(fields.back()->size()) == network_.bodies[b]->whole->freedProblem().matrix->numDofs();
+  }
+  if (!fits)
+    return false;
+  begin(fields);
+  follow(memory.levelClosed, memory.levelProximal);
+  tolerance_ = memory.tolerance;
+  earlyPasses_ = memory.earlyPasses;
+  return true;
 }
 
 std::vector<NodalField> WholeProblem::takeFields() &&
@@ -201,10 +230,18 @@ void WholeProblem::takeKept()
   }
 }
 
-void WholeProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
+void WholeProblem::follow(const std::vector<char>& closed, double proximal)
 {
   rows_.emplace(network_.jump, tightestFirst(network_, closed), network_.bound, network_.size());
-  joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal);
+  if (joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal)) {
+    levelClosed_ = closed;
+    levelProximal_ = proximal;
+  }
+}
+
+void WholeProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
+{
+  follow(closed, proximal);
   moveToStatuses();
   pass.isFinal = proximal > 0.0 || tolerance_ <= finest();
   settle(pass.isFinal ? finest() : tolerance_, pass);

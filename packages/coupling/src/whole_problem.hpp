@@ -28,6 +28,8 @@ public:
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
   const std::vector<std::string>& motions() const override { return motions_; }
+  StatusMemory memory() override;
+  bool recall(const StatusMemory& memory) override;
 
   const Network& network() const { return network_; }
   const Vector& displacement() const { return v_; } ///< of the last pass
@@ -40,7 +42,8 @@ private:
   JoinedRows rowsFor(const ClosedRows& closed, bool onVertices) const;
   ClosedRows closedOnVertices(const std::vector<char>& closed) const;
   bool isAtVertex(std::size_t entry) const { return atVertex_[entry] != 0; }
-  void begin(const std::vector<NodalField>& fields);
+  void begin(const std::vector<const Vector*>& fields);
+  void follow(const std::vector<char>& closed, double proximal);
   double finest() const { return toleranceFor(exactness_, joined_->tolerance()); }
   void settle(double tolerance, StatusPass& pass);
   void takeKept();
@@ -59,6 +62,8 @@ private:
   Exactness exactness_;
   double tolerance_;
   int earlyPasses_ = 0;
+  std::vector<char> levelClosed_; ///< for which the coarse level was set up, with
+  double levelProximal_ = 0.0;    ///< this term
 };
 
 /// Whether all bodies are.

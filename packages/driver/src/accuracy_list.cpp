@@ -112,10 +112,10 @@ void checkCheckpoint(const RunSettings& settings, const Coupling& coupling, Diag
   const bool sweeps = settings.outline.interfaces > 0 && coupling.keepsSweeps();
   if (!output.checkpoint)
     return;
-  if (!settings.accuracy && (!sweeps || output.checkpointSweeps == 0))
+  if (!settings.accuracy && (settings.outline.interfaces == 0 || output.checkpointSweeps == 0))
     diagnostics.add(output.place.mistake(
-        "Checkpoint", "Checkpoint continues from the levels of a run with a target or from the sweeps of "
-                      "Neumann-Dirichlet (Checkpoint Sweeps), and the deck asks for neither."));
+        "Checkpoint", "Checkpoint continues from the levels of a run with a target or from the sweeps or status passes "
+                      "of bodies in contact (Checkpoint Sweeps), and the deck asks for neither."));
   if (sweeps && output.checkpointSweeps > 0 && output.steps == StepsWritten::AllSweeps)
     diagnostics.add(output.place.mistake(
         "Checkpoint Sweeps", "Checkpoint Sweeps keeps the last state alone, and Steps = All Sweeps writes all of them; "

@@ -42,11 +42,11 @@ ListSpec outputSpec()
       {"All Levels", false,
        "Write every level too, as NAME.level-01.e, ..., a series for ParaView (decks with the list Accuracy)."},
       {"Checkpoint", false,
-       "Write NAME.checkpoint after every level (decks with the list Accuracy) and on the way through the sweeps of "
-       "Neumann-Dirichlet (Checkpoint Sweeps): with --restart an interrupted run continues from there."},
+       "Write NAME.checkpoint after every level (decks with the list Accuracy) and on the way through the sweeps or "
+       "status passes of a mesh (Checkpoint Sweeps): with --restart an interrupted run continues from there."},
       {"Checkpoint Sweeps", 20, atLeast(0),
-       "Write NAME.checkpoint after so many sweeps of a mesh each; 0: only after levels. Sweeps after it begin with a "
-       "new factor, which changes round-off."},
+       "Write NAME.checkpoint after so many sweeps of a mesh each, or every status pass of couplings without sweeps; "
+       "0: only after levels. Sweeps after it begin with a new factor, which changes round-off."},
       {"Report", false,
        "Write NAME.report.html: scene, verdict, pictures and tables from the written files, on one self-contained "
        "page; `ndframe report NAME` makes it later. Needs Summary, and python3-netcdf4, python3-matplotlib and "

@@ -74,7 +74,7 @@ public:
       level->interpolation = LinearInterpolation({}, level->interpolation.dim);
   }
 
-  void follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) override
+  bool follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) override
   {
     rows_ = rows;
     JoinedUnknowns unknowns{rows, diagonal(rows), {}};
@@ -86,8 +86,10 @@ public:
       }
     unknowns.springs = springs_;
     gradients_->follow(unknowns);
-    if (isStale(onVertices, springs))
+    const bool isSetUp = isStale(onVertices, springs);
+    if (isSetUp)
       setCoarse(onVertices, springs);
+    return isSetUp;
   }
 
   void begin(const std::vector<const Vector*>& fields) override { u_ = own_.part(fields); }
@@ -118,6 +120,7 @@ public:
     return rest;
   }
 
+  std::vector<Vector> fields() const override { return own_.gathered(u_); }
   std::vector<Vector> takeFields() && override
   {
     gradients_.reset(); // their memory is needed
@@ -150,6 +153,7 @@ private:
     coarseRows_ = onVertices;
     coarseSprings_ = springs;
     ledger_.count("multigrid set-ups");
+    work_.enter(gradients_->work(), comm_, ledger_);
   }
 
   /// Before the set-up of the coarse levels, which is the largest moment of several ranks.

@@ -55,8 +55,12 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepRecord, sweep, epsTau, iterationError, t
                                    closed, open, forceDirichlet, forceNeumann, turned, penetration, note)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(InterfaceState, uDirichlet, uNeumann, motionsNeumann, strainedNeumann,
                                    forceDirichlet, forceNeumann, tractionDirichlet, tractionNeumann, closed)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsDone, history, state, traction, relaxation, counts)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsRecord, done, goal, before, iterationBefore, boundBefore, energy)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusMemory, displacement, force, motions, isOfForces, fields, levelClosed,
+                                   levelProximal, tolerance, earlyPasses)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusHistory, seen, fewest, single, cycled, drawn)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusPasses, first, closed, passes, proximal, u, history, system, counts)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsDone, history, state, traction, relaxation, counts, passes)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsRecord, done, goal, isRough, before, iterationBefore, boundBefore, energy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, name, seconds, peakBytes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, sweeps, solution,
                                    seconds, firstMemory, peakMemory, counts, stages)
@@ -66,7 +70,7 @@ namespace
 
 constexpr const char *kindKey = "kind", *formatKey = "format", *contentKey = "content";
 constexpr const char* kind = "ndframe checkpoint";
-constexpr int format = 4;
+constexpr int format = 5;
 
 std::string refusal(const std::string& path, const std::string& why)
 {

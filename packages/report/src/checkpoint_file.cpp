@@ -30,7 +30,7 @@ std::string contentsOf(const std::string& path)
   if (!std::filesystem::exists(path, ignored))
     throw InputError(
         fmt::format("there is no \"{}\" to continue from: a run with Output/Checkpoint = true writes it "
-                    "after its first level and its first Checkpoint Sweeps; run without --restart, from the "
+                    "after its first level, Checkpoint Sweeps or status pass; run without --restart, from the "
                     "beginning.",
                     path));
   std::ifstream file(path, std::ios::binary);
@@ -54,17 +54,23 @@ Checkpoint readCheckpoint(const std::string& path, const Comm& comm)
   return checkpoint;
 }
 
-/// "level 1 is", "levels 1 to 3 and sweeps 1 to 40 of the next are".
+/// "level 1 is", "levels 1 to 3 and 40 sweeps of the next are", "1 status pass is".
 std::string partsOf(const Checkpoint& checkpoint)
 {
-  const std::size_t levels = checkpoint.levels.size(),
-                    sweeps = checkpoint.sweeps ? checkpoint.sweeps->done.history.size() : 0;
+  const auto levels = int(checkpoint.levels.size());
+  int steps = 0;
+  std::string kind;
+  if (checkpoint.sweeps) {
+    const SweepsDone& done = checkpoint.sweeps->done;
+    steps = done.passes ? done.passes->passes : int(done.history.size());
+    kind = done.passes ? (steps == 1 ? "status pass" : "status passes") : steps == 1 ? "sweep" : "sweeps";
+  }
   std::vector<std::string> parts;
   if (levels > 0)
     parts.push_back(levels == 1 ? "level 1" : fmt::format("levels 1 to {}", levels));
-  if (sweeps > 0)
-    parts.push_back(fmt::format("{} sweeps{}", sweeps, levels > 0 ? " of the next" : ""));
-  return fmt::format("{} {}", fmt::join(parts, " and "), levels == 1 && sweeps == 0 ? "is" : "are");
+  if (steps > 0)
+    parts.push_back(fmt::format("{} {}{}", steps, kind, levels > 0 ? " of the next" : ""));
+  return fmt::format("{} {}", fmt::join(parts, " and "), levels + steps == 1 ? "is" : "are");
 }
 
 } // namespace

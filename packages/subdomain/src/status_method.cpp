@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <set>
 #include <utility>
 
 #include <fmt/format.h>
@@ -59,39 +58,76 @@ bool tossed(int pass, int condition)
 class Exchange
 {
 public:
-  explicit Exchange(int draws) : draws_(draws) {}
+  /// The history must outlive it.
+  Exchange(int draws, StatusHistory& history) : draws_(draws), now_(history) {}
   void look(const std::vector<char>& closed, std::size_t wrong)
   {
-    if (single_ && wrong < fewest_) {
-      seen_.clear();
-      single_ = false;
+    if (now_.single && wrong < now_.fewest) {
+      now_.seen.clear();
+      now_.single = false;
     }
-    if (single_ || seen_.insert(closed).second)
+    if (now_.single || now_.seen.insert(closed).second)
       return;
-    cycled_ = true;
-    single_ = drawn_ >= draws_;
-    fewest_ = wrong;
+    now_.cycled = true;
+    now_.single = now_.drawn >= draws_;
+    now_.fewest = wrong;
   }
   void apply(const std::vector<int>& wrong, std::vector<char>& closed)
   {
-    const bool draws = cycled_ && !single_ && wrong.size() > 1 && drawn_ < draws_;
-    drawn_ += draws ? 1 : 0;
+    const bool draws = now_.cycled && !now_.single && wrong.size() > 1 && now_.drawn < draws_;
+    now_.drawn += draws ? 1 : 0;
     for (const int i : wrong) {
-      if (draws && tossed(drawn_, i))
+      if (draws && tossed(now_.drawn, i))
         continue;
       closed[std::size_t(i)] = !closed[std::size_t(i)];
-      if (single_)
+      if (now_.single)
         break;
     }
   }
-  bool cycled() const { return cycled_; }
 
 private:
-  std::set<std::vector<char>> seen_;
-  std::size_t fewest_ = 0; ///< wrong statuses of a set that came back
-  bool single_ = false, cycled_ = false;
-  int draws_, drawn_ = 0; ///< passes that change a half by lot: most, so far
+  int draws_; ///< passes that change a half by lot, at most
+  StatusHistory& now_;
 };
+
+/// Where the passes begin.
+StatusPasses firstPass(StatusSystem& system, std::vector<char> closed, Ledger& ledger, const StatusPasses* after)
+{
+  StatusPasses now;
+  if (after == nullptr) {
+    now.first = closed;
+    now.closed = std::move(closed);
+    return now;
+  }
+  const std::size_t size = closed.size();
+  if (after->first.size() != size || after->closed.size() != size || after->u.size() != size ||
+      !system.recall(after->system))
+    throw InputError("The status passes to go on from are those of another interface or coupling.");
+  ledger.restore(after->counts, ledger.stages());
+  return *after;
+}
+
+UnilateralState settled(StatusPasses now, StatusPass pass, Ledger& ledger)
+{
+  UnilateralState state;
+  state.passes = now.passes;
+  state.changes = countDifferences(now.first, now.closed);
+  ledger.count("status changes", state.changes);
+  state.u = std::move(pass.u);
+  state.force = std::move(pass.force);
+  state.closed = std::move(now.closed);
+  state.cycled = now.history.cycled;
+  return state;
+}
+
+void keepPass(StatusSystem& system, const StatusPass& pass, const Ledger& ledger, StatusPasses& now,
+              const PassesKept& kept)
+{
+  now.u = pass.u;
+  now.system = system.memory();
+  now.counts = ledger.counts();
+  kept.keep(now);
+}
 
 } // namespace
 
@@ -109,42 +145,37 @@ std::vector<int> violations(const StatusPass& pass, const std::vector<char>& con
 }
 
 UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
-                             std::vector<char> closed, Ledger& ledger)
+                             std::vector<char> closed, Ledger& ledger, const PassesKept& kept)
 {
-  const std::vector<char> start = closed;
   const int mostPasses = 100 + 10 * int(closed.size());
   const ProximalLimits limits = system.proximalLimits();
-  UnilateralState state;
+  StatusPasses now = firstPass(system, std::move(closed), ledger, kept.after);
   StatusPass pass;
-  Exchange exchange(system.mostDraws());
-  for (int proximal = 0; state.passes < mostPasses;) { // proximal: passes in a row that needed the term
-    const bool held = system.holds(closed);
-    proximal = held ? 0 : proximal + 1;
-    if (proximal > limits.passes)
+  pass.u = now.u;
+  Exchange exchange(system.mostDraws(), now.history);
+  while (now.passes < mostPasses) {
+    const bool held = system.holds(now.closed);
+    now.proximal = held ? 0 : now.proximal + 1;
+    if (now.proximal > limits.passes)
       throw NotConverged(fmt::format("the load does not press the bodies together: contact opens and nothing stops {}",
                                      joined(system.motions())));
-    ledger.tell(Depth::Pass, {"status pass", state.passes + 1});
-    solvePass(system, closed, held ? 0.0 : std::max(limits.weight, std::pow(proximalDecay, proximal)), pass);
-    ++state.passes;
+    ledger.tell(Depth::Pass, {"status pass", now.passes + 1});
+    solvePass(system, now.closed, held ? 0.0 : std::max(limits.weight, std::pow(proximalDecay, now.proximal)), pass);
+    ++now.passes;
     ledger.count("status passes");
-    const auto wrong = violations(pass, constrained, bound, closed);
+    const auto wrong = violations(pass, constrained, bound, now.closed);
     const bool isBalanced = held || pass.unbalanced <= pass.roundOff * pass.load;
-    if (wrong.empty() && isBalanced) {
-      state.changes = countDifferences(start, closed);
-      ledger.count("status changes", state.changes);
-      state.u = std::move(pass.u);
-      state.force = std::move(pass.force);
-      state.closed = std::move(closed);
-      state.cycled = exchange.cycled();
-      return state;
-    }
-    proximal = isBalanced ? 0 : proximal;
+    if (wrong.empty() && isBalanced)
+      return settled(std::move(now), std::move(pass), ledger);
+    now.proximal = isBalanced ? 0 : now.proximal;
     if (isBalanced && pass.isFinal)
-      exchange.look(closed, wrong.size());
-    exchange.apply(wrong, closed);
+      exchange.look(now.closed, wrong.size());
+    exchange.apply(wrong, now.closed);
+    if (kept.keep)
+      keepPass(system, pass, ledger, now, kept);
   }
   throw NotConverged(fmt::format("the status method found no consistent set of closed nodes in {} passes{}", mostPasses,
-                                 exchange.cycled() ? " (it cycled)" : ""));
+                                 now.history.cycled ? " (it cycled)" : ""));
 }
 
 } // namespace ndframe

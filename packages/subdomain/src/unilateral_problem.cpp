@@ -123,6 +123,17 @@ public:
     pass.load = load_;
   }
   const std::vector<std::string>& motions() const override { return problem_.motions_; }
+  StatusMemory memory() override
+  {
+    problem_.forgetFactor();
+    problem_.A_.forgetSolutions();
+    return {};
+  }
+  bool recall(const StatusMemory& of) override
+  {
+    memory();
+    return of.fields.empty() && of.displacement.empty();
+  }
 
 private:
   UnilateralProblem& problem_;
@@ -130,10 +141,11 @@ private:
   double load_;
 };
 
-UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, std::vector<char> closed)
+UnilateralState UnilateralProblem::solve(const Vector& b, const Vector& bound, std::vector<char> closed,
+                                         const PassesKept& kept)
 {
   Conditions conditions(*this, b, bound);
-  return findStatuses(conditions, constrained_, bound, std::move(closed), ledger_);
+  return findStatuses(conditions, constrained_, bound, std::move(closed), ledger_, kept);
 }
 
 } // namespace ndframe

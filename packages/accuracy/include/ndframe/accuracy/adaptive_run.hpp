@@ -9,9 +9,9 @@ namespace ndframe
 /// What a run is told of an earlier one that was ended, and leaves in case that it is ended itself.
 struct Restart
 {
-  /// After every level that another one follows, and on the way through sweeps; empty: never.
+  /// After every level that another one follows, and on the way through sweeps or status passes; empty: never.
   std::function<void(const Checkpoint&)> write;
-  int sweeps = 0; ///< after so many of them each; 0: only after levels
+  int sweeps = 0; ///< after so many of them each, or after every pass; 0: only after levels
   /// Called where a limit ends the run, to be written behind its results: higher limits go on from the last level.
   std::function<void(Checkpoint&&)> keep;
   std::optional<Checkpoint> from; ///< levels that are there already; none: the run begins with the first

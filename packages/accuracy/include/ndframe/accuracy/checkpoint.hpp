@@ -71,11 +71,12 @@ struct LevelRecord
   EnergyEnds energy;                                 ///< with this level's
 };
 
-/// The sweeps of a level that was not done, or of a run without levels.
+/// The sweeps or status passes of a level that was not done, or of a run without levels.
 struct SweepsRecord
 {
   SweepsDone done;            ///< since they began with a goal of their own
   std::optional<double> goal; ///< for their part of the error; none: Coupling/Stopping
+  bool isRough = false;       ///< Exactness::Rough, where they are passes
   int before = 0;             ///< sweeps on this mesh with larger goals
   /// What those left of it and of the bound; infinite without any.
   double iterationBefore = std::numeric_limits<double>::infinity(), boundBefore = iterationBefore; ///< in energy norm

@@ -41,8 +41,9 @@ public:
   virtual ~JoinedSystem() = default;
 
   /// From now on. onVertices: the same for linear functions, whose kept dofs are those at vertices (empty rows
-  /// elsewhere): what the coarse level goes by, which is set up again only where these differ in many rows.
-  virtual void follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) = 0;
+  /// elsewhere): what the coarse level goes by, which is set up again only where these differ in many rows. Returns
+  /// whether it was.
+  virtual bool follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) = 0;
 
   /// u is this from now on, per body, in the nodes' own axes, on all ranks.
   virtual void begin(const std::vector<const Vector*>& fields) = 0;
@@ -54,7 +55,10 @@ public:
   /// Throws NotConverged and SingularBody.
   virtual Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) = 0;
 
-  /// u per body, in the nodes' own axes, on all ranks. Between solves each rank has that of its own nodes only. Nothing
+  /// u per body, in the nodes' own axes, on all ranks: what begin() takes.
+  virtual std::vector<Vector> fields() const = 0;
+
+  /// The same. Between solves each rank has that of its own nodes only. Nothing
   /// else can be asked of the system afterwards but its tolerance.
   virtual std::vector<Vector> takeFields() && = 0;
 

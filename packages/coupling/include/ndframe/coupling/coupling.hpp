@@ -12,6 +12,7 @@
 #include "ndframe/base/registry.hpp"
 #include "ndframe/coupling/relaxation_controller.hpp"
 #include "ndframe/interface/body_trace.hpp"
+#include "ndframe/subdomain/status_method.hpp"
 
 namespace ndframe
 {
@@ -45,10 +46,8 @@ struct SweepRecord
   std::optional<double> iterationError;
   double theta = 0.0; ///< factor used for the next traction; 0 where there is none
   /// Number of unknowns whose status the sweep changed.
-  int statusChanges = 0, statusPasses = 0; ///< linear solves of the status method
-  /// Number of closed unknowns after the sweep.
-  int closed = 0, open = 0; ///< number of open unknowns
-  /// Sum of InterfaceState::forceDirichlet.
+  int statusChanges = 0, statusPasses = 0;         ///< linear solves of the status method
+  int closed = 0, open = 0;                        ///< numbers of unknowns after the sweep
   double forceDirichlet = 0.0, forceNeumann = 0.0; ///< resultants int t_N dS of Lambda_dir and Lambda_neu
   bool turned = false;      ///< Lambda_dir - Lambda_neu points against that of the sweep before: a step too long
   double penetration = 0.0; ///< max (u1_N - u2_N - g), at least 0
@@ -66,8 +65,8 @@ struct CouplingResult
   std::string reason;            ///< why it stopped: "eps_tau 0.091 < 0.1", "iteration 0.00031 < 0.001 (energy norm)"
 };
 
-/// What sweeps that are done leave to those that follow. On the same bodies these have the same bits as if they had
-/// followed at once.
+/// What sweeps that are done leave to those that follow, or the passes of a coupling without sweeps. On the same bodies
+/// these have the same bits as if they had followed at once.
 struct SweepsDone
 {
   std::vector<SweepRecord> history;           ///< all of them
@@ -75,6 +74,7 @@ struct SweepsDone
   InterfaceValues traction;                   ///< with which the next one begins
   RelaxationMemory relaxation;                ///< of the controller
   std::map<std::string, std::int64_t> counts; ///< of the ledger
+  std::optional<StatusPasses> passes;         ///< then nothing of the above
 };
 
 /// Sweeps that go on from earlier ones, and are kept so that others may go on from them.
@@ -97,7 +97,7 @@ struct CouplingStart
   /// Given: SweepRecord::iterationError is measured. > 0: the sweeps end below it, which replaces Tolerance.
   std::optional<double> iterationError;
   std::optional<RoleSpectrum> spectrum = {}; ///< of the sweeps, if it is known already (Coupling::needsSpectrum)
-  SweepsKept sweeps = {};                    ///< where the coupling can (Coupling::keepsSweeps)
+  SweepsKept sweeps = {};                    ///< or status passes, where there are no sweeps
   /// What InterfaceState::fields begin with where the coupling finds them. Empty: with zero.
   std::vector<NodalField> fields = {};
   Exactness exactness = Exactness::Full; ///< of them
@@ -135,7 +135,7 @@ public:
   /// Whether solve() takes bodies of so many dimensions as they are, without their Schur complements, where their
   /// solver offers it (WholeSolver).
   virtual bool solvesWhole(int /*dim*/) const { return false; }
-  /// Whether solve() heeds CouplingStart::sweeps. It throws InputError where they are not those of the system.
+  /// Whether it keeps sweeps, and not only passes. solve() throws InputError where they are not those of the system.
   virtual bool keepsSweeps() const { return false; }
   /// Whether solve() finds the eigenvalues of the sweeps unless the start has them.
   virtual bool needsSpectrum() const { return false; }

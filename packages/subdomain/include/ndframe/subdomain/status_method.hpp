@@ -1,6 +1,10 @@
 #pragma once
 
+#include <cstdint>
+#include <functional>
 #include <limits>
+#include <map>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -49,6 +53,21 @@ struct ProximalLimits
   double weight = 1e-12; ///< the least of the proximal term, relative to the stiffness
 };
 
+/// What a StatusSystem knows of the passes before, but for what it can make again; empty where that means nothing to
+/// it.
+struct StatusMemory
+{
+  Vector displacement, force; ///< of the last pass: of all bodies; per condition
+  Vector motions;             ///< amplitudes of the free motions in it
+  bool isOfForces = false;    ///< bodies are no longer held by the closed conditions alone (NetworkStatuses)
+  std::vector<Vector> fields; ///< of whole bodies, in the nodes' own axes
+  /// The set that a coarse level of them was made for, and the proximal term.
+  std::vector<char> levelClosed;
+  double levelProximal = 0.0; ///< relative to the stiffness
+  double tolerance = 0.0;     ///< of the next pass
+  int earlyPasses = 0;        ///< those that stopped early
+};
+
 /// What statuses are found for: conditions u_i <= bound_i that hold as equations where closed.
 class StatusSystem
 {
@@ -64,6 +83,37 @@ public:
   virtual int mostDraws() const { return 0; }
   /// The rigid motions that supports leave free, for messages.
   virtual const std::vector<std::string>& motions() const = 0;
+  /// After a pass. What follows depends on this and on nothing else that came before. Collective.
+  virtual StatusMemory memory() { return {}; }
+  /// Before the first pass: as after the one that left this. False where it is another system's. Collective.
+  virtual bool recall(const StatusMemory& /*memory*/) { return true; }
+};
+
+/// Which sets have been seen, and what was done where one came back.
+struct StatusHistory
+{
+  std::set<std::vector<char>> seen; ///< since statuses changed one at a time last
+  std::size_t fewest = 0;           ///< wrong statuses of a set that came back
+  bool single = false, cycled = false;
+  int drawn = 0; ///< passes that changed a half by lot
+};
+
+/// Passes that are done. Those that follow have the same bits as if they had followed at once.
+struct StatusPasses
+{
+  std::vector<char> first, closed;            ///< statuses before the first pass, and of the next one
+  int passes = 0, proximal = 0;               ///< so far; in a row that needed the proximal term
+  Vector u;                                   ///< of the last one
+  StatusHistory history;                      ///< of the sets
+  StatusMemory system;                        ///< of what was solved
+  std::map<std::string, std::int64_t> counts; ///< of the ledger
+};
+
+/// Passes that go on from earlier ones, and are kept so that others may go on from them.
+struct PassesKept
+{
+  const StatusPasses* after = nullptr;                ///< null: they begin with the first
+  std::function<void(const StatusPasses&)> keep = {}; ///< after every pass that another one follows; empty: never
 };
 
 /// The status method: a primal-dual active set. Closed conditions under tension open, open ones that penetrate close,
@@ -76,8 +126,8 @@ public:
 /// every penetration closes.
 ///
 /// constrained: 0 for entries of u without condition. Throws NotConverged when the load does not press the bodies on
-/// what holds them (naming the free motions) or after too many passes.
+/// what holds them (naming the free motions) or after too many passes; InputError where `kept` is of another system.
 UnilateralState findStatuses(StatusSystem& system, const std::vector<char>& constrained, const Vector& bound,
-                             std::vector<char> closed, Ledger& ledger);
+                             std::vector<char> closed, Ledger& ledger, const PassesKept& kept = {});
 
 } // namespace ndframe

@@ -25,8 +25,8 @@ public:
                     std::vector<std::string> motions, Ledger& ledger);
 
   /// Throws NotConverged when the load does not press the body on what holds it (naming the free motions) or after too
-  /// many passes.
-  UnilateralState solve(const Vector& b, const Vector& bound, std::vector<char> closed);
+  /// many passes. Where passes are kept each has a factor of its own.
+  UnilateralState solve(const Vector& b, const Vector& bound, std::vector<char> closed, const PassesKept& kept = {});
   /// The next solution factors anew: its bits do not depend on those before.
   void forgetFactor() { factor_.reset(); }
 
