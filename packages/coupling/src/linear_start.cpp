@@ -10,10 +10,10 @@ namespace ndframe
 namespace
 {
 
-constexpr double enough = 1e-2;     ///< the residual of each pass
-constexpr double fewWrong = 1e-2;   ///< of all conditions at vertices: the rest changes on all nodes anyway
-constexpr int mostPasses = 20;      ///< and where it takes more, it does not help
-constexpr int mostLoose = 6;        ///< passes in a row whose closed conditions do not hold the bodies
+constexpr double enough = 1e-2;      ///< the residual of each pass
+constexpr double fewWrong = 1e-2;    ///< of all conditions at vertices: the rest changes on all nodes anyway
+constexpr int mostPasses = 20;       ///< and where it takes more, it does not help
+constexpr int mostLoose = 6;         ///< passes in a row whose closed conditions do not hold the bodies
 constexpr double leastSpring = 1e-6; ///< of them, relative to the stiffness
 
 /// The passes.
@@ -72,8 +72,7 @@ bool settle(VertexContact& contact, const std::function<bool(const std::vector<c
       return false;
     ledger.tell(Depth::Pass, {"pass on the vertices", number});
     ledger.count("vertex passes");
-    const std::vector<int> wrong =
-        contact.pass(closed, loose == 0 ? 0.0 : std::max(leastSpring, std::pow(0.1, loose)));
+    const std::vector<int> wrong = contact.pass(closed, loose == 0 ? 0.0 : std::max(leastSpring, std::pow(0.1, loose)));
     for (const int i : wrong)
       closed[std::size_t(i)] = !closed[std::size_t(i)];
     if (loose == 0 && wrong.size() <= few)

@@ -39,8 +39,7 @@ bool areSolvedWhole(const InterfaceSystem& system)
 
 WholeProblem::WholeProblem(const InterfaceSystem& system, const CouplingStart& start)
     : network_(unloadedNetworkOf(system)), motions_(motionNames(network_)), approach_(approachOf(network_)),
-      rows_(network_), v_(std::size_t(network_.size()), 0.0), kept_(v_),
-      exactness_(start.exactness), tolerance_(early)
+      rows_(network_), v_(std::size_t(network_.size()), 0.0), kept_(v_), exactness_(start.exactness), tolerance_(early)
 {
   std::vector<const WholeSolver*> solvers;
   for (const BodyTrace* body : network_.bodies) {

@@ -52,7 +52,7 @@ private:
   DenseMatrix approach_; ///< of both sides per unknown under the free motions
   WholeRows rows_;
   std::vector<const SparseField*> loads_;
-  Vector v_, kept_; ///< per entry, the latter as the kept dofs have it
+  Vector v_, kept_;                  ///< per entry, the latter as the kept dofs have it
   std::optional<ClosedRows> closed_; ///< of the last pass
   std::unique_ptr<JoinedSystem> joined_;
   Exactness exactness_;

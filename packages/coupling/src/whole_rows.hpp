@@ -8,11 +8,11 @@
 namespace ndframe
 {
 
-/// Closed conditions of a network as rows for the kept dofs of bodies that are solved whole, on all nodes and for linear
-/// functions on the vertices.
+/// Closed conditions of a network as rows for the kept dofs of bodies that are solved whole, on all nodes and for
+/// linear functions on the vertices.
 ///
-/// A condition belongs to a vertex where all its entries do, or, if it is no mean, the entry of a side that has one only;
-/// entries of the other side at the middle of an edge are then half of each end: linear functions have such
+/// A condition belongs to a vertex where all its entries do, or, if it is no mean, the entry of a side that has one
+/// only; entries of the other side at the middle of an edge are then half of each end: linear functions have such
 /// coefficients, but for normals that turn along the edge.
 class WholeRows
 {
@@ -45,7 +45,8 @@ private:
   JoinedRows rows(const ClosedRows& closed, bool onVertices) const;
 
   const Network& network_;
-  std::vector<std::array<int, 2>> entryEnds_; ///< per entry of v those at the ends of its edge (itself: a vertex), -1: none
+  std::vector<std::array<int, 2>>
+      entryEnds_; ///< per entry of v those at the ends of its edge (itself: a vertex), -1: none
   std::vector<char> hasVertex_;
   std::vector<std::array<int, 2>> ends_;
   std::vector<SparseRow> vertexJump_;

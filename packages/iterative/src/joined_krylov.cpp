@@ -12,8 +12,11 @@ namespace
 
 /// The coarse level is set up again where more than this share of its kept dofs has changed rows.
 constexpr double staleShare = 0.04;
+/// The same while the vertices are solved by themselves: they take many iterations in the time of a set-up.
+constexpr double staleShareOnVertices = 0.25;
 
-/// The levels of the bodies, with those of their kept dofs that are at vertices as kept ones of their own, -1 elsewhere.
+/// The levels of the bodies, with those of their kept dofs that are at vertices as kept ones of their own, -1
+/// elsewhere.
 std::vector<std::unique_ptr<LinearLevel>> levelsOf(const std::vector<const SolverProblem*>& problems, const Comm& comm)
 {
   std::vector<std::unique_ptr<LinearLevel>> levels;
@@ -56,7 +59,7 @@ public:
   {
     const JoinedUnknowns unknowns = all_.unknowns(rows, springs);
     all_.follow(unknowns, *gradients_);
-    refresh(onVertices, springs, unknowns.springs);
+    refresh(onVertices, springs, unknowns.springs, staleShare);
   }
 
   void begin(const std::vector<const Vector*>& fields) override { all_.begin(all_.own().part(fields)); }
@@ -64,8 +67,8 @@ public:
   Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) override
   {
     int iterations = 0;
-    Vector rest = all_.improve(all_.own().part(loads), kept, tolerance, options_.maxIterations, *gradients_, ledger_,
-                               iterations);
+    Vector rest =
+        all_.improve(all_.own().part(loads), kept, tolerance, options_.maxIterations, *gradients_, ledger_, iterations);
     ledger_.count("Krylov solves");
     ledger_.count("Krylov iterations", iterations);
     work_.enter(gradients_->work(), comm_, ledger_);
@@ -81,7 +84,7 @@ public:
   {
     const JoinedUnknowns unknowns = vertices_.unknowns(rows, springs);
     vertices_.follow(unknowns, *onVertices_);
-    refresh(rows, springs, unknowns.springs);
+    refresh(rows, springs, unknowns.springs, staleShareOnVertices);
   }
 
   Vector solveOnVertices(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) override
@@ -111,9 +114,9 @@ public:
 
 private:
   /// springs: those of kept dofs, `weight` times a diagonal.
-  void refresh(const JoinedRows& onVertices, double weight, const Vector& springs)
+  void refresh(const JoinedRows& onVertices, double weight, const Vector& springs, double share)
   {
-    if (!isStale(onVertices, weight))
+    if (!isStale(onVertices, weight, share))
       return;
     auto level = std::make_unique<const JoinedLevel>(levels_, vertices_.keptNumbers(), onVertices, springs, comm_);
     gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] { level.reset(); });
@@ -122,7 +125,7 @@ private:
     ledger_.count("multigrid set-ups");
   }
 
-  bool isStale(const JoinedRows& onVertices, double springs) const
+  bool isStale(const JoinedRows& onVertices, double springs, double share) const
   {
     if (coarseRows_.kept.empty() || springs != coarseSprings_)
       return true;
@@ -131,7 +134,7 @@ private:
       vertices += vertices_.keptNumbers()[k] >= 0;
       changed += onVertices.kept[k] != coarseRows_.kept[k];
     }
-    return double(changed) > staleShare * double(vertices);
+    return double(changed) > share * double(vertices);
   }
 
   Comm comm_;

@@ -29,7 +29,7 @@ public:
   void toFine(TpetraVectors& coarse, double* fine) override;
   Traffic traffic() const override;
 
-  void toVertices(const double* fine, double* vertices); ///< P_bodies^T
+  void toVertices(const double* fine, double* vertices);   ///< P_bodies^T
   void fromVertices(const double* vertices, double* fine); ///< P_bodies
 
 private:

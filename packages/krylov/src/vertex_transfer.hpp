@@ -5,13 +5,13 @@
 namespace ndframe
 {
 
-/// P = L E between unknowns at the vertices and those at the same vertices that follow other statuses: no coarser level,
-/// but one whose preconditioner is at hand.
+/// P = L E between unknowns at the vertices and those at the same vertices that follow other statuses: no coarser
+/// level, but one whose preconditioner is at hand.
 class VertexTransfer final : public FollowingTransfer
 {
 public:
-  /// levels: of all bodies; map: the dofs of this rank's vertices; kept: numbers of the kept dofs among all of them, -1:
-  /// not at a vertex.
+  /// levels: of all bodies; map: the dofs of this rank's vertices; kept: numbers of the kept dofs among all of them,
+  /// -1: not at a vertex.
   VertexTransfer(const std::vector<const LinearLevel*>& levels, const Teuchos::RCP<const TpetraMap>& map,
                  const std::vector<int>& kept);
   void follow(const std::vector<SparseRow>& unknowns) override;

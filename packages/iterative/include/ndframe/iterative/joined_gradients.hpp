@@ -95,8 +95,8 @@ public:
                          const std::function<void()>& isRead) = 0;
 
   /// The equations P^T K P of linear functions with unknowns of their own, at the vertices of this rank, preconditioned
-  /// by polynomials there and the coarse level. It must be asked for before setCoarse(); unknowns: the first ones, whose
-  /// operator has the largest eigenvalue. Lives as long as this.
+  /// by polynomials there and the coarse level. It must be asked for before setCoarse(); unknowns: the first ones,
+  /// whose operator has the largest eigenvalue. Lives as long as this.
   virtual FollowingGradients& onVertices(const JoinedUnknowns& unknowns) = 0;
   virtual Vector toVertices(const Vector& x) const = 0;   ///< P^T x of the bodies as if nothing joined them
   virtual Vector fromVertices(const Vector& c) const = 0; ///< P c, the same
