@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "ndframe/base/diagnostics.hpp"
 
@@ -12,7 +13,7 @@ namespace
 
 constexpr double enough = 1e-2;      ///< the residual of each pass
 constexpr double fewWrong = 1e-2;    ///< of all conditions at vertices: the rest changes on all nodes anyway
-constexpr int mostPasses = 20;       ///< and where it takes more, it does not help
+constexpr int mostPasses = 40;       ///< and where it takes more, it does not help
 constexpr int mostLoose = 6;         ///< passes in a row whose closed conditions do not hold the bodies
 constexpr double leastSpring = 1e-6; ///< of them, relative to the stiffness
 
@@ -64,9 +65,9 @@ std::vector<char> onlyAtVertices(const WholeRows& rows, std::vector<char> closed
 bool settle(VertexContact& contact, const std::function<bool(const std::vector<char>&)>& holds, std::size_t few,
             Ledger& ledger, std::vector<char>& closed)
 {
-  std::size_t fewest = closed.size() + 1;
-  int loose = 0, worse = 0;
-  for (int number = 1; number <= mostPasses && worse < 2; ++number) {
+  std::set<std::vector<char>> seen;
+  int loose = 0;
+  for (int number = 1; number <= mostPasses && seen.insert(closed).second; ++number) {
     loose = holds(closed) ? 0 : loose + 1;
     if (loose > mostLoose)
       return false;
@@ -77,8 +78,6 @@ bool settle(VertexContact& contact, const std::function<bool(const std::vector<c
       closed[std::size_t(i)] = !closed[std::size_t(i)];
     if (loose == 0 && wrong.size() <= few)
       return true;
-    worse += wrong.size() >= fewest;
-    fewest = std::min(fewest, wrong.size());
   }
   return holds(closed);
 }

@@ -10,7 +10,7 @@ namespace ndframe
 /// The contact of functions that are linear between the vertices, about: a start for that of all nodes, by the same
 /// active set with inexact steps, each of whose products takes a small part of one of all nodes. Statuses of conditions
 /// at vertices are those that it ends with; joined.beginFromVertices() has the displacements. It ends where hardly any
-/// status is wrong, or where they do not become fewer: what it leaves is only a start.
+/// status is wrong, or where a set comes back: what it leaves is only a start.
 ///
 /// holds: whether closed conditions stop all motions. False where there is nothing to start from: no condition belongs
 /// to a vertex, or the loads do not press the bodies together; `closed` is then as it was. Counts "vertex passes".
