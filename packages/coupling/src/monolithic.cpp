@@ -50,7 +50,7 @@ private:
     try {
       WholeProblem problem(system, start);
       CouplingStart first = start;
-      if (start.closed.empty())
+      if (start.closed.empty() && start.fields.empty())
         first.closed = problem.settleOnVertices(firstStatuses(system, floats(system), start), ledger);
       const UnilateralState status = findStatuses(problem, problem.network(), system, first, ledger);
       InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
