@@ -52,7 +52,10 @@ private:
   {
     try {
       WholeProblem problem(system, start);
-      const UnilateralState status = findStatuses(problem, problem.network(), system, start, ledger);
+      CouplingStart first = start;
+      if (start.closed.empty() && start.fields.empty() && !start.sweeps.after)
+        first.closed = problem.settleOnVertices(firstStatuses(system, floats(system), start), ledger);
+      const UnilateralState status = findStatuses(problem, problem.network(), system, first, ledger);
       InterfaceState state = stateAt(problem.network(), system, problem.displacement(), status);
       const double contactTolerance = problem.roundOff();
       state.fields = std::move(problem).takeFields();

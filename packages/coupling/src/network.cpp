@@ -36,6 +36,7 @@ void takeMeans(Network& network, const MortarSpace& mortar)
 {
   network.jump = product(mortar.means(), network.jump, network.size());
   network.bound = mortar.meansOf(network.bound);
+  network.hasMeans = true;
 }
 
 } // namespace

@@ -25,6 +25,7 @@ struct Network
   Vector dirichletOffset, neumannOffset;     ///< d, n
   std::vector<SparseRow> jump;               ///< D - N, one row a condition
   Vector bound;
+  bool hasMeans = false; ///< whether conditions are W (D - N)
 
   int size() const { return offsets.back(); }
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "linear_start.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -28,19 +29,6 @@ DenseMatrix approachOf(const Network& network)
   return result;
 }
 
-std::vector<char> entriesAtVertices(const Network& network)
-{
-  std::vector<char> result;
-  for (const BodyTrace* body : network.bodies) {
-    const SolverProblem& problem = body->whole->freedProblem();
-    for (const int dof : body->map.dofs()) {
-      const auto& ends = problem.edgeNodes.ends[std::size_t(dof / problem.matrix->dim)];
-      result.push_back(ends[0] == ends[1]);
-    }
-  }
-  return result;
-}
-
 } // namespace
 
 bool areSolvedWhole(const InterfaceSystem& system)
@@ -51,16 +39,14 @@ bool areSolvedWhole(const InterfaceSystem& system)
 
 WholeProblem::WholeProblem(const InterfaceSystem& system, const CouplingStart& start)
     : network_(unloadedNetworkOf(system)), motions_(motionNames(network_)), approach_(approachOf(network_)),
-      atVertex_(entriesAtVertices(network_)), v_(std::size_t(network_.size()), 0.0), kept_(v_),
-      exactness_(start.exactness), tolerance_(early)
+      rows_(network_), v_(std::size_t(network_.size()), 0.0), kept_(v_), exactness_(start.exactness), tolerance_(early)
 {
   std::vector<const WholeSolver*> solvers;
   for (const BodyTrace* body : network_.bodies) {
     solvers.push_back(body->whole);
     loads_.push_back(body->load);
   }
-  joined_ =
-      solvers.front()->join(solvers, rowsFor(ClosedRows(network_.jump, {}, network_.bound, network_.size()), false));
+  joined_ = solvers.front()->join(solvers, rows_.on(rows_.closed(std::vector<char>(network_.jump.size(), 0))));
   std::vector<const Vector*> fields;
   for (const NodalField& field : start.fields)
     fields.push_back(&field.whole());
@@ -76,7 +62,7 @@ void WholeProblem::begin(const std::vector<const Vector*>& fields)
       kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] = (*fields[b])[std::size_t(map.dofs()[std::size_t(k)])];
   }
   joined_->begin(fields);
-  takeKept();
+  v_ = rows_.values(kept_);
 }
 
 /// Hierarchies are made again from the set that they were made for; the largest eigenvalue is that of the open bodies.
@@ -130,83 +116,29 @@ bool WholeProblem::holds(const std::vector<char>& closed)
   return held.cols() == 0 || nullSpace(held, rigidTolerance).cols() == 0;
 }
 
-ClosedRows WholeProblem::closedOnVertices(const std::vector<char>& closed) const
+std::vector<char> WholeProblem::settleOnVertices(std::vector<char> first, Ledger& ledger)
 {
-  std::vector<int> chosen;
-  for (const int i : tightestFirst(network_, closed)) {
-    const SparseRow& row = network_.jump[std::size_t(i)];
-    if (std::all_of(row.begin(), row.end(), [&](const auto& entry) { return isAtVertex(std::size_t(entry.first)); }))
-      chosen.push_back(i);
+  const auto holdsSo = [this](const std::vector<char>& closed) { return holds(closed); };
+  if (!network_.hasMeans && ndframe::settleOnVertices(rows_, *joined_, loads_, holdsSo, ledger, first, levelClosed_)) {
+    kept_ = joined_->beginFromVertices();
+    v_ = rows_.values(kept_);
+    takeMiddles(rows_, v_, first);
   }
-  return {network_.jump, chosen, network_.bound, network_.size()};
-}
-
-/// kept = A^-1 Z y and y = A kept at the places of the entries of v that are free. At vertices rows of A and A^-1 have
-/// entries at vertices only, for coefficients there are values.
-JoinedRows WholeProblem::rowsFor(const ClosedRows& closed, bool onVertices) const
-{
-  std::vector<int> place(std::size_t(closed.numFree()));
-  for (std::size_t entry = 0; entry < closed.freeNumber().size(); ++entry)
-    if (closed.freeNumber()[entry] >= 0)
-      place[std::size_t(closed.freeNumber()[entry])] = int(entry);
-  JoinedRows rows;
-  SparseSum sum(network_.size());
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const int first = network_.offsets[b];
-    const TraceMap& map = network_.bodies[b]->map;
-    for (int k = 0; k < map.size(); ++k) {
-      rows.kept.emplace_back();
-      rows.unknowns.emplace_back();
-      const auto entry = std::size_t(first) + std::size_t(k);
-      if (onVertices && !isAtVertex(entry))
-        continue;
-      for (const auto& [l, share] : map.inverse()[std::size_t(k)])
-        for (const auto& [number, part] : closed.inFree(first + l))
-          sum.add(place[std::size_t(number)], share * part);
-      rows.kept.back() = sum.take();
-      if (closed.freeNumber()[entry] >= 0)
-        for (const auto& [l, share] : map.rows()[std::size_t(k)])
-          rows.unknowns.back().emplace_back(first + l, share);
-    }
-  }
-  return rows;
+  return first;
 }
 
 /// The kept dofs where the closed unknowns want them; what is free stays.
-void WholeProblem::moveToStatuses()
+void WholeProblem::moveTo(const ClosedRows& closed)
 {
-  Vector free(std::size_t(rows_->numFree()));
-  for (std::size_t entry = 0; entry < v_.size(); ++entry)
-    if (const int number = rows_->freeNumber()[entry]; number >= 0)
-      free[std::size_t(number)] = v_[entry];
-  v_ = rows_->expanded(free);
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const TraceMap& map = network_.bodies[b]->map;
-    const Vector kept = map.keptValues({v_.begin() + network_.offsets[b], v_.begin() + network_.offsets[b + 1]});
-    std::copy(kept.begin(), kept.end(), kept_.begin() + network_.offsets[b]);
-  }
-}
-
-/// On the entries of v. rest: per kept dof.
-Vector WholeProblem::forcesOn(const Vector& rest) const
-{
-  Vector all;
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const TraceMap& map = network_.bodies[b]->map;
-    Vector kept;
-    for (int k = 0; k < map.size(); ++k)
-      kept.push_back(-rest[std::size_t(network_.offsets[b]) + std::size_t(k)]);
-    const Vector own = map.forces(kept);
-    all.insert(all.end(), own.begin(), own.end());
-  }
-  return all;
+  v_ = atStatuses(closed, v_);
+  kept_ = rows_.kept(v_);
 }
 
 void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
 {
-  const Vector forces = forcesOn(rest);
-  pass.unbalanced = largestEntry(rows_->reduced(forces));
-  pass.force = rows_->forces(forces);
+  const Vector forces = rows_.forces(rest);
+  pass.unbalanced = largestEntry(closed_->reduced(forces));
+  pass.force = closed_->forces(forces);
   setDisplacement(network_, v_, pass);
   for (const SparseField* load : loads_)
     pass.load = std::max(pass.load, load->largest());
@@ -216,24 +148,14 @@ void WholeProblem::evaluate(const Vector& rest, StatusPass& pass) const
 void WholeProblem::settle(double tolerance, StatusPass& pass)
 {
   const Vector rest = joined_->solve(loads_, kept_, tolerance);
-  takeKept();
+  v_ = rows_.values(kept_);
   evaluate(rest, pass);
-}
-
-/// The entries of v that the kept dofs stand for.
-void WholeProblem::takeKept()
-{
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const TraceMap& map = network_.bodies[b]->map;
-    const Vector values = map.values({kept_.begin() + network_.offsets[b], kept_.begin() + network_.offsets[b + 1]});
-    std::copy(values.begin(), values.end(), v_.begin() + network_.offsets[b]);
-  }
 }
 
 void WholeProblem::follow(const std::vector<char>& closed, double proximal)
 {
-  rows_.emplace(network_.jump, tightestFirst(network_, closed), network_.bound, network_.size());
-  if (joined_->follow(rowsFor(*rows_, false), rowsFor(closedOnVertices(closed), true), proximal)) {
+  closed_.emplace(rows_.closed(closed));
+  if (joined_->follow(rows_.on(*closed_), rows_.onVertices(rows_.closedOnVertices(closed)), proximal)) {
     levelClosed_ = closed;
     levelProximal_ = proximal;
   }
@@ -242,7 +164,7 @@ void WholeProblem::follow(const std::vector<char>& closed, double proximal)
 void WholeProblem::solve(const std::vector<char>& closed, double proximal, StatusPass& pass)
 {
   follow(closed, proximal);
-  moveToStatuses();
+  moveTo(*closed_);
   pass.isFinal = proximal > 0.0 || tolerance_ <= finest();
   settle(pass.isFinal ? finest() : tolerance_, pass);
   if (pass.isFinal)

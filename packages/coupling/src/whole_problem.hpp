@@ -5,7 +5,7 @@
 
 #include "ndframe/algebra/joined_system.hpp"
 #include "ndframe/subdomain/status_method.hpp"
-#include "network.hpp"
+#include "whole_rows.hpp"
 
 namespace ndframe
 {
@@ -24,6 +24,10 @@ public:
   /// The system must outlive it, and all its bodies must be solved whole. start: the fields, and how far to go.
   WholeProblem(const InterfaceSystem& system, const CouplingStart& start);
 
+  /// Statuses and fields to begin with, from the contact of functions that are linear between the vertices. first: the
+  /// statuses with which it begins itself. Before the first pass.
+  std::vector<char> settleOnVertices(std::vector<char> first, Ledger& ledger);
+
   bool holds(const std::vector<char>& closed) override;
   void solve(const std::vector<char>& closed, double proximal, StatusPass& pass) override;
   ProximalLimits proximalLimits() const override { return {100, 1e-6}; }
@@ -39,25 +43,20 @@ public:
   double roundOff() const;
 
 private:
-  JoinedRows rowsFor(const ClosedRows& closed, bool onVertices) const;
-  ClosedRows closedOnVertices(const std::vector<char>& closed) const;
-  bool isAtVertex(std::size_t entry) const { return atVertex_[entry] != 0; }
   void begin(const std::vector<const Vector*>& fields);
   void follow(const std::vector<char>& closed, double proximal);
   double finest() const { return toleranceFor(exactness_, joined_->tolerance()); }
   void settle(double tolerance, StatusPass& pass);
-  void takeKept();
-  void moveToStatuses();
-  Vector forcesOn(const Vector& rest) const;
+  void moveTo(const ClosedRows& closed);
   void evaluate(const Vector& rest, StatusPass& pass) const;
 
   Network network_;
   std::vector<std::string> motions_;
-  DenseMatrix approach_;       ///< of both sides per unknown under the free motions
-  std::vector<char> atVertex_; ///< per entry of v
+  DenseMatrix approach_; ///< of both sides per unknown under the free motions
+  WholeRows rows_;
   std::vector<const SparseField*> loads_;
-  Vector v_, kept_; ///< per entry, the latter as the kept dofs have it
-  std::optional<ClosedRows> rows_;
+  Vector v_, kept_;                  ///< per entry, the latter as the kept dofs have it
+  std::optional<ClosedRows> closed_; ///< of the last pass
   std::unique_ptr<JoinedSystem> joined_;
   Exactness exactness_;
   double tolerance_;

@@ -12,6 +12,9 @@ namespace ndframe
 class CycleCount
 {
 public:
+  explicit CycleCount(const char* products = "fine products", const char* cycles = "multigrid cycles")
+      : products_(products), cycles_(cycles)
+  {}
   void addResidual() { ++residuals_; }
 
   /// `now`: all that they took since they were set up. Products for residuals count only where there are two levels.
@@ -20,8 +23,8 @@ public:
   {
     if (now.products == 0)
       return;
-    ledger.count("fine products", now.products - entered_.products + std::exchange(residuals_, 0));
-    ledger.count("multigrid cycles", now.cycles - entered_.cycles);
+    ledger.count(products_, now.products - entered_.products + std::exchange(residuals_, 0));
+    ledger.count(cycles_, now.cycles - entered_.cycles);
     if (comm.size() > 1) {
       ledger.count("halo messages", comm.sum(now.traffic.messages - entered_.traffic.messages));
       ledger.count("halo bytes", comm.sum(now.traffic.bytes - entered_.traffic.bytes));
@@ -30,6 +33,7 @@ public:
   }
 
 private:
+  const char *products_, *cycles_; ///< what they are called
   CycleWork entered_;
   int residuals_ = 0;
 };

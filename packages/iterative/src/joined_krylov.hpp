@@ -7,10 +7,12 @@ namespace ndframe
 {
 
 /// Bodies with their kept dofs freed, as one system. Counts "Krylov solves", "Krylov iterations", "fine products",
-/// "multigrid cycles", "multigrid set-ups", "halo messages" and "halo bytes". The problems must outlive it.
+/// "multigrid cycles", "multigrid set-ups", on the vertices "vertex iterations", "vertex products" and "vertex cycles",
+/// and "halo messages" and "halo bytes". The problems must outlive it.
 /// largestEigenvalue: on return that of D^-1 K with all kept dofs free.
-std::unique_ptr<JoinedSystem> makeJoinedKrylov(std::vector<const SolverProblem*> problems, const JoinedRows& open,
-                                               const Comm& comm, Ledger& ledger, KrylovOptions options,
-                                               const MakeJoinedGradients& make, double& largestEigenvalue);
+std::unique_ptr<JoinedSystem> makeJoinedKrylov(const std::vector<const SolverProblem*>& problems,
+                                               const JoinedRows& open, const Comm& comm, Ledger& ledger,
+                                               KrylovOptions options, const MakeJoinedGradients& make,
+                                               double& largestEigenvalue);
 
 } // namespace ndframe

@@ -198,7 +198,7 @@ public:
     for (const WholeSolver* body : bodies)
       problems.push_back(&body->freedProblem());
     double largest = 0.0;
-    auto joined = makeJoinedKrylov(std::move(problems), open, comm_, ledger_, options_, makeJoined_, largest);
+    auto joined = makeJoinedKrylov(problems, open, comm_, ledger_, options_, makeJoined_, largest);
     for (const WholeSolver* body : bodies)
       body->setLargestEigenvalue(largest);
     return joined;

@@ -32,7 +32,7 @@ OwnDofs::OwnDofs(const std::vector<const SolverProblem*>& problems, const Comm& 
     const BlockMatrix& K = *problem->matrix;
     const int first = int(isFree_.size());
     for (const int dof : problem->kept) {
-      const int row = K.rowOf(dof / K.dim);
+      const int row = dof < 0 ? -1 : K.rowOf(dof / K.dim);
       place_.push_back(row >= 0 ? first + row * K.dim + dof % K.dim : -1);
     }
     for (int r = 0; r < K.numRows(); ++r)

@@ -19,7 +19,7 @@ Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm); ///<
 class OwnDofs
 {
 public:
-  /// problems: with the kept dofs as interior ones; they must outlive it.
+  /// problems: with the kept dofs as interior ones, -1 among them where one is none of these; they must outlive it.
   OwnDofs(const std::vector<const SolverProblem*>& problems, const Comm& comm);
 
   std::size_t size() const { return isFree_.size(); }

@@ -43,17 +43,31 @@ Traffic JoinedTransfer::traffic() const
   return sum;
 }
 
+void JoinedTransfer::toVertices(const double* fine, double* vertices)
+{
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    bodies_[b].toCoarse(fine + fineStarts_[b], *coarse_[b]);
+    const auto own = coarse_[b]->getData(0);
+    vertices = std::copy_n(own.getRawPtr(), own.size(), vertices);
+  }
+}
+
+void JoinedTransfer::fromVertices(const double* vertices, double* fine)
+{
+  for (std::size_t b = 0; b < bodies_.size(); ++b) {
+    const auto size = std::ptrdiff_t(coarse_[b]->getLocalLength());
+    std::copy_n(vertices, size, coarse_[b]->getDataNonConst(0).getRawPtr());
+    bodies_[b].toFine(*coarse_[b], fine + fineStarts_[b]);
+    vertices += size;
+  }
+}
+
 void JoinedTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
 {
   std::copy_n(fine, work_.size(), work_.data());
   given_.apply(work_.data());
   const auto result = coarse.getDataNonConst(0);
-  double* all = result.getRawPtr();
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    bodies_[b].toCoarse(work_.data() + fineStarts_[b], *coarse_[b]);
-    const auto own = coarse_[b]->getData(0);
-    all = std::copy_n(own.getRawPtr(), own.size(), all);
-  }
+  toVertices(work_.data(), result.getRawPtr());
   coarseCollected_.apply(result.getRawPtr());
 }
 
@@ -61,15 +75,7 @@ void JoinedTransfer::toFine(TpetraVectors& coarse, double* fine)
 {
   const auto given = coarse.getDataNonConst(0);
   coarseSpread_.apply(given.getRawPtr());
-  const double* all = given.getRawPtr();
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    {
-      const auto own = coarse_[b]->getDataNonConst(0);
-      std::copy_n(all, own.size(), own.getRawPtr());
-      all += own.size();
-    }
-    bodies_[b].toFine(*coarse_[b], fine + fineStarts_[b]);
-  }
+  fromVertices(given.getRawPtr(), fine);
   taken_.apply(fine);
 }
 

@@ -35,6 +35,13 @@ void TwoLevelCycle::setCoarse(const TpetraSystem& system, const Preconditioner& 
   coarseSolution_ = vectorOn(system.dofMap);
 }
 
+void TwoLevelCycle::shareCoarse(const TwoLevelCycle& other)
+{
+  coarse_ = other.coarse_;
+  coarseLoad_ = other.coarseLoad_;
+  coarseSolution_ = other.coarseSolution_;
+}
+
 void TwoLevelCycle::apply(const TpetraVectors& b, TpetraVectors& x, Teuchos::ETransp, double, double) const
 {
   for (std::size_t j = 0; j < b.getNumVectors(); ++j) {

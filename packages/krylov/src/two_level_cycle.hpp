@@ -20,6 +20,7 @@ public:
   TwoLevelCycle(Teuchos::RCP<const FineOperator> matrix, std::unique_ptr<FineTransfer> transfer, double largest = 0.0);
   void dropCoarse() { coarse_.reset(); } ///< its memory is needed; setCoarse() must follow
   void setCoarse(const TpetraSystem& system, const Preconditioner& coarse);
+  void shareCoarse(const TwoLevelCycle& other); ///< that which the other one has now
   /// The matrix has another diagonal, and no larger eigenvalue.
   void takeDiagonal() { inverseDiagonal_ = matrix_->inverseDiagonal(); }
 

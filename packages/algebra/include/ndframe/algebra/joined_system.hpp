@@ -55,6 +55,16 @@ public:
   /// Throws NotConverged and SingularBody.
   virtual Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) = 0;
 
+  /// A start: the same equations for functions that are linear between the vertices, P^T K P, whose kept dofs are those at
+  /// vertices. open: E and L where no kept dof follows one of another body. Before the first follow().
+  virtual void beginOnVertices(const JoinedRows& open) = 0;
+  /// rows: empty elsewhere. Whether a coarse level was set up for them.
+  virtual bool followOnVertices(const JoinedRows& rows, double springs) = 0;
+  /// As solve(), for a field of its own, zero at first; `kept` elsewhere than at vertices is ignored.
+  virtual Vector solveOnVertices(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) = 0;
+  /// u is that field from now on. Returns its values at the kept dofs.
+  virtual Vector beginFromVertices() = 0;
+
   /// u per body, in the nodes' own axes, on all ranks: what begin() takes.
   virtual std::vector<Vector> fields() const = 0;
 

@@ -1,0 +1,71 @@
+#include "vertex_transfer.hpp"
+
+#include <algorithm>
+
+namespace ndframe
+{
+
+VertexTransfer::VertexTransfer(const std::vector<const LinearLevel*>& levels, KeptPlaces kept) : kept_(std::move(kept))
+{
+  std::size_t dof = 0;
+  for (const LinearLevel* level : levels) {
+    const BlockMatrix& K = level->matrix;
+    for (int r = 0; r < K.numRows(); ++r)
+      for (int i = 0; i < K.dim; ++i, ++dof)
+        if (level->problem.roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] != DofRole::Interior)
+          held_.push_back(dof);
+  }
+  size_ = dof;
+}
+
+void VertexTransfer::follow(const std::vector<SparseRow>& unknowns)
+{
+  before_ += taken_.traffic();
+  before_ += given_.traffic();
+  taken_ = KeptRows(kept_, unknowns);
+  given_ = KeptRows(kept_, transposed(unknowns, int(unknowns.size())));
+}
+
+void VertexTransfer::followOnVertices(const std::vector<SparseRow>& kept)
+{
+  before_ += spread_.traffic();
+  before_ += collected_.traffic();
+  spread_ = KeptRows(kept_, kept);
+  collected_ = KeptRows(kept_, transposed(kept, int(kept.size())));
+}
+
+Traffic VertexTransfer::traffic() const
+{
+  Traffic sum = before_;
+  for (const KeptRows* rows : {&taken_, &given_, &spread_, &collected_})
+    sum += rows->traffic();
+  return sum;
+}
+
+void VertexTransfer::annul(double* values) const
+{
+  for (const std::size_t dof : held_)
+    values[dof] = 0.0;
+}
+
+void VertexTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
+{
+  const auto result = coarse.getDataNonConst(0);
+  double* const all = result.getRawPtr();
+  std::copy_n(fine, size_, all);
+  given_.apply(all);
+  annul(all);
+  collected_.apply(all);
+}
+
+void VertexTransfer::toFine(TpetraVectors& coarse, double* fine)
+{
+  const auto given = coarse.getDataNonConst(0);
+  double* const all = given.getRawPtr();
+  spread_.apply(all);
+  annul(all);
+  std::copy_n(all, size_, fine);
+  taken_.apply(fine);
+}
+
+} // namespace ndframe
