@@ -55,8 +55,8 @@ public:
   /// Throws NotConverged and SingularBody.
   virtual Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) = 0;
 
-  /// A start: the same equations for functions that are linear between the vertices, P^T K P, whose kept dofs are those at
-  /// vertices. open: E and L where no kept dof follows one of another body. Before the first follow().
+  /// A start: the same equations for functions that are linear between the vertices, P^T K P, whose kept dofs are those
+  /// at vertices. open: E and L where no kept dof follows one of another body. Before the first follow().
   virtual void beginOnVertices(const JoinedRows& open) = 0;
   /// rows: empty elsewhere. Whether a coarse level was set up for them.
   virtual bool followOnVertices(const JoinedRows& rows, double springs) = 0;
