@@ -8,6 +8,7 @@
 
 #include "ndframe/algebra/dense.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/memory.hpp"
 
 namespace ndframe
 {
@@ -52,7 +53,10 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
   std::vector<double> given;
   for (std::size_t r = 0; !isWhole && r < owned.size(); ++r)
     renumberRow(K, r, order, given);
-  K.values.resize(K.cols.size() * std::size_t(dim) * std::size_t(dim), 0.0);
+  const std::size_t size = K.cols.size() * std::size_t(dim) * std::size_t(dim);
+  K.values.reserve(size);
+  useLargePages(K.values.data(), size * sizeof(double));
+  K.values.resize(size, 0.0);
   return K;
 }
 

@@ -8,6 +8,7 @@
 
 #include <fmt/format.h>
 #include <malloc.h>
+#include <sys/mman.h>
 #include <sys/resource.h>
 
 /// Of jemalloc; null in a program with another allocator.
@@ -118,6 +119,15 @@ void giveBackFreed()
 {
   if (mallctl != nullptr)
     mallctl("arena.4096.purge", nullptr, nullptr, nullptr, 0); // 4096: all arenas
+}
+
+void useLargePages(void* block, std::size_t bytes)
+{
+  constexpr std::uintptr_t page = std::uintptr_t(1) << 21;
+  const auto first = (reinterpret_cast<std::uintptr_t>(block) + page - 1) / page * page;
+  const auto last = (reinterpret_cast<std::uintptr_t>(block) + bytes) / page * page;
+  if (first < last)
+    madvise(reinterpret_cast<void*>(first), last - first, MADV_HUGEPAGE); // advice: where it fails, nothing is lost
 }
 
 } // namespace ndframe
