@@ -295,7 +295,7 @@ TEST(MultigridSolids, AreFactoredAfterAllWhereTheyGoOnFromEarlierPasses)
   const auto representation = components().interfaceOperators.build(deck.sub("Interface Operator"));
   std::vector<SweepsDone> kept;
   const auto solved = [&](std::optional<SweepsDone> after) {
-    const auto solver = makeWithSecondChoice(makeMultigrid(12), makeCholmod());
+    const auto solver = makeWithSecondChoice(makeMultigrid(11), makeCholmod());
     Ledger ledger;
     const CondensedModel condensed = condense(outcome.run.model, *solver, *representation, Comm::single(), ledger);
     CouplingStart start;

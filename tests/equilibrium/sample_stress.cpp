@@ -54,6 +54,15 @@ const std::vector<StressKind>& stressKinds()
   return kinds;
 }
 
+std::vector<StressKind> recoveredKinds()
+{
+  std::vector<StressKind> kinds;
+  for (const StressKind& kind : stressKinds())
+    if (kind.dim == 2 || kind.degree < 3)
+      kinds.push_back(kind);
+  return kinds;
+}
+
 StressField polynomialStress(int dim, int degree, unsigned seed)
 {
   // Powers of random affine functions.

@@ -18,6 +18,8 @@ struct StressKind
 };
 
 const std::vector<StressKind>& stressKinds();
+/// Those that stresses of whole bodies may be of: not degree 3 in space.
+std::vector<StressKind> recoveredKinds();
 
 /// Voigt stress at a point.
 using StressField = std::function<void(const double* x, double* sigma)>;

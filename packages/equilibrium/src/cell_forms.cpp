@@ -2,6 +2,8 @@
 
 #include <algorithm>
 
+#include "ndframe/base/diagnostics.hpp"
+
 namespace ndframe
 {
 
@@ -37,6 +39,7 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
 
 const CellForms& solidForms(int degree)
 {
+  NDFRAME_ASSERT(degree == 1 || degree == 2, "stresses of whole solids have degree 1 or 2");
   if (degree == 1) {
     static const CellForms linear(referenceStress(3, 1));
     return linear;
