@@ -134,7 +134,7 @@ class Pipe(Folder):
 
     def test_says_how_far_iterations_and_certificates_of_solids_are(self):
         block = str(DECKS.parent / "regression/cases/multigrid/multigrid.xml")
-        code, text = on_pipe(block, *self.output, "--live", "0.01", "--set", "Bodies/block/Mesh/Cells={10, 10, 10}")
+        code, text = on_pipe(block, *self.output, "--live", "0.002", "--set", "Bodies/block/Mesh/Cells={14, 14, 14}")
         self.assertEqual(code, 0, text)
         self.assertRegex(text, r"(?m)^  recover, iteration \d+, residual \S+ \(until 1e-12, about \d+ s left\) \.\.\. \d+ s$")
         for part in ("cell", "step"):
