@@ -6,6 +6,7 @@ import json
 import pathlib
 import statistics
 import subprocess
+import sys
 import tempfile
 
 
@@ -150,3 +151,17 @@ def print_sharpness(ratios, of=""):
     """Of bounds over reference errors."""
     print(f"bound / reference error{of}: {len(ratios)} converged runs, median {statistics.median(ratios):.3f}, "
           f"{min(ratios):.3f} to {max(ratios):.3f}")
+
+
+def sweep_of_kinds(options, judge, words):
+    """The sweep of a script that judges bounds: prints their sharpness for each kind of scene, the first `words` of what
+    it is about, and ends the script; exit code 1 where something is wrong."""
+    of_kinds = {}
+    wrong, found = sweep(options, judge)
+    for ratio, about in found:
+        if ratio:
+            of_kinds.setdefault(", ".join(about.split(": ")[1].split(", ")[:words]), []).append(ratio)
+    for kind, ratios in sorted(of_kinds.items()):
+        print_sharpness(ratios, f", {kind}")
+    print(f"{options.scenes} scenes, {wrong} wrong")
+    sys.exit(1 if wrong else 0)

@@ -318,4 +318,17 @@ void expectSameState(const InterfaceState& a, const InterfaceState& b, double to
   expectNear(a.tractionNeumann, b.tractionNeumann, tolerance, "Neumann traction");
 }
 
+Kept keepSweeps(const Coupling& coupling, const InterfaceSystem& system, int every, std::optional<SweepsDone> after,
+                std::optional<double> goal)
+{
+  Kept kept;
+  Ledger ledger;
+  CouplingStart start;
+  start.iterationError = goal;
+  start.sweeps = {std::move(after), every, [&](const SweepsDone& done) { kept.done.push_back(done); }};
+  kept.result = run(coupling, system, ledger, start);
+  kept.counts = ledger.counts();
+  return kept;
+}
+
 } // namespace ndframe::test

@@ -63,4 +63,16 @@ void expectComplementarity(const InterfaceSystem& system, const InterfaceState& 
 /// Displacements, tractions and statuses.
 void expectSameState(const InterfaceState& a, const InterfaceState& b, double tolerance);
 
+/// A run and the sweeps that it kept, or passes.
+struct Kept
+{
+  CouplingResult result;
+  std::vector<SweepsDone> done;
+  std::map<std::string, std::int64_t> counts; ///< of the ledger
+};
+
+/// goal: CouplingStart::iterationError.
+Kept keepSweeps(const Coupling& coupling, const InterfaceSystem& system, int every,
+                std::optional<SweepsDone> after = std::nullopt, std::optional<double> goal = std::nullopt);
+
 } // namespace ndframe::test

@@ -15,22 +15,9 @@ using namespace ndframe::test;
 namespace
 {
 
-struct Kept
-{
-  CouplingResult result;
-  std::vector<SweepsDone> done;
-  std::map<std::string, std::int64_t> counts;
-};
-
 Kept keepPasses(const Coupling& coupling, const InterfaceSystem& system, std::optional<SweepsDone> after = std::nullopt)
 {
-  Kept kept;
-  Ledger ledger;
-  CouplingStart start;
-  start.sweeps = {std::move(after), 1, [&](const SweepsDone& done) { kept.done.push_back(done); }};
-  kept.result = run(coupling, system, ledger, start);
-  kept.counts = ledger.counts();
-  return kept;
+  return keepSweeps(coupling, system, 1, std::move(after));
 }
 
 void expectSameBits(const CouplingResult& a, const CouplingResult& b)

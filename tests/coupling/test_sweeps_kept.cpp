@@ -37,26 +37,6 @@ std::vector<std::string> waysToRelax()
           list("Relaxation", text("Type", "Automatic"))};
 }
 
-struct Kept
-{
-  CouplingResult result;
-  std::vector<SweepsDone> done;
-  std::map<std::string, std::int64_t> counts;
-};
-
-Kept keepSweeps(const Coupling& coupling, const InterfaceSystem& system, int every,
-                std::optional<SweepsDone> after = std::nullopt, std::optional<double> goal = std::nullopt)
-{
-  Kept kept;
-  Ledger ledger;
-  CouplingStart start;
-  start.iterationError = goal;
-  start.sweeps = {std::move(after), every, [&](const SweepsDone& done) { kept.done.push_back(done); }};
-  kept.result = run(coupling, system, ledger, start);
-  kept.counts = ledger.counts();
-  return kept;
-}
-
 void expectSameBits(const CouplingResult& a, const CouplingResult& b)
 {
   ASSERT_EQ(a.history.size(), b.history.size());

@@ -9,6 +9,7 @@
 #include "common/test_main.hpp"
 #include "ndframe/interface/applied_operator.hpp"
 #include "ndframe/mechanics/material_law.hpp"
+#include "ndframe/mesh/refine.hpp"
 #include "ndframe/meshing/mesh_source.hpp"
 
 namespace ndframe::test
@@ -192,6 +193,12 @@ InterfaceMesh straightInterface(const std::vector<double>& x, int order)
       interface.facets.push_back(2 * e + 1);
   }
   return interface;
+}
+
+void refine(BodyModel& body)
+{
+  body.mesh = refineUniformly(body.mesh);
+  body.nodes = makeNodeMap(body.mesh, body.nodes.order);
 }
 
 } // namespace ndframe::test

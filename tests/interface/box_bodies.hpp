@@ -21,6 +21,8 @@ std::string box(const std::string& lower, const std::string& upper, const std::s
 
 /// A box of an isotropic material with the given `Mesh` entries and supports (named lists).
 BodyModel boxBody(const std::string& name, const std::string& meshEntries, int order, const std::string& supports = {});
+/// Every cell becomes 2^dim.
+void refine(BodyModel& body);
 
 /// The same body with its points and cells numbered the other way round.
 BodyModel renumbered(const BodyModel& body);

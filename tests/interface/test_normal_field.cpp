@@ -7,7 +7,6 @@
 #include <gtest/gtest.h>
 
 #include "interface/box_bodies.hpp"
-#include "ndframe/mesh/refine.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -26,12 +25,6 @@ BodyModel mapped(BodyModel body, const Map& map)
   }
   body.nodes = makeNodeMap(body.mesh, body.nodes.order);
   return body;
-}
-
-void refine(BodyModel& body)
-{
-  body.mesh = refineUniformly(body.mesh);
-  body.nodes = makeNodeMap(body.mesh, body.nodes.order);
 }
 
 /// Two bodies of 0 < x < 1 that touch along y = 0, mapped.

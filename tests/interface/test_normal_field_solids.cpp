@@ -6,7 +6,6 @@
 
 #include "interface/box_bodies.hpp"
 #include "ndframe/interface/normal_field.hpp"
-#include "ndframe/mesh/refine.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
@@ -25,12 +24,6 @@ BodyModel onCylinder(BodyModel body, double uneven)
   }
   body.nodes = makeNodeMap(body.mesh, body.nodes.order);
   return body;
-}
-
-void refine(BodyModel& body)
-{
-  body.mesh = refineUniformly(body.mesh);
-  body.nodes = makeNodeMap(body.mesh, body.nodes.order);
 }
 
 /// Two bodies that touch along the cylinder of radius 2.

@@ -13,7 +13,7 @@ import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from runs import Program, certified, judge_certificate, print_sharpness, sweep, sweep_options
+from runs import Program, certified, judge_certificate, sweep_of_kinds, sweep_options
 from self_scenes import contact, grid, hairpin, write_scene
 from side_scenes import even, spread
 
@@ -115,15 +115,8 @@ def judge(program, seed):
 
 def main():
     options = sweep_options(__doc__)
-    program, of_kinds = Program(options.ndframe), {}
-    wrong, found = sweep(options, lambda seed: judge(program, seed))
-    for ratio, about in found:
-        if ratio:
-            of_kinds.setdefault(about.split(": ")[1].split(",")[0], []).append(ratio)
-    for kind, ratios in sorted(of_kinds.items()):
-        print_sharpness(ratios, f", {kind}")
-    print(f"{options.scenes} scenes, {wrong} wrong")
-    sys.exit(1 if wrong else 0)
+    program = Program(options.ndframe)
+    sweep_of_kinds(options, lambda seed: judge(program, seed), 1)
 
 
 if __name__ == "__main__":

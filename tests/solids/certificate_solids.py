@@ -16,7 +16,7 @@ import sys
 import tempfile
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from runs import BALANCED, Program, certified, judge_certificate, print_sharpness, sweep, sweep_options
+from runs import BALANCED, Program, certified, judge_certificate, sweep_of_kinds, sweep_options
 from solid_scenes import Rigid, Solid, pressure, write_scene
 
 NOTHING_TO_SOLVE = ("Every displacement of a body is prescribed", "contact has nothing to decide here")
@@ -176,15 +176,8 @@ def judge(program, seed, refinements):
 
 def main():
     options = sweep_options(__doc__, refinements=(1, "of the reference"))
-    program, of_kinds = Program(options.ndframe), {}
-    violations, found = sweep(options, lambda seed: judge(program, seed, options.refinements))
-    for ratio, about in found:
-        if ratio:
-            of_kinds.setdefault(", ".join(about.split(": ")[1].split(", ")[:2]), []).append(ratio)
-    for kind, ratios in sorted(of_kinds.items()):
-        print_sharpness(ratios, f", {kind}")
-    print(f"{options.scenes} scenes, {violations} wrong")
-    sys.exit(1 if violations else 0)
+    program = Program(options.ndframe)
+    sweep_of_kinds(options, lambda seed: judge(program, seed, options.refinements), 2)
 
 
 if __name__ == "__main__":

@@ -15,7 +15,7 @@ import tempfile
 
 import pathlib
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
-from runs import Program, certified, judge_certificate, print_sharpness, sweep, sweep_options
+from runs import Program, certified, judge_certificate, sweep_of_kinds, sweep_options
 from solid_scenes import Solid, pressure, write_scene
 
 
@@ -103,16 +103,9 @@ def judge(program, seed, refinements, more):
 
 def main():
     options = sweep_options(__doc__, refinements=(1, "of the reference"), corner_angle=(35.0, "of the interface, in degrees"))
-    program, of_kinds = Program(options.ndframe), {}
+    program = Program(options.ndframe)
     more = [("Corner Angle", "double", repr(options.corner_angle))]
-    violations, found = sweep(options, lambda seed: judge(program, seed, options.refinements, more))
-    for ratio, about in found:
-        if ratio:
-            of_kinds.setdefault(", ".join(about.split(": ")[1].split(", ")[:2]), []).append(ratio)
-    for kind, ratios in sorted(of_kinds.items()):
-        print_sharpness(ratios, f", {kind}")
-    print(f"{options.scenes} scenes, {violations} wrong")
-    sys.exit(1 if violations else 0)
+    sweep_of_kinds(options, lambda seed: judge(program, seed, options.refinements, more), 2)
 
 
 if __name__ == "__main__":

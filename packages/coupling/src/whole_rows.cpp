@@ -5,6 +5,23 @@
 
 namespace ndframe
 {
+namespace
+{
+
+/// What `action` makes of the bodies' parts of a stacked vector, stacked.
+template <class Action>
+Vector bodyByBody(const Network& network, const Vector& all, const Action& action)
+{
+  Vector result;
+  for (std::size_t b = 0; b < network.bodies.size(); ++b) {
+    const Vector own =
+        action(network.bodies[b]->map, {all.begin() + network.offsets[b], all.begin() + network.offsets[b + 1]});
+    result.insert(result.end(), own.begin(), own.end());
+  }
+  return result;
+}
+
+} // namespace
 
 WholeRows::WholeRows(const Network& network) : network_(network)
 {
@@ -122,37 +139,21 @@ JoinedRows WholeRows::rows(const ClosedRows& closed, bool onVertices) const
 
 Vector WholeRows::values(const Vector& kept) const
 {
-  Vector v;
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const Vector own =
-        network_.bodies[b]->map.values({kept.begin() + network_.offsets[b], kept.begin() + network_.offsets[b + 1]});
-    v.insert(v.end(), own.begin(), own.end());
-  }
-  return v;
+  return bodyByBody(network_, kept, [](const TraceMap& map, const Vector& own) { return map.values(own); });
 }
 
 Vector WholeRows::kept(const Vector& v) const
 {
-  Vector kept;
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const Vector own =
-        network_.bodies[b]->map.keptValues({v.begin() + network_.offsets[b], v.begin() + network_.offsets[b + 1]});
-    kept.insert(kept.end(), own.begin(), own.end());
-  }
-  return kept;
+  return bodyByBody(network_, v, [](const TraceMap& map, const Vector& own) { return map.keptValues(own); });
 }
 
 Vector WholeRows::forces(const Vector& rest) const
 {
-  Vector all;
-  for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    Vector forces(rest.begin() + network_.offsets[b], rest.begin() + network_.offsets[b + 1]);
-    for (double& force : forces)
+  return bodyByBody(network_, rest, [](const TraceMap& map, Vector own) {
+    for (double& force : own)
       force = -force;
-    const Vector own = network_.bodies[b]->map.forces(forces);
-    all.insert(all.end(), own.begin(), own.end());
-  }
-  return all;
+    return map.forces(own);
+  });
 }
 
 } // namespace ndframe

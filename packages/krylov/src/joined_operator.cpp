@@ -21,10 +21,7 @@ JoinedOperator::JoinedOperator(const std::vector<const SolverProblem*>& bodies, 
 
 void JoinedOperator::follow(const JoinedUnknowns& unknowns)
 {
-  before_ += spread_.traffic();
-  before_ += collected_.traffic();
-  spread_ = KeptRows(kept_, unknowns.rows.kept);
-  collected_ = KeptRows(kept_, transposed(unknowns.rows.kept, int(unknowns.rows.kept.size())));
+  spread_.follow(kept_, unknowns.rows.kept);
   diagonal_.clear();
   springs_.clear();
   for (const auto& place : kept_.own()) {
@@ -62,7 +59,7 @@ void JoinedOperator::multiply(const TpetraVectors& x, double* y) const
   std::copy_n(given.getRawPtr(), work_.size(), work_.data());
   spread_.apply(work_.data());
   multiplyBodies(work_.data(), y);
-  collected_.apply(y);
+  spread_.applyTranspose(y);
   for (std::size_t k = 0; k < springs_.size(); ++k) {
     const std::size_t dof = kept_.own()[k].dof;
     y[dof] += springs_[k] * given.getRawPtr()[dof];
@@ -92,11 +89,9 @@ std::vector<double> JoinedOperator::inverseDiagonal() const
 
 Traffic JoinedOperator::traffic() const
 {
-  Traffic sum = before_;
+  Traffic sum = spread_.traffic();
   for (const auto& part : parts_)
     sum += part->traffic();
-  sum += spread_.traffic();
-  sum += collected_.traffic();
   return sum;
 }
 

@@ -35,8 +35,7 @@ private:
   std::vector<Teuchos::RCP<TpetraVectors>> moved_; ///< E x, per body
   Teuchos::RCP<const TpetraMap> dofMap_;
   KeptPlaces kept_;
-  KeptRows spread_, collected_;            ///< E and E^T
-  Traffic before_;                         ///< of such of earlier unknowns
+  FollowingRows spread_;                   ///< E
   std::vector<double> diagonal_, springs_; ///< per own kept dof, the latter empty: none
   mutable std::vector<double> work_;
 };

@@ -19,27 +19,20 @@ JoinedTransfer::JoinedTransfer(std::vector<LinearTransfer> bodies, KeptPlaces ke
 
 void JoinedTransfer::follow(const std::vector<SparseRow>& unknowns)
 {
-  before_ += taken_.traffic();
-  before_ += given_.traffic();
-  taken_ = KeptRows(kept_, unknowns);
-  given_ = KeptRows(kept_, transposed(unknowns, int(unknowns.size())));
+  taken_.follow(kept_, unknowns);
 }
 
 void JoinedTransfer::followOnVertices(const std::vector<SparseRow>& kept)
 {
-  before_ += coarseSpread_.traffic();
-  before_ += coarseCollected_.traffic();
-  coarseSpread_ = KeptRows(coarseKept_, kept);
-  coarseCollected_ = KeptRows(coarseKept_, transposed(kept, int(kept.size())));
+  coarseSpread_.follow(coarseKept_, kept);
 }
 
 Traffic JoinedTransfer::traffic() const
 {
-  Traffic sum = before_;
+  Traffic sum = taken_.traffic();
+  sum += coarseSpread_.traffic();
   for (const LinearTransfer& body : bodies_)
     sum += body.traffic();
-  for (const KeptRows* rows : {&taken_, &given_, &coarseSpread_, &coarseCollected_})
-    sum += rows->traffic();
   return sum;
 }
 
@@ -65,10 +58,10 @@ void JoinedTransfer::fromVertices(const double* vertices, double* fine)
 void JoinedTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
 {
   std::copy_n(fine, work_.size(), work_.data());
-  given_.apply(work_.data());
+  taken_.applyTranspose(work_.data());
   const auto result = coarse.getDataNonConst(0);
   toVertices(work_.data(), result.getRawPtr());
-  coarseCollected_.apply(result.getRawPtr());
+  coarseSpread_.applyTranspose(result.getRawPtr());
 }
 
 void JoinedTransfer::toFine(TpetraVectors& coarse, double* fine)

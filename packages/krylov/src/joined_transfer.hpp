@@ -34,10 +34,9 @@ private:
   std::vector<LinearTransfer> bodies_;
   std::vector<Teuchos::RCP<TpetraVectors>> coarse_; ///< per body
   KeptPlaces kept_, coarseKept_;
-  KeptRows taken_, given_;                  ///< L and L^T
-  KeptRows coarseSpread_, coarseCollected_; ///< E and E^T
-  Traffic before_;                          ///< of such of earlier unknowns
-  std::vector<std::size_t> fineStarts_;     ///< per body
+  FollowingRows taken_;                 ///< L
+  FollowingRows coarseSpread_;          ///< E
+  std::vector<std::size_t> fineStarts_; ///< per body
   std::vector<double> work_;
 };
 

@@ -53,4 +53,31 @@ private:
   mutable std::vector<double> given_;
 };
 
+/// Rows that change and their transpose.
+class FollowingRows
+{
+public:
+  /// places: must outlive it. Collective.
+  void follow(const KeptPlaces& places, const std::vector<SparseRow>& rows)
+  {
+    before_ = traffic();
+    rows_ = KeptRows(places, rows);
+    transpose_ = KeptRows(places, transposed(rows, int(rows.size())));
+  }
+
+  void apply(double* x) const { rows_.apply(x); }               ///< x: as of KeptRows
+  void applyTranspose(double* x) const { transpose_.apply(x); } ///< the same
+  Traffic traffic() const                                       ///< with what earlier rows have sent
+  {
+    Traffic sum = before_;
+    sum += rows_.traffic();
+    sum += transpose_.traffic();
+    return sum;
+  }
+
+private:
+  KeptRows rows_, transpose_;
+  Traffic before_;
+};
+
 } // namespace ndframe

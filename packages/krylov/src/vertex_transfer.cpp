@@ -20,25 +20,18 @@ VertexTransfer::VertexTransfer(const std::vector<const LinearLevel*>& levels, Ke
 
 void VertexTransfer::follow(const std::vector<SparseRow>& unknowns)
 {
-  before_ += taken_.traffic();
-  before_ += given_.traffic();
-  taken_ = KeptRows(kept_, unknowns);
-  given_ = KeptRows(kept_, transposed(unknowns, int(unknowns.size())));
+  taken_.follow(kept_, unknowns);
 }
 
 void VertexTransfer::followOnVertices(const std::vector<SparseRow>& kept)
 {
-  before_ += spread_.traffic();
-  before_ += collected_.traffic();
-  spread_ = KeptRows(kept_, kept);
-  collected_ = KeptRows(kept_, transposed(kept, int(kept.size())));
+  spread_.follow(kept_, kept);
 }
 
 Traffic VertexTransfer::traffic() const
 {
-  Traffic sum = before_;
-  for (const KeptRows* rows : {&taken_, &given_, &spread_, &collected_})
-    sum += rows->traffic();
+  Traffic sum = taken_.traffic();
+  sum += spread_.traffic();
   return sum;
 }
 
@@ -53,9 +46,9 @@ void VertexTransfer::toCoarse(const double* fine, TpetraVectors& coarse)
   const auto result = coarse.getDataNonConst(0);
   double* const all = result.getRawPtr();
   std::copy_n(fine, size_, all);
-  given_.apply(all);
+  taken_.applyTranspose(all);
   annul(all);
-  collected_.apply(all);
+  spread_.applyTranspose(all);
 }
 
 void VertexTransfer::toFine(TpetraVectors& coarse, double* fine)

@@ -25,9 +25,8 @@ private:
   std::vector<std::size_t> held_; ///< own dofs that are not interior
   std::size_t size_ = 0;          ///< number of own dofs
   KeptPlaces kept_;
-  KeptRows taken_, given_;      ///< L and L^T
-  KeptRows spread_, collected_; ///< E and E^T
-  Traffic before_;              ///< of such of earlier unknowns
+  FollowingRows taken_;  ///< L
+  FollowingRows spread_; ///< E
 };
 
 } // namespace ndframe
