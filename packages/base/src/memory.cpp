@@ -11,9 +11,6 @@
 #include <sys/mman.h>
 #include <sys/resource.h>
 
-/// Of jemalloc; null in a program with another allocator.
-extern "C" [[gnu::weak]] int mallctl(const char* name, void* old, std::size_t* oldSize, void* given, std::size_t size);
-
 namespace ndframe
 {
 namespace
@@ -113,12 +110,6 @@ MemoryLeft memoryLeft(const std::string& root)
       left.bytes += std::int64_t(mallinfo2().fordblks); // freed and kept by this process
   }
   return left;
-}
-
-void giveBackFreed()
-{
-  if (mallctl != nullptr)
-    mallctl("arena.4096.purge", nullptr, nullptr, nullptr, 0); // 4096: all arenas
 }
 
 void useLargePages(void* block, std::size_t bytes)

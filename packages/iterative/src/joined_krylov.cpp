@@ -3,7 +3,6 @@
 #include "cycle_count.hpp"
 #include "joined_equations.hpp"
 #include "joined_level.hpp"
-#include "ndframe/base/memory.hpp"
 
 namespace ndframe
 {
@@ -122,22 +121,12 @@ private:
     if (!isStale(onVertices, weight, share))
       return false;
     auto level = std::make_unique<const JoinedLevel>(levels_, vertices_.keptNumbers(), onVertices, springs, comm_);
-    gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] {
-      level.reset();
-      giveBack();
-    });
+    gradients_->setCoarse(onVertices, level->problem, meanDiagonal(level->matrix, comm_), [&] { level.reset(); });
     coarseRows_ = onVertices;
     coarseSprings_ = weight;
     ledger_.count("multigrid set-ups");
     work_.enter(gradients_->work(), comm_, ledger_);
     return true;
-  }
-
-  /// Before the set-up of the coarse levels, which is the largest moment of several ranks.
-  void giveBack() const
-  {
-    if (comm_.size() > 1)
-      giveBackFreed();
   }
 
   bool isStale(const JoinedRows& onVertices, double springs, double share) const

@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include "field_names.hpp"
-#include "ndframe/base/memory.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/condensation/trust.hpp"
 #include "ndframe/run/energy_comparison.hpp"
@@ -38,7 +37,7 @@ std::string failureOf(const Step& step)
 }
 
 /// Takes a step for which the solver's memory counts and that reads no node maps: several ranks, each of which has all
-/// of them, put them aside meanwhile, and give back what the stages before have left.
+/// of them, put them aside meanwhile.
 template <class Step>
 void withoutNodes(Model& model, const Comm& comm, const Step& step)
 {
@@ -51,7 +50,6 @@ void withoutNodes(Model& model, const Comm& comm, const Step& step)
     for (std::size_t b = 0; b < orders.size(); ++b)
       model.bodies[b].nodes = makeNodeMap(model.bodies[b].mesh, orders[b]);
   };
-  giveBackFreed();
   try {
     step();
   } catch (...) {

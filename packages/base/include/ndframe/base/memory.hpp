@@ -22,10 +22,6 @@ struct MemoryLeft
 /// what it has freed and keeps. `root`: where /proc and /sys are looked for; the limits are then left out.
 MemoryLeft memoryLeft(const std::string& root = "");
 
-/// Gives the system at once what was freed and is kept for what comes next, if the allocator is jemalloc (the
-/// program's).
-void giveBackFreed();
-
 /// Asks for pages of 2 MB in the part of a block that they fill, before it is written: products with a matrix in small
 /// pages take 1.7 times the time. Nothing stays empty.
 void useLargePages(void* block, std::size_t bytes);
