@@ -32,11 +32,11 @@ std::unique_ptr<Component> byDefault(void (*registerAll)(Registry<Component>&), 
 class FailingSolver final : public LinearSolver
 {
 public:
-  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const override
   {
     if (problem.roles[1] != DofRole::Fixed) // of the bodies of the punch the one that is not clamped
       visit(std::int64_t(problem.roles.size()));
-    return solver_->factor(problem, comm, ledger);
+    return solver_->factor(std::move(problem), comm, ledger);
   }
   std::string name(int ranks) const override { return solver_->name(ranks); }
   bool needsMpi(int ranks) const override { return solver_->needsMpi(ranks); }

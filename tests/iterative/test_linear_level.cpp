@@ -5,6 +5,7 @@
 #include "algebra/sample_bodies.hpp"
 #include "common/test_main.hpp"
 #include "ndframe/iterative/linear_level.hpp"
+#include "rank_problem.hpp"
 
 namespace ndframe
 {
@@ -12,20 +13,44 @@ namespace ndframe
 namespace
 {
 
-/// P, all dofs of both levels, as LinearInterpolation describes it.
-DenseMatrix dense(const LinearInterpolation& P)
+DenseMatrix summed(DenseMatrix own)
+{
+  Vector values(own.data(), own.data() + std::size_t(own.rows()) * std::size_t(own.cols()));
+  test::comm().sum(values);
+  std::copy(values.begin(), values.end(), own.data());
+  return own;
+}
+
+/// P, all dofs of both levels and of all ranks, as LinearInterpolation describes it; columns by the vertices' nodes.
+DenseMatrix dense(const LinearInterpolation& P, const BlockMatrix& K)
 {
   const int dim = P.dim;
-  DenseMatrix result(int(P.ends.size()) * dim, int(P.vertices.size()) * dim);
+  DenseMatrix result(K.numDofs(), int(P.vertices.globalSize()) * dim);
   for (int node = 0; node < int(P.ends.size()); ++node)
     for (int end = 0; end < 2; ++end)
       for (int i = 0; i < dim; ++i)
         for (int j = 0; j < dim; ++j) {
           const double* blocks = P.blocks(node);
           const double share = blocks ? blocks[(end * dim + i) * dim + j] : 0.5 * (i == j);
-          result(node * dim + i, P.ends[std::size_t(node)][std::size_t(end)] * dim + j) += share;
+          const int vertex = int(P.vertices.global(P.ends[std::size_t(node)][std::size_t(end)]));
+          result(K.rowNode(node) * dim + i, vertex * dim + j) += share;
         }
-  return result;
+  return summed(std::move(result));
+}
+
+/// Per dof of all ranks whether its owner says that it is interior.
+std::vector<DofRole> rolesOfAll(const RankProblem& problem)
+{
+  const BlockMatrix& K = *problem.matrix;
+  Vector isInterior(std::size_t(K.numDofs()), 0.0);
+  for (int r = 0; r < K.numRows(); ++r)
+    for (int i = 0; i < K.dim; ++i)
+      isInterior[std::size_t(K.rowNode(r) * K.dim + i)] = problem.role(r, i) == DofRole::Interior;
+  test::comm().sum(isInterior);
+  std::vector<DofRole> roles;
+  for (const double value : isInterior)
+    roles.push_back(value > 0.0 ? DofRole::Interior : DofRole::Fixed);
+  return roles;
 }
 
 DenseMatrix dense(const BlockMatrix& K)
@@ -64,6 +89,8 @@ protected:
     test::turnNodes(whole, wholeProblem, chosen);
   }
 
+  RankProblem held() const { return heldPart(problem, true); }
+
   test::SampleBody body, whole;
   SolverProblem problem, wholeProblem;
 };
@@ -72,20 +99,19 @@ protected:
 
 TEST_P(LinearLevelTest, HasTheMatrixOfTheInteriorDofsInTheSpaceOfLinearFunctions)
 {
-  const LinearLevel level(problem, test::comm());
-  const DenseMatrix P = dense(level.interpolation), K = masked(dense(whole.matrix), problem.roles);
-  const DenseMatrix expected = masked(multiplyTransposed(P, multiply(K, P)), level.problem.roles);
-  DenseMatrix found = masked(dense(level.matrix), level.problem.roles);
-  Vector values(found.data(), found.data() + std::size_t(found.rows()) * std::size_t(found.cols()));
-  test::comm().sum(values);
-  const Vector wanted(expected.data(), expected.data() + values.size());
-  EXPECT_LT(test::relativeDifference(values, wanted), 1e-14);
+  const RankProblem fine = held();
+  const LinearLevel level(fine, test::comm());
+  const std::vector<DofRole> roles = rolesOfAll(level.problem);
+  const DenseMatrix P = dense(level.interpolation, body.matrix), K = masked(dense(whole.matrix), problem.roles);
+  const DenseMatrix expected = masked(multiplyTransposed(P, multiply(K, P)), roles);
+  EXPECT_LT(test::relativeDifference(summed(masked(dense(level.matrix), roles)), expected), 1e-14);
 }
 
 /// Rigid motions are linear: their values at the vertices interpolate to those at all nodes, in all nodes' own axes.
 TEST_P(LinearLevelTest, InterpolatesRigidMotions)
 {
-  const LinearLevel level(problem, test::comm());
+  const RankProblem fine = held();
+  const LinearLevel level(fine, test::comm());
   const DenseMatrix& own = level.problem.nearNullSpace;
   ASSERT_EQ(own.rows(), level.matrix.numRows() * level.matrix.dim);
   DenseMatrix vertices(level.matrix.numDofs(), own.cols());
@@ -97,20 +123,35 @@ TEST_P(LinearLevelTest, InterpolatesRigidMotions)
     test::comm().sum(all);
     std::copy(all.begin(), all.end(), vertices.col(m));
   }
-  const DenseMatrix motions = multiply(dense(level.interpolation), vertices);
+  const DenseMatrix motions = multiply(dense(level.interpolation, body.matrix), vertices);
   EXPECT_LT(test::relativeDifference(motions, problem.nearNullSpace), 1e-14);
 }
 
 TEST_P(LinearLevelTest, SharesOutItsRowsAsTheNodesAre)
 {
-  const LinearLevel level(problem, test::comm());
-  Vector owners(level.interpolation.vertices.size(), 0.0);
+  const RankProblem fine = held();
+  const LinearLevel level(fine, test::comm());
+  Vector owners(std::size_t(level.matrix.numNodes()), 0.0), expected(owners);
   for (int row = 0; row < level.matrix.numRows(); ++row)
     owners[std::size_t(level.matrix.rowNode(row))] += 1.0;
   test::comm().sum(owners);
-  EXPECT_EQ(owners, Vector(owners.size(), 1.0));
+  for (std::size_t node = 0; node < expected.size(); ++node)
+    expected[node] = problem.edgeNodes.ends[node][0] == problem.edgeNodes.ends[node][1];
+  EXPECT_EQ(owners, expected);
   EXPECT_EQ(int(level.problem.nodePoints.size()), level.matrix.numRows() * level.matrix.dim);
-  EXPECT_EQ(int(level.problem.roles.size()), level.matrix.numDofs());
+  EXPECT_EQ(int(level.problem.roles.size()), level.matrix.nodes.size() * level.matrix.dim);
+}
+
+/// Where rows have columns of other ranks, these are what their owners say.
+TEST_P(LinearLevelTest, KnowsTheRolesOfItsGhosts)
+{
+  const RankProblem fine = held();
+  const LinearLevel level(fine, test::comm());
+  const std::vector<DofRole> roles = rolesOfAll(level.problem);
+  const int dim = level.matrix.dim;
+  for (int node = 0; node < level.matrix.nodes.size(); ++node)
+    for (int i = 0; i < dim; ++i)
+      EXPECT_EQ(level.problem.role(node, i), roles[std::size_t(level.matrix.nodes.global(node) * dim + i)]);
 }
 
 INSTANTIATE_TEST_SUITE_P(Bodies, LinearLevelTest, testing::Values(std::vector{6, 4}, std::vector{4, 2, 2}),

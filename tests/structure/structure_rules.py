@@ -51,6 +51,24 @@ HEAVY_HOMES = {
 # The only source below the driver that takes a whole deck.
 SETTINGS_READER = "scene_settings"
 
+# Where solids are solved by iterations a rank has what it holds. What shows something as large as all nodes there...
+OF_ALL_RANKS = re.compile(
+    r"\b(?:numDofs|numNodes|rowNode|colNode|gathered|onEveryRank|onAllRanks)\(|\bsize_t\([^;]*?globalSize\(\)|\bSolverProblem\b"
+)
+# ... and the only files that may, and why.
+MAY_SEE_ALL_RANKS = {
+    "packages/iterative/src/rank_problem.cpp": "makes what a rank holds from the description of all nodes, and the way back for a direct solver",
+    "packages/iterative/src/rank_problem.hpp": "the same",
+    "packages/iterative/src/krylov_body.hpp": "the same: takes that description",
+    "packages/iterative/src/krylov_body.cpp": "a CondensedBody takes and gives vectors of all dofs",
+    "packages/iterative/src/krylov_system.cpp": "the same: gathers its solution once a solve",
+    "packages/iterative/src/own_dofs.cpp": "the same: a rank's part of such vectors, and the way back",
+    "packages/iterative/src/own_dofs.hpp": "the same",
+    "packages/iterative/src/krylov_solver.cpp": "a LinearSolver takes the description of all nodes",
+    "packages/iterative/src/linear_solvers.cpp": "the same",
+    "packages/iterative/src/second_choice.cpp": "the same, for a direct solver that takes over",
+}
+
 MAX_LINES = {".cpp": 300, ".hpp": 150}
 MAX_PACKAGE_LINES = 6000
 MAX_FUNCTION_LINES = 40
@@ -273,6 +291,19 @@ def products_are_widened_first(tree):
                 yield Problem(file.name, line_of(file.code, match.start()), message)
 
 
+def iterations_hold_their_own(tree):
+    """No vector or matrix of all dofs, and no sum of one over ranks, where solids are solved by iterations."""
+    for file in tree.product_code:
+        if file.package not in ("iterative", "krylov"):
+            continue
+        match = OF_ALL_RANKS.search(file.code)
+        if match and file.name not in MAY_SEE_ALL_RANKS:
+            message = f"{match[0]}: as large as all ranks' nodes; take what this rank holds (RankProblem)"
+            yield Problem(file.name, line_of(file.code, match.start()), message)
+        if file.name in MAY_SEE_ALL_RANKS and not match:
+            yield Problem(file.name, 1, "has nothing of all ranks any more: take it from MAY_SEE_ALL_RANKS")
+
+
 def nothing_is_unfinished(tree):
     for file in tree.texts:
         for number, line in enumerate(file.raw.splitlines(), start=1):
@@ -309,6 +340,7 @@ RULES = [
     names_are_looked_up_not_compared,
     what_is_thrown_is_an_exception,
     products_are_widened_first,
+    iterations_hold_their_own,
     nothing_is_unfinished,
     headers_are_guarded,
     headers_are_included,

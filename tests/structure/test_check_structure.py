@@ -176,6 +176,22 @@ class StructureCheck(unittest.TestCase):
             problems = self.found(packages__mesh__src__m_dot_cpp=f"auto n =\n {bad};\n")
             self.assert_one(problems, "packages/mesh/src/m.cpp:2", "widened too late")
 
+    def test_iterations_on_all_dofs(self):
+        for good in ("K.numRows()", "// K.numDofs()", "std::size_t(nodes.numOwned())", "nodes.globalSize() * dim"):
+            with self.subTest(good):
+                self.assertEqual(self.found(packages__krylov__src__k_dot_cpp=f"auto n = 1; {good};\n"), [])
+        for bad in ("Vector u(K.numDofs())", "gathered(K, u)", "Vector x(std::size_t(K.nodes.globalSize()))", "SolverProblem p"):
+            with self.subTest(bad):
+                problems = self.found(packages__krylov__src__k_dot_cpp=f"\nauto a = 1; {bad};\n")
+                self.assert_one(problems, "packages/krylov/src/k.cpp:2", "as large as all ranks' nodes")
+                self.assertEqual(self.found(packages__mesh__src__m_dot_cpp=f"auto a = 1; {bad};\n"), [])
+
+    def test_iterations_that_need_no_exception(self):
+        name = "packages/iterative/src/krylov_body.cpp"
+        tree = {**GOOD_TREE, "packages/iterative/CMakeLists.txt": "ndframe_package(iterative SOURCES src/krylov_body.cpp)\n"}
+        self.assertEqual(self.found_in({**tree, name: "int n = K.numDofs();\n"}), [])
+        self.assert_one(self.found_in({**tree, name: "int n = 1;\n"}), f"{name}:1", "take it from MAY_SEE_ALL_RANKS")
+
     def test_unfinished_work(self):
         for word in ("TO" "DO", "FIX" "ME", "XX" "X"):
             for place in ("packages/mesh/src/m.cpp", "tests/mesh/t.py", "cmake/x.cmake"):

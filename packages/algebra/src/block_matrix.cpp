@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numeric>
 #include <utility>
 
 #include "ndframe/algebra/dense.hpp"
@@ -36,6 +35,15 @@ void renumberRow(BlockMatrix& K, std::size_t r, std::vector<std::pair<int, std::
   }
 }
 
+BlockMatrix inLargePages(BlockMatrix K)
+{
+  const std::size_t size = K.cols.size() * std::size_t(K.dim) * std::size_t(K.dim);
+  K.values.reserve(size);
+  useLargePages(K.values.data(), size * sizeof(double));
+  K.values.resize(size, 0.0);
+  return K;
+}
+
 } // namespace
 
 BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector<int>& owned,
@@ -53,14 +61,31 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
   std::vector<double> given;
   for (std::size_t r = 0; !isWhole && r < owned.size(); ++r)
     renumberRow(K, r, order, given);
-  const std::size_t size = K.cols.size() * std::size_t(dim) * std::size_t(dim);
-  K.values.reserve(size);
-  useLargePages(K.values.data(), size * sizeof(double));
-  K.values.resize(size, 0.0);
-  return K;
+  return inLargePages(std::move(K));
 }
 
-int BlockMatrix::rowOf(int node) const
+BlockMatrix withoutIdleGhosts(int dim, const IndexMap& nodes, std::vector<std::int64_t> rowPtr, std::vector<int> cols,
+                              std::vector<double> values)
+{
+  std::vector<char> isColumn(nodes.isWhole() ? 0 : std::size_t(nodes.size()), 0);
+  for (std::size_t b = 0; b < cols.size() && !nodes.isWhole(); ++b)
+    isColumn[std::size_t(cols[b])] = 1;
+  std::vector<IndexMap::Global> owned, ghosts;
+  std::vector<int> number;
+  for (std::size_t node = 0; node < isColumn.size(); ++node) {
+    number.push_back(int(owned.size() + ghosts.size()));
+    if (nodes.owns(int(node)))
+      owned.push_back(nodes.global(int(node)));
+    else if (isColumn[node])
+      ghosts.push_back(nodes.global(int(node)));
+  }
+  for (std::size_t b = 0; b < cols.size() && !nodes.isWhole(); ++b)
+    cols[b] = number[std::size_t(cols[b])];
+  const IndexMap held = nodes.isWhole() ? nodes : IndexMap(nodes.globalSize(), std::move(owned), std::move(ghosts));
+  return inLargePages({dim, held, std::move(rowPtr), std::move(cols), std::move(values)});
+}
+
+int BlockMatrix::rowOf(IndexMap::Global node) const
 {
   const int row = nodes.local(node);
   return nodes.owns(row) ? row : -1;
@@ -114,23 +139,15 @@ Vector diagonal(const BlockMatrix& K, const Comm& comm)
 
 double meanDiagonal(const BlockMatrix& K, const Comm& comm)
 {
-  const Vector d = diagonal(K, comm);
-  return std::accumulate(d.begin(), d.end(), 0.0) / double(d.size());
-}
-
-double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm)
-{
-  const int dim = K.dim;
-  Vector sizes(u.size(), 0.0);
-  const double* entry = K.values.data();
-  for (int r = 0; r < K.numRows(); ++r)
-    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b)
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-          sizes[std::size_t(K.rowNode(r)) * std::size_t(dim) + std::size_t(i)] +=
-              std::abs(*entry++ * u[std::size_t(K.colNode(b)) * std::size_t(dim) + std::size_t(j)]);
-  comm.sum(sizes);
-  return rowRoundOff * norm(sizes);
+  Vector sums{0.0, double(K.numRows()) * K.dim};
+  for (int r = 0; r < K.numRows(); ++r) {
+    const double* entry = K.block(r, r);
+    NDFRAME_ASSERT(entry != nullptr, "a row has no diagonal block");
+    for (int i = 0; i < K.dim; ++i)
+      sums[0] += entry[i * K.dim + i];
+  }
+  comm.sum(sums);
+  return sums[0] / sums[1];
 }
 
 } // namespace ndframe

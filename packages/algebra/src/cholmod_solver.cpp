@@ -208,7 +208,7 @@ std::launch besideOrdering(const Comm& comm)
 class Cholmod final : public LinearSolver
 {
 public:
-  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const override
   {
     if (comm.size() > 1)
       throw InputError("Cholmod runs on one rank; use Mumps or Krylov (or Automatic)");

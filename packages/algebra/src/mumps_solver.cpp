@@ -264,7 +264,7 @@ private:
 class Mumps final : public LinearSolver
 {
 public:
-  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const override
   {
     checkProblem(problem, comm);
     if (std::count(problem.roles.begin(), problem.roles.end(), DofRole::Interior) == 0)

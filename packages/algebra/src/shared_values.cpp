@@ -2,9 +2,7 @@
 
 #include <algorithm>
 
-#include <mpi.h>
-
-#include "mpi_comm.hpp"
+#include "exchange.hpp"
 #include "ndframe/algebra/dense.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
@@ -12,12 +10,6 @@ namespace ndframe
 {
 namespace
 {
-
-int messageLength(std::size_t count)
-{
-  NDFRAME_ASSERT(count <= std::size_t(INT32_MAX), "a message is too long for MPI");
-  return int(count);
-}
 
 std::size_t countOf(const std::vector<int>& things, const SharedValues::Places& places)
 {
@@ -102,28 +94,7 @@ void SharedValues::add(const Places& places, Vector& values) const
 
 std::vector<std::vector<int>> askedFor(const std::vector<std::vector<int>>& wanted, const Comm& comm)
 {
-  if (comm.size() == 1)
-    return {{}};
-  NDFRAME_ASSERT(int(wanted.size()) == comm.size(), "a list for every rank");
-  std::vector<int> out, toEach, fromEach(wanted.size()), firstOut, firstIn;
-  for (const std::vector<int>& list : wanted) {
-    firstOut.push_back(int(out.size()));
-    toEach.push_back(messageLength(list.size()));
-    out.insert(out.end(), list.begin(), list.end());
-  }
-  MPI_Alltoall(toEach.data(), 1, MPI_INT, fromEach.data(), 1, MPI_INT, mpiComm(comm));
-  std::size_t total = 0;
-  for (const int count : fromEach) {
-    firstIn.push_back(messageLength(total));
-    total += std::size_t(count);
-  }
-  std::vector<int> in(total);
-  MPI_Alltoallv(out.data(), toEach.data(), firstOut.data(), MPI_INT, in.data(), fromEach.data(), firstIn.data(),
-                MPI_INT, mpiComm(comm));
-  std::vector<std::vector<int>> asked;
-  for (std::size_t rank = 0; rank < wanted.size(); ++rank)
-    asked.emplace_back(in.begin() + firstIn[rank], in.begin() + firstIn[rank] + fromEach[rank]);
-  return asked;
+  return comm.size() == 1 ? std::vector<std::vector<int>>{{}} : exchanged(wanted, comm);
 }
 
 void takeLargest(Vector& values, const Comm& comm)

@@ -33,8 +33,8 @@ double rowTimes(const BlockMatrix& K, int dof, const double* u)
 } // namespace
 
 SplitBody::SplitBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger)
-    : matrix_(*problem.matrix), roles_(problem.roles), kept_(problem.kept),
-      motions_(ndframe::freeMotions(problem, comm)), comm_(comm), ledger_(ledger)
+    : matrix_(*problem.matrix), kept_(problem.kept), motions_(ndframe::freeMotions(problem, comm)), comm_(comm),
+      ledger_(ledger)
 {}
 
 DenseMatrix SplitBody::reduce(const DenseMatrix& load) const

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "linear_start.hpp"
+#include "ndframe/algebra/own_field.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -47,21 +48,21 @@ WholeProblem::WholeProblem(const InterfaceSystem& system, const CouplingStart& s
     loads_.push_back(body->load);
   }
   joined_ = solvers.front()->join(solvers, rows_.on(rows_.closed(std::vector<char>(network_.jump.size(), 0))));
-  std::vector<const Vector*> fields;
-  for (const NodalField& field : start.fields)
-    fields.push_back(&field.whole());
-  if (!fields.empty())
-    begin(fields);
+  if (!start.fields.empty())
+    begin(start.fields);
 }
 
-void WholeProblem::begin(const std::vector<const Vector*>& fields)
+void WholeProblem::begin(const std::vector<NodalField>& fields)
 {
+  std::vector<NodalField> own;
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
-    const TraceMap& map = network_.bodies[b]->map;
-    for (int k = 0; k < map.size(); ++k)
-      kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] = (*fields[b])[std::size_t(map.dofs()[std::size_t(k)])];
+    const BodyTrace& body = *network_.bodies[b];
+    for (int k = 0; k < body.map.size(); ++k)
+      kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] =
+          fields[b].whole()[std::size_t(body.map.dofs()[std::size_t(k)])];
+    own.push_back(ownPart(fields[b], body.whole->freedProblem().matrix->nodes));
   }
-  joined_->begin(fields);
+  joined_->begin(own);
   v_ = rows_.values(kept_);
 }
 
@@ -69,7 +70,8 @@ void WholeProblem::begin(const std::vector<const Vector*>& fields)
 StatusMemory WholeProblem::memory()
 {
   StatusMemory memory;
-  memory.fields = joined_->fields();
+  for (const NodalField& field : joined_->fields())
+    memory.fields.push_back(onEveryRank(field, joined_->comm()).whole());
   memory.levelClosed = levelClosed_;
   memory.levelProximal = levelProximal_;
   memory.tolerance = tolerance_;
@@ -80,10 +82,12 @@ StatusMemory WholeProblem::memory()
 bool WholeProblem::recall(const StatusMemory& memory)
 {
   bool fits = memory.fields.size() == network_.bodies.size() && memory.levelClosed.size() == network_.jump.size();
-  std::vector<const Vector*> fields;
+  std::vector<NodalField> fields;
   for (std::size_t b = 0; fits && b < memory.fields.size(); ++b) {
-    fields.push_back(&memory.fields[b]);
-    fits = int(fields.back()->size()) == network_.bodies[b]->whole->freedProblem().matrix->numDofs();
+    const BlockMatrix& K = *network_.bodies[b]->whole->freedProblem().matrix;
+    fits = IndexMap::Global(memory.fields[b].size()) == K.nodes.globalSize() * K.dim;
+    if (fits)
+      fields.push_back(atNodes(memory.fields[b], K.dim));
   }
   if (!fits)
     return false;
@@ -97,8 +101,8 @@ bool WholeProblem::recall(const StatusMemory& memory)
 std::vector<NodalField> WholeProblem::takeFields() &&
 {
   std::vector<NodalField> fields;
-  for (Vector& values : std::move(*joined_).takeFields())
-    fields.push_back(atNodes(std::move(values), loads_.front()->width()));
+  for (NodalField& field : std::move(*joined_).takeFields())
+    fields.push_back(onEveryRank(std::move(field), joined_->comm()));
   return fields;
 }
 

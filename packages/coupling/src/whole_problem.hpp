@@ -43,7 +43,7 @@ public:
   double roundOff() const;
 
 private:
-  void begin(const std::vector<const Vector*>& fields);
+  void begin(const std::vector<NodalField>& fields);
   void follow(const std::vector<char>& closed, double proximal);
   double finest() const { return toleranceFor(exactness_, joined_->tolerance()); }
   void settle(double tolerance, StatusPass& pass);

@@ -33,17 +33,16 @@ void WholeRows::findEntries()
 {
   for (std::size_t b = 0; b < network_.bodies.size(); ++b) {
     const BodyTrace& body = *network_.bodies[b];
-    const SolverProblem& problem = body.whole->freedProblem();
+    const RankProblem& problem = body.whole->freedProblem();
     const int dim = problem.matrix->dim;
     const std::vector<int>& dofs = body.map.dofs();
-    std::unordered_map<int, int> entryOf; ///< per kept dof
+    std::unordered_map<RankProblem::Global, int> entryOf; ///< per kept dof
     for (std::size_t k = 0; k < dofs.size(); ++k)
       entryOf[dofs[k]] = network_.offsets[b] + int(k);
-    for (const int dof : dofs) {
+    for (std::size_t k = 0; k < dofs.size(); ++k) {
       entryEnds_.emplace_back();
       for (std::size_t end = 0; end < 2; ++end) {
-        const int node = problem.edgeNodes.ends[std::size_t(dof / dim)][end];
-        const auto found = entryOf.find(node * dim + dof % dim);
+        const auto found = entryOf.find(problem.keptEnds[k][end] * dim + dofs[k] % dim);
         entryEnds_.back()[end] = found == entryOf.end() ? -1 : found->second;
       }
     }

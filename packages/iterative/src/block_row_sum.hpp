@@ -7,15 +7,18 @@
 namespace ndframe
 {
 
-/// One row of a block matrix after the other, each summed up in any order of its blocks.
+/// One row of a block matrix after the other, those of all own nodes, each summed up in any order of its blocks.
 class BlockRowSum
 {
 public:
-  BlockRowSum(int dim, int numNodes)
-      : dim_(dim), size_(std::size_t(dim) * std::size_t(dim)), place_(std::size_t(numNodes), -1)
+  /// nodes: own ones and all that may be columns.
+  BlockRowSum(int dim, IndexMap nodes)
+      : dim_(dim), size_(std::size_t(dim) * std::size_t(dim)), nodes_(std::move(nodes)),
+        place_(std::size_t(nodes_.size()), -1)
   {}
 
-  /// A block of the row that is being summed, zero when it is new. Valid until the next call.
+  /// A block of the row that is being summed, zero when it is new; node: as this rank numbers them. Valid until the
+  /// next call.
   double* block(int node)
   {
     int& place = place_[std::size_t(node)];
@@ -27,8 +30,8 @@ public:
     return sums_.data() + std::size_t(place) * size_;
   }
 
-  /// The row is that of this node, larger than those before; the next one begins.
-  void end(int node)
+  /// The next row begins.
+  void end()
   {
     std::sort(columns_.begin(), columns_.end());
     for (const int column : columns_) {
@@ -36,7 +39,6 @@ public:
       cols_.push_back(column);
       values_.insert(values_.end(), sum, sum + size_);
     }
-    rows_.push_back(node);
     rowPtr_.push_back(std::int64_t(cols_.size()));
     for (const int column : columns_)
       place_[std::size_t(column)] = -1;
@@ -46,17 +48,17 @@ public:
 
   BlockMatrix take() &&
   {
-    return withOwnColumns(dim_, IndexMap::Global(place_.size()), rows_, std::move(rowPtr_), std::move(cols_),
-                          std::move(values_));
+    return withoutIdleGhosts(dim_, nodes_, std::move(rowPtr_), std::move(cols_), std::move(values_));
   }
 
 private:
   int dim_;
   std::size_t size_;
-  std::vector<int> rows_, cols_;
+  IndexMap nodes_;
+  std::vector<int> cols_;
   std::vector<std::int64_t> rowPtr_ = {0};
   std::vector<double> values_;
-  std::vector<int> place_; ///< per node, in the row that is being summed; -1: not there
+  std::vector<int> place_; ///< per held node, in the row that is being summed; -1: not there
   std::vector<int> columns_;
   std::vector<double> sums_;
 };

@@ -11,7 +11,7 @@ namespace
 {
 
 /// K_ij of a body on the rank that has the row, zero elsewhere.
-double entry(const BlockMatrix& K, int i, int j)
+double entry(const BlockMatrix& K, RankProblem::Global i, RankProblem::Global j)
 {
   const int row = K.rowOf(i / K.dim), column = K.nodes.local(j / K.dim);
   if (row < 0 || column < 0)
@@ -22,16 +22,16 @@ double entry(const BlockMatrix& K, int i, int j)
 
 } // namespace
 
-JoinedEquations::JoinedEquations(std::vector<const SolverProblem*> problems, const Comm& comm)
+JoinedEquations::JoinedEquations(std::vector<const RankProblem*> problems, const Comm& comm)
     : problems_(std::move(problems)), comm_(comm), own_(problems_, comm), u_(own_.size(), 0.0)
 {
-  int first = 0;
+  RankProblem::Global first = 0;
   for (std::size_t b = 0; b < problems_.size(); ++b) {
-    for (const int dof : problems_[b]->kept) {
+    for (const RankProblem::Global dof : problems_[b]->kept) {
       kept_.emplace_back(int(b), dof);
       numbers_.push_back(dof < 0 ? -1 : first + dof);
     }
-    first += problems_[b]->matrix->numDofs();
+    first += problems_[b]->matrix->nodes.globalSize() * problems_[b]->matrix->dim;
   }
 }
 

@@ -13,10 +13,10 @@ class JoinedEquations
 public:
   /// problems: with the kept dofs as interior ones, -1 among them where one is none of these (a place that no rows
   /// speak of); they must outlive it.
-  JoinedEquations(std::vector<const SolverProblem*> problems, const Comm& comm);
+  JoinedEquations(std::vector<const RankProblem*> problems, const Comm& comm);
 
   /// Numbers of the kept dofs among those of all bodies, -1 where one is none.
-  const std::vector<int>& keptNumbers() const { return numbers_; }
+  const std::vector<RankProblem::Global>& keptNumbers() const { return numbers_; }
   const OwnDofs& own() const { return own_; }
 
   /// springs: a multiple of the diagonal at the unknowns. Collective.
@@ -36,11 +36,11 @@ private:
   Vector reduced(const Vector& rest, const Vector& kept, const Vector& centre) const;
   void add(const Vector& x, Vector& kept);
 
-  std::vector<const SolverProblem*> problems_;
+  std::vector<const RankProblem*> problems_;
   Comm comm_;
   OwnDofs own_;
-  std::vector<int> numbers_;
-  std::vector<std::pair<int, int>> kept_; ///< body and its dof
+  std::vector<RankProblem::Global> numbers_;
+  std::vector<std::pair<int, RankProblem::Global>> kept_; ///< body and its dof
   JoinedRows rows_;
   Vector springs_; ///< per kept dof; empty: none
   Vector u_;

@@ -17,23 +17,22 @@ constexpr double staleShareOnVertices = 0.25;
 
 /// The levels of the bodies, with those of their kept dofs that are at vertices as kept ones of their own, -1
 /// elsewhere.
-std::vector<std::unique_ptr<LinearLevel>> levelsOf(const std::vector<const SolverProblem*>& problems, const Comm& comm)
+std::vector<std::unique_ptr<LinearLevel>> levelsOf(const std::vector<const RankProblem*>& problems, const Comm& comm)
 {
   std::vector<std::unique_ptr<LinearLevel>> levels;
-  for (const SolverProblem* problem : problems) {
+  for (const RankProblem* problem : problems) {
     levels.push_back(std::make_unique<LinearLevel>(*problem, comm));
-    const int dim = problem->matrix->dim;
-    for (const int dof : problem->kept) {
-      const auto& ends = levels.back()->interpolation.ends[std::size_t(dof / dim)];
-      levels.back()->problem.kept.push_back(ends[0] == ends[1] ? ends[0] * dim + dof % dim : -1);
+    for (std::size_t k = 0; k < problem->kept.size(); ++k) { // a vertex has the number of its node
+      const auto& [a, b] = problem->keptEnds[k];
+      levels.back()->problem.kept.push_back(a == b ? problem->kept[k] : -1);
     }
   }
   return levels;
 }
 
-std::vector<const SolverProblem*> problemsOf(const std::vector<std::unique_ptr<LinearLevel>>& levels)
+std::vector<const RankProblem*> problemsOf(const std::vector<std::unique_ptr<LinearLevel>>& levels)
 {
-  std::vector<const SolverProblem*> problems;
+  std::vector<const RankProblem*> problems;
   for (const auto& level : levels)
     problems.push_back(&level->problem);
   return problems;
@@ -42,7 +41,7 @@ std::vector<const SolverProblem*> problemsOf(const std::vector<std::unique_ptr<L
 class JoinedKrylov final : public JoinedSystem
 {
 public:
-  JoinedKrylov(const std::vector<const SolverProblem*>& problems, const JoinedRows& open, const Comm& comm,
+  JoinedKrylov(const std::vector<const RankProblem*>& problems, const JoinedRows& open, const Comm& comm,
                Ledger& ledger, KrylovOptions options, const MakeJoinedGradients& make)
       : comm_(comm), ledger_(ledger), options_(options), levels_(levelsOf(problems, comm)), all_(problems, comm),
         vertices_(problemsOf(levels_), comm)
@@ -51,8 +50,8 @@ public:
     for (const auto& level : levels_)
       bodies.levels.push_back(level.get());
     gradients_ = make(bodies, all_.unknowns(open, 0.0), comm_);
-    for (const auto& level : levels_) // the gradients have what they need of it, and it is as large as all bodies
-      level->interpolation = LinearInterpolation({}, level->interpolation.dim);
+    for (const auto& level : levels_) // the gradients have what they need of it
+      level->interpolation = {};
   }
 
   bool follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) override
@@ -62,7 +61,7 @@ public:
     return refresh(onVertices, springs, unknowns.springs, staleShare);
   }
 
-  void begin(const std::vector<const Vector*>& fields) override { all_.begin(all_.own().part(fields)); }
+  void begin(const std::vector<NodalField>& fields) override { all_.begin(all_.own().part(fields)); }
 
   Vector solve(const std::vector<const SparseField*>& loads, Vector& kept, double tolerance) override
   {
@@ -104,14 +103,15 @@ public:
     return all_.own().atKept(all_.u());
   }
 
-  std::vector<Vector> fields() const override { return all_.own().gathered(all_.u()); }
-  std::vector<Vector> takeFields() && override
+  std::vector<NodalField> fields() const override { return all_.own().fields(all_.u()); }
+  std::vector<NodalField> takeFields() && override
   {
     gradients_.reset(); // their memory is needed
     levels_.clear();
-    return all_.own().gathered(all_.u());
+    return fields();
   }
   double tolerance() const override { return options_.tolerance; }
+  const Comm& comm() const override { return comm_; }
   double largestEigenvalue() const { return gradients_->largestEigenvalue(); }
 
 private:
@@ -155,10 +155,9 @@ private:
 
 } // namespace
 
-std::unique_ptr<JoinedSystem> makeJoinedKrylov(const std::vector<const SolverProblem*>& problems,
-                                               const JoinedRows& open, const Comm& comm, Ledger& ledger,
-                                               KrylovOptions options, const MakeJoinedGradients& make,
-                                               double& largestEigenvalue)
+std::unique_ptr<JoinedSystem> makeJoinedKrylov(const std::vector<const RankProblem*>& problems, const JoinedRows& open,
+                                               const Comm& comm, Ledger& ledger, KrylovOptions options,
+                                               const MakeJoinedGradients& make, double& largestEigenvalue)
 {
   auto joined = std::make_unique<JoinedKrylov>(problems, open, comm, ledger, options, make);
   largestEigenvalue = joined->largestEigenvalue();

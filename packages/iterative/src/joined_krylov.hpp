@@ -10,9 +10,8 @@ namespace ndframe
 /// "multigrid cycles", "multigrid set-ups", on the vertices "vertex iterations", "vertex products" and "vertex cycles",
 /// and "halo messages" and "halo bytes". The problems must outlive it.
 /// largestEigenvalue: on return that of D^-1 K with all kept dofs free.
-std::unique_ptr<JoinedSystem> makeJoinedKrylov(const std::vector<const SolverProblem*>& problems,
-                                               const JoinedRows& open, const Comm& comm, Ledger& ledger,
-                                               KrylovOptions options, const MakeJoinedGradients& make,
-                                               double& largestEigenvalue);
+std::unique_ptr<JoinedSystem> makeJoinedKrylov(const std::vector<const RankProblem*>& problems, const JoinedRows& open,
+                                               const Comm& comm, Ledger& ledger, KrylovOptions options,
+                                               const MakeJoinedGradients& make, double& largestEigenvalue);
 
 } // namespace ndframe

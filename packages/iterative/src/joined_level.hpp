@@ -12,11 +12,11 @@ struct JoinedLevel
 {
   /// keptDofs: per kept dof of all bodies its dof here, -1 where it does not belong to a vertex. springs: per kept dof,
   /// added to the diagonal of the unknown that stands there. Collective.
-  JoinedLevel(const std::vector<std::unique_ptr<LinearLevel>>& levels, const std::vector<int>& keptDofs,
+  JoinedLevel(const std::vector<std::unique_ptr<LinearLevel>>& levels, const std::vector<RankProblem::Global>& keptDofs,
               const JoinedRows& rows, const Vector& springs, const Comm& comm);
 
   BlockMatrix matrix;
-  SolverProblem problem; ///< of `matrix`: this must stay where it is
+  RankProblem problem; ///< of `matrix`: this must stay where it is
 
   JoinedLevel(const JoinedLevel&) = delete;
   JoinedLevel& operator=(const JoinedLevel&) = delete;

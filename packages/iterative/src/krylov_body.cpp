@@ -1,18 +1,15 @@
 #include "krylov_body.hpp"
 
 #include <algorithm>
-#include <mutex>
 
 #include <fmt/format.h>
 
-#include "cycle_count.hpp"
 #include "joined_krylov.hpp"
+#include "krylov_system.hpp"
 #include "ndframe/algebra/split_body.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "own_dofs.hpp"
-#include "recycled_solutions.hpp"
-#include "restarted_gradients.hpp"
-#include "stored_problem.hpp"
+#include "rank_problem.hpp"
 
 namespace ndframe
 {
@@ -20,100 +17,12 @@ namespace ndframe
 namespace
 {
 
-/// Bodies may be solved by several threads; the libraries are for one at a time.
-std::mutex& librariesInUse()
+RankProblem withKeptDofsAs(DofRole role, RankProblem problem)
 {
-  static std::mutex mutex;
-  return mutex;
-}
-
-/// K on the dofs of one role, solved by conjugate gradients from a start that earlier solutions give.
-class KrylovSystem
-{
-public:
-  KrylovSystem(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-               const MakeConjugateGradients& makeCg, bool hasTwoLevels)
-      : matrix_(*problem.matrix), roles_(problem.roles), comm_(comm), ledger_(ledger), options_(options)
-  {
-    const std::lock_guard lock(librariesInUse());
-    startMpi();
-    cg_ = makeCg(problem, comm, meanDiagonal(matrix_, comm));
-    if (hasTwoLevels)
-      ledger_.count("multigrid set-ups");
-    work_.enter(cg_->work(), comm_, ledger_);
-  }
-
-  /// Improves u, whose kept and fixed values are given, until the true residual is small beside the first, or beside
-  /// the reference if that is larger, or round-off. Throws NotConverged and SingularBody.
-  Vector solve(const Vector& load, Vector u, double reference = 0.0, Exactness exactness = Exactness::Full) const
-  {
-    const std::lock_guard lock(librariesInUse());
-    Vector residual = interiorResidual(load, u);
-    const double initial = std::max(norm(residual), reference);
-    u = sum(std::move(u), recycled_.start(residual));
-    const Vector start = u, missing = residual = interiorResidual(load, u);
-    const int iterations = restartedGradients(
-        toleranceFor(exactness, options_.tolerance) * initial, initial, options_.maxIterations, norm(residual), ledger_,
-        [&](double reduction, int most, const auto& watch) {
-          const ConjugateGradients::Result step = cg_->solve(ownPart(matrix_, residual), reduction, most, watch);
-          const Vector x = gathered(matrix_, step.x.data(), comm_);
-          for (std::size_t dof = 0; dof < u.size(); ++dof)
-            if (roles_[dof] == DofRole::Interior) // multigrid leaves round-off in the decoupled rows
-              u[dof] += x[dof];
-          return step.iterations;
-        },
-        [&] {
-          residual = interiorResidual(load, u);
-          return norm(residual);
-        },
-        [&] { return productRoundOff(matrix_, u, comm_); });
-    if (iterations > 0)
-      recycled_.add(difference(u, start), difference(missing, residual));
-    ledger_.count("back-solves");
-    ledger_.count("Krylov solves");
-    ledger_.count("Krylov iterations", iterations);
-    work_.enter(cg_->work(), comm_, ledger_);
-    return u;
-  }
-
-  void forgetSolutions() const { recycled_ = {}; }
-
-private:
-  static Vector sum(Vector a, const Vector& b)
-  {
-    for (std::size_t i = 0; i < a.size(); ++i)
-      a[i] += b[i];
-    return a;
-  }
-  /// load - K u on the interior dofs, zero elsewhere.
-  Vector interiorResidual(const Vector& load, const Vector& u) const
-  {
-    Vector residual = multiply(matrix_, u, comm_);
-    work_.addResidual();
-    for (std::size_t dof = 0; dof < residual.size(); ++dof)
-      residual[dof] = roles_[dof] == DofRole::Interior ? load[dof] - residual[dof] : 0.0;
-    return residual;
-  }
-
-  const BlockMatrix& matrix_;
-  std::vector<DofRole> roles_;
-  Comm comm_;
-  Ledger& ledger_;
-  KrylovOptions options_;
-  std::unique_ptr<ConjugateGradients> cg_;
-  mutable RecycledSolutions recycled_;
-  mutable CycleCount work_;
-};
-
-/// The problem whose kept dofs are unknowns, too.
-SolverProblem freed(const SolverProblem& problem, bool hasTwoLevels)
-{
-  if (problem.kept.empty())
-    return {};
-  SolverProblem result = hasTwoLevels ? withOwnVertices(problem) : problem;
-  for (const int dof : result.kept)
-    result.roles[std::size_t(dof)] = DofRole::Interior;
-  return result;
+  for (const RankProblem::Global kept : problem.kept)
+    if (const int dof = problem.held(kept); dof >= 0)
+      problem.roles[std::size_t(dof)] = role;
+  return problem;
 }
 
 /// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
@@ -121,13 +30,17 @@ SolverProblem freed(const SolverProblem& problem, bool hasTwoLevels)
 class KrylovBody final : public SplitBody, public WholeSolver
 {
 public:
-  KrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
+  KrylovBody(SolverProblem problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
              MakeConjugateGradients makeCg, MakeJoinedGradients makeJoined, std::string description)
-      : SplitBody(problem, comm, ledger), freed_(freed(problem, makeJoined != nullptr)), options_(options),
+      : SplitBody(problem, comm, ledger),
+        freed_(withKeptDofsAs(DofRole::Interior, heldPart(problem, makeJoined != nullptr))), options_(options),
         makeCg_(std::move(makeCg)), makeJoined_(std::move(makeJoined)), description_(std::move(description))
   {
-    if (kept_.empty())
-      interior_ = makeSystem(problem);
+    problem = {}; // as large as all nodes
+    if (kept_.empty()) {
+      interior_ = makeSystem(freed_);
+      freed_ = {};
+    }
   }
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
@@ -138,7 +51,7 @@ public:
       Vector start(std::size_t(numDofs()), 0.0);
       for (int c = 0; c < numKept(); ++c)
         start[std::size_t(kept_[std::size_t(c)])] = kept(c, j);
-      const Vector solution = interior().solve(load.column(j), std::move(start));
+      const Vector solution = interior().solve(load.column(j), start);
       std::copy(solution.begin(), solution.end(), u.col(j));
     }
     return u;
@@ -161,19 +74,20 @@ public:
 
   Vector solveFree(const Vector& load, Vector start, Exactness exactness) const override
   {
-    Vector carried = load;
+    Vector carried = ownPart(matrix_, load);
     for (std::size_t dof = 0; dof < carried.size(); ++dof)
-      if (roles_[dof] == DofRole::Fixed)
+      if (freed_.roles[dof] == DofRole::Fixed)
         carried[dof] = 0.0;
+    const double size = normOf(carried, comm_);
     try {
-      return freeSystem().solve(load, start, norm(carried), exactness);
+      return freeSystem().solve(load, start, size, exactness);
     } catch (const SingularBody&) {
       if (largestEigenvalue_ == 0.0)
         throw;
     }
     free_.reset(); // the eigenvalue of others was too small
     largestEigenvalue_ = 0.0;
-    return freeSystem().solve(load, std::move(start), norm(carried), exactness);
+    return freeSystem().solve(load, start, size, exactness);
   }
 
   void forget() const override { free_.reset(); }
@@ -188,13 +102,13 @@ public:
   void setLargestEigenvalue(double value) const override { largestEigenvalue_ = value; }
 
   bool solvesWhole() const override { return makeJoined_ != nullptr; }
-  const SolverProblem& freedProblem() const override { return freed_; }
+  const RankProblem& freedProblem() const override { return freed_; }
 
   std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
                                      const JoinedRows& open) const override
   {
     startMpi();
-    std::vector<const SolverProblem*> problems;
+    std::vector<const RankProblem*> problems;
     for (const WholeSolver* body : bodies)
       problems.push_back(&body->freedProblem());
     double largest = 0.0;
@@ -228,7 +142,7 @@ public:
   }
 
 private:
-  std::unique_ptr<KrylovSystem> makeSystem(const SolverProblem& problem) const
+  std::unique_ptr<KrylovSystem> makeSystem(const RankProblem& problem) const
   {
     return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, makeCg_, makeJoined_ != nullptr);
   }
@@ -236,9 +150,10 @@ private:
   const KrylovSystem& freeSystem() const
   {
     if (!free_) {
-      SolverProblem held = freed_;
+      RankProblem held = freed_;
       for (const int k : motions_.held)
-        held.roles[std::size_t(kept_[std::size_t(k)])] = DofRole::Fixed;
+        if (const int dof = held.held(kept_[std::size_t(k)]); dof >= 0)
+          held.roles[std::size_t(dof)] = DofRole::Fixed;
       held.largestEigenvalue = largestEigenvalue_;
       free_ = makeSystem(held);
     }
@@ -248,15 +163,12 @@ private:
   /// Set up when it is first needed: where whole bodies are solved together nobody asks.
   const KrylovSystem& interior() const
   {
-    if (!interior_) {
-      SolverProblem split = freed_;
-      split.roles = roles_;
-      interior_ = makeSystem(split);
-    }
+    if (!interior_)
+      interior_ = makeSystem(withKeptDofsAs(DofRole::Kept, freed_));
     return *interior_;
   }
 
-  SolverProblem freed_; ///< with the kept dofs as interior ones; empty where there are none
+  RankProblem freed_; ///< with the kept dofs as interior ones; empty where there are none
   KrylovOptions options_;
   MakeConjugateGradients makeCg_;
   MakeJoinedGradients makeJoined_;
@@ -268,12 +180,12 @@ private:
 
 } // namespace
 
-std::unique_ptr<CondensedBody> makeKrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger,
+std::unique_ptr<CondensedBody> makeKrylovBody(SolverProblem problem, const Comm& comm, Ledger& ledger,
                                               KrylovOptions options, MakeConjugateGradients makeCg,
                                               MakeJoinedGradients makeJoined, std::string description)
 {
-  return std::make_unique<KrylovBody>(problem, comm, ledger, options, std::move(makeCg), std::move(makeJoined),
-                                      std::move(description));
+  return std::make_unique<KrylovBody>(std::move(problem), comm, ledger, options, std::move(makeCg),
+                                      std::move(makeJoined), std::move(description));
 }
 
 } // namespace ndframe

@@ -17,7 +17,7 @@ struct KrylovOptions
 
 /// Sets up conjugate gradients for a problem with its matrix; `decoupledDiagonal`: a typical entry of the diagonal.
 using MakeConjugateGradients = std::function<std::unique_ptr<ConjugateGradients>(
-    const SolverProblem& problem, const Comm& comm, double decoupledDiagonal)>;
+    const RankProblem& problem, const Comm& comm, double decoupledDiagonal)>;
 
 /// Sets up conjugate gradients on several bodies; null where there are none.
 using MakeJoinedGradients = std::function<std::unique_ptr<JoinedGradients>(
@@ -28,7 +28,7 @@ using MakeJoinedGradients = std::function<std::unique_ptr<JoinedGradients>(
 /// there are two levels "fine products", "multigrid cycles" and "multigrid set-ups", on several ranks also "halo
 /// messages" and "halo bytes": what all ranks send to each other in products and cycles, MueLu's with its default
 /// smoothers.
-std::unique_ptr<CondensedBody> makeKrylovBody(const SolverProblem& problem, const Comm& comm, Ledger& ledger,
+std::unique_ptr<CondensedBody> makeKrylovBody(SolverProblem problem, const Comm& comm, Ledger& ledger,
                                               KrylovOptions options, MakeConjugateGradients makeCg,
                                               MakeJoinedGradients makeJoined, std::string description);
 

@@ -26,13 +26,13 @@ public:
         hasTwoLevels_(name_ == "Multigrid")
   {}
 
-  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const override
   {
     checkProblem(problem, comm);
     const auto timer = ledger.time("factor");
     const bool twoLevels = hasTwoLevels_ && !problem.edgeNodes.ends.empty();
     const auto make = [preconditioner = preconditioner_, belos = belos_,
-                       twoLevels](const SolverProblem& given, const Comm& ranks, double decoupledDiagonal) {
+                       twoLevels](const RankProblem& given, const Comm& ranks, double decoupledDiagonal) {
       return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
     };
     MakeJoinedGradients makeJoined;
@@ -41,7 +41,7 @@ public:
                     belos = belos_](const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& ranks) {
         return krylovLibrary().joined(bodies, unknowns, ranks, preconditioner, belos);
       };
-    return makeKrylovBody(problem, comm, ledger, options_, make, std::move(makeJoined),
+    return makeKrylovBody(std::move(problem), comm, ledger, options_, make, std::move(makeJoined),
                           fmt::format("{}, Belos CG, {}{}", name_, twoLevels ? "Chebyshev and on the vertices " : "",
                                       preconditioner_->name()));
   }
@@ -50,7 +50,7 @@ public:
   bool needsMpi(int) const override { return true; } // Ifpack2 and MueLu call it even on one process
 
 private:
-  static std::unique_ptr<ConjugateGradients> makeCg(const SolverProblem& problem, const Comm& comm,
+  static std::unique_ptr<ConjugateGradients> makeCg(const RankProblem& problem, const Comm& comm,
                                                     double decoupledDiagonal, const Preconditioner& preconditioner,
                                                     const Teuchos::ParameterList& belos, bool twoLevels)
   {

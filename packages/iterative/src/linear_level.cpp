@@ -1,16 +1,19 @@
 #include "ndframe/iterative/linear_level.hpp"
 
 #include <algorithm>
-#include <numeric>
 
 #include "block_row_sum.hpp"
+#include "held_roles.hpp"
 #include "ndframe/algebra/shared_rows.hpp"
+#include "product_nodes.hpp"
 
 namespace ndframe
 {
 
 namespace
 {
+
+using Global = IndexMap::Global;
 
 /// Q_m Q_a^T / 2, row-major; null axes are x, y, z.
 void addTurnedHalf(const double* middle, const double* end, int dim, std::vector<double>& blocks)
@@ -33,50 +36,62 @@ struct Block
 class GalerkinProduct
 {
 public:
-  GalerkinProduct(const SolverProblem& problem, const LinearInterpolation& interpolation)
-      : problem_(problem), P_(interpolation), dim_(interpolation.dim), children_(P_.vertices.size()),
-        sum_(dim_, int(P_.vertices.size()))
-  {
-    for (std::size_t node = 0; node < P_.ends.size(); ++node) {
-      const auto first = problem.roles.begin() + std::ptrdiff_t(node) * std::ptrdiff_t(dim_);
-      isFree_.push_back(std::all_of(first, first + dim_, [](DofRole role) { return role == DofRole::Interior; }));
-    }
-  }
+  GalerkinProduct(int dim, const ProductNodes& nodes)
+      : nodes_(nodes), dim_(dim), children_(std::size_t(nodes.vertices().numOwned())), sum_(dim, nodes.vertices())
+  {}
 
   /// Takes part with its rows, which must stay where they are.
   void add(const BlockMatrix& rows)
   {
+    matrices_.push_back(&rows);
+    numbers_.emplace_back();
+    for (int node = 0; node < rows.nodes.size(); ++node)
+      numbers_.back().push_back(nodes_.nodes().local(rows.nodes.global(node)));
     for (int r = 0; r < rows.numRows(); ++r) {
-      const auto& [a, b] = P_.ends[std::size_t(rows.rowNode(r))];
-      children_[std::size_t(a)].emplace_back(&rows, r);
+      const auto& [a, b] = nodes_.ends(numbers_.back()[std::size_t(r)]);
+      addChild(a, r);
       if (a != b)
-        children_[std::size_t(b)].emplace_back(&rows, r);
+        addChild(b, r);
     }
   }
 
-  BlockMatrix rowsOf(const std::vector<int>& vertices) &&
+  BlockMatrix product() &&
   {
-    for (const int vertex : vertices) {
-      for (const auto& [rows, r] : children_[std::size_t(vertex)])
-        addProduct(*rows, r, vertex);
-      sum_.end(vertex);
+    for (int vertex = 0; vertex < int(children_.size()); ++vertex) {
+      for (const Child& child : children_[std::size_t(vertex)])
+        addProduct(std::size_t(child.matrix), child.row, vertex);
+      sum_.end();
     }
     return std::move(sum_).take();
   }
 
 private:
-  /// Adds (P^T)_vertex,i K_ij P_jq for all j and q.
-  void addProduct(const BlockMatrix& K, int r, int vertex)
+  /// A row of one of the matrices.
+  struct Child
   {
-    const int node = K.rowNode(r), size = dim_ * dim_;
+    int matrix, row;
+  };
+
+  void addChild(int vertex, int r)
+  {
+    if (nodes_.vertices().owns(vertex))
+      children_[std::size_t(vertex)].push_back({int(matrices_.size()) - 1, r});
+  }
+
+  /// Adds (P^T)_vertex,i K_ij P_jq for all j and q.
+  void addProduct(std::size_t matrix, int r, int vertex)
+  {
+    const BlockMatrix& K = *matrices_[matrix];
+    const std::vector<int>& numbers = numbers_[matrix];
+    const int node = numbers[std::size_t(r)], size = dim_ * dim_;
     Block block{};
     for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b) {
-      const int other = K.colNode(b);
+      const int other = numbers[std::size_t(K.cols[std::size_t(b)])];
       std::copy_n(K.values.data() + b * size, size, block.values);
-      if (!isFree_[std::size_t(node)] || !isFree_[std::size_t(other)])
+      if (!nodes_.isFree(node) || !nodes_.isFree(other))
         mask(node, other, block);
       turnRows(node, vertex, block);
-      const auto& ends = P_.ends[std::size_t(other)];
+      const auto& ends = nodes_.ends(other);
       for (int end = 0; end < 2; ++end)
         addColumns(other, end, block, sum_.block(ends[std::size_t(end)]));
     }
@@ -86,20 +101,15 @@ private:
   {
     for (int i = 0; i < dim_; ++i)
       for (int j = 0; j < dim_; ++j)
-        if (!isInterior(node, i) || !isInterior(other, j))
+        if (!nodes_.isInterior(node, i) || !nodes_.isInterior(other, j))
           block.values[i * dim_ + j] = 0.0;
-  }
-
-  bool isInterior(int node, int component) const
-  {
-    return problem_.roles[std::size_t(node) * std::size_t(dim_) + std::size_t(component)] == DofRole::Interior;
   }
 
   /// block := P_node,vertex^T block
   void turnRows(int node, int vertex, Block& block) const
   {
-    const auto& ends = P_.ends[std::size_t(node)];
-    const double* W = P_.blocks(node);
+    const auto& ends = nodes_.ends(node);
+    const double* W = nodes_.blocks(node);
     if (!W) {
       const double share = ends[0] == ends[1] ? 1.0 : 0.5;
       for (double& value : block.values)
@@ -120,7 +130,7 @@ private:
   /// sum += block P_node,end; the halves of a vertex are two ends
   void addColumns(int node, int end, const Block& block, double* sum) const
   {
-    const double* W = P_.blocks(node);
+    const double* W = nodes_.blocks(node);
     if (!W) {
       for (int k = 0; k < dim_ * dim_; ++k)
         sum[k] += 0.5 * block.values[k];
@@ -133,74 +143,62 @@ private:
           sum[i * dim_ + j] += block.values[i * dim_ + k] * W[k * dim_ + j];
   }
 
-  const SolverProblem& problem_;
-  const LinearInterpolation& P_;
+  const ProductNodes& nodes_;
   int dim_;
-  std::vector<std::vector<std::pair<const BlockMatrix*, int>>> children_; ///< per vertex, rows that it is in
-  std::vector<char> isFree_; ///< per node, whether all its dofs are interior
+  std::vector<const BlockMatrix*> matrices_;
+  std::vector<std::vector<int>> numbers_;    ///< of all nodes, per matrix and node that it holds
+  std::vector<std::vector<Child>> children_; ///< per own vertex, rows that it is in
   BlockRowSum sum_;
 };
 
-BlockMatrix galerkinMatrix(const SolverProblem& problem, const LinearInterpolation& P, const Comm& comm)
+BlockMatrix galerkinMatrix(const RankProblem& problem, const LinearInterpolation& P, const Comm& comm)
 {
   const BlockMatrix& K = *problem.matrix;
-  const auto endsOf = [&P](int node) {
-    const auto& [a, b] = P.ends[std::size_t(node)];
-    return std::vector<int>{P.vertices[std::size_t(a)], P.vertices[std::size_t(b)]};
+  const auto endsOf = [&P](int row) {
+    const auto& [a, b] = P.ends[std::size_t(row)];
+    return std::vector<Global>{P.vertices.global(a), P.vertices.global(b)};
   };
   const BlockMatrix received = receivedRows(K, endsOf, comm);
-  GalerkinProduct product(problem, P);
+  const ProductNodes nodes(problem, P, received.nodes, comm);
+  GalerkinProduct product(K.dim, nodes);
   product.add(K);
   product.add(received);
-  std::vector<int> own;
-  for (int r = 0; r < K.numRows(); ++r)
-    if (const auto& [a, b] = P.ends[std::size_t(K.rowNode(r))]; a == b)
-      own.push_back(a);
-  return std::move(product).rowsOf(own);
+  return std::move(product).product();
 }
 
-/// Of this rank's own vertices, from values of all nodes or of these.
-class OwnValues
+/// Own vertices and those that own nodes interpolate, by the numbers of their nodes. Collective.
+IndexMap verticesOf(const RankProblem& problem, const Comm& comm)
 {
-public:
-  OwnValues(const SolverProblem& fine, const LinearInterpolation& P, const BlockMatrix& level)
-      : P_(P), level_(level), numDofs_(fine.matrix->numDofs())
-  {}
-  /// To `own`, at the dofs of own vertices; size: of `given`.
-  void take(const double* given, int size, double* own) const
-  {
-    for (int v = 0; v < level_.numRows(); ++v) {
-      const int from = size == numDofs_ ? P_.vertices[std::size_t(level_.rowNode(v))] : v;
-      own = std::copy_n(given + std::ptrdiff_t(from) * P_.dim, P_.dim, own);
-    }
-  }
-  int size() const { return level_.numRows() * P_.dim; }
-
-private:
-  const LinearInterpolation& P_;
-  const BlockMatrix& level_;
-  int numDofs_;
-};
+  const IndexMap& nodes = problem.matrix->nodes;
+  std::vector<Global> owned, needed;
+  for (int r = 0; r < nodes.numOwned(); ++r)
+    if (problem.isVertex(r))
+      owned.push_back(nodes.global(r));
+  Vector number{owned.empty() ? 0.0 : double(owned.back() + 1)}; // exact up to 2^53
+  takeLargest(number, comm);
+  const auto size = Global(number.front());
+  for (int r = 0; r < nodes.numOwned() && Global(owned.size()) != size; ++r)
+    for (const int end : problem.ends[std::size_t(r)])
+      if (!nodes.owns(end))
+        needed.push_back(nodes.global(end));
+  return {size, std::move(owned), std::move(needed)};
+}
 
 } // namespace
 
-LinearInterpolation::LinearInterpolation(const EdgeNodes& nodes, int dimension) : dim(dimension), ends(nodes.ends)
+LinearInterpolation::LinearInterpolation(const RankProblem& problem, const Comm& comm)
+    : dim(problem.matrix->dim), vertices(verticesOf(problem, comm))
 {
-  std::vector<int> number(ends.size(), -1);
-  for (std::size_t node = 0; node < ends.size(); ++node)
-    if (ends[node][0] == ends[node][1]) {
-      number[node] = int(vertices.size());
-      vertices.push_back(int(node));
-    }
+  const IndexMap& nodes = problem.matrix->nodes;
   const auto axesOf = [&](int node) -> const double* {
-    const auto found = std::lower_bound(nodes.turned.begin(), nodes.turned.end(), node);
-    return found == nodes.turned.end() || *found != node
+    const auto found = std::lower_bound(problem.turned.begin(), problem.turned.end(), node);
+    return found == problem.turned.end() || *found != node
                ? nullptr
-               : nodes.axes.data() + (found - nodes.turned.begin()) * dim * dim;
+               : problem.axes.data() + (found - problem.turned.begin()) * dim * dim;
   };
-  turned.assign(nodes.turned.empty() ? 0 : ends.size(), -1);
+  turned.assign(problem.turned.empty() ? 0 : problem.ends.size(), -1);
   for (std::size_t node = 0; node < turned.size(); ++node) {
-    const auto& [a, b] = ends[node];
+    const auto& [a, b] = problem.ends[node];
     const double *middle = axesOf(int(node)), *first = axesOf(a), *second = axesOf(b);
     if (a == b || (!middle && !first && !second))
       continue;
@@ -208,30 +206,22 @@ LinearInterpolation::LinearInterpolation(const EdgeNodes& nodes, int dimension) 
     addTurnedHalf(middle, first, dim, turnedBlocks);
     addTurnedHalf(middle, second, dim, turnedBlocks);
   }
-  for (auto& [a, b] : ends) {
-    a = number[std::size_t(a)];
-    b = number[std::size_t(b)];
-  }
+  ends.reserve(problem.ends.size());
+  for (const auto& [a, b] : problem.ends)
+    ends.push_back({vertices.local(nodes.global(a)), vertices.local(nodes.global(b))});
 }
 
-LinearLevel::LinearLevel(const SolverProblem& fine, const Comm& comm)
-    : interpolation(fine.edgeNodes, fine.matrix->dim), matrix(galerkinMatrix(fine, interpolation, comm))
+LinearLevel::LinearLevel(const RankProblem& fine, const Comm& comm)
+    : interpolation(fine, comm), matrix(galerkinMatrix(fine, interpolation, comm))
 {
   problem.matrix = &matrix;
-  const DenseMatrix& modes = fine.nearNullSpace;
-  const OwnValues values(fine, interpolation, matrix);
-  problem.nearNullSpace = DenseMatrix(modes.cols() == 0 ? 0 : values.size(), modes.cols());
-  for (int m = 0; m < modes.cols(); ++m)
-    values.take(modes.col(m), modes.rows(), problem.nearNullSpace.col(m));
-  if (!fine.nodePoints.empty()) {
-    problem.nodePoints.resize(std::size_t(values.size()));
-    values.take(fine.nodePoints.data(), int(fine.nodePoints.size()), problem.nodePoints.data());
-  }
-  for (const int vertex : interpolation.vertices)
-    for (int i = 0; i < matrix.dim; ++i) {
-      const auto dof = std::size_t(vertex) * std::size_t(matrix.dim) + std::size_t(i);
-      problem.roles.push_back(fine.roles[dof] == DofRole::Interior ? DofRole::Interior : DofRole::Fixed);
-    }
+  problem.nearNullSpace = fine.nearNullSpace;
+  problem.nodePoints = fine.nodePoints;
+  std::vector<char> isInterior;
+  for (int r = 0; r < fine.matrix->numRows(); ++r)
+    for (int i = 0; fine.isVertex(r) && i < matrix.dim; ++i)
+      isInterior.push_back(fine.role(r, i) == DofRole::Interior);
+  problem.roles = heldRoles(matrix.nodes, matrix.dim, isInterior, comm);
 }
 
 } // namespace ndframe

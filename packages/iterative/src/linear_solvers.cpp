@@ -26,9 +26,10 @@ constexpr int mostIterations = 200;
 class Automatic final : public LinearSolver
 {
 public:
-  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const override
   {
-    return choose(problem.outline, comm.size())->factor(problem, comm, ledger);
+    const auto solver = choose(problem.outline, comm.size());
+    return solver->factor(std::move(problem), comm, ledger);
   }
   std::string name(const BodyOutline& body, int ranks) const override { return choose(body, ranks)->name(ranks); }
   std::string name(int ranks) const override { return choose(ranks)->name(ranks); }

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/base/diagnostics.hpp"
+
 namespace ndframe
 {
 
@@ -17,6 +19,17 @@ Vector ownPart(const BlockMatrix& K, const Vector& all)
   return own;
 }
 
+Vector heldPart(const BlockMatrix& K, const Vector& all)
+{
+  Vector held;
+  held.reserve(std::size_t(K.nodes.size()) * std::size_t(K.dim));
+  for (int node = 0; node < K.nodes.size(); ++node) {
+    const auto first = all.begin() + std::ptrdiff_t(K.nodes.global(node)) * K.dim;
+    held.insert(held.end(), first, first + K.dim);
+  }
+  return held;
+}
+
 Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm)
 {
   Vector all(std::size_t(K.numDofs()), 0.0);
@@ -26,19 +39,57 @@ Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm)
   return all;
 }
 
-OwnDofs::OwnDofs(const std::vector<const SolverProblem*>& problems, const Comm& comm) : problems_(problems), comm_(comm)
+namespace
 {
-  for (const SolverProblem* problem : problems_) {
+
+/// y_row += take(entry, x) for all entries.
+template <class Take>
+Vector sumsOfRows(const BlockMatrix& K, const Vector& held, const Take& take)
+{
+  const auto dim = std::size_t(K.dim);
+  Vector y(std::size_t(K.numRows()) * dim, 0.0);
+  const double* entry = K.values.data();
+  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r)
+    for (auto b = std::size_t(K.rowPtr[r]); b < std::size_t(K.rowPtr[r + 1]); ++b)
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j)
+          y[r * dim + i] += take(*entry++ * held[std::size_t(K.cols[b]) * dim + j]);
+  return y;
+}
+
+} // namespace
+
+Vector ownProduct(const BlockMatrix& K, const Vector& held)
+{
+  return sumsOfRows(K, held, [](double product) { return product; });
+}
+
+Vector ownSizes(const BlockMatrix& K, const Vector& held)
+{
+  return sumsOfRows(K, held, [](double product) { return std::abs(product); });
+}
+
+double normOf(const Vector& own, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return norm(own);
+  Vector squares{dot(own, own)};
+  comm.sum(squares);
+  return std::sqrt(squares.front());
+}
+
+OwnDofs::OwnDofs(const std::vector<const RankProblem*>& problems, const Comm& comm) : problems_(problems), comm_(comm)
+{
+  for (const RankProblem* problem : problems_) {
     const BlockMatrix& K = *problem->matrix;
     const int first = int(isFree_.size());
-    for (const int dof : problem->kept) {
-      const int row = dof < 0 ? -1 : K.rowOf(dof / K.dim);
-      place_.push_back(row >= 0 ? first + row * K.dim + dof % K.dim : -1);
+    for (const RankProblem::Global dof : problem->kept) {
+      const int own = problem->held(dof);
+      place_.push_back(own >= 0 && own < K.numRows() * K.dim ? first + own : -1);
     }
     for (int r = 0; r < K.numRows(); ++r)
       for (int i = 0; i < K.dim; ++i)
-        isFree_.push_back(problem->roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] ==
-                          DofRole::Interior);
+        isFree_.push_back(problem->role(r, i) == DofRole::Interior);
   }
   isKept_.assign(isFree_.size(), 0);
   for (const int place : place_)
@@ -52,7 +103,7 @@ Vector OwnDofs::part(const std::vector<const SparseField*>& loads) const
   std::ptrdiff_t first = 0;
   for (std::size_t b = 0; b < loads.size(); ++b) {
     const BlockMatrix& K = *problems_[b]->matrix;
-    loads[b]->each([&](int node, const double* values) {
+    loads[b]->each([&](IndexMap::Global node, const double* values) {
       if (const int row = K.rowOf(node); row >= 0)
         std::copy_n(values, K.dim, own.begin() + first + std::ptrdiff_t(row) * K.dim);
     });
@@ -64,30 +115,33 @@ Vector OwnDofs::part(const std::vector<const SparseField*>& loads) const
   return own;
 }
 
-Vector OwnDofs::part(const std::vector<const Vector*>& all) const
+Vector OwnDofs::part(const std::vector<NodalField>& fields) const
 {
   Vector own;
   own.reserve(size());
-  for (std::size_t b = 0; b < all.size(); ++b) {
-    const Vector ofBody = ownPart(*problems_[b]->matrix, *all[b]);
-    own.insert(own.end(), ofBody.begin(), ofBody.end());
-  }
+  for (const NodalField& field : fields)
+    own.insert(own.end(), field.begin(), field.end());
+  NDFRAME_ASSERT(own.size() == size(), "fields have values at own nodes");
   for (std::size_t i = 0; i < own.size(); ++i)
     if (!isFree_[i])
       own[i] = 0.0;
   return own;
 }
 
-std::vector<Vector> OwnDofs::gathered(const Vector& own) const
+std::vector<NodalField> OwnDofs::fields(const Vector& own) const
 {
-  std::vector<Vector> all;
-  const double* next = own.data();
-  for (const SolverProblem* problem : problems_) {
+  std::vector<NodalField> fields;
+  auto next = own.begin();
+  for (const RankProblem* problem : problems_) {
     const BlockMatrix& K = *problem->matrix;
-    all.push_back(ndframe::gathered(K, next, comm_));
-    next += std::ptrdiff_t(K.numRows()) * K.dim;
+    std::vector<IndexMap::Global> nodes;
+    for (int r = 0; r < K.numRows(); ++r)
+      nodes.push_back(K.nodes.global(r));
+    const auto end = next + std::ptrdiff_t(K.numRows()) * K.dim;
+    fields.emplace_back(IndexMap(K.nodes.globalSize(), std::move(nodes)), K.dim, Vector(next, end));
+    next = end;
   }
-  return all;
+  return fields;
 }
 
 Vector OwnDofs::atKept(const Vector& own) const

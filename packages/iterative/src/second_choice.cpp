@@ -4,8 +4,8 @@
 #include "ndframe/algebra/joined_system.hpp"
 #include "ndframe/algebra/neumann_solver.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "rank_problem.hpp"
 #include "solvers.hpp"
-#include "stored_problem.hpp"
 
 namespace ndframe
 {
@@ -18,11 +18,11 @@ class BodyWithSecondChoice final : public CondensedBody, public NeumannSolver, p
 {
 public:
   BodyWithSecondChoice(std::unique_ptr<CondensedBody> first, std::shared_ptr<const LinearSolver> second,
-                       const SolverProblem& problem, const Comm& comm, Ledger& ledger)
+                       RankProblem problem, const Comm& comm, Ledger& ledger)
       : body_(std::move(first)), second_(std::move(second)), comm_(comm), ledger_(ledger)
   {
-    if (const WholeSolver* whole = wholeSolver(*body_); whole == nullptr || problem.kept.empty())
-      problem_ = withOwnVertices(problem);
+    if (wholeSolver(*body_) == nullptr || problem.kept.empty())
+      problem_ = std::move(problem);
   }
 
   DenseMatrix expand(const DenseMatrix& load, const DenseMatrix& kept) const override
@@ -53,7 +53,7 @@ public:
   const FreeMotions& freeMotions() const override { return neumannSolver(*body_).freeMotions(); }
 
   bool solvesWhole() const override { return wholeSolver(*body_) != nullptr; }
-  const SolverProblem& freedProblem() const override { return wholeSolver(*body_)->freedProblem(); }
+  const RankProblem& freedProblem() const override { return wholeSolver(*body_)->freedProblem(); }
   std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
                                      const JoinedRows& open) const override
   {
@@ -99,17 +99,18 @@ private:
   {
     if (problem_.matrix == nullptr) { // the body has it but for the roles of kept dofs
       problem_ = freedProblem();
-      for (const int dof : problem_.kept)
-        problem_.roles[std::size_t(dof)] = DofRole::Kept;
+      for (const RankProblem::Global kept : problem_.kept)
+        if (const int dof = problem_.held(kept); dof >= 0)
+          problem_.roles[std::size_t(dof)] = DofRole::Kept;
     }
     body_.reset(); // its memory is needed
-    body_ = std::exchange(second_, nullptr)->factor(withAllNodes(std::exchange(problem_, {}), comm_), comm_, ledger_);
+    body_ = std::exchange(second_, nullptr)->factor(onAllRanks(std::exchange(problem_, {}), comm_), comm_, ledger_);
     ledger_.count("solvers given up");
   }
 
   mutable std::unique_ptr<CondensedBody> body_;
   mutable std::shared_ptr<const LinearSolver> second_; ///< null once it is taken
-  mutable SolverProblem problem_;                      ///< withOwnVertices(); empty where the first body has it
+  mutable RankProblem problem_;                        ///< empty where the first body has it
   Comm comm_;
   Ledger& ledger_;
 };
@@ -121,10 +122,11 @@ public:
       : first_(std::move(first)), second_(std::move(second))
   {}
 
-  std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm, Ledger& ledger) const override
+  std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const override
   {
-    return std::make_unique<BodyWithSecondChoice>(first_->factor(problem, comm, ledger), second_, problem, comm,
-                                                  ledger);
+    RankProblem held = heldPart(problem, !problem.edgeNodes.ends.empty());
+    auto first = first_->factor(std::move(problem), comm, ledger);
+    return std::make_unique<BodyWithSecondChoice>(std::move(first), second_, std::move(held), comm, ledger);
   }
   std::string name(int ranks) const override { return first_->name(ranks); }
   bool needsMpi(int ranks) const override { return first_->needsMpi(ranks) || second_->needsMpi(ranks); }

@@ -20,13 +20,12 @@ void FineOperator::apply(const TpetraVectors& x, TpetraVectors& y, Teuchos::ETra
   }
 }
 
-BlockOperator::BlockOperator(const SolverProblem& problem, const Comm& comm)
+BlockOperator::BlockOperator(const RankProblem& problem, const Comm& comm)
     : matrix_(*problem.matrix), dofMap_(ownedMap(matrix_.nodes, matrix_.dim, teuchosComm(comm)))
 {
   for (int r = 0; r < matrix_.numRows(); ++r)
     for (int i = 0; i < matrix_.dim; ++i)
-      interior_.push_back(problem.roles[std::size_t(matrix_.rowNode(r)) * std::size_t(matrix_.dim) + std::size_t(i)] ==
-                          DofRole::Interior);
+      interior_.push_back(problem.role(r, i) == DofRole::Interior);
   if (comm.size() == 1)
     return;
   const auto seenMap = heldMap(matrix_.nodes, matrix_.dim, dofMap_->getComm());

@@ -12,7 +12,7 @@ namespace ndframe
 class BlockOperator final : public FineOperator
 {
 public:
-  BlockOperator(const SolverProblem& problem, const Comm& comm);
+  BlockOperator(const RankProblem& problem, const Comm& comm);
 
   Teuchos::RCP<const TpetraMap> getDomainMap() const override { return dofMap_; }
   void multiply(const TpetraVectors& x, double* y) const override;

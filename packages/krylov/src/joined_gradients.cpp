@@ -14,7 +14,7 @@ namespace
 IndexMap nodesOf(const JoinedBodies& bodies)
 {
   std::vector<const IndexMap*> nodes;
-  for (const SolverProblem* problem : bodies.problems)
+  for (const RankProblem* problem : bodies.problems)
     nodes.push_back(&problem->matrix->nodes);
   return stacked(nodes);
 }
@@ -100,7 +100,7 @@ KeptPlaces placesOnVertices(const JoinedBodies& bodies, const Comm& comm)
 
 Teuchos::RCP<JoinedOperator> matrixOnVertices(const JoinedBodies& bodies, const Comm& comm)
 {
-  std::vector<const SolverProblem*> problems;
+  std::vector<const RankProblem*> problems;
   for (const LinearLevel* level : bodies.levels)
     problems.push_back(&level->problem);
   return Teuchos::rcp(new JoinedOperator(problems, verticesOf(bodies), bodies.keptOnVertices, comm));
@@ -135,7 +135,7 @@ public:
   {}
 
   double largestEigenvalue() const override { return cycle().largestEigenvalue(); }
-  void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal,
+  void setCoarse(const JoinedRows& rows, const RankProblem& problem, double decoupledDiagonal,
                  const std::function<void()>& isRead) override
   {
     cycle().dropCoarse();

@@ -5,13 +5,13 @@
 namespace ndframe
 {
 
-JoinedOperator::JoinedOperator(const std::vector<const SolverProblem*>& bodies, const IndexMap& nodes,
-                               const std::vector<int>& kept, const Comm& comm)
+JoinedOperator::JoinedOperator(const std::vector<const RankProblem*>& bodies, const IndexMap& nodes,
+                               const std::vector<RankProblem::Global>& kept, const Comm& comm)
     : dofMap_(ownedMap(nodes, bodies.front()->matrix->dim, teuchosComm(comm))),
       kept_(kept, nodes, bodies.front()->matrix->dim, dofMap_->getComm()), work_(dofMap_->getNodeNumElements())
 {
   std::int64_t first = 0;
-  for (const SolverProblem* body : bodies) {
+  for (const RankProblem* body : bodies) {
     firstNumbers_.push_back(first);
     first += body->matrix->nodes.globalSize() * body->matrix->dim;
     parts_.push_back(Teuchos::rcp(new BlockOperator(*body, comm)));

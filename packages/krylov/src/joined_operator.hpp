@@ -11,8 +11,8 @@ class JoinedOperator final : public FineOperator
 {
 public:
   /// nodes: of all bodies, stacked.
-  JoinedOperator(const std::vector<const SolverProblem*>& bodies, const IndexMap& nodes, const std::vector<int>& kept,
-                 const Comm& comm);
+  JoinedOperator(const std::vector<const RankProblem*>& bodies, const IndexMap& nodes,
+                 const std::vector<RankProblem::Global>& kept, const Comm& comm);
   void follow(const JoinedUnknowns& unknowns); ///< collective
   /// y = K x as if nothing joined the bodies.
   void multiplyBodies(const double* x, double* y) const;

@@ -5,7 +5,7 @@
 namespace ndframe
 {
 
-KeptPlaces::KeptPlaces(const std::vector<int>& kept, const IndexMap& nodes, int dim,
+KeptPlaces::KeptPlaces(const std::vector<IndexMap::Global>& kept, const IndexMap& nodes, int dim,
                        Teuchos::RCP<const Teuchos::Comm<int>> comm)
     : comm_(std::move(comm))
 {

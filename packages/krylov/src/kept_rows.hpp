@@ -13,7 +13,8 @@ class KeptPlaces
 {
 public:
   /// kept: their numbers, dim for each node; -1: not among these. nodes: of this rank.
-  KeptPlaces(const std::vector<int>& kept, const IndexMap& nodes, int dim, Teuchos::RCP<const Teuchos::Comm<int>> comm);
+  KeptPlaces(const std::vector<IndexMap::Global>& kept, const IndexMap& nodes, int dim,
+             Teuchos::RCP<const Teuchos::Comm<int>> comm);
 
   struct Place
   {

@@ -38,7 +38,7 @@ public:
   }
   std::unique_ptr<Preconditioner> mueLu(const Teuchos::ParameterList& list) const override { return makeMueLu(list); }
 
-  std::unique_ptr<ConjugateGradients> conjugateGradients(const SolverProblem& problem, const Comm& comm,
+  std::unique_ptr<ConjugateGradients> conjugateGradients(const RankProblem& problem, const Comm& comm,
                                                          double decoupledDiagonal, const Preconditioner& preconditioner,
                                                          const Teuchos::ParameterList& belos) const override
   {
@@ -47,9 +47,8 @@ public:
     return makeBelosCg({system.matrix, preconditioner.build(system)->apply}, belos);
   }
 
-  std::unique_ptr<ConjugateGradients> twoLevels(const SolverProblem& problem, const LinearLevel& level,
-                                                const Comm& comm, double decoupledDiagonal,
-                                                const Preconditioner& coarse,
+  std::unique_ptr<ConjugateGradients> twoLevels(const RankProblem& problem, const LinearLevel& level, const Comm& comm,
+                                                double decoupledDiagonal, const Preconditioner& coarse,
                                                 const Teuchos::ParameterList& belos) const override
   {
     startKokkos();

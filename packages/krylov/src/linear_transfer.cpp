@@ -8,51 +8,34 @@ namespace ndframe
 namespace
 {
 
-std::vector<std::size_t> heldDofs(const SolverProblem& problem)
+std::vector<std::size_t> heldDofs(const RankProblem& problem)
 {
   const BlockMatrix& K = *problem.matrix;
   std::vector<std::size_t> held;
   for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i)
-      if (problem.roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] != DofRole::Interior)
+      if (problem.role(r, i) != DofRole::Interior)
         held.push_back(std::size_t(r) * std::size_t(K.dim) + std::size_t(i));
   return held;
 }
 
-/// The vertices of the level that this rank owns, and those that the nodes of its rows interpolate.
-IndexMap seenVertices(const BlockMatrix& fine, const LinearLevel& level)
-{
-  std::vector<IndexMap::Global> owned, needed;
-  for (int v = 0; v < level.matrix.numRows(); ++v)
-    owned.push_back(level.matrix.nodes.global(v));
-  for (int r = 0; r < fine.numRows() && !level.matrix.nodes.isWhole(); ++r)
-    for (const int end : level.interpolation.ends[std::size_t(fine.rowNode(r))])
-      needed.push_back(end);
-  return IndexMap(level.matrix.nodes.globalSize(), std::move(owned), std::move(needed));
-}
-
 } // namespace
 
-LinearTransfer::LinearTransfer(const SolverProblem& fine, const LinearLevel& level,
+LinearTransfer::LinearTransfer(const RankProblem& fine, const LinearLevel& level,
                                Teuchos::RCP<const TpetraMap> coarseMap)
     : dim_(fine.matrix->dim), coarseMap_(std::move(coarseMap)), held_(heldDofs(fine)),
       coarseHeld_(heldDofs(level.problem))
 {
   const LinearInterpolation& P = level.interpolation;
-  const IndexMap vertices = seenVertices(*fine.matrix, level);
   const auto blockSize = 2 * dim_ * dim_;
-  for (int r = 0; r < fine.matrix->numRows(); ++r) {
-    const int node = fine.matrix->rowNode(r);
-    const auto& ends = P.ends[std::size_t(node)];
-    ends_.push_back({vertices.local(ends[0]), vertices.local(ends[1])});
-    if (P.turned.empty())
-      continue;
+  ends_ = P.ends;
+  for (int node = 0; node < fine.matrix->numRows() && !P.turned.empty(); ++node) {
     const double* turned = P.blocks(node);
     turned_.push_back(turned ? int(blocks_.size()) : -1);
     if (turned)
       blocks_.insert(blocks_.end(), turned, turned + blockSize);
   }
-  const auto seenMap = heldMap(vertices, dim_, coarseMap_->getComm());
+  const auto seenMap = heldMap(P.vertices, dim_, coarseMap_->getComm());
   halo_ = std::make_unique<Halo>(coarseMap_, seenMap);
   seen_ = Teuchos::rcp(new TpetraVectors(seenMap, 1));
 }

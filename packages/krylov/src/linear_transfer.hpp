@@ -15,7 +15,7 @@ namespace ndframe
 class LinearTransfer final : public FineTransfer
 {
 public:
-  LinearTransfer(const SolverProblem& fine, const LinearLevel& level, Teuchos::RCP<const TpetraMap> coarseMap);
+  LinearTransfer(const RankProblem& fine, const LinearLevel& level, Teuchos::RCP<const TpetraMap> coarseMap);
 
   void toCoarse(const double* fine, TpetraVectors& coarse) override;
   void toFine(TpetraVectors& coarse, double* fine) override;

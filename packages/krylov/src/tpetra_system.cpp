@@ -21,14 +21,14 @@ struct LocalRows
 
 /// Appends row `component` of block row r, restricted to interior columns. The local columns ascend, as they do in K (a
 /// Tpetra matrix with unsorted rows gives wrong results on several ranks).
-void appendRow(const SolverProblem& problem, std::size_t r, int component, LocalRows& rows)
+void appendRow(const RankProblem& problem, std::size_t r, int component, LocalRows& rows)
 {
   const BlockMatrix& K = *problem.matrix;
   for (std::int64_t b = K.rowPtr[r]; b < K.rowPtr[r + 1]; ++b) {
-    const int node = K.colNode(b);
+    const int node = K.cols[std::size_t(b)];
     for (int j = 0; j < K.dim; ++j)
-      if (problem.roles[std::size_t(node) * std::size_t(K.dim) + std::size_t(j)] == DofRole::Interior) {
-        rows.cols.push_back(K.cols[std::size_t(b)] * K.dim + j);
+      if (problem.role(node, j) == DofRole::Interior) {
+        rows.cols.push_back(node * K.dim + j);
         rows.values.push_back(
             K.values[(std::size_t(b) * std::size_t(K.dim) + std::size_t(component)) * std::size_t(K.dim) +
                      std::size_t(j)]);
@@ -36,13 +36,13 @@ void appendRow(const SolverProblem& problem, std::size_t r, int component, Local
   }
 }
 
-LocalRows interiorRows(const SolverProblem& problem, double decoupledDiagonal)
+LocalRows interiorRows(const RankProblem& problem, double decoupledDiagonal)
 {
   const BlockMatrix& K = *problem.matrix;
   LocalRows rows;
   for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i) {
-      if (problem.roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] == DofRole::Interior)
+      if (problem.role(r, i) == DofRole::Interior)
         appendRow(problem, std::size_t(r), i, rows);
       else {
         rows.cols.push_back(Local(r) * K.dim + i);
@@ -64,7 +64,7 @@ View copyOf(const Values& values)
   return view;
 }
 
-Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, double decoupledDiagonal,
+Teuchos::RCP<TpetraMatrix> makeMatrix(const RankProblem& problem, double decoupledDiagonal,
                                       const Teuchos::RCP<const TpetraMap>& dofMap)
 {
   const BlockMatrix& K = *problem.matrix;
@@ -79,22 +79,19 @@ Teuchos::RCP<TpetraMatrix> makeMatrix(const SolverProblem& problem, double decou
 }
 // NOLINTEND(clang-analyzer-cplusplus.NewDeleteLeaks)
 
-Teuchos::RCP<TpetraVectors> makeModes(const SolverProblem& problem, const Teuchos::RCP<const TpetraMap>& dofMap)
+Teuchos::RCP<TpetraVectors> makeModes(const RankProblem& problem, const Teuchos::RCP<const TpetraMap>& dofMap)
 {
   const DenseMatrix& given = problem.nearNullSpace;
   if (given.cols() == 0)
     return Teuchos::null;
-  const IndexMap& nodes = problem.matrix->nodes;
-  const Local dim = problem.matrix->dim;
-  const bool hasAll = given.rows() == nodes.globalSize() * dim;
   const auto modes = Teuchos::rcp(new TpetraVectors(dofMap, std::size_t(given.cols())));
   for (int m = 0; m < given.cols(); ++m)
     for (Local i = 0; i < Local(dofMap->getNodeNumElements()); ++i)
-      modes->replaceLocalValue(i, std::size_t(m), given(hasAll ? int(nodes.global(i / dim)) * dim + i % dim : i, m));
+      modes->replaceLocalValue(i, std::size_t(m), given(i, m));
   return modes;
 }
 
-Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
+Teuchos::RCP<TpetraVectors> makeCoordinates(const RankProblem& problem,
                                             const Teuchos::RCP<const Teuchos::Comm<int>>& comm)
 {
   const BlockMatrix& K = *problem.matrix;
@@ -103,19 +100,17 @@ Teuchos::RCP<TpetraVectors> makeCoordinates(const SolverProblem& problem,
   Teuchos::reduceAll(*comm, Teuchos::REDUCE_MAX, 1, &has, &any);
   if (any == 0)
     return Teuchos::null;
-  const bool hasAll = IndexMap::Global(problem.nodePoints.size()) == K.nodes.globalSize() * K.dim;
   const auto points = Teuchos::rcp(new TpetraVectors(ownedMap(K.nodes, 1, comm), std::size_t(K.dim)));
   for (int r = 0; r < K.numRows(); ++r)
     for (int i = 0; i < K.dim; ++i)
-      points->replaceLocalValue(
-          Local(r), std::size_t(i),
-          problem.nodePoints[std::size_t(hasAll ? K.rowNode(r) : r) * std::size_t(K.dim) + std::size_t(i)]);
+      points->replaceLocalValue(Local(r), std::size_t(i),
+                                problem.nodePoints[std::size_t(r) * std::size_t(K.dim) + std::size_t(i)]);
   return points;
 }
 
 } // namespace
 
-TpetraSystem::TpetraSystem(const SolverProblem& problem, const Comm& comm, double decoupledDiagonal)
+TpetraSystem::TpetraSystem(const RankProblem& problem, const Comm& comm, double decoupledDiagonal)
     : dim(problem.matrix->dim), isParallel(comm.size() > 1)
 {
   const auto communicator = teuchosComm(comm);

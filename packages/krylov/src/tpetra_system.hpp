@@ -25,7 +25,7 @@ using TpetraOperator = Tpetra::Operator<double>;
 /// Each rank holds the rows of its nodes.
 struct TpetraSystem
 {
-  TpetraSystem(const SolverProblem& problem, const Comm& comm, double decoupledDiagonal);
+  TpetraSystem(const RankProblem& problem, const Comm& comm, double decoupledDiagonal);
 
   int dim;
   bool isParallel;

@@ -12,7 +12,7 @@ VertexTransfer::VertexTransfer(const std::vector<const LinearLevel*>& levels, Ke
     const BlockMatrix& K = level->matrix;
     for (int r = 0; r < K.numRows(); ++r)
       for (int i = 0; i < K.dim; ++i, ++dof)
-        if (level->problem.roles[std::size_t(K.rowNode(r)) * std::size_t(K.dim) + std::size_t(i)] != DofRole::Interior)
+        if (level->problem.role(r, i) != DofRole::Interior)
           held_.push_back(dof);
   }
   size_ = dof;

@@ -106,8 +106,8 @@ void addMotions(RigidNetwork& network, const Model& model, std::size_t b)
   for (int j = 0; j < model.freeMotions[b].cols(); ++j) {
     const Vector motion = model.freeMotions[b].column(j);
     double work = 0.0, magnitude = 0.0;
-    model.loads[b].each([&](int node, const double* values) {
-      const Direction u = displacementOf(model.rigid[b], motion, body.nodes.point(node).data());
+    model.loads[b].each([&](IndexMap::Global node, const double* values) {
+      const Direction u = displacementOf(model.rigid[b], motion, body.nodes.point(int(node)).data());
       Direction force{};
       std::copy_n(values, body.nodes.dim, force.begin());
       work += dotProduct(force, u);

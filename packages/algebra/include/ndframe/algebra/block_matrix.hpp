@@ -35,7 +35,7 @@ struct BlockMatrix
   int rowNode(int r) const { return int(nodes.global(r)); }            ///< the node of a block row, of all ranks' nodes
   int colNode(std::int64_t b) const { return int(nodes.global(cols[std::size_t(b)])); } ///< that of a block's column
   /// The block row of a node of all ranks' nodes, -1 when it is another rank's.
-  int rowOf(int node) const;
+  int rowOf(IndexMap::Global node) const;
   /// The block (block row, column as in `cols`); null if not in the pattern.
   const double* block(int r, int column) const;
   double* block(int r, int column); ///< the same, to be written
@@ -46,18 +46,21 @@ struct BlockMatrix
 BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector<int>& owned,
                            std::vector<std::int64_t> rowPtr, std::vector<int> cols, std::vector<double> values);
 
+/// The rows of the nodes that this rank owns of `nodes`, whose columns are its numbers of them, ascending in a row.
+/// Ghosts that are no column are left out.
+BlockMatrix withoutIdleGhosts(int dim, const IndexMap& nodes, std::vector<std::int64_t> rowPtr, std::vector<int> cols,
+                              std::vector<double> values);
+
 /// y = K x with x and y replicated on all ranks.
 Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm);
 
 /// The diagonal, replicated on all ranks.
 Vector diagonal(const BlockMatrix& K, const Comm& comm);
-/// Mean of the diagonal over all rows, a scale for springs and tolerances.
+/// Mean of the diagonal over all rows of all ranks, a scale for springs and tolerances.
 double meanDiagonal(const BlockMatrix& K, const Comm& comm);
 
 /// What computing a row of a product may leave, relative to the product of the moduli: unit round-offs, and something
 /// for the length of the rows.
 inline constexpr double rowRoundOff = 16.0 * std::numeric_limits<double>::epsilon();
-/// What computing K u may leave of a residual, whatever u is, as a Euclidean norm: rowRoundOff times |K| |u|.
-double productRoundOff(const BlockMatrix& K, const Vector& u, const Comm& comm);
 
 } // namespace ndframe

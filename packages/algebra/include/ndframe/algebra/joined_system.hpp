@@ -3,7 +3,7 @@
 #include <memory>
 #include <vector>
 
-#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/algebra/rank_problem.hpp"
 #include "ndframe/algebra/sparse_field.hpp"
 #include "ndframe/algebra/sparse_row.hpp"
 
@@ -45,8 +45,8 @@ public:
   /// whether it was.
   virtual bool follow(const JoinedRows& rows, const JoinedRows& onVertices, double springs) = 0;
 
-  /// u is this from now on, per body, in the nodes' own axes, on all ranks.
-  virtual void begin(const std::vector<const Vector*>& fields) = 0;
+  /// u is this from now on, per body, in the nodes' own axes, at the nodes that this rank owns of the body's matrix.
+  virtual void begin(const std::vector<NodalField>& fields) = 0;
 
   /// Improves u by E x until the residual of the equations above is at most `tolerance` times the loads and the forces
   /// of the kept dofs on each other as they are at first, or round-off. u is what the last call left, zero at first,
@@ -65,14 +65,12 @@ public:
   /// u is that field from now on. Returns its values at the kept dofs.
   virtual Vector beginFromVertices() = 0;
 
-  /// u per body, in the nodes' own axes, on all ranks: what begin() takes.
-  virtual std::vector<Vector> fields() const = 0;
-
-  /// The same. Between solves each rank has that of its own nodes only. Nothing
-  /// else can be asked of the system afterwards but its tolerance.
-  virtual std::vector<Vector> takeFields() && = 0;
+  virtual std::vector<NodalField> fields() const = 0; ///< u, what begin() takes
+  /// The same. Nothing else can be asked of the system afterwards but its tolerance and its ranks.
+  virtual std::vector<NodalField> takeFields() && = 0;
 
   virtual double tolerance() const = 0; ///< what the deck asks for
+  virtual const Comm& comm() const = 0; ///< the ranks that share it
 };
 
 /// A body whose matrix is solved by iterations on all its dofs.
@@ -96,7 +94,7 @@ public:
                                              const JoinedRows& open) const = 0;
 
   /// With the kept dofs as interior ones.
-  virtual const SolverProblem& freedProblem() const = 0;
+  virtual const RankProblem& freedProblem() const = 0;
 
   /// The largest eigenvalue of D^-1 K that was found for this body together with others: solveFree() takes it, too.
   virtual void setLargestEigenvalue(double /*value*/) const {}

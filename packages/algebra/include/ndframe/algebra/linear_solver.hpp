@@ -42,20 +42,17 @@ struct BodyOutline
   double poissonRatio = 0.0; ///< the largest of the materials, as of isotropic ones
 };
 
-/// One body's matrix with the roles of its dofs. The matrix must outlive the factor (it is not copied for products).
+/// One body's matrix with the roles of its dofs, all of them on every rank: what direct solvers need. Iterations take a
+/// RankProblem of it. The matrix must outlive the factor (it is not copied for products).
 struct SolverProblem
 {
   const BlockMatrix* matrix = nullptr; ///< K, not owned
   std::vector<DofRole> roles;          ///< one per dof
   std::vector<int> kept;               ///< the Kept dofs, in the order of the condensed system
-  /// Rigid motions in the dofs' own frames, one a column, and coordinates, dim a node: used by multigrid, which takes
-  /// those of all nodes or of this rank's own ones only (of a row each).
-  DenseMatrix nearNullSpace;
-  std::vector<double> nodePoints; ///< the same
-  EdgeNodes edgeNodes;            ///< used by multigrid
-  BodyOutline outline;            ///< used where the solver is chosen
-  /// Of D^-1 K on the dofs that are not fixed or kept, D the diagonal, about; 0: unknown. Used by multigrid.
-  double largestEigenvalue = 0.0;
+  DenseMatrix nearNullSpace;           ///< rigid motions in the dofs' own frames, one a column: used by multigrid
+  std::vector<double> nodePoints;      ///< coordinates, dim a node: the same
+  EdgeNodes edgeNodes;                 ///< the same
+  BodyOutline outline;                 ///< used where the solver is chosen
 };
 
 /// A body factored once: K split into interior (i) and kept (c) dofs,
@@ -101,8 +98,7 @@ public:
   /// Throws SingularBody when K_ii is not positive definite (conjugate gradients may find out in a solve only),
   /// InputError when the solver cannot treat the problem (memory, ranks, nothing free). The ledger must outlive the
   /// factor. Collective.
-  virtual std::unique_ptr<CondensedBody> factor(const SolverProblem& problem, const Comm& comm,
-                                                Ledger& ledger) const = 0;
+  virtual std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const = 0;
   /// The solver that factors bodies on so many ranks, where it does not depend on the body.
   virtual std::string name(int ranks) const = 0;
   /// The solver that factors this body.

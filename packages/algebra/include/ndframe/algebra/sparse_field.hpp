@@ -34,6 +34,16 @@ public:
     field_ = std::make_shared<const NodalField>(IndexMap(size_, std::move(nodes)), width_, std::move(stored));
   }
 
+  /// Those of nodes of this rank: the map has no others, and of the other ranks' none.
+  static SparseField ofOwn(NodalField own)
+  {
+    SparseField result;
+    result.width_ = own.width();
+    result.size_ = own.map().globalSize();
+    result.field_ = std::make_shared<const NodalField>(std::move(own));
+    return result;
+  }
+
   std::size_t size() const { return std::size_t(size_) * std::size_t(width_); } ///< values of all nodes
   bool isZero() const { return !field_ || field_->empty(); }                    ///< nothing is stored
   int width() const { return width_; }                                          ///< values of a node
@@ -42,7 +52,7 @@ public:
   void each(const Take& take) const
   {
     for (int i = 0; field_ && i < field_->map().size(); ++i)
-      take(int(field_->map().global(i)), field_->at(i));
+      take(field_->map().global(i), field_->at(i));
   }
   /// At all nodes.
   NodalField all() const
@@ -54,7 +64,7 @@ public:
   /// x += factor times the values.
   void addTo(Vector& x, double factor = 1.0) const
   {
-    each([&](int node, const double* values) {
+    each([&](IndexMap::Global node, const double* values) {
       for (int k = 0; k < width_; ++k)
         x[std::size_t(node) * std::size_t(width_) + std::size_t(k)] += factor * values[k];
     });

@@ -28,12 +28,11 @@ protected:
   /// (K u)_c for all columns of u; collective.
   DenseMatrix keptRowsTimes(const DenseMatrix& u) const;
 
-  const BlockMatrix& matrix_;  ///< K, this rank's rows
-  std::vector<DofRole> roles_; ///< one per dof
-  std::vector<int> kept_;      ///< dofs, in the order of the condensed system
-  FreeMotions motions_;        ///< that the fixed dofs leave
-  Comm comm_;                  ///< the ranks that share K
-  Ledger& ledger_;             ///< counts what the body does; not owned
+  const BlockMatrix& matrix_; ///< K, this rank's rows
+  std::vector<int> kept_;     ///< dofs, in the order of the condensed system
+  FreeMotions motions_;       ///< that the fixed dofs leave
+  Comm comm_;                 ///< the ranks that share K
+  Ledger& ledger_;            ///< counts what the body does; not owned
 };
 
 } // namespace ndframe

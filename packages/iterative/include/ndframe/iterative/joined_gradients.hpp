@@ -67,9 +67,10 @@ struct JoinedUnknowns
 /// Several bodies, one after another, with kept dofs that follow unknowns.
 struct JoinedBodies
 {
-  std::vector<const SolverProblem*> problems; ///< kept dofs are interior ones
-  std::vector<const LinearLevel*> levels;     ///< of them
-  std::vector<int> kept, keptOnVertices; ///< numbers of the kept dofs among all, and among vertices' (-1: not at one)
+  std::vector<const RankProblem*> problems; ///< kept dofs are interior ones
+  std::vector<const LinearLevel*> levels;   ///< of them
+  /// Numbers of the kept dofs among all, and among vertices' (-1: not at one).
+  std::vector<RankProblem::Global> kept, keptOnVertices;
 };
 
 /// Conjugate gradients on a joined system: b and x have the dofs of this rank's nodes (or vertices), one body after
@@ -91,7 +92,7 @@ public:
   virtual double largestEigenvalue() const = 0; ///< of D^-1 K for the first unknowns
   /// problem: that of all vertices. isRead(): called as soon as it is not needed any more, before the coarse level is
   /// set up, which takes much memory.
-  virtual void setCoarse(const JoinedRows& rows, const SolverProblem& problem, double decoupledDiagonal,
+  virtual void setCoarse(const JoinedRows& rows, const RankProblem& problem, double decoupledDiagonal,
                          const std::function<void()>& isRead) = 0;
 
   /// The equations P^T K P of linear functions with unknowns of their own, at the vertices of this rank, preconditioned

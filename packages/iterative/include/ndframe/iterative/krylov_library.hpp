@@ -44,14 +44,14 @@ public:
 
   /// Needs MPI running. `decoupledDiagonal`: entry of the rows that stand for fixed and kept dofs. Throws
   /// Teuchos::Exceptions::InvalidParameter when the preconditioner refuses its parameters.
-  virtual std::unique_ptr<ConjugateGradients> conjugateGradients(const SolverProblem& problem, const Comm& comm,
+  virtual std::unique_ptr<ConjugateGradients> conjugateGradients(const RankProblem& problem, const Comm& comm,
                                                                  double decoupledDiagonal,
                                                                  const Preconditioner& preconditioner,
                                                                  const Teuchos::ParameterList& belos) const = 0;
 
   /// The same, without a copy of the matrix and preconditioned on two levels: Chebyshev's polynomials on all nodes and
   /// `coarse` on the vertices. `level` is not needed any more when this returns.
-  virtual std::unique_ptr<ConjugateGradients> twoLevels(const SolverProblem& problem, const LinearLevel& level,
+  virtual std::unique_ptr<ConjugateGradients> twoLevels(const RankProblem& problem, const LinearLevel& level,
                                                         const Comm& comm, double decoupledDiagonal,
                                                         const Preconditioner& coarse,
                                                         const Teuchos::ParameterList& belos) const = 0;
