@@ -102,7 +102,7 @@ const ChildVertex* childVertices(int dim, int child)
   return dim == 2 ? triangles[std::size_t(child)].data() : tetrahedra[std::size_t(child)].data();
 }
 
-Mesh refineUniformly(const Mesh& mesh)
+Mesh refineUniformly(const Mesh& mesh, std::vector<std::array<int, 2>>* middles)
 {
   const Edges edges(mesh);
   Mesh refined{mesh.dim, mesh.points, {}, {}, mesh.notes, mesh.groups};
@@ -123,6 +123,8 @@ Mesh refineUniformly(const Mesh& mesh)
   for (std::size_t c = 0; c < parents.size(); ++c)
     parents[c] = int(c) / numChildren(mesh.dim);
   refined.groups.inherit(parents);
+  if (middles != nullptr)
+    *middles = edges.ends();
   return refined;
 }
 

@@ -14,8 +14,8 @@ namespace ndframe
 /// orientations and groups of cells stay. Triangles are similar to their parent. A tetrahedron's four corners are cut
 /// off; the octahedron left is cut along the edge between the middles of 02 and 13 (Bey 1995), and the children's
 /// vertices are ordered so that, however often this is repeated, the descendants of a tetrahedron have at most three
-/// shapes.
-Mesh refineUniformly(const Mesh& mesh);
+/// shapes. middles: takes the ends of each new point's edge.
+Mesh refineUniformly(const Mesh& mesh, std::vector<std::array<int, 2>>* middles = nullptr);
 
 /// A child's vertex: the middle of two vertices of the parent, or one of them given twice.
 using ChildVertex = std::array<int, 2>;

@@ -1,0 +1,197 @@
+#include "ndframe/mesh/refined_share.hpp"
+
+#include <algorithm>
+#include <numeric>
+
+#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/refine.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+/// A mesh and where its points lie in the drawn one.
+struct PlacedMesh
+{
+  Mesh mesh;
+  std::vector<DrawnPlace> points;
+};
+
+/// These cells in this order, with their points in the order of the given ones.
+PlacedMesh taken(const PlacedMesh& given, const std::vector<int>& cells, const std::vector<int>& points)
+{
+  const Mesh& mesh = given.mesh;
+  PlacedMesh result{{mesh.dim, {}, {}, {}, mesh.notes, {}}, {}};
+  std::vector<int> pointOf(std::size_t(mesh.numPoints()), -1), cellOf(std::size_t(mesh.numCells()), -1);
+  for (const int point : points) {
+    pointOf[std::size_t(point)] = int(result.points.size());
+    result.points.push_back(given.points[std::size_t(point)]);
+    result.mesh.points.insert(result.mesh.points.end(), mesh.point(point), mesh.point(point) + mesh.dim);
+  }
+  for (const int cell : cells) {
+    cellOf[std::size_t(cell)] = result.mesh.numCells();
+    for (int v = 0; v <= mesh.dim; ++v)
+      result.mesh.cells.push_back(pointOf[std::size_t(mesh.cell(cell)[v])]);
+  }
+  for (const Side& side : mesh.sides) {
+    result.mesh.sides.push_back({side.name, {}});
+    for (const Facet facet : side.facets)
+      if (const int cell = cellOf[std::size_t(facet.cell)]; cell >= 0)
+        result.mesh.sides.back().facets.push_back({cell, facet.local});
+  }
+  result.mesh.groups = mesh.groups;
+  if (!mesh.groups.kind.empty())
+    result.mesh.groups.inherit(cells);
+  return result;
+}
+
+std::vector<int> pointsOf(const Mesh& mesh, const std::vector<int>& cells)
+{
+  std::vector<char> isUsed(std::size_t(mesh.numPoints()), 0);
+  for (const int cell : cells)
+    for (int v = 0; v <= mesh.dim; ++v)
+      isUsed[std::size_t(mesh.cell(cell)[v])] = 1;
+  std::vector<int> points;
+  for (int point = 0; point < mesh.numPoints(); ++point)
+    if (isUsed[std::size_t(point)] != 0)
+      points.push_back(point);
+  return points;
+}
+
+class Sharing
+{
+public:
+  Sharing(const DrawnOwners& owners, int rank, const std::vector<std::string>& sides)
+      : owners_(owners), rank_(rank), sides_(sides)
+  {}
+
+  /// The cells that are needed, with all that becomes of them where halvings follow.
+  PlacedMesh cut(const PlacedMesh& given, bool isLast) const
+  {
+    const std::vector<char> touches = touchingPoints(given.mesh);
+    std::vector<int> cells;
+    for (int cell = 0; cell < given.mesh.numCells(); ++cell) {
+      const int* v = given.mesh.cell(cell);
+      if (std::any_of(v, v + given.mesh.dim + 1, [&](int point) { return touches[std::size_t(point)] != 0; }) ||
+          hasOwnNode(given, v, isLast ? 2 : given.mesh.dim + 1))
+        cells.push_back(cell);
+    }
+    return taken(given, cells, pointsOf(given.mesh, cells));
+  }
+
+private:
+  std::vector<char> touchingPoints(const Mesh& mesh) const
+  {
+    std::vector<char> touches(std::size_t(mesh.numPoints()), 0);
+    int vertices[3];
+    for (const std::string& name : sides_)
+      for (const Facet facet : mesh.findSide(name)->facets) {
+        facetVertices(mesh, facet, vertices);
+        for (int v = 0; v < mesh.dim; ++v)
+          touches[std::size_t(vertices[v])] = 1;
+      }
+    return touches;
+  }
+
+  /// Whether the rank owns what lies inside a vertex, an edge, ... of the cell, of at most so many vertices.
+  bool hasOwnNode(const PlacedMesh& given, const int* cell, int most) const
+  {
+    const unsigned subsets = 1U << unsigned(given.mesh.dim + 1);
+    for (unsigned subset = 1; subset < subsets; ++subset) {
+      DrawnPlace inside;
+      int size = 0;
+      for (int v = 0; v <= given.mesh.dim; ++v)
+        if ((subset >> unsigned(v) & 1U) != 0) {
+          const DrawnPlace& place = given.points[std::size_t(cell[v])];
+          inside = size++ == 0 ? place : DrawnPlace::middle(inside, place); // only its vertices count
+        }
+      if (size <= most && owners_.rankOf(inside) == rank_)
+        return true;
+    }
+    return false;
+  }
+
+  const DrawnOwners& owners_;
+  int rank_;
+  const std::vector<std::string>& sides_;
+};
+
+PlacedMesh refined(const PlacedMesh& given)
+{
+  PlacedMesh result;
+  std::vector<std::array<int, 2>> middles;
+  result.mesh = refineUniformly(given.mesh, &middles);
+  result.points.reserve(given.points.size() + middles.size());
+  for (const DrawnPlace& place : given.points)
+    result.points.push_back(place.doubled());
+  for (const auto& [a, b] : middles)
+    result.points.push_back(DrawnPlace::middle(given.points[std::size_t(a)], given.points[std::size_t(b)]));
+  return result;
+}
+
+/// Facets in the order of their points, ascending.
+void sortFacets(Mesh& mesh)
+{
+  for (Side& side : mesh.sides) {
+    std::vector<std::pair<std::array<int, 3>, Facet>> facets;
+    for (const Facet facet : side.facets) {
+      std::array<int, 3> vertices{-1, -1, -1}; // in the plane the last is none
+      facetVertices(mesh, facet, vertices.data());
+      std::sort(vertices.begin(), vertices.end());
+      facets.push_back({vertices, facet});
+    }
+    std::sort(facets.begin(), facets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
+    for (std::size_t f = 0; f < facets.size(); ++f)
+      side.facets[f] = facets[f].second;
+  }
+}
+
+/// In the order that RefinedShare promises.
+RefinedShare sorted(const PlacedMesh& given, const RefinedNumbers& numbers, const DrawnOwners& owners, int rank)
+{
+  std::vector<RefinedNumbers::Number> number;
+  for (const DrawnPlace& place : given.points)
+    number.push_back(numbers.point(place));
+  std::vector<int> points(number.size()), cells(std::size_t(given.mesh.numCells()));
+  std::iota(points.begin(), points.end(), 0);
+  std::sort(points.begin(), points.end(),
+            [&](int a, int b) { return number[std::size_t(a)] < number[std::size_t(b)]; });
+  std::iota(cells.begin(), cells.end(), 0);
+  const auto others = std::stable_partition(cells.begin(), cells.end(), [&](int cell) {
+    const int* v = given.mesh.cell(cell);
+    const int lowest = *std::min_element(v, v + given.mesh.dim + 1,
+                                         [&](int a, int b) { return number[std::size_t(a)] < number[std::size_t(b)]; });
+    return owners.rankOf(given.points[std::size_t(lowest)]) == rank;
+  });
+  PlacedMesh ordered = taken(given, cells, points);
+  sortFacets(ordered.mesh);
+  std::sort(number.begin(), number.end());
+  return {std::move(ordered.mesh), std::move(ordered.points), std::move(number), int(others - cells.begin())};
+}
+
+} // namespace
+
+int DrawnOwners::rankOf(const DrawnPlace& place) const
+{
+  const auto first = place.vertices.begin();
+  return ranks[std::size_t(*std::min_element(
+      first, first + place.count, [this](int a, int b) { return order[std::size_t(a)] < order[std::size_t(b)]; }))];
+}
+
+RefinedShare refinedShare(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
+                          int rank, const std::vector<std::string>& sides)
+{
+  NDFRAME_ASSERT(std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return drawn.findSide(side); }),
+                 "the drawn mesh has the sides that all ranks have");
+  PlacedMesh mesh{drawn, {}};
+  for (int point = 0; point < drawn.numPoints(); ++point)
+    mesh.points.push_back(DrawnPlace::vertex(point));
+  const Sharing sharing(owners, rank, sides);
+  mesh = sharing.cut(mesh, halvings == 0);
+  for (int k = 1; k <= halvings; ++k)
+    mesh = sharing.cut(refined(mesh), k == halvings);
+  return sorted(mesh, numbers, owners, rank);
+}
+
+} // namespace ndframe
