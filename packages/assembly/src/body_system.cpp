@@ -1,8 +1,10 @@
 #include "ndframe/assembly/body_system.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ndframe/assembly/body_loads.hpp"
+#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/mechanics/kernels.hpp"
 #include "sparsity.hpp"
 
@@ -72,6 +74,45 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
   }
 }
 
+/// Numbers the nodes of K as the whole body does: both ascend.
+void shareOut(BodySystem& system, const std::shared_ptr<const BodyShare>& share)
+{
+  IndexMap& nodes = system.K.nodes;
+  std::vector<IndexMap::Global> owned, held;
+  for (int i = 0; i < nodes.size(); ++i) {
+    system.partNodes.push_back(int(nodes.global(i)));
+    (nodes.owns(i) ? owned : held).push_back(share->numbers()[std::size_t(nodes.global(i))]);
+  }
+  nodes = IndexMap(share->numNodes(), std::move(owned), std::move(held));
+  system.share = share;
+}
+
+double largestModulus(const Vector& values, const Comm& comm)
+{
+  Vector largest{0.0};
+  for (const double value : values)
+    largest[0] = std::max(largest[0], std::abs(value));
+  takeLargest(largest, comm);
+  return largest[0];
+}
+
+/// Values at own nodes as K numbers them.
+SparseField ownOf(const BodySystem& system, const Vector& ofPart, const Comm& comm)
+{
+  std::vector<IndexMap::Global> owned;
+  Vector own;
+  for (int r = 0; r < system.K.numRows(); ++r) {
+    const auto first = ofPart.begin() + std::ptrdiff_t(system.partNodes[std::size_t(r)]) * system.K.dim;
+    if (std::all_of(first, first + system.K.dim, [](double value) { return value == 0.0; }))
+      continue;
+    owned.push_back(system.K.nodes.global(r));
+    own.insert(own.end(), first, first + system.K.dim);
+  }
+  const double largest = largestModulus(own, comm);
+  return SparseField::ofOwn({IndexMap(system.share->numNodes(), std::move(owned)), system.K.dim, std::move(own)},
+                            largest);
+}
+
 } // namespace
 
 NodalField assembleLoad(const BodyModel& body, const Frames& frames)
@@ -92,13 +133,15 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes,
                         const SparseField& load)
 {
-  BodySystem system{std::move(dofs), makeSparsity(body.nodes, ownedNodes), {}};
+  BodySystem system{std::move(dofs), makeSparsity(body.nodes, ownedNodes), {}, {}, {}};
   std::vector<int> local(std::size_t(body.nodes.numNodes()), -1);
   for (int i = 0; i < system.K.nodes.size(); ++i)
     local[std::size_t(system.K.nodes.global(i))] = i;
   withDimAndOrder(body.mesh.dim, body.nodes.order,
                   [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, local); });
   system.load = inOwnAxes(load, system.dofs.frames);
+  if (body.share)
+    shareOut(system, body.share);
   return system;
 }
 
@@ -112,6 +155,15 @@ double BodyModel::poissonRatio() const
 
 SparseField BodySystem::effectiveLoad(const Comm& comm) const
 {
+  if (share) {
+    NodalField effective = load.all();
+    Vector heldThere(effective.size(), 0.0);
+    dofs.addPrescribed(heldThere);
+    const Vector moved = productOfPart(heldThere);
+    for (std::size_t i = 0; i < effective.size(); ++i)
+      effective[i] -= moved[i];
+    return ownOf(*this, effective, comm);
+  }
   if (dofs.prescribed.empty())
     return load;
   Vector held(load.size(), 0.0);
@@ -121,6 +173,34 @@ SparseField BodySystem::effectiveLoad(const Comm& comm) const
   for (std::size_t i = 0; i < effective.size(); ++i)
     effective[i] -= moved[i];
   return SparseField(effective);
+}
+
+Vector BodySystem::productOfPart(const Vector& u) const
+{
+  NDFRAME_ASSERT(share && u.size() == dofs.roles.size(), "values at all nodes of a part");
+  Vector product(u.size(), 0.0);
+  const auto dim = std::size_t(K.dim);
+  const double* entry = K.values.data();
+  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r) {
+    double* const row = product.data() + std::size_t(partNodes[r]) * dim;
+    for (auto b = std::size_t(K.rowPtr[r]); b < std::size_t(K.rowPtr[r + 1]); ++b) {
+      const double* const value = u.data() + std::size_t(partNodes[std::size_t(K.cols[b])]) * dim;
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j)
+          row[i] += *entry++ * value[j];
+    }
+  }
+  return product;
+}
+
+double BodySystem::largestDiagonal(const Comm& comm) const
+{
+  Vector own;
+  for (int r = 0; r < K.numRows(); ++r)
+    if (const double* block = K.block(r, r))
+      for (int i = 0; i < K.dim; ++i)
+        own.push_back(block[std::ptrdiff_t(i) * (K.dim + 1)]);
+  return largestModulus(own, comm);
 }
 
 } // namespace ndframe

@@ -58,6 +58,14 @@ bool ConstraintSet::add(const NodeConstraint& constraint)
   return true;
 }
 
+void ConstraintSet::set(int node, const Node& given)
+{
+  if (given.count > 0)
+    nodes_[node] = given;
+  else
+    nodes_.erase(node);
+}
+
 Direction ConstraintSet::freePart(int node, const Direction& direction) const
 {
   Direction rest = direction;

@@ -31,7 +31,7 @@ public:
   {
     Support::check(mesh, diagnostics);
     const Side* found = mesh.findSide(params().get<std::string>("Side"));
-    if (found == nullptr)
+    if (found == nullptr || found->facets.empty()) // a part of a body may have none of it
       return;
     const auto first = normal(mesh, found->facets.front());
     double bend = 0.0;
@@ -49,7 +49,8 @@ public:
 
   std::vector<Direction> directions(const Mesh& mesh) const override
   {
-    return {normal(mesh, side(mesh).facets.front())};
+    const std::vector<Facet>& facets = side(mesh).facets;
+    return facets.empty() ? std::vector<Direction>() : std::vector<Direction>{normal(mesh, facets.front())};
   }
 
 private:

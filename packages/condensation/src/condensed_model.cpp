@@ -11,6 +11,7 @@
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/scene/stage.hpp"
 #include "node_owners.hpp"
+#include "share_problem.hpp"
 #include "trace_nodes.hpp"
 
 namespace ndframe
@@ -25,7 +26,9 @@ DofLayout layOut(const Model& model, std::size_t b, const BodyTraceNodes& nodes)
 
 BodySystem assemble(const Model& model, std::size_t b, DofLayout layout, const NodeOwners& owners, const Comm& comm)
 {
-  return assembleBody(model.bodies[b], std::move(layout), owners.ownedBy(comm.rank(), int(b)), model.loads[b]);
+  const auto& share = model.bodies[b].share;
+  return assembleBody(model.bodies[b], std::move(layout),
+                      share ? share->ownNodes() : owners.ownedBy(comm.rank(), int(b)), model.loads[b]);
 }
 
 /// A body whose dofs are all prescribed needs no factor.
@@ -50,6 +53,11 @@ std::unique_ptr<CondensedBody> factorBody(const Model& model, int number, const 
   const BodyModel& body = model.bodies[std::size_t(number)];
   if (body.isRigid)
     return std::make_unique<HeldBody>(body.numDofs());
+  if (system.share) {
+    auto shared = solver.share(shareProblem(model, number, system), comm, ledger);
+    NDFRAME_ASSERT(shared, "only solvers that take shares get them");
+    return shared;
+  }
   try {
     return solver.factor(solverProblem(model, number, system), comm, ledger);
   } catch (const SingularBody& failure) {
@@ -114,6 +122,7 @@ public:
     result_.ranks.resize(model.bodies.size());
     result_.threads = solver.allowsThreads(comm.size()) ? numThreads(comm) : 1;
     traces_.resize(model.bodies.size());
+    isShared_ = std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& b) { return bool(b.share); });
   }
 
   CondensedModel run() &&
@@ -125,9 +134,9 @@ public:
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
       layOutBody(b, traceNodes[b]);
     if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return !kept.factor; }))
-      owners_.emplace(model_, comm_.size());
+      owners_.emplace(model_, isShared_ ? 1 : comm_.size()); // rigid bodies are the first rank's then
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
-      if (!kept_[b].factor)
+      if (!kept_[b].factor && !isShared_)
         result_.ranks[b] = owners_->ofVertices(model_, int(b));
     const std::vector<int> sizes = model_.numDofs();
     const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
@@ -181,7 +190,7 @@ private:
       traces_[b] = makeTrace(model_, int(b), nodes, layouts_[b]);
     kept_.push_back(whatIsKept(b));
     if (b == result_.systems.size())
-      result_.systems.push_back({layouts_[b], {}, {}}); // a place for condenseBody()
+      result_.systems.push_back({layouts_[b], {}, {}, {}, {}}); // a place for condenseBody()
     if (!kept_[b].factor)
       result_.condensed[b].reset();
   }
@@ -217,6 +226,7 @@ private:
     BodyTrace& trace = traces_[b];
     trace.S = kept_[b].schur ? earlier->S : traceOperator(*result_.condensed[b], trace.map, representation_);
     trace.load = &result_.loads[b];
+    trace.share = model_.bodies[b].share;
     trace.whole = model_.solvesWhole ? wholeSolver(*result_.condensed[b]) : nullptr;
     if (kept_[b].load) {
       trace.g = std::move(earlier->g);
@@ -248,6 +258,7 @@ private:
   std::vector<Kept> kept_;         ///< per body
   std::optional<NodeOwners> owners_;
   std::vector<BodyTrace> traces_; ///< per body, empty for those that touch nothing
+  bool isShared_ = false;         ///< bodies are parts of those that no rank has as a whole
 };
 
 } // namespace

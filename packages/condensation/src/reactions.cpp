@@ -48,24 +48,26 @@ Direction centreOfNodes(const Support& support, const BodyModel& body)
 }
 
 /// Centre of a support's side.
-Direction centreOf(const Support& support, const BodyModel& body)
+Direction centreOf(const Support& support, const BodyModel& body, const Comm& comm)
 {
   if (!support.params().has("Side"))
     return centreOfNodes(support, body);
-  Direction centre{}, normal{};
-  double total = 0.0;
+  Direction normal{};
+  Vector sums(4, 0.0); // first moments, and the measure
   int vertices[3];
   for (const Facet facet : support.facets(body.mesh)) {
+    if (body.share && facet.cell >= body.share->numOwnCells())
+      continue;
     const double measure = facetNormal(body.mesh, facet, normal.data());
     facetVertices(body.mesh, facet, vertices);
-    total += measure;
+    sums[3] += measure;
     for (int v = 0; v < body.mesh.dim; ++v)
       for (int k = 0; k < body.mesh.dim; ++k)
-        centre[std::size_t(k)] += measure / body.mesh.dim * body.mesh.point(vertices[v])[k];
+        sums[std::size_t(k)] += measure / body.mesh.dim * body.mesh.point(vertices[v])[k];
   }
-  for (double& coordinate : centre)
-    coordinate /= total;
-  return centre;
+  if (body.share)
+    comm.sum(sums);
+  return {sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]};
 }
 
 } // namespace
@@ -98,22 +100,24 @@ NodalField supportForces(const Model& model, const CondensedModel& condensed, co
                          const Vector& u, const Comm& comm)
 {
   const BodySystem& system = condensed.systems[std::size_t(body)];
-  Vector forces = multiply(system.K, u, comm);
+  Vector forces = system.share ? system.productOfPart(u) : multiply(system.K, u, comm);
   const NodalField inGlobalAxes = contactForces(model, condensed, state, body);
   const NodalField contact = system.dofs.frames.toLocal(inGlobalAxes);
   system.load.addTo(forces, -1.0);
   for (std::size_t i = 0; i < forces.size(); ++i)
     forces[i] = system.dofs.roles[i] == DofRole::Fixed ? forces[i] - contact[i] : 0.0;
+  if (system.share)
+    system.share->annulOthers(forces, system.K.dim);
   return system.dofs.frames.toGlobal(forces);
 }
 
-std::vector<SupportSummary> supportReactions(const BodyModel& body, const Vector& forces)
+std::vector<SupportSummary> supportReactions(const BodyModel& body, const Vector& forces, const Comm& comm)
 {
   const int dim = body.mesh.dim;
   std::vector<SupportSummary> reactions;
   std::vector<Direction> centres;
   for (const auto& support : body.supports) {
-    centres.push_back(centreOf(*support, body));
+    centres.push_back(centreOf(*support, body, comm));
     reactions.push_back({support->params().name(), support->description(), Vector(std::size_t(dim), 0.0),
                          Vector(dim == 2 ? 1 : 3, 0.0), Vector(centres.back().begin(), centres.back().begin() + dim)});
   }
@@ -132,6 +136,11 @@ std::vector<SupportSummary> supportReactions(const BodyModel& body, const Vector
         reactions[holds[h].support].moment[k] += moment[k];
     }
   }
+  for (SupportSummary& reaction : reactions)
+    if (body.share) {
+      comm.sum(reaction.force);
+      comm.sum(reaction.moment);
+    }
   return reactions;
 }
 

@@ -1,7 +1,6 @@
 #include "ndframe/condensation/solution.hpp"
 
 #include <algorithm>
-#include <cmath>
 
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/scene/holds.hpp"
@@ -11,9 +10,6 @@ namespace ndframe
 {
 namespace
 {
-
-constexpr double lastDigits = 1e-14; ///< round-off of a sum of products over a row of K
-constexpr double smallForce = 1e-8; ///< below this part of the scene's largest force a body's own ones may be round-off
 
 /// Kept values of a body in each state, n_c x states.
 DenseMatrix keptMatrix(const BodyTrace& trace, const std::vector<InterfaceState>& states)
@@ -57,6 +53,18 @@ void addMotions(Vector& u, const Vector& amplitudes, const Model& model, std::si
       u[i] += motion[i];
 }
 
+/// The displacements of a body that no rank has as a whole and that touches nothing, at the nodes of the part.
+Vector solvedAlone(const CondensedBody& body, const SparseField& load, const BodyShare& share)
+{
+  const WholeSolver* const solver = wholeSolver(body);
+  const auto system = solver->join({solver}, {});
+  system->follow({}, {}, 0.0);
+  Vector none;
+  system->solve({&load}, none, system->tolerance());
+  const NodalField own = std::move(std::move(*system).takeFields().front());
+  return share.spread(Vector(own.begin(), own.end()), own.width());
+}
+
 /// A body's displacements but for prescribed ones, n x states: those that the coupling found, or recovered from the
 /// trace.
 DenseMatrix solutions(const CondensedModel& condensed, int body, const std::vector<InterfaceState>& states)
@@ -64,11 +72,17 @@ DenseMatrix solutions(const CondensedModel& condensed, int body, const std::vect
   const auto b = std::size_t(body);
   const BodyTrace* trace = condensed.trace(body);
   const int steps = int(states.size());
-  DenseMatrix u(int(condensed.loads[b].size()), steps);
+  DenseMatrix u(int(condensed.systems[b].dofs.roles.size()), steps);
   if (trace != nullptr && !states.front().fields.empty()) {
     const auto place = std::size_t(trace - condensed.interface.bodies.data());
     for (int s = 0; s < steps; ++s)
       std::copy_n(states[std::size_t(s)].fields[place].begin(), u.rows(), u.col(s));
+    return u;
+  }
+  if (condensed.systems[b].share) { // it touches nothing: one state
+    const Vector alone = solvedAlone(*condensed.condensed[b], condensed.loads[b], *condensed.systems[b].share);
+    for (int s = 0; s < steps; ++s)
+      std::copy(alone.begin(), alone.end(), u.col(s));
     return u;
   }
   const NodalField load = condensed.loads[b].all();
@@ -85,41 +99,6 @@ double normalDisplacement(const Vector& displacement, int node, const Direction&
   return u;
 }
 
-/// Forces on the nodes of one body.
-struct Balance
-{
-  double imbalance = 0.0; ///< largest entry of |K u - f - contact force| over the dofs that are not prescribed
-  double force = 0.0;     ///< largest load, reaction or contact force
-  double roundOff = 0.0;  ///< what a displacement that is wrong in its last digits makes of K u
-  bool loaded = false;
-};
-
-Balance balance(const BodySystem& system, const BodyTrace* trace, const InterfaceState& state, const Vector& u,
-                const Comm& comm)
-{
-  Vector residual = multiply(system.K, u, comm);
-  Balance result;
-  result.roundOff = lastDigits * largestEntry(diagonal(system.K, comm)) * largestEntry(u);
-  result.force = system.load.largest();
-  result.loaded = result.force > 0.0;
-  system.load.addTo(residual, -1.0);
-  result.force = std::max(result.force, largestEntry(residual));
-  if (trace != nullptr) {
-    const Vector kept = trace->map.keptForces(trace->forces(state.forceDirichlet, state.forceNeumann));
-    for (std::size_t k = 0; k < kept.size(); ++k)
-      residual[std::size_t(trace->map.dofs()[k])] -= kept[k];
-  }
-  for (std::size_t i = 0; i < residual.size(); ++i)
-    if (system.dofs.roles[i] != DofRole::Fixed)
-      result.imbalance = std::max(result.imbalance, std::abs(residual[i]));
-  return result;
-}
-
-double ratio(double value, double scale)
-{
-  return scale > 0.0 ? value / scale : 0.0;
-}
-
 /// The pressure of a node is its force over its share of the side, the integral of its function: never tension, zero
 /// where contact is open, and with the resultant of the forces, which the nodal values C^-1 r are not. The same of the
 /// functions of means, where contact is asked of these.
@@ -130,7 +109,7 @@ void addPressures(std::vector<ContactNode>& nodes, const InterfaceSystem& system
     Vector pressure = system.mortar->forcesOf(force);
     const Vector shares = system.mortar->forcesOf(system.atUnknowns(share));
     for (std::size_t j = 0; j < pressure.size(); ++j)
-      pressure[j] = std::max(0.0, ratio(-pressure[j], shares[j]));
+      pressure[j] = shares[j] > 0.0 ? std::max(0.0, -pressure[j] / shares[j]) : 0.0;
     pressure = system.mortar->valuesAtUnknowns(pressure);
     for (std::size_t k = 0; k < pressure.size(); ++k)
       nodes[std::size_t(system.nodeOfUnknown[k])].pressure = std::max(0.0, pressure[k]);
@@ -158,33 +137,6 @@ void addConditions(std::vector<ContactNode>& nodes, const InterfaceSystem& syste
     const auto node = std::size_t(system.nodeOfUnknown[k]);
     nodes[node].condition = system.gap[k] - jumps[node];
   }
-}
-
-/// Per condition what is left of it and its force, one of which is zero.
-std::vector<std::pair<double, double>> conditionsOf(const std::vector<ContactNode>& nodes,
-                                                    const InterfaceSystem& system)
-{
-  Vector left, force;
-  for (const ContactNode& node : nodes) {
-    left.push_back(node.condition);
-    force.push_back(node.nodalForce);
-  }
-  if (system.mortar) {
-    left = system.mortar->meansOf(system.atUnknowns(atInterface(std::move(left))));
-    force = system.mortar->forcesOf(system.atUnknowns(atInterface(std::move(force))));
-  }
-  std::vector<std::pair<double, double>> conditions;
-  for (std::size_t i = 0; i < left.size(); ++i)
-    conditions.emplace_back(left[i], force[i]);
-  return conditions;
-}
-
-/// The imbalance over the body's largest force. A body without loads that only follows another or its supports has no
-/// force but round-off, which is no imbalance. largestForce, roundOff: of the scene.
-double relativeImbalance(const Balance& body, double largestForce, double roundOff)
-{
-  const bool carriesNothing = !body.loaded && body.force <= roundOff;
-  return carriesNothing ? 0.0 : ratio(body.imbalance, std::max(body.force, smallForce * largestForce));
 }
 
 } // namespace
@@ -250,35 +202,6 @@ std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& 
   if (!all.empty())
     addPressures(all, condensed.interface, state.forceDirichlet);
   return all;
-}
-
-ResidualSummary residuals(const Model& model, const CondensedModel& condensed, const InterfaceState& state,
-                          const std::vector<BodyFields>& fields, const std::vector<ContactNode>& contact,
-                          const Comm& comm)
-{
-  ResidualSummary result;
-  std::vector<Balance> bodies;
-  double opening = 0.0, force = 0.0, roundOff = 0.0;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    bodies.push_back(balance(condensed.systems[b], condensed.trace(int(b)), state, fields[b].u.back(), comm));
-    opening = std::max(opening, largestEntry(fields[b].displacement.back()));
-    force = std::max(force, bodies.back().force);
-    roundOff = std::max(roundOff, bodies.back().roundOff);
-  }
-  for (const auto& body : bodies)
-    result.equilibrium = std::max(result.equilibrium, relativeImbalance(body, force, roundOff));
-  double complementarity = 0.0, penetration = 0.0, tension = 0.0;
-  for (const auto& node : contact)
-    opening = std::max(opening, std::abs(node.gap));
-  for (const auto& [condition, pull] : conditionsOf(contact, condensed.interface)) {
-    complementarity = std::max(complementarity, std::abs(condition * pull));
-    penetration = std::max(penetration, -condition);
-    tension = std::max(tension, pull - roundOff);
-  }
-  result.complementarity = ratio(complementarity, force * opening);
-  result.penetration = ratio(penetration, opening);
-  result.tension = ratio(tension, force);
-  return result;
 }
 
 } // namespace ndframe

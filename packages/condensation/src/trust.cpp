@@ -5,6 +5,7 @@
 
 #include <fmt/format.h>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/scene/regions.hpp"
 
 namespace ndframe
@@ -70,8 +71,11 @@ double smallestContactForce(const CondensedModel& condensed, const std::vector<B
   double smallest = 0.0;
   for (std::size_t b = 0; b < fields.size(); ++b) {
     const BodySystem& system = condensed.systems[b];
-    const double stiff = largestEntry(diagonal(system.K, comm)) * largestEntry(fields[b].displacement.back());
-    smallest = std::max({smallest, noForce * system.load.largest(), noStiffForce * stiff});
+    Vector largest{largestEntry(fields[b].displacement.back()), system.load.largest()};
+    if (system.share)
+      takeLargest(largest, comm);
+    const double stiff = system.largestDiagonal(comm) * largest[0];
+    smallest = std::max({smallest, noForce * largest[1], noStiffForce * stiff});
   }
   return smallest;
 }

@@ -30,6 +30,15 @@ DenseMatrix approachOf(const Network& network)
   return result;
 }
 
+/// Of values at the nodes of a part.
+NodalField ofOwnNodes(const BodyShare& share, const NodalField& ofPart, const IndexMap& nodes)
+{
+  std::vector<IndexMap::Global> owned;
+  for (int node = 0; node < nodes.numOwned(); ++node)
+    owned.push_back(nodes.global(node));
+  return {IndexMap(nodes.globalSize(), std::move(owned)), ofPart.width(), share.own(ofPart, ofPart.width())};
+}
+
 } // namespace
 
 bool areSolvedWhole(const InterfaceSystem& system)
@@ -60,7 +69,8 @@ void WholeProblem::begin(const std::vector<NodalField>& fields)
     for (int k = 0; k < body.map.size(); ++k)
       kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] =
           fields[b].whole()[std::size_t(body.map.dofs()[std::size_t(k)])];
-    own.push_back(ownPart(fields[b], body.whole->freedProblem().matrix->nodes));
+    const IndexMap& nodes = body.whole->freedProblem().matrix->nodes;
+    own.push_back(body.share ? ofOwnNodes(*body.share, fields[b], nodes) : ownPart(fields[b], nodes));
   }
   joined_->begin(own);
   v_ = rows_.values(kept_);
@@ -102,7 +112,10 @@ std::vector<NodalField> WholeProblem::takeFields() &&
 {
   std::vector<NodalField> fields;
   for (NodalField& field : std::move(*joined_).takeFields())
-    fields.push_back(onEveryRank(std::move(field), joined_->comm()));
+    if (const auto& share = network_.bodies[fields.size()]->share)
+      fields.push_back(atNodes(share->spread(Vector(field.begin(), field.end()), field.width()), field.width()));
+    else
+      fields.push_back(onEveryRank(std::move(field), joined_->comm()));
   return fields;
 }
 

@@ -35,14 +35,13 @@ void WholeRows::findEntries()
     const BodyTrace& body = *network_.bodies[b];
     const RankProblem& problem = body.whole->freedProblem();
     const int dim = problem.matrix->dim;
-    const std::vector<int>& dofs = body.map.dofs();
     std::unordered_map<RankProblem::Global, int> entryOf; ///< per kept dof
-    for (std::size_t k = 0; k < dofs.size(); ++k)
-      entryOf[dofs[k]] = network_.offsets[b] + int(k);
-    for (std::size_t k = 0; k < dofs.size(); ++k) {
+    for (std::size_t k = 0; k < problem.kept.size(); ++k)
+      entryOf[problem.kept[k]] = network_.offsets[b] + int(k);
+    for (std::size_t k = 0; k < problem.kept.size(); ++k) {
       entryEnds_.emplace_back();
       for (std::size_t end = 0; end < 2; ++end) {
-        const auto found = entryOf.find(problem.keptEnds[k][end] * dim + dofs[k] % dim);
+        const auto found = entryOf.find(problem.keptEnds[k][end] * dim + problem.kept[k] % dim);
         entryEnds_.back()[end] = found == entryOf.end() ? -1 : found->second;
       }
     }

@@ -109,4 +109,23 @@ void writeExodusPiece(const std::string& path, const std::string& title, const s
   writeContent(path, title, layout, restricted, infoLines, [&](ExodusFile& file) { records.put(file); });
 }
 
+void writeExodusShare(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
+                      const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
+                      const std::vector<std::string>& infoLines, const ExodusWhole& whole)
+{
+  ExodusSharing sharing{whole.pieces, {}};
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    sharing.owner.emplace_back(std::size_t(bodies[b].nodes->numCells()), -1);
+    std::fill_n(sharing.owner.back().begin(), whole.numOwnCells[b], whole.piece);
+  }
+  commonVariables(makeLayout(bodies, contactSides), steps);
+  const PieceScene scene(bodies, contactSides, sharing, whole.piece);
+  const ExodusLayout layout = makeLayout(scene.bodies(), scene.sides());
+  std::vector<ExodusStep> restricted;
+  for (const ExodusStep& step : steps)
+    restricted.push_back(scene.restricted(step));
+  NemesisRecords records(layout, scene, whole);
+  writeContent(path, title, layout, restricted, infoLines, [&](ExodusFile& file) { records.put(file); });
+}
+
 } // namespace ndframe

@@ -1,7 +1,9 @@
 #include "nemesis_records.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <numeric>
+#include <stdexcept>
 
 #include "exodus_content.hpp"
 #include "piece_borders.hpp"
@@ -32,8 +34,13 @@ void split(int count, std::vector<int>& border, std::vector<int>& inner)
 
 NemesisRecords::NemesisRecords(const ExodusLayout& whole, const ExodusLayout& piece, const PieceScene& scene,
                                const ExodusSharing& sharing, int number)
-    : whole_(whole), pieces_(sharing.pieces), number_(number), elementNumbers_(std::size_t(piece.numCells()))
+    : whole_{whole.numNodes(), whole.numCells(), {}, {}}, pieces_(sharing.pieces), number_(number),
+      elementNumbers_(std::size_t(piece.numCells()))
 {
+  for (const ElementBlock& block : whole.blocks)
+    whole_.blocks.push_back(block.numCells(*whole.bodies));
+  for (const SideSet& set : whole.sets)
+    whole_.sets.push_back(int(set.facets->size()));
   for (std::size_t b = 0; b < scene.parts().size(); ++b) {
     const PieceBody& part = scene.parts()[b];
     for (const int node : part.ofBody)
@@ -42,6 +49,26 @@ NemesisRecords::NemesisRecords(const ExodusLayout& whole, const ExodusLayout& pi
       elementNumbers_[std::size_t(piece.element(int(b), int(cell)))] = whole.element(int(b), part.cells[cell]) + 1;
   }
   addBorders(whole, piece, scene, sharing);
+  separate(piece);
+}
+
+NemesisRecords::NemesisRecords(const ExodusLayout& piece, const PieceScene& scene, const ExodusWhole& whole)
+    : pieces_(whole.pieces), number_(whole.piece), elementNumbers_(std::size_t(piece.numCells()))
+{
+  for (std::size_t b = 0; b < scene.parts().size(); ++b) {
+    const PieceBody& part = scene.parts()[b];
+    for (const int node : part.ofBody)
+      nodeNumbers_.push_back(int(whole_.nodes + whole.nodes[b][std::size_t(node)] + 1));
+    for (std::size_t cell = 0; cell < part.cells.size(); ++cell)
+      elementNumbers_[std::size_t(piece.element(int(b), int(cell)))] =
+          int(whole_.cells + whole.firstCells[b] + part.cells[cell] + 1);
+    whole_.nodes += whole.numNodes[b];
+    whole_.cells += whole.numCells[b];
+    whole_.blocks.push_back(int(whole.numCells[b]));
+  }
+  if (std::max(whole_.nodes, whole_.cells) > std::numeric_limits<int>::max())
+    throw std::runtime_error("the pieces have more nodes or elements together than 32-bit numbers can count");
+  whole_.sets.assign(whole.numFacets.begin(), whole.numFacets.end());
   separate(piece);
 }
 
@@ -84,17 +111,13 @@ void NemesisRecords::putWhole(ExodusFile& file)
 {
   CStrings kind({"p"}); // one piece per file
   file.call("the number of pieces", ex_put_init_info, pieces_, 1, kind.data()[0]);
-  file.call("the sizes of the whole", ex_put_init_global, whole_.numNodes(), whole_.numCells(), whole_.blocks.size(), 0,
+  file.call("the sizes of the whole", ex_put_init_global, whole_.nodes, whole_.cells, whole_.blocks.size(), 0,
             whole_.sets.size());
   std::vector<int> blocks = idsOf(whole_.blocks.size()), sets = idsOf(whole_.sets.size());
-  std::vector<int> cells, facets, factors(sets.size(), 0);
-  for (const ElementBlock& block : whole_.blocks)
-    cells.push_back(block.numCells(*whole_.bodies));
-  for (const SideSet& set : whole_.sets)
-    facets.push_back(int(set.facets->size()));
-  file.call("the blocks of the whole", ex_put_eb_info_global, blocks.data(), cells.data());
+  std::vector<int> factors(sets.size(), 0);
+  file.call("the blocks of the whole", ex_put_eb_info_global, blocks.data(), whole_.blocks.data());
   if (!sets.empty())
-    file.call("the side sets of the whole", ex_put_ss_param_global, sets.data(), facets.data(), factors.data());
+    file.call("the side sets of the whole", ex_put_ss_param_global, sets.data(), whole_.sets.data(), factors.data());
 }
 
 /// Maps of communication are called by the other piece's number, from 1; one without facets is for nodes only.

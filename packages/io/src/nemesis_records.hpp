@@ -18,6 +18,9 @@ public:
   NemesisRecords(const ExodusLayout& whole, const ExodusLayout& piece, const PieceScene& scene,
                  const ExodusSharing& sharing, int number);
 
+  /// piece: layout of the piece's part of a scene of which no process has the whole.
+  NemesisRecords(const ExodusLayout& piece, const PieceScene& scene, const ExodusWhole& whole);
+
   void put(ExodusFile& file); ///< once, when the file's sizes are defined
 
 private:
@@ -28,6 +31,13 @@ private:
     std::vector<int> nodes, elements, sides;
   };
 
+  /// Numbers of things of the whole scene.
+  struct Sizes
+  {
+    std::int64_t nodes = 0, cells = 0;
+    std::vector<int> blocks, sets; ///< cells and facets of each
+  };
+
   void addBorders(const ExodusLayout& whole, const ExodusLayout& piece, const PieceScene& scene,
                   const ExodusSharing& sharing);
   void separate(const ExodusLayout& piece);
@@ -35,7 +45,7 @@ private:
   void putBalance(ExodusFile& file);
   void putMaps(ExodusFile& file);
 
-  const ExodusLayout& whole_;
+  Sizes whole_;
   int pieces_, number_;
   std::vector<int> nodeNumbers_, elementNumbers_; ///< of the whole, per node and element of the piece
   std::vector<Common> common_;                    ///< ascending by `other`

@@ -2,6 +2,7 @@
 
 #include "krylov_body.hpp"
 #include "krylov_module.hpp"
+#include "krylov_share.hpp"
 #include "library_list.hpp"
 #include "ndframe/algebra/solver_problem.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -35,21 +36,36 @@ public:
                        twoLevels](const RankProblem& given, const Comm& ranks, double decoupledDiagonal) {
       return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
     };
-    MakeJoinedGradients makeJoined;
-    if (twoLevels)
-      makeJoined = [preconditioner = preconditioner_,
-                    belos = belos_](const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& ranks) {
-        return krylovLibrary().joined(bodies, unknowns, ranks, preconditioner, belos);
-      };
-    return makeKrylovBody(std::move(problem), comm, ledger, options_, make, std::move(makeJoined),
-                          fmt::format("{}, Belos CG, {}{}", name_, twoLevels ? "Chebyshev and on the vertices " : "",
-                                      preconditioner_->name()));
+    return makeKrylovBody(std::move(problem), comm, ledger, options_, make, twoLevels ? joining() : MakeJoinedGradients(),
+                          description(twoLevels));
+  }
+
+  std::unique_ptr<CondensedBody> share(RankProblem problem, const Comm& comm, Ledger& ledger) const override
+  {
+    if (!hasTwoLevels_)
+      return nullptr;
+    const auto timer = ledger.time("factor");
+    startMpi();
+    return makeKrylovShare(std::move(problem), comm, ledger, options_, joining(), description(true));
   }
 
   std::string name(int) const override { return name_; }
   bool needsMpi(int) const override { return true; } // Ifpack2 and MueLu call it even on one process
 
 private:
+  MakeJoinedGradients joining() const
+  {
+    return [preconditioner = preconditioner_,
+            belos = belos_](const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& ranks) {
+      return krylovLibrary().joined(bodies, unknowns, ranks, preconditioner, belos);
+    };
+  }
+  std::string description(bool twoLevels) const
+  {
+    return fmt::format("{}, Belos CG, {}{}", name_, twoLevels ? "Chebyshev and on the vertices " : "",
+                       preconditioner_->name());
+  }
+
   static std::unique_ptr<ConjugateGradients> makeCg(const RankProblem& problem, const Comm& comm,
                                                     double decoupledDiagonal, const Preconditioner& preconditioner,
                                                     const Teuchos::ParameterList& belos, bool twoLevels)

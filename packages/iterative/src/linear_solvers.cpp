@@ -1,6 +1,7 @@
 #include "ndframe/iterative/linear_solvers.hpp"
 
 #include "ndframe/algebra/direct_solvers.hpp"
+#include "ndframe/algebra/rank_problem.hpp"
 #include "solvers.hpp"
 
 namespace ndframe
@@ -22,6 +23,9 @@ constexpr double nearlyIncompressible = 0.48;
 /// More of them, as flat cells need, cost more than the factor, which is then taken after all.
 constexpr int mostIterations = 200;
 
+/// The same where no factor can be had.
+constexpr int mostIterationsOfShares = 1000;
+
 /// The solver that is fastest for the number of ranks and the body.
 class Automatic final : public LinearSolver
 {
@@ -30,6 +34,10 @@ public:
   {
     const auto solver = choose(problem.outline, comm.size());
     return solver->factor(std::move(problem), comm, ledger);
+  }
+  std::unique_ptr<CondensedBody> share(RankProblem problem, const Comm& comm, Ledger& ledger) const override
+  {
+    return makeMultigrid(mostIterationsOfShares)->share(std::move(problem), comm, ledger);
   }
   std::string name(const BodyOutline& body, int ranks) const override { return choose(body, ranks)->name(ranks); }
   std::string name(int ranks) const override { return choose(ranks)->name(ranks); }

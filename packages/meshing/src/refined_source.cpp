@@ -42,12 +42,12 @@ public:
       : source_(std::move(source)), list_(list), halvings_(halvingsOf(list))
   {}
 
-  Mesh read() const override { return refined(source_->read()); }
-  Mesh readWith(ScriptMeshes& scripts) const override { return refined(source_->readWith(scripts)); }
+  Mesh read() const override { return finished(source_->read()); }
+  Mesh readWith(ScriptMeshes& scripts) const override { return finished(source_->readWith(scripts)); }
+  const MeshSource& drawn() const override { return *source_; }
   MeshScript script() const override { return source_->script(); }
 
-private:
-  Mesh refined(Mesh mesh) const
+  Mesh finished(Mesh mesh) const override
   {
     checkSize(mesh);
     const int before = mesh.numCells();
@@ -62,6 +62,7 @@ private:
     return mesh;
   }
 
+private:
   void checkSize(const Mesh& mesh) const
   {
     const MemoryLeft left = memoryLeft();
@@ -99,7 +100,10 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
       {key, 0, inClosedRange(0, most),
        "How many times, k, every edge is halved when the mesh is read: a triangle becomes 4^k triangles, a tetrahedron "
        "8^k. Sides and groups are kept, and matching sides still match with the same number on both. A curve stays the "
-       "polygon of the mesh, with its corners: mesh it finely from the start."});
+       "polygon of the mesh, with its corners: mesh it finely from the start. Several processes that solve solids "
+       "whole "
+       "(Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, where "
+       "nothing asks for all of a body: no Error Estimation, Accuracy, Probes or Checkpoint, Exodus Files in pieces."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

@@ -116,6 +116,9 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
     if (touches)
       out.nodal.back().push_back(nodalPressure(run, b, contact));
     append(out.nodal.back(), nodalStressFields(body, u));
+    if (body.share) // means over cells are complete at own nodes
+      for (NamedField& field : out.nodal.back())
+        body.share->fetch(field.values, 1);
     out.element.push_back(cellStressFields(body, u));
     append(out.element.back(), elementErrorFields(run, output, b, isFinal));
   }
@@ -136,9 +139,12 @@ ExodusStep exodusStep(const Run& run, const OutputOptions& output, std::size_t s
 
 ExodusScene exodusScene(const Run& run)
 {
-  ExodusScene scene{run.summary.title, {}, {}, run.condensed.ranks};
-  for (const auto& body : run.model.bodies)
+  ExodusScene scene{run.summary.title, {}, {}, {}, run.condensed.ranks};
+  for (const auto& body : run.model.bodies) {
     scene.bodies.push_back({body.name, &body.mesh, &body.nodes, partsOf(body)});
+    if (run.model.drawn)
+      scene.shares.push_back(body.share);
+  }
   for (const auto& interface : run.model.interfaces) {
     scene.sides.push_back({interface.name + ":dirichlet", interface.dirichlet().body, interface.dirichlet().facets});
     scene.sides.push_back({interface.name + ":neumann", interface.neumann().body, interface.neumann().facets});

@@ -15,6 +15,8 @@ struct ExodusScene
   std::string title;
   std::vector<ExodusBody> bodies;
   std::vector<ExodusContactSide> sides;
+  /// Of bodies that are shared out; empty: the bodies are whole.
+  std::vector<std::shared_ptr<const BodyShare>> shares{};
   std::vector<std::vector<int>> ranks{}; ///< per body and vertex, that have its rows; empty where that is not known
 };
 

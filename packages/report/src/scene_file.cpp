@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <numeric>
 #include <optional>
 
 #include "ndframe/algebra/from_rank_zero.hpp"
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_pieces.hpp"
 
@@ -45,10 +47,45 @@ void keepAll(PendingFile& piece, const std::string& name, const Comm& comm)
   }
 }
 
+/// Facets of a share's own cells.
+std::int64_t ownFacets(const std::vector<Facet>& facets, int numOwnCells)
+{
+  return std::count_if(facets.begin(), facets.end(), [numOwnCells](Facet facet) { return facet.cell < numOwnCells; });
+}
+
+/// Bodies without a share, rigid ones, are the first piece's.
+ExodusWhole wholeOf(const ExodusScene& scene, const Comm& comm)
+{
+  ExodusWhole whole;
+  whole.pieces = comm.size();
+  whole.piece = comm.rank();
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodyShare* const share = scene.shares[b].get();
+    const NodeMap& nodes = *scene.bodies[b].nodes;
+    whole.nodes.emplace_back(std::size_t(nodes.numNodes()));
+    std::iota(whole.nodes.back().begin(), whole.nodes.back().end(), 0);
+    if (share != nullptr)
+      whole.nodes.back() = share->numbers();
+    whole.numNodes.push_back(share != nullptr ? share->numNodes() : nodes.numNodes());
+    whole.numCells.push_back(share != nullptr ? share->numCells() : nodes.numCells());
+    whole.numOwnCells.push_back(share != nullptr ? share->numOwnCells() : comm.rank() == 0 ? nodes.numCells() : 0);
+    const Vector counts = gatheredFrom({double(whole.numOwnCells.back())}, comm);
+    whole.firstCells.push_back(std::int64_t(std::accumulate(counts.begin(), counts.begin() + comm.rank(), 0.0)));
+  }
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const Side& side : scene.bodies[b].mesh->sides)
+      whole.numFacets.push_back(comm.sum(ownFacets(side.facets, whole.numOwnCells[b])));
+  for (const ExodusContactSide& side : scene.sides)
+    whole.numFacets.push_back(comm.sum(ownFacets(side.facets, whole.numOwnCells[std::size_t(side.body)])));
+  return whole;
+}
+
 } // namespace
 
 bool isInPieces(const OutputOptions& output, const ExodusScene& scene, const Comm& comm)
 {
+  if (!scene.shares.empty())
+    return true;
   std::int64_t nodes = 0, cells = 0;
   for (const ExodusBody& body : scene.bodies) {
     nodes += body.nodes->numNodes();
@@ -72,7 +109,9 @@ std::vector<std::string> writePieces(const std::string& path, const SceneContent
                                      Ledger& ledger)
 {
   const ExodusScene& scene = content.scene;
-  const ExodusSharing sharing = shareCells(scene.bodies, comm.size(), scene.ranks);
+  const bool areShares = !scene.shares.empty();
+  const ExodusSharing sharing = areShares ? ExodusSharing() : shareCells(scene.bodies, comm.size(), scene.ranks);
+  const ExodusWhole whole = areShares ? wholeOf(scene, comm) : ExodusWhole();
   std::vector<std::string> names;
   for (int piece = 0; piece < comm.size(); ++piece)
     names.push_back(pieceName(path, comm.size(), piece));
@@ -80,8 +119,11 @@ std::vector<std::string> writePieces(const std::string& path, const SceneContent
   std::optional<PendingFile> file;
   onEveryRank(comm, [&] {
     file.emplace(own, [&](const std::string& temporary) {
-      writeExodusPiece(temporary, scene.title, scene.bodies, scene.sides, content.steps, content.records, sharing,
-                       comm.rank());
+      if (areShares)
+        writeExodusShare(temporary, scene.title, scene.bodies, scene.sides, content.steps, content.records, whole);
+      else
+        writeExodusPiece(temporary, scene.title, scene.bodies, scene.sides, content.steps, content.records, sharing,
+                         comm.rank());
     });
   });
   keepAll(*file, own, comm);

@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
+#include <optional>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/assembly/fields.hpp"
 #include "ndframe/assembly/nodal_stress.hpp"
 #include "ndframe/condensation/reactions.hpp"
@@ -31,20 +34,55 @@ std::size_t peakOf(const Vector& values)
   return first == values.end() ? 0 : std::size_t(first - values.begin());
 }
 
-PeakSummary largestDisplacement(const NodeMap& nodes, const Vector& displacement)
+/// Of values of all ranks, each of which has its own, the largest: of equally large ones that with the least
+/// coordinates, whatever the shares are.
+template <class PointOf>
+PeakSummary peakOfRanks(const Vector& values, int dim, const PointOf& pointOf, const Comm& comm)
 {
+  Vector largest{0.0};
+  for (const double value : values)
+    largest[0] = std::max(largest[0], value);
+  takeLargest(largest, comm);
+  std::optional<std::pair<std::vector<double>, double>> best; // coordinates and value
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (values[i] >= (1.0 - equallyLarge) * largest[0])
+      if (auto point = pointOf(i); !best || point < best->first)
+        best.emplace(std::move(point), values[i]);
+  Vector own;
+  if (best) {
+    own = best->first;
+    own.push_back(best->second);
+  }
+  const Vector all = gatheredFrom(own, comm);
+  if (all.empty()) // none is a number
+    return {std::numeric_limits<double>::quiet_NaN(), std::vector<double>(std::size_t(dim), 0.0)};
+  std::vector<Vector> peaks;
+  for (auto next = all.begin(); next != all.end(); next += dim + 1)
+    peaks.emplace_back(next, next + dim + 1);
+  const Vector peak = *std::min_element(peaks.begin(), peaks.end());
+  return {peak.back(), {peak.begin(), peak.end() - 1}};
+}
+
+PeakSummary largestDisplacement(const BodyModel& body, const Vector& displacement, const Comm& comm)
+{
+  const NodeMap& nodes = body.nodes;
   Vector sizes;
   for (int i = 0; i < nodes.numNodes(); ++i) {
     const double* u = displacement.data() + std::ptrdiff_t(i) * nodes.dim;
     sizes.push_back(std::hypot(u[0], u[1], nodes.dim == 3 ? u[2] : 0.0));
   }
+  const auto pointOf = [&](std::size_t node) { return coordinates(nodes.point(int(node)).data(), nodes.dim); };
+  if (body.share)
+    return peakOfRanks(sizes, body.mesh.dim, pointOf, comm);
   const std::size_t peak = peakOf(sizes);
-  return {sizes[peak], coordinates(nodes.point(int(peak)).data(), nodes.dim)};
+  return {sizes[peak], pointOf(peak)};
 }
 
 /// The part of a body's cells that this rank looks at.
 CellRange ownRange(const BodyModel& body, const Comm& comm)
 {
+  if (body.share)
+    return {0, body.share->numOwnCells()};
   const auto from = [&](int rank) { return int(std::int64_t(body.mesh.numCells()) * rank / comm.size()); };
   return {from(comm.rank()), from(comm.rank() + 1)};
 }
@@ -64,6 +102,13 @@ PeakSummary largestStrain(const BodyModel& body, const std::vector<CellStrain>& 
   Vector sizes{0.0};
   for (const auto& strain : strains)
     sizes.push_back(strain.value);
+  if (body.share) {
+    sizes.erase(sizes.begin());
+    const auto pointOf = [&](std::size_t cell) {
+      return coordinates(body.mesh.point(strains[cell].vertex), body.mesh.dim);
+    };
+    return peakOfRanks(sizes, body.mesh.dim, pointOf, comm);
+  }
   const Vector largest = ofAllRanks({*std::max_element(sizes.begin(), sizes.end())}, comm);
   const double least = (1.0 - equallyLarge) * *std::max_element(largest.begin(), largest.end());
   const auto own = std::find_if(strains.begin(), strains.end(), [&](const auto& s) { return s.value >= least; });
@@ -121,9 +166,11 @@ void completeBodies(RunSummary& all, const Run& run, double strainLimit, const C
     completeCells(summary, body, u, strainLimit, comm);
     all.energy += summary.energy;
     summary.loadForce = resultant(run.model.loads[b].all(), body.mesh.dim);
-    summary.supports =
-        supportReactions(body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm));
-    summary.displacement = largestDisplacement(body.nodes, run.solved.fields[b].displacement.back());
+    if (body.share)
+      comm.sum(summary.loadForce);
+    summary.supports = supportReactions(
+        body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm), comm);
+    summary.displacement = largestDisplacement(body, run.solved.fields[b].displacement.back(), comm);
   }
 }
 

@@ -6,6 +6,7 @@
 #include <fmt/ranges.h>
 
 #include "ndframe/base/grouped.hpp"
+#include "shared_run.hpp"
 
 namespace ndframe
 {
@@ -37,6 +38,12 @@ bool iterates(const std::string& linearSolver)
   return linearSolver == "Krylov" || linearSolver == "Multigrid";
 }
 
+std::string sharesText(const RunSettings& settings, int ranks)
+{
+  return mayBeShared(settings, ranks) ? "; where Multigrid solves them, each process refines its share of the meshes"
+                                      : "";
+}
+
 /// How several processes share the fields' file.
 std::string fieldsText(ExodusFiles files, int ranks)
 {
@@ -66,7 +73,7 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
       "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
   const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
-  add(Stage::Read, true, counted(bodies, "body", "bodies") + again, {});
+  add(Stage::Read, true, counted(bodies, "body", "bodies") + again + sharesText(settings, ranks), {});
   add(Stage::Check, true, "sides, pairing and supports are checked before anything is assembled" + again, {});
   add(Stage::Assemble, true, counted(bodies, "matrix", "matrices") + again, {});
   add(Stage::Factor, true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});

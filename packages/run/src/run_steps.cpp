@@ -13,6 +13,7 @@
 #include "ndframe/run/warnings.hpp"
 #include "ndframe/scene/rigid_check.hpp"
 #include "ndframe/scene/stage.hpp"
+#include "shared_run.hpp"
 #include "verdict.hpp"
 
 namespace ndframe
@@ -41,7 +42,7 @@ std::string failureOf(const Step& step)
 template <class Step>
 void withoutNodes(Model& model, const Comm& comm, const Step& step)
 {
-  if (comm.size() == 1 || !model.solvesWhole)
+  if (comm.size() == 1 || !model.solvesWhole || model.drawn)
     return step();
   std::vector<int> orders;
   for (BodyModel& body : model.bodies)
@@ -130,15 +131,11 @@ RunTools::RunTools(const RunSettings& givenSettings, const CertificateComponents
       solver(components.linearSolvers.build(settings.scene.linearSolver)), errors(settings.errors)
 {}
 
-void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
+/// Everything that the checks of a model find.
+void checkModel(Model& model, const RunTools& tools)
 {
   const SceneSettings& scene = tools.settings.scene;
   Diagnostics diagnostics;
-  if (meshes)
-    remeshModel(model, scene, tools.components, meshes, tools.comm, tools.ledger);
-  else
-    updateModel(model, scene, tools.components, tools.comm, tools.ledger);
-  offerWhole(model, *tools.coupling, scene.interfaceOperator);
   const auto timer = timeStage(tools.ledger, Stage::Check);
   checkNumberRange(model, scene, diagnostics);
   diagnostics.throwIfAny(); // sums of such numbers mean nothing
@@ -157,11 +154,26 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   diagnostics.throwIfAny();
 }
 
+void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
+{
+  const SceneSettings& scene = tools.settings.scene;
+  if (const DrawnScene drawn = meshes ? DrawnScene() : drawnToShare(tools); drawn.model) {
+    checkModel(*drawn.model, tools);
+    return takeShares(model, drawn, tools);
+  }
+  if (meshes)
+    remeshModel(model, scene, tools.components, meshes, tools.comm, tools.ledger);
+  else
+    updateModel(model, scene, tools.components, tools.comm, tools.ledger);
+  offerWhole(model, *tools.coupling, scene.interfaceOperator);
+  checkModel(model, tools);
+}
+
 CondensedModel condense(const Model& model, CondensedModel&& previous, const RunTools& tools, RunObserver& observer)
 {
   {
     const auto timer = timeStage(tools.ledger, Stage::Check);
-    refusePulledOff(model);
+    refusePulledOff(model.whole());
   }
   const auto representation = tools.components.interfaceOperators.build(tools.settings.scene.interfaceOperator);
   return condense(model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(previous),

@@ -167,11 +167,11 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     BodySummary body;
     body.name = model.bodies[b].name;
-    body.dofs = model.bodies[b].isRigid ? 0 : model.bodies[b].numDofs();
-    body.elements = model.bodies[b].mesh.numCells();
+    body.dofs = model.bodies[b].isRigid ? 0 : model.bodies[b].totalDofs();
+    body.elements = model.bodies[b].totalCells();
     body.order = model.bodies[b].nodes.order;
     body.solver = model.bodies[b].isRigid ? "-" : solver.name(model.outline(int(b)), ranks);
-    body.heldBy = heldBy(model, int(b));
+    body.heldBy = heldBy(model.whole(), int(b));
     for (const auto& support : model.bodies[b].supports)
       body.supports.push_back({support->params().name(), support->description(), {}, {}, {}});
     summary.bodies.push_back(std::move(body));

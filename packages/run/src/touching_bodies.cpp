@@ -106,10 +106,12 @@ void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnost
   });
 }
 
-/// Bodies that their displacements bring into each other where no interface is.
+/// Bodies that their displacements bring into each other where no interface is. Limit: not of bodies that ranks share.
 void findOverlaps(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
   const Run& run = answer.run;
+  if (run.model.drawn) // no rank has the boundaries
+    return;
   const auto boundaries = boundariesOf(run.model);
   const auto offsets = gapOffsets(run.model);
   const double factor = drawnPart(answer.bodies);

@@ -1,6 +1,7 @@
 #include "ndframe/scene/model.hpp"
 
 #include <algorithm>
+#include <limits>
 
 #include "add_interface.hpp"
 #include "ndframe/algebra/threads.hpp"
@@ -130,7 +131,7 @@ std::vector<int> Model::numDofs() const
 {
   std::vector<int> numbers;
   for (const auto& body : bodies)
-    numbers.push_back(body.numDofs());
+    numbers.push_back(int(std::min(body.totalDofs(), std::int64_t(std::numeric_limits<int>::max()))));
   return numbers;
 }
 
@@ -138,7 +139,7 @@ std::int64_t Model::totalDofs() const
 {
   std::int64_t total = 0;
   for (const int b : elasticBodies())
-    total += bodies[std::size_t(b)].numDofs();
+    total += bodies[std::size_t(b)].totalDofs();
   return total;
 }
 
@@ -160,7 +161,7 @@ BodyOutline Model::outline(int body) const
   BodyOutline outline{bodies[std::size_t(body)].mesh.dim, 0, 0, touches(body) && !solvesWhole, 0.0};
   for (const int one : elasticBodies())
     if (one == body || (solvesWhole && touches(body) && touches(one))) {
-      outline.dofs += bodies[std::size_t(one)].numDofs();
+      outline.dofs += bodies[std::size_t(one)].totalDofs();
       ++outline.bodies;
       outline.poissonRatio = std::max(outline.poissonRatio, bodies[std::size_t(one)].poissonRatio());
     }

@@ -55,6 +55,8 @@ struct SolverProblem
   BodyOutline outline;                 ///< used where the solver is chosen
 };
 
+struct RankProblem; // rank_problem.hpp
+
 /// A body factored once: K split into interior (i) and kept (c) dofs,
 ///
 ///   [ K_ii K_ic ] [u_i]   [f_i]
@@ -99,6 +101,9 @@ public:
   /// InputError when the solver cannot treat the problem (memory, ranks, nothing free). The ledger must outlive the
   /// factor. Collective.
   virtual std::unique_ptr<CondensedBody> factor(SolverProblem problem, const Comm& comm, Ledger& ledger) const = 0;
+  /// The same of a body that no rank has as a whole: it is joined to others (WholeSolver). Null where the solver needs
+  /// whole bodies. Collective.
+  virtual std::unique_ptr<CondensedBody> share(RankProblem problem, const Comm& comm, Ledger& ledger) const;
   /// The solver that factors bodies on so many ranks, where it does not depend on the body.
   virtual std::string name(int ranks) const = 0;
   /// The solver that factors this body.

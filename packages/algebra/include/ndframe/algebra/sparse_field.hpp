@@ -34,11 +34,12 @@ public:
     field_ = std::make_shared<const NodalField>(IndexMap(size_, std::move(nodes)), width_, std::move(stored));
   }
 
-  /// Those of nodes of this rank: the map has no others, and of the other ranks' none.
-  static SparseField ofOwn(NodalField own)
+  /// Those of nodes of this rank: the map has no others, and of the other ranks' none. largest: of other ranks' values.
+  static SparseField ofOwn(NodalField own, double largest = 0.0)
   {
     SparseField result;
     result.width_ = own.width();
+    result.largest_ = largest;
     result.size_ = own.map().globalSize();
     result.field_ = std::make_shared<const NodalField>(std::move(own));
     return result;
@@ -69,10 +70,10 @@ public:
         x[std::size_t(node) * std::size_t(width_) + std::size_t(k)] += factor * values[k];
     });
   }
-  /// The largest modulus.
+  /// The largest modulus, of all ranks.
   double largest() const
   {
-    double result = 0.0;
+    double result = largest_;
     for (std::size_t i = 0; field_ && i < field_->size(); ++i)
       result = std::max(result, std::abs((*field_)[i]));
     return result;
@@ -81,6 +82,7 @@ public:
 private:
   int width_ = 0;
   IndexMap::Global size_ = 0;
+  double largest_ = 0.0; ///< of values that other ranks have
   std::shared_ptr<const NodalField> field_; ///< null: of nothing
 };
 

@@ -6,6 +6,7 @@
 
 #include "ndframe/algebra/block_matrix.hpp"
 #include "ndframe/algebra/sparse_field.hpp"
+#include "ndframe/assembly/body_share.hpp"
 #include "ndframe/assembly/dof_layout.hpp"
 #include "ndframe/assembly/side_condition.hpp"
 #include "ndframe/mechanics/cell_laws.hpp"
@@ -36,11 +37,16 @@ struct BodyModel
   bool isRigid = false; ///< an obstacle: `mesh` only shows where it is; all its nodes are held, it carries no stress
   std::vector<BodyRegion> regions{}; ///< none: the body is one part
   std::vector<int> regionOfCell{};   ///< per cell; empty without regions
+  /// The rank's part of a body that no rank has: `mesh` and `nodes` are those of the part; null: they are the body's.
+  std::shared_ptr<const BodyShare> share{};
 
   /// The mesh without what other bodies cut into it: what is refined.
   const Mesh& uncut() const { return parents.empty() ? mesh : base; }
-  int numDofs() const { return nodes.numNodes() * nodes.dim; } ///< fixed ones included
-  double poissonRatio() const;                                 ///< the largest of its materials, as of isotropic ones
+  int numDofs() const { return nodes.numNodes() * nodes.dim; } ///< of `nodes`, fixed ones included
+  /// Of all ranks.
+  std::int64_t totalDofs() const { return (share ? share->numNodes() : nodes.numNodes()) * std::int64_t(nodes.dim); }
+  std::int64_t totalCells() const { return share ? share->numCells() : mesh.numCells(); } ///< the same
+  double poissonRatio() const; ///< the largest of its materials, as of isotropic ones
   /// Side by name; null if the mesh has none of that name.
   const Side* side(const std::string& sideName) const { return mesh.findSide(sideName); }
 };
@@ -54,9 +60,16 @@ struct BodySystem
   DofLayout dofs;   ///< their axes and roles
   BlockMatrix K;    ///< this rank's rows; forces per length
   SparseField load; ///< f, in the nodes' own axes
+  /// Of a body that is shared out: K numbers nodes as the whole body does, all else as the part; null otherwise.
+  std::shared_ptr<const BodyShare> share{};
+  std::vector<int> partNodes{}; ///< then per node that K holds its number in the part
 
-  /// f - K u_prescribed: the load once the fixed dofs are moved to their values.
+  /// f - K u_prescribed: the load once the fixed dofs are moved to their values. Numbered as K.
   SparseField effectiveLoad(const Comm& comm) const;
+  /// K u at the dofs of own nodes, zero elsewhere; u at all nodes of the part. Of a shared body. Local.
+  Vector productOfPart(const Vector& u) const;
+  /// The largest entry of the diagonal. Collective.
+  double largestDiagonal(const Comm& comm) const;
 };
 
 /// Assembles K on the owned nodes; `load`: what integrateLoads gave. Kernels are exact for straight elements.

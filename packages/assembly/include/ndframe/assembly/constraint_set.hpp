@@ -27,6 +27,9 @@ public:
   /// False when the constraint contradicts those already there.
   bool add(const NodeConstraint& constraint);
 
+  /// What is prescribed at a node from now on; nothing where there are no directions.
+  void set(int node, const Node& given);
+
   /// The part of a direction that stays free at a node (the direction minus its prescribed part).
   Direction freePart(int node, const Direction& direction) const;
 

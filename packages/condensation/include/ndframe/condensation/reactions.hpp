@@ -30,7 +30,8 @@ NodalField supportForces(const Model& model, const CondensedModel& condensed, co
 NodalField contactForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body);
 
 /// Resultant and moment of every support of a body. Where several supports hold a node each gets the part of the force
-/// along its own directions; directions that two of them hold are shared equally. forces: of supportForces.
-std::vector<SupportSummary> supportReactions(const BodyModel& body, const Vector& forces);
+/// along its own directions; directions that two of them hold are shared equally. forces: of supportForces. Collective
+/// where the body is shared out.
+std::vector<SupportSummary> supportReactions(const BodyModel& body, const Vector& forces, const Comm& comm);
 
 } // namespace ndframe

@@ -65,6 +65,7 @@ struct BodyTrace
   std::vector<DependentUnknown> dependents;   ///< where more unknowns meet than its nodes can follow one by one
   const WholeSolver* whole = nullptr;         ///< of the body, null where it is none
   const SparseField* load = nullptr;          ///< its effective load
+  std::shared_ptr<const BodyShare> share;     ///< of a body that no rank has as a whole: `map` is about its part
   DenseMatrix freeMotions; ///< kept dofs x motions that the supports leave free: their normal displacements
   std::vector<std::string> motionNames; ///< per column of freeMotions: with the body's name, for messages
 

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <vector>
 
@@ -35,5 +36,23 @@ std::vector<std::string> piecesBeside(const std::string& path);
 void writeExodusPiece(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
                       const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
                       const std::vector<std::string>& infoLines, const ExodusSharing& sharing, int piece);
+
+/// The scene that pieces are shares of, where no process has it whole.
+struct ExodusWhole
+{
+  int pieces = 1, piece = 0;                    ///< their number, and this one's
+  std::vector<std::vector<std::int64_t>> nodes; ///< per body and node of the share: its number in the whole body
+  std::vector<std::int64_t> numNodes, numCells; ///< per body, of the whole
+  std::vector<int> numOwnCells;                 ///< per body: the first cells of the share are the piece's
+  std::vector<std::int64_t> firstCells;         ///< per body: the number of the first of them in the whole body
+  /// Of the whole: per side set, the named sides of all bodies and then the contact sides, the number of facets.
+  std::vector<std::int64_t> numFacets;
+};
+
+/// The same of a scene of which a process has a share: `bodies`, `contactSides` and `steps` are the share's, with other
+/// cells than the piece's. Limit: the records do not say what other pieces have, too.
+void writeExodusShare(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
+                      const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
+                      const std::vector<std::string>& infoLines, const ExodusWhole& whole);
 
 } // namespace ndframe

@@ -50,6 +50,11 @@ struct Model
   ContactConditions conditions = ContactConditions::Nodal; ///< on all interfaces
   bool solvesWhole = false; ///< whether bodies in contact may be solved by iterations on all of them together
   SceneRecipe recipe;       ///< what it was made from; empty when it is not to be reused
+  /// Of a scene of which ranks have shares: the whole on the meshes as drawn, and what is told of it; null otherwise.
+  std::shared_ptr<const Model> drawn;
+
+  /// The model that knows the bodies as a whole.
+  const Model& whole() const { return drawn ? *drawn : *this; }
 
   /// The Dirichlet and the Neumann side of an interface node.
   std::array<NodeSide, 2> sidesAt(const InterfaceMesh& interface, int node) const;
@@ -58,9 +63,9 @@ struct Model
 
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
   std::vector<int> elasticBodies() const;       ///< the numbers of the bodies that are not rigid
-  std::vector<int> numDofs() const;             ///< per body
-  BodyOutline outline(int body) const;          ///< for the choice of its solver
-  std::int64_t totalDofs() const;               ///< of the elastic bodies
+  std::vector<int> numDofs() const;    ///< per body, of all ranks, as far as an int goes: the same on all of them
+  BodyOutline outline(int body) const; ///< for the choice of its solver
+  std::int64_t totalDofs() const;      ///< of the elastic bodies
 };
 
 /// Reads the meshes, builds the node maps, pairs the sides and checks all of it. Every mistake that can be found is

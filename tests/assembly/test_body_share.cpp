@@ -1,0 +1,87 @@
+// What a rank has of a body that no rank has as a whole.
+
+#include <gtest/gtest.h>
+
+#include "common/test_main.hpp"
+#include "ndframe/assembly/body_share.hpp"
+
+namespace
+{
+
+using namespace ndframe;
+using Global = BodyShare::Global;
+
+constexpr int each = 4;                 ///< own nodes of a rank
+constexpr Global first = 5'000'000'000; ///< number of the first of all
+
+/// A chain of nodes, `each` to a rank, which has the last one before and the first one after its own, too.
+class Chain
+{
+public:
+  Chain() : share_(first + each * ranks(), 7, numbers(), owners(), 3, test::comm()) {}
+  const BodyShare& operator*() const { return share_; }
+
+  static int ranks() { return test::comm().size(); }
+  static int rank() { return test::comm().rank(); }
+  static int before() { return rank() > 0 ? 1 : 0; } ///< nodes of other ranks before the own ones
+  static std::vector<Global> numbers()
+  {
+    std::vector<Global> all;
+    for (int node = each * rank() - 1; node <= each * (rank() + 1); ++node)
+      if (node >= 0 && node < each * ranks())
+        all.push_back(first + node);
+    return all;
+  }
+
+private:
+  static std::vector<int> owners()
+  {
+    std::vector<int> all;
+    for (const Global number : numbers())
+      all.push_back(int(number - first) / each);
+    return all;
+  }
+
+  BodyShare share_;
+};
+
+TEST(BodyShare, KnowsWhatIsItsOwn)
+{
+  const Chain chain;
+  const std::vector<int> own = (*chain).ownNodes();
+  ASSERT_EQ(own.size(), std::size_t(each));
+  for (const int node : own) {
+    EXPECT_TRUE((*chain).owns(node));
+    EXPECT_EQ((*chain).numbers()[std::size_t(node)], first + each * Chain::rank() + node - Chain::before());
+  }
+  EXPECT_EQ((*chain).numNodes(), first + each * Chain::ranks());
+  EXPECT_EQ((*chain).numCells(), 7);
+  EXPECT_EQ((*chain).numOwnCells(), 3);
+}
+
+TEST(BodyShare, GetsTheValuesOfOtherOwners)
+{
+  const Chain chain;
+  Vector own;
+  for (int i = 0; i < each; ++i) // two values a node, of all ranks different ones
+    own.insert(own.end(), {double(each * Chain::rank() + i), -0.5 * i});
+  const Vector all = (*chain).spread(own, 2);
+  const std::vector<Global> numbers = Chain::numbers();
+  ASSERT_EQ(all.size(), 2 * numbers.size());
+  for (std::size_t node = 0; node < numbers.size(); ++node) {
+    EXPECT_EQ(all[2 * node], double(numbers[node] - first));
+    EXPECT_EQ(all[2 * node + 1], -0.5 * double((numbers[node] - first) % each));
+  }
+  EXPECT_EQ((*chain).own(all, 2), own);
+}
+
+TEST(BodyShare, ForgetsTheValuesOfOtherOwners)
+{
+  const Chain chain;
+  Vector values(Chain::numbers().size(), 1.0);
+  (*chain).annulOthers(values, 1);
+  for (std::size_t node = 0; node < values.size(); ++node)
+    EXPECT_EQ(values[node], (*chain).owns(int(node)) ? 1.0 : 0.0);
+}
+
+} // namespace

@@ -1,0 +1,104 @@
+"""Solids whose meshes are refined after they have been shared out: shared_solids.py NDFRAME [--scenes N] [--seed FIRST].
+
+Random scenes with `Refine` on one process and on 2 to 6 ranks that have shares of the refined meshes: energies, reactions,
+peaks and contact are the same, the solver takes as many products but for a fifth, and no rank has all cells. Scenes that
+cannot be shared (sides that are cut) are solved whole and are compared, too. Prints what differs.
+"""
+
+import csv
+import io
+import pathlib
+import random
+import sys
+import tempfile
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
+from certificate_solids import scene
+from runs import Program, sweep, sweep_options
+from solid_scenes import write_scene
+
+SAME = 2e-6  # of the largest of its kind: iterations stop at 1e-10, and forces are derivatives
+
+
+def numbers(summary):
+    """(kind, where, value): all that is compared; of one kind the largest decides what is small."""
+    for body in summary["bodies"]:
+        name = body["name"]
+        yield "size", f"{name} dofs", body["dofs"]
+        yield "cells", f"{name} elements", body["elements"]
+        yield "energy", f"{name} energy", body["energy"]
+        yield "displacement", f"{name} displacement", body["largest_displacement"]["value"]
+        for k, value in enumerate(body["load_force"]):
+            yield "force", f"{name} load {k}", value
+        for support in body["supports"]:
+            for k, value in enumerate(support["force"]):
+                yield "force", f"{name} {support['name']} force {k}", value
+            for k, value in enumerate(support["moment"]):
+                yield "force", f"{name} {support['name']} moment {k}", value
+    for interface in summary["interfaces"]:
+        yield "force", "contact force", interface["contact_force"]
+        yield "nodes", "nodes", interface["nodes"]
+
+
+def table(text):
+    """The contact table by place: shares number nodes otherwise."""
+    rows = csv.DictReader(io.StringIO(text))
+    return {tuple(round(float(row[x]), 9) for x in "xyz"): (float(row["pressure"]), float(row["gap"])) for row in rows}
+
+
+def difference(one, shared):
+    if one.code != shared.code:
+        return f"exit codes {one.code} and {shared.code}: {one.screen[-400:]} / {shared.screen[-400:]}"
+    if one.code != 0:
+        return None
+    first, second = list(numbers(one.summary)), list(numbers(shared.summary))
+    if [entry[:2] for entry in first] != [entry[:2] for entry in second]:
+        return "other numbers"
+    largest = {}
+    for kind, _, value in first:
+        largest[kind] = max(largest.get(kind, 0.0), abs(value))
+    for (kind, where, value), (_, _, other) in zip(first, second):
+        if abs(value - other) > SAME * largest[kind]:
+            return f"{where} {value!r} and {other!r}"
+    here, there = table(one.contact), table(shared.contact)
+    if here.keys() != there.keys():
+        return "contact at other places"
+    scales = [max(abs(values[k]) for values in here.values()) for k in (0, 1)]
+    scales[1] = max(scales[1], 1e-6 * largest["displacement"])  # gaps that are closed everywhere are round-off
+    for place, values in here.items():
+        for k, name in enumerate(("pressure", "gap")):
+            if abs(values[k] - there[place][k]) > 1e-4 * scales[k]:
+                return f"{name} at {place}: {values[k]} and {there[place][k]}"
+    if shared.summary["residuals"]["equilibrium"] > 1e-7:
+        return f"residual {shared.summary['residuals']['equilibrium']}"
+    return None
+
+
+def judge(program, seed):
+    draw = random.Random(f"shared {seed}")
+    kind, pair, settings = scene(draw, 2)
+    ranks, halvings = draw.randint(2, 6), draw.choice((1, 1, 2))
+    for solid in pair:
+        if solid.foot:
+            solid.cells = tuple(min(n, 4 if halvings == 1 else 2) for n in solid.cells)
+    given = [f"Bodies/{solid.name}/Mesh/Refine={halvings}" for solid in pair if solid.foot]
+    given += ["Linear Solver/Type=Multigrid", "Coupling/Type=Monolithic", "Output/Exodus=false"]
+    about = f"{seed}: {kind}, {ranks} ranks, {' '.join(given)}"
+    with tempfile.TemporaryDirectory() as folder:
+        deck = write_scene(folder, *pair, settings)
+        one, shared = program.run(deck, *given), program.run(deck, *given, ranks=ranks)
+    isShared = shared.summary is not None and shared.summary["ledger"]["counts"].get("shared bodies", 0) > 0
+    return difference(one, shared), (one.code, isShared), about
+
+
+def main():
+    options = sweep_options(__doc__, mpiexec=("mpiexec", "what starts several ranks"))
+    program = Program(options.ndframe, options.mpiexec, seconds=600)
+    wrong, found = sweep(options, lambda seed: judge(program, seed))
+    shared = sum(code == 0 and isShared for code, isShared in (value for value, _ in found))
+    print(f"{options.scenes} scenes, {wrong} wrong, {shared} solved in shares")
+    sys.exit(1 if wrong or shared == 0 else 0)
+
+
+if __name__ == "__main__":
+    main()
