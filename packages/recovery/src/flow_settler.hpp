@@ -3,7 +3,8 @@
 #include "ndframe/algebra/comm.hpp"
 #include "ndframe/equilibrium/body_piece.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
-#include "wrench_flow.hpp"
+#include "ndframe/equilibrium/wrench_flow.hpp"
+#include "stress_faces.hpp"
 
 namespace ndframe
 {

@@ -1,4 +1,4 @@
-#include "wrench_flow.hpp"
+#include "ndframe/equilibrium/wrench_flow.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +10,17 @@ namespace ndframe
 namespace
 {
 
-Direction between(const Direction& from, const Direction& to)
+/// sum += factor a x b
+void addProduct(const Direction& a, const double* b, double factor, double* sum)
 {
-  return {to[0] - from[0], to[1] - from[1], to[2] - from[2]};
+  sum[0] += factor * (a[1] * b[2] - a[2] * b[1]);
+  sum[1] += factor * (a[2] * b[0] - a[0] * b[2]);
+  sum[2] += factor * (a[0] * b[1] - a[1] * b[0]);
+}
+
+Direction between(const Direction& a, const Direction& b)
+{
+  return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
 }
 
 /// x of J x = b, J symmetric: xx, yy, zz, xy, xz, yz.
@@ -27,11 +35,11 @@ Direction solved(const std::array<double, 6>& J, const double* b)
 
 } // namespace
 
-void addMoved(const Wrench& wrench, const Direction& from, const Direction& to, Wrench& sum)
+void addMoved(const ForceMoment& wrench, const Direction& from, const Direction& to, ForceMoment& sum)
 {
   for (std::size_t i = 0; i < sum.size(); ++i)
     sum[i] += wrench[i];
-  addCross(between(to, from), wrench.data(), 1.0, &sum[3]);
+  addProduct(between(to, from), wrench.data(), 1.0, &sum[3]);
 }
 
 WrenchFlow::WrenchFlow(const Mesh& mesh) : faceOf_(std::size_t(mesh.numCells()) * 4, -1)
@@ -77,11 +85,12 @@ WrenchFlow::WrenchFlow(const Mesh& mesh) : faceOf_(std::size_t(mesh.numCells()) 
 class WrenchFlow::Pass
 {
 public:
-  Pass(const WrenchFlow& flow, std::vector<Wrench> lacks)
-      : flow_(flow), lacks_(std::move(lacks)), through_(flow.faces_.size(), Wrench{}), set_(flow.centres_.size(), -1)
+  Pass(const WrenchFlow& flow, std::vector<ForceMoment> lacks)
+      : flow_(flow), lacks_(std::move(lacks)), through_(flow.faces_.size(), ForceMoment{}),
+        set_(flow.centres_.size(), -1)
   {}
 
-  std::vector<Wrench> run()
+  std::vector<ForceMoment> run()
   {
     for (const std::vector<int>& part : flow_.parts_) {
       order_ = part;
@@ -108,33 +117,31 @@ private:
   void sortByPlace(Range range, int middle);
   std::vector<Range> hangingTogether(Range range, int middle);
   std::vector<Link> links(const std::vector<Range>& sets, int firstSet) const;
-  Wrench needOf(Range range, const Direction& about) const;
-  void spread(const std::vector<Link>& links, Range from);
-  void send(int face, bool toFirst, const Wrench& wrench);
-  int other(int half) const
+  ForceMoment needOf(Range range, const Direction& about) const;
+  void spread(const std::vector<int>& faces, Range from);
+  void send(int face, bool toFirst, const ForceMoment& wrench);
+  int other(int half) const ///< the cell there, or -1
   {
     const int face = flow_.faceOf(half);
-    if (face < 0)
-      return -1;
-    const auto& halves = flow_.faces_[std::size_t(face)].half;
-    return (halves[0] == half ? halves[1] : halves[0]) / 4;
+    const auto& halves = flow_.faces_[std::size_t(std::max(face, 0))].half;
+    return face < 0 ? -1 : (halves[0] == half ? halves[1] : halves[0]) / 4;
   }
 
   const WrenchFlow& flow_;
-  std::vector<Wrench> lacks_, through_;
+  std::vector<ForceMoment> lacks_, through_;
   std::vector<int> order_, spare_, set_; ///< cells; per cell the set that it was last in
   std::vector<Range> open_;
   int numSets_ = 0;
 };
 
 /// A wrench on one of a face's cells, its opposite on the other.
-void WrenchFlow::Pass::send(int number, bool toFirst, const Wrench& wrench)
+void WrenchFlow::Pass::send(int number, bool toFirst, const ForceMoment& wrench)
 {
   const Face& face = flow_.faces_[std::size_t(number)];
-  Wrench& sum = through_[std::size_t(number)];
+  ForceMoment& sum = through_[std::size_t(number)];
   for (std::size_t side = 0; side < 2; ++side) {
     const int cell = face.half[side] / 4;
-    Wrench given = wrench;
+    ForceMoment given = wrench;
     if ((side == 0) == toFirst)
       for (double& value : given)
         value = -value;
@@ -194,7 +201,7 @@ std::vector<WrenchFlow::Range> WrenchFlow::Pass::hangingTogether(Range range, in
   return sets;
 }
 
-/// All faces between the sets, both ways, by both sets.
+/// All faces between the sets, both ways.
 std::vector<WrenchFlow::Pass::Link> WrenchFlow::Pass::links(const std::vector<Range>& sets, int firstSet) const
 {
   std::vector<Link> result;
@@ -208,9 +215,6 @@ std::vector<WrenchFlow::Pass::Link> WrenchFlow::Pass::links(const std::vector<Ra
           result.push_back({own - firstSet, set - firstSet, flow_.faceOf(half)});
       }
   }
-  std::stable_sort(result.begin(), result.end(), [](const Link& a, const Link& b) {
-    return std::array{a.from, a.to} < std::array{b.from, b.to};
-  });
   return result;
 }
 
@@ -220,29 +224,26 @@ void WrenchFlow::Pass::halve(Range range)
   sortByPlace(range, middle);
   const std::vector<Range> sets = hangingTogether(range, middle);
   const std::vector<Link> all = links(sets, firstSet);
-  std::vector<int> order{0}; // a tree of sets, and the links to what each hangs on
-  std::vector<std::vector<Link>> towards(sets.size());
-  std::vector<char> seen(sets.size(), 0);
-  seen[0] = 1;
+  std::vector<int> order{0}, parent(sets.size(), -1); // a tree of sets
   for (std::size_t at = 0; at < order.size(); ++at)
     for (const Link& link : all)
-      if (link.to == order[at] &&
-          (seen[std::size_t(link.from)] == 0 ||
-           (!towards[std::size_t(link.from)].empty() && towards[std::size_t(link.from)][0].to == link.to)))
-      {
-        if (seen[std::size_t(link.from)] == 0)
-          order.push_back(link.from);
-        seen[std::size_t(link.from)] = 1;
-        towards[std::size_t(link.from)].push_back(link);
+      if (link.to == order[at] && link.from != 0 && parent[std::size_t(link.from)] < 0) {
+        parent[std::size_t(link.from)] = link.to;
+        order.push_back(link.from);
       }
-  for (std::size_t at = order.size() - 1; at > 0; --at)
-    spread(towards[std::size_t(order[at])], sets[std::size_t(order[at])]);
+  for (std::size_t at = order.size() - 1; at > 0; --at) {
+    std::vector<int> faces;
+    for (const Link& link : all)
+      if (link.from == order[at] && link.to == parent[std::size_t(link.from)])
+        faces.push_back(link.face);
+    spread(faces, sets[std::size_t(order[at])]);
+  }
   open_.insert(open_.end(), sets.begin(), sets.end());
 }
 
-Wrench WrenchFlow::Pass::needOf(Range range, const Direction& about) const
+ForceMoment WrenchFlow::Pass::needOf(Range range, const Direction& about) const
 {
-  Wrench sum{};
+  ForceMoment sum{};
   for (int at = range.first; at < range.last; ++at) {
     const int cell = order_[std::size_t(at)];
     addMoved(lacks_[std::size_t(cell)], flow_.centre(cell), about, sum);
@@ -251,12 +252,12 @@ Wrench WrenchFlow::Pass::needOf(Range range, const Direction& about) const
 }
 
 /// What a set lacks comes through faces with the springs F = s (a + b x (x - centre)), M = s size^2 b.
-void WrenchFlow::Pass::spread(const std::vector<Link>& links, Range from)
+void WrenchFlow::Pass::spread(const std::vector<int>& faces, Range from)
 {
   double total = 0.0;
   Direction centre{};
-  for (const Link& link : links) {
-    const Face& face = flow_.faces_[std::size_t(link.face)];
+  for (const int number : faces) {
+    const Face& face = flow_.faces_[std::size_t(number)];
     total += face.conductance;
     for (std::size_t i = 0; i < 3; ++i)
       centre[i] += face.conductance * face.centre[i];
@@ -264,8 +265,8 @@ void WrenchFlow::Pass::spread(const std::vector<Link>& links, Range from)
   for (double& value : centre)
     value /= total;
   std::array<double, 6> J{};
-  for (const Link& link : links) {
-    const Face& face = flow_.faces_[std::size_t(link.face)];
+  for (const int number : faces) {
+    const Face& face = flow_.faces_[std::size_t(number)];
     const Direction d = between(centre, face.centre);
     const double square = face.size * face.size + d[0] * d[0] + d[1] * d[1] + d[2] * d[2];
     for (std::size_t i = 0; i < 3; ++i)
@@ -274,23 +275,23 @@ void WrenchFlow::Pass::spread(const std::vector<Link>& links, Range from)
     J[4] -= face.conductance * d[0] * d[2];
     J[5] -= face.conductance * d[1] * d[2];
   }
-  const Wrench need = needOf(from, centre);
+  const ForceMoment need = needOf(from, centre);
   const Direction b = solved(J, &need[3]);
-  for (const Link& link : links) {
-    const Face& face = flow_.faces_[std::size_t(link.face)];
+  for (const int number : faces) {
+    const Face& face = flow_.faces_[std::size_t(number)];
     const Direction d = between(centre, face.centre);
-    Wrench wrench{};
+    ForceMoment wrench{};
     for (std::size_t i = 0; i < 3; ++i) {
       wrench[i] = face.conductance / total * need[i];
       wrench[3 + i] = face.conductance * face.size * face.size * b[i];
     }
-    addCross(b, d.data(), face.conductance, wrench.data());
+    addProduct(b, d.data(), face.conductance, wrench.data());
     const int firstSetOfLink = set_[std::size_t(face.half[0] / 4)];
-    send(link.face, firstSetOfLink == set_[std::size_t(order_[std::size_t(from.first)])], wrench);
+    send(number, firstSetOfLink == set_[std::size_t(order_[std::size_t(from.first)])], wrench);
   }
 }
 
-std::vector<Wrench> WrenchFlow::through(std::vector<Wrench> lacks) const
+std::vector<ForceMoment> WrenchFlow::through(std::vector<ForceMoment> lacks) const
 {
   return Pass(*this, std::move(lacks)).run();
 }

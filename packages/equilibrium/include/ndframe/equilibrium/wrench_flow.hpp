@@ -3,10 +3,14 @@
 #include <array>
 #include <vector>
 
-#include "stress_faces.hpp"
+#include "ndframe/assembly/side_condition.hpp"
+#include "ndframe/mesh/mesh.hpp"
 
 namespace ndframe
 {
+
+/// Force and moment.
+using ForceMoment = std::array<double, 6>;
 
 /// Hands on what the cells of a body lack of balance from cell to cell until every cell has what it needs.
 ///
@@ -37,7 +41,7 @@ public:
   int partOf(int cell) const { return partOf_[std::size_t(cell)]; }
   /// lacks: per cell, about its centre; a part's add up to nothing. What tractions on the first cell of every face are
   /// to add, about the face's centre. What parts lack in all stays in one of their cells; round-off does in others.
-  std::vector<Wrench> through(std::vector<Wrench> lacks) const;
+  std::vector<ForceMoment> through(std::vector<ForceMoment> lacks) const;
 
 private:
   struct Range
@@ -54,6 +58,6 @@ private:
 };
 
 /// sum += a wrench about one point as one about another.
-void addMoved(const Wrench& wrench, const Direction& from, const Direction& to, Wrench& sum);
+void addMoved(const ForceMoment& wrench, const Direction& from, const Direction& to, ForceMoment& sum);
 
 } // namespace ndframe
