@@ -197,6 +197,19 @@ bool measuresFields(const ErrorOptions& options)
          options.wants(Estimator::Discretization) || options.wants(Estimator::Split);
 }
 
+bool areOfOneSize(const std::vector<const BodyModel*>& bodies)
+{
+  constexpr double most = 100.0; // sizes differ by less than five
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (const BodyModel* body : bodies)
+    for (int cell = 0; cell < body->mesh.numCells() && !body->isRigid; ++cell) {
+      const double measure = cellMeasure(body->mesh, cell);
+      smallest = std::min(smallest, measure);
+      largest = std::max(largest, measure);
+    }
+  return largest <= most * smallest;
+}
+
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields, bool areNear)
 {
   constexpr double enough = 1e-6; // of the energy: a bound of 1 % has a square of 1e-4

@@ -20,17 +20,18 @@ Vector residual(const SolverProblem& problem, const Vector& load, const Vector& 
 
 } // namespace
 
-Vector nearField(const SolverProblem& problem, const Vector& load, Vector u, double enough, const Comm& comm)
+std::optional<Vector> nearField(const SolverProblem& problem, const Vector& load, Vector u, double enough,
+                                const Comm& comm)
 {
   const Vector D = diagonal(*problem.matrix, comm), none(u.size(), 0.0);
   Vector r = residual(problem, load, u, comm), p(u.size(), 0.0);
   double before = 0.0;
-  for (int step = 0; step < mostSteps; ++step) {
+  for (int step = 0; step <= mostSteps; ++step) {
     double square = 0.0, curvature = 0.0;
     for (std::size_t dof = 0; dof < r.size(); ++dof)
       square += r[dof] * r[dof] / D[dof];
     if (!(square > enough))
-      break;
+      return u;
     const double kept = step > 0 ? square / before : 0.0;
     for (std::size_t dof = 0; dof < r.size(); ++dof)
       p[dof] = r[dof] / D[dof] + kept * p[dof];
@@ -45,7 +46,7 @@ Vector nearField(const SolverProblem& problem, const Vector& load, Vector u, dou
     }
     before = square;
   }
-  return u;
+  return std::nullopt;
 }
 
 } // namespace ndframe
