@@ -129,7 +129,8 @@ void Certifier::solveIntermediateFields()
     fields.push_back(&global_.field);
   if (wants(Estimator::Discretization))
     fields.push_back(&separate_.field);
-  solveFields(scene_, fields);
+  solveFields(scene_, fields,
+              recovery_.settles(scene_.dim()) && !measuresFields(options_) && areOfOneSize(scene_.bodies));
   for (const BodyTrace& trace : scene_.condensed.interface.bodies)
     if (trace.isSolvedWhole())
       trace.whole->forget(); // the recovery needs the memory

@@ -191,8 +191,29 @@ ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, 
   return tractionFromNodes(scene.patches, admitNodal(scene, nodal, sign, cost), scene.order, scene.degree);
 }
 
-void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields)
+bool measuresFields(const ErrorOptions& options)
 {
+  return options.mode == ErrorMode::Paper || options.wants(Estimator::Algorithm) ||
+         options.wants(Estimator::Discretization) || options.wants(Estimator::Split);
+}
+
+bool areOfOneSize(const std::vector<const BodyModel*>& bodies)
+{
+  constexpr double most = 100.0; // sizes differ by less than five
+  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  for (const BodyModel* body : bodies)
+    for (int cell = 0; cell < body->mesh.numCells() && !body->isRigid; ++cell) {
+      const double measure = cellMeasure(body->mesh, cell);
+      smallest = std::min(smallest, measure);
+      largest = std::max(largest, measure);
+    }
+  return largest <= most * smallest;
+}
+
+void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields, bool areNear)
+{
+  constexpr double enough = 1e-6; // of the energy: a bound of 1 % has a square of 1e-4
+  const FieldNeed need{areNear, enough * scene.norm * scene.norm, scene.comm};
   for (auto* field : fields)
     field->displacement = scene.solved;
   const auto& traces = scene.condensed.interface.bodies;
@@ -205,7 +226,7 @@ void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fi
           atNodes(contactForces(*scene.bodies[b], trace.body, scene.patches, field->tractions), scene.dim()));
     }
     const Vector known = solvedForces(scene.condensed, trace.body, scene.coupling.state);
-    auto solutions = intermediateFields(scene.model, scene.condensed, trace.body, forces, known, scene.solved[b]);
+    auto solutions = intermediateFields(scene.model, scene.condensed, trace.body, forces, known, scene.solved[b], need);
     for (std::size_t f = 0; f < fields.size(); ++f)
       fields[f]->displacement[b] = std::move(solutions[f]);
   });

@@ -5,6 +5,7 @@
 
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
+#include "near_field.hpp"
 
 namespace ndframe
 {
@@ -93,10 +94,9 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
   return g;
 }
 
-/// The unknown fields by iterations on the whole body, from those that are there. What they lack of finite element
-/// equilibrium is made up for by the tractions (settleBalance). False where it gives up.
+/// The unknown fields by iterations on the whole body, from those that are there. False where it gives up.
 bool solveWhole(const CondensedModel& condensed, int body, const std::vector<NodalField>& forces,
-                const std::vector<std::size_t>& unknown, std::vector<NodalField>& fields)
+                const std::vector<std::size_t>& unknown, const FieldNeed& need, std::vector<NodalField>& fields)
 {
   const auto b = std::size_t(body);
   const BodySystem& system = condensed.systems[b];
@@ -105,7 +105,10 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
     for (const std::size_t f : unknown) {
       Vector u = system.dofs.frames.toLocal(fields[f]).whole();
       system.dofs.addPrescribed(u, -1.0);
-      u = whole.solveFree(loaded(system, condensed.loads[b], forces[f]), std::move(u), Exactness::Rough);
+      const NodalField load = loaded(system, condensed.loads[b], forces[f]);
+      const auto near = need.isNear ? nearField(whole.freedProblem(), load.whole(), u, need.enough, need.comm)
+                                    : std::optional<Vector>();
+      u = near ? *near : whole.solveFree(load.whole(), std::move(u), Exactness::Rough);
       system.dofs.addPrescribed(u);
       fields[f] = system.dofs.frames.toGlobal(u);
     }
@@ -146,7 +149,7 @@ Vector solvedForces(const CondensedModel& condensed, int body, const InterfaceSt
 
 std::vector<NodalField> intermediateFields(const Model& model, const CondensedModel& condensed, int body,
                                            const std::vector<NodalField>& forces, const Vector& known,
-                                           const NodalField& solved)
+                                           const NodalField& solved, const FieldNeed& need)
 {
   const auto b = std::size_t(body);
   const BodySystem& system = condensed.systems[b];
@@ -158,7 +161,7 @@ std::vector<NodalField> intermediateFields(const Model& model, const CondensedMo
       unknown.push_back(f);
   if (unknown.empty())
     return fields;
-  if (trace.isSolvedWhole() && solveWhole(condensed, body, forces, unknown, fields))
+  if (trace.isSolvedWhole() && solveWhole(condensed, body, forces, unknown, need, fields))
     return fields;
   const Vector start = traceValues(system, trace, solved);
   const auto isFree = freeWhenHeld(trace.freeMotions);

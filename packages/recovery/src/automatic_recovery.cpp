@@ -24,6 +24,7 @@ public:
   }
   int degree(int order) const override { return plane_->degree(order); }
   bool optimises(int dim) const override { return chosen(dim).optimises(dim); }
+  bool settles(int dim) const override { return chosen(dim).settles(dim); }
   std::string refusal(int dim, int order, bool optimise) const override
   {
     return chosen(dim).refusal(dim, order, optimise);

@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "flow_settler.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/equilibrium/cell_form.hpp"
 #include "ndframe/equilibrium/self_touching.hpp"
@@ -137,13 +138,10 @@ private:
     takeLargest(touching, comm_);
     if (touching[0] >= 0.0)
       throw SelfTouching(*piece->whole, int(touching[0]));
-    for (SceneStress& stress : stresses_) {
-      StressCorrection& correction = stress.corrections[std::size_t(body)];
-      Vector largest{correction.imbalance, correction.force};
-      takeLargest(largest, comm_);
-      correction.imbalance = largest[0];
-      correction.force = largest[1];
-    }
+    BodyCorrections corrections;
+    for (SceneStress& stress : stresses_)
+      corrections.push_back(&stress.corrections[std::size_t(body)]);
+    settleByFlows(body, faces, piece, scene_.bodies[std::size_t(body)]->mesh, corrections, comm_);
   }
 
   void balanceOwn(int body, const StressFaces& faces)
@@ -260,6 +258,8 @@ public:
   int degree(int order) const override { return degree_ == 0 ? order : degree_; }
 
   bool optimises(int /*dim*/) const override { return true; }
+
+  bool settles(int /*dim*/) const override { return true; }
 
   std::string refusal(int dim, int order, bool /*optimise*/) const override
   {

@@ -80,7 +80,7 @@ PressureRoom::PressureRoom(const StressFaces& faces, const std::vector<ContactPa
     : faces_(&faces), contact_(&contact), comm_(comm), toBernstein_(bernsteinOfMoments(3, traction.degree)),
       held_(contact.size(), 0)
 {
-  constexpr double nothing = 1e-9; // of the largest: where bodies part
+  constexpr double nothing = 3e-2; // of the largest: less would soon stop steps, which begin anew then
   Vector largest{0.0};
   for (int f = 0; f < faces.size(); ++f) {
     if (faces[f].contact < 0 || !faces.isNear(f))

@@ -219,28 +219,27 @@ void StressDescent::lower(int steps)
     gradientOf(forces, residual);
     for (double& value : residual)
       value = -value;
-    lower(fields_[f], std::move(residual), std::move(start_[f]), steps);
+    lower(fields_[f], std::move(residual), {std::move(start_[f]), std::move(forces)}, steps);
   }
 }
 
-/// ofCells: space for what cellForces() finds, zero at ghosts. Residuals and directions are zero where another rank
-/// owns, but for directions that are about to be taken.
-void StressDescent::lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const
+/// space: for what cellForces() finds, zero at ghosts, and for faceForces(). Residuals and directions are zero where
+/// another rank owns, but for directions that are about to be taken.
+void StressDescent::lower(const DescentField& field, Vector residual, Space space, int steps) const
 {
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction, comm_);
   std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
-  Vector z, Ap, tractions, ofFaces, x(residual.size(), 0.0);
-  blocks_.precondition(residual, still, threads_, z);
-  Vector p = z;
-  double rz = sharing_.dotOfAll(residual, z);
+  Vector Ap, p, tractions, x(residual.size(), 0.0);
+  blocks_.precondition(residual, still, threads_, p);
+  double rz = sharing_.dotOfAll(residual, p);
   for (int step = 0; step < steps && rz > 0.0; ++step) {
     sharing_.values().fetch([this](int block) { return blocks_.placeOf(block); }, p);
     unknowns_.tractions(p, threads_, tractions);
-    cellForces(tractions, ofCells);
-    faceForces(ofCells, ofFaces);
-    gradientOf(ofFaces, Ap);
+    cellForces(tractions, space.ofCells);
+    faceForces(space.ofCells, space.ofFaces);
+    gradientOf(space.ofFaces, Ap);
     const double curvature = sharing_.dotOfAll(p, Ap);
     if (!(curvature > 0.0))
       break;
@@ -251,6 +250,7 @@ void StressDescent::lower(const DescentField& field, Vector residual, Vector ofC
     }
     if (length < wanted)
       still = held(room->held());
+    Vector& z = Ap; // not needed any more
     blocks_.precondition(residual, still, threads_, z);
     const double next = sharing_.dotOfAll(residual, z), kept = length < wanted ? 0.0 : next / rz;
     for (std::size_t i = 0; i < p.size(); ++i)

@@ -49,7 +49,12 @@ public:
   const SharedValues& shared() const { return sharing_.values(); } ///< to ask what was sent
 
 private:
-  void lower(const DescentField& field, Vector residual, Vector ofCells, int steps) const;
+  struct Space
+  {
+    Vector ofCells, ofFaces;
+  };
+
+  void lower(const DescentField& field, Vector residual, Space space, int steps) const;
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
   void addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply);

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <numeric>
+#include <unordered_map>
 
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/base/lanes.hpp"
 
 namespace ndframe
 {
@@ -32,6 +34,16 @@ void multiplyColumns(const DenseMatrix& columns, const double* G, double* sums)
   }
 }
 
+/// y = A x, A nine by nine, column by column.
+NDFRAME_EVERY_PROCESSOR void multiplyNine(const double* A, const double* x, double* y)
+{
+  double sums[9] = {};
+  for (std::size_t j = 0; j < 9; ++j, A += 9)
+    for (std::size_t i = 0; i < 9; ++i)
+      sums[i] += A[i] * x[j];
+  std::copy_n(sums, 9, y);
+}
+
 } // namespace
 
 StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges,
@@ -44,6 +56,27 @@ StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<Stres
   for (const StressEdge& edge : edges)
     edgeFrames_.push_back(frame(edge.middle, edge.length));
   listPlaces();
+  pack();
+}
+
+void StressUnknowns::pack()
+{
+  std::unordered_map<const FreeTractions*, int> known;
+  for (int f = 0; f < faces_.size(); ++f) {
+    const FreeTractions& free = *faces_[f].free;
+    const bool fits = faces_.isNear(f) && free.own.rows() == int(linear) && free.own.cols() == int(ownLinear) &&
+                      free.carrier.rows() == int(linear) && free.carrier.cols() == int(linear - ownLinear) &&
+                      free.higher == int(linear);
+    packedOf_.push_back(fits ? known.emplace(&free, int(known.size())).first->second : -1);
+    const std::size_t at = packed_.size(), size = linear * linear;
+    if (packedOf_.back() < 0 || std::size_t(packedOf_.back()) * 2 * size < at)
+      continue;
+    packed_.insert(packed_.end(), free.own.data(), free.own.data() + linear * ownLinear);
+    packed_.insert(packed_.end(), free.carrier.data(), free.carrier.data() + size - linear * ownLinear);
+    for (std::size_t i = 0; i < linear; ++i)
+      for (std::size_t j = 0; j < linear; ++j)
+        packed_.push_back(packed_[at + j * linear + i]);
+  }
 }
 
 void StressUnknowns::listPlaces()
@@ -73,10 +106,21 @@ void StressUnknowns::tractions(const Vector& unknowns, int threads, Vector& trac
   const auto size = std::size_t(faces_.cells().facetData());
   tractions.resize(std::size_t(faces_.size()) * size);
   runInRanges(faces_.size(), threads, [&](int first, int last) {
-    std::fill(tractions.begin() + std::ptrdiff_t(first) * std::ptrdiff_t(size),
-              tractions.begin() + std::ptrdiff_t(last) * std::ptrdiff_t(size), 0.0);
-    for (int f = first; f < last; ++f)
-      addTractions(f, unknowns, tractions.data() + std::size_t(f) * size);
+    for (int f = first; f < last; ++f) {
+      double* T = tractions.data() + std::size_t(f) * size;
+      if (const double* A = packed(f)) {
+        const double* y = unknowns.data() + blocks_.ofFace(f);
+        const Wrench r = amounts(f, unknowns);
+        double x[linear];
+        std::copy_n(y, ownLinear, x);
+        std::copy(r.begin(), r.end(), x + ownLinear);
+        multiplyNine(A, x, T);
+        std::copy_n(y + ownLinear, linear, T + linear);
+        continue;
+      }
+      std::fill_n(T, size, 0.0);
+      addTractions(f, unknowns, T);
+    }
   });
 }
 
@@ -153,6 +197,14 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
       const StressFace& face = faces_[f];
       const double* G = faceForces.data() + std::size_t(f) * size;
       double* y = gradient.data() + blocks_.ofFace(f);
+      if (const double* A = packed(f)) {
+        double sums[linear];
+        multiplyNine(A + linear * linear, G, sums);
+        std::copy_n(sums, ownLinear, y);
+        std::copy_n(sums + ownLinear, linear - ownLinear, ofCarriers_[std::size_t(f)].data());
+        std::copy_n(G + linear, linear, y + ownLinear);
+        continue;
+      }
       multiplyColumns(face.free->own, G, y);
       multiplyColumns(face.free->carrier, G, ofCarriers_[std::size_t(f)].data());
       std::copy_n(G + face.free->own.rows(), face.free->higher, y + face.free->own.cols());

@@ -197,6 +197,28 @@ Vector WrenchBalance::leftOver(const DenseMatrix& needed, const DenseMatrix& fre
   return left;
 }
 
+/// What nothing takes is left to all cells, by their volumes: so it flows on (FlowSettler) as a smooth load.
+void WrenchBalance::share(const Star& star, const DenseMatrix& free, DenseMatrix& needed) const
+{
+  double volume = 0.0;
+  for (const StarCell& cell : star.cells)
+    volume += volumes_[std::size_t(cell.cell)];
+  for (int field = 0; field < needed.cols(); ++field) {
+    double* of = needed.col(field);
+    Wrench left{};
+    for (int k = 0; k < free.cols(); ++k) {
+      double sum = 0.0;
+      for (int row = 0; row < needed.rows(); ++row)
+        sum += of[row] * free(row % wrench, k);
+      for (int i = 0; i < wrench; ++i)
+        left[std::size_t(i)] += sum * free(i, k);
+    }
+    for (const StarCell& cell : star.cells)
+      for (const double value : left)
+        *of++ -= volumes_[std::size_t(cell.cell)] / volume * value;
+  }
+}
+
 /// What a flow amounts to in terms of its face's carrier.
 Vector WrenchBalance::amounts(const Flow& flow, const double* potentials, const Direction& vertex, double size)
 {
@@ -233,7 +255,10 @@ Vector WrenchBalance::balance(const Star& star, StarFields& x) const
       for (int i = 0; i < facetData; ++i)
         place(spoke, 0, field)[i] = place(spoke, 1, field)[i] *= 0.5;
   const std::vector<Flow> all = flows(star, size);
-  const DenseMatrix needed = imbalance(star, x, size), free = freeMotions(all);
+  DenseMatrix needed = imbalance(star, x, size);
+  const DenseMatrix free = freeMotions(all);
+  const Vector left = leftOver(needed, free);
+  share(star, free, needed);
   const DenseMatrix p = potentials(int(star.cells.size()), all, free, needed);
   for (const Flow& flow : all)
     for (int field = 0; field < x.cols(); ++field) {
@@ -244,7 +269,7 @@ Vector WrenchBalance::balance(const Star& star, StarFields& x) const
           place(*flow.spoke, 1, field)[i] -= traction[i];
       }
     }
-  return leftOver(needed, free);
+  return left;
 }
 
 } // namespace ndframe

@@ -26,6 +26,7 @@ private:
   DenseMatrix imbalance(const Star& star, const StarFields& x, double size) const;
   static DenseMatrix freeMotions(const std::vector<Flow>& flows);
   const StressFace& faceOf(int cell, int facet) const;
+  void share(const Star& star, const DenseMatrix& free, DenseMatrix& needed) const;
   static DenseMatrix conductances(int cells, const std::vector<Flow>& flows, const DenseMatrix& free, int components);
   static DenseMatrix potentials(int cells, const std::vector<Flow>& flows, const DenseMatrix& free,
                                 const DenseMatrix& needed);

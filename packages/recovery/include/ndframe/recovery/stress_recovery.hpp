@@ -62,6 +62,9 @@ public:
   /// Whether it can choose tractions (SceneField::optimise) in this dimension.
   virtual bool optimises(int dim) const = 0;
 
+  /// Whether stresses are in equilibrium whatever u~ lacks of it, at little cost to the bound.
+  virtual bool settles(int /*dim*/) const { return false; }
+
   /// Why it is not defined for bodies of this dimension and order, or cannot optimise tractions; empty when it can.
   virtual std::string refusal(int dim, int order, bool optimise) const = 0;
 

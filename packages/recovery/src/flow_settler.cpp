@@ -1,0 +1,230 @@
+#include "flow_settler.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/equilibrium/settle_balance.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr int wrench = 6;
+/// Supports that resist a motion by less than this, relative, do not resist it.
+constexpr double noResistance = 1e-10;
+constexpr double roundOff = 1e-14; ///< of the largest force in a star
+
+/// sum += factor map map^T, column by column.
+void addSquare(const DenseMatrix& map, double factor, double* sum)
+{
+  for (int k = 0; k < map.cols(); ++k)
+    for (int j = 0; j < wrench; ++j)
+      for (int i = 0; i < wrench; ++i)
+        sum[j * wrench + i] += factor * map(i, k) * map(j, k);
+}
+
+} // namespace
+
+FlowSettler::FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole)
+    : body_(body), faces_(faces), piece_(piece), mesh_(faces.cells().body(body).model().mesh), flow_(whole),
+      about_(cellCentre(whole, 0)), size_(diameter(whole))
+{
+  const StarBody& star = faces.cells().body(body);
+  const auto modes = std::size_t(star.loadModes());
+  loadArms_.reserve(std::size_t(mesh_.numCells()) * modes);
+  for (int cell = 0; cell < mesh_.numCells(); ++cell) {
+    const Vector arms =
+        momentArms(star.cellMeans(), corners(mesh_, sortedCell(mesh_, cell), -1), centre(cell).data(), 3);
+    for (std::size_t k = 0; k < modes; ++k)
+      loadArms_.push_back({arms[3 * k], arms[3 * k + 1], arms[3 * k + 2]});
+  }
+}
+
+/// What the loads of a cell have and its tractions lack, about the cell's centre.
+Wrench FlowSettler::lack(int cell, const StressCorrection& correction) const
+{
+  const StarBody& star = faces_.cells().body(body_);
+  Wrench sum{};
+  const double* T = correction.tractions.data() + std::ptrdiff_t(cell) * star.reference().tractions;
+  for (int facet = 0; facet < 4; ++facet, T += star.facetData()) {
+    const Wrench has = face(cell, facet).wrench(T, centre(cell).data(), 1.0);
+    for (std::size_t i = 0; i < has.size(); ++i)
+      sum[i] -= has[i];
+  }
+  const auto modes = std::size_t(star.loadModes());
+  const double* load = correction.loads.data() + std::ptrdiff_t(cell) * star.reference().loads;
+  for (std::size_t i = 0; i < 3; ++i)
+    sum[i] += load[i];
+  for (std::size_t k = 0; k < modes; ++k, load += 3)
+    addCross(loadArms_[std::size_t(cell) * modes + k], load, 1.0, &sum[3]);
+  return sum;
+}
+
+/// Per cell of this rank, about its centre; zero at ghosts.
+std::vector<Wrench> FlowSettler::lacks(const StressCorrection& correction) const
+{
+  std::vector<Wrench> result(std::size_t(mesh_.numCells()), Wrench{});
+  for (int cell = 0; cell < mesh_.numCells(); ++cell)
+    if (isOwn(cell))
+      result[std::size_t(cell)] = lack(cell, correction);
+  return result;
+}
+
+/// The wrench of a supported face's carriers about about_, moments over size_.
+DenseMatrix FlowSettler::reaction(const StressFace& face) const
+{
+  const DenseMatrix& reach = face.free->reach;
+  DenseMatrix map(wrench, reach.cols());
+  for (int j = 0; j < reach.cols(); ++j) {
+    Wrench unit{};
+    std::copy_n(reach.col(j), wrench, unit.begin());
+    unit = movedWrench(unit, face.centre, face.size, about_, size_);
+    std::copy(unit.begin(), unit.end(), map.col(j));
+  }
+  return map;
+}
+
+/// Tractions on a cell's facet: carrier amounts.
+void FlowSettler::add(int cell, int facet, const DenseMatrix& carrier, const Vector& amounts,
+                      StressCorrection& correction) const
+{
+  double* T = correction.tractions.data() + (std::ptrdiff_t(cell) * 4 + facet) * faces_.cells().facetData();
+  for (int j = 0; j < carrier.cols(); ++j)
+    for (int i = 0; i < carrier.rows(); ++i)
+      T[i] += carrier(i, j) * amounts[std::size_t(j)];
+}
+
+/// Supports take what each part of the body lacks in all: the smallest tractions that do.
+void FlowSettler::react(std::vector<Wrench>& lacks, StressCorrection& correction, const Comm& comm) const
+{
+  constexpr std::size_t perPart = wrench + wrench * wrench; // what it lacks, and what its supports resist
+  Vector sums(perPart * std::size_t(flow_.numParts()), 0.0);
+  std::vector<Support> supports;
+  for (int cell = 0; cell < mesh_.numCells(); ++cell) {
+    if (!isOwn(cell))
+      continue;
+    const std::size_t part = perPart * std::size_t(flow_.partOf(inWhole(cell)));
+    const Wrench moved = movedWrench(lacks[std::size_t(cell)], centre(cell), 1.0, about_, size_);
+    std::transform(moved.begin(), moved.end(), sums.begin() + std::ptrdiff_t(part), sums.begin() + std::ptrdiff_t(part),
+                   std::plus<>());
+    for (int facet = 0; facet < 4; ++facet)
+      if (const StressFace& own = face(cell, facet); own.isBoundary() && own.free->reach.cols() > 0) {
+        supports.push_back({cell, facet, reaction(own)});
+        addSquare(supports.back().map, own.size * own.size, sums.data() + part + wrench);
+      }
+  }
+  comm.sum(sums);
+  std::vector<Vector> motions;
+  for (std::size_t part = 0; part < sums.size(); part += perPart) {
+    DenseMatrix resistance(wrench, wrench);
+    std::copy_n(sums.data() + part + wrench, wrench * wrench, resistance.col(0));
+    const Vector total(sums.data() + part, sums.data() + part + wrench);
+    motions.push_back(multiply(pseudoInverse(resistance, noResistance), total));
+  }
+  for (const Support& support : supports)
+    give(support, motions[std::size_t(flow_.partOf(inWhole(support.cell)))], lacks, correction);
+}
+
+/// The reactions of a support that resists a motion.
+void FlowSettler::give(const Support& support, const Vector& motion, std::vector<Wrench>& lacks,
+                       StressCorrection& correction) const
+{
+  const StressFace& own = face(support.cell, support.facet);
+  Vector amounts(std::size_t(support.map.cols()), 0.0);
+  Wrench taken{};
+  for (int k = 0; k < support.map.cols(); ++k) {
+    double& amount = amounts[std::size_t(k)];
+    for (int i = 0; i < wrench; ++i)
+      amount += own.size * own.size * support.map(i, k) * motion[std::size_t(i)];
+    for (int i = 0; i < wrench; ++i)
+      taken[std::size_t(i)] -= own.free->reach(i, k) * amount;
+  }
+  add(support.cell, support.facet, own.free->carrier, amounts, correction);
+  taken = movedWrench(taken, own.centre, own.size, centre(support.cell), 1.0);
+  for (std::size_t i = 0; i < taken.size(); ++i)
+    lacks[std::size_t(support.cell)][i] += taken[i];
+}
+
+/// Those of all ranks' cells, by their numbers in the body.
+std::vector<Wrench> FlowSettler::ofWhole(const std::vector<Wrench>& own, const Comm& comm) const
+{
+  if (piece_ == nullptr)
+    return own;
+  Vector values(std::size_t(piece_->whole->mesh.numCells()) * wrench, 0.0);
+  for (std::size_t cell = 0; cell < own.size(); ++cell)
+    std::copy(own[cell].begin(), own[cell].end(), values.begin() + std::ptrdiff_t(inWhole(int(cell))) * wrench);
+  comm.sum(values);
+  std::vector<Wrench> all(values.size() / wrench);
+  for (std::size_t cell = 0; cell < all.size(); ++cell)
+    std::copy_n(values.data() + cell * wrench, wrench, all[cell].begin());
+  return all;
+}
+
+void FlowSettler::pass(StressCorrection& correction, const Comm& comm) const
+{
+  std::vector<Wrench> own = lacks(correction);
+  react(own, correction, comm);
+  const std::vector<Wrench> through = flow_.through(ofWhole(own, comm));
+  for (int cell = 0; cell < mesh_.numCells(); ++cell)
+    for (int facet = 0; facet < 4 && isOwn(cell); ++facet) {
+      const int half = inWhole(cell) * 4 + facet, number = flow_.faceOf(half);
+      if (number < 0)
+        continue;
+      const StressFace& passed = face(cell, facet);
+      const double sign = flow_.faces()[std::size_t(number)].half[0] == half ? 1.0 : -1.0;
+      const Wrench& sent = through[std::size_t(number)];
+      Vector amounts;
+      for (std::size_t i = 0; i < sent.size(); ++i)
+        amounts.push_back(sign * (i < 3 ? sent[i] : sent[i] / passed.size));
+      add(cell, facet, passed.free->carrier, amounts, correction);
+    }
+}
+
+/// Moments over the size of the cell.
+void FlowSettler::measure(StressCorrection& correction, const Comm& comm) const
+{
+  Vector largest{0.0};
+  const std::vector<Wrench> left = lacks(correction);
+  for (int cell = 0; cell < mesh_.numCells(); ++cell) {
+    if (!isOwn(cell))
+      continue;
+    const double size = std::cbrt(cellMeasure(mesh_, cell));
+    for (std::size_t i = 0; i < left.front().size(); ++i)
+      largest[0] = std::max(largest[0], std::abs(left[std::size_t(cell)][i]) / (i < 3 ? 1.0 : size));
+  }
+  takeLargest(largest, comm);
+  correction.imbalance = largest[0];
+}
+
+void FlowSettler::settle(StressCorrection& correction, const Comm& comm) const
+{
+  constexpr double less = 0.1; // else it is what nothing takes
+  double before = 0.0;
+  do {
+    before = correction.imbalance;
+    pass(correction, comm);
+    measure(correction, comm);
+  } while (correction.imbalance > 0.0 && correction.imbalance < less * before &&
+           correction.imbalance > roundOff * correction.force);
+}
+
+void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole,
+                   const BodyCorrections& corrections, const Comm& comm)
+{
+  std::unique_ptr<FlowSettler> settler;
+  for (StressCorrection* correction : corrections) {
+    Vector largest{correction->imbalance, correction->force};
+    takeLargest(largest, comm);
+    correction->imbalance = largest[0];
+    correction->force = largest[1];
+    if (!needsSettling(whole, *correction))
+      continue;
+    if (!settler)
+      settler = std::make_unique<FlowSettler>(body, faces, piece, whole);
+    settler->settle(*correction, comm);
+  }
+}
+
+} // namespace ndframe

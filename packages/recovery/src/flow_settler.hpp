@@ -1,0 +1,65 @@
+#pragma once
+
+#include "ndframe/algebra/comm.hpp"
+#include "ndframe/equilibrium/body_piece.hpp"
+#include "ndframe/equilibrium/star_data.hpp"
+#include "ndframe/equilibrium/wrench_flow.hpp"
+#include "stress_faces.hpp"
+
+namespace ndframe
+{
+
+/// Brings cells into balance that their stars have left without, because u~ is not in finite element equilibrium:
+/// supports take what a part of the body lacks in all, by the smallest reactions, and a WrenchFlow the rest.
+class FlowSettler
+{
+public:
+  /// body: its number in faces.cells(); piece: what this rank holds of it, null where that is all of it; whole: its
+  /// mesh.
+  FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole);
+
+  /// Afterwards correction.imbalance is what cells then lack. The result does not depend on how cells are shared.
+  /// Collective.
+  void settle(StressCorrection& correction, const Comm& comm) const;
+
+private:
+  struct Support
+  {
+    int cell, facet;
+    DenseMatrix map; ///< reaction()
+  };
+
+  bool isOwn(int cell) const { return piece_ == nullptr || piece_->owns(cell); }
+  int inWhole(int cell) const { return piece_ == nullptr ? cell : piece_->cells[std::size_t(cell)]; }
+  const StressFace& face(int cell, int facet) const
+  {
+    return faces_[faces_.within(faces_.cells().number(body_, cell), facet)];
+  }
+  const Direction& centre(int cell) const { return flow_.centre(inWhole(cell)); }
+  Wrench lack(int cell, const StressCorrection& correction) const;
+  std::vector<Wrench> lacks(const StressCorrection& correction) const;
+  std::vector<Wrench> ofWhole(const std::vector<Wrench>& own, const Comm& comm) const;
+  void give(const Support& support, const Vector& motion, std::vector<Wrench>& lacks,
+            StressCorrection& correction) const;
+  void react(std::vector<Wrench>& lacks, StressCorrection& correction, const Comm& comm) const;
+  DenseMatrix reaction(const StressFace& face) const;
+  void add(int cell, int facet, const DenseMatrix& carrier, const Vector& amounts, StressCorrection& correction) const;
+  void pass(StressCorrection& correction, const Comm& comm) const;
+  void measure(StressCorrection& correction, const Comm& comm) const;
+
+  int body_;
+  const StressFaces& faces_;
+  const BodyPiece* piece_;
+  const Mesh& mesh_; ///< what this rank holds
+  WrenchFlow flow_;
+  Direction about_;
+  double size_;                     ///< of the body: moments of parts are divided by it
+  std::vector<Direction> loadArms_; ///< per cell and load mode: mean of (x - centre) m_k
+};
+
+/// Ranks agree on how far a body's stars were out of balance (StressCorrection::imbalance, force), and where that is
+/// more than round-off a FlowSettler makes up for it. Collective.
+void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole,
+                   const BodyCorrections& corrections, const Comm& comm);
+
+} // namespace ndframe
