@@ -15,8 +15,9 @@ namespace ndframe
 namespace
 {
 
-/// Of the interface stars between the solution of all stars and the sweeps. The first takes most of what they can
-/// lower, a third changes the bound by a thousandth of itself; they cost little, as there are few of these stars.
+/// Of the interface stars after the solution of all stars, where no sweep follows, which does more. The first takes
+/// most of what they can lower, a third changes the bound by a thousandth of itself; they cost little, as these stars
+/// are few.
 constexpr int interfacePasses = 2;
 
 /// One recovery of all fields on all bodies, stage by stage.
@@ -130,7 +131,7 @@ public:
     StarStages stages(scene, fields, comm, ledger);
     stages.chooseTractions();
     stages.solveStars();
-    for (int pass = 0; pass < interfacePasses; ++pass)
+    for (int pass = 0; pass < interfacePasses && sweeps_ == 0; ++pass)
       stages.relaxInterfaces();
     for (int sweep = 0; sweep < sweeps_; ++sweep)
       stages.sweep();
