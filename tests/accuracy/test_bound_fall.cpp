@@ -58,3 +58,26 @@ TEST(BoundFall, StaysBetweenNoiseAndThePrediction)
     fall.learn(1.0, 0.3, 0.01);
   EXPECT_EQ(fall.power(), 1.0);
 }
+
+TEST(BoundFall, OnMeshesMadeAnewAFactorIsLeftOnceEdgesAreKnown)
+{
+  BoundFall fall(3, 2);
+  fall.meshesAreMadeAnew();
+  fall.learn(1.0, 0.3, std::pow(0.3, 0.5));
+  EXPECT_NEAR(fall.expected(1.0, 0.25), 0.5, 1e-14); // a power until then
+  fall.edgesBecameKnown();
+  EXPECT_EQ(fall.power(), 1.0);
+  for (const double found : {1.2, 1.1, 0.95}) {
+    fall.learn(1.0, 0.5, 0.5 * found);
+    for (const double before : {1.0, 7.0}) { // however far it falls
+      const double factor = fall.expected(before, 0.3) / 0.3;
+      EXPECT_GE(factor, std::min(1.0, found)) << "as found, or nearer to 1";
+      EXPECT_LE(factor, std::max(1.0, found));
+      EXPECT_NEAR(fall.expected(before, fall.predicted(before, 0.6)), 0.6, 1e-14);
+    }
+  }
+  fall.learn(1.0, 0.5, 5.0); // a spike
+  EXPECT_LE(fall.expected(1.0, 0.3), 0.4);
+  fall.learn(1.0, 0.5, 0.01);
+  EXPECT_GE(fall.expected(1.0, 0.3), 0.25);
+}

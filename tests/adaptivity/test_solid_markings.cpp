@@ -83,6 +83,38 @@ TEST(PredictedMarkingInSpace, ComesToThePredictedErrorInOneStep)
   }
 }
 
+/// eta^2 of a part of a cell of the measure a is that of the cell times (a / A)^((2 lambda + 1) / 3) where both touch
+/// the edge, and times (a / A)^(7 / 3) elsewhere.
+TEST(PredictedMarkingInSpace, WhereMeshesAreMadeAnewTheSmallestPartsAtAnEdgeContributeWhatOthersDo)
+{
+  const double lambda = 0.7;
+  const Mesh mesh = cubes(4);
+  Vector exponents(std::size_t(mesh.numPoints()), solidDegree + 1.0);
+  EdgeDirections directions{std::vector<std::array<double, 3>>(std::size_t(mesh.numPoints()))};
+  for (int p = 0; p < mesh.numPoints(); ++p)
+    if (mesh.point(p)[0] == 0.0 && mesh.point(p)[1] == 0.0) {
+      exponents[std::size_t(p)] = lambda;
+      directions[0][std::size_t(p)] = {0.0, 0.0, 1.0};
+    }
+  const Vector eta = edgeContributions(mesh, lambda);
+  const ContributionModel model({mesh}, {eta}, {exponents}, solidDegree, directions, true);
+  const SizeField sizes = makeMarking("Predicted")->sizes(model, 0.3 * normOf(eta));
+  std::vector<double> left; // log2 eta^2 of the parts
+  int atEdge = 0;
+  for (std::size_t c = 0; c < eta.size(); ++c) {
+    const ContributionModel::Cell& cell = model.cells()[0][c];
+    const double smaller = sizes[0][c].leastLogMeasure - std::log2(cell.measure);
+    left.push_back(cell.decay.logSquared + smaller * (cell.atPlace ? 2.0 * lambda + 1.0 : 7.0) / 3.0);
+    atEdge += int(cell.atPlace);
+    if (cell.atPlace) { // it is the measure at the distance of such a part, and no part is smaller however near it lies
+      EXPECT_NEAR(sizes[0][c].logMeasureAt(cell.place.point), sizes[0][c].leastLogMeasure, 1e-12);
+    }
+  }
+  EXPECT_GT(atEdge, 20);
+  const auto [least, most] = std::minmax_element(left.begin(), left.end());
+  EXPECT_NEAR(*least, *most, 1e-9);
+}
+
 TEST(PredictedMarkingInSpace, ConvergesFarFasterThanUniformMeshes)
 {
   // Uniform meshes have slope -0.25 for r^0.75, the best ones -2/3 late and -0.55 at once.

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "admissibility/sample_chains.hpp"
+#include "ndframe/admissibility/sign_conditions.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/equilibrium/static_data.hpp"
 #include "ndframe/fem/quadrature.hpp"
@@ -103,6 +104,40 @@ TEST(ContactTraction, TheLargestBernsteinCoefficientIsThatOfAllFacets)
   // raised to degree 3 the coefficients move towards the polynomial
   EXPECT_NEAR(largestBernstein(tractionFromNodes(chain.patches, {-1, -2, -3, -1, -1.5}, 2, 3), chain.patches), -2.0 / 3,
               1e-14);
+}
+
+TEST(ContactTraction, SignsAreShownByTheCoefficientsOfBothHalves)
+{
+  for (int degree = 1; degree <= 3; ++degree) {
+    const DenseMatrix conditions = signConditions(2, degree), whole = bernsteinOfMoments(2, degree);
+    ASSERT_EQ(conditions.rows(), 2 * (degree + 1));
+    std::mt19937 random(degree);
+    for (int trial = 0; trial < 50; ++trial) {
+      const Vector moments = test::randomNodes(degree + 1, random), b = multiply(whole, moments);
+      const Vector halves = multiply(conditions, moments);
+      for (int half = 0; half < 2; ++half)
+        for (const double s : {0.0, 0.2, 0.7, 1.0}) {
+          const auto bernstein = [&](const double* coefficients, double x) {
+            double value = 0.0, binomial = 1.0;
+            for (int i = 0; i <= degree; binomial *= double(degree - i) / (i + 1), ++i)
+              value += binomial * coefficients[i] * std::pow(x, i) * std::pow(1.0 - x, degree - i);
+            return value;
+          };
+          EXPECT_NEAR(bernstein(halves.data() + half * (degree + 1), s), bernstein(b.data(), 0.5 * (half + s)), 1e-12);
+        }
+      EXPECT_LE(*std::max_element(halves.begin(), halves.end()), *std::max_element(b.begin(), b.end()) + 1e-13);
+    }
+  }
+}
+
+TEST(ContactTraction, ASteepPressureIsSeenToPressAndATensionInTheMiddleIsSeen)
+{
+  const Chain chain = test::straightChain({1.0}, 2);
+  // coefficients -10, 2 (-2.5) + 5.5 = 0.5, -1: it presses, which those of the whole edge do not show
+  const ContactTraction steep = tractionFromNodes(chain.patches, {-10, -1, -2.5}, 2, 2);
+  EXPECT_NEAR(largestBernstein(steep, chain.patches), 0.5, 1e-13);
+  EXPECT_NEAR(largestSign(steep, chain.patches), -0.25, 1e-13); // (0.5 - 1) / 2
+  EXPECT_NEAR(largestSign(tractionFromNodes(chain.patches, {-1, -1, 0.01}, 2, 2), chain.patches), 0.01, 1e-13);
 }
 
 TEST(ContactTraction, BothBodiesFeelTheSameTractionInOppositeDirections)

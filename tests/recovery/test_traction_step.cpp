@@ -5,6 +5,7 @@
 
 #include "admissibility/sample_chains.hpp"
 #include "fem/sample_meshes.hpp"
+#include "ndframe/admissibility/sign_conditions.hpp"
 #include "traction_step.hpp"
 
 namespace ndframe
@@ -62,7 +63,7 @@ TEST(TractionStep, LowersTheObjectiveAndKeepsTheTractionAdmissibleAndBalanced)
     const ContactTraction before = vertex.traction;
     const Vector dt = vertex.step().apply(vertex.traction);
     EXPECT_LE(vertex.objective(dt), 0.0);
-    EXPECT_LT(largestBernstein(vertex.traction, vertex.chain.patches), 1e-13);
+    EXPECT_LT(largestSign(vertex.traction, vertex.chain.patches), 1e-13);
     EXPECT_LT(norm(multiply(vertex.E, dt)), 1e-14);
     for (std::size_t i = 0; i < dt.size();
          ++i) // the vertex's own shares: second of the first facet, first of the other
@@ -83,7 +84,7 @@ TEST(TractionStep, NoAdmissibleBalancedChangeIsBetter)
       ContactTraction changed = before;
       for (std::size_t i = 0; i < other.size(); ++i)
         changed.shares[modes + i] += other[i] = dt[i] + 0.05 * other[i];
-      if (largestBernstein(changed, vertex.chain.patches) <= 0.0) {
+      if (largestSign(changed, vertex.chain.patches) <= 0.0) {
         EXPECT_GE(vertex.objective(other), least - 1e-14);
       }
     }

@@ -16,6 +16,13 @@ bool isCorner(double exponent)
   return exponent <= 1.5;
 }
 
+/// Squared distance of the centre of a cell from the place that it touches, for meshes made anew.
+double typicalSquare(double volume)
+{
+  constexpr double byRoot = 1.05; // 0.7 of regular cells along an edge, up to 1.25 of those with one vertex on it
+  return std::pow(byRoot * std::cbrt(volume), 2);
+}
+
 ContributionModel::Cell cellOf(const Mesh& mesh, int cell, double measure, double contribution,
                                const Vector& ofVertices, const std::vector<std::array<double, 3>>* directions,
                                ErrorDecay decay)
@@ -44,9 +51,12 @@ ContributionModel::ContributionModel(const std::vector<Mesh>& meshes, const std:
 {
   for (std::size_t b = 0; b < meshes.size(); ++b) {
     const Vector measures = measuresOf(meshes[b]);
-    for (int c = 0; c < meshes[b].numCells(); ++c)
+    for (int c = 0; c < meshes[b].numCells(); ++c) {
       cells_[b].push_back(cellOf(meshes[b], c, measures[std::size_t(c)], contributions[b][std::size_t(c)], exponents[b],
                                  directions.empty() ? nullptr : &directions[b], decay_));
+      if (areMadeAnew_)
+        cells_[b].back().squaredDistance = typicalSquare(measures[std::size_t(c)]);
+    }
   }
 }
 
@@ -83,7 +93,10 @@ double ContributionModel::logSquared(const Cell& cell, double measure, const std
   const double smooth = cell.decay.logSquared + decay_.ofCell() * std::log2(measure / cell.measure);
   if (!cell.atPlace)
     return smooth;
-  const double nearer = std::log2(cell.place.squaredDistance(centre) / cell.squaredDistance);
+  double square = cell.place.squaredDistance(centre);
+  if (areMadeAnew_)
+    square = std::max(square, typicalSquare(measure));
+  const double nearer = std::log2(square / cell.squaredDistance);
   return smooth + (cell.decay.exponent - 1.0 - decay_.degree) * nearer;
 }
 

@@ -68,6 +68,11 @@ private:
     size.gradation = decay.smoothExponent() / decay.ofCell() - cell.decay.exponent / decay.ofCell();
     size.logMeasure = std::log2(cell.measure) - halvings - size.gradation * std::log2(cell.squaredDistance);
     size.leastLogMeasure = std::log2(cell.measure) - 2.0 * mostHalvings;
+    if (model.areMadeAnew()) { // parts that touch the edge, whose distance from it goes with their size
+      const double ofTouching = (2.0 * cell.decay.exponent + 1.0) / 3.0;
+      size.leastLogMeasure =
+          std::max(size.leastLogMeasure, std::log2(cell.measure) - halvings * decay.ofCell() / ofTouching);
+    }
     size.place = cell.place;
     return size;
   }

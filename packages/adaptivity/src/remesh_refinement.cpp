@@ -89,7 +89,7 @@ public:
   std::string note() const override { return note_; }
 
   /// Loading gmsh takes longer than solving on a few cells more; in space cells cost more.
-  double slack() const override { return meshes_.front().dim == 2 ? 0.2 : 0.1; }
+  double slack() const override { return meshes_.front().dim == 2 ? 0.2 : 0.05; }
 
 private:
   /// What is left where gmsh gives up: the vertices stay, curved boundaries are followed again by the next mesh that it

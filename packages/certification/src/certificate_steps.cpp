@@ -10,6 +10,7 @@
 #include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/admissibility/jump_coefficients.hpp"
 #include "ndframe/admissibility/make_static_data.hpp"
+#include "ndframe/admissibility/sign_conditions.hpp"
 #include "ndframe/admissibility/smallest_stiffness.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
@@ -144,7 +145,7 @@ double largestTension(const CertifiedScene& scene, const ContactTraction& tracti
   ContactTraction opposite = traction;
   for (double& share : opposite.shares)
     share = -share;
-  const double tension = largestBernstein(traction, scene.patches), scale = largestBernstein(opposite, scene.patches);
+  const double tension = largestSign(traction, scene.patches), scale = largestSign(opposite, scene.patches);
   return scale > 0.0 ? tension / scale : tension;
 }
 

@@ -103,7 +103,7 @@ Vector openings(const CertifiedScene& scene, const std::vector<NodalField>& disp
 /// The gap at the interface nodes, numbered as in the contact matrix.
 Vector nodalGap(const Model& model);
 
-/// Largest Bernstein coefficient of t_N over all facets, relative to the mean tractions: above round-off it pulls.
+/// Largest of the signConditions() of t_N over all facets, relative to the mean tractions: above round-off it pulls.
 double largestTension(const CertifiedScene& scene, const ContactTraction& traction);
 
 /// Largest Bernstein coefficient of the jump minus g_h over all facets, relative to the displacements.

@@ -92,7 +92,8 @@ void InterfaceStars::sweep(const Vector& opening, ContactTraction& traction,
                            const std::vector<StressCorrection*>& corrections, Ledger& ledger) const
 {
   const EndTables turning = turningModes(2, traction.degree, traction.degree);
-  for (const InterfaceVertex& vertex : vertices_) {
+  for (std::size_t v = 0; v < vertices_.size(); ++v) {
+    const InterfaceVertex& vertex = vertices_[v % 2 == 0 ? v / 2 : vertices_.size() - 1 - v / 2];
     const InterfaceStar star(scene_, bodies_, vertex);
     std::vector<StarFields> x(star.sides().size());
     for (std::size_t s = 0; s < x.size(); ++s) {

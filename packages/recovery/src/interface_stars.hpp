@@ -29,7 +29,8 @@ public:
   ContactTraction optimise(const SceneField& field, int threads, Ledger& ledger) const;
 
   /// One pass in which the energy is that of the whole correction, which changes with the traction: a part of a block
-  /// Gauss-Seidel sweep. corrections: per body, of the field that opening and traction belong to.
+  /// Gauss-Seidel sweep, from both ends to the middle: mirrored scenes have mirrored tractions, as stars in the middle
+  /// hardly differ. corrections: per body, of the field that opening and traction belong to.
   void sweep(const Vector& opening, ContactTraction& traction, const std::vector<StressCorrection*>& corrections,
              Ledger& ledger) const;
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "ndframe/admissibility/quadratic_program.hpp"
+#include "ndframe/admissibility/sign_conditions.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
@@ -41,13 +42,14 @@ TractionStep::TractionStep(std::vector<PatchEnd> ends, const DenseMatrix& E, Den
   NDFRAME_ASSERT(H_.rows() == int(h_.size()) && E.cols() == H_.rows(), "shapes do not match");
   reducedH_ = multiplyTransposed(basis_, multiply(H_, basis_));
   const int modes = H_.rows() / int(ends_.size());
-  toBernstein_ = bernsteinOfMoments(2, modes - 1);
-  reducedB_ = DenseMatrix(H_.rows(), basis_.cols());
-  for (int i = 0; i < H_.rows(); ++i)
+  conditions_ = signConditions(2, modes - 1);
+  const int conditions = conditions_.rows(); // of a patch
+  reducedB_ = DenseMatrix(int(ends_.size()) * conditions, basis_.cols());
+  for (int i = 0; i < reducedB_.rows(); ++i)
     for (int z = 0; z < basis_.cols(); ++z) {
       double value = 0.0;
       for (int k = 0; k < modes; ++k)
-        value += toBernstein_(i % modes, k) * basis_(i - i % modes + k, z);
+        value += conditions_(i % conditions, k) * basis_(i / conditions * modes + k, z);
       reducedB_(i, z) = std::abs(value) > annulled ? value : 0.0;
     }
 }
@@ -56,7 +58,7 @@ Vector TractionStep::coefficients(const ContactTraction& traction) const
 {
   Vector all;
   for (const PatchEnd& end : ends_) {
-    const Vector values = multiply(toBernstein_, traction.moments(end.patch));
+    const Vector values = multiply(conditions_, traction.moments(end.patch));
     all.insert(all.end(), values.begin(), values.end());
   }
   return all;

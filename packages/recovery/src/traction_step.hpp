@@ -13,7 +13,7 @@ struct PatchEnd
 
 /// How the traction at one interface vertex should change:
 ///
-///   min 1/2 dt^T H dt + h^T dt   subject to  E dt = 0,  Bernstein coefficients of t + dt <= 0 on each patch,
+///   min 1/2 dt^T H dt + h^T dt   subject to  E dt = 0,  signConditions() of t + dt <= 0 on each patch,
 ///
 /// dt: patch by patch, mode by mode, along n_c, moments (forces). H is positive definite where E dt = 0.
 class TractionStep
@@ -27,11 +27,11 @@ public:
   Vector apply(ContactTraction& traction);
 
 private:
-  /// Bernstein coefficients on the patches times their measures.
+  /// signConditions() on the patches times their measures.
   Vector coefficients(const ContactTraction& traction) const;
 
   std::vector<PatchEnd> ends_;
-  DenseMatrix H_, basis_, reducedH_, toBernstein_, reducedB_;
+  DenseMatrix H_, basis_, reducedH_, conditions_, reducedB_;
   Vector h_;
 };
 
