@@ -2,17 +2,19 @@
 
 Prints a line for each group of two and more, its sources separated by semicolons; what is in no group is compiled alone.
 
-Sources of one group mean the same together as apart: a name that one of them has to itself (in an unnamed namespace, or as
-a macro) occurs in no other of them, not even as a local name. So no definition clashes, and no call finds another function.
-Sources with instructions to the compiler itself - attributes, pragmas, intrinsics - stay alone, so that kernels are compiled
-as ever, and so do those that use another namespace than ours as a whole. The groups depend on nothing but the texts and their order.
+Sources of one group mean the same together as apart: a name that one of them has to itself, in an unnamed namespace,
+occurs in no other of them, not even as a local name. So no definition clashes, and no call finds another function.
+Sources with macros or with instructions to the compiler itself - attributes, pragmas, intrinsics; also in a header beside them -
+stay alone, so that kernels are compiled as ever, and so do those that use another namespace than ours as a whole. The groups
+depend on nothing but the texts and their order.
 """
 
+import pathlib
 import re
 import sys
 
 MOST_SOURCES = 10
-FOR_THE_COMPILER = re.compile(r"__attribute__|#\s*pragma|immintrin|\busing\s+namespace\s+(?!ndframe\b|test\b)")
+FOR_THE_COMPILER = re.compile(r"__attribute__|#\s*pragma\s+(?!once)|immintrin|\busing\s+namespace\s+(?!ndframe\b|test\b)")
 DROPPED = re.compile(r"//[^\n]*|/\*.*?\*/|R\"(?P<mark>[^(\s]*)\(.*?\)(?P=mark)\"|\"(?:\\.|[^\"\\\n])*\"|'(?:\\.|[^'\\\n])'", re.S)
 PARTS = re.compile(r"[{};]|[^{};]+")
 WORD = re.compile(r"[A-Za-z_]\w*")
@@ -65,8 +67,8 @@ def declarators(head):
 
 
 def own_names(code):
-    """Names that the source has to itself: of macros, and of all that its unnamed namespaces declare but operators and tests."""
-    names = set(re.findall(r"^\s*#\s*define\s+(\w+)", code, re.M))
+    """Names that the source has to itself: all that its unnamed namespaces declare but operators and tests."""
+    names = set()
     for head in heads(re.sub(r"^\s*#[^\n]*", "", code, flags=re.M)):
         if re.search(r"\boperator\b|\busing\s+namespace\b|^\s*(?:[A-Z]+_)*TEST(?:_[A-Z]+)*\s*\(", head):
             continue
@@ -82,11 +84,12 @@ class Source:
     """A source with the words in it and the names that it has to itself."""
 
     def __init__(self, path):
-        with open(path, encoding="utf-8") as file:
-            text = file.read()
+        text = pathlib.Path(path).read_text(encoding="utf-8")
         code = without_text(text)
+        beside = [pathlib.Path(path).parent / name for name in re.findall(r'^#include "([^"]+)"', text, re.M)]
+        headers = [without_text(header.read_text(encoding="utf-8")) for header in beside if header.is_file()]
         self.path = path
-        self.is_alone = FOR_THE_COMPILER.search(code) is not None
+        self.is_alone = any(FOR_THE_COMPILER.search(part) for part in [code, *headers]) or "#define" in code
         self.words = set(WORD.findall(code))
         self.own = own_names(code)
 

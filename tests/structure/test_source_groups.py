@@ -75,8 +75,15 @@ class SourceGroups(unittest.TestCase):
         self.assertEqual(self.grouped(in_unnamed("double scaled(int a, double b);"), uses), [])
         self.assertEqual(self.grouped(uses, in_unnamed("double scaled(int a, double b);")), [])
 
-    def test_macros_are_names_too(self):
-        self.assertEqual(self.grouped("#define LANES 4\nint a();", "int b() { return LANES; }"), [])
+    def test_sources_with_macros_are_alone(self):
+        self.assertEqual(self.grouped("#define LANES 4\nint a();", "int b();"), [])
+
+    def test_sources_of_kernels_in_a_header_are_alone(self):
+        with tempfile.TemporaryDirectory() as folder:
+            for name, text in (("lanes.hpp", "#pragma once\n#pragma GCC ivdep\n"), ("plain.hpp", "#pragma once\n")):
+                (pathlib.Path(folder) / name).write_text(text)
+                (pathlib.Path(folder) / "a.cpp").write_text(f'#include "{name}"\n')
+                self.assertEqual(source_groups.Source(pathlib.Path(folder) / "a.cpp").is_alone, name == "lanes.hpp")
 
     def test_comments_and_literals_are_no_names(self):
         other = '// area\n/* area\n */ const char* text() { return "area" R"(area " })"; } char c = \'{\'; int n = 10\'000;'
