@@ -479,5 +479,5 @@ class FullDisk(Restarts):
         self.assertGreater(len(found), 2, found)
 
 
-if __name__ == "__main__":
+if __name__ == "__main__":  # the classes are entries of CMakeLists.txt
     main()

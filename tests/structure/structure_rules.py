@@ -48,6 +48,10 @@ HEAVY_HOMES = {
     re.compile(r"mpi\.h$"): ("packages/algebra/src/", "apps/ndframe/patient_waits.cpp"),
 }
 
+# Headers that take the compiler from a fifth of a second to a whole one, for every source that sees them: not in headers of packages.
+SLOW_HEADERS = re.compile(r"nlohmann/|fmt/|CLI/|CGAL/|boost/|nanoflann|Teuchos_|basix/|exodusII|tinyxml2|muParser|gtest/|(iostream|regex|future)$")
+SLOW_HEADERS_SEEN = {"packages/iterative/include/ndframe/iterative/krylov_library.hpp": "Teuchos_ParameterList.hpp"}
+
 # The only source below the driver that takes a whole deck.
 SETTINGS_READER = "scene_settings"
 
@@ -219,6 +223,15 @@ def heavy_headers_stay_at_home(tree):
                     yield Problem(file.name, line, f"{header} is a heavy header; only {' and '.join(homes)} may see it")
 
 
+def headers_of_packages_are_light(tree):
+    for file in tree.product_code:
+        if "/include/" not in file.name:
+            continue
+        for line, header in file.includes():
+            if SLOW_HEADERS.match(header) and SLOW_HEADERS_SEEN.get(file.name) != header:
+                yield Problem(file.name, line, f"{header} slows down all that include this header; include it in a source")
+
+
 def decks_end_at_their_readers(tree):
     """Below the driver functions take settings that were read once, and lists only for builders of components."""
     for file in tree.product_code:
@@ -333,6 +346,7 @@ RULES = [
     cmake_depends_follow_the_arrows,
     cmake_lists_one_source_a_line,
     heavy_headers_stay_at_home,
+    headers_of_packages_are_light,
     decks_end_at_their_readers,
     files_are_short,
     packages_are_small,

@@ -117,6 +117,14 @@ class StructureCheck(unittest.TestCase):
                     problems = self.found_in({**tree, place: f"#pragma once\n#include <{header}>\n"})
                     self.assert_one(problems, f"{place}:2", "heavy header")
 
+    def test_slow_headers(self):
+        for header in ("nlohmann/json.hpp", "fmt/format.h", "CGAL/Constrained_Delaunay_triangulation_2.h", "iostream", "Teuchos_ParameterList.hpp"):
+            with self.subTest(header):
+                text = f"#pragma once\n#include <{header}>\n"
+                self.assert_one(self.found(packages__base__include__ndframe__base__a_dot_hpp=text),
+                                "packages/base/include/ndframe/base/a.hpp:2", "slows down all")
+                self.assertEqual(self.found(packages__base__src__a_dot_cpp=f'#include "ndframe/base/a.hpp"\n#include <{header}>\n'), [])
+
     def test_whole_decks_below_the_driver(self):
         taken = "#pragma once\n\nvoid check(const Model& model, const Params& deck);\n"
         problems = self.found(packages__base__include__ndframe__base__a_dot_hpp=taken)
