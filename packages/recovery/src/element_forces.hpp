@@ -1,7 +1,7 @@
 #pragma once
 
-#include "element_edges.hpp"
 #include "ndframe/equilibrium/element_circulation.hpp"
+#include "ndframe/equilibrium/element_edges.hpp"
 #include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe

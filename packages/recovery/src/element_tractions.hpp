@@ -1,6 +1,6 @@
 #pragma once
 
-#include "element_edges.hpp"
+#include "ndframe/equilibrium/element_edges.hpp"
 #include "ndframe/equilibrium/stress_correction.hpp"
 
 namespace ndframe

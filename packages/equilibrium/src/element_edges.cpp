@@ -1,4 +1,4 @@
-#include "element_edges.hpp"
+#include "ndframe/equilibrium/element_edges.hpp"
 
 #include <algorithm>
 
