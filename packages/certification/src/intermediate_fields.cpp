@@ -106,8 +106,8 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
       Vector u = system.dofs.frames.toLocal(fields[f]).whole();
       system.dofs.addPrescribed(u, -1.0);
       const NodalField load = loaded(system, condensed.loads[b], forces[f]);
-      const auto near = need.isNear ? nearField(whole.freedProblem(), load.whole(), u, need.enough, need.comm)
-                                    : std::optional<Vector>();
+      const auto near =
+          need.isNear ? nearField(system, load.whole(), u, need.enough, need.comm) : std::optional<Vector>();
       u = near ? *near : whole.solveFree(load.whole(), std::move(u), Exactness::Rough);
       system.dofs.addPrescribed(u);
       fields[f] = system.dofs.frames.toGlobal(u);

@@ -2,7 +2,7 @@
 
 #include <optional>
 
-#include "ndframe/algebra/linear_solver.hpp"
+#include "ndframe/assembly/body_system.hpp"
 
 namespace ndframe
 {
@@ -10,7 +10,7 @@ namespace ndframe
 /// Conjugate gradients with the diagonal D towards K u = load on what is not fixed, from u: until r . D^-1 r <= enough,
 /// r the residual, which is about the energy that u lacks where r changes from node to node. For stresses that are
 /// brought into balance whatever u lacks of it. Nothing where ten steps are not enough. Collective.
-std::optional<Vector> nearField(const SolverProblem& problem, const Vector& load, Vector u, double enough,
+std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Vector u, double enough,
                                 const Comm& comm);
 
 } // namespace ndframe
