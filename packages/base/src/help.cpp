@@ -44,7 +44,7 @@ std::string componentBody(const ComponentInfo& component, std::size_t indent)
          listsText(component.lists, indent + 2);
 }
 
-std::string listText(const ListPlace& place)
+std::string listText(const PlacedList& place)
 {
   const ListSpec& spec = *place.spec;
   std::string text = (place.path.empty() ? "The deck" : place.path) + "\n" + wrapped(spec.doc, 2);

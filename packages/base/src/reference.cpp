@@ -49,7 +49,7 @@ std::string listTable(const std::vector<ListSpec>& lists, const std::shared_ptr<
   return table + "\n";
 }
 
-std::string componentSections(const ListPlace& place)
+std::string componentSections(const PlacedList& place)
 {
   std::string text;
   if (place.spec->choices)
@@ -59,7 +59,7 @@ std::string componentSections(const ListPlace& place)
   return text;
 }
 
-std::string listSection(const ListPlace& place)
+std::string listSection(const PlacedList& place)
 {
   const std::string title = place.path.empty() ? "The deck" : "`" + place.path + "`";
   const std::string owner = place.owner == nullptr ? "" : fmt::format(" (of `{}`)", place.owner->name);

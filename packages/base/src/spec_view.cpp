@@ -8,7 +8,7 @@ namespace ndframe
 namespace
 {
 
-void collect(const ListPlace& place, std::vector<ListPlace>& all)
+void collect(const PlacedList& place, std::vector<PlacedList>& all)
 {
   all.push_back(place);
   for (const auto& list : place.spec->lists)
@@ -94,9 +94,9 @@ std::vector<std::string> componentNames(const Choices& choices)
   return names;
 }
 
-std::vector<ListPlace> allLists(const ListSpec& root)
+std::vector<PlacedList> allLists(const ListSpec& root)
 {
-  std::vector<ListPlace> all;
+  std::vector<PlacedList> all;
   collect({{}, &root, nullptr}, all);
   return all;
 }

@@ -33,7 +33,7 @@ const ComponentInfo* findComponent(const ListSpec& spec, const std::string& name
 std::vector<std::string> componentNames(const Choices& choices);
 
 /// One list of the whole specification with its place in a deck.
-struct ListPlace
+struct PlacedList
 {
   std::string path; ///< "Bodies/*/Material"; "*" stands for the user's names; empty: the deck itself
   const ListSpec* spec = nullptr;
@@ -41,7 +41,7 @@ struct ListPlace
 };
 
 /// The list and all lists below it, depth first in the order of the specification.
-std::vector<ListPlace> allLists(const ListSpec& root);
+std::vector<PlacedList> allLists(const ListSpec& root);
 
 /// "Coupling" and "Stopping" -> "Coupling/Stopping"; an empty parent is the deck itself.
 std::string joinPath(const std::string& parent, const std::string& name);

@@ -40,9 +40,9 @@ EdgeMap edgeMap(const BodyModel& body)
   return edges;
 }
 
-Fan fanAround(const EdgeMap& edges, int vertex)
+EdgeFan fanAround(const EdgeMap& edges, int vertex)
 {
-  Fan fan;
+  EdgeFan fan;
   const int first = edges.start[std::size_t(vertex)];
   int half = first;
   do {

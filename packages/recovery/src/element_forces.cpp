@@ -65,13 +65,13 @@ void subtractBodyForce(const double* shares, const Shares& ofLambda, int modes, 
 }
 
 template <int order>
-NodalForces forcesOfOrder(const EdgeMap& edges, const BodyModel& body, const StaticData& data,
-                          const Vector& displacement)
+ElementForces forcesOfOrder(const EdgeMap& edges, const BodyModel& body, const StaticData& data,
+                            const Vector& displacement)
 {
   const MomentBasis basis = loadBasis(2, data.degree);
   const Shares ofLambda(basis, 2);
   const int modes = basis.size(), numCells = body.mesh.numCells();
-  NodalForces forces;
+  ElementForces forces;
   forces.edgeNodes = order + 1;
   forces.tractions.resize(std::size_t(numCells) * 3 * std::size_t(order + 1));
   forces.residual.resize(std::size_t(numCells) * 3 * std::size_t(order));
@@ -97,7 +97,8 @@ NodalForces forcesOfOrder(const EdgeMap& edges, const BodyModel& body, const Sta
 
 } // namespace
 
-NodalForces nodalForces(const EdgeMap& edges, const BodyModel& body, const StaticData& data, const Vector& displacement)
+ElementForces nodalForces(const EdgeMap& edges, const BodyModel& body, const StaticData& data,
+                          const Vector& displacement)
 {
   return data.order == 1 ? forcesOfOrder<1>(edges, body, data, displacement)
                          : forcesOfOrder<2>(edges, body, data, displacement);

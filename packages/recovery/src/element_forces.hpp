@@ -8,7 +8,7 @@ namespace ndframe
 {
 
 /// What sigma~ = K eps(u~) and the loads do to the displacements' nodal functions phi_i, cell by cell.
-struct NodalForces
+struct ElementForces
 {
   int edgeNodes = 0;            ///< order + 1: the vertices of an edge, ascending, then its middle
   std::vector<Force> tractions; ///< per half edge and edge node: int_e (sigma~ n) phi_i, n outward
@@ -19,8 +19,8 @@ struct NodalForces
 };
 
 /// int_E b phi_i is taken from the shares of b, so that cells balance exactly for the data that stresses have to carry.
-NodalForces nodalForces(const EdgeMap& edges, const BodyModel& body, const StaticData& data,
-                        const Vector& displacement);
+ElementForces nodalForces(const EdgeMap& edges, const BodyModel& body, const StaticData& data,
+                          const Vector& displacement);
 
 /// The tractions prescribed on the edges of the boundary, contact included.
 class BoundaryTractions

@@ -35,7 +35,7 @@ public:
         boundary_(body.mesh, data, field.contact), basis_(data.order), tractions_(forces_.tractions.size())
   {}
   void balanceMiddles();
-  void balanceVertex(const Fan& fan);
+  void balanceVertex(const EdgeFan& fan);
   StressCorrection correction(int degree) const;
 
 private:
@@ -56,7 +56,7 @@ private:
   void setInside(int half, int node, Force flow);
   void setOnBoundary(int half, int node, Force traction);
   double weight(int half) const;
-  Circulation circulation(const Fan& fan) const;
+  Circulation circulation(const EdgeFan& fan) const;
   void note(double imbalance, double force)
   {
     imbalance_ = std::max(imbalance_, imbalance);
@@ -65,10 +65,10 @@ private:
 
   const EdgeMap& edges_;
   const Mesh& mesh_;
-  const NodalForces forces_;
+  const ElementForces forces_;
   const BoundaryTractions boundary_;
   const EdgeBasis basis_;
-  std::vector<Force> tractions_;         ///< as NodalForces::tractions: int_e t phi_i
+  std::vector<Force> tractions_;         ///< as ElementForces::tractions: int_e t phi_i
   double imbalance_ = 0.0, force_ = 0.0; ///< largest at a node
 };
 
@@ -119,7 +119,7 @@ void ElementBalance::balanceMiddles()
 
 /// The flow through an edge is the traction above the mean of both sides on the cell that is left there: t = - jump/2 +
 /// d, on the cell that is entered t = - jump/2 - d. A cell's balance relates the flows through its two edges.
-Circulation ElementBalance::circulation(const Fan& fan) const
+Circulation ElementBalance::circulation(const EdgeFan& fan) const
 {
   Circulation problem;
   problem.closed = fan.closed;
@@ -139,7 +139,7 @@ Circulation ElementBalance::circulation(const Fan& fan) const
   return problem;
 }
 
-void ElementBalance::balanceVertex(const Fan& fan)
+void ElementBalance::balanceVertex(const EdgeFan& fan)
 {
   const Flows flows = leastFlows(circulation(fan));
   double forces = 0.0;

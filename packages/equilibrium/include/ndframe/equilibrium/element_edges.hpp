@@ -36,12 +36,12 @@ struct FanCell
 };
 
 /// The cells of a vertex in turn; `in` of each is the twin of `out` of the one before.
-struct Fan
+struct EdgeFan
 {
   std::vector<FanCell> cells;
   bool closed = false; ///< the last one leads back to the first; else both ends are boundary edges
 };
 
-Fan fanAround(const EdgeMap& edges, int vertex);
+EdgeFan fanAround(const EdgeMap& edges, int vertex);
 
 } // namespace ndframe
