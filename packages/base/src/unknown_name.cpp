@@ -54,7 +54,7 @@ std::vector<std::string> componentsWith(const ListContext& context, const Wordin
 std::vector<std::string> placesOf(const ListContext& context, const Wording& wording, const std::string& name)
 {
   std::vector<std::string> paths;
-  const auto add = [&](const ListPlace& place, const SpecView& view) {
+  const auto add = [&](const PlacedList& place, const SpecView& view) {
     const std::string path = place.path.empty() ? "the outer list" : place.path;
     if (place.spec != &context.spec && contains(wording.names(view), name) && !contains(paths, path))
       paths.push_back(path);
