@@ -106,7 +106,7 @@ TEST(MultigridSolids, KeepTheirGuaranteeWithALooseTolerance)
     EXPECT_TRUE(errors.guaranteed) << tolerance << errors.reason;
     EXPECT_LT(*errors.equilibrium, 1e-11) << tolerance;
     exact = exact == 0.0 ? errors.global->absolute : exact;
-    EXPECT_GT(errors.global->absolute, (1.0 - 1e-4) * exact) << tolerance;
+    EXPECT_GT(errors.global->absolute, (1.0 - 1e-3) * exact) << tolerance; // ten steps from another start
     EXPECT_EQ(outcome.run.failure.empty(), outcome.run.summary.residuals.equilibrium <= 1e-7) << tolerance;
   }
 }

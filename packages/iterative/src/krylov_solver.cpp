@@ -36,8 +36,8 @@ public:
                        twoLevels](const RankProblem& given, const Comm& ranks, double decoupledDiagonal) {
       return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
     };
-    return makeKrylovBody(std::move(problem), comm, ledger, options_, make, twoLevels ? joining() : MakeJoinedGradients(),
-                          description(twoLevels));
+    return makeKrylovBody(std::move(problem), comm, ledger, options_, make,
+                          twoLevels ? joining() : MakeJoinedGradients(), description(twoLevels));
   }
 
   std::unique_ptr<CondensedBody> share(RankProblem problem, const Comm& comm, Ledger& ledger) const override
@@ -55,8 +55,8 @@ public:
 private:
   MakeJoinedGradients joining() const
   {
-    return [preconditioner = preconditioner_,
-            belos = belos_](const JoinedBodies& bodies, const JoinedUnknowns& unknowns, const Comm& ranks) {
+    return [preconditioner = preconditioner_, belos = belos_](const JoinedBodies& bodies,
+                                                              const JoinedUnknowns& unknowns, const Comm& ranks) {
       return krylovLibrary().joined(bodies, unknowns, ranks, preconditioner, belos);
     };
   }

@@ -82,7 +82,7 @@ public:
 private:
   int width_ = 0;
   IndexMap::Global size_ = 0;
-  double largest_ = 0.0; ///< of values that other ranks have
+  double largest_ = 0.0;                    ///< of values that other ranks have
   std::shared_ptr<const NodalField> field_; ///< null: of nothing
 };
 

@@ -42,8 +42,8 @@ public:
   Number numPoints() const { return numPoints_; }
   Number numMiddles() const { return numMiddles_; }
   Number numCells() const { return numCells_; }
-  /// Adds to `counts`, by the order of vertices, the points and middles inside the drawn simplices whose first vertex has
-  /// this order. order: per drawn vertex.
+  /// Adds to `counts`, by the order of vertices, the points and middles inside the drawn simplices whose first vertex
+  /// has this order. order: per drawn vertex.
   void countNodes(const std::vector<int>& order, std::vector<double>& counts) const;
 
 private:
