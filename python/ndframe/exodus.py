@@ -147,7 +147,8 @@ class Exodus:
             connect = f"connect{entity.number}"
             nodes = self._numbers(connect)
             kind = getattr(self.data[connect], "elem_type", "") if nodes.size else ""
-            blocks[name] = Block(entity, kind, nodes.reshape(len(nodes), -1), first)
+            shape = (len(nodes), -1) if nodes.size else (0, 0)  # a piece may have none of a block
+            blocks[name] = Block(entity, kind, nodes.reshape(shape), first)
             first += len(nodes)
         return blocks
 

@@ -56,8 +56,11 @@ class Pieces:
             return self._gather(found, places, sum(map(len, places)))
         return found[0]
 
+    def block_of(self, element):
+        return next(block for block in self.blocks.values() if block.first <= element < block.first + len(block.nodes))
+
     def nodes_of(self, element):
-        block = next(b for b in self.blocks.values() if b.first <= element < b.first + len(b.nodes))
+        block = self.block_of(element)
         return block.nodes[element - block.first]
 
     def _read_mesh(self):

@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from xml.etree import ElementTree
 
 sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "io"))
 sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "python"))
@@ -90,6 +91,32 @@ class PiecesOfExodus(unittest.TestCase):
             if side.startswith("contact:"):
                 ours, theirs = (fields.on_facets("contact_pressure", side) for fields in (pieces, whole))
                 numpy.testing.assert_allclose(ours[order], theirs[other], atol=1e-8)
+
+    def test_shares_of_solids_are_read_as_one_and_shown(self):
+        tree = ElementTree.parse(DECKS / "punch-3d.xml")
+        for part in list(tree.getroot()):
+            if part.get("name") in ("Error Estimation", "Expect"):  # with them all processes have the whole
+                tree.getroot().remove(part)
+        tree.write(self.folder / "solids.xml")
+        settings = ["Linear Solver/Type=Multigrid", "Output/Exodus Files=Pieces", "Bodies/punch/Mesh/Cells={2, 2, 2}",
+                    "Bodies/foundation/Mesh/Cells={4, 4, 2}", "Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1"]
+        deck = str(self.folder / "solids")  # takes the place of DECKS
+        self.right(1, deck, *settings, "Output/Name=whole")
+        done = self.right(4, deck, *settings, "Output/Report=true")  # one piece at least has nothing of the punch
+        self.assertIn("made by the 4 processes in shares of 0 to ", done.stdout)
+        self.assertNotIn("pictures of the bodies", (self.folder / "solids.report.html").read_text())
+        whole, shares = (ndframe.read(str(self.folder / name)).fields for name in ("whole", "solids"))
+        for block in whole.blocks:
+            orders = [numpy.lexsort(fields.points[fields.nodes(block)].mean(axis=1).round(9).T) for fields in (whole, shares)]
+            for name in whole.names("element"):
+                values, others = (fields.element(name, block)[order] for fields, order in zip((whole, shares), orders))
+                numpy.testing.assert_allclose(others, values, atol=1e-8)
+            for name in whole.names("nodal"):
+                means, others = (fields.nodal(name)[fields.nodes(block)].mean(axis=1)[order]
+                                 for fields, order in zip((whole, shares), orders))
+                numpy.testing.assert_allclose(others, means, atol=1e-8)
+        for side in whole.sides:
+            self.assertEqual(len(shares.facets(side)), len(whole.facets(side)))
 
     def test_the_report_shows_pieces(self):
         self.right(2, "punch", "Output/Exodus Files=Pieces", "Output/Report=true")
