@@ -65,13 +65,13 @@ TEST(SharedValues, OwnersGetTheSumsAndBorrowersNothing)
 
 TEST(SharedValues, RanksLearnWhatOthersWant)
 {
-  std::vector<std::vector<int>> wanted(std::size_t(Ring::ranks()));
+  std::vector<std::vector<std::int64_t>> wanted(std::size_t(Ring::ranks()));
   for (int rank = 0; rank < Ring::ranks(); ++rank)
     wanted[std::size_t(rank)].assign(std::size_t(rank), 100 * test::comm().rank() + rank);
   const auto asked = askedFor(wanted, test::comm());
   for (int rank = 0; rank < Ring::ranks(); ++rank)
     EXPECT_EQ(asked[std::size_t(rank)],
-              std::vector<int>(std::size_t(test::comm().rank()), 100 * rank + test::comm().rank()));
+              std::vector<std::int64_t>(std::size_t(test::comm().rank()), 100 * rank + test::comm().rank()));
 }
 
 TEST(SharedValues, GatheredAndLargestAreTheSameOnAllRanks)

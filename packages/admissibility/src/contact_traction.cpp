@@ -132,15 +132,20 @@ DenseMatrix bernsteinOfMoments(int dim, int degree)
   return coefficients;
 }
 
-double largestBernstein(const ContactTraction& traction, const std::vector<ContactPatch>& patches)
+double largestOfMoments(const DenseMatrix& map, const ContactTraction& traction,
+                        const std::vector<ContactPatch>& patches)
 {
-  const DenseMatrix toBernstein = bernsteinOfMoments(traction.dim, traction.degree);
   double largest = -std::numeric_limits<double>::infinity();
   for (std::size_t f = 0; f < patches.size(); ++f) {
-    const Vector coefficients = multiply(toBernstein, traction.moments(int(f)));
-    largest = std::max(largest, *std::max_element(coefficients.begin(), coefficients.end()) / patches[f].measure);
+    const Vector values = multiply(map, traction.moments(int(f)));
+    largest = std::max(largest, *std::max_element(values.begin(), values.end()) / patches[f].measure);
   }
   return largest;
+}
+
+double largestBernstein(const ContactTraction& traction, const std::vector<ContactPatch>& patches)
+{
+  return largestOfMoments(bernsteinOfMoments(traction.dim, traction.degree), traction, patches);
 }
 
 ContactTraction tractionFromNodes(const std::vector<ContactPatch>& patches, const Vector& nodal, int order, int degree)

@@ -1,8 +1,5 @@
 #include "ndframe/admissibility/sign_conditions.hpp"
 
-#include <algorithm>
-#include <limits>
-
 namespace ndframe
 {
 
@@ -28,13 +25,7 @@ DenseMatrix signConditions(int dim, int degree)
 
 double largestSign(const ContactTraction& traction, const std::vector<ContactPatch>& patches)
 {
-  const DenseMatrix conditions = signConditions(traction.dim, traction.degree);
-  double largest = -std::numeric_limits<double>::infinity();
-  for (std::size_t f = 0; f < patches.size(); ++f) {
-    const Vector values = multiply(conditions, traction.moments(int(f)));
-    largest = std::max(largest, *std::max_element(values.begin(), values.end()) / patches[f].measure);
-  }
-  return largest;
+  return largestOfMoments(signConditions(traction.dim, traction.degree), traction, patches);
 }
 
 } // namespace ndframe

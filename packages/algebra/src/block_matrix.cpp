@@ -108,18 +108,8 @@ double* BlockMatrix::block(int r, int column)
 Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm)
 {
   NDFRAME_ASSERT(int(x.size()) == K.numDofs(), "shapes do not match");
-  const int dim = K.dim;
   Vector y(x.size(), 0.0);
-  for (int r = 0; r < K.numRows(); ++r) {
-    double* yRow = y.data() + std::size_t(K.rowNode(r)) * std::size_t(dim);
-    for (std::int64_t b = K.rowPtr[std::size_t(r)]; b < K.rowPtr[std::size_t(r) + 1]; ++b) {
-      const double* entry = K.values.data() + b * dim * dim;
-      const double* xCol = x.data() + std::size_t(K.colNode(b)) * std::size_t(dim);
-      for (int i = 0; i < dim; ++i)
-        for (int j = 0; j < dim; ++j)
-          yRow[i] += *entry++ * xCol[j];
-    }
-  }
+  addProduct(K, x, y, [&K](int node) { return K.nodes.global(node); });
   comm.sum(y);
   return y;
 }

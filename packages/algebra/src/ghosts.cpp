@@ -62,25 +62,14 @@ SharedValues sharedGhosts(const IndexMap& map, const Comm& comm)
 {
   if (comm.size() == 1)
     return {};
-  std::vector<Global> ghosts;
-  for (int ghost = map.numOwned(); ghost < map.size(); ++ghost)
-    ghosts.push_back(map.global(ghost));
-  const std::vector<int> owners = ownersOf(ghosts, map, comm);
-  std::vector<std::vector<Global>> wanted(std::size_t(comm.size()));
-  std::vector<SharedWith> all(wanted.size()), neighbours;
-  for (std::size_t g = 0; g < ghosts.size(); ++g) {
-    wanted[std::size_t(owners[g])].push_back(ghosts[g]);
-    all[std::size_t(owners[g])].borrowed.push_back(map.numOwned() + int(g));
-  }
-  const auto asked = exchanged(wanted, comm);
-  for (std::size_t rank = 0; rank < all.size(); ++rank) {
-    all[rank].rank = int(rank);
-    for (const Global number : asked[rank])
-      all[rank].lent.push_back(map.local(number));
-    if (!all[rank].lent.empty() || !all[rank].borrowed.empty())
-      neighbours.push_back(std::move(all[rank]));
-  }
-  return {std::move(neighbours), comm};
+  std::vector<Global> numbers;
+  for (int i = 0; i < map.size(); ++i)
+    numbers.push_back(map.global(i));
+  std::vector<int> owners(std::size_t(map.numOwned()), comm.rank());
+  const std::vector<int> others = ownersOf({numbers.begin() + map.numOwned(), numbers.end()}, map, comm);
+  owners.insert(owners.end(), others.begin(), others.end());
+  return sharedByOwners(
+      numbers, owners, [&map](Global number) { return map.local(number); }, comm);
 }
 
 } // namespace ndframe

@@ -92,9 +92,32 @@ void SharedValues::add(const Places& places, Vector& values) const
   }
 }
 
-std::vector<std::vector<int>> askedFor(const std::vector<std::vector<int>>& wanted, const Comm& comm)
+std::vector<std::vector<std::int64_t>> askedFor(const std::vector<std::vector<std::int64_t>>& wanted, const Comm& comm)
 {
-  return comm.size() == 1 ? std::vector<std::vector<int>>{{}} : exchanged(wanted, comm);
+  return comm.size() == 1 ? std::vector<std::vector<std::int64_t>>{{}} : exchanged(wanted, comm);
+}
+
+SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std::vector<int>& owners,
+                            const std::function<int(std::int64_t number)>& local, const Comm& comm)
+{
+  std::vector<std::vector<std::int64_t>> wanted(std::size_t(comm.size()));
+  std::vector<SharedWith> all(wanted.size()), neighbours;
+  for (std::size_t i = 0; i < numbers.size(); ++i)
+    if (owners[i] != comm.rank()) {
+      wanted[std::size_t(owners[i])].push_back(numbers[i]);
+      all[std::size_t(owners[i])].borrowed.push_back(int(i));
+    }
+  const auto asked = askedFor(wanted, comm);
+  for (std::size_t rank = 0; rank < all.size(); ++rank) {
+    all[rank].rank = int(rank);
+    for (const std::int64_t number : asked[rank]) {
+      all[rank].lent.push_back(local(number));
+      NDFRAME_ASSERT(all[rank].lent.back() >= 0, "the owner of a thing holds it");
+    }
+    if (!all[rank].lent.empty() || !all[rank].borrowed.empty())
+      neighbours.push_back(std::move(all[rank]));
+  }
+  return {std::move(neighbours), comm};
 }
 
 void takeLargest(Vector& values, const Comm& comm)

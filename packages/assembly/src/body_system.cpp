@@ -156,12 +156,14 @@ double BodyModel::poissonRatio() const
 SparseField BodySystem::effectiveLoad(const Comm& comm) const
 {
   if (share) {
-    NodalField effective = load.all();
-    Vector heldThere(effective.size(), 0.0);
-    dofs.addPrescribed(heldThere);
-    const Vector moved = productOfPart(heldThere);
-    for (std::size_t i = 0; i < effective.size(); ++i)
-      effective[i] -= moved[i];
+    Vector effective = load.all();
+    if (!dofs.prescribed.empty()) {
+      Vector held(effective.size(), 0.0);
+      dofs.addPrescribed(held);
+      const Vector moved = productOfPart(held);
+      for (std::size_t i = 0; i < effective.size(); ++i)
+        effective[i] -= moved[i];
+    }
     return ownOf(*this, effective, comm);
   }
   if (dofs.prescribed.empty())
@@ -179,17 +181,7 @@ Vector BodySystem::productOfPart(const Vector& u) const
 {
   NDFRAME_ASSERT(share && u.size() == dofs.roles.size(), "values at all nodes of a part");
   Vector product(u.size(), 0.0);
-  const auto dim = std::size_t(K.dim);
-  const double* entry = K.values.data();
-  for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r) {
-    double* const row = product.data() + std::size_t(partNodes[r]) * dim;
-    for (auto b = std::size_t(K.rowPtr[r]); b < std::size_t(K.rowPtr[r + 1]); ++b) {
-      const double* const value = u.data() + std::size_t(partNodes[std::size_t(K.cols[b])]) * dim;
-      for (std::size_t i = 0; i < dim; ++i)
-        for (std::size_t j = 0; j < dim; ++j)
-          row[i] += *entry++ * value[j];
-    }
-  }
+  addProduct(K, u, product, [this](int node) { return partNodes[std::size_t(node)]; });
   return product;
 }
 

@@ -91,26 +91,6 @@ void cutData(const StaticData& data, BodyPiece& piece)
     }
 }
 
-/// Ghosts are asked for by their numbers in the body.
-SharedValues shareCells(const BodyPiece& piece, const Comm& comm)
-{
-  std::vector<std::vector<int>> wanted(std::size_t(comm.size()));
-  for (std::size_t cell = 0; cell < piece.cells.size(); ++cell)
-    if (!piece.owns(int(cell)))
-      wanted[std::size_t(piece.owner[cell])].push_back(piece.cells[cell]);
-  std::vector<std::vector<int>> asked = askedFor(wanted, comm);
-  std::vector<SharedWith> neighbours;
-  for (std::size_t rank = 0; rank < wanted.size(); ++rank) {
-    SharedWith other{int(rank), std::move(asked[rank]), std::move(wanted[rank])};
-    for (std::vector<int>* list : {&other.lent, &other.borrowed})
-      for (int& cell : *list)
-        cell = piece.local(cell);
-    if (!other.lent.empty() || !other.borrowed.empty())
-      neighbours.push_back(std::move(other));
-  }
-  return {std::move(neighbours), comm};
-}
-
 } // namespace
 
 std::vector<int> BodyPiece::ownCells() const
@@ -166,7 +146,9 @@ BodyPiece cutPiece(const BodyModel& body, const StaticData& data, const std::vec
   holdCells(body, owner, isTouched, piece);
   cutModel(body, piece);
   cutData(data, piece);
-  piece.shared = shareCells(piece, comm);
+  piece.shared = sharedByOwners(
+      {piece.cells.begin(), piece.cells.end()}, piece.owner,
+      [&piece](std::int64_t cell) { return piece.local(int(cell)); }, comm);
   return piece;
 }
 

@@ -58,6 +58,14 @@ void fillEmptyPieces(ExodusSharing& sharing)
   }
 }
 
+std::vector<ExodusStep> restricted(const std::vector<ExodusStep>& steps, const PieceScene& scene)
+{
+  std::vector<ExodusStep> ofPiece;
+  for (const ExodusStep& step : steps)
+    ofPiece.push_back(scene.restricted(step));
+  return ofPiece;
+}
+
 } // namespace
 
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces,
@@ -102,11 +110,8 @@ void writeExodusPiece(const std::string& path, const std::string& title, const s
   commonVariables(whole, steps);
   const PieceScene scene(bodies, contactSides, sharing, piece);
   const ExodusLayout layout = makeLayout(scene.bodies(), scene.sides());
-  std::vector<ExodusStep> restricted;
-  for (const ExodusStep& step : steps)
-    restricted.push_back(scene.restricted(step));
   NemesisRecords records(whole, layout, scene, sharing, piece);
-  writeContent(path, title, layout, restricted, infoLines, [&](ExodusFile& file) { records.put(file); });
+  writeContent(path, title, layout, restricted(steps, scene), infoLines, [&](ExodusFile& file) { records.put(file); });
 }
 
 void writeExodusShare(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
@@ -121,11 +126,8 @@ void writeExodusShare(const std::string& path, const std::string& title, const s
   commonVariables(makeLayout(bodies, contactSides), steps);
   const PieceScene scene(bodies, contactSides, sharing, whole.piece);
   const ExodusLayout layout = makeLayout(scene.bodies(), scene.sides());
-  std::vector<ExodusStep> restricted;
-  for (const ExodusStep& step : steps)
-    restricted.push_back(scene.restricted(step));
   NemesisRecords records(layout, scene, whole);
-  writeContent(path, title, layout, restricted, infoLines, [&](ExodusFile& file) { records.put(file); });
+  writeContent(path, title, layout, restricted(steps, scene), infoLines, [&](ExodusFile& file) { records.put(file); });
 }
 
 } // namespace ndframe

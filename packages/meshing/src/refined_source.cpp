@@ -42,12 +42,13 @@ public:
       : source_(std::move(source)), list_(list), halvings_(halvingsOf(list))
   {}
 
-  Mesh read() const override { return finished(source_->read()); }
-  Mesh readWith(ScriptMeshes& scripts) const override { return finished(source_->readWith(scripts)); }
+  Mesh read() const override { return refined(source_->read()); }
+  Mesh readWith(ScriptMeshes& scripts) const override { return refined(source_->readWith(scripts)); }
   const MeshSource& drawn() const override { return *source_; }
   MeshScript script() const override { return source_->script(); }
 
-  Mesh finished(Mesh mesh) const override
+private:
+  Mesh refined(Mesh mesh) const
   {
     checkSize(mesh);
     const int before = mesh.numCells();
@@ -62,7 +63,6 @@ public:
     return mesh;
   }
 
-private:
   void checkSize(const Mesh& mesh) const
   {
     const MemoryLeft left = memoryLeft();

@@ -99,16 +99,16 @@ Vector ofAllRanks(const Vector& values, const Comm& comm)
 /// The same whatever the number of ranks: of equally large strains that of the first cell.
 PeakSummary largestStrain(const BodyModel& body, const std::vector<CellStrain>& strains, const Comm& comm)
 {
-  Vector sizes{0.0};
+  Vector sizes;
   for (const auto& strain : strains)
     sizes.push_back(strain.value);
   if (body.share) {
-    sizes.erase(sizes.begin());
     const auto pointOf = [&](std::size_t cell) {
       return coordinates(body.mesh.point(strains[cell].vertex), body.mesh.dim);
     };
     return peakOfRanks(sizes, body.mesh.dim, pointOf, comm);
   }
+  sizes.push_back(0.0); // a rank may look at none
   const Vector largest = ofAllRanks({*std::max_element(sizes.begin(), sizes.end())}, comm);
   const double least = (1.0 - equallyLarge) * *std::max_element(largest.begin(), largest.end());
   const auto own = std::find_if(strains.begin(), strains.end(), [&](const auto& s) { return s.value >= least; });

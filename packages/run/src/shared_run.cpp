@@ -11,13 +11,6 @@ namespace ndframe
 namespace
 {
 
-bool touches(const Model& model, int body)
-{
-  return std::any_of(model.interfaces.begin(), model.interfaces.end(), [body](const InterfaceMesh& interface) {
-    return interface.dirichlet().body == body || interface.neumann().body == body;
-  });
-}
-
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
 {
   const Model& model = *drawn.model;
@@ -28,11 +21,11 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
   for (const int body : bodies) {
     const std::int64_t dofs = refinedDofs(drawn, body);
     all += dofs;
-    together += touches(model, body) ? dofs : 0;
+    together += model.touches(body) ? dofs : 0;
   }
   const auto isForMultigrid = [&](int body) {
     BodyOutline outline = model.outline(body);
-    outline.dofs = touches(model, body) ? together : refinedDofs(drawn, body);
+    outline.dofs = model.touches(body) ? together : refinedDofs(drawn, body);
     return tools.solver->name(outline, tools.comm.size()) == "Multigrid";
   };
   const OutputOptions& output = tools.settings.output;
@@ -49,6 +42,7 @@ bool mayBeShared(const RunSettings& settings, int ranks)
   return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 && output.probes.empty() &&
          !output.checkpoint && output.steps == StepsWritten::Final &&
          (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
+         (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") &&
          std::all_of(bodies.begin(), bodies.end(),
                      [](const BodySettings& body) { return body.isRigid || halvingsOf(body.shape) > 0; });
 }
@@ -56,7 +50,7 @@ bool mayBeShared(const RunSettings& settings, int ranks)
 DrawnScene drawnToShare(const RunTools& tools)
 {
   const SceneSettings& scene = tools.settings.scene;
-  if (!mayBeShared(tools.settings, tools.comm.size()))
+  if (!mayBeShared(tools.settings, tools.comm.size()) || !tools.coupling->solvesWhole(3))
     return {};
   DrawnScene drawn = readDrawn(scene, tools.components, tools.comm, tools.ledger);
   offerWhole(*drawn.model, *tools.coupling, scene.interfaceOperator);

@@ -151,13 +151,15 @@ int Model::bodyIndex(const std::string& name) const
   return -1;
 }
 
+bool Model::touches(int body) const
+{
+  return std::any_of(interfaces.begin(), interfaces.end(), [body](const InterfaceMesh& interface) {
+    return interface.dirichlet().body == body || interface.neumann().body == body;
+  });
+}
+
 BodyOutline Model::outline(int body) const
 {
-  const auto touches = [&](int one) {
-    return std::any_of(interfaces.begin(), interfaces.end(), [one](const InterfaceMesh& interface) {
-      return interface.dirichlet().body == one || interface.neumann().body == one;
-    });
-  };
   BodyOutline outline{bodies[std::size_t(body)].mesh.dim, 0, 0, touches(body) && !solvesWhole, 0.0};
   for (const int one : elasticBodies())
     if (one == body || (solvesWhole && touches(body) && touches(one))) {

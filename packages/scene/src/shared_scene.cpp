@@ -155,10 +155,9 @@ void completePart(Model& model, std::size_t b, const std::shared_ptr<const BodyS
   BodyModel& body = model.bodies[b];
   body.share = share;
   fetchConstraints(*share, model.constraints[b]);
-  const NodalField load = model.loads[b].all(); // complete at own nodes only
-  Vector own(load.begin(), load.end());
-  share->annulOthers(own, load.width());
-  model.loads[b] = SparseField(atNodes(std::move(own), load.width()));
+  Vector load = model.loads[b].all(); // complete at own nodes only
+  share->annulOthers(load, body.mesh.dim);
+  model.loads[b] = SparseField(atNodes(std::move(load), body.mesh.dim));
   body.mesh.notes.push_back(noteOf(*share, body.mesh.dim, halvings, comm));
 }
 

@@ -36,6 +36,10 @@ using SideTractions = std::array<ContactTraction, 2>;
 /// (columns) on a facet of unit measure: sum_k T_k L_k / |f| has the coefficients bernsteinOfMoments T / |f|.
 DenseMatrix bernsteinOfMoments(int dim, int degree);
 
+/// The largest of the values on all patches that `map` makes of the moments of t_N on a facet of unit measure.
+double largestOfMoments(const DenseMatrix& map, const ContactTraction& traction,
+                        const std::vector<ContactPatch>& patches);
+
 /// Largest Bernstein coefficient of t_N over all patches: not above 0 means t_N <= 0 everywhere.
 double largestBernstein(const ContactTraction& traction, const std::vector<ContactPatch>& patches);
 

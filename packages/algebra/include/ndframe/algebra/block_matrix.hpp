@@ -51,6 +51,23 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
 BlockMatrix withoutIdleGhosts(int dim, const IndexMap& nodes, std::vector<std::int64_t> rowPtr, std::vector<int> cols,
                               std::vector<double> values);
 
+/// y += K x by this rank's rows. placeOf: of a node that the matrix holds, by the matrix's number, in x and y.
+template <class PlaceOf>
+void addProduct(const BlockMatrix& K, const Vector& x, Vector& y, const PlaceOf& placeOf)
+{
+  const auto dim = std::size_t(K.dim);
+  const double* entry = K.values.data();
+  for (int r = 0; r < K.numRows(); ++r) {
+    double* const yRow = y.data() + std::size_t(placeOf(r)) * dim;
+    for (auto b = std::size_t(K.rowPtr[std::size_t(r)]); b < std::size_t(K.rowPtr[std::size_t(r) + 1]); ++b) {
+      const double* const xCol = x.data() + std::size_t(placeOf(K.cols[b])) * dim;
+      for (std::size_t i = 0; i < dim; ++i)
+        for (std::size_t j = 0; j < dim; ++j)
+          yRow[i] += *entry++ * xCol[j];
+    }
+  }
+}
+
 /// y = K x with x and y replicated on all ranks.
 Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm);
 

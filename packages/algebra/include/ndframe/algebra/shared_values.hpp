@@ -53,7 +53,12 @@ private:
 
 /// wanted: per rank the numbers that this rank wants from it. Returns per rank what it wants from this one, in its
 /// order. Collective.
-std::vector<std::vector<int>> askedFor(const std::vector<std::vector<int>>& wanted, const Comm& comm);
+std::vector<std::vector<std::int64_t>> askedFor(const std::vector<std::vector<std::int64_t>>& wanted, const Comm& comm);
+
+/// Values of things of which each rank holds some. numbers: per thing that this rank holds one that all ranks know;
+/// owners: per thing the rank that owns it, and holds it; local: this rank's place of a number. Collective.
+SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std::vector<int>& owners,
+                            const std::function<int(std::int64_t number)>& local, const Comm& comm);
 
 /// Element-wise the largest value of all ranks, on every rank. Collective.
 void takeLargest(Vector& values, const Comm& comm);

@@ -32,9 +32,8 @@ public:
   /// The same mesh; what gmsh has made of its script already is not made again.
   virtual Mesh readWith(ScriptMeshes&) const { return read(); }
 
-  /// What makes the mesh before its edges are halved (halvingsOf), and the mesh that this one would read then.
+  /// What makes the mesh before its edges are halved (halvingsOf).
   virtual const MeshSource& drawn() const { return *this; }
-  virtual Mesh finished(Mesh drawn) const { return drawn; }
 
   /// The script that gmsh makes the mesh of. Throws InputError (with the deck's place) when the mesh comes from none.
   virtual MeshScript script() const = 0;
