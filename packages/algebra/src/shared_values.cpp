@@ -97,6 +97,11 @@ std::vector<std::vector<std::int64_t>> askedFor(const std::vector<std::vector<st
   return comm.size() == 1 ? std::vector<std::vector<std::int64_t>>{{}} : exchanged(wanted, comm);
 }
 
+std::vector<Vector> exchangedValues(const std::vector<Vector>& values, const Comm& comm)
+{
+  return exchanged(values, comm);
+}
+
 SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std::vector<int>& owners,
                             const std::function<int(std::int64_t number)>& local, const Comm& comm)
 {

@@ -146,9 +146,9 @@ BodyPiece cutPiece(const BodyModel& body, const StaticData& data, const std::vec
   holdCells(body, owner, isTouched, piece);
   cutModel(body, piece);
   cutData(data, piece);
+  piece.numbers.assign(piece.cells.begin(), piece.cells.end());
   piece.shared = sharedByOwners(
-      {piece.cells.begin(), piece.cells.end()}, piece.owner,
-      [&piece](std::int64_t cell) { return piece.local(int(cell)); }, comm);
+      piece.numbers, piece.owner, [&piece](std::int64_t cell) { return piece.local(int(cell)); }, comm);
   return piece;
 }
 

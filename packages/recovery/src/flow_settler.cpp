@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/equilibrium/settle_balance.hpp"
 
 namespace ndframe
@@ -27,9 +26,10 @@ void addSquare(const DenseMatrix& map, double factor, double* sum)
 
 } // namespace
 
-FlowSettler::FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole)
-    : body_(body), faces_(faces), piece_(piece), mesh_(faces.cells().body(body).model().mesh), flow_(whole),
-      about_(cellCentre(whole, 0)), size_(diameter(whole))
+FlowSettler::FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole,
+                         const Comm& comm)
+    : body_(body), faces_(faces), piece_(piece), mesh_(faces.cells().body(body).model().mesh),
+      flow_(mesh_, piece, comm), about_(cellCentre(whole, 0)), size_(diameter(whole))
 {
   const StarBody& star = faces.cells().body(body);
   const auto modes = std::size_t(star.loadModes());
@@ -105,7 +105,7 @@ void FlowSettler::react(std::vector<Wrench>& lacks, StressCorrection& correction
   for (int cell = 0; cell < mesh_.numCells(); ++cell) {
     if (!isOwn(cell))
       continue;
-    const std::size_t part = perPart * std::size_t(flow_.partOf(inWhole(cell)));
+    const std::size_t part = perPart * std::size_t(flow_.partOf(cell));
     const Wrench moved = movedWrench(lacks[std::size_t(cell)], centre(cell), 1.0, about_, size_);
     std::transform(moved.begin(), moved.end(), sums.begin() + std::ptrdiff_t(part), sums.begin() + std::ptrdiff_t(part),
                    std::plus<>());
@@ -124,7 +124,7 @@ void FlowSettler::react(std::vector<Wrench>& lacks, StressCorrection& correction
     motions.push_back(multiply(pseudoInverse(resistance, noResistance), total));
   }
   for (const Support& support : supports)
-    give(support, motions[std::size_t(flow_.partOf(inWhole(support.cell)))], lacks, correction);
+    give(support, motions[std::size_t(flow_.partOf(support.cell))], lacks, correction);
 }
 
 /// The reactions of a support that resists a motion.
@@ -147,37 +147,20 @@ void FlowSettler::give(const Support& support, const Vector& motion, std::vector
     lacks[std::size_t(support.cell)][i] += taken[i];
 }
 
-/// Those of all ranks' cells, by their numbers in the body.
-std::vector<Wrench> FlowSettler::ofWhole(const std::vector<Wrench>& own, const Comm& comm) const
-{
-  if (piece_ == nullptr)
-    return own;
-  Vector values(std::size_t(piece_->whole->mesh.numCells()) * wrench, 0.0);
-  for (std::size_t cell = 0; cell < own.size(); ++cell)
-    std::copy(own[cell].begin(), own[cell].end(), values.begin() + std::ptrdiff_t(inWhole(int(cell))) * wrench);
-  comm.sum(values);
-  std::vector<Wrench> all(values.size() / wrench);
-  for (std::size_t cell = 0; cell < all.size(); ++cell)
-    std::copy_n(values.data() + cell * wrench, wrench, all[cell].begin());
-  return all;
-}
-
 void FlowSettler::pass(StressCorrection& correction, const Comm& comm) const
 {
   std::vector<Wrench> own = lacks(correction);
   react(own, correction, comm);
-  const std::vector<Wrench> through = flow_.through(ofWhole(own, comm));
+  const std::vector<Wrench> through = flow_.through(own);
   for (int cell = 0; cell < mesh_.numCells(); ++cell)
     for (int facet = 0; facet < 4 && isOwn(cell); ++facet) {
-      const int half = inWhole(cell) * 4 + facet, number = flow_.faceOf(half);
-      if (number < 0)
-        continue;
       const StressFace& passed = face(cell, facet);
-      const double sign = flow_.faces()[std::size_t(number)].half[0] == half ? 1.0 : -1.0;
-      const Wrench& sent = through[std::size_t(number)];
+      if (!passed.isInside())
+        continue;
+      const Wrench& sent = through[std::size_t(cell) * 4 + std::size_t(facet)];
       Vector amounts;
       for (std::size_t i = 0; i < sent.size(); ++i)
-        amounts.push_back(sign * (i < 3 ? sent[i] : sent[i] / passed.size));
+        amounts.push_back(i < 3 ? sent[i] : sent[i] / passed.size);
       add(cell, facet, passed.free->carrier, amounts, correction);
     }
 }
@@ -222,7 +205,7 @@ void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, c
     if (!needsSettling(whole, *correction))
       continue;
     if (!settler)
-      settler = std::make_unique<FlowSettler>(body, faces, piece, whole);
+      settler = std::make_unique<FlowSettler>(body, faces, piece, whole, comm);
     settler->settle(*correction, comm);
   }
 }

@@ -1,22 +1,20 @@
 #pragma once
 
-#include "ndframe/algebra/comm.hpp"
-#include "ndframe/equilibrium/body_piece.hpp"
+#include "ndframe/equilibrium/block_flow.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
-#include "ndframe/equilibrium/wrench_flow.hpp"
 #include "stress_faces.hpp"
 
 namespace ndframe
 {
 
 /// Brings cells into balance that their stars have left without, because u~ is not in finite element equilibrium:
-/// supports take what a part of the body lacks in all, by the smallest reactions, and a WrenchFlow the rest.
+/// supports take what a part of the body lacks in all, by the smallest reactions, and a BlockFlow the rest.
 class FlowSettler
 {
 public:
   /// body: its number in faces.cells(); piece: what this rank holds of it, null where that is all of it; whole: its
-  /// mesh.
-  FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole);
+  /// mesh. Collective.
+  FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole, const Comm& comm);
 
   /// Afterwards correction.imbalance is what cells then lack. The result does not depend on how cells are shared.
   /// Collective.
@@ -30,15 +28,13 @@ private:
   };
 
   bool isOwn(int cell) const { return piece_ == nullptr || piece_->owns(cell); }
-  int inWhole(int cell) const { return piece_ == nullptr ? cell : piece_->cells[std::size_t(cell)]; }
   const StressFace& face(int cell, int facet) const
   {
     return faces_[faces_.within(faces_.cells().number(body_, cell), facet)];
   }
-  const Direction& centre(int cell) const { return flow_.centre(inWhole(cell)); }
+  const Direction& centre(int cell) const { return flow_.centre(cell); }
   Wrench lack(int cell, const StressCorrection& correction) const;
   std::vector<Wrench> lacks(const StressCorrection& correction) const;
-  std::vector<Wrench> ofWhole(const std::vector<Wrench>& own, const Comm& comm) const;
   void give(const Support& support, const Vector& motion, std::vector<Wrench>& lacks,
             StressCorrection& correction) const;
   void react(std::vector<Wrench>& lacks, StressCorrection& correction, const Comm& comm) const;
@@ -51,7 +47,7 @@ private:
   const StressFaces& faces_;
   const BodyPiece* piece_;
   const Mesh& mesh_; ///< what this rank holds
-  WrenchFlow flow_;
+  BlockFlow flow_;
   Direction about_;
   double size_;                     ///< of the body: moments of parts are divided by it
   std::vector<Direction> loadArms_; ///< per cell and load mode: mean of (x - centre) m_k

@@ -75,8 +75,9 @@ private:
     for (const auto& star : stars)
       pointers.push_back(star.get());
     for (std::size_t b = 0; pieces_ && b < stars.size(); ++b)
-      pieces.push_back(piece(b));
-    const StressCells cells(std::move(pointers), pieces);
+      pieces.push_back(stars[b] ? piece(b) : nullptr);
+    const StressCells cells =
+        pieces_ ? StressCells(std::move(pointers), pieces, comm_) : StressCells(std::move(pointers));
     const StressFaces faces(cells, contact);
     for (const int body : bodies)
       balance(body, faces);

@@ -10,69 +10,48 @@ namespace ndframe
 namespace
 {
 
-const BodyPiece* pieceOf(const std::vector<const BodyPiece*>& pieces, std::size_t body)
-{
-  return pieces.empty() ? nullptr : pieces[body];
-}
-
-/// Of the whole bodies.
-std::vector<const BodyModel*> modelsOf(const std::vector<const StarBody*>& bodies,
-                                       const std::vector<const BodyPiece*>& pieces)
+std::vector<const BodyModel*> modelsOf(const std::vector<const StarBody*>& bodies)
 {
   std::vector<const BodyModel*> models;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const BodyPiece* piece = pieceOf(pieces, b);
-    models.push_back(bodies[b] == nullptr ? nullptr : (piece == nullptr ? &bodies[b]->model() : piece->whole));
-  }
+  for (const StarBody* body : bodies)
+    models.push_back(body == nullptr ? nullptr : &body->model());
   return models;
-}
-
-/// Found for all cells, so that ranks agree on what is the same.
-CellClasses classesOf(const std::vector<const StarBody*>& bodies, const std::vector<const BodyPiece*>& pieces)
-{
-  const std::vector<const BodyModel*> models = modelsOf(bodies, pieces);
-  CellClasses all(models);
-  if (pieces.empty())
-    return all;
-  std::vector<int> held;
-  int first = 0;
-  for (std::size_t b = 0; b < models.size(); ++b) {
-    if (models[b] == nullptr)
-      continue;
-    for (const int cell : pieces[b]->cells)
-      held.push_back(first + cell);
-    first += models[b]->mesh.numCells();
-  }
-  return all.among(held);
 }
 
 } // namespace
 
-StressCells::StressCells(std::vector<const StarBody*> bodies, const std::vector<const BodyPiece*>& pieces)
-    : bodies_(std::move(bodies)), classes_(classesOf(bodies_, pieces)), whole_(modelsOf(bodies_, pieces))
+StressCells::StressCells(std::vector<const StarBody*> bodies) : bodies_(std::move(bodies)), classes_(modelsOf(bodies_))
 {
-  for (std::size_t b = 0; b < bodies_.size(); ++b) {
-    const StarBody* body = bodies_[b];
-    first_.push_back(first_.back() + (body == nullptr ? 0 : body->model().mesh.numCells()));
-    if (body == nullptr)
-      continue;
-    any_ = body;
-    if (const BodyPiece* piece = pieceOf(pieces, b)) {
+  count();
+}
+
+StressCells::StressCells(std::vector<const StarBody*> bodies, const std::vector<const BodyPiece*>& pieces,
+                         const Comm& comm)
+    : bodies_(std::move(bodies)), classes_(pieces, comm), rank_(comm.rank())
+{
+  for (const BodyPiece* piece : pieces)
+    if (piece != nullptr)
       owner_.insert(owner_.end(), piece->owner.begin(), piece->owner.end());
-      rank_ = piece->rank;
-    }
+  count();
+}
+
+void StressCells::count()
+{
+  for (const StarBody* body : bodies_) {
+    first_.push_back(first_.back() + (body == nullptr ? 0 : body->model().mesh.numCells()));
+    any_ = body == nullptr ? any_ : body;
   }
   NDFRAME_ASSERT(any_ != nullptr && any_->dim() == 3, "cells of solids");
 }
 
-std::vector<const double*> StressCells::cornersOfOrigin(int number, int facet) const
+std::array<Direction, 4> StressCells::cornersOfOrigin(int number) const
 {
-  int cell = classes_.origin(classes_.of(number));
-  std::size_t body = 0;
-  for (; whole_[body] == nullptr || cell >= whole_[body]->mesh.numCells(); ++body)
-    cell -= whole_[body] == nullptr ? 0 : whole_[body]->mesh.numCells();
-  const Mesh& mesh = whole_[body]->mesh;
-  return corners(mesh, sortedCell(mesh, cell), facet);
+  const int first = classes_.first(classes_.of(number)), body = bodyOf(first);
+  const CellClasses::Edges edges = classes_.edges(classes_.of(number), mesh(first), first - first_[std::size_t(body)]);
+  std::array<Direction, 4> corners{};
+  for (std::size_t at = 0; at < edges.size(); ++at)
+    corners[at / 3 + 1][at % 3] = edges[at];
+  return corners;
 }
 
 int StressCells::bodyOf(int number) const

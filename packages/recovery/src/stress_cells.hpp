@@ -16,8 +16,9 @@ class StressCells
 {
 public:
   /// bodies: those of a scene, null for the others. They must outlive this.
-  /// pieces: of the bodies, where these are pieces; they must outlive this, too.
-  explicit StressCells(std::vector<const StarBody*> bodies, const std::vector<const BodyPiece*>& pieces = {});
+  explicit StressCells(std::vector<const StarBody*> bodies);
+  /// pieces: of the bodies, which are pieces; they must outlive this, too. Collective.
+  StressCells(std::vector<const StarBody*> bodies, const std::vector<const BodyPiece*>& pieces, const Comm& comm);
 
   int size() const { return first_.back(); }
   int numBodies() const { return int(bodies_.size()); }
@@ -34,8 +35,9 @@ public:
   SortedCell sorted(int number) const;
   /// Of all cells, by their numbers.
   const CellClasses& classes() const { return classes_; }
-  /// The vertices of a sorted facet of the cell that is the origin of a cell's class.
-  std::vector<const double*> cornersOfOrigin(int number, int facet) const;
+  /// The vertices in sorted order of the cell that comes first in a cell's class, moved and scaled: the same on all
+  /// ranks.
+  std::array<Direction, 4> cornersOfOrigin(int number) const;
 
   int rank() const { return rank_; }
   /// The rank that owns a cell.
@@ -43,13 +45,14 @@ public:
   bool isOwn(int number) const { return owner(number) == rank_; }
 
 private:
+  void count();
+
   std::vector<const StarBody*> bodies_;
   const StarBody* any_ = nullptr;
   std::vector<int> first_{0}; ///< per body, and the end
   CellClasses classes_;
   int rank_ = 0;
-  std::vector<int> owner_;              ///< per cell; empty: all are own
-  std::vector<const BodyModel*> whole_; ///< per body, all its cells
+  std::vector<int> owner_; ///< per cell; empty: all are own
 };
 
 } // namespace ndframe

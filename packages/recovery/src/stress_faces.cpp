@@ -179,8 +179,13 @@ void StressFaces::freeTractions(StressFace& face)
   constexpr int wrench = 6, linear = 9; // data of the modes that carry a wrench: splitFacet() uses no others
   auto& found = inside_[std::size_t(cells_->classes().of(face.cell[0])) * 4 + std::size_t(face.facet[0])];
   if (!found) {
+    const std::array<Direction, 4> corners = cells_->cornersOfOrigin(face.cell[0]);
+    std::vector<const double*> vertices;
+    for (int v = 0; v < 4; ++v)
+      if (v != face.facet[0])
+        vertices.push_back(corners[std::size_t(v)].data());
     StressFace origin;
-    const Vector arms = findGeometry(cells_->cornersOfOrigin(face.cell[0], face.facet[0]), origin);
+    const Vector arms = findGeometry(vertices, origin);
     const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), origin.size);
     found = std::make_shared<FreeTractions>(FreeTractions{upperLeft(split.modes, linear, linear - wrench),
                                                           upperLeft(split.carrier, linear, wrench),

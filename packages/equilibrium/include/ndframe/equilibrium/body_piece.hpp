@@ -11,16 +11,17 @@ namespace ndframe
 /// body, so that displacements of the whole body serve the piece.
 struct BodyPiece
 {
-  BodyModel model;                  ///< cells, vertices, node numbers and laws; without sides, supports and loads
-  StaticData data;                  ///< of the held cells, without the oscillation
-  const BodyModel* whole = nullptr; ///< not owned
-  std::size_t numContact = 0;       ///< contact facets of the body
-  std::vector<int> cells;           ///< held ones by their numbers in the body, ascending
-  std::vector<int> owner;           ///< per held cell
-  std::vector<int> points;          ///< vertices by their numbers in the body, ascending
-  std::vector<int> contact;         ///< per facet of data.contact its place among the body's
-  int rank = 0;                     ///< this one
-  SharedValues shared;              ///< the values of held cells
+  BodyModel model;                   ///< cells, vertices, node numbers and laws; without sides, supports and loads
+  StaticData data;                   ///< of the held cells, without the oscillation
+  const BodyModel* whole = nullptr;  ///< not owned
+  std::size_t numContact = 0;        ///< contact facets of the body
+  std::vector<int> cells;            ///< held ones by their numbers in the body, ascending
+  std::vector<std::int64_t> numbers; ///< of held cells, known to all ranks, ascending
+  std::vector<int> owner;            ///< per held cell
+  std::vector<int> points;           ///< vertices by their numbers in the body, ascending
+  std::vector<int> contact;          ///< per facet of data.contact its place among the body's
+  int rank = 0;                      ///< this one
+  SharedValues shared;               ///< the values of held cells
 
   bool owns(int cell) const { return owner[std::size_t(cell)] == rank; } ///< a held cell
   std::vector<int> ownCells() const;

@@ -1,6 +1,8 @@
 #pragma once
 
-#include "ndframe/assembly/body_system.hpp"
+#include <unordered_map>
+
+#include "ndframe/equilibrium/body_piece.hpp"
 
 namespace ndframe
 {
@@ -15,33 +17,35 @@ namespace ndframe
 class CellClasses
 {
 public:
+  /// Edge vectors from a cell's first vertex, in sorted order, over its longest coordinate difference.
+  using Edges = std::array<double, 9>;
+
   /// bodies: null where there is none; cells are numbered one body after the other.
   explicit CellClasses(const std::vector<const BodyModel*>& bodies);
-
-  /// The classes of some cells alone, in this order, numbered as here but without those that none of them has. count()
-  /// stays that of all cells, and so does origin(); first() is one of these cells.
-  CellClasses among(const std::vector<int>& cells) const;
+  /// Of the cells that this rank holds of bodies in pieces; pieces: null where there is no body. Collective.
+  CellClasses(const std::vector<const BodyPiece*>& pieces, const Comm& comm);
 
   int size() const { return int(first_.size()); }
   int of(int cell) const { return of_[std::size_t(cell)]; }
   /// The first cell of a class.
   int first(int number) const { return first_[std::size_t(number)]; }
-  /// The first cell of a class among all cells, by its number there: whatever is made from it is the same on all ranks.
-  int origin(int number) const { return origin_.empty() ? first(number) : origin_[std::size_t(number)]; }
-  bool hasOrigin(int number) const
-  {
-    return hasOrigin_.empty() || hasOrigin_[std::size_t(number)] != 0;
-  } ///< it is first()
-  /// How many cells it has.
+  /// How many cells it has, of all ranks.
   int count(int number) const { return count_[std::size_t(number)]; }
+  /// Whether this rank has the cell of a class that comes first among those of all ranks.
+  bool hasOrigin(int number) const { return origins_.count(number) == 0; }
+  /// The edges of that cell: whatever is made from them is the same on all ranks. mesh: of first(), cell: its number
+  /// there.
+  Edges edges(int number, const Mesh& mesh, int cell) const;
   double scale(int cell) const { return length_[std::size_t(first(of(cell)))] / length_[std::size_t(cell)]; }
 
 private:
-  CellClasses() = default;
+  void find(const std::vector<const BodyModel*>& bodies);
+  void agree(const std::vector<const BodyPiece*>& pieces, const Comm& comm);
 
-  std::vector<int> of_, first_, count_, origin_; ///< the last one empty where it is first_
-  std::vector<char> hasOrigin_;                  ///< empty: all have
-  Vector length_;                                ///< of every cell
+  std::vector<int> of_, first_, count_;
+  Vector length_;                          ///< of every cell
+  std::vector<std::int64_t> hashes_;       ///< per class, while ranks agree
+  std::unordered_map<int, Edges> origins_; ///< of classes whose first cells are other ranks'
 };
 
 } // namespace ndframe

@@ -1,46 +1,38 @@
 #pragma once
 
-#include <array>
-#include <vector>
-
-#include "ndframe/assembly/side_condition.hpp"
-#include "ndframe/mesh/mesh.hpp"
+#include "ndframe/equilibrium/spring.hpp"
 
 namespace ndframe
 {
 
-/// Force and moment.
-using ForceMoment = std::array<double, 6>;
-
-/// Hands on what the cells of a body lack of balance from cell to cell until every cell has what it needs.
+/// Hands on what the nodes of a graph (cells of a body, or sets of cells) lack of balance from node to node until every
+/// one has what it needs.
 ///
-/// Cells are halved by place again and again, and what a half lacks comes from the other one through all faces between
-/// the two: as a rigid motion of one against the other with springs on the faces would carry it. So what passes through
-/// a face is what a compact set of cells lacks, not a path of them, and levers are as long as the set is. Any flow is
-/// admissible; this one is near that of the least energy where what neighbours lack nearly adds up to nothing.
-/// Which cells are halves depends on the mesh alone.
+/// Nodes are halved by place again and again, and what a half lacks comes from the other one through all links between
+/// the two: as a rigid motion of one against the other would load their springs. So what passes through a link is what
+/// a compact set of nodes lacks, not a path of them, and levers are as long as the set is. Any flow is admissible; this
+/// one is near that of the least energy where what neighbours lack nearly adds up to nothing.
+/// Which nodes are halves depends on the graph alone.
 class WrenchFlow
 {
 public:
-  /// A face inside, between the two cells of half facets (facetTwins).
-  struct Face
+  struct Link
   {
-    std::array<int, 2> half; ///< the smaller one first
-    Direction centre;
-    double size;        ///< square root of the area
-    double conductance; ///< the area squared over the volumes beside it
+    std::array<int, 2> node;
+    Spring spring;
   };
 
-  explicit WrenchFlow(const Mesh& mesh);
+  WrenchFlow(std::vector<Direction> centres, std::vector<Link> links);
 
-  const std::vector<Face>& faces() const { return faces_; }
-  /// The number of the face at a half facet; -1 on the boundary.
-  int faceOf(int half) const { return faceOf_[std::size_t(half)]; }
-  const Direction& centre(int cell) const { return centres_[std::size_t(cell)]; }
-  int numParts() const { return int(parts_.size()); } ///< that hang together through faces
-  int partOf(int cell) const { return partOf_[std::size_t(cell)]; }
-  /// lacks: per cell, about its centre; a part's add up to nothing. What tractions on the first cell of every face are
-  /// to add, about the face's centre. What parts lack in all stays in one of their cells; round-off does in others.
+  int size() const { return int(centres_.size()); }
+  const std::vector<Link>& links() const { return links_; }
+  const Direction& centre(int node) const { return centres_[std::size_t(node)]; }
+  int numParts() const { return int(parts_.size()); } ///< that hang together; numbered by their first nodes
+  int partOf(int node) const { return partOf_[std::size_t(node)]; }
+  int firstOf(int part) const { return parts_[std::size_t(part)].front(); } ///< its first node
+  /// lacks: per node, about its centre; a part's add up to nothing. What the first node of every link is to get, and
+  /// the second one to give, about the link's centre. What parts lack in all stays in one of their nodes; round-off
+  /// does in others.
   std::vector<ForceMoment> through(std::vector<ForceMoment> lacks) const;
 
 private:
@@ -48,16 +40,22 @@ private:
   {
     int first, last;
   };
+  /// A link as one of its nodes sees it.
+  struct Arm
+  {
+    int link, other;
+  };
   class Pass;
 
-  std::vector<Face> faces_;
-  std::vector<int> faceOf_;
+  const Arm* begin(int node) const { return arms_.data() + firstArm_[std::size_t(node)]; }
+  const Arm* end(int node) const { return arms_.data() + firstArm_[std::size_t(node) + 1]; }
+
   std::vector<Direction> centres_;
+  std::vector<Link> links_;
+  std::vector<Arm> arms_; ///< of a node one after the other
+  std::vector<int> firstArm_;
   std::vector<std::vector<int>> parts_;
   std::vector<int> partOf_;
 };
-
-/// sum += a wrench about one point as one about another.
-void addMoved(const ForceMoment& wrench, const Direction& from, const Direction& to, ForceMoment& sum);
 
 } // namespace ndframe

@@ -1,0 +1,305 @@
+#include "block_flow_builder.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "block_grid.hpp"
+#include "ndframe/equilibrium/facet_twins.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+using Number = BlockFlow::Builder::Number;
+
+constexpr int cellsOfBlock = 500, mostBlocks = 20000;
+
+/// Values one after the other, as ranks send them.
+class Reader
+{
+public:
+  explicit Reader(const Vector& values) : next_(values.data()), end_(values.data() + values.size()) {}
+  explicit operator bool() const { return next_ != end_; }
+  double value() { return *next_++; }
+  Number number() { return Number(value()); }
+  Direction direction()
+  {
+    const Direction result{next_[0], next_[1], next_[2]};
+    next_ += 3;
+    return result;
+  }
+
+private:
+  const double *next_, *end_;
+};
+
+void append(Vector& values, const Direction& direction)
+{
+  values.insert(values.end(), direction.begin(), direction.end());
+}
+
+int placeOf(const std::vector<Number>& ascending, Number number)
+{
+  const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
+  return found != ascending.end() && *found == number ? int(found - ascending.begin()) : -1;
+}
+
+} // namespace
+
+void BlockFlow::Builder::fetch(std::vector<int>& ofHeld) const
+{
+  if (piece_ == nullptr)
+    return;
+  Vector values(ofHeld.begin(), ofHeld.end());
+  piece_->shared.fetch([](int cell) { return SharedValues::Place{std::size_t(cell), 1}; }, values);
+  std::transform(values.begin(), values.end(), ofHeld.begin(), [](double value) { return int(value); });
+}
+
+/// To all ranks with cells in a box.
+void BlockFlow::Builder::send(std::vector<Vector>& out, int block, const Vector& record) const
+{
+  for (const int rank : ranksOf_[std::size_t(block)])
+    out[std::size_t(rank)].insert(out[std::size_t(rank)].end(), record.begin(), record.end());
+}
+
+void BlockFlow::Builder::findOwn()
+{
+  for (int cell = 0; cell < mesh_.numCells(); ++cell) {
+    flow_.centres_.push_back(cellCentre(mesh_, cell));
+    if (isOwn(cell))
+      flow_.own_.push_back(cell);
+  }
+  flow_.halves_ = std::size_t(mesh_.numCells()) * 4;
+}
+
+void BlockFlow::Builder::findBlocks()
+{
+  std::vector<Direction> centres;
+  for (const int cell : flow_.own_)
+    centres.push_back(flow_.centre(cell));
+  const BlockGrid grid(centres, cellsOfBlock, mostBlocks, comm_);
+  blockOf_.assign(std::size_t(mesh_.numCells()), -1);
+  std::vector<char> isNear(std::size_t(grid.size()), 0);
+  for (const int cell : flow_.own_) {
+    blockOf_[std::size_t(cell)] = grid.blockOf(flow_.centre(cell));
+    isNear[std::size_t(blockOf_[std::size_t(cell)])] = 1;
+  }
+  fetch(blockOf_);
+  Vector blocks;
+  for (int block = 0; block < grid.size(); ++block)
+    if (isNear[std::size_t(block)] != 0)
+      blocks.insert(blocks.end(), {double(block), double(comm_.rank())});
+  ranksOf_.resize(std::size_t(grid.size()));
+  const Vector all = gatheredFrom(blocks, comm_);
+  for (std::size_t at = 0; at < all.size(); at += 2)
+    ranksOf_[std::size_t(all[at])].push_back(int(all[at + 1]));
+}
+
+void BlockFlow::Builder::findFaces()
+{
+  const std::vector<SortedCell> cells = sortedCells(mesh_);
+  const std::vector<int> twins = facetTwins(cells, 3);
+  for (const int cell : flow_.own_)
+    for (int half = cell * 4; half < cell * 4 + 4; ++half) {
+      const int twin = twins[std::size_t(half)];
+      if (twin < 0 || number(twin / 4) < number(cell))
+        continue;
+      const Facet facet{cell, cells[std::size_t(cell)].local[std::size_t(half % 4)]};
+      double normal[3];
+      const double area = facetNormal(mesh_, facet, normal), size = std::sqrt(area);
+      const double conductance = area * area / (cellMeasure(mesh_, cell) + cellMeasure(mesh_, twin / 4));
+      faces_.push_back({{half, twin}, Spring::ofFace(facetCentre(mesh_, facet), conductance, size), size});
+    }
+}
+
+/// All ranks with cells in a box get all its cells.
+void BlockFlow::Builder::takeNear()
+{
+  std::vector<Vector> out(std::size_t(comm_.size()));
+  for (const int cell : flow_.own_)
+    send(out, blockOf_[std::size_t(cell)], {double(number(cell))});
+  const std::vector<Vector> in = exchangedValues(out, comm_);
+  for (const Vector& numbers : in)
+    near_.insert(near_.end(), numbers.begin(), numbers.end());
+  std::sort(near_.begin(), near_.end());
+  std::vector<SharedWith> neighbours;
+  for (int rank = 0; rank < comm_.size(); ++rank) {
+    SharedWith other{rank, {}, {}};
+    const auto places = [&](const Vector& numbers) {
+      std::vector<int> result;
+      for (const double value : numbers)
+        result.push_back(placeOf(near_, Number(value)));
+      return result;
+    };
+    if (rank != comm_.rank() && !in[std::size_t(rank)].empty())
+      neighbours.push_back({rank, places(out[std::size_t(rank)]), places(in[std::size_t(rank)])});
+  }
+  flow_.shared_ = SharedValues(std::move(neighbours), comm_);
+  for (const int cell : flow_.own_)
+    flow_.nearOf_.push_back(placeOf(near_, number(cell)));
+}
+
+void BlockFlow::Builder::joinWithin()
+{
+  constexpr std::size_t perCell = 3;
+  Vector places(near_.size() * perCell, 0.0);
+  for (std::size_t i = 0; i < flow_.own_.size(); ++i)
+    std::copy_n(flow_.centre(flow_.own_[i]).begin(), perCell,
+                places.begin() + std::ptrdiff_t(perCell) * flow_.nearOf_[i]);
+  flow_.shared_.fetch([](int cell) { return SharedValues::Place{std::size_t(cell) * perCell, perCell}; }, places);
+  std::vector<Vector> out(std::size_t(comm_.size()));
+  for (const OwnFace& face : faces_)
+    if (staysInside(face)) {
+      Vector record{double(number(face.half[0] / 4)), double(number(face.half[1] / 4)), face.spring.conductance,
+                    face.size};
+      append(record, face.spring.centre);
+      send(out, block(face.half[0]), record);
+    }
+  std::map<std::array<Number, 2>, Spring> springs; // in one order, whoever sent them
+  for (const Vector& values : exchangedValues(out, comm_))
+    for (Reader reader(values); reader;) {
+      const Number first = reader.number(), second = reader.number();
+      const double conductance = reader.value(), size = reader.value();
+      springs.emplace(std::array{first, second}, Spring::ofFace(reader.direction(), conductance, size));
+    }
+  std::vector<Direction> centres;
+  for (std::size_t at = 0; at < places.size(); at += perCell)
+    centres.push_back({places[at], places[at + 1], places[at + 2]});
+  std::vector<WrenchFlow::Link> links;
+  for (const auto& [cells, spring] : springs) {
+    inner_.emplace(cells, int(links.size()));
+    links.push_back({{placeOf(near_, cells[0]), placeOf(near_, cells[1])}, spring});
+  }
+  flow_.within_ = std::make_unique<WrenchFlow>(std::move(centres), std::move(links));
+}
+
+/// Sets of cells that hang together in a box are numbered by their lowest cells, whose owners say where they are.
+void BlockFlow::Builder::numberSets()
+{
+  const WrenchFlow& within = *flow_.within_;
+  std::vector<char> isOwnNear(near_.size(), 0);
+  for (const int near : flow_.nearOf_)
+    isOwnNear[std::size_t(near)] = 1;
+  std::vector<Direction> centres(std::size_t(within.numParts()), Direction{});
+  Vector counts(centres.size(), 0.0), own;
+  for (int near = 0; near < within.size(); ++near) {
+    const auto part = std::size_t(within.partOf(near));
+    counts[part] += 1.0;
+    for (std::size_t i = 0; i < 3; ++i)
+      centres[part][i] += within.centre(near)[i];
+  }
+  for (int part = 0; part < within.numParts(); ++part)
+    if (const int first = within.firstOf(part); isOwnNear[std::size_t(first)] != 0) {
+      own.push_back(double(near_[std::size_t(first)]));
+      for (const double sum : centres[std::size_t(part)])
+        own.push_back(sum / counts[std::size_t(part)]);
+    }
+  std::map<Number, Direction> sets;
+  const Vector all = gatheredFrom(own, comm_);
+  for (Reader reader(all); reader;) {
+    const Number lowest = reader.number();
+    sets.emplace(lowest, reader.direction());
+  }
+  std::vector<Number> lowest;
+  for (const auto& [number, centre] : sets) {
+    lowest.push_back(number);
+    setCentres_.push_back(centre);
+  }
+  for (int part = 0; part < within.numParts(); ++part)
+    setOfPart_.push_back(placeOf(lowest, near_[std::size_t(within.firstOf(part))]));
+  flow_.setOf_.assign(std::size_t(mesh_.numCells()), -1);
+  for (std::size_t i = 0; i < flow_.own_.size(); ++i)
+    flow_.setOf_[std::size_t(flow_.own_[i])] = setOfPart_[std::size_t(within.partOf(flow_.nearOf_[i]))];
+  fetch(flow_.setOf_);
+}
+
+void BlockFlow::Builder::joinBetween()
+{
+  std::map<std::array<int, 2>, std::vector<Spring>> own, joined;
+  const auto setOf = [this](int half) { return flow_.setOf_[std::size_t(half / 4)]; };
+  for (const OwnFace& face : faces_)
+    if (!staysInside(face)) {
+      const auto [low, high] = std::minmax({setOf(face.half[0]), setOf(face.half[1])});
+      own[{low, high}].push_back(face.spring);
+    }
+  Vector records;
+  for (const auto& [sets, springs] : own) {
+    const Spring whole = Spring::joined(springs);
+    records.insert(records.end(), {double(sets[0]), double(sets[1]), whole.conductance});
+    append(records, whole.centre);
+    records.insert(records.end(), whole.turning.begin(), whole.turning.end());
+  }
+  const Vector all = gatheredFrom(records, comm_);
+  for (Reader reader(all); reader;) {
+    const int low = int(reader.number()), high = int(reader.number());
+    Spring spring;
+    spring.conductance = reader.value();
+    spring.centre = reader.direction();
+    for (double& value : spring.turning)
+      value = reader.value();
+    joined[{low, high}].push_back(spring);
+  }
+  std::vector<WrenchFlow::Link> links;
+  for (const auto& [sets, springs] : joined) {
+    linkOf_.emplace(sets, int(links.size()));
+    links.push_back({sets, Spring::joined(springs)});
+  }
+  flow_.between_ = std::make_unique<WrenchFlow>(std::move(setCentres_), std::move(links));
+}
+
+/// Ranks get the faces around their boxes; own half facets learn where their flow is.
+void BlockFlow::Builder::takeCrossings()
+{
+  std::vector<Vector> out(std::size_t(comm_.size()));
+  for (const OwnFace& face : faces_)
+    if (!staysInside(face)) {
+      Vector record;
+      for (const int half : face.half)
+        record.insert(record.end(), {double(number(half / 4)), double(flow_.setOf_[std::size_t(half / 4)])});
+      record.insert(record.end(), {face.spring.conductance, face.size});
+      append(record, face.spring.centre);
+      std::vector<int> ranks = ranksOf_[std::size_t(block(face.half[0]))];
+      const std::vector<int>& others = ranksOf_[std::size_t(block(face.half[1]))];
+      ranks.insert(ranks.end(), others.begin(), others.end());
+      std::sort(ranks.begin(), ranks.end());
+      ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
+      for (const int rank : ranks)
+        out[std::size_t(rank)].insert(out[std::size_t(rank)].end(), record.begin(), record.end());
+    }
+  std::map<std::array<Number, 2>, Crossing> found;
+  for (const Vector& values : exchangedValues(out, comm_))
+    for (Reader reader(values); reader;) {
+      std::array<Number, 2> cells{};
+      std::array<int, 2> sets{};
+      for (std::size_t side = 0; side < 2; ++side) {
+        cells[side] = reader.number();
+        sets[side] = int(reader.number());
+      }
+      const auto [low, high] = std::minmax({sets[0], sets[1]});
+      const double conductance = reader.value(), size = reader.value();
+      found.emplace(cells, Crossing{linkOf_.at({low, high}),
+                                    sets[0] == low ? 1.0 : -1.0,
+                                    {placeOf(near_, cells[0]), placeOf(near_, cells[1])},
+                                    Spring::ofFace(reader.direction(), conductance, size)});
+    }
+  std::map<std::array<Number, 2>, int> outer;
+  for (const auto& [cells, crossing] : found) {
+    outer.emplace(cells, int(flow_.crossings_.size()));
+    flow_.crossings_.push_back(crossing);
+  }
+  const std::vector<int> twins = facetTwins(sortedCells(mesh_), 3);
+  for (const int cell : flow_.own_)
+    for (int half = cell * 4; half < cell * 4 + 4; ++half) {
+      const int twin = twins[std::size_t(half)];
+      if (twin < 0)
+        continue;
+      const Number mine = number(cell), theirs = number(twin / 4);
+      const std::array<Number, 2> cells{std::min(mine, theirs), std::max(mine, theirs)};
+      const bool isCrossing = block(half) != block(twin);
+      flow_.places_.push_back(
+          {half, isCrossing ? outer.at(cells) : inner_.at(cells), isCrossing, mine < theirs ? 1.0 : -1.0});
+    }
+}
+
+} // namespace ndframe
