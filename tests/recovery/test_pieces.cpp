@@ -54,7 +54,7 @@ void disturb(Vector& values, double size)
 StressCorrection heldPart(const BodyPiece& piece, const StressCorrection& all)
 {
   StressCorrection part = all;
-  const auto cells = std::size_t(piece.whole->mesh.numCells());
+  const auto cells = std::size_t(piece.body->mesh.numCells());
   for (Vector StressCorrection::*values : {&StressCorrection::tractions, &StressCorrection::loads}) {
     const std::size_t size = (all.*values).size() / cells;
     (part.*values).clear();

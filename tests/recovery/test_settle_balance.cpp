@@ -94,8 +94,9 @@ TEST(Settling, IsForFinelyGradedMeshes)
   correction.force = 1.0;
   correction.imbalance = 2e-14;
   const Mesh even = test::sampleMesh(2, 0.0);
-  EXPECT_FALSE(needsSettling(even, correction));
-  EXPECT_TRUE(needsSettling(test::moved(even, [](double* x) { x[0] = std::pow(x[0], 8); }), correction));
+  EXPECT_FALSE(needsSettling(even, correction, Comm::single()));
+  EXPECT_TRUE(
+      needsSettling(test::moved(even, [](double* x) { x[0] = std::pow(x[0], 8); }), correction, Comm::single()));
 }
 
 } // namespace ndframe

@@ -6,6 +6,7 @@
 #include <fmt/format.h>
 
 #include "interface_pairs.hpp"
+#include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/assembly/fields.hpp"
 
 namespace ndframe
@@ -131,30 +132,58 @@ void Admission::separateBetween(std::size_t patch, std::size_t edge)
 
 } // namespace
 
+void agreeAtContact(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
+                    AdmissibleDisplacement& admissible, const Comm& parts)
+{
+  if (parts.size() == 1)
+    return;
+  Vector values{double(admissible.moved)};
+  const auto visit = [&](const auto& take) {
+    for (const ContactPatch& patch : patches)
+      for (const PatchSide& side : patch.sides) {
+        const BodyModel& body = *bodies[std::size_t(side.body)];
+        const FacetNodes nodes = contactNodes(body, side);
+        for (std::size_t i = 0; !body.isRigid && i < patch.numNodes(body.nodes.order); ++i)
+          for (int k = 0; k < body.mesh.dim; ++k)
+            take(admissible.displacement[std::size_t(side.body)]
+                                        [std::size_t(nodes[i]) * std::size_t(body.mesh.dim) + std::size_t(k)]);
+      }
+  };
+  visit([&](double value) { values.push_back(value); });
+  parts.broadcast(values);
+  parts.broadcast(admissible.caveat);
+  auto next = values.begin();
+  admissible.moved = int(*next++);
+  visit([&](double& value) { value = *next++; });
+}
+
 double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<NodalField>& from,
-                      const std::vector<NodalField>& to)
+                      const std::vector<NodalField>& to, const Comm& parts)
 {
   double square = 0.0;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     Vector change = to[b];
     for (std::size_t i = 0; i < change.size(); ++i)
       change[i] -= from[b][i];
-    for (const double energy : cellEnergies(*bodies[b], change))
+    for (const double energy : cellEnergies(*bodies[b], change, countedCells(*bodies[b])))
       square += energy;
   }
-  return std::sqrt(square);
+  Vector sum{square};
+  parts.sum(sum);
+  return std::sqrt(sum.front());
 }
 
 AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
                                          const std::vector<const ConstraintSet*>& constraints,
                                          const std::vector<ContactPatch>& patches, const GapBound& gap,
-                                         const std::vector<NodalField>& displacement)
+                                         const std::vector<NodalField>& displacement, const Comm& parts)
 {
   AdmissibleDisplacement result{displacement, 0.0, 0, {}};
   Admission admission(bodies, constraints, patches, gap, result);
   admission.openAll();
+  agreeAtContact(bodies, patches, result, parts);
   if (result.moved > 0)
-    result.charge = changeInEnergy(bodies, displacement, result.displacement);
+    result.charge = changeInEnergy(bodies, displacement, result.displacement, parts);
   return result;
 }
 

@@ -9,6 +9,7 @@
 
 #include "doubt.hpp"
 #include "edge_pieces.hpp"
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/mechanics/kernels.hpp"
 #include "prescribed_displacement.hpp"
 
@@ -157,7 +158,7 @@ public:
   explicit Charge(const BodyModel& body) : body_(body) {}
 
   void add(const HeldFacets& held);
-  PrescribedCharge result() const;
+  PrescribedCharge result(const Comm& parts) const;
 
 private:
   void addFacet(Facet facet, const Samples& samples, const Vector& delta, double gain);
@@ -202,15 +203,17 @@ void Charge::addFacet(Facet facet, const Samples& samples, const Vector& delta, 
     uncharged_ = std::max(uncharged_, largestEntry(delta) + missed);
 }
 
-PrescribedCharge Charge::result() const
+PrescribedCharge Charge::result(const Comm& parts) const
 {
   PrescribedCharge result;
   for (const auto& entry : norms_)
     result.charge = std::hypot(result.charge, entry.second);
-  if (uncharged_ > 0.0)
+  Vector uncharged{uncharged_};
+  takeLargest(uncharged, parts);
+  if (uncharged[0] > 0.0)
     result.caveat += fmt::format("the displacements prescribed on {} are met at nodes only (off by up to {:.2g} "
                                  "between them), which the bound accounts for in 2D only. ",
-                                 body_.name, uncharged_);
+                                 body_.name, uncharged[0]);
   if (doubt_)
     result.caveat += fmt::format("the displacements prescribed on {} are not certain near {} ({}). ", body_.name,
                                  doubt_.place, doubt_.size());
@@ -226,12 +229,12 @@ PrescribedCharge Charge::result() const
 
 } // namespace
 
-PrescribedCharge chargePrescribed(const BodyModel& body)
+PrescribedCharge chargePrescribed(const BodyModel& body, const Comm& parts)
 {
   Charge charge(body);
   for (const auto& held : varyingFacets(body))
     charge.add(held);
-  return charge.result();
+  return charge.result(parts);
 }
 
 } // namespace ndframe

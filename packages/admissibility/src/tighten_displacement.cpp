@@ -214,10 +214,11 @@ void Tightening::run(const std::vector<NodalField>& displacement)
 void tightenDisplacement(const std::vector<const BodyModel*>& bodies,
                          const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactPatch>& patches,
                          const GapBound& gap, const std::vector<NodalField>& displacement,
-                         const BoundOfDisplacement& bound, AdmissibleDisplacement& admissible)
+                         const BoundOfDisplacement& bound, AdmissibleDisplacement& admissible, const Comm& parts)
 {
   Tightening(bodies, constraints, patches, gap, bound, admissible).run(displacement);
-  admissible.charge = changeInEnergy(bodies, displacement, admissible.displacement);
+  agreeAtContact(bodies, patches, admissible, parts);
+  admissible.charge = changeInEnergy(bodies, displacement, admissible.displacement, parts);
 }
 
 } // namespace ndframe

@@ -148,6 +148,18 @@ Vector gatheredFrom(const Vector& own, const Comm& comm)
   return all;
 }
 
+std::string firstText(const std::string& own, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return own;
+  const Vector characters(own.begin(), own.end());
+  std::vector<Vector> texts(std::size_t(comm.size()), characters);
+  for (const Vector& text : exchangedValues(texts, comm))
+    if (!text.empty())
+      return {text.begin(), text.end()};
+  return {};
+}
+
 void definiteOnEveryRank(const Comm& comm, const std::function<void()>& work)
 {
   constexpr double none = -2.0; // -1 is a row that is not known

@@ -20,21 +20,23 @@ int placeOf(const std::vector<Global>& ascending, Global number)
 
 } // namespace
 
-BodyShare::BodyShare(Global numNodes, Global numCells, std::vector<Global> numbers, std::vector<int> owners,
-                     int numOwnCells, const Comm& comm)
-    : numNodes_(numNodes), numCells_(numCells), numbers_(std::move(numbers)), owners_(std::move(owners)),
-      numOwnCells_(numOwnCells), rank_(comm.rank()),
+BodyShare::BodyShare(Things nodes, Things cells, const Comm& comm)
+    : nodes_(std::move(nodes)), cells_(std::move(cells)), rank_(comm.rank()),
+      numOwnCells_(int(std::count(cells_.owners.begin(), cells_.owners.end(), rank_))),
       shared_(sharedByOwners(
-          numbers_, owners_, [this](Global number) { return placeOf(numbers_, number); }, comm))
+          nodes_.numbers, nodes_.owners, [this](Global number) { return placeOf(nodes_.numbers, number); }, comm))
 {
-  NDFRAME_ASSERT(std::is_sorted(numbers_.begin(), numbers_.end()) && numbers_.size() == owners_.size(),
+  NDFRAME_ASSERT(std::is_sorted(nodes_.numbers.begin(), nodes_.numbers.end()) &&
+                     nodes_.numbers.size() == nodes_.owners.size(),
                  "nodes ascend, and each has an owner");
+  NDFRAME_ASSERT(std::count(cells_.owners.begin(), cells_.owners.begin() + numOwnCells_, rank_) == numOwnCells_,
+                 "own cells come first");
 }
 
 std::vector<int> BodyShare::ownNodes() const
 {
   std::vector<int> nodes;
-  for (int node = 0; node < int(owners_.size()); ++node)
+  for (int node = 0; node < int(nodes_.owners.size()); ++node)
     if (owns(node))
       nodes.push_back(node);
   return nodes;
@@ -43,13 +45,13 @@ std::vector<int> BodyShare::ownNodes() const
 void BodyShare::fetch(Vector& values, int width) const
 {
   const auto count = std::size_t(width);
-  NDFRAME_ASSERT(values.size() == numbers_.size() * count, "there are values at all nodes of the part");
+  NDFRAME_ASSERT(values.size() == nodes_.numbers.size() * count, "there are values at all nodes of the part");
   shared_.fetch([count](int node) { return SharedValues::Place{std::size_t(node) * count, count}; }, values);
 }
 
 void BodyShare::annulOthers(Vector& values, int width) const
 {
-  for (std::size_t node = 0; node < owners_.size(); ++node)
+  for (std::size_t node = 0; node < nodes_.owners.size(); ++node)
     if (!owns(int(node)))
       std::fill_n(values.begin() + std::ptrdiff_t(node) * width, width, 0.0);
 }
@@ -66,7 +68,7 @@ Vector BodyShare::own(const Vector& values, int width) const
 
 Vector BodyShare::spread(const Vector& own, int width) const
 {
-  Vector values(numbers_.size() * std::size_t(width), 0.0);
+  Vector values(nodes_.numbers.size() * std::size_t(width), 0.0);
   auto next = own.begin();
   for (const int node : ownNodes()) {
     std::copy_n(next, width, values.begin() + std::ptrdiff_t(node) * width);

@@ -60,6 +60,26 @@ std::vector<std::array<double, 6>> cellStress(const BodyModel& body, const Vecto
                          [&](auto d, auto p) { return stressAtCentroids<d(), p()>(body, displacement); });
 }
 
+CellRange countedCells(const BodyModel& body)
+{
+  return {0, body.share ? body.share->numOwnCells() : body.mesh.numCells()};
+}
+
+CellValues ofCountedCells(const BodyModel& body, CellValues values)
+{
+  std::fill(values.begin() + countedCells(body).last, values.end(), 0.0);
+  return values;
+}
+
+double energy(const BodyModel& body, const Vector& displacement, const Comm& comm)
+{
+  const Vector energies = cellEnergies(body, displacement, countedCells(body));
+  Vector sum{std::accumulate(energies.begin(), energies.end(), 0.0)};
+  if (body.share)
+    comm.sum(sum);
+  return sum.front();
+}
+
 double energy(const BodyModel& body, const Vector& displacement)
 {
   const CellValues energies = cellEnergies(body, displacement);

@@ -6,6 +6,7 @@
 #include "coarse_tractions.hpp"
 #include "element_distances.hpp"
 #include "interface_misfit.hpp"
+#include "ndframe/assembly/fields.hpp"
 #include "ndframe/certification/advice.hpp"
 #include "ndframe/estimation/residual.hpp"
 #include "ndframe/estimation/zienkiewicz_zhu.hpp"
@@ -111,8 +112,8 @@ IntermediateField Certifier::nearestField(const InterfaceValues& traction, Tract
     solveFields(scene_, wanted);
   Vector costs;
   for (const IntermediateField* field : wanted)
-    costs.push_back(
-        std::hypot(changeInEnergy(scene_.bodies, scene_.solved, field->displacement), interfaceMisfit(scene_, *field)));
+    costs.push_back(std::hypot(changeInEnergy(scene_.bodies, scene_.solved, field->displacement, scene_.parts),
+                               interfaceMisfit(scene_, *field)));
   const auto best = std::size_t(std::min_element(costs.begin(), costs.end()) - costs.begin());
   const bool moves = scene_.dim() == 2 && options_.mode == ErrorMode::Strict &&
                      options_.tractionWith(recovery_, 2) == TractionType::Optimal;
@@ -129,8 +130,7 @@ void Certifier::solveIntermediateFields()
     fields.push_back(&global_.field);
   if (wants(Estimator::Discretization))
     fields.push_back(&separate_.field);
-  solveFields(scene_, fields,
-              recovery_.settles(scene_.dim()) && !measuresFields(options_) && areOfOneSize(scene_.bodies));
+  solveFields(scene_, fields, recovery_.settles(scene_.dim()) && !measuresFields(options_) && areOfOneSize(scene_));
   for (const BodyTrace& trace : scene_.condensed.interface.bodies)
     if (trace.isSolvedWhole())
       trace.whole->forget(); // the recovery needs the memory
@@ -228,17 +228,18 @@ void Certifier::compareWithIndicators()
   for (const int body : scene_.model.elasticBodies()) {
     const auto b = std::size_t(body);
     if (wants(Estimator::ZienkiewiczZhu))
-      smoothing.push_back(zienkiewiczZhu(*scene_.bodies[b], scene_.solved[b]));
+      smoothing.push_back(ofCountedCells(*scene_.bodies[b], zienkiewiczZhu(*scene_.bodies[b], scene_.solved[b])));
     if (!wants(Estimator::Residual))
       continue;
     const Vector contact = sharesOf(scene_, solved, int(b));
-    residual.push_back(residualIndicator(*scene_.bodies[b], recoveryScene_.data[b],
-                                         {&scene_.solved[b].whole(), contact.empty() ? nullptr : &contact}));
+    const FieldInput input{&scene_.solved[b].whole(), contact.empty() ? nullptr : &contact};
+    residual.push_back(
+        ofCountedCells(*scene_.bodies[b], residualIndicator(*scene_.bodies[b], recoveryScene_.data[b], input)));
   }
   if (!smoothing.empty())
-    result_.summary.zienkiewiczZhu = totalOf(smoothing);
+    result_.summary.zienkiewiczZhu = totalOf(smoothing, scene_.parts);
   if (!residual.empty())
-    result_.summary.residual = totalOf(residual);
+    result_.summary.residual = totalOf(residual, scene_.parts);
 }
 
 void Certifier::measure()

@@ -33,9 +33,8 @@ constexpr double seen = 1e-6;
 /// is round-off.
 double largestImbalance(const CertifiedScene& scene, const RecoveredField& recovered)
 {
-  double displacement = 0.0, imbalance = 0.0;
-  for (const Vector& solved : scene.solved)
-    displacement = std::max(displacement, largestEntry(solved));
+  double imbalance = 0.0;
+  const double displacement = largestDisplacement(scene, scene.solved);
   double force = displacement > 0.0 ? scene.norm * scene.norm / displacement : 0.0;
   for (const auto& correction : recovered.stress.corrections) {
     force = std::max(force, correction.force);
@@ -71,7 +70,7 @@ double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recov
       v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
     squares.push_back(elementDistances(scene, b, recovered.stress, &v));
   }
-  return 0.5 * totalOf(squares);
+  return 0.5 * totalOf(squares, scene.parts);
 }
 
 } // namespace
@@ -84,11 +83,11 @@ AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& rec
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     if (scene.bodies[b]->isRigid)
       continue;
-    const auto prescribed = chargePrescribed(*scene.bodies[b]);
+    const auto prescribed = chargePrescribed(*scene.bodies[b], scene.parts);
     result.prescribed += prescribed.charge;
     for (const auto& caveat : {recovery.data[b].caveat, prescribed.caveat})
       if (result.caveat.empty())
-        result.caveat = caveat;
+        result.caveat = firstText(caveat, scene.parts);
   }
   return result;
 }
@@ -103,7 +102,7 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
     addUnsureGap(scene.patches, recovered.stress.tractions[0], admissible.gap.unsure, contact);
   }
   ErrorMeasure measure = assembleMeasure(distances.to(admissible.displacement.displacement), scene.patches, contact,
-                                         admissible.oscillation);
+                                         admissible.oscillation, scene.parts);
   measure.prescribed = admissible.prescribed;
   measure.projection = admissible.displacement.charge;
   if (measure.projection > 0.0)
@@ -116,12 +115,16 @@ ErrorMeasure measureAlgorithm(const CertifiedScene& scene, const IntermediateFie
   std::vector<CellValues> energies(scene.bodies.size());
   runLargestFirst(scene.model.numDofs(), scene.condensed.threads, [&](int body) {
     const auto b = std::size_t(body);
-    energies[b] = cellEnergies(*scene.bodies[b], difference(field.displacement[b], scene.solved[b]));
+    const BodyModel& model = *scene.bodies[b];
+    Vector own = cellEnergies(model, difference(field.displacement[b], scene.solved[b]), countedCells(model));
+    own.resize(std::size_t(model.mesh.numCells()), 0.0);
+    energies[b] = ofCells(std::move(own));
   });
   const Vector gap = nodalMoments(scene.patches, nodalGap(scene.model), scene.order, scene.degree);
   const Vector opening = difference(jumpMoments(scene.bodies, scene.patches, scene.solved, scene.degree), gap);
-  ErrorMeasure measure = assembleMeasure(std::move(energies), scene.patches,
-                                         contactContributions(scene.patches, field.tractions[0], opening));
+  ErrorMeasure measure =
+      assembleMeasure(std::move(energies), scene.patches,
+                      contactContributions(scene.patches, field.tractions[0], opening), {}, scene.parts);
   if (areOne(scene.coupling.state))
     measure.projection = scene.coupling.history.back().iterationError.value_or(0.0);
   return measure;
@@ -133,7 +136,7 @@ double correctionNorm(const CertifiedScene& scene, const RecoveredField& recover
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b]->isRigid)
       energies.push_back(elementDistances(scene, b, recovered.stress, nullptr));
-  return totalOf(energies);
+  return totalOf(energies, scene.parts);
 }
 
 void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const std::vector<RecoveredField*>& recovered,
@@ -148,7 +151,10 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
     RecoveredField& field = *recovered[std::size_t(i) / bodies];
     const std::size_t b = std::size_t(i) % bodies;
     StressCorrection& correction = field.stress.corrections[b];
-    if (scene.bodies[b]->isRigid || !needsSettling(scene.bodies[b]->mesh, correction))
+    if (scene.bodies[b]->isRigid)
+      return;
+    const BodyModel& held = field.stress.pieces ? field.stress.pieces->bodies[b]->model : *scene.bodies[b];
+    if (!needsSettling(held.mesh, correction, field.stress.pieces ? scene.comm : Comm::single()))
       return;
     const Vector contact = sharesOf(scene, field.stress, int(b));
     ledger.count("settled stresses");
@@ -233,7 +239,7 @@ ErrorMeasure tighten(const CertifiedScene& scene, const RecoveredField& recovere
     bound.residual.push_back(atNodes(difference(bound.traction.back(), solved), scene.dim()));
   }
   tightenDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, admissible.gap, scene.solved, bound,
-                      admissible.displacement);
+                      admissible.displacement, scene.parts);
   return measureStress(scene, recovered, admissible, distances);
 }
 
@@ -243,8 +249,10 @@ std::optional<EnergyBracket> energyOf(const CertifiedScene& scene, const Recover
   double strainEnergy = 0.0, work = 0.0;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     const Vector& displacement = admissible.displacement.displacement[b];
-    strainEnergy += energy(*scene.bodies[b], displacement);
-    work += dot(scene.model.loads[b].all(), displacement);
+    strainEnergy += energy(*scene.bodies[b], displacement, scene.comm);
+    Vector ofBody{dot(scene.model.loads[b].all(), displacement)}; // shares have loads at own nodes
+    scene.parts.sum(ofBody);
+    work += ofBody.front();
     if (measure.prescribed > 0.0 && !scene.bodies[b]->loads.empty())
       return std::nullopt;
   }

@@ -12,6 +12,7 @@
 #include "ndframe/admissibility/make_static_data.hpp"
 #include "ndframe/admissibility/sign_conditions.hpp"
 #include "ndframe/admissibility/smallest_stiffness.hpp"
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/assembly/fields.hpp"
 
@@ -24,8 +25,9 @@ namespace
 std::vector<int> traceSizes(const CertifiedScene& scene)
 {
   std::vector<int> sizes;
+  const std::vector<int> all = scene.model.numDofs();
   for (const auto& trace : scene.condensed.interface.bodies)
-    sizes.push_back(scene.bodies[std::size_t(trace.body)]->numDofs());
+    sizes.push_back(all[std::size_t(trace.body)]);
   return sizes;
 }
 
@@ -39,13 +41,9 @@ std::vector<Vector> stiffnessOf(const std::vector<const BodyModel*>& bodies)
   return stiffness;
 }
 
-double largest(const std::vector<NodalField>& fields)
+bool areShares(const Model& model)
 {
-  double value = 0.0;
-  for (const NodalField& field : fields)
-    for (const double entry : field)
-      value = std::max(value, std::abs(entry));
-  return value;
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& body) { return bool(body.share); });
 }
 
 } // namespace
@@ -71,12 +69,22 @@ void Guarantee::accept(const std::string& caveat)
 CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                          const std::vector<BodyFields>& fields, int degree, const Comm& comm)
 {
-  CertifiedScene scene{model, condensed, coupling, {}, {}, contactPatches(model), 0, degree, 0.0, comm};
+  CertifiedScene scene{model,
+                       condensed,
+                       coupling,
+                       {},
+                       {},
+                       contactPatches(model),
+                       0,
+                       degree,
+                       0.0,
+                       comm,
+                       areShares(model) ? comm : Comm::single()};
   double total = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     scene.bodies.push_back(&model.bodies[b]);
     scene.solved.push_back(fields[b].displacement.back());
-    total += energy(model.bodies[b], scene.solved.back());
+    total += energy(model.bodies[b], scene.solved.back(), comm);
   }
   scene.order = model.bodies.front().nodes.order;
   scene.norm = std::sqrt(std::max(total, 0.0));
@@ -176,7 +184,7 @@ Vector openingCost(const CertifiedScene& scene, const Vector& traction)
 
 Vector admitNodal(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
 {
-  const auto balance = balanceConditions(scene.model, scene.condensed, scene.patches);
+  const auto balance = balanceConditions(scene.model, scene.condensed, scene.patches, scene.parts);
   try {
     return projectTraction(scene.patches, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
   } catch (const InfeasibleTraction& failure) {
@@ -198,17 +206,29 @@ bool measuresFields(const ErrorOptions& options)
          options.wants(Estimator::Discretization) || options.wants(Estimator::Split);
 }
 
-bool areOfOneSize(const std::vector<const BodyModel*>& bodies)
+double largestDisplacement(const CertifiedScene& scene, const std::vector<NodalField>& fields)
+{
+  Vector value{0.0};
+  for (const NodalField& field : fields)
+    for (const double entry : field)
+      value[0] = std::max(value[0], std::abs(entry));
+  takeLargest(value, scene.parts);
+  return value[0];
+}
+
+bool areOfOneSize(const CertifiedScene& scene)
 {
   constexpr double most = 100.0; // sizes differ by less than five
   double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
-  for (const BodyModel* body : bodies)
+  for (const BodyModel* body : scene.bodies)
     for (int cell = 0; cell < body->mesh.numCells() && !body->isRigid; ++cell) {
       const double measure = cellMeasure(body->mesh, cell);
       smallest = std::min(smallest, measure);
       largest = std::max(largest, measure);
     }
-  return largest <= most * smallest;
+  Vector extremes{-smallest, largest};
+  takeLargest(extremes, scene.parts);
+  return extremes[1] <= most * -extremes[0];
 }
 
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields, bool areNear)
@@ -262,7 +282,7 @@ AdmissibleDisplacement admitDisplacements(const CertifiedScene& scene, const Gap
 {
   if (mode == ErrorMode::Paper || scene.patches.empty())
     return {scene.solved, 0.0, 0, {}};
-  return admitDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, gap, scene.solved);
+  return admitDisplacement(scene.bodies, constraintsOf(scene.model), scene.patches, gap, scene.solved, scene.parts);
 }
 
 Vector openings(const CertifiedScene& scene, const std::vector<NodalField>& displacement, const GapBound& gap)
@@ -280,7 +300,7 @@ double largestPenetration(const CertifiedScene& scene, const std::vector<NodalFi
     for (std::size_t k = 0; k < jump.size(); ++k)
       deepest = std::max(deepest, jump.of(k, opening) - jump.gap(k, bound));
   }
-  const double scale = largest(displacement);
+  const double scale = largestDisplacement(scene, displacement);
   return scale > 0.0 ? deepest / scale : deepest;
 }
 

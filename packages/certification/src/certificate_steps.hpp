@@ -26,6 +26,8 @@ struct CertifiedScene
   int degree = 0;                    ///< of the stresses and tractions
   double norm = 0.0;                 ///< sqrt(sum a(u_h, u_h))
   Comm comm = Comm::single();
+  /// The ranks that have parts of the bodies (BodyShare); a single one where each has all of them.
+  Comm parts = Comm::single();
 
   int dim() const { return bodies.front()->mesh.dim; }
 };
@@ -83,7 +85,7 @@ bool measuresFields(const ErrorOptions& options);
 
 /// Whether cells differ little in size. Else what near fields lack was seen to cost 13 % of a bound (punch-3d adapted
 /// to 1 %), for reasons not yet understood.
-bool areOfOneSize(const std::vector<const BodyModel*>& bodies);
+bool areOfOneSize(const CertifiedScene& scene);
 
 /// Solves (40) for several pairs of tractions at once: at most one back-solve a body and field. areNear: no solve of
 /// bodies that are solved whole (FieldNeed).
@@ -102,6 +104,9 @@ Vector openings(const CertifiedScene& scene, const std::vector<NodalField>& disp
 
 /// The gap at the interface nodes, numbered as in the contact matrix.
 Vector nodalGap(const Model& model);
+
+/// Largest component at any node of any body.
+double largestDisplacement(const CertifiedScene& scene, const std::vector<NodalField>& fields);
 
 /// Largest of the signConditions() of t_N over all facets, relative to the mean tractions: above round-off it pulls.
 double largestTension(const CertifiedScene& scene, const ContactTraction& traction);

@@ -121,7 +121,7 @@ std::string geometryCaveat(const Model& model)
 }
 
 BalanceConditions balanceConditions(const Model& model, const CondensedModel& condensed,
-                                    const std::vector<ContactPatch>& patches)
+                                    const std::vector<ContactPatch>& patches, const Comm& comm)
 {
   const int numNodes = condensed.interface.C->size();
   std::vector<SparseRow> rows;
@@ -138,7 +138,10 @@ BalanceConditions balanceConditions(const Model& model, const CondensedModel& co
     for (int m = 0; m < free.cols(); ++m) {
       const Vector motion = multiply(modes, free.column(m));
       rows.push_back(motionWork(model.bodies[b], system.dofs.frames.toGlobal(motion), patches, ofBody));
-      conditions.value.push_back(-dot(system.load.all(), motion));
+      Vector work{dot(system.load.all(), motion)}; // shares have loads at own nodes
+      if (system.share)
+        comm.sum(work);
+      conditions.value.push_back(-work.front());
       conditions.names.push_back(fmt::format("{} of {}", names[std::size_t(m)], model.bodies[b].name));
     }
   }

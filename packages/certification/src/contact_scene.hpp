@@ -17,7 +17,7 @@ std::string geometryCaveat(const Model& model);
 
 /// Which tractions balance the loads of the bodies that their supports leave free (the Remark of section 5.3).
 BalanceConditions balanceConditions(const Model& model, const CondensedModel& condensed,
-                                    const std::vector<ContactPatch>& patches);
+                                    const std::vector<ContactPatch>& patches, const Comm& comm);
 
 /// t~ = (t1 - t2) / 2 at the interface nodes: the mean of Lambda_dir(p) and the traction that body 2 is in equilibrium
 /// with, Lambda_neu(p-1), or (`updated`) the one that its next problem would use, Lambda_neu(p).

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ndframe/algebra/threads.hpp"
+#include "ndframe/assembly/fields.hpp"
 #include "ndframe/recovery/scene_pieces.hpp"
 #include "ndframe/simd/cell_distances.hpp"
 
@@ -15,9 +16,10 @@ namespace
 /// Cells that a thread measures before it takes the next ones.
 constexpr std::int64_t group = 256;
 
+/// Of the body, or own ones of a share.
 std::vector<int> allCells(const BodyModel& body)
 {
-  std::vector<int> cells(std::size_t(body.mesh.numCells()));
+  std::vector<int> cells(std::size_t(countedCells(body).size()));
   std::iota(cells.begin(), cells.end(), 0);
   return cells;
 }
@@ -59,8 +61,9 @@ CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const
   const StressCorrection& correction = stress.corrections[body];
   if (scene.dim() == 2)
     return ofCells(cellDistances(*scene.bodies[body], correction, v));
-  const std::vector<int> all = cells == nullptr ? allCells(*scene.bodies[body]) : *cells;
-  Vector found(all.size(), 0.0);
+  const BodyModel& model = *scene.bodies[body];
+  const std::vector<int> all = cells == nullptr ? allCells(model) : *cells;
+  Vector found(cells == nullptr ? std::size_t(model.mesh.numCells()) : all.size(), 0.0);
   const Share share = shareOf(scene, body, stress, all);
   const auto size = std::int64_t(share.places.size());
   runInRanges(int((size + group - 1) / group), numThreads(scene.comm), [&](int first, int last) {
@@ -70,7 +73,8 @@ CellValues elementDistances(const CertifiedScene& scene, std::size_t body, const
     for (std::int64_t i = from; i < to; ++i)
       found[std::size_t(share.places[std::size_t(i)])] = distances[std::size_t(i - from)];
   });
-  scene.comm.sum(found);
+  if (!model.share)
+    scene.comm.sum(found);
   return ofCells(std::move(found));
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
 #include "near_field.hpp"
@@ -21,7 +22,7 @@ bool isFixed(const BodySystem& system, std::size_t dof)
 }
 
 /// True when two sets of nodal forces differ only where supports take the difference.
-bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
+bool areSame(const BodySystem& system, const Vector& a, const Vector& b, const Comm& comm)
 {
   const NodalField first = system.dofs.frames.toLocal(a), second = system.dofs.frames.toLocal(b);
   double difference = 0.0, scale = system.load.largest();
@@ -30,7 +31,10 @@ bool areSame(const BodySystem& system, const Vector& a, const Vector& b)
     if (!isFixed(system, i))
       difference = std::max(difference, std::abs(first[i] - second[i]));
   }
-  return difference <= sameForce * scale;
+  Vector largest{difference, scale};
+  if (system.share)
+    takeLargest(largest, comm);
+  return largest[0] <= sameForce * largest[1];
 }
 
 /// Normal displacements of a field at a body's trace.
@@ -120,6 +124,20 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
   }
 }
 
+/// The unknown field of a body that ranks have parts of.
+NodalField fieldOfPart(const BodySystem& system, const NodalField& force, const NodalField& start,
+                       const FieldNeed& need)
+{
+  constexpr double finer = 1e-4; // beside what is near
+  const double enough = need.isNear ? need.enough : finer * need.enough;
+  NodalField load = system.dofs.frames.toLocal(force);
+  const Vector given = system.load.all();
+  for (std::size_t i = 0; i < load.size(); ++i)
+    load[i] += given[i];
+  const Vector u = nearFieldOfPart(system, load, system.dofs.frames.toLocal(start), enough, need.comm);
+  return system.dofs.frames.toGlobal(u);
+}
+
 /// The body's displacements for several right-hand sides at once.
 std::vector<NodalField> expandAll(const BodySystem& system, const CondensedBody& body, const DenseMatrix& loads,
                                   const DenseMatrix& kept)
@@ -157,10 +175,15 @@ std::vector<NodalField> intermediateFields(const Model& model, const CondensedMo
   std::vector<NodalField> fields(forces.size(), solved);
   std::vector<std::size_t> unknown;
   for (std::size_t f = 0; f < forces.size(); ++f)
-    if (!areSame(system, forces[f], known))
+    if (!areSame(system, forces[f], known, need.comm))
       unknown.push_back(f);
   if (unknown.empty())
     return fields;
+  if (system.share) {
+    for (const std::size_t f : unknown)
+      fields[f] = fieldOfPart(system, forces[f], fields[f], need);
+    return fields;
+  }
   if (trace.isSolvedWhole() && solveWhole(condensed, body, forces, unknown, need, fields))
     return fields;
   const Vector start = traceValues(system, trace, solved);

@@ -5,36 +5,78 @@ namespace ndframe
 namespace
 {
 
-constexpr int mostSteps = 10; ///< what is smooth by then takes more than the recovery
-
-/// load - K x on what is not fixed, zero elsewhere.
-Vector residual(const BodySystem& system, const Vector& load, const Vector& x, const Comm& comm)
+/// K of a body that every rank has as a whole, or of which this one has a part: values at others' nodes are zero then,
+/// but for those that K is applied to.
+class System
 {
-  Vector r = multiply(system.K, x, comm);
-  for (std::size_t dof = 0; dof < r.size(); ++dof)
-    r[dof] = system.dofs.roles[dof] != DofRole::Fixed ? load[dof] - r[dof] : 0.0;
-  return r;
-}
+public:
+  System(const BodySystem& system, const Comm& comm)
+      : system_(system), comm_(comm), D_(system.share ? diagonalOfPart() : diagonal(system.K, comm))
+  {}
 
-} // namespace
+  /// load - K x on what is not fixed, zero elsewhere.
+  Vector residual(const Vector& load, Vector& x) const
+  {
+    if (system_.share)
+      system_.share->fetch(x, system_.K.dim);
+    Vector r = system_.share ? system_.productOfPart(x) : multiply(system_.K, x, comm_);
+    for (std::size_t dof = 0; dof < r.size(); ++dof)
+      r[dof] = system_.dofs.roles[dof] != DofRole::Fixed ? load[dof] - r[dof] : 0.0;
+    if (system_.share)
+      system_.share->annulOthers(r, system_.K.dim);
+    return r;
+  }
 
-std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm)
+  double dotOfAll(const Vector& a, const Vector& b) const
+  {
+    Vector sum{dot(a, b)};
+    if (system_.share)
+      comm_.sum(sum);
+    return sum.front();
+  }
+
+  /// D^-1 r
+  Vector scaled(Vector r) const
+  {
+    for (std::size_t dof = 0; dof < r.size(); ++dof)
+      r[dof] /= D_[dof];
+    return r;
+  }
+
+private:
+  /// Ones at others' nodes.
+  Vector diagonalOfPart() const
+  {
+    Vector d(system_.dofs.roles.size(), 1.0);
+    for (int r = 0; r < system_.K.numRows(); ++r)
+      for (int i = 0; i < system_.K.dim; ++i)
+        d[std::size_t(system_.partNodes[std::size_t(r)]) * std::size_t(system_.K.dim) + std::size_t(i)] =
+            system_.K.block(r, r)[std::ptrdiff_t(i) * (system_.K.dim + 1)];
+    return d;
+  }
+
+  const BodySystem& system_;
+  const Comm& comm_;
+  Vector D_;
+};
+
+/// Conjugate gradients from u; whether they came near enough.
+bool descend(const System& system, const Vector& load, double enough, int mostSteps, Vector& u)
 {
-  const Vector D = diagonal(system.K, comm), none(u.size(), 0.0);
-  Vector r = residual(system, load, u, comm), p(u.size(), 0.0);
+  const Vector none(u.size(), 0.0);
+  Vector r = system.residual(load, u), p(u.size(), 0.0), own;
   double before = 0.0;
   for (int step = 0; step <= mostSteps; ++step) {
-    double square = 0.0, curvature = 0.0;
-    for (std::size_t dof = 0; dof < r.size(); ++dof)
-      square += r[dof] * r[dof] / D[dof];
+    const Vector z = system.scaled(r);
+    const double square = system.dotOfAll(r, z);
     if (!(square > enough))
-      return u;
+      return true;
     const double kept = step > 0 ? square / before : 0.0;
-    for (std::size_t dof = 0; dof < r.size(); ++dof)
-      p[dof] = r[dof] / D[dof] + kept * p[dof];
-    const Vector change = residual(system, none, p, comm); // - K p
-    for (std::size_t dof = 0; dof < r.size(); ++dof)
-      curvature -= p[dof] * change[dof];
+    for (std::size_t dof = 0; dof < p.size(); ++dof)
+      p[dof] = z[dof] + kept * p[dof];
+    own = p;                                        // the next line fetches others' values
+    const Vector change = system.residual(none, p); // - K p
+    const double curvature = -system.dotOfAll(own, change);
     if (!(curvature > 0.0))
       break;
     for (std::size_t dof = 0; dof < r.size(); ++dof) {
@@ -43,7 +85,24 @@ std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Ve
     }
     before = square;
   }
+  return false;
+}
+
+} // namespace
+
+std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm)
+{
+  constexpr int mostSteps = 10; // what is smooth by then takes more than the recovery
+  if (descend(System(system, comm), load, enough, mostSteps, u))
+    return u;
   return std::nullopt;
+}
+
+Vector nearFieldOfPart(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm)
+{
+  constexpr int mostSteps = 3000; // some ten times as many as a million dofs take
+  descend(System(system, comm), load, enough, mostSteps, u);
+  return u;
 }
 
 } // namespace ndframe

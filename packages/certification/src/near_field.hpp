@@ -13,4 +13,9 @@ namespace ndframe
 std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Vector u, double enough,
                                 const Comm& comm);
 
+/// The same of a body that ranks have parts of, for which there is no other solve: as many steps as it takes, and the
+/// last field after very many. Values at the nodes of the part, prescribed ones among them. load: complete at own
+/// nodes. Collective.
+Vector nearFieldOfPart(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm);
+
 } // namespace ndframe

@@ -26,8 +26,9 @@ bool holdsPoint(const Support& support, const Mesh& mesh)
 std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
 {
   const bool any = std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const BodyModel* body) {
-    return !body->isRigid && std::any_of(body->supports.begin(), body->supports.end(),
-                                         [&](const auto& support) { return holdsPoint(*support, body->mesh); });
+    return !body->isRigid && !body->share && // shares hold sides
+           std::any_of(body->supports.begin(), body->supports.end(),
+                       [&](const auto& support) { return holdsPoint(*support, body->mesh); });
   });
   if (!any)
     return {};

@@ -1,6 +1,7 @@
 #include "ndframe/equilibrium/body_piece.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "ndframe/equilibrium/reference_stress.hpp"
 
@@ -9,7 +10,8 @@ namespace ndframe
 namespace
 {
 
-int placeOf(const std::vector<int>& ascending, int number)
+template <class Number>
+int placeOf(const std::vector<Number>& ascending, Number number)
 {
   const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
   return found != ascending.end() && *found == number ? int(found - ascending.begin()) : -1;
@@ -38,9 +40,17 @@ void holdCells(const BodyModel& body, const std::vector<int>& owner, const std::
     if (std::none_of(vertices, vertices + corners, [&](int v) { return isTouched[std::size_t(v)] != 0; }))
       continue;
     piece.cells.push_back(cell);
-    piece.owner.push_back(owner[std::size_t(cell)]);
     for (int i = 0; i < corners; ++i)
       isUsed[std::size_t(vertices[i])] = 1;
+  }
+  const auto number = [&](int cell) { return body.share ? body.share->cells().numbers[std::size_t(cell)] : cell; };
+  std::sort(piece.cells.begin(), piece.cells.end(), [&](int a, int b) { return number(a) < number(b); });
+  piece.places.assign(std::size_t(body.mesh.numCells()), -1);
+  for (std::size_t i = 0; i < piece.cells.size(); ++i) {
+    const int cell = piece.cells[i];
+    piece.places[std::size_t(cell)] = int(i);
+    piece.numbers.push_back(number(cell));
+    piece.owner.push_back(owner[std::size_t(cell)]);
   }
   for (int v = 0; v < body.mesh.numPoints(); ++v)
     if (isUsed[std::size_t(v)] != 0)
@@ -81,7 +91,7 @@ void cutData(const StaticData& data, BodyPiece& piece)
     }
   if (!data.boundary.empty())
     piece.data.facetShares = selected(data.facetShares, data.facetShares.size() / data.boundary.size(), boundary);
-  const auto cells = std::size_t(piece.whole->mesh.numCells());
+  const auto cells = piece.places.size();
   if (cells > 0)
     piece.data.cellShares = selected(data.cellShares, data.cellShares.size() / cells, piece.cells);
   for (std::size_t i = 0; i < data.contact.size(); ++i)
@@ -89,6 +99,22 @@ void cutData(const StaticData& data, BodyPiece& piece)
       piece.contact.push_back(int(i));
       piece.data.contact.push_back({cell, data.contact[i].local});
     }
+}
+
+void measureBody(BodyPiece& piece, const Comm& comm)
+{
+  Vector reach(6, -HUGE_VAL); // to lower and to higher coordinates
+  const Mesh& mesh = piece.model.mesh;
+  for (int v = 0; v < mesh.numPoints(); ++v)
+    for (int i = 0; i < mesh.dim; ++i) {
+      reach[std::size_t(i)] = std::max(reach[std::size_t(i)], -mesh.point(v)[i]);
+      reach[std::size_t(3 + i)] = std::max(reach[std::size_t(3 + i)], mesh.point(v)[i]);
+    }
+  takeLargest(reach, comm);
+  for (std::size_t i = 0; i < std::size_t(mesh.dim); ++i) {
+    piece.centre[i] = 0.5 * (reach[3 + i] - reach[i]);
+    piece.size = std::hypot(piece.size, reach[3 + i] + reach[i]);
+  }
 }
 
 } // namespace
@@ -102,11 +128,6 @@ std::vector<int> BodyPiece::ownCells() const
   return own;
 }
 
-int BodyPiece::local(int cell) const
-{
-  return placeOf(cells, cell);
-}
-
 Vector BodyPiece::ofContact(const Vector& all) const
 {
   return numContact == 0 ? Vector() : selected(all, all.size() / numContact, contact);
@@ -115,15 +136,15 @@ Vector BodyPiece::ofContact(const Vector& all) const
 void BodyPiece::gather(StressCorrection& correction, const Comm& comm) const
 {
   for (Vector* values : {&correction.tractions, &correction.loads}) {
-    const auto cellsOfBody = std::size_t(whole->mesh.numCells());
     const ReferenceStress& reference = referenceStress(correction.dim, correction.degree);
     const auto size = std::size_t(values == &correction.tractions ? reference.tractions : reference.loads);
-    Vector all(cellsOfBody * size, 0.0);
+    Vector all(places.size() * size, 0.0);
     for (std::size_t cell = 0; cell < cells.size(); ++cell)
-      if (owns(int(cell)))
+      if (body->share || owns(int(cell)))
         std::copy_n(values->begin() + std::ptrdiff_t(cell) * std::ptrdiff_t(size), size,
                     all.begin() + std::ptrdiff_t(cells[cell]) * std::ptrdiff_t(size));
-    comm.sum(all);
+    if (!body->share)
+      comm.sum(all);
     *values = std::move(all);
   }
 }
@@ -140,15 +161,15 @@ BodyPiece cutPiece(const BodyModel& body, const StaticData& data, const std::vec
                    const std::vector<char>& isTouched, const Comm& comm)
 {
   BodyPiece piece;
-  piece.whole = &body;
+  piece.body = &body;
   piece.rank = comm.rank();
   piece.numContact = data.contact.size();
   holdCells(body, owner, isTouched, piece);
   cutModel(body, piece);
   cutData(data, piece);
-  piece.numbers.assign(piece.cells.begin(), piece.cells.end());
+  measureBody(piece, comm);
   piece.shared = sharedByOwners(
-      piece.numbers, piece.owner, [&piece](std::int64_t cell) { return piece.local(int(cell)); }, comm);
+      piece.numbers, piece.owner, [&piece](std::int64_t number) { return placeOf(piece.numbers, number); }, comm);
   return piece;
 }
 

@@ -23,8 +23,7 @@ void BalanceSettler::runWith(const Comm& comm)
 {
   begin();
   const PartGraph graph(*piece_, tree_, comm);
-  const Mesh& whole = piece_->whole->mesh;
-  const Vector about(whole.point(0), whole.point(0) + whole.dim);
+  const Vector about(piece_->centre.begin(), piece_->centre.begin() + data_.dim);
   reactTogether(graph, about, comm);
   passOn(graph, about, comm);
   for (std::size_t part = 0; part < tree_.parts().size(); ++part) {
@@ -100,7 +99,7 @@ void BalanceSettler::passOn(const PartGraph& graph, const Vector& about, const C
   }
 }
 
-bool needsSettling(const Mesh& mesh, const StressCorrection& correction)
+bool needsSettling(const Mesh& mesh, const StressCorrection& correction, const Comm& comm)
 {
   double smallest = HUGE_VAL, largest = 0.0;
   for (int cell = 0; cell < mesh.numCells(); ++cell)
@@ -110,7 +109,9 @@ bool needsSettling(const Mesh& mesh, const StressCorrection& correction)
       smallest = std::min(smallest, measure);
       largest = std::max(largest, measure);
     }
-  return correction.imbalance * largest > unseen * correction.force * smallest;
+  Vector extremes{-smallest, largest};
+  takeLargest(extremes, comm);
+  return correction.imbalance * extremes[1] > unseen * correction.force * -extremes[0];
 }
 
 void settleBalance(const BodyModel& body, const StaticData& data, const FieldInput& field, StressCorrection& correction)
@@ -123,7 +124,7 @@ void settleBalance(const BodyPiece& piece, const FieldInput& field, StressCorrec
 {
   NDFRAME_ASSERT(field.displacement != nullptr && piece.data.degree == correction.degree,
                  "data and stress do not match");
-  BalanceSettler(piece.model, piece.data, field, diameter(piece.whole->mesh), &piece, correction).runWith(comm);
+  BalanceSettler(piece.model, piece.data, field, piece.size, &piece, correction).runWith(comm);
   piece.fetchGhosts(correction);
 }
 

@@ -52,23 +52,24 @@ double ErrorMeasure::bound() const
   return std::max(aside, 0.5 * elements) + radius() + prescribed;
 }
 
-double totalOf(const std::vector<CellValues>& squared)
+double totalOf(const std::vector<CellValues>& squared, const Comm& parts)
 {
-  double total = 0.0;
+  Vector total{0.0};
   for (const Vector& body : squared)
-    total += sumOf(body);
-  return root(total);
+    total[0] += sumOf(body);
+  parts.sum(total);
+  return root(total[0]);
 }
 
 ErrorMeasure assembleMeasure(std::vector<CellValues> distances, const std::vector<ContactPatch>& patches,
-                             const Vector& contact, const std::vector<CellValues>& oscillation)
+                             const Vector& contact, const std::vector<CellValues>& oscillation, const Comm& parts)
 {
   ErrorMeasure measure;
-  measure.elements = totalOf(distances);
+  measure.elements = totalOf(distances, parts);
   measure.aside = 0.5 * measure.elements;
-  measure.oscillation = totalOf(oscillation);
+  measure.oscillation = totalOf(oscillation, parts);
   measure.cells = widenedSquares(std::move(distances), oscillation);
-  measure.widened = totalOf(measure.cells);
+  measure.widened = totalOf(measure.cells, parts);
   measure.contact = sumOf(contact);
   for (std::size_t f = 0; f < contact.size(); ++f)
     for (const PatchSide& side : patches[f].sides)

@@ -11,18 +11,19 @@ namespace ndframe
 namespace
 {
 
-/// A mesh and where its points lie in the drawn one.
+/// A mesh and where its points lie in the drawn one; the numbers of its cells in the whole mesh.
 struct PlacedMesh
 {
   Mesh mesh;
   std::vector<DrawnPlace> points;
+  std::vector<RefinedNumbers::Number> cells;
 };
 
 /// These cells in this order, with their points in the order of the given ones.
 PlacedMesh taken(const PlacedMesh& given, const std::vector<int>& cells, const std::vector<int>& points)
 {
   const Mesh& mesh = given.mesh;
-  PlacedMesh result{{mesh.dim, {}, {}, {}, mesh.notes, {}}, {}};
+  PlacedMesh result{{mesh.dim, {}, {}, {}, mesh.notes, {}}, {}, {}};
   std::vector<int> pointOf(std::size_t(mesh.numPoints()), -1), cellOf(std::size_t(mesh.numCells()), -1);
   for (const int point : points) {
     pointOf[std::size_t(point)] = int(result.points.size());
@@ -31,6 +32,7 @@ PlacedMesh taken(const PlacedMesh& given, const std::vector<int>& cells, const s
   }
   for (const int cell : cells) {
     cellOf[std::size_t(cell)] = result.mesh.numCells();
+    result.cells.push_back(given.cells[std::size_t(cell)]);
     for (int v = 0; v <= mesh.dim; ++v)
       result.mesh.cells.push_back(pointOf[std::size_t(mesh.cell(cell)[v])]);
   }
@@ -62,25 +64,44 @@ std::vector<int> pointsOf(const Mesh& mesh, const std::vector<int>& cells)
 class Sharing
 {
 public:
-  Sharing(const DrawnOwners& owners, int rank, const std::vector<std::string>& sides)
-      : owners_(owners), rank_(rank), sides_(sides)
+  Sharing(const DrawnOwners& owners, int rank, const std::vector<std::string>& sides, bool withHalo)
+      : owners_(owners), rank_(rank), sides_(sides), withHalo_(withHalo)
   {}
 
   /// The cells that are needed, with all that becomes of them where halvings follow.
   PlacedMesh cut(const PlacedMesh& given, bool isLast) const
   {
     const std::vector<char> touches = touchingPoints(given.mesh);
-    std::vector<int> cells;
+    std::vector<char> isNeeded(std::size_t(given.mesh.numCells()), 0);
     for (int cell = 0; cell < given.mesh.numCells(); ++cell) {
       const int* v = given.mesh.cell(cell);
-      if (std::any_of(v, v + given.mesh.dim + 1, [&](int point) { return touches[std::size_t(point)] != 0; }) ||
-          hasOwnNode(given, v, isLast ? 2 : given.mesh.dim + 1))
-        cells.push_back(cell);
+      isNeeded[std::size_t(cell)] =
+          char(std::any_of(v, v + given.mesh.dim + 1, [&](int point) { return touches[std::size_t(point)] != 0; }) ||
+               hasOwnNode(given, v, isLast ? 2 : given.mesh.dim + 1));
     }
+    if (withHalo_)
+      addHalo(given.mesh, isNeeded);
+    std::vector<int> cells;
+    for (int cell = 0; cell < given.mesh.numCells(); ++cell)
+      if (isNeeded[std::size_t(cell)] != 0)
+        cells.push_back(cell);
     return taken(given, cells, pointsOf(given.mesh, cells));
   }
 
 private:
+  /// Cells with a vertex of one that is needed, own cells among them, are needed, too.
+  static void addHalo(const Mesh& mesh, std::vector<char>& isNeeded)
+  {
+    std::vector<char> isNear(std::size_t(mesh.numPoints()), 0);
+    for (int cell = 0; cell < mesh.numCells(); ++cell)
+      for (int v = 0; isNeeded[std::size_t(cell)] != 0 && v <= mesh.dim; ++v)
+        isNear[std::size_t(mesh.cell(cell)[v])] = 1;
+    for (int cell = 0; cell < mesh.numCells(); ++cell)
+      for (int v = 0; v <= mesh.dim; ++v)
+        if (isNear[std::size_t(mesh.cell(cell)[v])] != 0)
+          isNeeded[std::size_t(cell)] = 1;
+  }
+
   std::vector<char> touchingPoints(const Mesh& mesh) const
   {
     std::vector<char> touches(std::size_t(mesh.numPoints()), 0);
@@ -115,6 +136,7 @@ private:
   const DrawnOwners& owners_;
   int rank_;
   const std::vector<std::string>& sides_;
+  bool withHalo_;
 };
 
 PlacedMesh refined(const PlacedMesh& given)
@@ -122,6 +144,10 @@ PlacedMesh refined(const PlacedMesh& given)
   PlacedMesh result;
   std::vector<std::array<int, 2>> middles;
   result.mesh = refineUniformly(given.mesh, &middles);
+  const int children = numChildren(given.mesh.dim);
+  for (const RefinedNumbers::Number cell : given.cells)
+    for (int child = 0; child < children; ++child)
+      result.cells.push_back(cell * children + child);
   result.points.reserve(given.points.size() + middles.size());
   for (const DrawnPlace& place : given.points)
     result.points.push_back(place.doubled());
@@ -158,16 +184,23 @@ RefinedShare sorted(const PlacedMesh& given, const RefinedNumbers& numbers, cons
   std::sort(points.begin(), points.end(),
             [&](int a, int b) { return number[std::size_t(a)] < number[std::size_t(b)]; });
   std::iota(cells.begin(), cells.end(), 0);
-  const auto others = std::stable_partition(cells.begin(), cells.end(), [&](int cell) {
+  std::vector<int> owner;
+  for (const int cell : cells) {
     const int* v = given.mesh.cell(cell);
     const int lowest = *std::min_element(v, v + given.mesh.dim + 1,
                                          [&](int a, int b) { return number[std::size_t(a)] < number[std::size_t(b)]; });
-    return owners.rankOf(given.points[std::size_t(lowest)]) == rank;
-  });
+    owner.push_back(owners.rankOf(given.points[std::size_t(lowest)]));
+  }
+  const auto others =
+      std::stable_partition(cells.begin(), cells.end(), [&](int cell) { return owner[std::size_t(cell)] == rank; });
   PlacedMesh ordered = taken(given, cells, points);
   sortFacets(ordered.mesh);
   std::sort(number.begin(), number.end());
-  return {std::move(ordered.mesh), std::move(ordered.points), std::move(number), int(others - cells.begin())};
+  std::vector<int> ranks;
+  for (const int cell : cells)
+    ranks.push_back(owner[std::size_t(cell)]);
+  return {std::move(ordered.mesh),  std::move(ordered.points), std::move(number),
+          std::move(ordered.cells), std::move(ranks),          int(others - cells.begin())};
 }
 
 } // namespace
@@ -180,14 +213,15 @@ int DrawnOwners::rankOf(const DrawnPlace& place) const
 }
 
 RefinedShare refinedShare(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
-                          int rank, const std::vector<std::string>& sides)
+                          int rank, const std::vector<std::string>& sides, bool withHalo)
 {
   NDFRAME_ASSERT(std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return drawn.findSide(side); }),
                  "the drawn mesh has the sides that all ranks have");
-  PlacedMesh mesh{drawn, {}};
+  PlacedMesh mesh{drawn, {}, std::vector<RefinedNumbers::Number>(std::size_t(drawn.numCells()))};
+  std::iota(mesh.cells.begin(), mesh.cells.end(), 0);
   for (int point = 0; point < drawn.numPoints(); ++point)
     mesh.points.push_back(DrawnPlace::vertex(point));
-  const Sharing sharing(owners, rank, sides);
+  const Sharing sharing(owners, rank, sides, withHalo);
   mesh = sharing.cut(mesh, halvings == 0);
   for (int k = 1; k <= halvings; ++k)
     mesh = sharing.cut(refined(mesh), k == halvings);

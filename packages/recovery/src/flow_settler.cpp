@@ -26,10 +26,10 @@ void addSquare(const DenseMatrix& map, double factor, double* sum)
 
 } // namespace
 
-FlowSettler::FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole,
-                         const Comm& comm)
+FlowSettler::FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Comm& comm)
     : body_(body), faces_(faces), piece_(piece), mesh_(faces.cells().body(body).model().mesh),
-      flow_(mesh_, piece, comm), about_(cellCentre(whole, 0)), size_(diameter(whole))
+      flow_(mesh_, piece, comm), about_(piece == nullptr ? cellCentre(mesh_, 0) : piece->centre),
+      size_(piece == nullptr ? diameter(mesh_) : piece->size)
 {
   const StarBody& star = faces.cells().body(body);
   const auto modes = std::size_t(star.loadModes());
@@ -193,8 +193,8 @@ void FlowSettler::settle(StressCorrection& correction, const Comm& comm) const
            correction.imbalance > roundOff * correction.force);
 }
 
-void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole,
-                   const BodyCorrections& corrections, const Comm& comm)
+void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, const BodyCorrections& corrections,
+                   const Comm& comm)
 {
   std::unique_ptr<FlowSettler> settler;
   for (StressCorrection* correction : corrections) {
@@ -202,10 +202,10 @@ void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, c
     takeLargest(largest, comm);
     correction->imbalance = largest[0];
     correction->force = largest[1];
-    if (!needsSettling(whole, *correction))
+    if (!needsSettling(faces.cells().body(body).model().mesh, *correction, comm))
       continue;
     if (!settler)
-      settler = std::make_unique<FlowSettler>(body, faces, piece, whole, comm);
+      settler = std::make_unique<FlowSettler>(body, faces, piece, comm);
     settler->settle(*correction, comm);
   }
 }

@@ -12,9 +12,8 @@ namespace ndframe
 class FlowSettler
 {
 public:
-  /// body: its number in faces.cells(); piece: what this rank holds of it, null where that is all of it; whole: its
-  /// mesh. Collective.
-  FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole, const Comm& comm);
+  /// body: its number in faces.cells(); piece: what this rank holds of it, null where that is all of it. Collective.
+  FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Comm& comm);
 
   /// Afterwards correction.imbalance is what cells then lack. The result does not depend on how cells are shared.
   /// Collective.
@@ -55,7 +54,7 @@ private:
 
 /// Ranks agree on how far a body's stars were out of balance (StressCorrection::imbalance, force), and where that is
 /// more than round-off a FlowSettler makes up for it. Collective.
-void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, const Mesh& whole,
-                   const BodyCorrections& corrections, const Comm& comm);
+void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, const BodyCorrections& corrections,
+                   const Comm& comm);
 
 } // namespace ndframe

@@ -1,6 +1,7 @@
 #include "global_recovery.hpp"
 
 #include <algorithm>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -125,7 +126,7 @@ private:
   /// All ranks stop where the mesh of a body touches itself.
   void balance(int body, const StressFaces& faces)
   {
-    Vector touching{-1.0}; // a vertex of the whole body
+    std::optional<int> touching; // a vertex of `piece`
     const BodyPiece* piece = this->piece(std::size_t(body));
     definiteOnEveryRank(comm_, [&] {
       try {
@@ -133,16 +134,29 @@ private:
       } catch (const SelfTouching& place) {
         if (piece == nullptr)
           throw;
-        touching[0] = piece->points[std::size_t(place.vertex)];
+        touching = place.vertex;
       }
     });
-    takeLargest(touching, comm_);
-    if (touching[0] >= 0.0)
-      throw SelfTouching(*piece->whole, int(touching[0]));
+    if (piece != nullptr)
+      refuseTouching(piece->model, touching);
     BodyCorrections corrections;
     for (SceneStress& stress : stresses_)
       corrections.push_back(&stress.corrections[std::size_t(body)]);
-    settleByFlows(body, faces, piece, scene_.bodies[std::size_t(body)]->mesh, corrections, comm_);
+    settleByFlows(body, faces, piece, corrections, comm_);
+  }
+
+  /// Where one rank has found a vertex of its own part: that with the least coordinates.
+  void refuseTouching(const BodyModel& part, const std::optional<int>& vertex) const
+  {
+    Vector own;
+    if (vertex)
+      own.assign(part.mesh.point(*vertex), part.mesh.point(*vertex) + 3);
+    const Vector all = gatheredFrom(own, comm_);
+    std::vector<Direction> places;
+    for (std::size_t at = 0; at < all.size(); at += 3)
+      places.push_back({all[at], all[at + 1], all[at + 2]});
+    if (!places.empty())
+      throw SelfTouching(part.name, 3, *std::min_element(places.begin(), places.end()));
   }
 
   void balanceOwn(int body, const StressFaces& faces)

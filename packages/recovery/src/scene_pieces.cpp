@@ -22,7 +22,9 @@ Owners owners(const RecoveryScene& scene, bool together, int ranks)
   Owners result(scene.bodies.size());
   std::vector<std::array<double, 3>> centres;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (scene.bodies[b]->isRigid)
+    if (const auto& share = scene.bodies[b]->share)
+      result[b] = share->cells().owners;
+    if (scene.bodies[b]->isRigid || scene.bodies[b]->share)
       continue;
     if (!together)
       centres.clear();
@@ -35,7 +37,7 @@ Owners owners(const RecoveryScene& scene, bool together, int ranks)
   const std::vector<int> all = partitionByPlace(centres, ranks);
   auto next = all.begin();
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (!scene.bodies[b]->isRigid) {
+    if (!scene.bodies[b]->isRigid && !scene.bodies[b]->share) {
       result[b].assign(next, next + scene.bodies[b]->mesh.numCells());
       next += scene.bodies[b]->mesh.numCells();
     }
@@ -99,7 +101,7 @@ std::shared_ptr<const ScenePieces> cutScene(const RecoveryScene& scene, bool tog
   pieces->patches = scene.patches;
   for (ContactPatch& patch : pieces->patches)
     for (PatchSide& side : patch.sides)
-      if (const auto& piece = pieces->bodies[std::size_t(side.body)])
+      if (const auto& piece = pieces->bodies[std::size_t(side.body)]; piece && side.facet.cell >= 0)
         side.facet.cell = piece->local(side.facet.cell);
   return pieces;
 }

@@ -11,6 +11,12 @@ namespace ndframe
 namespace
 {
 
+/// A finer mesh would be whole.
+bool certifiesShares(const std::optional<ErrorOptions>& errors)
+{
+  return !errors || !errors->wants(Estimator::Reference);
+}
+
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
 {
   const Model& model = *drawn.model;
@@ -39,8 +45,8 @@ bool mayBeShared(const RunSettings& settings, int ranks)
 {
   const OutputOptions& output = settings.output;
   const std::vector<BodySettings>& bodies = settings.scene.bodies;
-  return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 && output.probes.empty() &&
-         !output.checkpoint && output.steps == StepsWritten::Final &&
+  return ranks > 1 && certifiesShares(settings.errors) && !settings.accuracy && settings.scene.order == 2 &&
+         output.probes.empty() && !output.checkpoint && output.steps == StepsWritten::Final &&
          (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
          (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") &&
          std::all_of(bodies.begin(), bodies.end(),
@@ -60,7 +66,8 @@ DrawnScene drawnToShare(const RunTools& tools)
 void takeShares(Model& model, const DrawnScene& drawn, const RunTools& tools)
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
-  model = sharedModel(drawn, tools.settings.scene, tools.components, tools.comm, numThreads(tools.comm));
+  model = sharedModel(drawn, tools.settings.scene, tools.components, tools.errors.has_value(), tools.comm,
+                      numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
 }
 

@@ -92,9 +92,9 @@ struct Part
 };
 
 Part partOf(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
-            const std::vector<std::string>& sides, const Comm& comm)
+            const std::vector<std::string>& sides, bool withHalo, const Comm& comm)
 {
-  RefinedShare share = refinedShare(drawn, halvings, numbers, owners, comm.rank(), sides);
+  RefinedShare share = refinedShare(drawn, halvings, numbers, owners, comm.rank(), sides, withHalo);
   NodeMap nodes = makeNodeMap(share.mesh, 2);
   const std::vector<BodyShare::Global> middles = sortEdges(nodes, share, numbers);
   std::vector<int> ranks;
@@ -104,8 +104,9 @@ Part partOf(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, cons
   }
   share.numbers.insert(share.numbers.end(), middles.begin(), middles.end());
   Part part;
-  part.share = std::make_shared<const BodyShare>(numbers.numPoints() + numbers.numMiddles(), numbers.numCells(),
-                                                 std::move(share.numbers), std::move(ranks), share.numOwnCells, comm);
+  BodyShare::Things ofNodes{numbers.numPoints() + numbers.numMiddles(), std::move(share.numbers), std::move(ranks)},
+      ofCells{numbers.numCells(), std::move(share.cellNumbers), std::move(share.cellOwners)};
+  part.share = std::make_shared<const BodyShare>(std::move(ofNodes), std::move(ofCells), comm);
   part.given = GivenMesh(std::move(share.mesh), std::move(nodes));
   return part;
 }
@@ -243,7 +244,7 @@ std::string needsWhole(const DrawnScene& drawn)
   return {};
 }
 
-Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components,
+Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, bool withHalo,
                   const Comm& comm, int threads)
 {
   const std::vector<int> bodies = drawn.model->elasticBodies();
@@ -255,7 +256,7 @@ Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const Sce
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const auto body = std::size_t(bodies[b]);
     parts[body] = partOf(drawn.model->bodies[body].mesh, drawn.halvings[body], numbers[b], owners[b],
-                         contactSides(scene, drawn.model->bodies[body].name), comm);
+                         contactSides(scene, drawn.model->bodies[body].name), withHalo, comm);
   }
   Model model;
   onEveryRank(comm, [&] { // a mistake may show in one rank's share only

@@ -18,14 +18,20 @@ struct AdmissibleDisplacement
 };
 
 /// displacement: u_h per body, global axes. A penetration is divided between the two bodies by the stiffness of their
-/// nodes, so that the charge is small.
+/// nodes, so that the charge is small. parts: the ranks that have parts of the bodies (BodyShare), and all cells at
+/// contact; a single one where bodies are whole. Collective.
 AdmissibleDisplacement admitDisplacement(const std::vector<const BodyModel*>& bodies,
                                          const std::vector<const ConstraintSet*>& constraints,
                                          const std::vector<ContactPatch>& patches, const GapBound& gap,
-                                         const std::vector<NodalField>& displacement);
+                                         const std::vector<NodalField>& displacement,
+                                         const Comm& parts = Comm::single());
 
 /// |to - from| in the energy norm, all bodies.
 double changeInEnergy(const std::vector<const BodyModel*>& bodies, const std::vector<NodalField>& from,
-                      const std::vector<NodalField>& to);
+                      const std::vector<NodalField>& to, const Comm& parts = Comm::single());
+
+/// Ranks with parts of the bodies have moved the same nodes, but for round-off: all take what the first one has.
+void agreeAtContact(const std::vector<const BodyModel*>& bodies, const std::vector<ContactPatch>& patches,
+                    AdmissibleDisplacement& admissible, const Comm& parts);
 
 } // namespace ndframe

@@ -23,7 +23,7 @@ struct PrescribedCharge
 /// Its energy is integrated by Gauss rules on the pieces on which delta is a polynomial (adaptive_samples.hpp). Zero
 /// without work for constant data; polynomials of the displacements' order give zero.
 /// Limits: in space a delta that is not round-off is a caveat. A prescribed displacement should not jump along a side:
-/// no field of finite energy meets it.
-PrescribedCharge chargePrescribed(const BodyModel& body);
+/// no field of finite energy meets it. parts: as in admitDisplacement(). Collective.
+PrescribedCharge chargePrescribed(const BodyModel& body, const Comm& parts = Comm::single());
 
 } // namespace ndframe

@@ -22,10 +22,12 @@ struct BoundOfDisplacement
 /// Moves u^ at the interface nodes, within w^ <= g_h, to where the bound is smallest: where contact ends within a patch
 /// the nearest admissible displacement opens it under pressure, and pulling the patch's open end to the gap costs less.
 /// Any u^ keeps the bound a bound, so it is enough to come near the least one: one node after the other, the normal
-/// jump's Bernstein coefficients being the unknowns. Changes displacement, charge and moved of `admissible`.
+/// jump's Bernstein coefficients being the unknowns. Changes displacement, charge and moved of `admissible`. parts: as
+/// in admitDisplacement().
 void tightenDisplacement(const std::vector<const BodyModel*>& bodies,
                          const std::vector<const ConstraintSet*>& constraints, const std::vector<ContactPatch>& patches,
                          const GapBound& gap, const std::vector<NodalField>& displacement,
-                         const BoundOfDisplacement& bound, AdmissibleDisplacement& admissible);
+                         const BoundOfDisplacement& bound, AdmissibleDisplacement& admissible,
+                         const Comm& parts = Comm::single());
 
 } // namespace ndframe

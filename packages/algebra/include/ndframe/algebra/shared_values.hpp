@@ -68,6 +68,9 @@ void takeLargest(Vector& values, const Comm& comm);
 /// All ranks' values one after the other, on every rank; ranks may have different numbers of them. Collective.
 Vector gatheredFrom(const Vector& own, const Comm& comm);
 
+/// The text of the first rank that has one, on every rank. Collective.
+std::string firstText(const std::string& own, const Comm& comm);
+
 /// Calls `work`, which sends nothing. NotPositiveDefinite of any rank is one on every rank: none waits for another that
 /// has given up. Collective.
 void definiteOnEveryRank(const Comm& comm, const std::function<void()>& work);

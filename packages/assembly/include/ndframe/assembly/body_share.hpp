@@ -16,17 +16,24 @@ class BodyShare
 public:
   using Global = IndexMap::Global;
 
-  /// numNodes, numCells: of the whole body. numbers: per node of the part that of the whole body, ascending. owners:
-  /// per node of the part, the rank. The first numOwnCells cells are the rank's own. Collective.
-  BodyShare(Global numNodes, Global numCells, std::vector<Global> numbers, std::vector<int> owners, int numOwnCells,
-            const Comm& comm);
+  /// What the part's nodes or cells are of the body's.
+  struct Things
+  {
+    Global all;                  ///< of the whole body
+    std::vector<Global> numbers; ///< per node or cell of the part that of the whole body
+    std::vector<int> owners;     ///< per node or cell of the part, the rank
+  };
 
-  Global numNodes() const { return numNodes_; } ///< of the whole body
-  Global numCells() const { return numCells_; } ///< of the whole body
+  /// nodes: by ascending numbers; cells: the first ones are the rank's own. Collective.
+  BodyShare(Things nodes, Things cells, const Comm& comm);
+
+  Global numNodes() const { return nodes_.all; } ///< of the whole body
+  Global numCells() const { return cells_.all; } ///< of the whole body
   int numOwnCells() const { return numOwnCells_; }
-  bool owns(int node) const { return owners_[std::size_t(node)] == rank_; }
-  const std::vector<Global>& numbers() const { return numbers_; } ///< per node of the part
-  std::vector<int> ownNodes() const;                              ///< of the part, ascending
+  bool owns(int node) const { return nodes_.owners[std::size_t(node)] == rank_; }
+  const std::vector<Global>& numbers() const { return nodes_.numbers; } ///< per node of the part
+  const Things& cells() const { return cells_; }
+  std::vector<int> ownNodes() const; ///< of the part, ascending
   /// Values of nodes of the part, `width` for each, become those of their owners. Collective among neighbours.
   void fetch(Vector& values, int width) const;
   /// Values at other ranks' nodes become zero.
@@ -36,10 +43,8 @@ public:
   Vector spread(const Vector& own, int width) const; ///< fetches the other ranks' values. Collective
 
 private:
-  Global numNodes_, numCells_;
-  std::vector<Global> numbers_;
-  std::vector<int> owners_;
-  int numOwnCells_, rank_;
+  Things nodes_, cells_;
+  int rank_, numOwnCells_;
   SharedValues shared_;
 };
 

@@ -27,5 +27,12 @@ Vector cellEnergies(const BodyModel& body, const Vector& displacement, CellRange
 /// a(v, v) = int K eps(v) : eps(v) (no 1/2) of the body. Taken from the strains: in v . K v round-off of a large rigid
 /// motion would drown the energy of a stiff body.
 double energy(const BodyModel& body, const Vector& displacement);
+/// The same of a body that may be shared out: of the cells of all ranks. Collective for shares.
+double energy(const BodyModel& body, const Vector& displacement, const Comm& comm);
+
+/// The cells of a body that this rank counts where ranks add up: its own ones, or all where it has all.
+CellRange countedCells(const BodyModel& body);
+/// Zeros elsewhere.
+CellValues ofCountedCells(const BodyModel& body, CellValues values);
 
 } // namespace ndframe

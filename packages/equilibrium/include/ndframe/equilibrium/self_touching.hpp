@@ -10,7 +10,9 @@ class SelfTouching : public InputError
 {
 public:
   SelfTouching(const BodyModel& model, int touching);
-  int vertex;
+  /// Found by another rank.
+  SelfTouching(const std::string& body, int dim, const Direction& point);
+  int vertex; ///< -1: of another rank
 };
 
 } // namespace ndframe

@@ -8,7 +8,7 @@ namespace ndframe
 /// True when what u~ lacks of finite element equilibrium, spread over the smallest facets, could be seen in the
 /// equilibrium of sigma^: a solver that stopped early, or round-off on meshes that are strongly graded and in bodies
 /// that move much more than they deform.
-bool needsSettling(const Mesh& mesh, const StressCorrection& correction);
+bool needsSettling(const Mesh& mesh, const StressCorrection& correction, const Comm& comm);
 
 /// Takes what u~ lacks of finite element equilibrium out of the balance of sigma^: where the solver stopped, and
 /// eps |K| |u~| per node whatever the solver; on a small facet this is a stress that one can see.

@@ -36,14 +36,16 @@ private:
 
 /// Assembles a measure from the cells' squared distances (cellDistances, per body) and the patches' contact terms
 /// (contactContributions; empty without contact) for u^ = u_h. oscillation: of the cells' data, squared, per body;
-/// empty where all data are carried.
+/// empty where all data are carried. parts: the ranks that have cells of their own, and zeros at others'; a single one
+/// where each has all. Collective.
 ErrorMeasure assembleMeasure(std::vector<CellValues> distances, const std::vector<ContactPatch>& patches,
-                             const Vector& contact, const std::vector<CellValues>& oscillation = {});
+                             const Vector& contact, const std::vector<CellValues>& oscillation = {},
+                             const Comm& parts = Comm::single());
 
 /// sqrt of the contributions of one body's cells; a contribution below zero (round-off, Paper mode) gives zero.
 CellValues contributions(const Vector& squared);
 
-/// Square root of the sum of all entries.
-double totalOf(const std::vector<CellValues>& squared);
+/// Square root of the sum of all entries, of all parts. Collective.
+double totalOf(const std::vector<CellValues>& squared, const Comm& parts = Comm::single());
 
 } // namespace ndframe

@@ -25,15 +25,17 @@ struct RefinedShare
   /// ranks have. Points ascend by `numbers`, facets of sides by their points': two ranks have what both have in the
   /// same order. Every side of the drawn mesh is there, perhaps without facets.
   Mesh mesh;
-  std::vector<DrawnPlace> points;              ///< per point of `mesh`
-  std::vector<RefinedNumbers::Number> numbers; ///< per point of `mesh`: that of the whole mesh
-  int numOwnCells = 0;                         ///< the first ones: each cell of the whole mesh is one rank's
+  std::vector<DrawnPlace> points;                  ///< per point of `mesh`
+  std::vector<RefinedNumbers::Number> numbers;     ///< per point of `mesh`: that of the whole mesh
+  std::vector<RefinedNumbers::Number> cellNumbers; ///< per cell: that of the whole mesh
+  std::vector<int> cellOwners;                     ///< per cell, the rank
+  int numOwnCells = 0;                             ///< the first ones: each cell of the whole mesh is one rank's
 };
 
 /// The rank's share of the drawn mesh with its edges halved so many times (refineUniformly), made without the rest of
 /// the refined mesh. sides: names of those that all ranks have, with the cells that touch them. A cell is its lowest
-/// point's owner's.
+/// point's owner's. withHalo: and all cells that have a vertex in common with an own one.
 RefinedShare refinedShare(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
-                          int rank, const std::vector<std::string>& sides);
+                          int rank, const std::vector<std::string>& sides, bool withHalo = false);
 
 } // namespace ndframe

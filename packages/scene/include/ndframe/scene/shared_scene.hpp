@@ -26,10 +26,10 @@ std::string needsWhole(const DrawnScene& drawn);
 /// (DrawnOwners), with the cells around them, and the cells at contact on every rank. Interfaces are the same on all
 /// ranks, to the bit, but for the numbers of nodes and cells. What the drawn scene says of bodies as a whole (rigid
 /// motions that supports leave free) is taken from it. Loads and constraints are those of the part: complete at own
-/// nodes, constraints at all. Collective.
+/// nodes, constraints at all. withHalo: cells with a vertex of an own cell are there, too. Collective.
 ///
 /// Drawn vertices are shared out by METIS as one graph of all bodies (joinedVertices).
-Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components,
+Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, bool withHalo,
                   const Comm& comm, int threads);
 
 } // namespace ndframe
