@@ -1,8 +1,8 @@
 """Solids whose meshes are refined after they have been shared out: shared_solids.py NDFRAME [--scenes N] [--seed FIRST].
 
 Random scenes with `Refine` on one process and on 2 to 6 ranks that have shares of the refined meshes: energies, reactions,
-peaks and contact are the same, the solver takes as many products but for a fifth, and no rank has all cells. Scenes that
-cannot be shared (sides that are cut) are solved whole and are compared, too. Prints what differs.
+peaks and contact are the same, and so are the bounds of those that are certified, whose stresses are in equilibrium. Scenes
+that cannot be shared (sides that are cut) are solved whole and are compared, too. Prints what differs.
 """
 
 import csv
@@ -18,6 +18,26 @@ from runs import Program, sweep, sweep_options
 from solid_scenes import write_scene
 
 SAME = 2e-6  # of the largest of its kind: iterations stop at 1e-10, and forces are derivatives
+
+
+SAME_BOUND = 1e-4  # the recovery steps in single precision, and begins from what iterations left
+BALANCED = 1e-9
+
+
+def differs_in_bounds(one, shared):
+    if (one is None) != (shared is None):
+        return "a certificate without another"
+    for name in ("global", "algorithm", "discretization") if one else ():
+        first, second = one[name], shared[name]
+        if (first is None) != (second is None):
+            return f"no {name}"
+        if first and abs(first["absolute"] - second["absolute"]) > SAME_BOUND * one["global"]["absolute"]:
+            return f"{name} {first['absolute']!r} and {second['absolute']!r}"
+        if first and (first.get("guaranteed"), first.get("reason")) != (second.get("guaranteed"), second.get("reason")):
+            return f"{name} guaranteed: {first.get('reason')!r} and {second.get('reason')!r}"
+    if shared and shared["equilibrium"] is not None and shared["equilibrium"] > BALANCED:
+        return f"the stress is out of balance by {shared['equilibrium']:.2e}"
+    return None
 
 
 def numbers(summary):
@@ -71,7 +91,7 @@ def difference(one, shared):
                 return f"{name} at {place}: {values[k]} and {there[place][k]}"
     if shared.summary["residuals"]["equilibrium"] > 1e-7:
         return f"residual {shared.summary['residuals']['equilibrium']}"
-    return None
+    return differs_in_bounds(one.summary["errors"], shared.summary["errors"])
 
 
 def judge(program, seed):
@@ -83,6 +103,9 @@ def judge(program, seed):
             solid.cells = tuple(min(n, 4 if halvings == 1 else 2) for n in solid.cells)
     given = [f"Bodies/{solid.name}/Mesh/Refine={halvings}" for solid in pair if solid.foot]
     given += ["Linear Solver/Type=Multigrid", "Coupling/Type=Monolithic", "Output/Exodus=false"]
+    if draw.random() < 0.6:
+        estimators = draw.choice(("{Global}", "{Global}", "{Global, Algorithm, Discretization}"))
+        given += [f"Error Estimation/Estimators={estimators}", "Error Estimation/Check Equilibrium=true"]
     about = f"{seed}: {kind}, {ranks} ranks, {' '.join(given)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)

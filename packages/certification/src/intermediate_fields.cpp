@@ -125,16 +125,13 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
 }
 
 /// The unknown field of a body that ranks have parts of.
-NodalField fieldOfPart(const BodySystem& system, const NodalField& force, const NodalField& start,
-                       const FieldNeed& need)
+NodalField partField(const BodySystem& system, const NodalField& force, const NodalField& start, const FieldNeed& need)
 {
-  constexpr double finer = 1e-4; // beside what is near
-  const double enough = need.isNear ? need.enough : finer * need.enough;
   NodalField load = system.dofs.frames.toLocal(force);
   const Vector given = system.load.all();
   for (std::size_t i = 0; i < load.size(); ++i)
     load[i] += given[i];
-  const Vector u = nearFieldOfPart(system, load, system.dofs.frames.toLocal(start), enough, need.comm);
+  const Vector u = fieldOfPart(system, load, system.dofs.frames.toLocal(start), need.isNear, need.enough, need.comm);
   return system.dofs.frames.toGlobal(u);
 }
 
@@ -181,7 +178,7 @@ std::vector<NodalField> intermediateFields(const Model& model, const CondensedMo
     return fields;
   if (system.share) {
     for (const std::size_t f : unknown)
-      fields[f] = fieldOfPart(system, forces[f], fields[f], need);
+      fields[f] = partField(system, forces[f], fields[f], need);
     return fields;
   }
   if (trace.isSolvedWhole() && solveWhole(condensed, body, forces, unknown, need, fields))

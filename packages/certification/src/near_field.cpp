@@ -5,6 +5,8 @@ namespace ndframe
 namespace
 {
 
+constexpr int mostStepsNear = 10; ///< what is smooth by then takes more than the recovery
+
 /// K of a body that every rank has as a whole, or of which this one has a part: values at others' nodes are zero then,
 /// but for those that K is applied to.
 class System
@@ -92,16 +94,18 @@ bool descend(const System& system, const Vector& load, double enough, int mostSt
 
 std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm)
 {
-  constexpr int mostSteps = 10; // what is smooth by then takes more than the recovery
-  if (descend(System(system, comm), load, enough, mostSteps, u))
+  if (descend(System(system, comm), load, enough, mostStepsNear, u))
     return u;
   return std::nullopt;
 }
 
-Vector nearFieldOfPart(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm)
+Vector fieldOfPart(const BodySystem& system, const Vector& load, Vector u, bool isNear, double enough, const Comm& comm)
 {
   constexpr int mostSteps = 3000; // some ten times as many as a million dofs take
-  descend(System(system, comm), load, enough, mostSteps, u);
+  constexpr double solved = 1e-8; // beside what is near
+  const System ofParts(system, comm);
+  if (!isNear || !descend(ofParts, load, enough, mostStepsNear, u))
+    descend(ofParts, load, solved * enough, mostSteps, u);
   return u;
 }
 

@@ -13,9 +13,10 @@ namespace ndframe
 std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Vector u, double enough,
                                 const Comm& comm);
 
-/// The same of a body that ranks have parts of, for which there is no other solve: as many steps as it takes, and the
-/// last field after very many. Values at the nodes of the part, prescribed ones among them. load: complete at own
-/// nodes. Collective.
-Vector nearFieldOfPart(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm);
+/// The same of a body that ranks have parts of, for which there is no other solve: where ten steps are not enough, or
+/// near is not, as many as take r . D^-1 r to 1e-8 of `enough`, or very many. Values at the nodes of the part,
+/// prescribed ones among them. load: complete at own nodes. Collective.
+Vector fieldOfPart(const BodySystem& system, const Vector& load, Vector u, bool isNear, double enough,
+                   const Comm& comm);
 
 } // namespace ndframe

@@ -156,23 +156,6 @@ PlacedMesh refined(const PlacedMesh& given)
   return result;
 }
 
-/// Facets in the order of their points, ascending.
-void sortFacets(Mesh& mesh)
-{
-  for (Side& side : mesh.sides) {
-    std::vector<std::pair<std::array<int, 3>, Facet>> facets;
-    for (const Facet facet : side.facets) {
-      std::array<int, 3> vertices{-1, -1, -1}; // in the plane the last is none
-      facetVertices(mesh, facet, vertices.data());
-      std::sort(vertices.begin(), vertices.end());
-      facets.push_back({vertices, facet});
-    }
-    std::sort(facets.begin(), facets.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
-    for (std::size_t f = 0; f < facets.size(); ++f)
-      side.facets[f] = facets[f].second;
-  }
-}
-
 /// In the order that RefinedShare promises.
 RefinedShare sorted(const PlacedMesh& given, const RefinedNumbers& numbers, const DrawnOwners& owners, int rank)
 {
@@ -194,7 +177,6 @@ RefinedShare sorted(const PlacedMesh& given, const RefinedNumbers& numbers, cons
   const auto others =
       std::stable_partition(cells.begin(), cells.end(), [&](int cell) { return owner[std::size_t(cell)] == rank; });
   PlacedMesh ordered = taken(given, cells, points);
-  sortFacets(ordered.mesh);
   std::sort(number.begin(), number.end());
   std::vector<int> ranks;
   for (const int cell : cells)

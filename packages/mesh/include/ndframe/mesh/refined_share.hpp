@@ -22,8 +22,8 @@ struct DrawnOwners
 struct RefinedShare
 {
   /// The cells with a node of the rank (a point or the middle of an edge), and those that touch the sides that all
-  /// ranks have. Points ascend by `numbers`, facets of sides by their points': two ranks have what both have in the
-  /// same order. Every side of the drawn mesh is there, perhaps without facets.
+  /// ranks have. Points ascend by `numbers`, facets of sides come as in the whole mesh: two ranks have what both have
+  /// in the same order. Every side of the drawn mesh is there, perhaps without facets.
   Mesh mesh;
   std::vector<DrawnPlace> points;                  ///< per point of `mesh`
   std::vector<RefinedNumbers::Number> numbers;     ///< per point of `mesh`: that of the whole mesh
