@@ -18,7 +18,7 @@ constexpr Global first = 5'000'000'000; ///< number of the first of all
 class Chain
 {
 public:
-  Chain() : share_(first + each * ranks(), 7, numbers(), owners(), 3, test::comm()) {}
+  Chain() : share_({first + each * ranks(), numbers(), owners()}, {7, {4, 5, 6, 1}, cellOwners()}, test::comm()) {}
   const BodyShare& operator*() const { return share_; }
 
   static int ranks() { return test::comm().size(); }
@@ -41,6 +41,8 @@ private:
       all.push_back(int(number - first) / each);
     return all;
   }
+
+  static std::vector<int> cellOwners() { return {rank(), rank(), rank(), rank() + 1}; }
 
   BodyShare share_;
 };

@@ -207,4 +207,66 @@ TEST(RefinedShare, NumbersGoBeyondThoseOfARank)
   EXPECT_LT(numbers.middle(inside), numbers.numPoints() + numbers.numMiddles());
 }
 
+/// A cell's number is its place in the mesh that is refined as a whole; ranks agree on its owner.
+TEST(RefinedShare, CellsAreNumberedLikeThoseOfOneMesh)
+{
+  for (const Mesh& drawn : samples()) {
+    const int halvings = 2;
+    const RefinedNumbers numbers(drawn, halvings);
+    const Mesh whole = refinedWhole(drawn, halvings);
+    std::map<Number, int> owners;
+    for (int rank = 0; rank < 3; ++rank) {
+      const RefinedShare share = refinedShare(drawn, halvings, numbers, ownersOf(drawn, 3), rank, {"left"}, true);
+      for (int c = 0; c < share.mesh.numCells(); ++c) {
+        const Number number = share.cellNumbers[std::size_t(c)];
+        EXPECT_EQ(corners(share.mesh, share.mesh.cell(c), drawn.dim + 1),
+                  corners(whole, whole.cell(int(number)), drawn.dim + 1));
+        EXPECT_EQ(share.cellOwners[std::size_t(c)] == rank, c < share.numOwnCells);
+        EXPECT_EQ(owners.emplace(number, share.cellOwners[std::size_t(c)]).first->second,
+                  share.cellOwners[std::size_t(c)]);
+      }
+    }
+    EXPECT_EQ(Number(owners.size()), numbers.numCells());
+  }
+}
+
+TEST(RefinedShare, HaloIsAllCellsAtVerticesOfOwnCells)
+{
+  for (const Mesh& drawn : samples())
+    for (int halvings = 0; halvings <= 2; ++halvings) {
+      const RefinedNumbers numbers(drawn, halvings);
+      const RefinedShare whole = refinedShare(drawn, halvings, numbers, ownersOf(drawn, 1), 0, {});
+      for (int rank = 0; rank < 3; ++rank) {
+        const RefinedShare share = refinedShare(drawn, halvings, numbers, ownersOf(drawn, 3), rank, {}, true);
+        std::set<Number> own, held(share.cellNumbers.begin(), share.cellNumbers.end());
+        for (int c = 0; c < share.numOwnCells; ++c)
+          for (int v = 0; v <= drawn.dim; ++v)
+            own.insert(share.numbers[std::size_t(share.mesh.cell(c)[v])]);
+        for (int c = 0; c < whole.mesh.numCells(); ++c) {
+          const int* v = whole.mesh.cell(c);
+          if (std::any_of(v, v + drawn.dim + 1,
+                          [&](int point) { return own.count(whole.numbers[std::size_t(point)]) > 0; }))
+            EXPECT_EQ(held.count(whole.cellNumbers[std::size_t(c)]), 1U);
+        }
+      }
+    }
+}
+
+/// Facets of a side come in the order of the whole mesh's, so that interfaces are numbered alike.
+TEST(RefinedShare, FacetsComeInTheOrderOfTheWholeMesh)
+{
+  for (const Mesh& drawn : samples()) {
+    const int halvings = 2;
+    const RefinedNumbers numbers(drawn, halvings);
+    const Mesh whole = refinedWhole(drawn, halvings);
+    const RefinedShare share = refinedShare(drawn, halvings, numbers, ownersOf(drawn, 3), 1, {"left"});
+    const std::vector<Facet>&there = whole.findSide("left")->facets, &here = share.mesh.findSide("left")->facets;
+    ASSERT_EQ(here.size(), there.size());
+    for (std::size_t f = 0; f < here.size(); ++f) {
+      EXPECT_EQ(share.cellNumbers[std::size_t(here[f].cell)], there[f].cell);
+      EXPECT_EQ(here[f].local, there[f].local);
+    }
+  }
+}
+
 } // namespace

@@ -4,13 +4,13 @@
 #include <random>
 
 #include "admissibility/sample_problems.hpp"
+#include "block_flow.hpp"
 #include "common/test_main.hpp"
 #include "equilibrium/sample_stress.hpp"
 #include "fem/sample_meshes.hpp"
 #include "flow_settler.hpp"
 #include "ndframe/admissibility/make_static_data.hpp"
 #include "ndframe/assembly/fields.hpp"
-#include "ndframe/equilibrium/block_flow.hpp"
 #include "ndframe/recovery/scene_pieces.hpp"
 #include "recovery/sample_recovery.hpp"
 

@@ -225,16 +225,17 @@ void Certifier::compareWithIndicators()
   }
   if (wants(Estimator::Residual) && recoveryScene_.data.empty())
     recoveryScene_ = makeRecoveryScene(scene_);
-  for (const int body : scene_.model.elasticBodies()) {
-    const auto b = std::size_t(body);
+  for (const int b : scene_.model.elasticBodies()) {
+    const BodyModel& model = *scene_.bodies[std::size_t(b)];
+    const NodalField& u = scene_.solved[std::size_t(b)];
     if (wants(Estimator::ZienkiewiczZhu))
-      smoothing.push_back(ofCountedCells(*scene_.bodies[b], zienkiewiczZhu(*scene_.bodies[b], scene_.solved[b])));
+      smoothing.push_back(ofCountedCells(model, zienkiewiczZhu(model, u)));
     if (!wants(Estimator::Residual))
       continue;
-    const Vector contact = sharesOf(scene_, solved, int(b));
-    const FieldInput input{&scene_.solved[b].whole(), contact.empty() ? nullptr : &contact};
-    residual.push_back(
-        ofCountedCells(*scene_.bodies[b], residualIndicator(*scene_.bodies[b], recoveryScene_.data[b], input)));
+    const Vector contact = sharesOf(scene_, solved, b);
+    const FieldInput input{&u.whole(), contact.empty() ? nullptr : &contact};
+    const StaticData& data = recoveryScene_.data[std::size_t(b)];
+    residual.push_back(ofCountedCells(model, residualIndicator(model, data, input)));
   }
   if (!smoothing.empty())
     result_.summary.zienkiewiczZhu = totalOf(smoothing, scene_.parts);

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/equilibrium/block_flow.hpp"
+#include "block_flow.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
 #include "stress_faces.hpp"
 

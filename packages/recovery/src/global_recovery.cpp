@@ -138,25 +138,11 @@ private:
       }
     });
     if (piece != nullptr)
-      refuseTouching(piece->model, touching);
+      refuseTouching(piece->model, touching, comm_);
     BodyCorrections corrections;
     for (SceneStress& stress : stresses_)
       corrections.push_back(&stress.corrections[std::size_t(body)]);
     settleByFlows(body, faces, piece, corrections, comm_);
-  }
-
-  /// Where one rank has found a vertex of its own part: that with the least coordinates.
-  void refuseTouching(const BodyModel& part, const std::optional<int>& vertex) const
-  {
-    Vector own;
-    if (vertex)
-      own.assign(part.mesh.point(*vertex), part.mesh.point(*vertex) + 3);
-    const Vector all = gatheredFrom(own, comm_);
-    std::vector<Direction> places;
-    for (std::size_t at = 0; at < all.size(); at += 3)
-      places.push_back({all[at], all[at + 1], all[at + 2]});
-    if (!places.empty())
-      throw SelfTouching(part.name, 3, *std::min_element(places.begin(), places.end()));
   }
 
   void balanceOwn(int body, const StressFaces& faces)

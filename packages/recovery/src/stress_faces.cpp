@@ -180,10 +180,8 @@ void StressFaces::freeTractions(StressFace& face)
   auto& found = inside_[std::size_t(cells_->classes().of(face.cell[0])) * 4 + std::size_t(face.facet[0])];
   if (!found) {
     const std::array<Direction, 4> corners = cells_->cornersOfOrigin(face.cell[0]);
-    std::vector<const double*> vertices;
-    for (int v = 0; v < 4; ++v)
-      if (v != face.facet[0])
-        vertices.push_back(corners[std::size_t(v)].data());
+    std::vector<const double*> vertices{corners[0].data(), corners[1].data(), corners[2].data(), corners[3].data()};
+    vertices.erase(vertices.begin() + face.facet[0]);
     StressFace origin;
     const Vector arms = findGeometry(vertices, origin);
     const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), origin.size);

@@ -27,11 +27,11 @@ constexpr double multigridBytes = 1500.0;
 /// The same on several ranks, of a dof that is the rank's own and of any dof of the scene; libraries and MPI.
 constexpr double ownBytes = 1300.0, replicatedBytes = 45.0, atStartOfRanks = 1e8;
 
-/// A dof of a rank's share of a mesh that ranks refine, with the ghosts of a rank inside.
-constexpr double shareBytes = 1500.0;
+/// A dof of a rank's share of a mesh that ranks refine, with the ghosts of a rank inside; with a bound of the error.
+constexpr double shareBytes = 1500.0, certifiedShareBytes = 2600.0;
 
 /// A dof of a solid whose error is bounded, on one rank; on several, of a rank's own and of any.
-constexpr double certifiedBytes = 2400.0, ownCertifiedBytes = 2000.0, replicatedCertifiedBytes = 170.0;
+constexpr double certifiedBytes = 2400.0, ownCertifiedBytes = 2000.0, replicatedCertifiedBytes = 120.0;
 
 bool isDirect(const RunSettings& settings)
 {
@@ -123,11 +123,11 @@ std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, 
   if (namesMultigrid && !areSolids)
     return fmt::format("not estimated for {} in the plane; {}", settings.linearSolver, left);
   const bool isMultigrid = areSolids && takesMultigrid(settings, solver, solvesWhole, dofs, ranks);
+  const bool certifies = settings.errors && !settings.errors->estimators.empty();
   if (isMultigrid && solvesWhole && mayBeShared(settings, ranks))
-    bytes = atStartOfRanks + shareBytes * dofs / ranks;
+    bytes = atStartOfRanks + (certifies ? certifiedShareBytes : shareBytes) * dofs / ranks;
   else if (isMultigrid)
-    bytes = std::max(memoryOfRank(dofs, ranks),
-                     settings.errors && !settings.errors->estimators.empty() ? memoryOfCertificate(dofs, ranks) : 0.0);
+    bytes = std::max(memoryOfRank(dofs, ranks), certifies ? memoryOfCertificate(dofs, ranks) : 0.0);
   return fmt::format("about {:.2g} GB{} for some {} dofs; {}{}", 1e-9 * bytes,
                      isMultigrid && ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "",
                      grouped(std::int64_t(dofs)), left, bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "ndframe/assembly/body_system.hpp"
 
 namespace ndframe
@@ -14,5 +16,8 @@ public:
   SelfTouching(const std::string& body, int dim, const Direction& point);
   int vertex; ///< -1: of another rank
 };
+
+/// Throws where a rank has found a vertex of its own part: that with the least coordinates. Collective.
+void refuseTouching(const BodyModel& part, const std::optional<int>& vertex, const Comm& comm);
 
 } // namespace ndframe

@@ -2,9 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 #include "block_grid.hpp"
 #include "ndframe/equilibrium/facet_twins.hpp"
+#include "values_reader.hpp"
 
 namespace ndframe
 {
@@ -14,25 +16,6 @@ namespace
 using Number = BlockFlow::Builder::Number;
 
 constexpr int cellsOfBlock = 500, mostBlocks = 20000;
-
-/// Values one after the other, as ranks send them.
-class Reader
-{
-public:
-  explicit Reader(const Vector& values) : next_(values.data()), end_(values.data() + values.size()) {}
-  explicit operator bool() const { return next_ != end_; }
-  double value() { return *next_++; }
-  Number number() { return Number(value()); }
-  Direction direction()
-  {
-    const Direction result{next_[0], next_[1], next_[2]};
-    next_ += 3;
-    return result;
-  }
-
-private:
-  const double *next_, *end_;
-};
 
 void append(Vector& values, const Direction& direction)
 {
@@ -158,7 +141,7 @@ void BlockFlow::Builder::joinWithin()
     }
   std::map<std::array<Number, 2>, Spring> springs; // in one order, whoever sent them
   for (const Vector& values : exchangedValues(out, comm_))
-    for (Reader reader(values); reader;) {
+    for (ValuesReader reader(values); reader;) {
       const Number first = reader.number(), second = reader.number();
       const double conductance = reader.value(), size = reader.value();
       springs.emplace(std::array{first, second}, Spring::ofFace(reader.direction(), conductance, size));
@@ -197,7 +180,7 @@ void BlockFlow::Builder::numberSets()
     }
   std::map<Number, Direction> sets;
   const Vector all = gatheredFrom(own, comm_);
-  for (Reader reader(all); reader;) {
+  for (ValuesReader reader(all); reader;) {
     const Number lowest = reader.number();
     sets.emplace(lowest, reader.direction());
   }
@@ -231,7 +214,7 @@ void BlockFlow::Builder::joinBetween()
     records.insert(records.end(), whole.turning.begin(), whole.turning.end());
   }
   const Vector all = gatheredFrom(records, comm_);
-  for (Reader reader(all); reader;) {
+  for (ValuesReader reader(all); reader;) {
     const int low = int(reader.number()), high = int(reader.number());
     Spring spring;
     spring.conductance = reader.value();
@@ -248,28 +231,32 @@ void BlockFlow::Builder::joinBetween()
   flow_.between_ = std::make_unique<WrenchFlow>(std::move(setCentres_), std::move(links));
 }
 
-/// Ranks get the faces around their boxes; own half facets learn where their flow is.
-void BlockFlow::Builder::takeCrossings()
+/// Ranks get the faces around their boxes.
+std::vector<Vector> BlockFlow::Builder::sentCrossings() const
 {
   std::vector<Vector> out(std::size_t(comm_.size()));
-  for (const OwnFace& face : faces_)
-    if (!staysInside(face)) {
-      Vector record;
-      for (const int half : face.half)
-        record.insert(record.end(), {double(number(half / 4)), double(flow_.setOf_[std::size_t(half / 4)])});
-      record.insert(record.end(), {face.spring.conductance, face.size});
-      append(record, face.spring.centre);
-      std::vector<int> ranks = ranksOf_[std::size_t(block(face.half[0]))];
-      const std::vector<int>& others = ranksOf_[std::size_t(block(face.half[1]))];
-      ranks.insert(ranks.end(), others.begin(), others.end());
-      std::sort(ranks.begin(), ranks.end());
-      ranks.erase(std::unique(ranks.begin(), ranks.end()), ranks.end());
-      for (const int rank : ranks)
-        out[std::size_t(rank)].insert(out[std::size_t(rank)].end(), record.begin(), record.end());
-    }
+  for (const OwnFace& face : faces_) {
+    if (staysInside(face))
+      continue;
+    Vector record;
+    for (const int half : face.half)
+      record.insert(record.end(), {double(number(half / 4)), double(flow_.setOf_[std::size_t(half / 4)])});
+    record.insert(record.end(), {face.spring.conductance, face.size});
+    append(record, face.spring.centre);
+    std::set<int> ranks;
+    for (const int half : face.half)
+      ranks.insert(ranksOf_[std::size_t(block(half))].begin(), ranksOf_[std::size_t(block(half))].end());
+    for (const int rank : ranks)
+      out[std::size_t(rank)].insert(out[std::size_t(rank)].end(), record.begin(), record.end());
+  }
+  return exchangedValues(out, comm_);
+}
+
+void BlockFlow::Builder::takeCrossings()
+{
   std::map<std::array<Number, 2>, Crossing> found;
-  for (const Vector& values : exchangedValues(out, comm_))
-    for (Reader reader(values); reader;) {
+  for (const Vector& values : sentCrossings())
+    for (ValuesReader reader(values); reader;) {
       std::array<Number, 2> cells{};
       std::array<int, 2> sets{};
       for (std::size_t side = 0; side < 2; ++side) {
@@ -283,11 +270,15 @@ void BlockFlow::Builder::takeCrossings()
                                     {placeOf(near_, cells[0]), placeOf(near_, cells[1])},
                                     Spring::ofFace(reader.direction(), conductance, size)});
     }
-  std::map<std::array<Number, 2>, int> outer;
   for (const auto& [cells, crossing] : found) {
-    outer.emplace(cells, int(flow_.crossings_.size()));
+    crossing_.emplace(cells, int(flow_.crossings_.size()));
     flow_.crossings_.push_back(crossing);
   }
+}
+
+/// Own half facets learn where their flow is.
+void BlockFlow::Builder::findPlaces()
+{
   const std::vector<int> twins = facetTwins(sortedCells(mesh_), 3);
   for (const int cell : flow_.own_)
     for (int half = cell * 4; half < cell * 4 + 4; ++half) {
@@ -298,7 +289,7 @@ void BlockFlow::Builder::takeCrossings()
       const std::array<Number, 2> cells{std::min(mine, theirs), std::max(mine, theirs)};
       const bool isCrossing = block(half) != block(twin);
       flow_.places_.push_back(
-          {half, isCrossing ? outer.at(cells) : inner_.at(cells), isCrossing, mine < theirs ? 1.0 : -1.0});
+          {half, isCrossing ? crossing_.at(cells) : inner_.at(cells), isCrossing, mine < theirs ? 1.0 : -1.0});
     }
 }
 

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "ndframe/equilibrium/block_flow.hpp"
+#include "block_flow.hpp"
 
 namespace ndframe
 {
@@ -26,6 +26,7 @@ public:
     numberSets();
     joinBetween();
     takeCrossings();
+    findPlaces();
   }
 
 private:
@@ -52,7 +53,9 @@ private:
   void joinWithin();
   void numberSets();
   void joinBetween();
+  std::vector<Vector> sentCrossings() const;
   void takeCrossings();
+  void findPlaces();
 
   const Mesh& mesh_;
   const BodyPiece* piece_;
@@ -61,11 +64,12 @@ private:
   std::vector<int> blockOf_;              ///< per held cell
   std::vector<std::vector<int>> ranksOf_; ///< per block
   std::vector<OwnFace> faces_;
-  std::vector<Number> near_;                   ///< numbers of the near cells, ascending
-  std::vector<Direction> setCentres_;          ///< per set of the body
-  std::vector<int> setOfPart_;                 ///< per part of flow_.within_
-  std::map<std::array<int, 2>, int> linkOf_;   ///< per pair of sets
-  std::map<std::array<Number, 2>, int> inner_; ///< links of within_ at own cells
+  std::vector<Number> near_;                      ///< numbers of the near cells, ascending
+  std::vector<Direction> setCentres_;             ///< per set of the body
+  std::vector<int> setOfPart_;                    ///< per part of flow_.within_
+  std::map<std::array<int, 2>, int> linkOf_;      ///< per pair of sets
+  std::map<std::array<Number, 2>, int> inner_;    ///< links of within_ at own cells
+  std::map<std::array<Number, 2>, int> crossing_; ///< crossings at near cells
 };
 
 } // namespace ndframe

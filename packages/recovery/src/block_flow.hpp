@@ -4,7 +4,7 @@
 
 #include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/equilibrium/body_piece.hpp"
-#include "ndframe/equilibrium/wrench_flow.hpp"
+#include "wrench_flow.hpp"
 
 namespace ndframe
 {

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/equilibrium/spring.hpp"
+#include "spring.hpp"
 
 namespace ndframe
 {

@@ -1,4 +1,4 @@
-#include "ndframe/equilibrium/wrench_flow.hpp"
+#include "wrench_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

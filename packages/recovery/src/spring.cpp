@@ -1,4 +1,4 @@
-#include "ndframe/equilibrium/spring.hpp"
+#include "spring.hpp"
 
 namespace ndframe
 {

@@ -54,7 +54,7 @@ std::vector<ForceMoment> BlockFlow::through(const std::vector<ForceMoment>& lack
   const auto wrenches = [](const Vector& all) {
     std::vector<ForceMoment> result(all.size() / size);
     for (std::size_t i = 0; i < result.size(); ++i)
-      std::copy_n(all.begin() + std::ptrdiff_t(i * size), size, result[i].begin());
+      std::copy_n(all.begin() + std::ptrdiff_t(i) * std::ptrdiff_t(size), size, result[i].begin());
     return result;
   };
   std::vector<ForceMoment> near = wrenches(values), crossed, result(halves_, ForceMoment{});
