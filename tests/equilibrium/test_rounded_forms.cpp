@@ -49,7 +49,7 @@ double largestDifference(int degree, double powersOfCompliance, double powersOfT
       T[i * lanes + lane] = any(random) * std::pow(10.0, powersOfTraction * double(lane));
   const CellForms::Condensed condensed = forms.condensed(C.data(), work);
   const Vector factor(condensed.factor, condensed.factor + forms.factorSize() * lanes);
-  forms.apply(C.data(), factor.data(), T.data(), exact.data());
+  forms.apply(C.data(), factor.data(), T.data(), tractions, exact.data());
   forms.applyRounded(C.data(), factor.data(), T.data(), rounded.data());
   double largest = 0.0;
   for (std::size_t lane = 0; lane < lanes; ++lane) {

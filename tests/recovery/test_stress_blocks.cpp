@@ -21,17 +21,17 @@ public:
         ofClasses(cells_), matrices_(cells_, ofClasses), blocks(faces_, edges_, ofClasses),
         unknowns_(faces_, edges_, blocks)
   {
-    CellBlocks work(body_.facetData());
+    CellBlocks work(faces_);
     Vector space;
     for (int batch = 0; batch < matrices_.numBatches(); ++batch)
       if (matrices_.isOfClass(batch))
         for (int c = 0; c < matrices_.sizeOf(batch); ++c)
           blocks.add(matrices_.cells(batch)[c], blocks.partsOfClass(matrices_.cells(batch)[c]));
       else
-        matrices_.find(batch, space, [&](const CellMatrices& found) {
-          const auto parts = blocks.parts(found, work);
+        matrices_.find(batch, space, [&](const CellFacets& found) {
+          work.compute(found);
           for (int c = 0; c < found.count; ++c)
-            blocks.add(found.cells[c], parts[std::size_t(c)]);
+            blocks.add(found.cells[c], blocks.parts(work, c, found.cells[c]));
         });
     blocks.invert(StressSharing(faces_, edges_, Comm::single()), 1);
   }

@@ -42,7 +42,7 @@ void ClassMatrices::find(const CellForms& forms, const int* classes, int count)
   Vector compliances, work;
   findCompliances(*cells_, firsts.data(), count, maps.data(), compliances);
   const CellForms::Condensed found = forms.condensed(compliances.data(), work);
-  const CellMatrices matrices{firsts.data(), count, maps.data(), found.triangle, columns_};
+  const CellMatrices matrices{maps.data(), found.triangle, columns_};
   for (int c = 0; c < count; ++c)
     turn(matrices, c, tables_.data() + std::size_t(place_[std::size_t(classes[c])]) * tableSize());
 }

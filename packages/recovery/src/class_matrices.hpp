@@ -6,7 +6,20 @@
 namespace ndframe
 {
 
-struct CellMatrices;
+/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells, double precision, reference axes, over
+/// tractions and loads.
+struct CellMatrices
+{
+  const CellMap* maps;
+  const double* triangle; ///< below the diagonal, column by column, per entry CellForms::lanes cells
+  int size;
+
+  /// i >= j
+  const double* entry(int i, int j) const
+  {
+    return triangle + (std::ptrdiff_t(j) * size - std::ptrdiff_t(j) * (j - 1) / 2 + i - j) * CellForms::lanes;
+  }
+};
 
 /// The energy matrices A_E (CellForm::condensed) of the classes of cells (CellClasses) that have many: rows for the
 /// tractions, columns for tractions and loads, global axes, of the first cell of the class.

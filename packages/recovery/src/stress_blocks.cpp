@@ -1,10 +1,10 @@
 #include "stress_blocks.hpp"
 
 #include <algorithm>
-#include <array>
 #include <map>
 #include <numeric>
 
+#include "cell_block_kernels.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/base/lanes.hpp"
 
@@ -12,21 +12,6 @@ namespace ndframe
 {
 namespace
 {
-
-/// sum += left^T W right, column by column; the part of W where the faces' carriers are.
-void addProduct(const ThroughMatrix& left, const DenseMatrix& W, int row, int col, const ThroughMatrix& right,
-                double* sum)
-{
-  for (int j = 0; j < right.cols; ++j, sum += left.cols) {
-    double w[6] = {};
-    for (int k = 0; k < right.rows; ++k)
-      for (int i = 0; i < left.rows; ++i)
-        w[i] += W(row + i, col + k) * right(k, j);
-    for (int l = 0; l < left.cols; ++l)
-      for (int i = 0; i < left.rows; ++i)
-        sum[l] += left(i, l) * w[i];
-  }
-}
 
 /// y = factor A x, A column by column: `most` rows, or `size` where most is 18, the data of a face at most.
 template <std::size_t most>
@@ -134,52 +119,40 @@ void StressBlocks::eachBlock(int cell, const Take& take) const
     take(faces_->size() + edgesOf_[std::size_t(at)]);
 }
 
-std::vector<Vector> StressBlocks::parts(const CellMatrices& matrices, CellBlocks& blocks) const
+/// addFace(facet, sum) and addEdge(edge, sum) for what the cell's faces, then its edges, have alone.
+template <class AddFace, class AddEdge>
+Vector StressBlocks::parts(int cell, const AddFace& addFace, const AddEdge& addEdge) const
 {
-  blocks.clear();
-  for (int lane = 0; lane < matrices.count; ++lane)
-    for (int facet = 0; facet < 4; ++facet) {
-      const int cell = matrices.cells[lane];
-      const StressFace& face = (*faces_)[faces_->of(cell, facet)];
-      blocks.put(lane, facet, face, face.sideOf(cell));
+  std::size_t size = 0;
+  eachBlock(cell, [&](int block) { size += entries(block); });
+  Vector parts(size, 0.0);
+  double* sum = parts.data();
+  int facet = 0;
+  eachBlock(cell, [&](int block) {
+    if (block >= faces_->size())
+      addEdge(block - faces_->size(), sum);
+    else {
+      while (faces_->of(cell, facet) != block)
+        ++facet;
+      addFace(facet++, sum);
     }
-  blocks.compute(matrices);
-  std::vector<Vector> result(std::size_t(matrices.count));
-  for (int lane = 0; lane < matrices.count; ++lane) {
-    Vector& parts = result[std::size_t(lane)];
-    const int cell = matrices.cells[lane];
-    const DenseMatrix W = blocks.ofCarriers(lane);
-    int facet = 0;
-    eachBlock(cell, [&](int block) {
-      if (block < faces_->size()) {
-        while (faces_->of(cell, facet) != block)
-          ++facet;
-        blocks.addOwn(lane, facet++, sizeOf(block), parts);
-        return;
-      }
-      parts.resize(parts.size() + entries(block), 0.0);
-      addEdge(block - faces_->size(), cell, W, parts.data() + parts.size() - entries(block));
-    });
-  }
-  return result;
+    sum += entries(block);
+  });
+  return parts;
+}
+
+Vector StressBlocks::parts(const CellBlocks& found, int lane, int cell) const
+{
+  return parts(
+      cell, [&](int facet, double* sum) { found.addFace(lane, facet, sum); },
+      [&](int edge, double* sum) { found.addEdge(lane, (*edges_)[std::size_t(edge)], sum); });
 }
 
 Vector StressBlocks::partsOfClass(int cell) const
 {
-  Vector parts;
-  int facet = 0;
-  eachBlock(cell, [&](int block) {
-    parts.resize(parts.size() + entries(block), 0.0);
-    double* sum = parts.data() + parts.size() - entries(block);
-    if (block >= faces_->size()) {
-      ofClasses_.addEdge(cell, block - faces_->size(), sum);
-      return;
-    }
-    while (faces_->of(cell, facet) != block)
-      ++facet;
-    ofClasses_.addFace(cell, facet++, sum);
-  });
-  return parts;
+  return parts(
+      cell, [&](int facet, double* sum) { ofClasses_.addFace(cell, facet, sum); },
+      [&](int edge, double* sum) { ofClasses_.addEdge(cell, edge, sum); });
 }
 
 void StressBlocks::add(int cell, const Vector& parts)
@@ -189,24 +162,6 @@ void StressBlocks::add(int cell, const Vector& parts)
     for (std::size_t entry = at_[std::size_t(block)], i = 0; i < entries(block); ++i)
       blocks_[entry + i] += *part++;
   });
-}
-
-/// The part of an edge's block by what the carriers of a cell's faces do to each other, W.
-void StressBlocks::addEdge(int e, int cell, const DenseMatrix& W, double* sum) const
-{
-  const StressEdge& edge = (*edges_)[std::size_t(e)];
-  std::array<ThroughMatrix, 4> through; // and where the face's carriers begin
-  std::array<int, 4> begin{};
-  std::size_t count = 0;
-  for (const StressEdge::Step& step : edge.ring)
-    for (int facet = 0; facet < 4; ++facet)
-      if (faces_->of(cell, facet) == step.face) {
-        through[count] = ThroughMatrix(edge, step, (*faces_)[step.face]);
-        begin[count++] = facet * CellBlocks::mostCarriers;
-      }
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b)
-      addProduct(through[a], W, begin[a], begin[b], through[b], sum);
 }
 
 void StressBlocks::invert(const StressSharing& sharing, int threads)
@@ -219,26 +174,45 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
   std::vector<int> kept;
   std::size_t end = alone_;
   for (int b = 0; b < numBlocks(); ++b)
-    if (first_[std::size_t(b)] == b && (isShared(b) || sharing.owns(b))) {
+    if (first_[std::size_t(b)] == b && sizeOf(b) > 0 && (isShared(b) || sharing.owns(b))) {
       kept.push_back(b);
       end = std::max(end, at_[std::size_t(b)] + entries(b));
     }
   blocks_.resize(end, 0.0);
-  const auto invertSome = [&](int first, int last) {
-    for (int i = first; i < last; ++i) {
-      const int b = kept[std::size_t(i)];
-      double* values = blocks_.data() + at_[std::size_t(b)];
-      if (isShared(b) && b < faces_->size())
-        ofClasses_.addAllOfFace(b, values);
-      else if (isShared(b))
-        ofClasses_.addAllOfEdge(b - faces_->size(), values);
-      DenseMatrix block(sizeOf(b), sizeOf(b));
-      std::copy_n(values, entries(b), block.col(0));
-      const DenseMatrix inverse = DenseCholesky(std::move(block)).inverse();
-      std::copy_n(inverse.col(0), entries(b), values);
-    }
-  };
-  definiteOnEveryRank(sharing.comm(), [&] { runInRanges(int(kept.size()), threads, invertSome); });
+  for (const int b : kept)
+    if (isShared(b) && b < faces_->size())
+      ofClasses_.addAllOfFace(b, blocks_.data() + at_[std::size_t(b)]);
+    else if (isShared(b))
+      ofClasses_.addAllOfEdge(b - faces_->size(), blocks_.data() + at_[std::size_t(b)]);
+  std::stable_sort(kept.begin(), kept.end(), [this](int a, int b) { return sizeOf(a) < sizeOf(b); });
+  definiteOnEveryRank(sharing.comm(), [&] {
+    runInRanges(int(kept.size()), threads, [&](int first, int last) { invertAlike(kept, first, last); });
+  });
+}
+
+/// Some of the given blocks, those of one size side by side.
+void StressBlocks::invertAlike(const std::vector<int>& blocks, int first, int last)
+{
+  constexpr std::size_t lanes = CellForms::lanes;
+  constexpr double leastPivot = 1e-13; // of the largest diagonal entry
+  Vector side;
+  for (int begin = first, end = first; begin < last; begin = end) {
+    const std::size_t size = std::size_t(sizeOf(blocks[std::size_t(begin)])), count = size * size;
+    while (end < last && end < begin + int(lanes) && std::size_t(sizeOf(blocks[std::size_t(end)])) == size)
+      ++end;
+    side.resize(count * lanes);
+    const auto each = [&](const auto& visit) {
+      for (std::size_t lane = 0; lane < lanes; ++lane) {
+        const int block = blocks[std::size_t(std::min(begin + int(lane), end - 1))];
+        for (std::size_t i = 0; i < count; ++i)
+          visit(blocks_[at_[std::size_t(block)] + i], side[i * lanes + lane]);
+      }
+    };
+    each([](double value, double& copy) { copy = value; });
+    if (!block_kernels::invert(side.data(), int(size), leastPivot))
+      throw NotPositiveDefinite(-1);
+    each([](double& value, double inverse) { value = inverse; });
+  }
 }
 
 void StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads,

@@ -22,8 +22,8 @@ public:
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
-  /// What cells' matrices add to the blocks that faces and edges have alone, per cell. `work`: of the calling thread.
-  std::vector<Vector> parts(const CellMatrices& matrices, CellBlocks& work) const;
+  /// What a lane's cell adds to the blocks that its faces and edges have alone.
+  Vector parts(const CellBlocks& found, int lane, int cell) const;
   /// The same for a cell with the matrix of its class.
   Vector partsOfClass(int cell) const;
   void add(int cell, const Vector& parts);
@@ -48,7 +48,9 @@ private:
   void listEdges();
   template <class Take>
   void eachBlock(int cell, const Take& take) const;
-  void addEdge(int edge, int cell, const DenseMatrix& W, double* sum) const;
+  template <class AddFace, class AddEdge>
+  Vector parts(int cell, const AddFace& addFace, const AddEdge& addEdge) const;
+  void invertAlike(const std::vector<int>& blocks, int first, int last);
 
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;

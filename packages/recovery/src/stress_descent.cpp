@@ -38,13 +38,13 @@ std::array<std::int64_t, 2> StressDescent::numMatrices() const
 /// Those of this rank.
 void StressDescent::findMatrices()
 {
-  constexpr int together = 32; // batches whose parts of blocks are kept until they are added in order
+  constexpr int together = 16; // batches whose parts of blocks are kept until they are added in order
   constexpr std::size_t lanes = StressMatrices::lanes;
   for (int first = 0; first < matrices_.numBatches(); first += together) {
     const int last = std::min(first + together, matrices_.numBatches());
     std::array<Vector, std::size_t(together) * lanes> parts;
     runInRanges(last - first, threads_, [&](int from, int to) {
-      CellBlocks work(facetData());
+      CellBlocks work(*faces_);
       Vector space;
       for (int batch = first + from; batch < first + to; ++batch)
         findMatrices(batch, work, space, parts.data() + std::size_t(batch - first) * lanes);
@@ -60,29 +60,26 @@ void StressDescent::findMatrices(int batch, CellBlocks& work, Vector& space, Vec
 {
   const int* cells = matrices_.cells(batch);
   const int count = matrices_.sizeOf(batch);
-  if (matrices_.isOfClass(batch)) {
+  if (matrices_.isOfClass(batch))
     for (int c = 0; c < count; ++c)
       parts[c] = blocks_.partsOfClass(cells[c]);
-    addStart(cells, count, [&](double* x, double* forces) { matrices_.multiplyData(batch, x, forces); });
-  } else
-    matrices_.find(batch, space, [&](const CellMatrices& found) {
-      auto own = blocks_.parts(found, work);
-      std::move(own.begin(), own.end(), parts);
-      addStart(cells, count, [&](double* x, double* forces) {
-        pullBackLanes(found.maps, found.size, x);
-        found.multiply(x, forces);
-        pushLanes(found.maps, 4 * facetData(), forces);
-      });
+  else
+    matrices_.find(batch, space, [&](const CellFacets& found) {
+      work.compute(found);
+      for (int c = 0; c < count; ++c)
+        parts[c] = blocks_.parts(work, c, cells[c]);
     });
+  addStart(batch);
   for (int c = 0; c < count; ++c)
     watch_.cellIsRead();
 }
 
-/// A_E x_E of all fields' corrections in some cells; multiply(x, forces) per number and lane, x may change, forces are
-/// zero before.
-void StressDescent::addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply)
+/// A_E x_E of all fields' corrections in a batch's cells.
+void StressDescent::addStart(int batch)
 {
   constexpr std::size_t lanes = StressMatrices::lanes;
+  const int* cells = matrices_.cells(batch);
+  const int count = matrices_.sizeOf(batch);
   const ReferenceStress& reference = faces_->cells().any().reference();
   const auto tractions = std::size_t(reference.tractions), loads = std::size_t(reference.loads);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
@@ -96,7 +93,7 @@ void StressDescent::addStart(const int* cells, int count, const std::function<vo
       for (std::size_t i = 0; i < loads; ++i)
         x[(tractions + i) * lanes + c] = correction.loads[cell * loads + i];
     }
-    multiply(x.data(), forces.data());
+    matrices_.multiplyData(batch, x.data(), forces.data());
     for (std::size_t c = 0; c < std::size_t(count); ++c)
       for (std::size_t i = 0; i < tractions; ++i)
         start_[f][std::size_t(cells[c]) * tractions + i] = forces[i * lanes + c];

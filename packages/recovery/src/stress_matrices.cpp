@@ -9,37 +9,6 @@
 
 namespace ndframe
 {
-namespace
-{
-
-/// y += A x, lane by lane, from the columns of A below its diagonal.
-NDFRAME_EVERY_PROCESSOR void addSymmetric(const double* triangle, const double* x, double* y, std::size_t size)
-{
-  constexpr std::size_t lanes = CellForms::lanes;
-  DoubleLanes here, sum, entry, value;
-  for (std::size_t j = 0; j < size; ++j, triangle += lanes) {
-    load(x + j * lanes, here);
-    load(y + j * lanes, sum);
-    load(triangle, entry);
-    sum += entry * here;
-    for (std::size_t i = j + 1; i < size; ++i) {
-      load(triangle += lanes, entry);
-      load(y + i * lanes, value);
-      store(value + entry * here, y + i * lanes);
-      load(x + i * lanes, value);
-      sum += entry * value;
-    }
-    store(sum, y + j * lanes);
-  }
-}
-
-} // namespace
-
-void CellMatrices::multiply(const double* x, double* forces) const
-{
-  addSymmetric(triangle, x, forces, std::size_t(size));
-}
-
 void findCompliances(const StressCells& cells, const int* numbers, int count, CellMap* maps, Vector& compliances)
 {
   constexpr int lanes = CellForms::lanes;
@@ -133,17 +102,17 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
   return batches;
 }
 
-void StressMatrices::find(int number, Vector& work, const std::function<void(const CellMatrices&)>& use)
+void StressMatrices::find(int number, Vector& work, const std::function<void(const CellFacets&)>& use)
 {
   Batch& batch = batches_[std::size_t(number)];
   CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
   Vector own;
   findCompliances(*cells_, batch.cells.data(), batch.count, maps, own);
-  const CellForms::Condensed found = forms_.condensed(own.data(), work);
+  const CellForms::Facets found = forms_.facets(own.data(), work);
   double* kept = kept_.data() + at(batch.kept);
   std::copy(own.begin(), own.end(), kept);
   std::copy_n(found.factor, forms_.factorSize() * lanes, kept + compliances());
-  use({batch.cells.data(), batch.count, maps, found.triangle, cells_->any().reference().data()});
+  use({batch.cells.data(), batch.count, maps, found});
 }
 
 /// Of all lanes with the matrix of their class.
@@ -158,28 +127,39 @@ void StressMatrices::multiplyClass(const Batch& batch, std::size_t columns, cons
       forces[at * lanes + lane] *= scale[lane];
 }
 
-void StressMatrices::multiplyData(int batch, const double* x, double* forces) const
+/// Of cells without a class.
+void StressMatrices::multiplyAlone(const Batch& batch, std::size_t columns, const double* x, double* forces,
+                                   Digits digits) const
 {
-  multiplyClass(batches_[std::size_t(batch)], std::size_t(ofClasses_->columns()), x, forces);
+  const CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
+  std::array<double, mostNumbers> pulled{};
+  std::copy_n(x, columns * lanes, pulled.data());
+  pullBackLanes(maps, int(columns), pulled.data());
+  const double* kept = kept_.data() + at(batch.kept);
+  if (batch.isRound && digits == Digits::Few)
+    forms_.applyRounded(kept, kept + compliances(), pulled.data(), forces);
+  else
+    forms_.apply(kept, kept + compliances(), pulled.data(), columns, forces);
+  pushLanes(maps, int(tractions_), forces);
+}
+
+void StressMatrices::multiplyData(int number, const double* x, double* forces) const
+{
+  const Batch& batch = batches_[std::size_t(number)];
+  const auto columns = std::size_t(ofClasses_->columns());
+  if (batch.kept < 0)
+    multiplyClass(batch, columns, x, forces);
+  else
+    multiplyAlone(batch, columns, x, forces, Digits::All);
 }
 
 void StressMatrices::multiply(int number, const double* T, double* forces, Digits digits) const
 {
   const Batch& batch = batches_[std::size_t(number)];
-  if (batch.kept < 0) {
+  if (batch.kept < 0)
     multiplyClass(batch, tractions_, T, forces);
-    return;
-  }
-  const CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
-  std::array<double, mostNumbers> x{};
-  std::copy_n(T, tractions_ * lanes, x.data());
-  pullBackLanes(maps, int(tractions_), x.data());
-  const double* kept = kept_.data() + at(batch.kept);
-  if (batch.isRound && digits == Digits::Few)
-    forms_.applyRounded(kept, kept + compliances(), x.data(), forces);
   else
-    forms_.apply(kept, kept + compliances(), x.data(), forces);
-  pushLanes(maps, int(tractions_), forces);
+    multiplyAlone(batch, tractions_, T, forces, digits);
 }
 
 } // namespace ndframe

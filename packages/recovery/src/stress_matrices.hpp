@@ -10,23 +10,13 @@
 namespace ndframe
 {
 
-/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells, double precision, reference axes, over
-/// tractions and loads.
-struct CellMatrices
+/// Parts of the matrices A_E of up to CellForms::lanes cells, reference axes.
+struct CellFacets
 {
   const int* cells; ///< their numbers
   int count;
-  const CellMap* maps;
-  const double* triangle; ///< below the diagonal, column by column, per entry CellForms::lanes cells
-  int size;
-
-  /// i >= j
-  const double* entry(int i, int j) const
-  {
-    return triangle + (std::ptrdiff_t(j) * size - std::ptrdiff_t(j) * (j - 1) / 2 + i - j) * CellForms::lanes;
-  }
-  /// forces += A x for all cells; both lane by lane, of `size` numbers.
-  void multiply(const double* x, double* forces) const;
+  const CellMap* maps; ///< one a lane
+  CellForms::Facets facets;
 };
 
 /// Maps and pulled-back compliances (per entry and lane) of some cells; lanes without a cell repeat the last one.
@@ -46,7 +36,7 @@ public:
   StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses);
 
   /// Finds those of a batch without a class; batches may be found at the same time. use() sees them once.
-  void find(int batch, Vector& work, const std::function<void(const CellMatrices&)>& use);
+  void find(int batch, Vector& work, const std::function<void(const CellFacets&)>& use);
 
   int numBatches() const { return int(batches_.size()); }
   bool isOfClass(int batch) const { return batches_[std::size_t(batch)].kept < 0; }
@@ -59,7 +49,7 @@ public:
   };
   /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
   void multiply(int batch, const double* T, double* forces, Digits digits = Digits::All) const;
-  /// The same for tractions and loads, T and G; of a class.
+  /// The same for tractions and loads, T and G, in double precision.
   void multiplyData(int batch, const double* x, double* forces) const;
 
 private:
@@ -72,6 +62,7 @@ private:
 
   std::vector<Batch> all() const;
   void multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const;
+  void multiplyAlone(const Batch& batch, std::size_t columns, const double* x, double* forces, Digits digits) const;
   std::size_t compliances() const { return cells_->any().reference().energy.size() * lanes; }
   /// Where a batch's compliances are, and then its factors.
   std::size_t at(int kept) const { return std::size_t(kept) * (compliances() + forms_.factorSize() * lanes); }

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <array>
+
+#include "ndframe/equilibrium/cell_forms.hpp"
+
+/// What CellBlocks does with many cells side by side; all numbers per entry and lane, matrices column by column.
+namespace ndframe::block_kernels
+{
+
+/// A = F^-T A^ F^-1, vector by vector, from the lower triangle of A^ (`size` x `size`); A has columns of 18 and both
+/// triangles.
+void turnSymmetric(const double* triangle, const double* inverse, int size, double* A);
+/// The same of a matrix between linear tractions.
+void turn(const double* given, const double* inverse, double* A);
+
+/// Linear tractions T_1, T_2 by the moments (over `size`) that they carry, as splitFacet() has them: 6 x 3, row by row.
+void findCarrier(const double* arms, const double* size, double* carrier);
+/// own^T A own, 12 x 12 at most: (r_1, 0), (0, r_2), (r_2, r_1) of unit norm, then all that is not linear.
+void findOwn(const double* A, const double* arms, int facetData, double* own);
+/// left^T A right of forces and moments, 6 x 6; columns of A are `stride` apart.
+void multiplyCarriers(const double* A, std::ptrdiff_t stride, const double* left, const double* right, double* product);
+
+/// What a wrench around an edge does that enters a cell through one facet and leaves it through another. parts: between
+/// the carriers of the first, of the second, and rows of the second with columns of the first; arms from centres to
+/// the edge's middle and its length, both over the facets' sizes.
+void findEdge(std::array<const double*, 3> parts, std::array<const double*, 2> arms,
+              std::array<const double*, 2> lengths, double* block);
+
+/// Inverses of `lanes` symmetric matrices in place (both triangles). Returns whether all pivots are above `least` times
+/// the largest diagonal entry of their matrix.
+bool invert(double* A, int size, double least);
+
+} // namespace ndframe::block_kernels
