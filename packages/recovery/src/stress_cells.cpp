@@ -2,8 +2,6 @@
 
 #include <algorithm>
 
-#include "ndframe/equilibrium/star_wrench.hpp"
-
 namespace ndframe
 {
 
@@ -49,7 +47,7 @@ CellClasses classesOf(const std::vector<const StarBody*>& bodies, const std::vec
 } // namespace
 
 StressCells::StressCells(std::vector<const StarBody*> bodies, const std::vector<const BodyPiece*>& pieces)
-    : bodies_(std::move(bodies)), classes_(classesOf(bodies_, pieces)), whole_(modelsOf(bodies_, pieces))
+    : bodies_(std::move(bodies)), classes_(classesOf(bodies_, pieces))
 {
   for (std::size_t b = 0; b < bodies_.size(); ++b) {
     const StarBody* body = bodies_[b];
@@ -63,16 +61,6 @@ StressCells::StressCells(std::vector<const StarBody*> bodies, const std::vector<
     }
   }
   NDFRAME_ASSERT(any_ != nullptr && any_->dim() == 3, "cells of solids");
-}
-
-std::vector<const double*> StressCells::cornersOfOrigin(int number, int facet) const
-{
-  int cell = classes_.origin(classes_.of(number));
-  std::size_t body = 0;
-  for (; whole_[body] == nullptr || cell >= whole_[body]->mesh.numCells(); ++body)
-    cell -= whole_[body] == nullptr ? 0 : whole_[body]->mesh.numCells();
-  const Mesh& mesh = whole_[body]->mesh;
-  return corners(mesh, sortedCell(mesh, cell), facet);
 }
 
 int StressCells::bodyOf(int number) const

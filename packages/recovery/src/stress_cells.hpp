@@ -34,8 +34,6 @@ public:
   SortedCell sorted(int number) const;
   /// Of all cells, by their numbers.
   const CellClasses& classes() const { return classes_; }
-  /// The vertices of a sorted facet of the cell that is the origin of a cell's class.
-  std::vector<const double*> cornersOfOrigin(int number, int facet) const;
 
   int rank() const { return rank_; }
   /// The rank that owns a cell.
@@ -48,8 +46,7 @@ private:
   std::vector<int> first_{0}; ///< per body, and the end
   CellClasses classes_;
   int rank_ = 0;
-  std::vector<int> owner_;              ///< per cell; empty: all are own
-  std::vector<const BodyModel*> whole_; ///< per body, all its cells
+  std::vector<int> owner_; ///< per cell; empty: all are own
 };
 
 } // namespace ndframe

@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/base/lanes.hpp"
 
 namespace ndframe
 {
@@ -34,16 +32,6 @@ void multiplyColumns(const DenseMatrix& columns, const double* G, double* sums)
   }
 }
 
-/// y = A x, A nine by nine, column by column.
-NDFRAME_EVERY_PROCESSOR void multiplyNine(const double* A, const double* x, double* y)
-{
-  double sums[9] = {};
-  for (std::size_t j = 0; j < 9; ++j, A += 9)
-    for (std::size_t i = 0; i < 9; ++i)
-      sums[i] += A[i] * x[j];
-  std::copy_n(sums, 9, y);
-}
-
 } // namespace
 
 StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges,
@@ -51,32 +39,17 @@ StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<Stres
     : faces_(faces), edges_(edges), blocks_(blocks), ofCarriers_(std::size_t(faces.size()), Wrench{})
 {
   const auto frame = [](const Direction& point, double size) { return Frame{{point[0], point[1], point[2]}, size}; };
-  for (const StressFace& face : faces.all())
+  faceFrames_.reserve(std::size_t(faces.size()));
+  splits_.reserve(std::size_t(faces.size()));
+  for (int f = 0; f < faces.size(); ++f) {
+    const StressFace& face = faces[f];
     faceFrames_.push_back(frame(face.centre, face.size));
+    splits_.push_back(face.frame());
+    isInside_.push_back(char(face.isInside() && faces.isNear(f)));
+  }
   for (const StressEdge& edge : edges)
     edgeFrames_.push_back(frame(edge.middle, edge.length));
   listPlaces();
-  pack();
-}
-
-void StressUnknowns::pack()
-{
-  std::unordered_map<const FreeTractions*, int> known;
-  for (int f = 0; f < faces_.size(); ++f) {
-    const FreeTractions& free = *faces_[f].free;
-    const bool fits = faces_.isNear(f) && free.own.rows() == int(linear) && free.own.cols() == int(ownLinear) &&
-                      free.carrier.rows() == int(linear) && free.carrier.cols() == int(linear - ownLinear) &&
-                      free.higher == int(linear);
-    packedOf_.push_back(fits ? known.emplace(&free, int(known.size())).first->second : -1);
-    const std::size_t at = packed_.size(), size = linear * linear;
-    if (packedOf_.back() < 0 || std::size_t(packedOf_.back()) * 2 * size < at)
-      continue;
-    packed_.insert(packed_.end(), free.own.data(), free.own.data() + linear * ownLinear);
-    packed_.insert(packed_.end(), free.carrier.data(), free.carrier.data() + size - linear * ownLinear);
-    for (std::size_t i = 0; i < linear; ++i)
-      for (std::size_t j = 0; j < linear; ++j)
-        packed_.push_back(packed_[at + j * linear + i]);
-  }
 }
 
 void StressUnknowns::listPlaces()
@@ -108,14 +81,10 @@ void StressUnknowns::tractions(const Vector& unknowns, int threads, Vector& trac
   runInRanges(faces_.size(), threads, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
       double* T = tractions.data() + std::size_t(f) * size;
-      if (const double* A = packed(f)) {
+      if (isInside_[std::size_t(f)] != 0) {
         const double* y = unknowns.data() + blocks_.ofFace(f);
-        const Wrench r = amounts(f, unknowns);
-        double x[linear];
-        std::copy_n(y, ownLinear, x);
-        std::copy(r.begin(), r.end(), x + ownLinear);
-        multiplyNine(A, x, T);
-        std::copy_n(y + ownLinear, linear, T + linear);
+        splits_[std::size_t(f)].tractions(y, amounts(f, unknowns).data(), T);
+        std::copy_n(y + StressFace::ownLinear, size - StressFace::linear, T + StressFace::linear);
         continue;
       }
       std::fill_n(T, size, 0.0);
@@ -157,8 +126,6 @@ void StressUnknowns::addTractions(int f, const Vector& unknowns, double* T) cons
   const double* y = unknowns.data() + blocks_.ofFace(f);
   addColumns(face.free->own, y, T);
   addColumns(face.free->carrier, amounts(f, unknowns).data(), T);
-  for (int k = 0; k < face.free->higher; ++k)
-    T[face.free->own.rows() + k] += y[face.free->own.cols() + k];
 }
 
 /// What forces on the faces of an edge's ring are for its wrench.
@@ -197,17 +164,13 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
       const StressFace& face = faces_[f];
       const double* G = faceForces.data() + std::size_t(f) * size;
       double* y = gradient.data() + blocks_.ofFace(f);
-      if (const double* A = packed(f)) {
-        double sums[linear];
-        multiplyNine(A + linear * linear, G, sums);
-        std::copy_n(sums, ownLinear, y);
-        std::copy_n(sums + ownLinear, linear - ownLinear, ofCarriers_[std::size_t(f)].data());
-        std::copy_n(G + linear, linear, y + ownLinear);
+      if (isInside_[std::size_t(f)] != 0) {
+        splits_[std::size_t(f)].forces(G, y, ofCarriers_[std::size_t(f)].data());
+        std::copy_n(G + StressFace::linear, size - StressFace::linear, y + StressFace::ownLinear);
         continue;
       }
       multiplyColumns(face.free->own, G, y);
       multiplyColumns(face.free->carrier, G, ofCarriers_[std::size_t(f)].data());
-      std::copy_n(G + face.free->own.rows(), face.free->higher, y + face.free->own.cols());
     }
   });
   runInRanges(int(edges_.size()), threads, [&](int first, int last) {

@@ -23,9 +23,6 @@ private:
   {
     double point[3], size;
   };
-  /// How a face's own unknowns and the amounts of its carriers are tractions, where it is inside and of the second
-  /// order: linear x linear, column by column, then the transposed matrix. Shared as FreeTractions are; -1: elsewhere.
-  static constexpr std::size_t linear = 9, ownLinear = 3;
   /// A step of an edge's ring through a face.
   struct Place
   {
@@ -35,12 +32,6 @@ private:
   };
 
   void listPlaces();
-  void pack();
-  const double* packed(int face) const
-  {
-    const int place = packedOf_[std::size_t(face)];
-    return place < 0 ? nullptr : packed_.data() + std::size_t(place) * 2 * linear * linear;
-  }
   Wrench amounts(int face, const Vector& unknowns) const;
   void addTractions(int face, const Vector& unknowns, double* T) const;
   void addForces(int edge, double* sum) const;
@@ -49,10 +40,10 @@ private:
   const std::vector<StressEdge>& edges_;
   const StressBlocks& blocks_;
   std::vector<Frame> faceFrames_, edgeFrames_;
+  std::vector<FaceFrame> splits_;              ///< per face; of use inside
+  std::vector<char> isInside_;                 ///< per face: and an own cell has it
   std::vector<int> firstOfFace_, firstOfEdge_; ///< and the end
   std::vector<Place> ofFaces_, ofEdges_;
-  std::vector<int> packedOf_; ///< per face, its place in what follows, or -1
-  Vector packed_;
   mutable std::vector<Wrench> ofCarriers_; ///< per face: forces, while gradient() works
 };
 

@@ -262,7 +262,8 @@ Vector WrenchBalance::balance(const Star& star, StarFields& x) const
   const DenseMatrix p = potentials(int(star.cells.size()), all, free, needed);
   for (const Flow& flow : all)
     for (int field = 0; field < x.cols(); ++field) {
-      const Vector traction = multiply(flow.face->free->carrier, amounts(flow, p.col(field), vertex, size));
+      Vector traction(std::size_t(facetData), 0.0);
+      flow.face->addCarried(amounts(flow, p.col(field), vertex, size).data(), traction.data());
       for (std::size_t i = 0; i < traction.size(); ++i) {
         place(*flow.spoke, 0, field)[i] += traction[i];
         if (flow.face->isInside())
