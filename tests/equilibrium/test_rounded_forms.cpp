@@ -35,6 +35,14 @@ Vector compliances(double powers, unsigned seed)
   return C;
 }
 
+void applyRounded(const CellForms& forms, const Vector& C, const Vector& factor, const Vector& T, Vector& forces)
+{
+  std::vector<float> numbers(forms.roundedSize());
+  double scales[lanes];
+  forms.round(C.data(), factor.data(), numbers.data(), scales);
+  forms.applyRounded(numbers.data(), scales, T.data(), forces.data());
+}
+
 /// The largest |rounded - exact| / |exact| of a lane's forces.
 double largestDifference(int degree, double powersOfCompliance, double powersOfTraction)
 {
@@ -50,7 +58,7 @@ double largestDifference(int degree, double powersOfCompliance, double powersOfT
   const CellForms::Condensed condensed = forms.condensed(C.data(), work);
   const Vector factor(condensed.factor, condensed.factor + forms.factorSize() * lanes);
   forms.apply(C.data(), factor.data(), T.data(), tractions, exact.data());
-  forms.applyRounded(C.data(), factor.data(), T.data(), rounded.data());
+  applyRounded(forms, C, factor, T, rounded);
   double largest = 0.0;
   for (std::size_t lane = 0; lane < lanes; ++lane) {
     double difference = 0.0, size = 0.0;
@@ -86,7 +94,7 @@ TEST(RoundedForces, OfNoTractionsAreNone)
   Vector work, forces(T.size(), 1.0);
   const CellForms::Condensed condensed = forms.condensed(C.data(), work);
   const Vector factor(condensed.factor, condensed.factor + forms.factorSize() * lanes);
-  forms.applyRounded(C.data(), factor.data(), T.data(), forces.data());
+  applyRounded(forms, C, factor, T, forces);
   EXPECT_EQ(forces, T);
 }
 

@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "cell_forms_kernels.hpp"
 #include "ndframe/base/lanes.hpp"
@@ -14,7 +15,7 @@ constexpr std::size_t lanes = CellForms::lanes, mostTractions = 72;
 typedef float Floats __attribute__((vector_size(sizeof(float) * lanes)));
 
 /// Rounds numbers side by side, each lane times its scale.
-NDFRAME_EVERY_PROCESSOR void round(const double* from, const double* scale, std::size_t count, Floats* to)
+NDFRAME_EVERY_PROCESSOR void roundLanes(const double* from, const double* scale, std::size_t count, Floats* to)
 {
   DoubleLanes value, factor;
   load(scale, factor);
@@ -80,36 +81,42 @@ void findScales(const double* values, std::size_t count, double* scales)
 }
 
 /// L of bb times s: off the diagonal times sqrt(s), on it, where inverses are, by sqrt(s).
-void roundFactor(const double* factor, const double* scales, Floats* L)
+void roundFactor(const double* factor, const double* scales, float* L)
 {
   double root[lanes], inverse[lanes];
   for (std::size_t lane = 0; lane < lanes; ++lane)
     inverse[lane] = 1.0 / (root[lane] = std::sqrt(scales[lane]));
-  for (std::size_t b = 0; b < bubbles; ++b) {
-    round(factor, inverse, 1, L);
-    round(factor + lanes, root, bubbles - b - 1, L + 1);
-    factor += (bubbles - b) * lanes;
-    L += bubbles - b;
-  }
+  for (std::size_t b = 0; b < bubbles; ++b)
+    for (std::size_t i = b; i < bubbles; ++i, factor += lanes, L += lanes)
+      for (std::size_t lane = 0; lane < lanes; ++lane)
+        L[lane] = float(factor[lane] * (i == b ? inverse[lane] : root[lane]));
 }
 
 } // namespace
 
-void CellForms::applyRounded(const double* compliances, const double* factor, const double* T, double* forces) const
+void CellForms::round(const double* compliances, const double* factor, float* numbers, double* scales) const
+{
+  findScales(compliances, terms, scales);
+  for (std::size_t i = 0; i < terms * lanes; ++i)
+    numbers[i] = float(compliances[i] * scales[i % lanes]);
+  if (reference_.bubbles > 0)
+    roundFactor(factor, scales, numbers + terms * lanes);
+}
+
+void CellForms::applyRounded(const float* numbers, const double* ofCompliances, const double* T, double* forces) const
 {
   const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
   const auto modes = std::size_t(reference_.basis.size());
-  double ofCompliances[lanes], ofTractions[lanes];
-  findScales(compliances, terms, ofCompliances);
+  double ofTractions[lanes];
   findScales(T, tractions, ofTractions);
   Floats C[terms], x[mostTractions], stress[mostCoefficients];
-  round(compliances, ofCompliances, terms, C);
-  round(T, ofTractions, tractions, x);
+  std::memcpy(C, numbers, sizeof(C));
+  roundLanes(T, ofTractions, tractions, x);
   multiply(liftRounded_.data(), tractions, coefficients, tractions, x, stress);
   weigh(C, modes, stress);
   if (reference_.bubbles > 0) {
     Floats inside[mostCoefficients], L[factorEntries], y[bubbles];
-    roundFactor(factor, ofCompliances, L);
+    std::memcpy(L, numbers + terms * lanes, sizeof(L));
     multiply(bubbledRounded_.data(), coefficients, bubbles, coefficients, stress, y);
     solveRounded(L, y);
     multiply(bubbleRounded_.data(), bubbles, coefficients, bubbles, y, inside);

@@ -121,13 +121,13 @@ void CellBlocks::addFace(int lane, int facet, double* sum) const
   if (face.isInside()) {
     const double* entry = own_.data() + facet * mostOwn * mostOwn * lanes + lane;
     for (int k = 0; k < face.numOwn(); ++k)
-      for (int l = 0; l < face.numOwn(); ++l)
+      for (int l = k; l < face.numOwn(); ++l)
         *sum++ += entry[(k * mostOwn + l) * lanes];
     return;
   }
   const DenseMatrix X = face.onSide(face.sideOf(cell), face.allOwn());
   for (int k = 0; k < X.cols(); ++k)
-    for (int l = 0; l < X.cols(); ++l, ++sum)
+    for (int l = k; l < X.cols(); ++l, ++sum)
       for (int j = 0; j < X.rows(); ++j)
         for (int i = 0; i < X.rows(); ++i)
           *sum += X(i, l) * alone(lane, facet, i, j) * X(j, k);
@@ -146,39 +146,36 @@ double CellBlocks::between(int lane, std::array<int, 2> facets, std::ptrdiff_t i
   return pairs_[std::size_t(((pair * linear + j) * linear + i) * lanes + lane)];
 }
 
-void CellBlocks::addEdge(int lane, const StressEdge& edge, double* sum) const
+void CellBlocks::addEdge(int lane, const StressEdge& edge, Pair inside, double* sum) const
 {
+  if (inside[0] >= 0) {
+    const double* entry = edges_.data() + pairOf(inside[0], inside[1]) * wrench * wrench * lanes + lane;
+    for (std::ptrdiff_t k = 0; k < wrench; ++k)
+      for (std::ptrdiff_t l = k; l < wrench; ++l)
+        *sum++ += entry[(k * wrench + l) * lanes];
+    return;
+  }
   const int cell = cells_[std::size_t(lane)];
   std::array<int, 4> facets{};
   std::array<DenseMatrix, 4> columns;
   std::size_t count = 0;
-  bool isPlain = true;
   for (int facet = 0; facet < 4; ++facet)
     for (const StressEdge::Step& step : edge.ring)
       if (step.face == faces_->of(cell, facet)) {
-        isPlain = isPlain && step.through.rows() == 0;
-        facets[count++] = facet;
-      }
-  if (isPlain && count == 2) {
-    const double* entry = edges_.data() + pairOf(facets[0], facets[1]) * wrench * wrench * lanes + lane;
-    for (std::ptrdiff_t k = 0; k < wrench * wrench; ++k)
-      sum[k] += entry[k * lanes];
-    return;
-  }
-  count = 0;
-  for (int facet = 0; facet < 4; ++facet)
-    for (const StressEdge::Step& step : edge.ring)
-      if (step.face == faces_->of(cell, facet))
+        facets[count] = facet;
         columns[count++] = edgeColumns(edge, step, (*faces_)[step.face], (*faces_)[step.face].sideOf(cell));
+      }
   for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b)
-      for (int k = 0; k < edge.unknowns; ++k)
+    for (std::size_t b = 0; b < count; ++b) {
+      double* column = sum;
+      for (int k = 0; k < edge.unknowns; column += edge.unknowns - k, ++k)
         for (int j = 0; j < linear; ++j)
           for (int i = 0; i < linear; ++i) {
             const double value = between(lane, {facets[a], facets[b]}, i, j) * columns[b](j, k);
-            for (int l = 0; l < edge.unknowns; ++l)
-              sum[k * edge.unknowns + l] += columns[a](i, l) * value;
+            for (int l = k; l < edge.unknowns; ++l)
+              column[l - k] += columns[a](i, l) * value;
           }
+    }
 }
 
 } // namespace ndframe

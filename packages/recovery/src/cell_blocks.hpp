@@ -15,10 +15,12 @@ public:
 
   void compute(const CellFacets& matrices);
 
-  /// Adds own^T A own of the face at a cell's facet, column by column.
+  /// Adds own^T A own of the face at a cell's facet, the lower triangle column by column.
   void addFace(int lane, int facet, double* sum) const;
-  /// Adds what the cell has of an edge's block, column by column.
-  void addEdge(int lane, const StressEdge& edge, double* sum) const;
+  /// The same of what the cell has of an edge's block. inside: the facets there if all wrenches may circulate and both
+  /// take them as they are, else -1.
+  using Pair = std::array<int, 2>;
+  void addEdge(int lane, const StressEdge& edge, Pair inside, double* sum) const;
 
 private:
   static constexpr std::ptrdiff_t lanes = CellForms::lanes, mostRows = 18, linear = CellForms::linear, mostOwn = 12,

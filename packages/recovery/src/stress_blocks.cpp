@@ -1,6 +1,7 @@
 #include "stress_blocks.hpp"
 
 #include <algorithm>
+#include <cstring>
 #include <map>
 #include <numeric>
 
@@ -13,15 +14,21 @@ namespace ndframe
 namespace
 {
 
-/// y = factor A x, A column by column: `most` rows, or `size` where most is 18, the data of a face at most.
+/// y = factor A x, A of single precision, column by column: `most` rows, or `size` where most is 18, the data of a face
+/// at most.
 template <std::size_t most>
 inline __attribute__((always_inline)) void multiplyUpTo(const double* A, const double* x, std::size_t size,
                                                         double factor, double* y)
 {
   double sums[most] = {};
-  for (std::size_t j = 0; j < size; ++j, A += size)
+  float column[most];
+  const auto* numbers = reinterpret_cast<const char*>(A);
+  const std::size_t bytes = (most < 18 ? most : size) * sizeof(float);
+  for (std::size_t j = 0; j < size; ++j, numbers += bytes) {
+    std::memcpy(column, numbers, bytes);
     for (std::size_t i = 0; i < (most < 18 ? most : size); ++i)
-      sums[i] += A[i] * x[j];
+      sums[i] += double(column[i]) * x[j];
+  }
   for (std::size_t i = 0; i < size; ++i)
     y[i] = factor * sums[i];
 }
@@ -35,6 +42,28 @@ NDFRAME_EVERY_PROCESSOR void multiplyBlock(const double* A, const double* x, std
     multiplyUpTo<6>(A, x, 6, factor, y);
   else
     multiplyUpTo<18>(A, x, size, factor, y);
+}
+
+/// y = factor A x from the columns of A below its diagonal, in double precision.
+void multiplyTriangle(const double* A, const double* x, std::size_t size, double factor, double* y)
+{
+  std::fill_n(y, size, 0.0);
+  for (std::size_t j = 0; j < size; ++j, ++A) {
+    y[j] += factor * *A * x[j];
+    for (std::size_t i = j + 1; i < size; ++i) {
+      y[i] += factor * *++A * x[j];
+      y[j] += factor * *A * x[i];
+    }
+  }
+}
+
+/// visit(row, column, place) for a triangle below the diagonal, column by column.
+template <class Visit>
+void eachBelow(std::size_t size, const Visit& visit)
+{
+  for (std::size_t j = 0, place = 0; j < size; ++j)
+    for (std::size_t i = j; i < size; ++i, ++place)
+      visit(i, j, place);
 }
 
 } // namespace
@@ -98,14 +127,30 @@ void StressBlocks::listEdges()
   firstEdge_.assign(std::size_t(faces_->cells().size()) + 2, 0);
   const auto each = [&](const auto& visit) {
     for (std::size_t e = 0; e < edges_->size(); ++e)
-      for (const StressEdge::Step& step : (*edges_)[e].ring)
-        if (step.cell >= 0 && !isShared(faces_->size() + int(e)))
-          visit(std::size_t(step.cell), int(e));
+      for (std::size_t s = 0; s < (*edges_)[e].ring.size(); ++s)
+        if (const int cell = (*edges_)[e].ring[s].cell; cell >= 0 && !isShared(faces_->size() + int(e)))
+          visit(std::size_t(cell), int(e), s);
   };
-  each([&](std::size_t cell, int) { ++firstEdge_[cell + 2]; });
+  each([&](std::size_t cell, int, std::size_t) { ++firstEdge_[cell + 2]; });
   std::partial_sum(firstEdge_.begin(), firstEdge_.end(), firstEdge_.begin());
   edgesOf_.resize(std::size_t(firstEdge_.back()));
-  each([&](std::size_t cell, int e) { edgesOf_[std::size_t(firstEdge_[cell + 1]++)] = e; });
+  each([&](std::size_t cell, int e, std::size_t step) {
+    edgesOf_[std::size_t(firstEdge_[cell + 1]++)] = {e, insideAt((*edges_)[std::size_t(e)], step)};
+  });
+}
+
+/// The facets of a cell between which a step of a ring goes, if nothing is to be known of them but where they are.
+CellBlocks::Pair StressBlocks::insideAt(const StressEdge& edge, std::size_t step) const
+{
+  const auto& ring = edge.ring;
+  const StressEdge::Step &out = ring[step], &in = ring[(step + ring.size() - 1) % ring.size()];
+  if (out.through.rows() > 0 || in.through.rows() > 0)
+    return {-1, -1};
+  const auto facet = [&](const StressEdge::Step& taken) {
+    const StressFace& face = (*faces_)[taken.face];
+    return face.facet[face.sideOf(out.cell)];
+  };
+  return {std::min(facet(in), facet(out)), std::max(facet(in), facet(out))};
 }
 
 /// take(block) for those that a cell's faces, then its edges, have alone.
@@ -116,10 +161,10 @@ void StressBlocks::eachBlock(int cell, const Take& take) const
     if (!isShared(faces_->of(cell, facet)))
       take(faces_->of(cell, facet));
   for (int at = firstEdge_[std::size_t(cell)]; at < firstEdge_[std::size_t(cell) + 1]; ++at)
-    take(faces_->size() + edgesOf_[std::size_t(at)]);
+    take(faces_->size() + edgesOf_[std::size_t(at)].edge);
 }
 
-/// addFace(facet, sum) and addEdge(edge, sum) for what the cell's faces, then its edges, have alone.
+/// addFace(facet, sum) and addEdge(edge, facets, sum) for what the cell's faces, then its edges, have alone.
 template <class AddFace, class AddEdge>
 Vector StressBlocks::parts(int cell, const AddFace& addFace, const AddEdge& addEdge) const
 {
@@ -127,17 +172,16 @@ Vector StressBlocks::parts(int cell, const AddFace& addFace, const AddEdge& addE
   eachBlock(cell, [&](int block) { size += entries(block); });
   Vector parts(size, 0.0);
   double* sum = parts.data();
-  int facet = 0;
-  eachBlock(cell, [&](int block) {
-    if (block >= faces_->size())
-      addEdge(block - faces_->size(), sum);
-    else {
-      while (faces_->of(cell, facet) != block)
-        ++facet;
-      addFace(facet++, sum);
+  for (int facet = 0; facet < 4; ++facet)
+    if (const int face = faces_->of(cell, facet); !isShared(face)) {
+      addFace(facet, sum);
+      sum += entries(face);
     }
-    sum += entries(block);
-  });
+  for (int at = firstEdge_[std::size_t(cell)]; at < firstEdge_[std::size_t(cell) + 1]; ++at) {
+    const auto& [edge, facets] = edgesOf_[std::size_t(at)];
+    addEdge(edge, facets, sum);
+    sum += entries(faces_->size() + edge);
+  }
   return parts;
 }
 
@@ -145,14 +189,28 @@ Vector StressBlocks::parts(const CellBlocks& found, int lane, int cell) const
 {
   return parts(
       cell, [&](int facet, double* sum) { found.addFace(lane, facet, sum); },
-      [&](int edge, double* sum) { found.addEdge(lane, (*edges_)[std::size_t(edge)], sum); });
+      [&](int edge, CellBlocks::Pair facets, double* sum) {
+        found.addEdge(lane, (*edges_)[std::size_t(edge)], facets, sum);
+      });
 }
 
 Vector StressBlocks::partsOfClass(int cell) const
 {
+  std::array<double, std::size_t(mostUnknowns) * mostUnknowns> square;
+  const auto pack = [&](int block, double* sum, const auto& add) {
+    const auto size = std::size_t(sizeOf(block));
+    std::fill_n(square.begin(), size * size, 0.0);
+    add(square.data());
+    eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t place) { sum[place] += square[j * size + i]; });
+  };
   return parts(
-      cell, [&](int facet, double* sum) { ofClasses_.addFace(cell, facet, sum); },
-      [&](int edge, double* sum) { ofClasses_.addEdge(cell, edge, sum); });
+      cell,
+      [&](int facet, double* sum) {
+        pack(faces_->of(cell, facet), sum, [&](double* all) { ofClasses_.addFace(cell, facet, all); });
+      },
+      [&](int edge, CellBlocks::Pair, double* sum) {
+        pack(faces_->size() + edge, sum, [&](double* all) { ofClasses_.addEdge(cell, edge, all); });
+      });
 }
 
 void StressBlocks::add(int cell, const Vector& parts)
@@ -179,40 +237,88 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
       end = std::max(end, at_[std::size_t(b)] + entries(b));
     }
   blocks_.resize(end, 0.0);
-  for (const int b : kept)
-    if (isShared(b) && b < faces_->size())
-      ofClasses_.addAllOfFace(b, blocks_.data() + at_[std::size_t(b)]);
-    else if (isShared(b))
-      ofClasses_.addAllOfEdge(b - faces_->size(), blocks_.data() + at_[std::size_t(b)]);
   std::stable_sort(kept.begin(), kept.end(), [this](int a, int b) { return sizeOf(a) < sizeOf(b); });
+  isExact_.assign(at_.size(), 0);
+  Vector scales(at_.size(), 1.0);
   definiteOnEveryRank(sharing.comm(), [&] {
-    runInRanges(int(kept.size()), threads, [&](int first, int last) { invertAlike(kept, first, last); });
+    runInRanges(int(kept.size()), threads,
+                [&](int first, int last) { invertAlike(kept.data() + first, kept.data() + last, scales); });
   });
+  for (std::size_t b = 0; b < factor_.size(); ++b) {
+    factor_[b] *= scales[std::size_t(first_[b])];
+    isExact_[b] = isExact_[std::size_t(first_[b])];
+  }
 }
 
-/// Some of the given blocks, those of one size side by side.
-void StressBlocks::invertAlike(const std::vector<int>& blocks, int first, int last)
+/// Some blocks, those of one size side by side.
+void StressBlocks::invertAlike(const int* first, const int* last, Vector& scales)
 {
   constexpr std::size_t lanes = CellForms::lanes;
   constexpr double leastPivot = 1e-13; // of the largest diagonal entry
   Vector side;
-  for (int begin = first, end = first; begin < last; begin = end) {
-    const std::size_t size = std::size_t(sizeOf(blocks[std::size_t(begin)])), count = size * size;
-    while (end < last && end < begin + int(lanes) && std::size_t(sizeOf(blocks[std::size_t(end)])) == size)
+  for (const int *begin = first, *end = first; begin < last; begin = end) {
+    const auto size = std::size_t(sizeOf(*begin));
+    while (end < last && end < begin + lanes && std::size_t(sizeOf(*end)) == size)
       ++end;
-    side.resize(count * lanes);
-    const auto each = [&](const auto& visit) {
-      for (std::size_t lane = 0; lane < lanes; ++lane) {
-        const int block = blocks[std::size_t(std::min(begin + int(lane), end - 1))];
-        for (std::size_t i = 0; i < count; ++i)
-          visit(blocks_[at_[std::size_t(block)] + i], side[i * lanes + lane]);
-      }
-    };
-    each([](double value, double& copy) { copy = value; });
+    side.resize(size * size * lanes);
+    Vector diagonals(size * lanes);
+    for (std::size_t lane = 0; lane < lanes; ++lane) {
+      const int block = begin[std::min(lane, std::size_t(end - begin) - 1)];
+      const Vector square = this->square(block);
+      for (std::size_t i = 0; i < square.size(); ++i)
+        side[i * lanes + lane] = square[i];
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      std::copy_n(side.data() + i * (size + 1) * lanes, lanes, diagonals.data() + i * lanes);
     if (!block_kernels::invert(side.data(), int(size), leastPivot))
       throw NotPositiveDefinite(-1);
-    each([](double& value, double inverse) { value = inverse; });
+    for (std::size_t lane = 0; begin + lane < end; ++lane)
+      scales[std::size_t(begin[lane])] = keep(begin[lane], side.data() + lane, diagonals.data() + lane);
   }
+}
+
+/// A block with both triangles.
+Vector StressBlocks::square(int block) const
+{
+  const auto size = std::size_t(sizeOf(block));
+  Vector square(size * size, 0.0);
+  const int edge = block - faces_->size();
+  if (isShared(block) && edge < 0)
+    ofClasses_.addAllOfFace(block, square.data());
+  else if (isShared(block))
+    ofClasses_.addAllOfEdge(edge, square.data());
+  else
+    eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t place) {
+      square[i * size + j] = square[j * size + i] = blocks_[at_[std::size_t(block)] + place];
+    });
+  return square;
+}
+
+/// Puts an inverse in a block's place and returns its scale: in single precision, unless its round-off, up to 6e-8 of
+/// the diagonal, could be as large as the least eigenvalue. inverse, diagonal (of the block): one number in so many
+/// lanes.
+double StressBlocks::keep(int block, const double* inverse, const double* diagonal)
+{
+  constexpr std::size_t lanes = CellForms::lanes;
+  constexpr double mostForFew = 1e5;
+  const auto size = std::size_t(sizeOf(block));
+  double trace = 0.0, scale = 0.0; // of the inverse with a diagonal of one, inverted: no eigenvalue is larger
+  for (std::size_t i = 0; i < size; ++i) {
+    const double entry = inverse[i * (size + 1) * lanes];
+    trace += diagonal[i * lanes] * entry;
+    scale = std::max(scale, entry);
+  }
+  double* place = blocks_.data() + at_[std::size_t(block)];
+  if (!(trace < mostForFew)) {
+    isExact_[std::size_t(block)] = 1;
+    eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t at) { place[at] = inverse[(j * size + i) * lanes]; });
+    return 1.0;
+  }
+  std::array<float, std::size_t(mostUnknowns) * mostUnknowns> numbers;
+  for (std::size_t i = 0; i < size * size; ++i)
+    numbers[i] = float(inverse[i * lanes] / scale);
+  std::memcpy(static_cast<void*>(place), numbers.data(), size * size * sizeof(float));
+  return scale;
 }
 
 void StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads,
@@ -226,7 +332,8 @@ void StressBlocks::precondition(const Vector& gradient, const std::vector<char>&
       if (held[std::size_t(b)] != 0)
         std::fill_n(z, size, 0.0);
       else
-        multiplyBlock(blocks_.data() + at_[std::size_t(b)], gradient.data() + first, size, factor_[std::size_t(b)], z);
+        (isExact_[std::size_t(b)] != 0 ? multiplyTriangle : multiplyBlock)(
+            blocks_.data() + at_[std::size_t(b)], gradient.data() + first, size, factor_[std::size_t(b)], z);
     }
   });
 }

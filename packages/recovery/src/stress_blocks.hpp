@@ -42,7 +42,12 @@ public:
 
 private:
   int sizeOf(int block) const { return begin_[std::size_t(block) + 1] - begin_[std::size_t(block)]; }
-  std::size_t entries(int block) const { return std::size_t(sizeOf(block)) * std::size_t(sizeOf(block)); }
+  /// Of a triangle in double precision; the square of the inverse in single precision takes no more.
+  std::size_t entries(int block) const
+  {
+    const auto size = std::size_t(sizeOf(block));
+    return size * (size + 1) / 2;
+  }
   bool isShared(int block) const { return isShared_[std::size_t(block)] != 0; }
   void place();
   void listEdges();
@@ -50,20 +55,32 @@ private:
   void eachBlock(int cell, const Take& take) const;
   template <class AddFace, class AddEdge>
   Vector parts(int cell, const AddFace& addFace, const AddEdge& addEdge) const;
-  void invertAlike(const std::vector<int>& blocks, int first, int last);
+  CellBlocks::Pair insideAt(const StressEdge& edge, std::size_t step) const;
+  void invertAlike(const int* first, const int* last, Vector& scales);
+  Vector square(int block) const;
+  double keep(int block, const double* inverse, const double* diagonal);
 
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;
   ClassBlocks ofClasses_;
   int numKept_ = 0;
   std::vector<int> begin_{0};
-  std::vector<int> edgesOf_, firstEdge_; ///< edges with blocks of their own, cell by cell
-  std::vector<int> first_;               ///< per block the first that shares its matrix
-  std::vector<char> isShared_;           ///< per block: equal to those with the same key
-  Vector factor_;                        ///< per block, of the shared inverse
-  std::vector<std::size_t> at_;          ///< per block, in what follows: column by column
-  std::size_t alone_ = 0;                ///< entries of blocks that are not shared; they come first
-  Vector blocks_;                        ///< then their inverses
+  /// An edge of a cell.
+  struct Place
+  {
+    int edge;
+    CellBlocks::Pair facets; ///< insideAt()
+  };
+  static constexpr int mostUnknowns = 18; ///< of a block
+  std::vector<Place> edgesOf_;            ///< edges with blocks of their own, cell by cell
+  std::vector<int> firstEdge_;
+  std::vector<int> first_;      ///< per block the first that shares its matrix
+  std::vector<char> isShared_;  ///< per block: equal to those with the same key
+  Vector factor_;               ///< per block, of the shared inverse
+  std::vector<std::size_t> at_; ///< per block, in blocks_
+  std::size_t alone_ = 0;       ///< entries of blocks that are not shared; they come first
+  Vector blocks_;               ///< lower triangles; then the inverses, see keep()
+  std::vector<char> isExact_;   ///< per block: the inverse is a triangle in double precision
 };
 
 } // namespace ndframe

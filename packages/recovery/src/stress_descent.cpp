@@ -60,22 +60,23 @@ void StressDescent::findMatrices(int batch, CellBlocks& work, Vector& space, Vec
 {
   const int* cells = matrices_.cells(batch);
   const int count = matrices_.sizeOf(batch);
-  if (matrices_.isOfClass(batch))
+  if (matrices_.isOfClass(batch)) {
     for (int c = 0; c < count; ++c)
       parts[c] = blocks_.partsOfClass(cells[c]);
-  else
+    addStart(batch, [&](const double* x, double* forces) { matrices_.multiplyData(batch, x, forces); });
+  } else
     matrices_.find(batch, space, [&](const CellFacets& found) {
       work.compute(found);
       for (int c = 0; c < count; ++c)
         parts[c] = blocks_.parts(work, c, cells[c]);
+      addStart(batch, [&](const double* x, double* forces) { matrices_.multiplyData(found, x, forces); });
     });
-  addStart(batch);
   for (int c = 0; c < count; ++c)
     watch_.cellIsRead();
 }
 
-/// A_E x_E of all fields' corrections in a batch's cells.
-void StressDescent::addStart(int batch)
+/// A_E x_E of all fields' corrections in a batch's cells; multiply(x, forces) per number and lane.
+void StressDescent::addStart(int batch, const std::function<void(const double*, double*)>& multiply)
 {
   constexpr std::size_t lanes = StressMatrices::lanes;
   const int* cells = matrices_.cells(batch);
@@ -93,7 +94,7 @@ void StressDescent::addStart(int batch)
       for (std::size_t i = 0; i < loads; ++i)
         x[(tractions + i) * lanes + c] = correction.loads[cell * loads + i];
     }
-    matrices_.multiplyData(batch, x.data(), forces.data());
+    multiply(x.data(), forces.data());
     for (std::size_t c = 0; c < std::size_t(count); ++c)
       for (std::size_t i = 0; i < tractions; ++i)
         start_[f][std::size_t(cells[c]) * tractions + i] = forces[i * lanes + c];

@@ -57,7 +57,7 @@ private:
   void lower(const DescentField& field, Vector residual, Space space, int steps) const;
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
-  void addStart(int batch);
+  void addStart(int batch, const std::function<void(const double*, double*)>& multiply);
   void gradientOf(const Vector& faceForces, Vector& gradient) const;
   void gather(int batch, const Vector& tractions, double* x) const;
   void cellForces(const Vector& tractions, Vector& result) const;

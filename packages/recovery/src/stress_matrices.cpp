@@ -57,12 +57,17 @@ StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& of
       tractions_(std::size_t(cells.any().reference().tractions)), forms_(solidForms(cells.any().data().degree))
 {
   NDFRAME_ASSERT(cells.any().reference().data() * lanes <= mostNumbers, "more data than a cell of degree 2 has");
-  int kept = 0;
+  std::size_t count = 0, kept = 0, rounded = 0;
   for (Batch& batch : batches_)
-    if (batch.kept >= 0)
-      batch.kept = kept++;
-  maps_.resize(std::size_t(kept) * lanes);
-  kept_.resize(at(kept));
+    if (batch.number >= 0) {
+      batch.number = int(count++);
+      batch.at = batch.isRound ? rounded : kept;
+      (batch.isRound ? rounded : kept) += batch.isRound ? forms_.roundedSize() : keptSize();
+    }
+  maps_.resize(count * lanes);
+  scales_.resize(count * lanes);
+  kept_.resize(kept);
+  rounded_.resize(rounded);
 }
 
 namespace
@@ -94,7 +99,7 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
     int& batch = open[isOfClass ? std::size_t(cells_->classes().of(cell)) : classes + std::size_t(round)];
     if (batch < 0 || batches[std::size_t(batch)].count == lanes) {
       batch = int(batches.size());
-      batches.push_back({{}, 0, isOfClass ? -1 : 0, round});
+      batches.push_back({{}, 0, isOfClass ? -1 : 0, 0, round});
     }
     Batch& place = batches[std::size_t(batch)];
     place.cells[std::size_t(place.count++)] = cell;
@@ -104,15 +109,24 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
 
 void StressMatrices::find(int number, Vector& work, const std::function<void(const CellFacets&)>& use)
 {
-  Batch& batch = batches_[std::size_t(number)];
-  CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
+  const Batch& batch = batches_[std::size_t(number)];
+  const auto first = std::size_t(batch.number) * lanes;
   Vector own;
-  findCompliances(*cells_, batch.cells.data(), batch.count, maps, own);
-  const CellForms::Facets found = forms_.facets(own.data(), work);
-  double* kept = kept_.data() + at(batch.kept);
-  std::copy(own.begin(), own.end(), kept);
-  std::copy_n(found.factor, forms_.factorSize() * lanes, kept + compliances());
-  use({batch.cells.data(), batch.count, maps, found});
+  findCompliances(*cells_, batch.cells.data(), batch.count, maps_.data() + first, own);
+  const CellFacets all = found(batch, own, work);
+  if (batch.isRound)
+    forms_.round(own.data(), all.facets.factor, rounded_.data() + batch.at, scales_.data() + first);
+  else {
+    std::copy(own.begin(), own.end(), kept_.begin() + std::ptrdiff_t(batch.at));
+    std::copy_n(all.facets.factor, forms_.factorSize() * lanes, kept_.data() + batch.at + compliances());
+  }
+  use(all);
+}
+
+CellFacets StressMatrices::found(const Batch& batch, Vector& compliances, Vector& work) const
+{
+  return {batch.cells.data(), batch.count, maps_.data() + std::size_t(batch.number) * lanes, compliances.data(),
+          forms_.facets(compliances.data(), work)};
 }
 
 /// Of all lanes with the matrix of their class.
@@ -127,39 +141,53 @@ void StressMatrices::multiplyClass(const Batch& batch, std::size_t columns, cons
       forces[at * lanes + lane] *= scale[lane];
 }
 
-/// Of cells without a class.
-void StressMatrices::multiplyAlone(const Batch& batch, std::size_t columns, const double* x, double* forces,
-                                   Digits digits) const
+void StressMatrices::multiplyFound(const CellFacets& found, std::size_t columns, const double* x, double* forces) const
 {
-  const CellMap* maps = maps_.data() + std::size_t(batch.kept) * lanes;
   std::array<double, mostNumbers> pulled{};
   std::copy_n(x, columns * lanes, pulled.data());
-  pullBackLanes(maps, int(columns), pulled.data());
-  const double* kept = kept_.data() + at(batch.kept);
-  if (batch.isRound && digits == Digits::Few)
-    forms_.applyRounded(kept, kept + compliances(), pulled.data(), forces);
-  else
-    forms_.apply(kept, kept + compliances(), pulled.data(), columns, forces);
-  pushLanes(maps, int(tractions_), forces);
+  pullBackLanes(found.maps, int(columns), pulled.data());
+  forms_.apply(found.compliances, found.facets.factor, pulled.data(), columns, forces);
+  pushLanes(found.maps, int(tractions_), forces);
+}
+
+void StressMatrices::multiplyRounded(const Batch& batch, const double* T, double* forces) const
+{
+  const auto first = std::size_t(batch.number) * lanes;
+  std::array<double, mostNumbers> pulled{};
+  std::copy_n(T, tractions_ * lanes, pulled.data());
+  pullBackLanes(maps_.data() + first, int(tractions_), pulled.data());
+  forms_.applyRounded(rounded_.data() + batch.at, scales_.data() + first, pulled.data(), forces);
+  pushLanes(maps_.data() + first, int(tractions_), forces);
 }
 
 void StressMatrices::multiplyData(int number, const double* x, double* forces) const
 {
-  const Batch& batch = batches_[std::size_t(number)];
-  const auto columns = std::size_t(ofClasses_->columns());
-  if (batch.kept < 0)
-    multiplyClass(batch, columns, x, forces);
-  else
-    multiplyAlone(batch, columns, x, forces, Digits::All);
+  multiplyClass(batches_[std::size_t(number)], std::size_t(ofClasses_->columns()), x, forces);
 }
 
+void StressMatrices::multiplyData(const CellFacets& found, const double* x, double* forces) const
+{
+  multiplyFound(found, std::size_t(ofClasses_->columns()), x, forces);
+}
+
+/// Cells that are kept in single precision are found again for all digits.
 void StressMatrices::multiply(int number, const double* T, double* forces, Digits digits) const
 {
   const Batch& batch = batches_[std::size_t(number)];
-  if (batch.kept < 0)
-    multiplyClass(batch, tractions_, T, forces);
-  else
-    multiplyAlone(batch, tractions_, T, forces, digits);
+  if (batch.number < 0)
+    return multiplyClass(batch, tractions_, T, forces);
+  if (batch.isRound && digits == Digits::Few)
+    return multiplyRounded(batch, T, forces);
+  const CellMap* maps = maps_.data() + std::size_t(batch.number) * lanes;
+  if (!batch.isRound) {
+    const double* kept = kept_.data() + batch.at;
+    return multiplyFound({batch.cells.data(), batch.count, maps, kept, {nullptr, nullptr, kept + compliances()}},
+                         tractions_, T, forces);
+  }
+  std::array<CellMap, lanes> same;
+  Vector own, work;
+  findCompliances(*cells_, batch.cells.data(), batch.count, same.data(), own);
+  multiplyFound(found(batch, own, work), tractions_, T, forces);
 }
 
 } // namespace ndframe

@@ -15,7 +15,8 @@ struct CellFacets
 {
   const int* cells; ///< their numbers
   int count;
-  const CellMap* maps; ///< one a lane
+  const CellMap* maps;       ///< one a lane
+  const double* compliances; ///< per entry and lane
   CellForms::Facets facets;
 };
 
@@ -39,7 +40,7 @@ public:
   void find(int batch, Vector& work, const std::function<void(const CellFacets&)>& use);
 
   int numBatches() const { return int(batches_.size()); }
-  bool isOfClass(int batch) const { return batches_[std::size_t(batch)].kept < 0; }
+  bool isOfClass(int batch) const { return batches_[std::size_t(batch)].number < 0; }
   int sizeOf(int batch) const { return batches_[std::size_t(batch)].count; }
   const int* cells(int batch) const { return batches_[std::size_t(batch)].cells.data(); }
   enum class Digits
@@ -49,23 +50,26 @@ public:
   };
   /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
   void multiply(int batch, const double* T, double* forces, Digits digits = Digits::All) const;
-  /// The same for tractions and loads, T and G, in double precision.
+  /// The same for tractions and loads, T and G, in double precision: of a batch with a class, and of found cells.
   void multiplyData(int batch, const double* x, double* forces) const;
+  void multiplyData(const CellFacets& found, const double* x, double* forces) const;
 
 private:
   struct Batch
   {
     std::array<int, lanes> cells;
-    int count, kept;      ///< where the matrices are; -1: in a class
+    int count, number;    ///< among those without a class; -1: in a class
+    std::size_t at = 0;   ///< where its numbers are: in rounded_ if it is round, in kept_ if not
     bool isRound = false; ///< no cell is stretched much: forces in single precision are good enough for directions
   };
 
   std::vector<Batch> all() const;
   void multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const;
-  void multiplyAlone(const Batch& batch, std::size_t columns, const double* x, double* forces, Digits digits) const;
+  void multiplyRounded(const Batch& batch, const double* T, double* forces) const;
   std::size_t compliances() const { return cells_->any().reference().energy.size() * lanes; }
-  /// Where a batch's compliances are, and then its factors.
-  std::size_t at(int kept) const { return std::size_t(kept) * (compliances() + forms_.factorSize() * lanes); }
+  std::size_t keptSize() const { return compliances() + forms_.factorSize() * lanes; }
+  void multiplyFound(const CellFacets& found, std::size_t columns, const double* x, double* forces) const;
+  CellFacets found(const Batch& batch, Vector& compliances, Vector& work) const;
 
   const StressCells* cells_;
   const ClassMatrices* ofClasses_;
@@ -73,7 +77,9 @@ private:
   std::size_t tractions_;
   const CellForms& forms_;
   std::vector<CellMap> maps_;
-  Vector kept_;
+  Vector scales_;              ///< per batch without a class and lane, of rounded numbers
+  Vector kept_;                ///< compliances and factors
+  std::vector<float> rounded_; ///< CellForms::round()
 };
 
 /// x = F^-1 x for all vectors of all lanes, and forces = F^-T forces.

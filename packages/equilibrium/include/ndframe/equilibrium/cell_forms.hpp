@@ -42,9 +42,13 @@ public:
   void apply(const double* compliances, const double* factor, const double* x, std::size_t columns,
              double* forces) const;
 
-  /// The same in single precision, for half the time. Relative round-off grows with the fourth power of the aspect
-  /// ratio from 1e-7 on: for directions that an energy falls in, never for the energy.
-  void applyRounded(const double* compliances, const double* factor, const double* T, double* forces) const;
+  /// Numbers of `lanes` cells that applyRounded() needs.
+  std::size_t roundedSize() const { return (reference_.energy.size() + factorSize()) * lanes; }
+  /// Finds them from compliances and factor, and a scale a lane.
+  void round(const double* compliances, const double* factor, float* numbers, double* scales) const;
+  /// apply() to tractions in single precision, for half the time. Relative round-off grows with the fourth power of the
+  /// aspect ratio from 1e-7 on: for directions that an energy falls in, never for the energy.
+  void applyRounded(const float* numbers, const double* scales, const double* T, double* forces) const;
 
   /// CellForm::coefficients: from compliances and data of `lanes` cells, per entry and lane.
   void leastStress(const double* compliances, const double* data, double* stress) const;
