@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "cell_block_kernels.hpp"
+#include "ndframe/simd/block_kernels.hpp"
 
 namespace ndframe
 {

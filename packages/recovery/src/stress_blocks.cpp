@@ -5,57 +5,13 @@
 #include <map>
 #include <numeric>
 
-#include "cell_block_kernels.hpp"
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/base/lanes.hpp"
+#include "ndframe/simd/block_kernels.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-/// y = factor A x, A of single precision, column by column: `most` rows, or `size` where most is 18, the data of a face
-/// at most.
-template <std::size_t most>
-inline __attribute__((always_inline)) void multiplyUpTo(const double* A, const double* x, std::size_t size,
-                                                        double factor, double* y)
-{
-  double sums[most] = {};
-  float column[most];
-  const auto* numbers = reinterpret_cast<const char*>(A);
-  const std::size_t bytes = (most < 18 ? most : size) * sizeof(float);
-  for (std::size_t j = 0; j < size; ++j, numbers += bytes) {
-    std::memcpy(column, numbers, bytes);
-    for (std::size_t i = 0; i < (most < 18 ? most : size); ++i)
-      sums[i] += double(column[i]) * x[j];
-  }
-  for (std::size_t i = 0; i < size; ++i)
-    y[i] = factor * sums[i];
-}
-
-/// Inside, faces have 12 unknowns and edges 6 where displacements are of the second order.
-NDFRAME_EVERY_PROCESSOR void multiplyBlock(const double* A, const double* x, std::size_t size, double factor, double* y)
-{
-  if (size == 12)
-    multiplyUpTo<12>(A, x, 12, factor, y);
-  else if (size == 6)
-    multiplyUpTo<6>(A, x, 6, factor, y);
-  else
-    multiplyUpTo<18>(A, x, size, factor, y);
-}
-
-/// y = factor A x from the columns of A below its diagonal, in double precision.
-void multiplyTriangle(const double* A, const double* x, std::size_t size, double factor, double* y)
-{
-  std::fill_n(y, size, 0.0);
-  for (std::size_t j = 0; j < size; ++j, ++A) {
-    y[j] += factor * *A * x[j];
-    for (std::size_t i = j + 1; i < size; ++i) {
-      y[i] += factor * *++A * x[j];
-      y[j] += factor * *A * x[i];
-    }
-  }
-}
 
 /// visit(row, column, place) for a triangle below the diagonal, column by column.
 template <class Visit>
@@ -332,7 +288,7 @@ void StressBlocks::precondition(const Vector& gradient, const std::vector<char>&
       if (held[std::size_t(b)] != 0)
         std::fill_n(z, size, 0.0);
       else
-        (isExact_[std::size_t(b)] != 0 ? multiplyTriangle : multiplyBlock)(
+        (isExact_[std::size_t(b)] != 0 ? block_kernels::multiplyTriangle : block_kernels::multiplyRounded)(
             blocks_.data() + at_[std::size_t(b)], gradient.data() + first, size, factor_[std::size_t(b)], z);
     }
   });

@@ -4,9 +4,9 @@
 #include <memory>
 #include <vector>
 
-#include "face_frame.hpp"
 #include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
+#include "ndframe/simd/face_frame.hpp"
 #include "stress_cells.hpp"
 
 namespace ndframe

@@ -1,7 +1,8 @@
-#include "cell_block_kernels.hpp"
+#include "ndframe/simd/block_kernels.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "ndframe/base/lanes.hpp"
 
@@ -66,6 +67,25 @@ inline __attribute__((always_inline)) void moveColumns(DoubleLanes (*X)[6], cons
       X[k][3 + i] = length * M[i];
     }
   }
+}
+
+/// y = factor A x, A of single precision, column by column: `most` rows, or `size` where most is 18, the data of a face
+/// at most.
+template <std::size_t most>
+inline __attribute__((always_inline)) void multiplyUpTo(const void* A, const double* x, std::size_t size, double factor,
+                                                        double* y)
+{
+  double sums[most] = {};
+  float column[most];
+  const auto* numbers = static_cast<const char*>(A);
+  const std::size_t bytes = (most < 18 ? most : size) * sizeof(float);
+  for (std::size_t j = 0; j < size; ++j, numbers += bytes) {
+    std::memcpy(column, numbers, bytes);
+    for (std::size_t i = 0; i < (most < 18 ? most : size); ++i)
+      sums[i] += double(column[i]) * x[j];
+  }
+  for (std::size_t i = 0; i < size; ++i)
+    y[i] = factor * sums[i];
 }
 
 } // namespace
@@ -278,6 +298,30 @@ NDFRAME_EVERY_PROCESSOR bool invert(double* A, int size, double least)
   for (std::ptrdiff_t k = 0; k < std::ptrdiff_t(size) * size * lanes; ++k)
     A[k] = -A[k];
   return isPositive;
+}
+
+/// Inside, faces have 12 unknowns and edges 6 where displacements are of the second order.
+NDFRAME_EVERY_PROCESSOR void multiplyRounded(const void* A, const double* x, std::size_t size, double factor, double* y)
+{
+  if (size == 12)
+    multiplyUpTo<12>(A, x, 12, factor, y);
+  else if (size == 6)
+    multiplyUpTo<6>(A, x, 6, factor, y);
+  else
+    multiplyUpTo<18>(A, x, size, factor, y);
+}
+
+void multiplyTriangle(const void* triangle, const double* x, std::size_t size, double factor, double* y)
+{
+  const auto* A = static_cast<const double*>(triangle);
+  std::fill_n(y, size, 0.0);
+  for (std::size_t j = 0; j < size; ++j, ++A) {
+    y[j] += factor * *A * x[j];
+    for (std::size_t i = j + 1; i < size; ++i) {
+      y[i] += factor * *++A * x[j];
+      y[j] += factor * *A * x[i];
+    }
+  }
 }
 
 } // namespace ndframe::block_kernels

@@ -31,4 +31,8 @@ void findEdge(std::array<const double*, 3> parts, std::array<const double*, 2> a
 /// the largest diagonal entry of their matrix.
 bool invert(double* A, int size, double least);
 
+/// y = factor A x for one block: A column by column in single precision, or its lower triangle in double precision.
+void multiplyRounded(const void* A, const double* x, std::size_t size, double factor, double* y);
+void multiplyTriangle(const void* triangle, const double* x, std::size_t size, double factor, double* y);
+
 } // namespace ndframe::block_kernels
