@@ -221,20 +221,21 @@ void CellForms::leastStress(const double* compliances, const double* data, doubl
 
 CellForms::Facets CellForms::facets(const double* compliances, Vector& work) const
 {
-  const auto of = std::size_t(reference_.tractions) / 4, entries = facetTable_.size() / terms;
-  const std::size_t alone = 4 * (of * (of + 1) / 2), pairs = std::size_t(6 * linear * linear);
-  work.resize(entries * lanes);
-  combine(facetTable_.data(), entries, compliances, work.data());
-  double *rows = work.data() + (alone + pairs) * lanes, *own = work.data() + (entries - factorSize()) * lanes;
+  const auto of = std::size_t(reference_.tractions) / 4, count = facetTable_.size() / terms;
+  constexpr std::size_t few = linear, pair = few * few;
+  const std::size_t alone = 4 * (of * (of + 1) / 2), pairs = 6 * pair;
+  work.resize(count * lanes);
+  combine(facetTable_.data(), count, compliances, work.data());
+  double *rows = work.data() + (alone + pairs) * lanes, *own = work.data() + (count - factorSize()) * lanes;
   if (reference_.bubbles > 0) {
     factorStored(own);
     eliminateStored(own, 4 * of, rows);
     for (std::size_t f = 0; f < 4; ++f)
       subtractSquare(rows + f * of * bubbles * lanes, of, work.data() + f * (alone / 4) * lanes);
-    double* pair = work.data() + alone * lanes;
+    double* entries = work.data() + alone * lanes;
     for (std::size_t f = 0; f < 4; ++f)
-      for (std::size_t g = f + 1; g < 4; ++g, pair += std::size_t(linear * linear) * lanes)
-        subtractProduct(rows + f * of * bubbles * lanes, rows + g * of * bubbles * lanes, std::size_t(linear), pair);
+      for (std::size_t g = f + 1; g < 4; ++g, entries += pair * lanes)
+        subtractProduct(rows + f * of * bubbles * lanes, rows + g * of * bubbles * lanes, few, entries);
   }
   return {work.data(), work.data() + alone * lanes, own};
 }

@@ -24,11 +24,17 @@ std::ptrdiff_t placeOf(std::ptrdiff_t first, std::ptrdiff_t second)
 
 } // namespace
 
-CellBlocks::CellBlocks(const StressFaces& faces)
-    : faces_(&faces), facetData_(faces.cells().facetData()), alone_(std::size_t(4 * mostRows * mostRows * lanes), 0.0),
-      pairs_(std::size_t(6 * linear * linear * lanes), 0.0), own_(std::size_t(4 * mostOwn * mostOwn * lanes), 0.0),
-      carriers_(std::size_t(10 * wrench * wrench * lanes), 0.0), edges_(std::size_t(6 * wrench * wrench * lanes), 0.0)
-{}
+CellBlocks::CellBlocks(const StressFaces& faces) : faces_(&faces), facetData_(faces.cells().facetData())
+{
+  const auto make = [](std::size_t count, std::size_t size, Vector& values) {
+    values.assign(count * size * size * std::size_t(lanes), 0.0);
+  };
+  make(4, mostRows, alone_);
+  make(6, linear, pairs_);
+  make(4, mostOwn, own_);
+  make(10, wrench, carriers_);
+  make(6, wrench, edges_);
+}
 
 void CellBlocks::compute(const CellFacets& matrices)
 {
@@ -65,9 +71,10 @@ void CellBlocks::findShapes(const CellFacets& matrices)
   for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) {
     const int cell = matrices.cells[std::min(int(lane), matrices.count - 1)];
     const SortedCell sorted = faces_->cells().sorted(cell);
-    for (std::size_t v = 0; v < 4; ++v)
-      for (std::size_t i = 0; i < 3; ++i)
-        points_[std::ptrdiff_t(3 * v + i) * lanes + lane] = faces_->cells().mesh(cell).point(sorted.vertices[v])[i];
+    double* to = points_ + lane;
+    for (const int vertex : sorted.vertices)
+      for (int i = 0; i < 3; ++i, to += lanes)
+        *to = faces_->cells().mesh(cell).point(vertex)[i];
     for (int facet = 0; facet < 4; ++facet)
       putShape(lane, std::size_t(facet), (*faces_)[faces_->within(cell, facet)]);
   }
@@ -143,7 +150,7 @@ double CellBlocks::between(int lane, std::array<int, 2> facets, std::ptrdiff_t i
     std::swap(i, j);
   }
   const std::ptrdiff_t pair = pairOf(facets[1], facets[0]);
-  return pairs_[std::size_t(((pair * linear + j) * linear + i) * lanes + lane)];
+  return *(pairs_.data() + ((pair * linear + j) * linear + i) * lanes + lane);
 }
 
 void CellBlocks::addEdge(int lane, const StressEdge& edge, Pair inside, double* sum) const

@@ -1,7 +1,7 @@
 #pragma once
 
+#include "ndframe/simd/stress_matrices.hpp"
 #include "stress_edges.hpp"
-#include "stress_matrices.hpp"
 
 namespace ndframe
 {
@@ -38,7 +38,7 @@ private:
   void findEdge(std::ptrdiff_t first, std::ptrdiff_t second);
   double alone(int lane, int facet, std::ptrdiff_t i, std::ptrdiff_t j) const
   {
-    return alone_[std::size_t(((facet * mostRows + j) * mostRows + i) * lanes + lane)];
+    return *(alone_.data() + ((facet * mostRows + j) * mostRows + i) * lanes + lane);
   }
   double between(int lane, std::array<int, 2> facets, std::ptrdiff_t i, std::ptrdiff_t j) const;
 

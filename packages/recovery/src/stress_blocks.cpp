@@ -10,20 +10,6 @@
 
 namespace ndframe
 {
-namespace
-{
-
-/// visit(row, column, place) for a triangle below the diagonal, column by column.
-template <class Visit>
-void eachBelow(std::size_t size, const Visit& visit)
-{
-  for (std::size_t j = 0, place = 0; j < size; ++j)
-    for (std::size_t i = j; i < size; ++i, ++place)
-      visit(i, j, place);
-}
-
-} // namespace
-
 StressBlocks::StressBlocks(const StressFaces& faces, const std::vector<StressEdge>& edges,
                            const ClassMatrices& matrices)
     : faces_(&faces), edges_(&edges), ofClasses_(faces, edges, matrices)
@@ -157,7 +143,8 @@ Vector StressBlocks::partsOfClass(int cell) const
     const auto size = std::size_t(sizeOf(block));
     std::fill_n(square.begin(), size * size, 0.0);
     add(square.data());
-    eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t place) { sum[place] += square[j * size + i]; });
+    block_kernels::eachBelow(
+        size, [&](std::size_t i, std::size_t j, std::size_t place) { sum[place] += square[j * size + i]; });
   };
   return parts(
       cell,
@@ -203,7 +190,12 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
   for (std::size_t b = 0; b < factor_.size(); ++b) {
     factor_[b] *= scales[std::size_t(first_[b])];
     isExact_[b] = isExact_[std::size_t(first_[b])];
+    if (sharing.owns(int(b)) && sizeOf(int(b)) > 0)
+      unit_ = std::max(unit_, factor_[b]);
   }
+  Vector largest{unit_};
+  takeLargest(largest, sharing.comm());
+  unit_ = largest.front();
 }
 
 /// Some blocks, those of one size side by side.
@@ -217,13 +209,13 @@ void StressBlocks::invertAlike(const int* first, const int* last, Vector& scales
     while (end < last && end < begin + lanes && std::size_t(sizeOf(*end)) == size)
       ++end;
     side.resize(size * size * lanes);
-    Vector diagonals(size * lanes);
     for (std::size_t lane = 0; lane < lanes; ++lane) {
       const int block = begin[std::min(lane, std::size_t(end - begin) - 1)];
       const Vector square = this->square(block);
       for (std::size_t i = 0; i < square.size(); ++i)
         side[i * lanes + lane] = square[i];
     }
+    Vector diagonals(size * lanes);
     for (std::size_t i = 0; i < size; ++i)
       std::copy_n(side.data() + i * (size + 1) * lanes, lanes, diagonals.data() + i * lanes);
     if (!block_kernels::invert(side.data(), int(size), leastPivot))
@@ -244,7 +236,7 @@ Vector StressBlocks::square(int block) const
   else if (isShared(block))
     ofClasses_.addAllOfEdge(edge, square.data());
   else
-    eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t place) {
+    block_kernels::eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t place) {
       square[i * size + j] = square[j * size + i] = blocks_[at_[std::size_t(block)] + place];
     });
   return square;
@@ -267,8 +259,10 @@ double StressBlocks::keep(int block, const double* inverse, const double* diagon
   double* place = blocks_.data() + at_[std::size_t(block)];
   if (!(trace < mostForFew)) {
     isExact_[std::size_t(block)] = 1;
-    eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t at) { place[at] = inverse[(j * size + i) * lanes]; });
-    return 1.0;
+    block_kernels::eachBelow(size, [&](std::size_t i, std::size_t j, std::size_t at) {
+      place[at] = inverse[(j * size + i) * lanes] / scale;
+    });
+    return scale;
   }
   std::array<float, std::size_t(mostUnknowns) * mostUnknowns> numbers;
   for (std::size_t i = 0; i < size * size; ++i)
@@ -277,19 +271,21 @@ double StressBlocks::keep(int block, const double* inverse, const double* diagon
   return scale;
 }
 
-void StressBlocks::precondition(const Vector& gradient, const std::vector<char>& held, int threads,
-                                Vector& result) const
+void StressBlocks::precondition(const std::vector<float>& gradient, const std::vector<char>& held, int threads,
+                                std::vector<float>& result) const
 {
   result.resize(gradient.size());
   runInRanges(numBlocks(), threads, [&](int begin, int end) {
     for (int b = begin; b < end; ++b) {
       const auto first = std::size_t(begin_[std::size_t(b)]), size = std::size_t(sizeOf(b));
-      double* z = result.data() + first;
+      const double *A = blocks_.data() + at_[std::size_t(b)], factor = factor_[std::size_t(b)] / unit_;
+      float* z = result.data() + first;
       if (held[std::size_t(b)] != 0)
-        std::fill_n(z, size, 0.0);
+        std::fill_n(z, size, 0.0F);
+      else if (isExact_[std::size_t(b)] != 0)
+        block_kernels::multiplyTriangle(A, gradient.data() + first, size, factor, z);
       else
-        (isExact_[std::size_t(b)] != 0 ? block_kernels::multiplyTriangle : block_kernels::multiplyRounded)(
-            blocks_.data() + at_[std::size_t(b)], gradient.data() + first, size, factor_[std::size_t(b)], z);
+        block_kernels::multiplyRounded(A, gradient.data() + first, size, float(factor), z);
     }
   });
 }

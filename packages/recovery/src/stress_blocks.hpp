@@ -29,8 +29,11 @@ public:
   void add(int cell, const Vector& parts);
   /// To be called when every rank has added its own cells: blocks that a rank owns are then complete. Collective.
   void invert(const StressSharing& sharing, int threads);
-  /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
-  void precondition(const Vector& gradient, const std::vector<char>& held, int threads, Vector& result) const;
+  /// The largest that an inverse times a gradient of the order of one can be, in order; the same on all ranks.
+  double unit() const { return unit_; }
+  /// Inverses over unit(). held: per block (faces, then edges), nonzero where the unknowns are not to change.
+  void precondition(const std::vector<float>& gradient, const std::vector<char>& held, int threads,
+                    std::vector<float>& result) const;
   /// A block's unknowns.
   SharedValues::Place placeOf(int block) const
   {
@@ -74,8 +77,9 @@ private:
   static constexpr int mostUnknowns = 18; ///< of a block
   std::vector<Place> edgesOf_;            ///< edges with blocks of their own, cell by cell
   std::vector<int> firstEdge_;
-  std::vector<int> first_;      ///< per block the first that shares its matrix
-  std::vector<char> isShared_;  ///< per block: equal to those with the same key
+  std::vector<int> first_;     ///< per block the first that shares its matrix
+  std::vector<char> isShared_; ///< per block: equal to those with the same key
+  double unit_ = 0.0;
   Vector factor_;               ///< per block, of the shared inverse
   std::vector<std::size_t> at_; ///< per block, in blocks_
   std::size_t alone_ = 0;       ///< entries of blocks that are not shared; they come first

@@ -128,10 +128,9 @@ void StressFace::addCarried(const double* amounts, double* T) const
       T[i] += carried[i];
     return;
   }
-  const DenseMatrix& carrier = free->carrier;
-  for (int k = 0; k < carrier.cols(); ++k)
-    for (int i = 0; i < carrier.rows(); ++i)
-      T[i] += carrier(i, k) * amounts[k];
+  for (int k = 0; k < free->carrier.cols(); ++k)
+    for (int i = 0; i < free->carrier.rows(); ++i)
+      T[i] += free->carrier(i, k) * amounts[k];
 }
 
 StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactPatch>& contact)
@@ -185,9 +184,9 @@ Vector StressFaces::findGeometry(StressFace& face) const
     e[i] = vertices[1][i] - vertices[0][i];
     f[i] = vertices[2][i] - vertices[0][i];
   }
-  double normal[3] = {};
-  addCross(e, f.data(), 0.5, normal);
-  face.size = std::sqrt(std::hypot(normal[0], normal[1], normal[2]));
+  Direction normal{};
+  addCross(e, f.data(), 0.5, normal.data());
+  face.size = std::sqrt(std::sqrt(dotProduct(normal, normal)));
   Vector arms = momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
   for (std::size_t k = 0; k < 2; ++k)
     std::copy_n(arms.data() + 3 * (k + 1), 3, face.arms[k].begin());

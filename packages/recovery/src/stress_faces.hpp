@@ -7,7 +7,7 @@
 #include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
 #include "ndframe/simd/face_frame.hpp"
-#include "stress_cells.hpp"
+#include "ndframe/simd/stress_cells.hpp"
 
 namespace ndframe
 {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "flow_potentials.hpp"
 #include "initial_tractions.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
 
@@ -33,17 +34,16 @@ public:
   void finish();
 
 private:
-  struct Spoke;
   struct Around;
 
   Around around(int vertex) const;
   void requireConnected(const Around& star) const;
-  void findSpokes(Around& star) const;
+  void findLinks(Around& star) const;
   DenseMatrix imbalance(const Around& star, std::size_t field, double& force) const;
-  static DenseMatrix freeMotions(const std::vector<Spoke>& spokes);
+  static DenseMatrix freeMotions(const std::vector<FlowLink>& links);
   const StressFace& face(int number) const { return (*faces_)[number]; }
   void share(const Around& star, const Vector& left, const DenseMatrix& free, DenseMatrix& needed) const;
-  Wrench amounts(const Spoke& spoke, const DenseMatrix& potentials, const Around& star) const;
+  Wrench amounts(std::size_t link, const DenseMatrix& potentials, const Around& star) const;
 
   int number_;
   const StarBody* body_;

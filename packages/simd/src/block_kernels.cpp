@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstring>
 
 #include "ndframe/base/lanes.hpp"
 
@@ -67,25 +66,6 @@ inline __attribute__((always_inline)) void moveColumns(DoubleLanes (*X)[6], cons
       X[k][3 + i] = length * M[i];
     }
   }
-}
-
-/// y = factor A x, A of single precision, column by column: `most` rows, or `size` where most is 18, the data of a face
-/// at most.
-template <std::size_t most>
-inline __attribute__((always_inline)) void multiplyUpTo(const void* A, const double* x, std::size_t size, double factor,
-                                                        double* y)
-{
-  double sums[most] = {};
-  float column[most];
-  const auto* numbers = static_cast<const char*>(A);
-  const std::size_t bytes = (most < 18 ? most : size) * sizeof(float);
-  for (std::size_t j = 0; j < size; ++j, numbers += bytes) {
-    std::memcpy(column, numbers, bytes);
-    for (std::size_t i = 0; i < (most < 18 ? most : size); ++i)
-      sums[i] += double(column[i]) * x[j];
-  }
-  for (std::size_t i = 0; i < size; ++i)
-    y[i] = factor * sums[i];
 }
 
 } // namespace
@@ -158,20 +138,25 @@ NDFRAME_EVERY_PROCESSOR void findCarrier(const double* arms, const double* size,
     normal[i] = along[(i + 1) % 3] * across[(i + 2) % 3] - along[(i + 2) % 3] * across[(i + 1) % 3];
   for (std::size_t m = 0; m < 3; ++m)
     for (std::size_t i = 0; i < 3; ++i) {
+      const auto row = std::ptrdiff_t(i) * 3 + std::ptrdiff_t(m);
       const DoubleLanes twist = 0.5 * scale * normal[m];
       const DoubleLanes T2 = (scale * along[m] * normal[i] - twist * along[i]) / height;
       const DoubleLanes T1 = (twist * across[i] - scale * across[m] * normal[i] - second * T2) / first;
-      put(T1, carrier, std::ptrdiff_t(i * 3 + m));
-      put(T2, carrier, std::ptrdiff_t((i + 3) * 3 + m));
+      put(T1, carrier, row);
+      put(T2, carrier, row + 9);
     }
 }
 
-NDFRAME_EVERY_PROCESSOR void findOwn(const double* A, const double* arms, int facetData, double* own)
+namespace
 {
-  DoubleLanes r[2][3], square[2] = {}, columns[3][6] = {}, product[mostRows][3];
+
+/// The linear tractions without wrench, T_1 and T_2 of each.
+NDFRAME_EVERY_PROCESSOR void findOwnColumns(const double* arms, DoubleLanes (*columns)[6])
+{
+  DoubleLanes r[2][3], square[2] = {};
   for (std::size_t k = 0; k < 2; ++k)
     for (std::size_t i = 0; i < 3; ++i) {
-      get(arms, std::ptrdiff_t(3 * k + i), r[k][i]);
+      load(arms + (3 * k + i) * std::size_t(lanes), r[k][i]);
       square[k] += r[k][i] * r[k][i];
     }
   DoubleLanes length[3] = {square[0], square[1], square[0] + square[1]};
@@ -183,6 +168,14 @@ NDFRAME_EVERY_PROCESSOR void findOwn(const double* A, const double* arms, int fa
     columns[2][i] = r[1][i] / length[2];
     columns[2][3 + i] = r[0][i] / length[2];
   }
+}
+
+} // namespace
+
+NDFRAME_EVERY_PROCESSOR void findOwn(const double* A, const double* arms, int facetData, double* own)
+{
+  DoubleLanes columns[3][6] = {}, product[mostRows][3];
+  findOwnColumns(arms, columns);
   const std::ptrdiff_t count = 3 + facetData - linear;
   for (std::ptrdiff_t row = 3; row < facetData; ++row) {
     DoubleLanes entries[6];
@@ -255,7 +248,7 @@ NDFRAME_EVERY_PROCESSOR void findEdge(std::array<const double*, 3> parts, std::a
     const std::size_t row = part == 0 ? 0 : 1, col = part == 1 ? 1 : 0;
     for (std::size_t j = 0; j < 6; ++j)
       for (std::size_t i = 0; i < 6; ++i)
-        get(parts[part], std::ptrdiff_t(j * 6 + i), X[i][j]);
+        load(parts[part] + (j * 6 + i) * std::size_t(lanes), X[i][j]);
     moveRows(X, arm[row], length[row]);
     moveColumns(X, arm[col], length[col]);
     for (std::size_t j = 0; j < 6; ++j)
@@ -264,7 +257,7 @@ NDFRAME_EVERY_PROCESSOR void findEdge(std::array<const double*, 3> parts, std::a
   }
   for (std::size_t j = 0; j < 6; ++j)
     for (std::size_t i = 0; i < 6; ++i)
-      put(sum[i][j], block, std::ptrdiff_t(j * 6 + i));
+      store(sum[i][j], block + (j * 6 + i) * std::size_t(lanes));
 }
 
 /// Sweeps pivot by pivot, in any order for matrices that are positive, to -A^-1; all matrices between are symmetric.
@@ -298,30 +291,6 @@ NDFRAME_EVERY_PROCESSOR bool invert(double* A, int size, double least)
   for (std::ptrdiff_t k = 0; k < std::ptrdiff_t(size) * size * lanes; ++k)
     A[k] = -A[k];
   return isPositive;
-}
-
-/// Inside, faces have 12 unknowns and edges 6 where displacements are of the second order.
-NDFRAME_EVERY_PROCESSOR void multiplyRounded(const void* A, const double* x, std::size_t size, double factor, double* y)
-{
-  if (size == 12)
-    multiplyUpTo<12>(A, x, 12, factor, y);
-  else if (size == 6)
-    multiplyUpTo<6>(A, x, 6, factor, y);
-  else
-    multiplyUpTo<18>(A, x, size, factor, y);
-}
-
-void multiplyTriangle(const void* triangle, const double* x, std::size_t size, double factor, double* y)
-{
-  const auto* A = static_cast<const double*>(triangle);
-  std::fill_n(y, size, 0.0);
-  for (std::size_t j = 0; j < size; ++j, ++A) {
-    y[j] += factor * *A * x[j];
-    for (std::size_t i = j + 1; i < size; ++i) {
-      y[i] += factor * *++A * x[j];
-      y[j] += factor * *A * x[i];
-    }
-  }
 }
 
 } // namespace ndframe::block_kernels

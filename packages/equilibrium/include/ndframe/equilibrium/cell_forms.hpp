@@ -44,11 +44,12 @@ public:
 
   /// Numbers of `lanes` cells that applyRounded() needs.
   std::size_t roundedSize() const { return (reference_.energy.size() + factorSize()) * lanes; }
-  /// Finds them from compliances and factor, and a scale a lane.
+  /// Finds them from compliances and factor: for compliances times `scales`, one a lane, so that the largest is one.
   void round(const double* compliances, const double* factor, float* numbers, double* scales) const;
-  /// apply() to tractions in single precision, for half the time. Relative round-off grows with the fourth power of the
-  /// aspect ratio from 1e-7 on: for directions that an energy falls in, never for the energy.
-  void applyRounded(const float* numbers, const double* scales, const double* T, double* forces) const;
+  /// apply() to tractions in single precision, for half the time, compliances times their scales. Relative round-off
+  /// grows with the fourth power of the aspect ratio from 1e-7 on: for directions that an energy falls in, never for
+  /// the energy.
+  void applyRounded(const float* numbers, const float* T, float* forces) const;
 
   /// CellForm::coefficients: from compliances and data of `lanes` cells, per entry and lane.
   void leastStress(const double* compliances, const double* data, double* stress) const;

@@ -27,12 +27,28 @@ void multiplyCarriers(const double* A, std::ptrdiff_t stride, const double* left
 void findEdge(std::array<const double*, 3> parts, std::array<const double*, 2> arms,
               std::array<const double*, 2> lengths, double* block);
 
+/// visit(row, column, place) for a triangle below the diagonal, column by column.
+template <class Visit>
+void eachBelow(std::size_t size, const Visit& visit)
+{
+  for (std::size_t j = 0, place = 0; j < size; ++j)
+    for (std::size_t i = j; i < size; ++i, ++place)
+      visit(i, j, place);
+}
+
 /// Inverses of `lanes` symmetric matrices in place (both triangles). Returns whether all pivots are above `least` times
 /// the largest diagonal entry of their matrix.
 bool invert(double* A, int size, double least);
 
 /// y = factor A x for one block: A column by column in single precision, or its lower triangle in double precision.
-void multiplyRounded(const void* A, const double* x, std::size_t size, double factor, double* y);
-void multiplyTriangle(const void* triangle, const double* x, std::size_t size, double factor, double* y);
+void multiplyRounded(const void* A, const float* x, std::size_t size, float factor, float* y);
+void multiplyTriangle(const void* triangle, const float* x, std::size_t size, double factor, float* y);
+
+/// y = F^-1 x for `count` / 3 vectors, and in place forces = units F^-T forces; F^-1 and units per lane.
+void pullBack(const float* inverse, const float* x, std::size_t count, float* y);
+void push(const float* inverse, const float* units, std::size_t count, float* forces);
+
+/// sum a_i b_i in double precision, in an order of its own.
+double dotOf(const float* a, const float* b, std::size_t count);
 
 } // namespace ndframe::block_kernels

@@ -1,11 +1,10 @@
-#include "stress_matrices.hpp"
+#include "ndframe/simd/stress_matrices.hpp"
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
-#include "ndframe/base/lanes.hpp"
 #include "ndframe/equilibrium/lane_tables.hpp"
+#include "ndframe/simd/block_kernels.hpp"
 
 namespace ndframe
 {
@@ -57,33 +56,15 @@ StressMatrices::StressMatrices(const StressCells& cells, const ClassMatrices& of
       tractions_(std::size_t(cells.any().reference().tractions)), forms_(solidForms(cells.any().data().degree))
 {
   NDFRAME_ASSERT(cells.any().reference().data() * lanes <= mostNumbers, "more data than a cell of degree 2 has");
-  std::size_t count = 0, kept = 0, rounded = 0;
+  std::size_t kept = 0, rounded = 0;
   for (Batch& batch : batches_)
-    if (batch.number >= 0) {
-      batch.number = int(count++);
-      batch.at = batch.isRound ? rounded : kept;
-      (batch.isRound ? rounded : kept) += batch.isRound ? forms_.roundedSize() : keptSize();
-    }
-  maps_.resize(count * lanes);
-  scales_.resize(count * lanes);
-  kept_.resize(kept);
-  rounded_.resize(rounded);
+    if (batch.number >= 0)
+      batch.number = int(batch.isRound ? rounded++ : kept++);
+  maps_.resize(kept * lanes);
+  scales_.resize(rounded * lanes);
+  kept_.resize(kept * keptSize());
+  rounded_.resize(rounded * roundedSize());
 }
-
-namespace
-{
-
-/// Whether a cell is not much longer than wide: single precision leaves four digits of its forces.
-bool isRound(const CellMap& map)
-{
-  constexpr double mostStretched = 12.0;
-  const auto norm = [](const auto& matrix) {
-    return std::sqrt(std::inner_product(matrix.begin(), matrix.end(), matrix.begin(), 0.0));
-  };
-  return norm(map.F) * norm(map.inverse) < mostStretched;
-}
-
-} // namespace
 
 /// By their first cells. Which cells are side by side changes nothing but round-off.
 std::vector<StressMatrices::Batch> StressMatrices::all() const
@@ -99,7 +80,7 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
     int& batch = open[isOfClass ? std::size_t(cells_->classes().of(cell)) : classes + std::size_t(round)];
     if (batch < 0 || batches[std::size_t(batch)].count == lanes) {
       batch = int(batches.size());
-      batches.push_back({{}, 0, isOfClass ? -1 : 0, 0, round});
+      batches.push_back({{}, 0, isOfClass ? -1 : 0, round});
     }
     Batch& place = batches[std::size_t(batch)];
     place.cells[std::size_t(place.count++)] = cell;
@@ -110,23 +91,36 @@ std::vector<StressMatrices::Batch> StressMatrices::all() const
 void StressMatrices::find(int number, Vector& work, const std::function<void(const CellFacets&)>& use)
 {
   const Batch& batch = batches_[std::size_t(number)];
-  const auto first = std::size_t(batch.number) * lanes;
+  const auto place = std::size_t(batch.number);
   Vector own;
-  findCompliances(*cells_, batch.cells.data(), batch.count, maps_.data() + first, own);
-  const CellFacets all = found(batch, own, work);
-  if (batch.isRound)
-    forms_.round(own.data(), all.facets.factor, rounded_.data() + batch.at, scales_.data() + first);
-  else {
-    std::copy(own.begin(), own.end(), kept_.begin() + std::ptrdiff_t(batch.at));
-    std::copy_n(all.facets.factor, forms_.factorSize() * lanes, kept_.data() + batch.at + compliances());
+  std::array<CellMap, lanes> maps;
+  findCompliances(*cells_, batch.cells.data(), batch.count, maps.data(), own);
+  const CellFacets all{batch.cells.data(), batch.count, maps.data(), own.data(), forms_.facets(own.data(), work)};
+  if (batch.isRound) {
+    forms_.round(own.data(), all.facets.factor, rounded_.data() + place * roundedSize(),
+                 scales_.data() + place * lanes);
+    roundMaps(batch, maps.data());
+  } else {
+    std::copy(maps.begin(), maps.end(), maps_.data() + place * lanes);
+    std::copy(own.begin(), own.end(), kept_.data() + place * keptSize());
+    std::copy_n(all.facets.factor, forms_.factorSize() * lanes, kept_.data() + place * keptSize() + compliances());
   }
   use(all);
 }
 
-CellFacets StressMatrices::found(const Batch& batch, Vector& compliances, Vector& work) const
+/// F^-1 in single precision, its largest entry one; the scales take that in: of compliances, to be divided by.
+void StressMatrices::roundMaps(const Batch& batch, const CellMap* maps)
 {
-  return {batch.cells.data(), batch.count, maps_.data() + std::size_t(batch.number) * lanes, compliances.data(),
-          forms_.facets(compliances.data(), work)};
+  float* inverse = rounded_.data() + std::size_t(batch.number) * roundedSize() + forms_.roundedSize();
+  for (std::size_t lane = 0; lane < lanes; ++lane) {
+    double largest = 0.0;
+    for (const double entry : maps[lane].inverse)
+      largest = std::max(largest, std::abs(entry));
+    for (std::size_t k = 0; k < 9; ++k)
+      inverse[k * lanes + lane] = float(maps[lane].inverse[k] / largest);
+    double& scale = scales_[std::size_t(batch.number) * lanes + lane];
+    scale /= largest * largest;
+  }
 }
 
 /// Of all lanes with the matrix of their class.
@@ -150,14 +144,39 @@ void StressMatrices::multiplyFound(const CellFacets& found, std::size_t columns,
   pushLanes(found.maps, int(tractions_), forces);
 }
 
-void StressMatrices::multiplyRounded(const Batch& batch, const double* T, double* forces) const
+/// Of cells without a class.
+void StressMatrices::pushRounded(const Batch& batch, double unit, const float* T, float* forces) const
 {
-  const auto first = std::size_t(batch.number) * lanes;
-  std::array<double, mostNumbers> pulled{};
-  std::copy_n(T, tractions_ * lanes, pulled.data());
-  pullBackLanes(maps_.data() + first, int(tractions_), pulled.data());
-  forms_.applyRounded(rounded_.data() + batch.at, scales_.data() + first, pulled.data(), forces);
-  pushLanes(maps_.data() + first, int(tractions_), forces);
+  const float* numbers = rounded_.data() + std::size_t(batch.number) * roundedSize();
+  std::array<float, mostNumbers> pulled;
+  std::array<float, lanes> units{};
+  for (std::size_t lane = 0; lane < lanes; ++lane)
+    units[lane] = float(unit / scales_[std::size_t(batch.number) * lanes + lane]);
+  block_kernels::pullBack(numbers + forms_.roundedSize(), T, tractions_, pulled.data());
+  forms_.applyRounded(numbers, pulled.data(), forces);
+  block_kernels::push(numbers + forms_.roundedSize(), units.data(), tractions_, forces);
+}
+
+void StressMatrices::multiplyRounded(int number, double unit, const float* T, float* forces) const
+{
+  const Batch& batch = batches_[std::size_t(number)];
+  const int cell = batch.cells[0];
+  if (batch.number >= 0 && batch.isRound)
+    return pushRounded(batch, unit, T, forces);
+  if (batch.number < 0 && ofClasses_->rounded(cell) != nullptr) {
+    multiplyTable(ofClasses_->rounded(cell), tractions_, tractions_, tractions_, T, forces);
+    std::array<float, lanes> scale{};
+    for (std::size_t lane = 0; lane < std::size_t(batch.count); ++lane)
+      scale[lane] = float(unit * ofClasses_->unit(cell) * cells_->classes().scale(batch.cells[lane]));
+    for (std::size_t at = 0; at < tractions_ * lanes; ++at)
+      forces[at] *= scale[at % lanes];
+    return;
+  }
+  std::array<double, mostNumbers> x, result;
+  std::transform(T, T + tractions_ * lanes, x.begin(), [](float value) { return double(value); });
+  multiply(number, x.data(), result.data());
+  std::transform(result.data(), result.data() + tractions_ * lanes, forces,
+                 [unit](double value) { return float(unit * value); });
 }
 
 void StressMatrices::multiplyData(int number, const double* x, double* forces) const
@@ -170,24 +189,23 @@ void StressMatrices::multiplyData(const CellFacets& found, const double* x, doub
   multiplyFound(found, std::size_t(ofClasses_->columns()), x, forces);
 }
 
-/// Cells that are kept in single precision are found again for all digits.
-void StressMatrices::multiply(int number, const double* T, double* forces, Digits digits) const
+/// Cells that are kept in single precision are found again.
+void StressMatrices::multiply(int number, const double* T, double* forces) const
 {
   const Batch& batch = batches_[std::size_t(number)];
   if (batch.number < 0)
     return multiplyClass(batch, tractions_, T, forces);
-  if (batch.isRound && digits == Digits::Few)
-    return multiplyRounded(batch, T, forces);
-  const CellMap* maps = maps_.data() + std::size_t(batch.number) * lanes;
   if (!batch.isRound) {
-    const double* kept = kept_.data() + batch.at;
+    const double* kept = kept_.data() + std::size_t(batch.number) * keptSize();
+    const CellMap* maps = maps_.data() + std::size_t(batch.number) * lanes;
     return multiplyFound({batch.cells.data(), batch.count, maps, kept, {nullptr, nullptr, kept + compliances()}},
                          tractions_, T, forces);
   }
-  std::array<CellMap, lanes> same;
+  std::array<CellMap, lanes> maps;
   Vector own, work;
-  findCompliances(*cells_, batch.cells.data(), batch.count, same.data(), own);
-  multiplyFound(found(batch, own, work), tractions_, T, forces);
+  findCompliances(*cells_, batch.cells.data(), batch.count, maps.data(), own);
+  multiplyFound({batch.cells.data(), batch.count, maps.data(), own.data(), forms_.facets(own.data(), work)}, tractions_,
+                T, forces);
 }
 
 } // namespace ndframe

@@ -4,8 +4,8 @@
 #include <functional>
 #include <vector>
 
-#include "class_matrices.hpp"
 #include "ndframe/equilibrium/cell_forms.hpp"
+#include "ndframe/simd/class_matrices.hpp"
 
 namespace ndframe
 {
@@ -43,13 +43,11 @@ public:
   bool isOfClass(int batch) const { return batches_[std::size_t(batch)].number < 0; }
   int sizeOf(int batch) const { return batches_[std::size_t(batch)].count; }
   const int* cells(int batch) const { return batches_[std::size_t(batch)].cells.data(); }
-  enum class Digits
-  {
-    All,
-    Few ///< single precision for batches without a class whose cells are not stretched: four digits and more
-  };
   /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
-  void multiply(int batch, const double* T, double* forces, Digits digits = Digits::All) const;
+  void multiply(int batch, const double* T, double* forces) const;
+  /// The same times `unit`, which makes T and forces numbers of the order of one: in single precision where cells are
+  /// not stretched, four digits and more.
+  void multiplyRounded(int batch, double unit, const float* T, float* forces) const;
   /// The same for tractions and loads, T and G, in double precision: of a batch with a class, and of found cells.
   void multiplyData(int batch, const double* x, double* forces) const;
   void multiplyData(const CellFacets& found, const double* x, double* forces) const;
@@ -58,28 +56,28 @@ private:
   struct Batch
   {
     std::array<int, lanes> cells;
-    int count, number;    ///< among those without a class; -1: in a class
-    std::size_t at = 0;   ///< where its numbers are: in rounded_ if it is round, in kept_ if not
+    int count, number;    ///< among those without a class, rounded or not; -1: in a class
     bool isRound = false; ///< no cell is stretched much: forces in single precision are good enough for directions
   };
 
   std::vector<Batch> all() const;
   void multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const;
-  void multiplyRounded(const Batch& batch, const double* T, double* forces) const;
+  void pushRounded(const Batch& batch, double unit, const float* T, float* forces) const;
+  void roundMaps(const Batch& batch, const CellMap* maps);
   std::size_t compliances() const { return cells_->any().reference().energy.size() * lanes; }
+  std::size_t roundedSize() const { return forms_.roundedSize() + std::size_t(9) * lanes; }
   std::size_t keptSize() const { return compliances() + forms_.factorSize() * lanes; }
   void multiplyFound(const CellFacets& found, std::size_t columns, const double* x, double* forces) const;
-  CellFacets found(const Batch& batch, Vector& compliances, Vector& work) const;
 
   const StressCells* cells_;
   const ClassMatrices* ofClasses_;
   std::vector<Batch> batches_;
   std::size_t tractions_;
   const CellForms& forms_;
-  std::vector<CellMap> maps_;
+  std::vector<CellMap> maps_;  ///< of batches in kept_
   Vector scales_;              ///< per batch without a class and lane, of rounded numbers
   Vector kept_;                ///< compliances and factors
-  std::vector<float> rounded_; ///< CellForms::round()
+  std::vector<float> rounded_; ///< CellForms::round(), then F^-1
 };
 
 /// x = F^-1 x for all vectors of all lanes, and forces = F^-T forces.

@@ -1,4 +1,4 @@
-#include "stress_cells.hpp"
+#include "ndframe/simd/stress_cells.hpp"
 
 #include <algorithm>
 
