@@ -105,6 +105,34 @@ TEST(ReferenceStress, HasTheNumbersOfTheTheory)
   }
 }
 
+namespace
+{
+
+/// Of cells side by side: parts of these matrices.
+void expectFacets(const ReferenceStress& reference, const CellForms::Facets& found,
+                  const std::vector<DenseMatrix>& expected)
+{
+  const int of = reference.tractions / 4, linear = CellForms::linear;
+  const auto expectEntry = [&](const double* entry, int i, int j) {
+    for (std::size_t lane = 0; lane < expected.size(); ++lane) {
+      const DenseMatrix& A = expected[lane];
+      EXPECT_NEAR(entry[lane], A(i, j), 1e-10 * std::sqrt(A(i, i) * A(j, j))) << i << ", " << j;
+    }
+  };
+  const double *alone = found.alone, *pairs = found.pairs;
+  for (int f = 0; f < 4; ++f) {
+    for (int j = 0; j < of; ++j)
+      for (int i = j; i < of; ++i, alone += CellForms::lanes)
+        expectEntry(alone, f * of + i, f * of + j);
+    for (int g = f + 1; g < 4; ++g)
+      for (int j = 0; j < linear; ++j)
+        for (int i = 0; i < linear; ++i, pairs += CellForms::lanes)
+          expectEntry(pairs, g * of + i, f * of + j);
+  }
+}
+
+} // namespace
+
 TEST(ReferenceStress, ManyCellsSideBySideHaveTheMatricesOfEach)
 {
   for (const int degree : {1, 2}) {
@@ -133,18 +161,21 @@ TEST(ReferenceStress, ManyCellsSideBySideHaveTheMatricesOfEach)
           const DenseMatrix& A = expected[lane];
           EXPECT_NEAR(entry[lane], A(i, j), 1e-10 * std::sqrt(A(i, i) * A(j, j)));
         }
-    const Vector T = random.vector(std::size_t(reference.tractions) * CellForms::lanes);
-    Vector forces(T.size());
-    forms.apply(compliances.data(), found.factor, T.data(), forces.data());
-    for (std::size_t lane = 0; lane < CellForms::lanes; ++lane)
-      for (int i = 0; i < reference.tractions; ++i) {
-        double force = 0.0, scale = 0.0;
-        for (int j = 0; j < reference.tractions; ++j) {
-          force += expected[lane](i, j) * T[std::size_t(j) * CellForms::lanes + lane];
-          scale += std::abs(expected[lane](i, j));
+    const Vector T = random.vector(std::size_t(reference.data()) * CellForms::lanes);
+    Vector forces(std::size_t(reference.tractions) * CellForms::lanes);
+    for (const int columns : {reference.tractions, reference.data()}) {
+      forms.apply(compliances.data(), found.factor, T.data(), std::size_t(columns), forces.data());
+      for (std::size_t lane = 0; lane < CellForms::lanes; ++lane)
+        for (int i = 0; i < reference.tractions; ++i) {
+          double force = 0.0, scale = 0.0;
+          for (int j = 0; j < columns; ++j) {
+            force += expected[lane](i, j) * T[std::size_t(j) * CellForms::lanes + lane];
+            scale += std::abs(expected[lane](i, j));
+          }
+          EXPECT_NEAR(forces[std::size_t(i) * CellForms::lanes + lane], force, 1e-10 * scale) << lane;
         }
-        EXPECT_NEAR(forces[std::size_t(i) * CellForms::lanes + lane], force, 1e-10 * scale) << lane;
-      }
+    }
+    expectFacets(reference, forms.facets(compliances.data(), work), expected);
   }
 }
 

@@ -47,7 +47,6 @@ public:
 
 private:
   bool wants(Estimator estimator) const { return options_.wants(estimator); }
-
   void admitTractions();
   IntermediateField nearestField(const InterfaceValues& traction, TractionSign sign);
   void solveIntermediateFields();
@@ -216,12 +215,11 @@ void Certifier::measureGlobal()
 void Certifier::compareWithIndicators()
 {
   std::vector<CellValues> smoothing, residual;
-  const Vector& dirichlet = scene_.coupling.state.tractionDirichlet;
-  const Vector& neumann = scene_.coupling.state.tractionNeumann;
+  const InterfaceState& state = scene_.coupling.state;
   SceneStress solved;
   if (wants(Estimator::Residual) && !scene_.patches.empty()) {
-    solved.tractions[0] = tractionFromNodes(scene_.patches, dirichlet, scene_.order, scene_.degree);
-    solved.tractions[1] = tractionFromNodes(scene_.patches, neumann, scene_.order, scene_.degree);
+    solved.tractions[0] = tractionFromNodes(scene_.patches, state.tractionDirichlet, scene_.order, scene_.degree);
+    solved.tractions[1] = tractionFromNodes(scene_.patches, state.tractionNeumann, scene_.order, scene_.degree);
   }
   if (wants(Estimator::Residual) && recoveryScene_.data.empty())
     recoveryScene_ = makeRecoveryScene(scene_);
@@ -294,8 +292,8 @@ Certificate certify(const SceneSettings& settings, const ErrorOptions& options, 
                     std::shared_ptr<const ReferenceSolution>& reference)
 {
   const auto recovery = components.recoveries.build(options.recoveryList);
-  const int order = model.bodies.front().nodes.order;
-  const CertifiedScene scene = makeScene(model, condensed, coupling, fields, recovery->degree(order), comm);
+  const CertifiedScene scene =
+      makeScene(model, condensed, coupling, fields, recovery->degree(model.bodies.front().nodes.order), comm);
   return Certifier(settings, options, scene, *recovery, comm, ledger).run(components, reference);
 }
 

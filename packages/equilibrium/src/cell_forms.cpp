@@ -10,10 +10,11 @@ namespace ndframe
 CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
 {
   const int data = reference.data(), size = data + reference.bubbles;
-  const auto add = [&](int i, int j) {
+  const auto addTo = [&](Vector& table, int i, int j) {
     for (const DenseMatrix& energy : reference.energy)
-      table_.push_back(energy(i, j));
+      table.push_back(energy(i, j));
   };
+  const auto add = [&](int i, int j) { addTo(table_, i, j); };
   for (int i = 0; i < reference.coefficients; ++i) {
     for (int j = 0; j < data; ++j)
       lift_.push_back(reference.lift(i, j));
@@ -34,6 +35,29 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
       add(i, j);
   for (int j = 0; j < size; ++j)
     for (int i = std::max(j, data); i < size; ++i)
+      add(i, j);
+  addFacets([&](int i, int j) { addTo(facetTable_, i, j); });
+}
+
+/// add(row, column) for all entries of Facets, then for those of bubbles.
+template <class Add>
+void CellForms::addFacets(const Add& add)
+{
+  const int of = reference_.tractions / 4, data = reference_.data(), size = data + reference_.bubbles;
+  for (int f = 0; f < 4; ++f)
+    for (int j = f * of; j < (f + 1) * of; ++j)
+      for (int i = j; i < (f + 1) * of; ++i)
+        add(i, j);
+  for (int f = 0; f < 4; ++f)
+    for (int g = f + 1; g < 4; ++g)
+      for (int j = f * of; j < f * of + linear; ++j)
+        for (int i = g * of; i < g * of + linear; ++i)
+          add(i, j);
+  for (int j = 0; j < reference_.tractions; ++j)
+    for (int i = data; i < size; ++i)
+      add(i, j);
+  for (int j = data; j < size; ++j)
+    for (int i = j; i < size; ++i)
       add(i, j);
 }
 

@@ -90,6 +90,44 @@ NDFRAME_EVERY_PROCESSOR void subtractSquare(const double* Y, std::size_t data, d
   }
 }
 
+/// A -= X Y^T, column by column: columns by the first `count` rows X_j, rows by those of Y.
+NDFRAME_EVERY_PROCESSOR void subtractProduct(const double* X, const double* Y, std::size_t count, double* A)
+{
+  DoubleLanes here[bubbles], other, entry;
+  for (std::size_t j = 0; j < count; ++j) {
+    for (std::size_t b = 0; b < bubbles; ++b)
+      load(X + (j * bubbles + b) * lanes, here[b]);
+    for (std::size_t i = 0; i < count; ++i, A += lanes) {
+      DoubleLanes sums[2] = {};
+#pragma GCC unroll 18
+      for (std::size_t b = 0; b < bubbles; ++b) {
+        load(Y + (i * bubbles + b) * lanes, other);
+        sums[b % 2] += other * here[b];
+      }
+      load(A, entry);
+      store(entry - (sums[0] + sums[1]), A);
+    }
+  }
+}
+
+/// factor() of numbers in memory.
+void factorStored(double* triangle)
+{
+  DoubleLanes L[factorEntries];
+  std::memcpy(L, triangle, sizeof(L));
+  const bool isPositive = factor(L);
+  NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
+  std::memcpy(triangle, L, sizeof(L));
+}
+
+/// eliminate() with a triangle in memory.
+void eliminateStored(const double* triangle, std::size_t data, double* rows)
+{
+  DoubleLanes L[factorEntries];
+  std::memcpy(L, triangle, sizeof(L));
+  eliminate(L, data, rows);
+}
+
 /// Stresses become what they do work with: on every sub-cell, for every function, the compliance times the weight that
 /// makes the functions' products integrals. stress: by sub-cell, component, function.
 NDFRAME_EVERY_PROCESSOR void weigh(const double* compliances, std::size_t modes, double* stress)
@@ -143,13 +181,9 @@ CellForms::Condensed CellForms::condensed(const double* compliances, Vector& wor
   combine(table_.data(), entries, compliances, work.data());
   if (reference_.bubbles > 0) {
     double *rows = work.data() + triangle * lanes, *own = rows + data * bubbles * lanes;
-    DoubleLanes ofBubbles[factorEntries];
-    std::memcpy(ofBubbles, own, sizeof(ofBubbles));
-    const bool isPositive = factor(ofBubbles);
-    NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
-    eliminate(ofBubbles, data, rows);
+    factorStored(own);
+    eliminateStored(own, data, rows);
     subtractSquare(rows, data, work.data());
-    std::memcpy(own, ofBubbles, sizeof(ofBubbles));
   }
   return {work.data(), work.data() + (entries - factorSize()) * lanes};
 }
@@ -175,13 +209,9 @@ void CellForms::leastStress(const double* compliances, const double* data, doubl
   multiplyTable(lift_.data(), columns, coefficients, columns, data, stress);
   if (reference_.bubbles == 0)
     return;
-  DoubleLanes ofBubbles[factorEntries];
   double inside[mostCoefficients * lanes], own[factorEntries * lanes];
   combine(table_.data() + table_.size() - factorEntries * terms, factorEntries, compliances, own);
-  std::memcpy(ofBubbles, own, sizeof(ofBubbles));
-  const bool isPositive = factor(ofBubbles);
-  NDFRAME_ASSERT(isPositive, "the energy of bubbles is positive");
-  std::memcpy(own, ofBubbles, sizeof(ofBubbles));
+  factorStored(own);
   double weighed[mostCoefficients * lanes];
   std::copy_n(stress, coefficients * lanes, weighed);
   weigh(compliances, std::size_t(reference_.basis.size()), weighed);
@@ -189,12 +219,34 @@ void CellForms::leastStress(const double* compliances, const double* data, doubl
   add(inside, coefficients, stress);
 }
 
-void CellForms::apply(const double* compliances, const double* factor, const double* T, double* forces) const
+CellForms::Facets CellForms::facets(const double* compliances, Vector& work) const
+{
+  const auto of = std::size_t(reference_.tractions) / 4, count = facetTable_.size() / terms;
+  constexpr std::size_t few = linear, pair = few * few;
+  const std::size_t alone = 4 * (of * (of + 1) / 2), pairs = 6 * pair;
+  work.resize(count * lanes);
+  combine(facetTable_.data(), count, compliances, work.data());
+  double *rows = work.data() + (alone + pairs) * lanes, *own = work.data() + (count - factorSize()) * lanes;
+  if (reference_.bubbles > 0) {
+    factorStored(own);
+    eliminateStored(own, 4 * of, rows);
+    for (std::size_t f = 0; f < 4; ++f)
+      subtractSquare(rows + f * of * bubbles * lanes, of, work.data() + f * (alone / 4) * lanes);
+    double* entries = work.data() + alone * lanes;
+    for (std::size_t f = 0; f < 4; ++f)
+      for (std::size_t g = f + 1; g < 4; ++g, entries += pair * lanes)
+        subtractProduct(rows + f * of * bubbles * lanes, rows + g * of * bubbles * lanes, few, entries);
+  }
+  return {work.data(), work.data() + alone * lanes, own};
+}
+
+void CellForms::apply(const double* compliances, const double* factor, const double* x, std::size_t columns,
+                      double* forces) const
 {
   const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
   const auto modes = std::size_t(reference_.basis.size());
   double stress[mostCoefficients * lanes];
-  multiplyTable(lift_.data(), std::size_t(reference_.data()), coefficients, tractions, T, stress);
+  multiplyTable(lift_.data(), std::size_t(reference_.data()), coefficients, columns, x, stress);
   weigh(compliances, modes, stress);
   if (reference_.bubbles > 0) {
     double inside[mostCoefficients * lanes];

@@ -1,195 +1,188 @@
 #include "cell_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 
-#include "ndframe/base/lanes.hpp"
+#include "ndframe/simd/block_kernels.hpp"
 
 namespace ndframe
 {
 namespace
 {
 
-constexpr std::ptrdiff_t lanes = CellForms::lanes;
-
-/// Where an entry of matrices side by side begins that are stored in rows, or columns, of this length.
-std::ptrdiff_t lanesAt(std::ptrdiff_t line, std::ptrdiff_t length, std::ptrdiff_t place)
+/// The number of two facets among the pairs 01, 02, 03, 12, 13, 23.
+std::ptrdiff_t pairOf(std::ptrdiff_t first, std::ptrdiff_t second)
 {
-  return (line * length + place) * lanes;
+  return first == 0 ? second - 1 : first + second;
 }
 
-/// F^-1 applied to `count` vectors.
-NDFRAME_EVERY_PROCESSOR void pullBackLanes(const double* inverse, double* vectors, int count)
+/// The same with 00, 01, 02, 03, 11, .., 33.
+std::ptrdiff_t placeOf(std::ptrdiff_t first, std::ptrdiff_t second)
 {
-  DoubleLanes F[9], given[3];
-  for (int k = 0; k < 9; ++k)
-    load(inverse + k * lanes, F[k]);
-  for (int k = 0; k < count; ++k, vectors += 3 * lanes) {
-    for (std::ptrdiff_t i = 0; i < 3; ++i)
-      load(vectors + i * lanes, given[i]);
-    for (std::ptrdiff_t i = 0; i < 3; ++i)
-      store(F[3 * i] * given[0] + F[3 * i + 1] * given[1] + F[3 * i + 2] * given[2], vectors + i * lanes);
-  }
-}
-
-/// result = x^T y, of the entries first .. last.
-inline __attribute__((always_inline)) void dotLanes(const double* x, const double* y, int first, int last,
-                                                    double* result)
-{
-  DoubleLanes sum{}, a, b;
-  for (int i = first; i < last; ++i) {
-    load(x + i * lanes, a);
-    load(y + i * lanes, b);
-    sum += a * b;
-  }
-  store(sum, result);
-}
-
-/// result[i] = sum_j rows[i][j] x[j]
-NDFRAME_EVERY_PROCESSOR void multiplyRows(const double* const* rows, int count, const double* x, int first, int last,
-                                          double* result)
-{
-  for (int i = 0; i < count; ++i)
-    dotLanes(rows[i], x, first, last, result + i * lanes);
-}
-
-NDFRAME_EVERY_PROCESSOR void multiplyPair(const double* x, const double* y, int first, int last, double* result)
-{
-  dotLanes(x, y, first, last, result);
+  return first * 4 - first * (first - 1) / 2 + second - first;
 }
 
 } // namespace
 
-CellBlocks::CellBlocks(int facetData)
-    : facetData_(facetData), values_(std::size_t(4) * mostColumns * mostRows * lanes, 0.0),
-      own_(std::size_t(4) * mostOwn * mostOwn * lanes, 0.0),
-      carriers_(std::size_t(16) * mostCarriers * mostCarriers * lanes, 0.0)
+CellBlocks::CellBlocks(const StressFaces& faces) : faces_(&faces), facetData_(faces.cells().facetData())
 {
-  double* values = values_.data();
-  for (auto& facet : columns_)
-    for (Column& column : facet) {
-      column.values = values;
-      values += mostRows * lanes;
-    }
+  const auto make = [](std::size_t count, std::size_t size, Vector& values) {
+    values.assign(count * size * size * std::size_t(lanes), 0.0);
+  };
+  make(4, mostRows, alone_);
+  make(6, linear, pairs_);
+  make(4, mostOwn, own_);
+  make(10, wrench, carriers_);
+  make(6, wrench, edges_);
 }
 
-void CellBlocks::clear()
+void CellBlocks::compute(const CellFacets& matrices)
 {
-  for (auto& facet : columns_)
-    for (Column& column : facet) {
-      if (column.first < column.last)
-        std::fill(column.values + column.first * lanes, column.values + column.last * lanes, 0.0);
-      column.first = mostRows;
-      column.last = 0;
+  std::copy_n(matrices.cells, matrices.count, cells_.begin());
+  double inverse[9 * lanes];
+  for (std::ptrdiff_t lane = 0; lane < lanes; ++lane)
+    for (std::ptrdiff_t k = 0; k < 9; ++k)
+      inverse[k * lanes + lane] = matrices.maps[lane].inverse[std::size_t(k)];
+  findShapes(matrices);
+  const double *alone = matrices.facets.alone, *pair = matrices.facets.pairs;
+  for (std::ptrdiff_t f = 0; f < 4; ++f) {
+    double* A = alone_.data() + f * mostRows * mostRows * lanes;
+    const Shapes& shape = shapes_[std::size_t(f)];
+    block_kernels::turnSymmetric(alone, inverse, facetData_, A);
+    alone += std::ptrdiff_t(facetData_) * (facetData_ + 1) / 2 * lanes;
+    block_kernels::findOwn(A, shape.arms, facetData_, own_.data() + f * mostOwn * mostOwn * lanes);
+    block_kernels::multiplyCarriers(A, mostRows, shape.carrier, shape.carrier,
+                                    carriers_.data() + placeOf(f, f) * wrench * wrench * lanes);
+  }
+  for (std::ptrdiff_t f = 0; f < 4; ++f)
+    for (std::ptrdiff_t g = f + 1; g < 4; ++g, pair += linear * linear * lanes) {
+      double* A = pairs_.data() + pairOf(f, g) * linear * linear * lanes;
+      block_kernels::turn(pair, inverse, A);
+      block_kernels::multiplyCarriers(A, linear, shapes_[std::size_t(g)].carrier, shapes_[std::size_t(f)].carrier,
+                                      carriers_.data() + placeOf(f, g) * wrench * wrench * lanes);
     }
+  for (std::ptrdiff_t f = 0; f < 4; ++f)
+    for (std::ptrdiff_t g = f + 1; g < 4; ++g)
+      findEdge(f, g);
 }
 
-void CellBlocks::put(int lane, int facet, const StressFace& face, std::size_t side)
+void CellBlocks::findShapes(const CellFacets& matrices)
 {
-  NDFRAME_ASSERT(face.numOwn() <= mostOwn && face.free->carrier.cols() <= mostCarriers, "faces of degree 1 or 2");
-  if (side == 1 && face.turned.rows() > 0) {
-    put(lane, face.onSide(side, face.allOwn()), 1.0, facet, 0);
-    put(lane, face.onSide(side, face.free->carrier), 1.0, facet, mostOwn);
+  for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) {
+    const int cell = matrices.cells[std::min(int(lane), matrices.count - 1)];
+    const SortedCell sorted = faces_->cells().sorted(cell);
+    double* to = points_ + lane;
+    for (const int vertex : sorted.vertices)
+      for (int i = 0; i < 3; ++i, to += lanes)
+        *to = faces_->cells().mesh(cell).point(vertex)[i];
+    for (int facet = 0; facet < 4; ++facet)
+      putShape(lane, std::size_t(facet), (*faces_)[faces_->within(cell, facet)]);
+  }
+  for (Shapes& shape : shapes_)
+    block_kernels::findCarrier(shape.arms, shape.size, shape.carrier);
+}
+
+void CellBlocks::putShape(std::ptrdiff_t lane, std::size_t facet, const StressFace& face)
+{
+  Shapes& shape = shapes_[facet];
+  shape.size[lane] = face.size;
+  for (std::size_t i = 0; i < 3; ++i) {
+    shape.centre[std::ptrdiff_t(i) * lanes + lane] = face.centre[i];
+    shape.arms[std::ptrdiff_t(i) * lanes + lane] = face.arms[0][i];
+    shape.arms[std::ptrdiff_t(i + 3) * lanes + lane] = face.arms[1][i];
+  }
+}
+
+/// The edge that two facets share: between the two other vertices.
+void CellBlocks::findEdge(std::ptrdiff_t first, std::ptrdiff_t second)
+{
+  std::array<std::ptrdiff_t, 2> ends{};
+  for (std::ptrdiff_t v = 0, n = 0; v < 4; ++v)
+    if (v != first && v != second)
+      ends[std::size_t(n++)] = v;
+  const Shapes *f = &shapes_[std::size_t(first)], *g = &shapes_[std::size_t(second)];
+  double arms[2][3 * lanes], length[2][lanes];
+  for (std::ptrdiff_t lane = 0; lane < lanes; ++lane) {
+    double squares = 0.0;
+    for (std::ptrdiff_t i = 0; i < 3; ++i) {
+      const double a = points_[(3 * ends[0] + i) * lanes + lane], b = points_[(3 * ends[1] + i) * lanes + lane];
+      squares += (a - b) * (a - b);
+      arms[0][i * lanes + lane] = (0.5 * (a + b) - f->centre[i * lanes + lane]) / f->size[lane];
+      arms[1][i * lanes + lane] = (0.5 * (a + b) - g->centre[i * lanes + lane]) / g->size[lane];
+    }
+    length[0][lane] = std::sqrt(squares) / f->size[lane];
+    length[1][lane] = std::sqrt(squares) / g->size[lane];
+  }
+  const auto part = [this](std::ptrdiff_t a, std::ptrdiff_t b) {
+    return carriers_.data() + placeOf(a, b) * wrench * wrench * lanes;
+  };
+  double* result = edges_.data() + pairOf(first, second) * wrench * wrench * lanes;
+  block_kernels::findEdge({part(first, first), part(second, second), part(first, second)}, {arms[0], arms[1]},
+                          {length[0], length[1]}, result);
+}
+
+void CellBlocks::addFace(int lane, int facet, double* sum) const
+{
+  const int cell = cells_[std::size_t(lane)];
+  const StressFace& face = (*faces_)[faces_->of(cell, facet)];
+  if (face.isInside()) {
+    const double* entry = own_.data() + facet * mostOwn * mostOwn * lanes + lane;
+    for (int k = 0; k < face.numOwn(); ++k)
+      for (int l = k; l < face.numOwn(); ++l)
+        *sum++ += entry[(k * mostOwn + l) * lanes];
     return;
   }
-  const double sign = side == 0 ? 1.0 : -1.0;
-  put(lane, face.free->own, sign, facet, 0);
-  for (int k = 0; k < face.free->higher; ++k)
-    put(lane, column(facet, face.free->own.cols() + k), face.free->own.rows() + k, sign);
-  put(lane, face.free->carrier, sign, facet, mostOwn);
+  const DenseMatrix X = face.onSide(face.sideOf(cell), face.allOwn());
+  for (int k = 0; k < X.cols(); ++k)
+    for (int l = k; l < X.cols(); ++l, ++sum)
+      for (int j = 0; j < X.rows(); ++j)
+        for (int i = 0; i < X.rows(); ++i)
+          *sum += X(i, l) * alone(lane, facet, i, j) * X(j, k);
 }
 
-void CellBlocks::put(int lane, const DenseMatrix& columns, double sign, int facet, int first)
+/// A of linear tractions between two facets.
+double CellBlocks::between(int lane, std::array<int, 2> facets, std::ptrdiff_t i, std::ptrdiff_t j) const
 {
-  for (int k = 0; k < columns.cols(); ++k)
-    for (int i = 0; i < columns.rows(); ++i)
-      if (columns(i, k) != 0.0)
-        put(lane, column(facet, first + k), i, sign * columns(i, k));
-}
-
-void CellBlocks::put(int lane, Column& column, int row, double value)
-{
-  column.values[row * lanes + lane] = value;
-  column.first = std::min(column.first, row - row % 3); // whole vectors
-  column.last = std::max(column.last, row - row % 3 + 3);
-}
-
-void CellBlocks::pullBack(const CellMatrices& matrices)
-{
-  std::array<double, std::size_t(9) * lanes> inverse{};
-  for (int lane = 0; lane < matrices.count; ++lane)
-    for (std::size_t k = 0; k < 9; ++k)
-      inverse[k * lanes + std::size_t(lane)] = matrices.maps[lane].inverse[k];
-  for (auto& facet : columns_)
-    for (Column& column : facet)
-      if (column.first < column.last)
-        pullBackLanes(inverse.data(), column.values + std::ptrdiff_t(column.first) * lanes,
-                      (column.last - column.first) / 3);
-}
-
-/// block(l, k) = x_l^T A_fg x_k for `count` columns of both facets from `first` on; where the facets are the same, for
-/// both orders of l and k. Columns of the block are `height` apart.
-void CellBlocks::multiply(const Rows& rows, int f, int g, int first, int count, double* block, int height)
-{
-  std::array<double, std::size_t(mostRows) * lanes> product;
-  for (int k = 0; k < count; ++k) {
-    const Column& right = column(g, first + k);
-    if (right.first >= right.last)
-      continue;
-    multiplyRows(rows.data(), facetData_, right.values, right.first, right.last, product.data());
-    for (int l = 0; l < (f == g ? k + 1 : count); ++l) {
-      const Column& left = column(f, first + l);
-      double* entry = block + lanesAt(k, height, l);
-      multiplyPair(left.values, product.data(), left.first, left.last, entry);
-      if (f == g)
-        std::copy_n(entry, lanes, block + lanesAt(l, height, k));
-    }
+  if (facets[0] == facets[1])
+    return alone(lane, facets[0], i, j);
+  if (facets[0] < facets[1]) {
+    std::swap(facets[0], facets[1]);
+    std::swap(i, j);
   }
+  const std::ptrdiff_t pair = pairOf(facets[1], facets[0]);
+  return *(pairs_.data() + ((pair * linear + j) * linear + i) * lanes + lane);
 }
 
-void CellBlocks::compute(const CellMatrices& matrices)
+void CellBlocks::addEdge(int lane, const StressEdge& edge, Pair inside, double* sum) const
 {
-  constexpr int height = 4 * mostCarriers;
-  pullBack(matrices);
-  Vector full(std::size_t(mostRows) * mostRows * lanes, 0.0);
-  Rows rows{};
-  const auto carriers = [&](std::ptrdiff_t f, std::ptrdiff_t g) {
-    return carriers_.data() + lanesAt(mostCarriers * g, height, mostCarriers * f);
-  };
-  for (int f = 0; f < 4; ++f) {
-    for (int i = 0; i < facetData_; ++i)
-      for (int j = 0; j < facetData_; ++j)
-        std::copy_n(matrices.entry(f * facetData_ + std::max(i, j), f * facetData_ + std::min(i, j)), lanes,
-                    full.data() + lanesAt(i, mostRows, j));
-    for (int i = 0; i < mostRows; ++i)
-      rows[std::size_t(i)] = full.data() + lanesAt(i, mostRows, 0);
-    multiply(rows, f, f, 0, mostOwn, own_.data() + lanesAt(f * mostOwn, mostOwn, 0), mostOwn);
-    multiply(rows, f, f, mostOwn, mostCarriers, carriers(f, f), height);
-    for (int g = f + 1; g < 4; ++g) {
-      for (int i = 0; i < facetData_; ++i)
-        rows[std::size_t(i)] = matrices.entry(g * facetData_, f * facetData_ + i);
-      multiply(rows, f, g, mostOwn, mostCarriers, carriers(f, g), height);
-    }
+  if (inside[0] >= 0) {
+    const double* entry = edges_.data() + pairOf(inside[0], inside[1]) * wrench * wrench * lanes + lane;
+    for (std::ptrdiff_t k = 0; k < wrench; ++k)
+      for (std::ptrdiff_t l = k; l < wrench; ++l)
+        *sum++ += entry[(k * wrench + l) * lanes];
+    return;
   }
-}
-
-void CellBlocks::addOwn(int lane, int facet, int size, Vector& values) const
-{
-  const double* block = own_.data() + lanesAt(facet * mostOwn, mostOwn, 0) + lane;
-  for (int k = 0; k < size; ++k)
-    for (int l = 0; l < size; ++l)
-      values.push_back(block[lanesAt(k, mostOwn, l)]);
-}
-
-DenseMatrix CellBlocks::ofCarriers(int lane) const
-{
-  constexpr int size = 4 * mostCarriers;
-  DenseMatrix W(size, size);
-  for (int k = 0; k < size; ++k)
-    for (int l = 0; l < size; ++l) {
-      const bool isUpper = l / mostCarriers <= k / mostCarriers;
-      W(l, k) = *(carriers_.data() + (isUpper ? lanesAt(k, size, l) : lanesAt(l, size, k)) + lane);
+  const int cell = cells_[std::size_t(lane)];
+  std::array<int, 4> facets{};
+  std::array<DenseMatrix, 4> columns;
+  std::size_t count = 0;
+  for (int facet = 0; facet < 4; ++facet)
+    for (const StressEdge::Step& step : edge.ring)
+      if (step.face == faces_->of(cell, facet)) {
+        facets[count] = facet;
+        columns[count++] = edgeColumns(edge, step, (*faces_)[step.face], (*faces_)[step.face].sideOf(cell));
+      }
+  for (std::size_t a = 0; a < count; ++a)
+    for (std::size_t b = 0; b < count; ++b) {
+      double* column = sum;
+      for (int k = 0; k < edge.unknowns; column += edge.unknowns - k, ++k)
+        for (int j = 0; j < linear; ++j)
+          for (int i = 0; i < linear; ++i) {
+            const double value = between(lane, {facets[a], facets[b]}, i, j) * columns[b](j, k);
+            for (int l = k; l < edge.unknowns; ++l)
+              column[l - k] += columns[a](i, l) * value;
+          }
     }
-  return W;
 }
 
 } // namespace ndframe

@@ -1,56 +1,57 @@
 #pragma once
 
-#include "stress_faces.hpp"
-#include "stress_matrices.hpp"
+#include "ndframe/simd/stress_matrices.hpp"
+#include "stress_edges.hpp"
 
 namespace ndframe
 {
 
-/// What cells' matrices mean for the tractions of their faces: X_f^T A_fg X_g, X the columns that a face's unknowns
-/// stand for. Some cells side by side, up to CellForms::lanes.
+/// What cells' matrices mean for the tractions of their faces and edges: X^T A X, X the columns that unknowns stand
+/// for. Some cells side by side, up to CellForms::lanes; what is inside in their common steps, the rest cell by cell.
 class CellBlocks
 {
 public:
-  static constexpr int mostCarriers = 6; ///< of a face
+  explicit CellBlocks(const StressFaces& faces); ///< faces must outlive it
 
-  /// facetData: numbers that a facet's tractions have.
-  explicit CellBlocks(int facetData);
+  void compute(const CellFacets& matrices);
 
-  void clear();
-  /// The face at a cell's facet, which the cell is on this side of.
-  void put(int lane, int facet, const StressFace& face, std::size_t side);
-  /// To be called when all have been put.
-  void compute(const CellMatrices& matrices);
-
-  /// Appends own^T A own of a face with `size` own unknowns, column by column.
-  void addOwn(int lane, int facet, int size, Vector& values) const;
-  /// carriers^T A carriers of all faces, mostCarriers for each; where a face has fewer, nothing
-  /// that means anything.
-  DenseMatrix ofCarriers(int lane) const;
+  /// Adds own^T A own of the face at a cell's facet, the lower triangle column by column.
+  void addFace(int lane, int facet, double* sum) const;
+  /// The same of what the cell has of an edge's block. inside: the facets there if all wrenches may circulate and both
+  /// take them as they are, else -1.
+  using Pair = std::array<int, 2>;
+  void addEdge(int lane, const StressEdge& edge, Pair inside, double* sum) const;
 
 private:
-  static constexpr std::ptrdiff_t lanes = CellForms::lanes, mostRows = 18, mostOwn = 12,
-                                  mostColumns = mostOwn + mostCarriers;
+  static constexpr std::ptrdiff_t lanes = CellForms::lanes, mostRows = 18, linear = CellForms::linear, mostOwn = 12,
+                                  wrench = 6;
 
-  /// A column of each lane, own ones first; rows first .. last are not zero in some lane.
-  struct Column
+  /// Where faces are, per number and lane.
+  struct Shapes
   {
-    double* values = nullptr; ///< mostRows x lanes
-    int first = mostRows, last = 0;
+    double centre[3 * lanes], size[lanes], arms[6 * lanes];
+    double carrier[18 * lanes]; ///< linear tractions (6) by moments (3), row by row
   };
-  using Rows = std::array<const double*, mostRows>;
 
-  void put(int lane, const DenseMatrix& columns, double sign, int facet, int first);
-  void put(int lane, Column& column, int row, double value);
-  Column& column(int facet, int k) { return columns_[std::size_t(facet)][std::size_t(k)]; }
-  void pullBack(const CellMatrices& matrices);
-  void multiply(const Rows& rows, int f, int g, int first, int count, double* block, int height);
+  void findShapes(const CellFacets& matrices);
+  void putShape(std::ptrdiff_t lane, std::size_t facet, const StressFace& face);
+  void findEdge(std::ptrdiff_t first, std::ptrdiff_t second);
+  double alone(int lane, int facet, std::ptrdiff_t i, std::ptrdiff_t j) const
+  {
+    return *(alone_.data() + ((facet * mostRows + j) * mostRows + i) * lanes + lane);
+  }
+  double between(int lane, std::array<int, 2> facets, std::ptrdiff_t i, std::ptrdiff_t j) const;
 
+  const StressFaces* faces_;
   int facetData_;
-  Vector values_;
-  std::array<std::array<Column, mostColumns>, 4> columns_; ///< per facet
-  Vector own_;                                             ///< per facet mostOwn x mostOwn x lanes
-  Vector carriers_; ///< 4 mostCarriers x 4 mostCarriers x lanes, its lower blocks empty
+  std::array<int, std::size_t(lanes)> cells_{};
+  Vector alone_;                 ///< per facet A in global axes, mostRows x mostRows
+  Vector pairs_;                 ///< per pair of facets A of linear tractions, in global axes
+  Vector own_;                   ///< per facet what faces inside have, mostOwn x mostOwn
+  Vector carriers_;              ///< per two facets, the second not before the first, wrench x wrench
+  Vector edges_;                 ///< per pair of facets what edges inside have, wrench x wrench
+  std::array<Shapes, 4> shapes_; ///< per facet
+  double points_[12 * lanes]{};  ///< sorted vertices
 };
 
 } // namespace ndframe

@@ -10,19 +10,6 @@ namespace ndframe
 namespace
 {
 
-/// The columns that an edge's unknowns stand for on a face, as its cell feels them.
-DenseMatrix columnsOf(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, std::size_t side)
-{
-  const ThroughMatrix through(edge, step, face);
-  const DenseMatrix carrier = face.onSide(side, face.free->carrier);
-  DenseMatrix columns(carrier.rows(), through.cols);
-  for (int j = 0; j < columns.cols(); ++j)
-    for (int k = 0; k < carrier.cols(); ++k)
-      for (int i = 0; i < columns.rows(); ++i)
-        columns(i, j) += carrier(i, k) * through(k, j);
-  return columns;
-}
-
 /// Which face of a ring a cell has at each facet, or -1.
 std::array<int, 4> stepsOf(const StressFaces& faces, int cell, const StressEdge& edge)
 {
@@ -140,7 +127,7 @@ void ClassBlocks::addEdge(int cell, int e, double* sum) const
   for (int facet = 0; facet < 4; ++facet)
     if (const int s = steps[std::size_t(facet)]; s >= 0) {
       const StressFace& face = (*faces_)[faces_->of(cell, facet)];
-      columns[std::size_t(facet)] = columnsOf(edge, edge.ring[std::size_t(s)], face, face.sideOf(cell));
+      columns[std::size_t(facet)] = edgeColumns(edge, edge.ring[std::size_t(s)], face, face.sideOf(cell));
     }
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "class_matrices.hpp"
+#include "ndframe/simd/class_matrices.hpp"
 #include "stress_edges.hpp"
 
 namespace ndframe

@@ -86,14 +86,12 @@ DenseMatrix FlowSettler::reaction(const StressFace& face) const
   return map;
 }
 
-/// Tractions on a cell's facet: carrier amounts.
-void FlowSettler::add(int cell, int facet, const DenseMatrix& carrier, const Vector& amounts,
-                      StressCorrection& correction) const
+/// Tractions on a cell's facet: carriers times amounts.
+void FlowSettler::add(int cell, int facet, const Vector& amounts, StressCorrection& correction) const
 {
-  double* T = correction.tractions.data() + (std::ptrdiff_t(cell) * 4 + facet) * faces_.cells().facetData();
-  for (int j = 0; j < carrier.cols(); ++j)
-    for (int i = 0; i < carrier.rows(); ++i)
-      T[i] += carrier(i, j) * amounts[std::size_t(j)];
+  face(cell, facet)
+      .addCarried(amounts.data(),
+                  correction.tractions.data() + (std::ptrdiff_t(cell) * 4 + facet) * faces_.cells().facetData());
 }
 
 /// Supports take what each part of the body lacks in all: the smallest tractions that do.
@@ -141,7 +139,7 @@ void FlowSettler::give(const Support& support, const Vector& motion, std::vector
     for (int i = 0; i < wrench; ++i)
       taken[std::size_t(i)] -= own.free->reach(i, k) * amount;
   }
-  add(support.cell, support.facet, own.free->carrier, amounts, correction);
+  add(support.cell, support.facet, amounts, correction);
   taken = movedWrench(taken, own.centre, own.size, centre(support.cell), 1.0);
   for (std::size_t i = 0; i < taken.size(); ++i)
     lacks[std::size_t(support.cell)][i] += taken[i];
@@ -161,7 +159,7 @@ void FlowSettler::pass(StressCorrection& correction, const Comm& comm) const
       Vector amounts;
       for (std::size_t i = 0; i < sent.size(); ++i)
         amounts.push_back(i < 3 ? sent[i] : sent[i] / passed.size);
-      add(cell, facet, passed.free->carrier, amounts, correction);
+      add(cell, facet, amounts, correction);
     }
 }
 

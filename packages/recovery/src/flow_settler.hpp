@@ -1,6 +1,6 @@
 #pragma once
 
-#include "block_flow.hpp"
+#include "ndframe/flow/block_flow.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
 #include "stress_faces.hpp"
 
@@ -38,7 +38,7 @@ private:
             StressCorrection& correction) const;
   void react(std::vector<Wrench>& lacks, StressCorrection& correction, const Comm& comm) const;
   DenseMatrix reaction(const StressFace& face) const;
-  void add(int cell, int facet, const DenseMatrix& carrier, const Vector& amounts, StressCorrection& correction) const;
+  void add(int cell, int facet, const Vector& amounts, StressCorrection& correction) const;
   void pass(StressCorrection& correction, const Comm& comm) const;
   void measure(StressCorrection& correction, const Comm& comm) const;
 

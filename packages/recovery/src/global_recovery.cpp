@@ -20,7 +20,7 @@ namespace
 {
 
 constexpr int highestDegree = 2;   ///< of stresses in space
-constexpr int starsTogether = 128; ///< that are kept until they are added in order; 16 kB each
+constexpr int starsTogether = 128; ///< that are kept until they are added in order; 2 kB each
 
 /// One recovery of all fields.
 class GlobalStages
@@ -160,24 +160,21 @@ private:
       inputs.push_back({fields_[f].displacement[b], &contact[f]});
       corrections.push_back(&stresses_[f].corrections[b]);
     }
-    const StarBody& stars = faces.cells().body(body);
-    StarLoads loads(stars, inputs);
-    loads.keepStresses(threads_);
-    const WrenchBalance balance(body, faces);
+    WrenchBalance balance(body, faces, inputs, corrections, threads_);
     const std::vector<int> vertices = ownVertices(b);
     for (int first = 0, last = 0; first < int(vertices.size()); first = last) {
       last = std::min(first + starsTogether, int(vertices.size()));
-      std::vector<BalancedStar> balanced(std::size_t(last - first));
+      std::vector<WrenchBalance::Flows> balanced(std::size_t(last - first));
       runInRanges(last - first, threads_, [&](int from, int to) {
         for (int i = from; i < to; ++i) {
-          balanced[std::size_t(i)] =
-              balancedStar(stars.star(vertices[std::size_t(first) + std::size_t(i)]), loads, balance);
+          balanced[std::size_t(i)] = balance.balance(vertices[std::size_t(first) + std::size_t(i)]);
           progress_.starIsBalanced();
         }
       });
-      for (const BalancedStar& star : balanced)
-        addTo(stars, star, corrections);
+      for (const WrenchBalance::Flows& star : balanced)
+        balance.add(star);
     }
+    balance.finish();
   }
 
   /// Those that an own cell has; other ranks do the stars of the others.
@@ -203,30 +200,6 @@ private:
       const BodyPiece& own = *piece(std::size_t(body));
       for (SceneStress& stress : stresses_)
         own.fetchGhosts(stress.corrections[std::size_t(body)]);
-    }
-  }
-
-  struct BalancedStar
-  {
-    Star star;
-    StarFields x;
-    Vector left, force; ///< per field
-  };
-
-  static BalancedStar balancedStar(Star star, const StarLoads& loads, const WrenchBalance& balance)
-  {
-    BalancedStar result{std::move(star), {}, {}, {}};
-    result.x = loads.initial(result.star, result.force);
-    result.left = balance.balance(result.star, result.x);
-    return result;
-  }
-
-  static void addTo(const StarBody& stars, const BalancedStar& star, const BodyCorrections& corrections)
-  {
-    add(stars, star.star, star.x, corrections);
-    for (std::size_t f = 0; f < corrections.size(); ++f) {
-      corrections[f]->imbalance = std::max(corrections[f]->imbalance, star.left[f]);
-      corrections[f]->force = std::max(corrections[f]->force, star.force[f]);
     }
   }
 

@@ -112,24 +112,26 @@ void PressureRoom::agree()
 }
 
 /// What tractions along the normal change the coefficients by.
-Vector PressureRoom::coefficients(int face, const Vector& tractions) const
+Vector PressureRoom::coefficients(int face, const double* T) const
 {
   const ContactPatch& patch = (*contact_)[std::size_t((*faces_)[face].contact)];
   const auto modes = std::size_t(toBernstein_.cols());
-  Vector moments = normalMoments(patch, tractions.data() + std::size_t(face) * modes * 3, modes);
+  Vector moments = normalMoments(patch, T, modes);
   for (double& moment : moments)
     moment /= patch.measure;
   return multiply(toBernstein_, moments);
 }
 
-double PressureRoom::move(const Vector& tractions, double length)
+double PressureRoom::move(const std::function<void(int face, double* T)>& tractions, double length)
 {
   constexpr double soon = 0.5, same = 1.0 + 1e-5; // mirrored facets reach their limits together, but for round-off
   double reached = length;
   std::vector<Vector> changes;
   std::vector<double> allowed(inContact_.size(), std::numeric_limits<double>::infinity());
   for (std::size_t i = 0; i < inContact_.size(); ++i) {
-    changes.push_back(coefficients(inContact_[i], tractions));
+    std::array<double, 18> T{}; // facet data at most
+    tractions(inContact_[i], T.data());
+    changes.push_back(coefficients(inContact_[i], T.data()));
     for (std::size_t k = 0; k < changes[i].size(); ++k)
       if (changes[i][k] * length > room_[i][k])
         allowed[i] = std::min(allowed[i], room_[i][k] / changes[i][k]);

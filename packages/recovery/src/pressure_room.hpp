@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "ndframe/algebra/comm.hpp"
 #include "stress_faces.hpp"
 
@@ -26,14 +28,14 @@ public:
   /// Per patch: nonzero where the traction stays as it is.
   const std::vector<char>& held() const { return held_; }
 
-  /// Moves along tractions (per face, on its first cell) by `length` or as far as admissible; facets that allow less
+  /// Moves along tractions (of a face, on its first cell) by `length` or as far as admissible; facets that allow less
   /// than half of `length` are held from then on. Returns how far; less than `length` where facets were held.
   /// Collective.
-  double move(const Vector& tractions, double length);
+  double move(const std::function<void(int face, double* T)>& tractions, double length);
 
 private:
   void agree();
-  Vector coefficients(int face, const Vector& tractions) const;
+  Vector coefficients(int face, const double* T) const;
 
   const StressFaces* faces_;
   const std::vector<ContactPatch>* contact_;

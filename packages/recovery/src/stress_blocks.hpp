@@ -22,15 +22,18 @@ public:
   int ofFace(int face) const { return begin_[std::size_t(face)]; }
   int ofEdge(std::size_t edge) const { return begin_[std::size_t(faces_->size()) + edge]; }
 
-  /// What cells' matrices add to the blocks that faces and edges have alone, per cell. `work`: of the calling thread.
-  std::vector<Vector> parts(const CellMatrices& matrices, CellBlocks& work) const;
+  /// What a lane's cell adds to the blocks that its faces and edges have alone.
+  Vector parts(const CellBlocks& found, int lane, int cell) const;
   /// The same for a cell with the matrix of its class.
   Vector partsOfClass(int cell) const;
   void add(int cell, const Vector& parts);
   /// To be called when every rank has added its own cells: blocks that a rank owns are then complete. Collective.
   void invert(const StressSharing& sharing, int threads);
-  /// held: per block (faces, then edges), nonzero where the unknowns are not to change.
-  void precondition(const Vector& gradient, const std::vector<char>& held, int threads, Vector& result) const;
+  /// The largest that an inverse times a gradient of the order of one can be, in order; the same on all ranks.
+  double unit() const { return unit_; }
+  /// Inverses over unit(). held: per block (faces, then edges), nonzero where the unknowns are not to change.
+  void precondition(const std::vector<float>& gradient, const std::vector<char>& held, int threads,
+                    std::vector<float>& result) const;
   /// A block's unknowns.
   SharedValues::Place placeOf(int block) const
   {
@@ -42,26 +45,46 @@ public:
 
 private:
   int sizeOf(int block) const { return begin_[std::size_t(block) + 1] - begin_[std::size_t(block)]; }
-  std::size_t entries(int block) const { return std::size_t(sizeOf(block)) * std::size_t(sizeOf(block)); }
+  /// Of a triangle in double precision; the square of the inverse in single precision takes no more.
+  std::size_t entries(int block) const
+  {
+    const auto size = std::size_t(sizeOf(block));
+    return size * (size + 1) / 2;
+  }
   bool isShared(int block) const { return isShared_[std::size_t(block)] != 0; }
   void place();
   void listEdges();
   template <class Take>
   void eachBlock(int cell, const Take& take) const;
-  void addEdge(int edge, int cell, const DenseMatrix& W, double* sum) const;
+  template <class AddFace, class AddEdge>
+  Vector parts(int cell, const AddFace& addFace, const AddEdge& addEdge) const;
+  CellBlocks::Pair insideAt(const StressEdge& edge, std::size_t step) const;
+  void invertAlike(const int* first, const int* last, Vector& scales);
+  Vector square(int block) const;
+  double keep(int block, const double* inverse, const double* diagonal);
 
   const StressFaces* faces_;
   const std::vector<StressEdge>* edges_;
   ClassBlocks ofClasses_;
   int numKept_ = 0;
   std::vector<int> begin_{0};
-  std::vector<int> edgesOf_, firstEdge_; ///< edges with blocks of their own, cell by cell
-  std::vector<int> first_;               ///< per block the first that shares its matrix
-  std::vector<char> isShared_;           ///< per block: equal to those with the same key
-  Vector factor_;                        ///< per block, of the shared inverse
-  std::vector<std::size_t> at_;          ///< per block, in what follows: column by column
-  std::size_t alone_ = 0;                ///< entries of blocks that are not shared; they come first
-  Vector blocks_;                        ///< then their inverses
+  /// An edge of a cell.
+  struct Place
+  {
+    int edge;
+    CellBlocks::Pair facets; ///< insideAt()
+  };
+  static constexpr int mostUnknowns = 18; ///< of a block
+  std::vector<Place> edgesOf_;            ///< edges with blocks of their own, cell by cell
+  std::vector<int> firstEdge_;
+  std::vector<int> first_;     ///< per block the first that shares its matrix
+  std::vector<char> isShared_; ///< per block: equal to those with the same key
+  double unit_ = 0.0;
+  Vector factor_;               ///< per block, of the shared inverse
+  std::vector<std::size_t> at_; ///< per block, in blocks_
+  std::size_t alone_ = 0;       ///< entries of blocks that are not shared; they come first
+  Vector blocks_;               ///< lower triangles; then the inverses, see keep()
+  std::vector<char> isExact_;   ///< per block: the inverse is a triangle in double precision
 };
 
 } // namespace ndframe

@@ -1,7 +1,6 @@
 #include "stress_descent.hpp"
 
 #include <algorithm>
-#include <optional>
 
 #include "ndframe/algebra/threads.hpp"
 #include "pressure_room.hpp"
@@ -38,13 +37,13 @@ std::array<std::int64_t, 2> StressDescent::numMatrices() const
 /// Those of this rank.
 void StressDescent::findMatrices()
 {
-  constexpr int together = 32; // batches whose parts of blocks are kept until they are added in order
+  constexpr int together = 16; // batches whose parts of blocks are kept until they are added in order
   constexpr std::size_t lanes = StressMatrices::lanes;
   for (int first = 0; first < matrices_.numBatches(); first += together) {
     const int last = std::min(first + together, matrices_.numBatches());
     std::array<Vector, std::size_t(together) * lanes> parts;
     runInRanges(last - first, threads_, [&](int from, int to) {
-      CellBlocks work(facetData());
+      CellBlocks work(*faces_);
       Vector space;
       for (int batch = first + from; batch < first + to; ++batch)
         findMatrices(batch, work, space, parts.data() + std::size_t(batch - first) * lanes);
@@ -63,26 +62,24 @@ void StressDescent::findMatrices(int batch, CellBlocks& work, Vector& space, Vec
   if (matrices_.isOfClass(batch)) {
     for (int c = 0; c < count; ++c)
       parts[c] = blocks_.partsOfClass(cells[c]);
-    addStart(cells, count, [&](double* x, double* forces) { matrices_.multiplyData(batch, x, forces); });
+    addStart(batch, [&](const double* x, double* forces) { matrices_.multiplyData(batch, x, forces); });
   } else
-    matrices_.find(batch, space, [&](const CellMatrices& found) {
-      auto own = blocks_.parts(found, work);
-      std::move(own.begin(), own.end(), parts);
-      addStart(cells, count, [&](double* x, double* forces) {
-        pullBackLanes(found.maps, found.size, x);
-        found.multiply(x, forces);
-        pushLanes(found.maps, 4 * facetData(), forces);
-      });
+    matrices_.find(batch, space, [&](const CellFacets& found) {
+      work.compute(found);
+      for (int c = 0; c < count; ++c)
+        parts[c] = blocks_.parts(work, c, cells[c]);
+      addStart(batch, [&](const double* x, double* forces) { matrices_.multiplyData(found, x, forces); });
     });
   for (int c = 0; c < count; ++c)
     watch_.cellIsRead();
 }
 
-/// A_E x_E of all fields' corrections in some cells; multiply(x, forces) per number and lane, x may change, forces are
-/// zero before.
-void StressDescent::addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply)
+/// A_E x_E of all fields' corrections in a batch's cells; multiply(x, forces) per number and lane.
+void StressDescent::addStart(int batch, const std::function<void(const double*, double*)>& multiply)
 {
   constexpr std::size_t lanes = StressMatrices::lanes;
+  const int* cells = matrices_.cells(batch);
+  const int count = matrices_.sizeOf(batch);
   const ReferenceStress& reference = faces_->cells().any().reference();
   const auto tractions = std::size_t(reference.tractions), loads = std::size_t(reference.loads);
   for (std::size_t f = 0; f < fields_.size(); ++f) {
@@ -103,83 +100,8 @@ void StressDescent::addStart(const int* cells, int count, const std::function<vo
   }
 }
 
-/// The tractions of a batch's cells, per number and lane.
-void StressDescent::gather(int batch, const Vector& tractions, double* x) const
-{
-  constexpr std::size_t lanes = StressMatrices::lanes;
-  const auto size = std::size_t(facetData()), count = std::size_t(matrices_.sizeOf(batch));
-  std::array<std::array<double, 18>, lanes> turned{}; // facet data at most
-  std::array<const double*, lanes> T;
-  std::array<double, lanes> sign{};
-  for (int facet = 0; facet < 4; ++facet, x += size * lanes) {
-    T.fill(turned[0].data());
-    for (std::size_t c = 0; c < count; ++c) {
-      const StressFaces::Seat& seat = seats_[std::size_t(matrices_.cells(batch)[c]) * 4 + std::size_t(facet)];
-      T[c] = tractions.data() + std::size_t(seat.face) * size;
-      sign[c] = seat.sign;
-      if (seat.sign != 0.0F)
-        continue;
-      (*faces_)[seat.face].toSide(1, T[c], int(size), turned[c].data());
-      T[c] = turned[c].data();
-      sign[c] = 1.0;
-    }
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t c = 0; c < lanes; ++c)
-        x[i * lanes + c] = sign[c] * T[c][i];
-  }
-}
-
-/// A_E times the cells' tractions, per cell of this rank.
-void StressDescent::cellForces(const Vector& tractions, Vector& result) const
-{
-  constexpr std::size_t lanes = StressMatrices::lanes;
-  const auto size = std::size_t(facetData()) * 4;
-  runInRanges(matrices_.numBatches(), threads_, [&](int first, int last) {
-    std::array<double, StressMatrices::mostNumbers> x, forces;
-    for (int batch = first; batch < last; ++batch) {
-      gather(batch, tractions, x.data());
-      matrices_.multiply(batch, x.data(), forces.data(), StressMatrices::Digits::Few); // for directions
-      for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
-        double* own = result.data() + std::size_t(matrices_.cells(batch)[c]) * size;
-        for (std::size_t i = 0; i < size; ++i)
-          own[i] = forces[i * lanes + c];
-      }
-    }
-  });
-}
-
-/// What the cells' forces amount to on every face.
-void StressDescent::faceForces(const Vector& cellForces, Vector& result) const
-{
-  const int size = facetData();
-  result.resize(std::size_t(faces_->size()) * std::size_t(size));
-  runInRanges(faces_->size(), threads_, [&](int first, int last) {
-    for (int f = first; f < last; ++f) {
-      const StressFace& face = (*faces_)[f];
-      const auto forces = [&](std::size_t side) {
-        return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
-      };
-      double* sum = result.data() + std::ptrdiff_t(f) * size;
-      std::copy_n(forces(0), size, sum);
-      if (face.isBoundary())
-        continue;
-      if (face.turned.rows() > 0)
-        face.fromSide(1, forces(1), size, sum);
-      else
-        std::transform(forces(1), forces(1) + size, sum, sum, [](double other, double own) { return own - other; });
-    }
-  });
-}
-
-/// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks.
-void StressDescent::gradientOf(const Vector& faceForces, Vector& gradient) const
-{
-  unknowns_.gradient(faceForces, threads_, gradient);
-  sharing_.values().add([this](int block) { return blocks_.placeOf(block); }, gradient);
-}
-
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
-void StressDescent::addOpening(const Vector& opening, Vector& faceForces) const
+void StressDescent::addOpening(const Vector& opening, double unit, Rounded& faceForces) const
 {
   const auto modes = std::size_t(facetData()) / 3;
   for (int f = 0; f < faces_->size(); ++f)
@@ -188,7 +110,7 @@ void StressDescent::addOpening(const Vector& opening, Vector& faceForces) const
       for (std::size_t k = 0; k < modes; ++k)
         for (std::size_t i = 0; i < 3; ++i)
           faceForces[(std::size_t(f) * modes + k) * 3 + i] +=
-              patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure;
+              float(patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit);
     }
 }
 
@@ -211,55 +133,8 @@ std::vector<char> StressDescent::held(const std::vector<char>& patches) const
 
 void StressDescent::lower(int steps)
 {
-  for (std::size_t f = 0; f < fields_.size(); ++f) {
-    Vector forces, residual;
-    faceForces(start_[f], forces);
-    if (fields_[f].traction != nullptr)
-      addOpening(*fields_[f].opening, forces);
-    gradientOf(forces, residual);
-    for (double& value : residual)
-      value = -value;
-    lower(fields_[f], std::move(residual), {std::move(start_[f]), std::move(forces)}, steps);
-  }
-}
-
-/// space: for what cellForces() finds, zero at ghosts, and for faceForces(). Residuals and directions are zero where
-/// another rank owns, but for directions that are about to be taken.
-void StressDescent::lower(const DescentField& field, Vector residual, Space space, int steps) const
-{
-  std::optional<PressureRoom> room;
-  if (field.traction != nullptr)
-    room.emplace(*faces_, *contact_, *field.traction, comm_);
-  std::vector<char> still = held(room ? room->held() : std::vector<char>(contact_->size(), 1));
-  Vector Ap, p, tractions, x(residual.size(), 0.0);
-  blocks_.precondition(residual, still, threads_, p);
-  double rz = sharing_.dotOfAll(residual, p);
-  for (int step = 0; step < steps && rz > 0.0; ++step) {
-    sharing_.values().fetch([this](int block) { return blocks_.placeOf(block); }, p);
-    unknowns_.tractions(p, threads_, tractions);
-    cellForces(tractions, space.ofCells);
-    faceForces(space.ofCells, space.ofFaces);
-    gradientOf(space.ofFaces, Ap);
-    const double curvature = sharing_.dotOfAll(p, Ap);
-    if (!(curvature > 0.0))
-      break;
-    const double wanted = rz / curvature, length = room ? room->move(tractions, wanted) : wanted;
-    for (std::size_t i = 0; i < x.size(); ++i) {
-      x[i] += length * p[i];
-      residual[i] -= length * Ap[i];
-    }
-    if (length < wanted)
-      still = held(room->held());
-    Vector& z = Ap; // not needed any more
-    blocks_.precondition(residual, still, threads_, z);
-    const double next = sharing_.dotOfAll(residual, z), kept = length < wanted ? 0.0 : next / rz;
-    for (std::size_t i = 0; i < p.size(); ++i)
-      p[i] = z[i] + kept * p[i];
-    rz = next;
-    watch_.stepIsTaken();
-  }
-  unknowns_.tractions(x, threads_, tractions);
-  add(tractions, field);
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    lower(fields_[f], std::move(start_[f]), steps);
 }
 
 /// Adds the normal part of a face's traction to the change of a patch's, in equal shares.

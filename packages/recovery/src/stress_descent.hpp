@@ -4,11 +4,13 @@
 #include <memory>
 
 #include "ndframe/equilibrium/stress_correction.hpp"
-#include "stress_matrices.hpp"
+#include "ndframe/simd/stress_matrices.hpp"
 #include "stress_unknowns.hpp"
 
 namespace ndframe
 {
+
+class PressureRoom;
 
 /// One field that a descent changes.
 struct DescentField
@@ -49,20 +51,24 @@ public:
   const SharedValues& shared() const { return sharing_.values(); } ///< to ask what was sent
 
 private:
-  struct Space
-  {
-    Vector ofCells, ofFaces;
-  };
-
-  void lower(const DescentField& field, Vector residual, Space space, int steps) const;
+  /// Steps are in single precision, in units that make their numbers of the order of one.
+  using Rounded = std::vector<float>;
+  struct Steps;
+  void lower(const DescentField& field, Vector start, int count) const;
+  Steps begin(const DescentField& field, Vector start, std::vector<char> still) const;
+  bool take(Steps& steps, PressureRoom* room) const;
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
-  void addStart(const int* cells, int count, const std::function<void(double*, double*)>& multiply);
-  void gradientOf(const Vector& faceForces, Vector& gradient) const;
-  void gather(int batch, const Vector& tractions, double* x) const;
-  void cellForces(const Vector& tractions, Vector& result) const;
-  void faceForces(const Vector& cellForces, Vector& result) const;
-  void addOpening(const Vector& opening, Vector& faceForces) const;
+  void addStart(int batch, const std::function<void(const double*, double*)>& multiply);
+  void gradientOf(Rounded& faceForces, Rounded& gradient) const;
+  void gather(int batch, const Rounded& tractions, float* x) const;
+  void cellForces(const Rounded& tractions, double unit, Rounded& result) const;
+  template <class Number>
+  void faceForces(const std::vector<Number>& cellForces, double unit, Rounded& result) const;
+  void addOpening(const Vector& opening, double unit, Rounded& faceForces) const;
+  double dotOfAll(const Rounded& a, const Rounded& b) const;
+  void fetch(Rounded& unknowns) const;
+  void ofContact(int face, const Steps& steps, double* T) const;
   std::vector<char> held(const std::vector<char>& patches) const;
   void add(const Vector& tractions, const DescentField& field) const;
   void addNormal(std::size_t patch, const double* T, const ContactTraction& traction, Vector& change) const;

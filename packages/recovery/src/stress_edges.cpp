@@ -220,6 +220,18 @@ ThroughMatrix::ThroughMatrix(const StressEdge& edge, const StressEdge::Step& ste
   }
 }
 
+DenseMatrix edgeColumns(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, std::size_t side)
+{
+  const ThroughMatrix through(edge, step, face);
+  const DenseMatrix carrier = face.onSide(side, face.carriers());
+  DenseMatrix columns(carrier.rows(), through.cols);
+  for (int j = 0; j < columns.cols(); ++j)
+    for (int k = 0; k < carrier.cols(); ++k)
+      for (int i = 0; i < columns.rows(); ++i)
+        columns(i, j) += carrier(i, k) * through(k, j);
+  return columns;
+}
+
 std::vector<StressEdge> stressEdges(const StressFaces& faces)
 {
   return Rings(faces).find();

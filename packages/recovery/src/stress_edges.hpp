@@ -35,6 +35,9 @@ struct ThroughMatrix
   std::array<double, 36> values{}; ///< 6 x 6 at most
 };
 
+/// The columns that an edge's unknowns stand for on a face of its ring, as the cell of one side feels them.
+DenseMatrix edgeColumns(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, std::size_t side);
+
 /// All edges of own cells around which anything can circulate, whole rings. Those at which a body touches itself are
 /// left out.
 std::vector<StressEdge> stressEdges(const StressFaces& faces);

@@ -16,14 +16,6 @@ Direction difference(const Direction& a, const Direction& b)
   return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
 }
 
-DenseMatrix upperLeft(const DenseMatrix& matrix, int rows, int cols)
-{
-  DenseMatrix part(rows, cols);
-  for (int j = 0; j < cols; ++j)
-    std::copy_n(matrix.col(j), rows, part.col(j));
-  return part;
-}
-
 DenseMatrix transposed(const DenseMatrix& matrix)
 {
   DenseMatrix result(matrix.cols(), matrix.rows());
@@ -99,17 +91,50 @@ DenseMatrix StressFace::onSide(std::size_t side, const DenseMatrix& columns) con
 
 DenseMatrix StressFace::allOwn() const
 {
-  const DenseMatrix& own = free->own;
-  DenseMatrix all(own.rows() + free->higher, numOwn());
-  for (int k = 0; k < own.cols(); ++k)
-    std::copy_n(own.col(k), own.rows(), all.col(k));
-  for (int k = 0; k < free->higher; ++k)
-    all(own.rows() + k, own.cols() + k) = 1.0;
+  if (free)
+    return free->own;
+  DenseMatrix all(linear + higher, numOwn());
+  const FaceFrame frame = this->frame();
+  const Wrench none{};
+  for (int k = 0; k < ownLinear; ++k) {
+    double unit[ownLinear] = {};
+    unit[k] = 1.0;
+    frame.tractions(unit, none.data(), all.col(k));
+  }
+  for (int k = 0; k < higher; ++k)
+    all(linear + k, ownLinear + k) = 1.0;
   return all;
 }
 
+DenseMatrix StressFace::carriers() const
+{
+  if (free)
+    return free->carrier;
+  DenseMatrix all(linear + higher, numCarriers());
+  for (int k = 0; k < all.cols(); ++k) {
+    Wrench unit{};
+    unit[std::size_t(k)] = 1.0;
+    addCarried(unit.data(), all.col(k));
+  }
+  return all;
+}
+
+void StressFace::addCarried(const double* amounts, double* T) const
+{
+  if (!free) {
+    double none[ownLinear] = {}, carried[linear];
+    frame().tractions(none, amounts, carried);
+    for (int i = 0; i < linear; ++i)
+      T[i] += carried[i];
+    return;
+  }
+  for (int k = 0; k < free->carrier.cols(); ++k)
+    for (int i = 0; i < free->carrier.rows(); ++i)
+      T[i] += free->carrier(i, k) * amounts[k];
+}
+
 StressFaces::StressFaces(const StressCells& cells, const std::vector<ContactPatch>& contact)
-    : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1), inside_(std::size_t(cells.classes().size()) * 4)
+    : cells_(&cells), faceOf_(std::size_t(cells.size()) * 4, -1)
 {
   for (int body = 0; body < cells.numBodies(); ++body)
     if (cells.has(body))
@@ -139,7 +164,7 @@ void StressFaces::addFaces(int body, std::size_t more)
     }
     const Vector arms = findGeometry(face);
     if (face.isInside())
-      freeTractions(face);
+      face.higher = cells_->facetData() - StressFace::linear;
     else
       freeReactions(face, arms);
     for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
@@ -149,49 +174,23 @@ void StressFaces::addFaces(int body, std::size_t more)
   }
 }
 
+/// Centre, size and arms; returns the arms of all modes.
 Vector StressFaces::findGeometry(StressFace& face) const
 {
-  return findGeometry(corners(cells_->mesh(face.cell[0]), cells_->sorted(face.cell[0]), face.facet[0]), face);
-}
-
-/// Centre, size and arms; returns the arms of all modes.
-Vector StressFaces::findGeometry(const std::vector<const double*>& vertices, StressFace& face) const
-{
+  const auto vertices = corners(cells_->mesh(face.cell[0]), cells_->sorted(face.cell[0]), face.facet[0]);
   Direction e{}, f{};
   for (std::size_t i = 0; i < 3; ++i) {
     face.centre[i] = (vertices[0][i] + vertices[1][i] + vertices[2][i]) / 3.0;
     e[i] = vertices[1][i] - vertices[0][i];
     f[i] = vertices[2][i] - vertices[0][i];
   }
-  double normal[3] = {};
-  addCross(e, f.data(), 0.5, normal);
-  face.size = std::sqrt(std::hypot(normal[0], normal[1], normal[2]));
+  Direction normal{};
+  addCross(e, f.data(), 0.5, normal.data());
+  face.size = std::sqrt(std::sqrt(dotProduct(normal, normal)));
   Vector arms = momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
   for (std::size_t k = 0; k < 2; ++k)
     std::copy_n(arms.data() + 3 * (k + 1), 3, face.arms[k].begin());
   return arms;
-}
-
-/// What cells of one class have at the same facet is the same, for tractions are forces; found where the class has its
-/// origin, so that it is the same to the bit on all ranks that hold the face.
-void StressFaces::freeTractions(StressFace& face)
-{
-  constexpr int wrench = 6, linear = 9; // data of the modes that carry a wrench: splitFacet() uses no others
-  auto& found = inside_[std::size_t(cells_->classes().of(face.cell[0])) * 4 + std::size_t(face.facet[0])];
-  if (!found) {
-    const std::array<Direction, 4> corners = cells_->cornersOfOrigin(face.cell[0]);
-    std::vector<const double*> vertices{corners[0].data(), corners[1].data(), corners[2].data(), corners[3].data()};
-    vertices.erase(vertices.begin() + face.facet[0]);
-    StressFace origin;
-    const Vector arms = findGeometry(vertices, origin);
-    const FacetSplit split = splitFacet(3, arms, cells_->any().facetModes(), origin.size);
-    found = std::make_shared<FreeTractions>(FreeTractions{upperLeft(split.modes, linear, linear - wrench),
-                                                          upperLeft(split.carrier, linear, wrench),
-                                                          {},
-                                                          {},
-                                                          cells_->facetData() - linear});
-  }
-  face.free = found;
 }
 
 void StressFaces::freeReactions(StressFace& face, const Vector& arms)
@@ -214,7 +213,7 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
   if (count == 0) {
     if (!none_)
       none_ = std::make_shared<FreeTractions>(
-          FreeTractions{DenseMatrix(data, 0), DenseMatrix(data, 0), DenseMatrix(6, 0), DenseMatrix(0, 6), 0});
+          FreeTractions{DenseMatrix(data, 0), DenseMatrix(data, 0), DenseMatrix(6, 0), DenseMatrix(0, 6)});
     face.free = none_;
     return;
   }
@@ -224,7 +223,7 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
       std::copy_n(directions[d].begin(), 3, reactions.col(column) + std::ptrdiff_t(3) * mode);
   const DenseMatrix wrenches = multiply(wrenchMap(3, arms, modes, face.size), reactions);
   const DenseMatrix idle = nullSpace(wrenches, rigidTolerance), busy = nullSpace(transposed(idle), rigidTolerance);
-  FreeTractions free{multiply(reactions, idle), multiply(reactions, busy), multiply(wrenches, busy), {}, 0};
+  FreeTractions free{multiply(reactions, idle), multiply(reactions, busy), multiply(wrenches, busy), {}};
   free.choose = pseudoInverse(free.reach, rigidTolerance);
   face.free = std::make_shared<FreeTractions>(std::move(free));
 }

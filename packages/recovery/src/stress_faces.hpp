@@ -6,7 +6,8 @@
 
 #include "ndframe/admissibility/contact_traction.hpp"
 #include "ndframe/equilibrium/star_wrench.hpp"
-#include "stress_cells.hpp"
+#include "ndframe/simd/face_frame.hpp"
+#include "ndframe/simd/stress_cells.hpp"
 
 namespace ndframe
 {
@@ -14,37 +15,45 @@ namespace ndframe
 /// Force and moment over a length, about a point.
 using Wrench = std::array<double, 6>;
 
-/// The tractions of a face that may be changed: T = own y + carrier r. `own` carries no wrench; `carrier` carries the
-/// wrench  reach r  about the centre. Inside all tractions may change (reach is one), on the boundary those along
-/// supported directions, between two bodies in contact those along the normal. Rows that the matrices do not have are
-/// zero; inside, the last `higher` of y are the last data of T as they stand.
+/// The tractions of a face on the boundary or in contact that may be changed: T = own y + carrier r. `own` carries no
+/// wrench; `carrier` carries the wrench  reach r  about the centre. On the boundary they are along supported
+/// directions, between two bodies in contact along the normal.
 struct FreeTractions
 {
-  DenseMatrix own;     ///< rows x columns
-  DenseMatrix carrier; ///< rows x r
-  DenseMatrix reach;   ///< 6 x r, independent columns; empty inside
-  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach; empty inside
-  int higher = 0;
+  DenseMatrix own;     ///< facet data x columns
+  DenseMatrix carrier; ///< facet data x r
+  DenseMatrix reach;   ///< 6 x r, independent columns
+  DenseMatrix choose;  ///< r x 6: the pseudo-inverse of reach
 };
 
 /// A facet of the cells of solids.
 struct StressFace
 {
+  static constexpr int linear = 9, ownLinear = 3; ///< data of linear tractions, and how many have no wrench
+
   std::array<int, 2> cell{-1, -1};  ///< the second is -1 on the boundary and at rigid bodies
   std::array<int, 2> facet{-1, -1}; ///< its sorted number in each cell; T acts on the first, -T on the second
   int contact = -1; ///< number of the patch: the cells belong to two bodies, or there is one that touches a rigid body
   std::array<int, 3> theirs{0, 1, 2}; ///< there: PatchSide::places of its second side
   DenseMatrix turned{};               ///< and its modesInOrder(); empty where the order is the same
   Direction centre{};
-  double size = 0.0;                         ///< square root of the area: moments are divided by it
-  std::array<Direction, 2> arms{};           ///< means of (x - centre) L_1, (x - centre) L_2
-  std::shared_ptr<const FreeTractions> free; ///< shared by the faces inside of equal cells (CellClasses)
+  double size = 0.0;               ///< square root of the area: moments are divided by it
+  std::array<Direction, 2> arms{}; ///< means of (x - centre) L_1, (x - centre) L_2
+  int higher = 0;                  ///< inside: data of T beyond the linear ones
+  /// Null inside, where all tractions may change: those of frame(), and the last `higher` as they stand.
+  std::shared_ptr<const FreeTractions> free;
 
   bool isInside() const { return cell[1] >= 0 && contact < 0; }
   bool isBoundary() const { return cell[1] < 0; }
-  int numOwn() const { return free->own.cols() + free->higher; }
+  FaceFrame frame() const { return {arms, size}; }
+  int numOwn() const { return free ? free->own.cols() : ownLinear + higher; }
+  int numCarriers() const { return free ? free->carrier.cols() : wrenchSize(3); }
   /// T of the unknowns y, facet data x numOwn().
   DenseMatrix allOwn() const;
+  /// T of the carriers, facet data x numCarriers().
+  DenseMatrix carriers() const;
+  /// T += carriers times amounts.
+  void addCarried(const double* amounts, double* T) const;
   std::size_t sideOf(int number) const { return cell[0] == number ? 0 : 1; }
   /// The wrench of tractions T about a point, moments over `length`.
   Wrench wrench(const double* T, const double* point, double length) const;
@@ -105,8 +114,6 @@ public:
 private:
   void addFaces(int body, std::size_t more);
   Vector findGeometry(StressFace& face) const;
-  Vector findGeometry(const std::vector<const double*>& vertices, StressFace& face) const;
-  void freeTractions(StressFace& face);
   void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count);
   void freeReactions(StressFace& face, const Vector& arms);
   void joinContact(const std::vector<ContactPatch>& contact);
@@ -115,9 +122,8 @@ private:
   const StressCells* cells_;
   std::vector<StressFace> faces_;
   std::vector<int> faceOf_;
-  std::vector<std::shared_ptr<const FreeTractions>> inside_; ///< per class of cells and facet, once there is one
-  std::shared_ptr<const FreeTractions> none_;                ///< of faces without freedom
-  std::vector<int> joined_;                                  ///< per face the one in contact that replaces it, or -1
+  std::shared_ptr<const FreeTractions> none_; ///< of faces without freedom
+  std::vector<int> joined_;                   ///< per face the one in contact that replaces it, or -1
 };
 
 } // namespace ndframe

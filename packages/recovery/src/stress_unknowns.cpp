@@ -2,10 +2,8 @@
 
 #include <algorithm>
 #include <numeric>
-#include <unordered_map>
 
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/base/lanes.hpp"
 
 namespace ndframe
 {
@@ -13,70 +11,44 @@ namespace
 {
 
 /// T += columns factors
-void addColumns(const DenseMatrix& columns, const double* factors, double* T)
+template <class Number>
+void addColumns(const DenseMatrix& columns, const Number* factors, Number* T)
 {
-  const int rows = columns.rows();
-  const double* column = columns.data();
-  for (int k = 0; k < columns.cols(); ++k, column += rows)
-    for (int i = 0; i < rows; ++i)
-      T[i] += column[i] * factors[k];
+  for (int k = 0; k < columns.cols(); ++k)
+    for (int i = 0; i < columns.rows(); ++i)
+      T[i] += Number(columns(i, k) * double(factors[k]));
 }
 
 /// sums = columns^T G
-void multiplyColumns(const DenseMatrix& columns, const double* G, double* sums)
+template <class Number>
+void multiplyColumns(const DenseMatrix& columns, const Number* G, Number* sums)
 {
-  const int rows = columns.rows();
-  const double* column = columns.data();
-  for (int k = 0; k < columns.cols(); ++k, column += rows) {
-    sums[k] = 0.0;
-    for (int i = 0; i < rows; ++i)
-      sums[k] += column[i] * G[i];
+  for (int k = 0; k < columns.cols(); ++k) {
+    double sum = 0.0;
+    for (int i = 0; i < columns.rows(); ++i)
+      sum += columns(i, k) * double(G[i]);
+    sums[k] = Number(sum);
   }
-}
-
-/// y = A x, A nine by nine, column by column.
-NDFRAME_EVERY_PROCESSOR void multiplyNine(const double* A, const double* x, double* y)
-{
-  double sums[9] = {};
-  for (std::size_t j = 0; j < 9; ++j, A += 9)
-    for (std::size_t i = 0; i < 9; ++i)
-      sums[i] += A[i] * x[j];
-  std::copy_n(sums, 9, y);
 }
 
 } // namespace
 
 StressUnknowns::StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges,
                                const StressBlocks& blocks)
-    : faces_(faces), edges_(edges), blocks_(blocks), ofCarriers_(std::size_t(faces.size()), Wrench{})
+    : faces_(faces), edges_(edges), blocks_(blocks)
 {
   const auto frame = [](const Direction& point, double size) { return Frame{{point[0], point[1], point[2]}, size}; };
-  for (const StressFace& face : faces.all())
+  faceFrames_.reserve(std::size_t(faces.size()));
+  splits_.reserve(std::size_t(faces.size()));
+  for (int f = 0; f < faces.size(); ++f) {
+    const StressFace& face = faces[f];
     faceFrames_.push_back(frame(face.centre, face.size));
+    splits_.emplace_back(face.arms, face.size);
+    isInside_.push_back(char(face.isInside() && faces.isNear(f)));
+  }
   for (const StressEdge& edge : edges)
     edgeFrames_.push_back(frame(edge.middle, edge.length));
   listPlaces();
-  pack();
-}
-
-void StressUnknowns::pack()
-{
-  std::unordered_map<const FreeTractions*, int> known;
-  for (int f = 0; f < faces_.size(); ++f) {
-    const FreeTractions& free = *faces_[f].free;
-    const bool fits = faces_.isNear(f) && free.own.rows() == int(linear) && free.own.cols() == int(ownLinear) &&
-                      free.carrier.rows() == int(linear) && free.carrier.cols() == int(linear - ownLinear) &&
-                      free.higher == int(linear);
-    packedOf_.push_back(fits ? known.emplace(&free, int(known.size())).first->second : -1);
-    const std::size_t at = packed_.size(), size = linear * linear;
-    if (packedOf_.back() < 0 || std::size_t(packedOf_.back()) * 2 * size < at)
-      continue;
-    packed_.insert(packed_.end(), free.own.data(), free.own.data() + linear * ownLinear);
-    packed_.insert(packed_.end(), free.carrier.data(), free.carrier.data() + size - linear * ownLinear);
-    for (std::size_t i = 0; i < linear; ++i)
-      for (std::size_t j = 0; j < linear; ++j)
-        packed_.push_back(packed_[at + j * linear + i]);
-  }
 }
 
 void StressUnknowns::listPlaces()
@@ -101,40 +73,50 @@ void StressUnknowns::listPlaces()
     }
 }
 
-void StressUnknowns::tractions(const Vector& unknowns, int threads, Vector& tractions) const
+template <class Number>
+void StressUnknowns::tractions(const std::vector<Number>& unknowns, int threads, std::vector<Number>& tractions) const
 {
   const auto size = std::size_t(faces_.cells().facetData());
   tractions.resize(std::size_t(faces_.size()) * size);
   runInRanges(faces_.size(), threads, [&](int first, int last) {
-    for (int f = first; f < last; ++f) {
-      double* T = tractions.data() + std::size_t(f) * size;
-      if (const double* A = packed(f)) {
-        const double* y = unknowns.data() + blocks_.ofFace(f);
-        const Wrench r = amounts(f, unknowns);
-        double x[linear];
-        std::copy_n(y, ownLinear, x);
-        std::copy(r.begin(), r.end(), x + ownLinear);
-        multiplyNine(A, x, T);
-        std::copy_n(y + ownLinear, linear, T + linear);
-        continue;
-      }
-      std::fill_n(T, size, 0.0);
-      addTractions(f, unknowns, T);
-    }
+    for (int f = first; f < last; ++f)
+      tractionsOf(f, unknowns, tractions.data() + std::size_t(f) * size);
   });
 }
 
+template <class Number, class Result>
+void StressUnknowns::tractionsOf(int f, const std::vector<Number>& unknowns, Result* T) const
+{
+  const auto size = std::size_t(faces_.cells().facetData());
+  Result y[18]; // facet data at most
+  const Number* own = unknowns.data() + blocks_.ofFace(f);
+  std::copy_n(own, blocks_.ofFace(f + 1) - blocks_.ofFace(f), y);
+  if (isInside_[std::size_t(f)] != 0) {
+    split(f, Result()).tractions(y, amounts<Number, Result>(f, unknowns).data(), T);
+    std::copy_n(y + StressFace::ownLinear, size - StressFace::linear, T + StressFace::linear);
+    return;
+  }
+  std::fill_n(T, size, Result());
+  if (!faces_.isNear(f))
+    return;
+  addColumns(faces_[f].free->own, y, T);
+  addColumns(faces_[f].free->carrier, amounts<Number, Result>(f, unknowns).data(), T);
+}
+
 /// Of a face's carriers, by all edges.
-Wrench StressUnknowns::amounts(int f, const Vector& unknowns) const
+template <class Number, class Result>
+std::array<Result, 6> StressUnknowns::amounts(int f, const std::vector<Number>& unknowns) const
 {
   const Frame& face = faceFrames_[std::size_t(f)];
-  Wrench sum{};
+  double sum[6] = {};
   for (int at = firstOfFace_[std::size_t(f)]; at < firstOfFace_[std::size_t(f) + 1]; ++at) {
     const Place& place = ofFaces_[std::size_t(at)];
-    const double* z = unknowns.data() + blocks_.ofEdge(std::size_t(place.other));
+    const Number* z = unknowns.data() + blocks_.ofEdge(std::size_t(place.other));
     if (place.step >= 0) {
-      const StressEdge& edge = edges_[std::size_t(place.other)];
-      addColumns(edge.ring[std::size_t(place.step)].through, z, sum.data());
+      const DenseMatrix& through = edges_[std::size_t(place.other)].ring[std::size_t(place.step)].through;
+      for (int k = 0; k < through.cols(); ++k)
+        for (int i = 0; i < through.rows(); ++i)
+          sum[i] += through(i, k) * double(z[k]);
       continue;
     }
     const Frame& edge = edgeFrames_[std::size_t(place.other)];
@@ -142,51 +124,46 @@ Wrench StressUnknowns::amounts(int f, const Vector& unknowns) const
                  arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      sum[i] += place.sign * z[i];
-      sum[3 + i] += scale * (edge.size * z[3 + i] + arm[j] * z[k] - arm[k] * z[j]);
+      sum[i] += place.sign * double(z[i]);
+      sum[3 + i] += scale * (edge.size * double(z[3 + i]) + arm[j] * double(z[k]) - arm[k] * double(z[j]));
     }
   }
-  return sum;
+  return {Result(sum[0]), Result(sum[1]), Result(sum[2]), Result(sum[3]), Result(sum[4]), Result(sum[5])};
 }
 
-void StressUnknowns::addTractions(int f, const Vector& unknowns, double* T) const
+/// What forces on the faces of an edge's ring are for its wrench; ofCarriers: first of what each face has.
+template <class Number>
+void StressUnknowns::addForces(int e, const std::vector<Number>& ofCarriers, Number* result) const
 {
-  if (!faces_.isNear(f))
-    return;
-  const StressFace& face = faces_[f];
-  const double* y = unknowns.data() + blocks_.ofFace(f);
-  addColumns(face.free->own, y, T);
-  addColumns(face.free->carrier, amounts(f, unknowns).data(), T);
-  for (int k = 0; k < face.free->higher; ++k)
-    T[face.free->own.rows() + k] += y[face.free->own.cols() + k];
-}
-
-/// What forces on the faces of an edge's ring are for its wrench.
-void StressUnknowns::addForces(int e, double* sum) const
-{
+  const auto size = std::ptrdiff_t(faces_.cells().facetData());
   const Frame& edge = edgeFrames_[std::size_t(e)];
+  double sum[6] = {};
   for (int at = firstOfEdge_[std::size_t(e)]; at < firstOfEdge_[std::size_t(e) + 1]; ++at) {
     const Place& place = ofEdges_[std::size_t(at)];
-    const Wrench& forces = ofCarriers_[std::size_t(place.other)];
+    const Number* forces = ofCarriers.data() + place.other * size;
     if (place.step >= 0) {
       const DenseMatrix& through = edges_[std::size_t(e)].ring[std::size_t(place.step)].through;
       for (int k = 0; k < through.cols(); ++k)
         for (int i = 0; i < through.rows(); ++i)
-          sum[k] += through(i, k) * forces[std::size_t(i)];
+          sum[k] += through(i, k) * double(forces[i]);
       continue;
     }
     const Frame& face = faceFrames_[std::size_t(place.other)];
-    const double scale = place.sign / face.size, *M = forces.data() + 3,
+    const double scale = place.sign / face.size, M[3] = {double(forces[3]), double(forces[4]), double(forces[5])},
                  arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      sum[i] += place.sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
+      sum[i] += place.sign * double(forces[i]) + scale * (M[j] * arm[k] - M[k] * arm[j]);
       sum[3 + i] += scale * edge.size * M[i];
     }
   }
+  const int unknowns = edges_[std::size_t(e)].unknowns;
+  for (int k = 0; k < unknowns; ++k)
+    result[k] = Number(sum[k]);
 }
 
-void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gradient) const
+template <class Number>
+void StressUnknowns::gradient(std::vector<Number>& faceForces, int threads, std::vector<Number>& gradient) const
 {
   const auto size = std::size_t(faces_.cells().facetData());
   gradient.resize(std::size_t(blocks_.size()));
@@ -194,29 +171,28 @@ void StressUnknowns::gradient(const Vector& faceForces, int threads, Vector& gra
     for (int f = first; f < last; ++f) {
       if (!faces_.isNear(f))
         continue;
-      const StressFace& face = faces_[f];
-      const double* G = faceForces.data() + std::size_t(f) * size;
-      double* y = gradient.data() + blocks_.ofFace(f);
-      if (const double* A = packed(f)) {
-        double sums[linear];
-        multiplyNine(A + linear * linear, G, sums);
-        std::copy_n(sums, ownLinear, y);
-        std::copy_n(sums + ownLinear, linear - ownLinear, ofCarriers_[std::size_t(f)].data());
-        std::copy_n(G + linear, linear, y + ownLinear);
-        continue;
+      Number *G = faceForces.data() + std::size_t(f) * size, *y = gradient.data() + blocks_.ofFace(f),
+             ofCarriers[6] = {};
+      if (isInside_[std::size_t(f)] != 0) {
+        split(f, Number()).forces(G, y, ofCarriers);
+        std::copy_n(G + StressFace::linear, size - StressFace::linear, y + StressFace::ownLinear);
+      } else {
+        multiplyColumns(faces_[f].free->own, G, y);
+        multiplyColumns(faces_[f].free->carrier, G, ofCarriers);
       }
-      multiplyColumns(face.free->own, G, y);
-      multiplyColumns(face.free->carrier, G, ofCarriers_[std::size_t(f)].data());
-      std::copy_n(G + face.free->own.rows(), face.free->higher, y + face.free->own.cols());
+      std::copy_n(ofCarriers, 6, G);
     }
   });
   runInRanges(int(edges_.size()), threads, [&](int first, int last) {
-    for (int e = first; e < last; ++e) {
-      double* sum = gradient.data() + blocks_.ofEdge(std::size_t(e));
-      std::fill(sum, sum + (blocks_.ofEdge(std::size_t(e) + 1) - blocks_.ofEdge(std::size_t(e))), 0.0);
-      addForces(e, sum);
-    }
+    for (int e = first; e < last; ++e)
+      addForces(e, faceForces, gradient.data() + blocks_.ofEdge(std::size_t(e)));
   });
 }
+
+template void StressUnknowns::tractions(const Vector&, int, Vector&) const;
+template void StressUnknowns::tractions(const std::vector<float>&, int, std::vector<float>&) const;
+template void StressUnknowns::tractionsOf(int, const std::vector<float>&, double*) const;
+template void StressUnknowns::gradient(Vector&, int, Vector&) const;
+template void StressUnknowns::gradient(std::vector<float>&, int, std::vector<float>&) const;
 
 } // namespace ndframe

@@ -12,10 +12,15 @@ public:
   /// All must outlive it.
   StressUnknowns(const StressFaces& faces, const std::vector<StressEdge>& edges, const StressBlocks& blocks);
 
-  /// T per face that an own cell has, on its first cell; zero on the others.
-  void tractions(const Vector& unknowns, int threads, Vector& tractions) const;
-  /// By the unknowns, from that by the tractions of the faces that an own cell has.
-  void gradient(const Vector& faceForces, int threads, Vector& gradient) const;
+  /// T per face that an own cell has, on its first cell; zero on the others. Number: float or double.
+  template <class Number>
+  void tractions(const std::vector<Number>& unknowns, int threads, std::vector<Number>& tractions) const;
+  /// The same of one face.
+  template <class Number, class Result>
+  void tractionsOf(int face, const std::vector<Number>& unknowns, Result* T) const;
+  /// By the unknowns, from that by the tractions of the faces that an own cell has, which are overwritten.
+  template <class Number>
+  void gradient(std::vector<Number>& faceForces, int threads, std::vector<Number>& gradient) const;
 
 private:
   /// Where a face or an edge is, and its size: wrenches are about the point, moments over the size.
@@ -23,9 +28,6 @@ private:
   {
     double point[3], size;
   };
-  /// How a face's own unknowns and the amounts of its carriers are tractions, where it is inside and of the second
-  /// order: linear x linear, column by column, then the transposed matrix. Shared as FreeTractions are; -1: elsewhere.
-  static constexpr std::size_t linear = 9, ownLinear = 3;
   /// A step of an edge's ring through a face.
   struct Place
   {
@@ -35,25 +37,21 @@ private:
   };
 
   void listPlaces();
-  void pack();
-  const double* packed(int face) const
-  {
-    const int place = packedOf_[std::size_t(face)];
-    return place < 0 ? nullptr : packed_.data() + std::size_t(place) * 2 * linear * linear;
-  }
-  Wrench amounts(int face, const Vector& unknowns) const;
-  void addTractions(int face, const Vector& unknowns, double* T) const;
-  void addForces(int edge, double* sum) const;
+  template <class Number, class Result>
+  std::array<Result, 6> amounts(int face, const std::vector<Number>& unknowns) const;
+  template <class Number>
+  void addForces(int edge, const std::vector<Number>& ofCarriers, Number* sum) const;
+  FaceFrame split(int face, double /*one*/) const { return faces_[face].frame(); }
+  const FaceFrameOf<float>& split(int face, float /*one*/) const { return splits_[std::size_t(face)]; }
 
   const StressFaces& faces_;
   const std::vector<StressEdge>& edges_;
   const StressBlocks& blocks_;
   std::vector<Frame> faceFrames_, edgeFrames_;
+  std::vector<FaceFrameOf<float>> splits_;     ///< per face; of use inside
+  std::vector<char> isInside_;                 ///< per face: and an own cell has it
   std::vector<int> firstOfFace_, firstOfEdge_; ///< and the end
   std::vector<Place> ofFaces_, ofEdges_;
-  std::vector<int> packedOf_; ///< per face, its place in what follows, or -1
-  Vector packed_;
-  mutable std::vector<Wrench> ofCarriers_; ///< per face: forces, while gradient() works
 };
 
 } // namespace ndframe

@@ -1,6 +1,6 @@
 #pragma once
 
-#include <unordered_map>
+#include <cstdint>
 
 #include "ndframe/equilibrium/body_piece.hpp"
 
@@ -17,9 +17,6 @@ namespace ndframe
 class CellClasses
 {
 public:
-  /// Edge vectors from a cell's first vertex, in sorted order, over its longest coordinate difference.
-  using Edges = std::array<double, 9>;
-
   /// bodies: null where there is none; cells are numbered one body after the other.
   explicit CellClasses(const std::vector<const BodyModel*>& bodies);
   /// Of the cells that this rank holds of bodies in pieces; pieces: null where there is no body. Collective.
@@ -31,11 +28,8 @@ public:
   int first(int number) const { return first_[std::size_t(number)]; }
   /// How many cells it has, of all ranks.
   int count(int number) const { return count_[std::size_t(number)]; }
-  /// Whether this rank has the cell of a class that comes first among those of all ranks.
-  bool hasOrigin(int number) const { return origins_.count(number) == 0; }
-  /// The edges of that cell: whatever is made from them is the same on all ranks. mesh: of first(), cell: its number
-  /// there.
-  Edges edges(int number, const Mesh& mesh, int cell) const;
+  /// Whether the cell of a class that comes first among those of all ranks is this rank's own.
+  bool hasOrigin(int number) const { return hasOrigin_[std::size_t(number)] != 0; }
   double scale(int cell) const { return length_[std::size_t(first(of(cell)))] / length_[std::size_t(cell)]; }
 
 private:
@@ -43,9 +37,9 @@ private:
   void agree(const std::vector<const BodyPiece*>& pieces, const Comm& comm);
 
   std::vector<int> of_, first_, count_;
-  Vector length_;                          ///< of every cell
-  std::vector<std::int64_t> hashes_;       ///< per class, while ranks agree
-  std::unordered_map<int, Edges> origins_; ///< of classes whose first cells are other ranks'
+  Vector length_;                    ///< of every cell
+  std::vector<std::int64_t> hashes_; ///< per class, while ranks agree
+  std::vector<char> hasOrigin_;      ///< per class
 };
 
 } // namespace ndframe

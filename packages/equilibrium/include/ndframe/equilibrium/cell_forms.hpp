@@ -25,18 +25,38 @@ public:
   Condensed condensed(const double* compliances, Vector& work) const;
   std::size_t factorSize() const; ///< entries a lane; 0 without bubbles
 
-  /// forces = the same matrices times tractions T, without having the matrices: the stress of T, its bubbles, and back.
-  /// Per entry and lane.
-  void apply(const double* compliances, const double* factor, const double* T, double* forces) const;
+  /// Data of a facet up to linear tractions, which alone have a wrench.
+  static constexpr int linear = 9;
+  /// The parts of condensed() that facets have alone, and between the linear tractions of two; per entry and lane.
+  struct Facets
+  {
+    const double* alone;  ///< facet by facet, lower triangle of its data x data, column by column
+    const double* pairs;  ///< facets 01, 02, 03, 12, 13, 23: linear x linear, rows of the second, column by column
+    const double* factor; ///< as of condensed()
+  };
+  /// The result is valid until `work` is used again.
+  Facets facets(const double* compliances, Vector& work) const;
 
-  /// The same in single precision, for half the time. Relative round-off grows with the fourth power of the aspect
-  /// ratio from 1e-7 on: for directions that an energy falls in, never for the energy.
-  void applyRounded(const double* compliances, const double* factor, const double* T, double* forces) const;
+  /// forces = the same matrices times x, without having the matrices: the stress of x, its bubbles, and back; x has
+  /// the tractions alone (`columns` = their number) or all data. Per entry and lane.
+  void apply(const double* compliances, const double* factor, const double* x, std::size_t columns,
+             double* forces) const;
+
+  /// Numbers of `lanes` cells that applyRounded() needs.
+  std::size_t roundedSize() const { return (reference_.energy.size() + factorSize()) * lanes; }
+  /// Finds them from compliances and factor: for compliances times `scales`, one a lane, so that the largest is one.
+  void round(const double* compliances, const double* factor, float* numbers, double* scales) const;
+  /// apply() to tractions in single precision, for half the time, compliances times their scales. Relative round-off
+  /// grows with the fourth power of the aspect ratio from 1e-7 on: for directions that an energy falls in, never for
+  /// the energy.
+  void applyRounded(const float* numbers, const float* T, float* forces) const;
 
   /// CellForm::coefficients: from compliances and data of `lanes` cells, per entry and lane.
   void leastStress(const double* compliances, const double* data, double* stress) const;
 
 private:
+  template <class Add>
+  void addFacets(const Add& add);
   void findBubbles(const double* factor, const double* weighed, double* inside) const;
 
   const ReferenceStress& reference_;
@@ -44,7 +64,8 @@ private:
   Vector lifted_;           ///< of tractions, column by column
   Vector bubble_, bubbled_; ///< the same
   std::vector<float> liftRounded_, liftedRounded_, bubbleRounded_, bubbledRounded_; ///< lift_ of tractions alone
-  Vector table_; ///< per entry of the triangle of data, then of rows of bubbles, what compliances weigh
+  Vector table_;      ///< per entry of the triangle of data, then of rows of bubbles, what compliances weigh
+  Vector facetTable_; ///< the same per entry of Facets, then of the tractions' rows of bubbles and of bubbles
 };
 
 /// Those of solids whose stresses have this degree, 1 or 2; computed on first use, then kept.

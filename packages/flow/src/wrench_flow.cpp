@@ -1,4 +1,4 @@
-#include "wrench_flow.hpp"
+#include "ndframe/flow/wrench_flow.hpp"
 
 #include <algorithm>
 #include <cmath>

@@ -4,29 +4,20 @@
 #include <functional>
 #include <vector>
 
-#include "class_matrices.hpp"
 #include "ndframe/equilibrium/cell_forms.hpp"
+#include "ndframe/simd/class_matrices.hpp"
 
 namespace ndframe
 {
 
-/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells, double precision, reference axes, over
-/// tractions and loads.
-struct CellMatrices
+/// Parts of the matrices A_E of up to CellForms::lanes cells, reference axes.
+struct CellFacets
 {
   const int* cells; ///< their numbers
   int count;
-  const CellMap* maps;
-  const double* triangle; ///< below the diagonal, column by column, per entry CellForms::lanes cells
-  int size;
-
-  /// i >= j
-  const double* entry(int i, int j) const
-  {
-    return triangle + (std::ptrdiff_t(j) * size - std::ptrdiff_t(j) * (j - 1) / 2 + i - j) * CellForms::lanes;
-  }
-  /// forces += A x for all cells; both lane by lane, of `size` numbers.
-  void multiply(const double* x, double* forces) const;
+  const CellMap* maps;       ///< one a lane
+  const double* compliances; ///< per entry and lane
+  CellForms::Facets facets;
 };
 
 /// Maps and pulled-back compliances (per entry and lane) of some cells; lanes without a cell repeat the last one.
@@ -46,43 +37,47 @@ public:
   StressMatrices(const StressCells& cells, const ClassMatrices& ofClasses);
 
   /// Finds those of a batch without a class; batches may be found at the same time. use() sees them once.
-  void find(int batch, Vector& work, const std::function<void(const CellMatrices&)>& use);
+  void find(int batch, Vector& work, const std::function<void(const CellFacets&)>& use);
 
   int numBatches() const { return int(batches_.size()); }
-  bool isOfClass(int batch) const { return batches_[std::size_t(batch)].kept < 0; }
+  bool isOfClass(int batch) const { return batches_[std::size_t(batch)].number < 0; }
   int sizeOf(int batch) const { return batches_[std::size_t(batch)].count; }
   const int* cells(int batch) const { return batches_[std::size_t(batch)].cells.data(); }
-  enum class Digits
-  {
-    All,
-    Few ///< single precision for batches without a class whose cells are not stretched: four digits and more
-  };
   /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
-  void multiply(int batch, const double* T, double* forces, Digits digits = Digits::All) const;
-  /// The same for tractions and loads, T and G; of a class.
+  void multiply(int batch, const double* T, double* forces) const;
+  /// The same times `unit`, which makes T and forces numbers of the order of one: in single precision where cells are
+  /// not stretched, four digits and more.
+  void multiplyRounded(int batch, double unit, const float* T, float* forces) const;
+  /// The same for tractions and loads, T and G, in double precision: of a batch with a class, and of found cells.
   void multiplyData(int batch, const double* x, double* forces) const;
+  void multiplyData(const CellFacets& found, const double* x, double* forces) const;
 
 private:
   struct Batch
   {
     std::array<int, lanes> cells;
-    int count, kept;      ///< where the matrices are; -1: in a class
+    int count, number;    ///< among those without a class, rounded or not; -1: in a class
     bool isRound = false; ///< no cell is stretched much: forces in single precision are good enough for directions
   };
 
   std::vector<Batch> all() const;
   void multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const;
+  void pushRounded(const Batch& batch, double unit, const float* T, float* forces) const;
+  void roundMaps(const Batch& batch, const CellMap* maps);
   std::size_t compliances() const { return cells_->any().reference().energy.size() * lanes; }
-  /// Where a batch's compliances are, and then its factors.
-  std::size_t at(int kept) const { return std::size_t(kept) * (compliances() + forms_.factorSize() * lanes); }
+  std::size_t roundedSize() const { return forms_.roundedSize() + std::size_t(9) * lanes; }
+  std::size_t keptSize() const { return compliances() + forms_.factorSize() * lanes; }
+  void multiplyFound(const CellFacets& found, std::size_t columns, const double* x, double* forces) const;
 
   const StressCells* cells_;
   const ClassMatrices* ofClasses_;
   std::vector<Batch> batches_;
   std::size_t tractions_;
   const CellForms& forms_;
-  std::vector<CellMap> maps_;
-  Vector kept_;
+  std::vector<CellMap> maps_;  ///< of batches in kept_
+  Vector scales_;              ///< per batch without a class and lane, of rounded numbers
+  Vector kept_;                ///< compliances and factors
+  std::vector<float> rounded_; ///< CellForms::round(), then F^-1
 };
 
 /// x = F^-1 x for all vectors of all lanes, and forces = F^-T forces.

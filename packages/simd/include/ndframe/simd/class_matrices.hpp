@@ -1,12 +1,25 @@
 #pragma once
 
 #include "ndframe/equilibrium/cell_forms.hpp"
-#include "stress_cells.hpp"
+#include "ndframe/simd/stress_cells.hpp"
 
 namespace ndframe
 {
 
-struct CellMatrices;
+/// The matrices A_E (CellForm::condensed) of up to CellForms::lanes cells, double precision, reference axes, over
+/// tractions and loads.
+struct CellMatrices
+{
+  const CellMap* maps;
+  const double* triangle; ///< below the diagonal, column by column, per entry CellForms::lanes cells
+  int size;
+
+  /// i >= j
+  const double* entry(int i, int j) const
+  {
+    return triangle + (std::ptrdiff_t(j) * size - std::ptrdiff_t(j) * (j - 1) / 2 + i - j) * CellForms::lanes;
+  }
+};
 
 /// The energy matrices A_E (CellForm::condensed) of the classes of cells (CellClasses) that have many: rows for the
 /// tractions, columns for tractions and loads, global axes, of the first cell of the class.
@@ -26,6 +39,13 @@ public:
   bool has(int cell) const { return place(cell) >= 0; }
   /// The matrix of a cell's class, row by row; that of the cell is CellClasses::scale times it.
   const double* of(int cell) const { return tables_.data() + std::size_t(place(cell)) * tableSize(); }
+  /// The rows and columns of tractions in single precision, divided by unit(); null where the cells are stretched.
+  const float* rounded(int cell) const
+  {
+    return unit(cell) > 0.0 ? rounded_.data() + std::size_t(place(cell)) * std::size_t(rows_) * std::size_t(rows_)
+                            : nullptr;
+  }
+  double unit(int cell) const { return units_[std::size_t(place(cell))]; }
   int rows() const { return rows_; }
   int columns() const { return columns_; }
 
@@ -34,11 +54,17 @@ private:
   int place(int cell) const { return place_[std::size_t(cells_->classes().of(cell))]; }
   void find(const CellForms& forms, const int* classes, int count);
   void turn(const CellMatrices& matrices, int lane, double* table) const;
+  void round(std::size_t place);
 
   const StressCells* cells_;
   int size_ = 0, rows_, columns_;
   std::vector<int> place_; ///< per class, -1: too few cells
   Vector tables_;
+  std::vector<float> rounded_;
+  Vector units_; ///< per matrix its largest entry; 0 without one in single precision
 };
+
+/// Whether a cell is not much longer than wide: single precision leaves four digits of its forces.
+bool isRound(const CellMap& map);
 
 } // namespace ndframe

@@ -1,4 +1,4 @@
-#include "spring.hpp"
+#include "ndframe/flow/spring.hpp"
 
 namespace ndframe
 {

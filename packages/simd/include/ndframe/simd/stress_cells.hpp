@@ -35,9 +35,6 @@ public:
   SortedCell sorted(int number) const;
   /// Of all cells, by their numbers.
   const CellClasses& classes() const { return classes_; }
-  /// The vertices in sorted order of the cell that comes first in a cell's class, moved and scaled: the same on all
-  /// ranks.
-  std::array<Direction, 4> cornersOfOrigin(int number) const;
 
   int rank() const { return rank_; }
   /// The rank that owns a cell.

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "spring.hpp"
+#include "ndframe/flow/spring.hpp"
 
 namespace ndframe
 {

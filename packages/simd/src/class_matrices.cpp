@@ -1,8 +1,10 @@
-#include "class_matrices.hpp"
+#include "ndframe/simd/class_matrices.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
-#include "stress_matrices.hpp"
+#include "ndframe/simd/stress_matrices.hpp"
 
 namespace ndframe
 {
@@ -18,6 +20,8 @@ ClassMatrices::ClassMatrices(const StressCells& cells)
       large.push_back(number);
     }
   tables_.resize(std::size_t(size_) * tableSize());
+  rounded_.resize(std::size_t(size_) * std::size_t(rows_) * std::size_t(rows_));
+  units_.assign(std::size_t(size_), 0.0);
   const CellForms& forms = solidForms(cells.any().data().degree);
   for (int first = 0; first < size_; first += CellForms::lanes)
     find(forms, large.data() + first, std::min(CellForms::lanes, size_ - first));
@@ -42,9 +46,33 @@ void ClassMatrices::find(const CellForms& forms, const int* classes, int count)
   Vector compliances, work;
   findCompliances(*cells_, firsts.data(), count, maps.data(), compliances);
   const CellForms::Condensed found = forms.condensed(compliances.data(), work);
-  const CellMatrices matrices{firsts.data(), count, maps.data(), found.triangle, columns_};
-  for (int c = 0; c < count; ++c)
-    turn(matrices, c, tables_.data() + std::size_t(place_[std::size_t(classes[c])]) * tableSize());
+  const CellMatrices matrices{maps.data(), found.triangle, columns_};
+  for (int c = 0; c < count; ++c) {
+    const auto place = std::size_t(place_[std::size_t(classes[c])]);
+    turn(matrices, c, tables_.data() + place * tableSize());
+    if (isRound(maps[std::size_t(c)]))
+      round(place);
+  }
+}
+
+bool isRound(const CellMap& map)
+{
+  constexpr double mostStretched = 12.0;
+  const auto norm = [](const auto& matrix) {
+    return std::sqrt(std::inner_product(matrix.begin(), matrix.end(), matrix.begin(), 0.0));
+  };
+  return norm(map.F) * norm(map.inverse) < mostStretched;
+}
+
+void ClassMatrices::round(std::size_t place)
+{
+  const double* table = tables_.data() + place * tableSize();
+  float* rounded = rounded_.data() + place * std::size_t(rows_) * std::size_t(rows_);
+  for (int i = 0; i < rows_; ++i) // on the diagonal are the largest entries
+    units_[place] = std::max(units_[place], table[std::ptrdiff_t(i) * (columns_ + 1)]);
+  for (int i = 0; i < rows_; ++i, table += columns_)
+    for (int j = 0; j < rows_; ++j)
+      *rounded++ = float(table[j] / units_[place]);
 }
 
 /// A = F^-T A^ F^-1 of one lane, vector by vector.

@@ -4,7 +4,7 @@
 
 #include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/equilibrium/body_piece.hpp"
-#include "wrench_flow.hpp"
+#include "ndframe/flow/wrench_flow.hpp"
 
 namespace ndframe
 {

@@ -2,7 +2,7 @@
 
 #include <map>
 
-#include "block_flow.hpp"
+#include "ndframe/flow/block_flow.hpp"
 
 namespace ndframe
 {

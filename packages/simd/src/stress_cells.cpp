@@ -1,8 +1,6 @@
-#include "stress_cells.hpp"
+#include "ndframe/simd/stress_cells.hpp"
 
 #include <algorithm>
-
-#include "ndframe/equilibrium/star_wrench.hpp"
 
 namespace ndframe
 {
@@ -42,16 +40,6 @@ void StressCells::count()
     any_ = body == nullptr ? any_ : body;
   }
   NDFRAME_ASSERT(any_ != nullptr && any_->dim() == 3, "cells of solids");
-}
-
-std::array<Direction, 4> StressCells::cornersOfOrigin(int number) const
-{
-  const int first = classes_.first(classes_.of(number)), body = bodyOf(first);
-  const CellClasses::Edges edges = classes_.edges(classes_.of(number), mesh(first), first - first_[std::size_t(body)]);
-  std::array<Direction, 4> corners{};
-  for (std::size_t at = 0; at < edges.size(); ++at)
-    corners[at / 3 + 1][at % 3] = edges[at];
-  return corners;
 }
 
 int StressCells::bodyOf(int number) const

@@ -1,0 +1,218 @@
+#include <algorithm>
+#include <optional>
+
+#include "ndframe/algebra/threads.hpp"
+#include "ndframe/simd/block_kernels.hpp"
+#include "pressure_room.hpp"
+#include "stress_descent.hpp"
+
+namespace ndframe
+{
+
+/// The tractions of a batch's cells, per number and lane.
+void StressDescent::gather(int batch, const Rounded& tractions, float* x) const
+{
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  const auto size = std::size_t(facetData()), count = std::size_t(matrices_.sizeOf(batch));
+  std::array<std::array<float, 18>, lanes> turned{}; // facet data at most
+  std::array<const float*, lanes> T;
+  std::array<float, lanes> sign{};
+  for (int facet = 0; facet < 4; ++facet, x += size * lanes) {
+    T.fill(turned[0].data());
+    for (std::size_t c = 0; c < count; ++c) {
+      const StressFaces::Seat& seat = seats_[std::size_t(matrices_.cells(batch)[c]) * 4 + std::size_t(facet)];
+      T[c] = tractions.data() + std::size_t(seat.face) * size;
+      sign[c] = seat.sign;
+      if (seat.sign != 0.0F)
+        continue;
+      std::array<double, 18> given{}, result{};
+      std::copy_n(T[c], size, given.begin());
+      (*faces_)[seat.face].toSide(1, given.data(), int(size), result.data());
+      std::transform(result.begin(), result.end(), turned[c].begin(), [](double value) { return float(value); });
+      T[c] = turned[c].data();
+      sign[c] = 1.0F;
+    }
+    for (std::size_t i = 0; i < size; ++i)
+      for (std::size_t c = 0; c < lanes; ++c)
+        x[i * lanes + c] = sign[c] * T[c][i];
+  }
+}
+
+/// unit A_E times the cells' tractions, per cell of this rank.
+void StressDescent::cellForces(const Rounded& tractions, double unit, Rounded& result) const
+{
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  const auto size = std::size_t(facetData()) * 4;
+  runInRanges(matrices_.numBatches(), threads_, [&](int first, int last) {
+    std::array<float, StressMatrices::mostNumbers> x, forces;
+    for (int batch = first; batch < last; ++batch) {
+      gather(batch, tractions, x.data());
+      matrices_.multiplyRounded(batch, unit, x.data(), forces.data());
+      for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
+        float* own = result.data() + std::size_t(matrices_.cells(batch)[c]) * size;
+        for (std::size_t i = 0; i < size; ++i)
+          own[i] = forces[i * lanes + c];
+      }
+    }
+  });
+}
+
+/// What the cells' forces, over a unit, amount to on every face.
+template <class Number>
+void StressDescent::faceForces(const std::vector<Number>& cellForces, double unit, Rounded& result) const
+{
+  const int size = facetData();
+  const Number factor = Number(1.0 / unit);
+  result.resize(std::size_t(faces_->size()) * std::size_t(size));
+  runInRanges(faces_->size(), threads_, [&](int first, int last) {
+    for (int f = first; f < last; ++f) {
+      const StressFace& face = (*faces_)[f];
+      const auto forces = [&](std::size_t side) {
+        return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
+      };
+      float* sum = result.data() + std::ptrdiff_t(f) * size;
+      if (face.turned.rows() > 0) {
+        std::array<double, 18> own{}, other{};
+        std::copy_n(forces(0), size, own.begin());
+        std::copy_n(forces(1), size, other.begin());
+        face.fromSide(1, other.data(), size, own.data());
+        std::transform(own.begin(), own.begin() + size, sum, [&](double value) { return float(value / unit); });
+      } else if (face.isBoundary())
+        std::transform(forces(0), forces(0) + size, sum, [=](Number own) { return float(factor * own); });
+      else
+        std::transform(forces(0), forces(0) + size, forces(1), sum,
+                       [=](Number own, Number other) { return float(factor * (own - other)); });
+    }
+  });
+}
+
+namespace
+{
+
+/// Calls use(values) where ranks share what they send in double precision.
+template <class Use>
+void inDouble(std::vector<float>& values, const Comm& comm, const Use& use)
+{
+  if (comm.size() == 1)
+    return;
+  Vector copy(values.begin(), values.end());
+  use(copy);
+  std::transform(copy.begin(), copy.end(), values.begin(), [](double value) { return float(value); });
+}
+
+} // namespace
+
+/// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks.
+void StressDescent::gradientOf(Rounded& faceForces, Rounded& gradient) const
+{
+  unknowns_.gradient(faceForces, threads_, gradient);
+  inDouble(gradient, comm_, [&](Vector& values) {
+    sharing_.values().add([this](int block) { return blocks_.placeOf(block); }, values);
+  });
+}
+
+void StressDescent::fetch(Rounded& unknowns) const
+{
+  inDouble(unknowns, comm_, [&](Vector& values) {
+    sharing_.values().fetch([this](int block) { return blocks_.placeOf(block); }, values);
+  });
+}
+
+double StressDescent::dotOfAll(const Rounded& a, const Rounded& b) const
+{
+  Vector sum{block_kernels::dotOf(a.data(), b.data(), a.size())};
+  comm_.sum(sum);
+  return sum.front();
+}
+
+/// Vectors of a field's steps.
+struct StressDescent::Steps
+{
+  double force, traction;                               ///< units, of residuals and of directions
+  Rounded residual, p, Ap, tractions, ofFaces, ofCells; ///< p, Ap: the direction and what the energy makes of it
+  Vector x;                                             ///< the sum of the steps
+  std::vector<char> still;                              ///< blocks that are held
+  double rz = 0.0;
+};
+
+/// Residuals and directions are zero where another rank owns, but for directions that are about to be taken.
+void StressDescent::lower(const DescentField& field, Vector start, int count) const
+{
+  std::optional<PressureRoom> room;
+  if (field.traction != nullptr)
+    room.emplace(*faces_, *contact_, *field.traction, comm_);
+  Steps steps = begin(field, std::move(start), held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
+  for (int step = 0; step < count && steps.rz > 0.0 && take(steps, room ? &*room : nullptr); ++step)
+    watch_.stepIsTaken();
+  Vector x = std::move(steps.x), tractions;
+  for (double& value : x)
+    value *= steps.traction;
+  steps = {}; // its memory is needed again
+  unknowns_.tractions(x, threads_, tractions);
+  add(tractions, field);
+}
+
+StressDescent::Steps StressDescent::begin(const DescentField& field, Vector start, std::vector<char> still) const
+{
+  Vector largest{largestEntry(start)};
+  takeLargest(largest, comm_);
+  Steps steps{};
+  steps.force = largest.front() > 0.0 ? largest.front() : 1.0;
+  steps.traction = steps.force * blocks_.unit();
+  steps.still = std::move(still);
+  faceForces(start, steps.force, steps.ofFaces);
+  if (field.traction != nullptr)
+    addOpening(*field.opening, steps.force, steps.ofFaces);
+  const std::size_t size = start.size();
+  start = {}; // its memory is needed again
+  gradientOf(steps.ofFaces, steps.residual);
+  for (float& value : steps.residual)
+    value = -value;
+  steps.ofCells.assign(size, 0.0F);
+  steps.x.assign(steps.residual.size(), 0.0);
+  blocks_.precondition(steps.residual, steps.still, threads_, steps.p);
+  steps.rz = dotOfAll(steps.residual, steps.p);
+  return steps;
+}
+
+/// Whether there was a step to take.
+bool StressDescent::take(Steps& steps, PressureRoom* room) const
+{
+  auto& [force, traction, residual, p, Ap, tractions, ofFaces, ofCells, x, still, rz] = steps;
+  fetch(p);
+  unknowns_.tractions(p, threads_, tractions);
+  cellForces(tractions, blocks_.unit(), ofCells);
+  faceForces(ofCells, 1.0, ofFaces);
+  gradientOf(ofFaces, Ap);
+  const double curvature = dotOfAll(p, Ap);
+  if (!(curvature > 0.0))
+    return false;
+  const double wanted = rz / curvature;
+  double length = wanted;
+  if (room != nullptr)
+    length = room->move([&](int face, double* T) { ofContact(face, steps, T); }, wanted);
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    x[i] += length * double(p[i]);
+    residual[i] -= float(length) * Ap[i];
+  }
+  if (length < wanted)
+    still = held(room->held());
+  Rounded& z = Ap; // not needed any more
+  blocks_.precondition(residual, still, threads_, z);
+  const double next = dotOfAll(residual, z);
+  const auto kept = float(length < wanted ? 0.0 : next / rz);
+  for (std::size_t i = 0; i < p.size(); ++i)
+    p[i] = z[i] + kept * p[i];
+  rz = next;
+  return true;
+}
+
+/// The traction of a direction on a face in contact, in double precision, as x will have it.
+void StressDescent::ofContact(int face, const Steps& steps, double* T) const
+{
+  unknowns_.tractionsOf(face, steps.p, T);
+  for (int i = 0; i < facetData(); ++i)
+    T[i] *= steps.traction;
+}
+
+} // namespace ndframe
