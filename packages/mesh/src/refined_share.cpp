@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/mesh_parts.hpp"
 #include "ndframe/mesh/refine.hpp"
 
 namespace ndframe
@@ -21,42 +22,11 @@ struct PlacedMesh
 /// These cells in this order, with their points in the order of the given ones.
 PlacedMesh taken(const PlacedMesh& given, const std::vector<int>& cells, const std::vector<int>& points)
 {
-  const Mesh& mesh = given.mesh;
-  PlacedMesh result{{mesh.dim, {}, {}, {}, mesh.notes, {}}, {}};
-  std::vector<int> pointOf(std::size_t(mesh.numPoints()), -1), cellOf(std::size_t(mesh.numCells()), -1);
-  for (const int point : points) {
-    pointOf[std::size_t(point)] = int(result.points.size());
+  PlacedMesh result{MeshParts(given.mesh).of(cells, points), {}};
+  result.points.reserve(points.size());
+  for (const int point : points)
     result.points.push_back(given.points[std::size_t(point)]);
-    result.mesh.points.insert(result.mesh.points.end(), mesh.point(point), mesh.point(point) + mesh.dim);
-  }
-  for (const int cell : cells) {
-    cellOf[std::size_t(cell)] = result.mesh.numCells();
-    for (int v = 0; v <= mesh.dim; ++v)
-      result.mesh.cells.push_back(pointOf[std::size_t(mesh.cell(cell)[v])]);
-  }
-  for (const Side& side : mesh.sides) {
-    result.mesh.sides.push_back({side.name, {}});
-    for (const Facet facet : side.facets)
-      if (const int cell = cellOf[std::size_t(facet.cell)]; cell >= 0)
-        result.mesh.sides.back().facets.push_back({cell, facet.local});
-  }
-  result.mesh.groups = mesh.groups;
-  if (!mesh.groups.kind.empty())
-    result.mesh.groups.inherit(cells);
   return result;
-}
-
-std::vector<int> pointsOf(const Mesh& mesh, const std::vector<int>& cells)
-{
-  std::vector<char> isUsed(std::size_t(mesh.numPoints()), 0);
-  for (const int cell : cells)
-    for (int v = 0; v <= mesh.dim; ++v)
-      isUsed[std::size_t(mesh.cell(cell)[v])] = 1;
-  std::vector<int> points;
-  for (int point = 0; point < mesh.numPoints(); ++point)
-    if (isUsed[std::size_t(point)] != 0)
-      points.push_back(point);
-  return points;
 }
 
 class Sharing
@@ -69,7 +39,7 @@ public:
   /// The cells that are needed, with all that becomes of them where halvings follow.
   PlacedMesh cut(const PlacedMesh& given, bool isLast) const
   {
-    const std::vector<char> touches = touchingPoints(given.mesh);
+    const std::vector<char> touches = pointsOfSides(given.mesh, sides_);
     std::vector<int> cells;
     for (int cell = 0; cell < given.mesh.numCells(); ++cell) {
       const int* v = given.mesh.cell(cell);
@@ -77,23 +47,10 @@ public:
           hasOwnNode(given, v, isLast ? 2 : given.mesh.dim + 1))
         cells.push_back(cell);
     }
-    return taken(given, cells, pointsOf(given.mesh, cells));
+    return taken(given, cells, pointsOfCells(given.mesh, cells));
   }
 
 private:
-  std::vector<char> touchingPoints(const Mesh& mesh) const
-  {
-    std::vector<char> touches(std::size_t(mesh.numPoints()), 0);
-    int vertices[3];
-    for (const std::string& name : sides_)
-      for (const Facet facet : mesh.findSide(name)->facets) {
-        facetVertices(mesh, facet, vertices);
-        for (int v = 0; v < mesh.dim; ++v)
-          touches[std::size_t(vertices[v])] = 1;
-      }
-    return touches;
-  }
-
   /// Whether the rank owns what lies inside a vertex, an edge, ... of the cell, of at most so many vertices.
   bool hasOwnNode(const PlacedMesh& given, const int* cell, int most) const
   {
@@ -171,6 +128,19 @@ RefinedShare sorted(const PlacedMesh& given, const RefinedNumbers& numbers, cons
 }
 
 } // namespace
+
+std::vector<char> pointsOfSides(const Mesh& mesh, const std::vector<std::string>& sides)
+{
+  std::vector<char> touches(std::size_t(mesh.numPoints()), 0);
+  int vertices[3];
+  for (const std::string& name : sides)
+    for (const Facet facet : mesh.findSide(name)->facets) {
+      facetVertices(mesh, facet, vertices);
+      for (int v = 0; v < mesh.dim; ++v)
+        touches[std::size_t(vertices[v])] = 1;
+    }
+  return touches;
+}
 
 int DrawnOwners::rankOf(const DrawnPlace& place) const
 {
