@@ -31,6 +31,32 @@ const Mesh* knownMesh(const Model& known, const SceneRecipe& recipe, std::size_t
              : nullptr;
 }
 
+void refine(DrawnScene& drawn, std::size_t body)
+{
+  drawn.meshes[body] = refineUniformly(drawn.meshes[body]);
+  --drawn.halvings[body];
+}
+
+/// Bodies that touch get as many halvings to come: their sides match in the end if they match now.
+void refineAlike(DrawnScene& drawn, const SceneSettings& scene)
+{
+  const auto bodyOf = [&](const std::string& name) {
+    return std::size_t(std::find_if(scene.bodies.begin(), scene.bodies.end(),
+                                    [&](const BodySettings& body) { return body.name == name && !body.isRigid; }) -
+                       scene.bodies.begin());
+  };
+  for (bool isAlike = false; !isAlike;) {
+    isAlike = true;
+    for (const InterfaceSettings& interface : scene.interfaces) {
+      const std::size_t a = bodyOf(interface.dirichletBody), b = bodyOf(interface.neumannBody);
+      if (a == scene.bodies.size() || b == scene.bodies.size() || drawn.halvings[a] == drawn.halvings[b])
+        continue;
+      refine(drawn, drawn.halvings[a] > drawn.halvings[b] ? a : b);
+      isAlike = false;
+    }
+  }
+}
+
 /// All of them, with all mistakes.
 std::vector<Mesh> readMeshes(const SceneSettings& scene, const SceneComponents& components, const Model& known,
                              Ledger& ledger)
@@ -65,12 +91,12 @@ DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& componen
   drawn.meshes = readMeshes(scene, components, known, ledger);
   for (const BodySettings& body : scene.bodies)
     drawn.halvings.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
+  refineAlike(drawn, scene);
   for (bool isRefined = true; isRefined && !haveEnough(drawn.meshes, ranks);) {
     isRefined = false;
     for (std::size_t b = 0; b < drawn.meshes.size(); ++b)
       if (drawn.halvings[b] > 1) {
-        drawn.meshes[b] = refineUniformly(drawn.meshes[b]);
-        --drawn.halvings[b];
+        refine(drawn, b);
         isRefined = true;
       }
   }
