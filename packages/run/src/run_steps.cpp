@@ -172,10 +172,7 @@ CondensedModel condense(const Model& model, CondensedModel&& previous, const Run
 {
   {
     const auto timer = timeStage(tools.ledger, Stage::Check);
-    if (!model.told)
-      refusePulledOff(model);
-    else if (!model.told->pulledOff.empty())
-      throw NotConverged(model.told->pulledOff);
+    refusePulledOff(model);
   }
   const auto representation = tools.components.interfaceOperators.build(tools.settings.scene.interfaceOperator);
   return condense(model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(previous),
