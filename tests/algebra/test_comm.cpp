@@ -4,6 +4,7 @@
 
 #include "common/test_main.hpp"
 #include "ndframe/algebra/comm.hpp"
+#include "ndframe/algebra/from_rank_zero.hpp"
 
 namespace ndframe
 {
@@ -49,6 +50,23 @@ TEST(Comm, BroadcastsWhatRankZeroHasWhateverTheLength)
   comm.broadcast(text);
   EXPECT_EQ(values, (Vector{1.0, 2.0, 3.0}));
   EXPECT_EQ(text, "from rank 0");
+}
+
+TEST(Comm, RankZeroHandsOutToOneRankAfterTheOther)
+{
+  const Comm& comm = test::comm();
+  std::vector<int> asked;
+  const auto textFor = [](int rank) { return std::string(std::size_t(100'000 * rank), char('a' + rank)) + '\0'; };
+  const std::string text = handedOut(comm, [&](int rank) {
+    asked.push_back(rank);
+    return textFor(rank);
+  });
+  EXPECT_EQ(text, textFor(comm.rank()));
+  std::vector<int> all; // its own is the last
+  for (int rank = 1; comm.rank() == 0 && rank <= comm.size(); ++rank)
+    all.push_back(rank % comm.size());
+  EXPECT_EQ(asked, all);
+  EXPECT_EQ(handedOut(comm, [](int) { return std::string(); }), "");
 }
 
 TEST(Comm, ASingleCommInsideMpirunStaysAlone)

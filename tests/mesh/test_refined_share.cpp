@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "meshing/mesh_deck.hpp"
+#include "ndframe/mesh/drawn_parts.hpp"
 #include "ndframe/mesh/refine.hpp"
 #include "ndframe/mesh/refined_share.hpp"
 
@@ -191,6 +192,85 @@ TEST(RefinedShare, CommonSidesAreInOneOrder)
   EXPECT_FALSE(orders[0].empty());
   EXPECT_EQ(orders[0], orders[1]);
   EXPECT_EQ(orders[0], orders[2]);
+}
+
+void expectSame(const Mesh& one, const Mesh& other)
+{
+  EXPECT_EQ(one.points, other.points);
+  EXPECT_EQ(one.cells, other.cells);
+  EXPECT_EQ(one.notes, other.notes);
+  EXPECT_EQ(one.groups.kind, other.groups.kind);
+  EXPECT_EQ(one.groups.names, other.groups.names);
+  ASSERT_EQ(one.sides.size(), other.sides.size());
+  for (std::size_t s = 0; s < one.sides.size(); ++s) {
+    EXPECT_EQ(one.sides[s].name, other.sides[s].name);
+    ASSERT_EQ(one.sides[s].facets.size(), other.sides[s].facets.size());
+    for (std::size_t f = 0; f < one.sides[s].facets.size(); ++f) {
+      EXPECT_EQ(one.sides[s].facets[f].cell, other.sides[s].facets[f].cell);
+      EXPECT_EQ(one.sides[s].facets[f].local, other.sides[s].facets[f].local);
+    }
+  }
+}
+
+/// A mesh with two groups of cells and a note.
+Mesh withGroups(Mesh mesh)
+{
+  mesh.notes = {"drawn by hand"};
+  mesh.groups.names = {{}, {"core", "hard"}};
+  for (int cell = 0; cell < mesh.numCells(); ++cell)
+    mesh.groups.kind.push_back(cell % 3 == 0 ? 1 : 0);
+  return mesh;
+}
+
+TEST(RefinedShare, OfAPartIsThatOfTheWhole)
+{
+  constexpr int ranks = 4;
+  for (const Mesh& sample : samples())
+    for (int halvings = 0; halvings <= 2; ++halvings) {
+      const Mesh drawn = withGroups(sample);
+      const RefinedNumbers numbers(drawn, halvings);
+      const DrawnOwners owners = ownersOf(drawn, ranks);
+      for (const std::vector<std::string>& sides : {std::vector<std::string>(), {"left"}, {"left", "top"}}) {
+        DrawnParts parts(drawn, halvings, numbers, owners, sides, ranks);
+        for (const int rank : {2, 0, 3, 1, 2}) { // in any order, and again
+          const DrawnPart part = drawnPartFromBytes(parts.bytesOf(rank));
+          EXPECT_EQ(part.halvings, halvings);
+          EXPECT_EQ(part.numbers.numPoints(), numbers.numPoints());
+          EXPECT_EQ(part.numbers.numMiddles(), numbers.numMiddles());
+          EXPECT_EQ(part.numbers.numCells(), numbers.numCells());
+          const RefinedShare whole = refinedShare(drawn, halvings, numbers, owners, rank, sides);
+          const RefinedShare share = refinedShare(part.mesh, halvings, part.numbers, part.owners, rank, sides);
+          expectSame(share.mesh, whole.mesh);
+          EXPECT_EQ(share.numbers, whole.numbers);
+          EXPECT_EQ(share.numOwnCells, whole.numOwnCells);
+          const auto edges = edgesOf(share), edgesOfWhole = edgesOf(whole);
+          ASSERT_EQ(edges.size(), edgesOfWhole.size());
+          for (const auto& [ends, middle] : edges) {
+            EXPECT_EQ(part.numbers.middle(middle), numbers.middle(edgesOfWhole.at(ends)));
+            EXPECT_EQ(part.owners.rankOf(middle), owners.rankOf(edgesOfWhole.at(ends)));
+          }
+        }
+      }
+    }
+}
+
+TEST(RefinedShare, PartsAreSmall)
+{
+  const Mesh drawn = box("4, 1, 1", "16, 2, 2", "Right");
+  const RefinedNumbers numbers(drawn, 0);
+  DrawnOwners owners;
+  for (int v = 0; v < drawn.numPoints(); ++v) { // a slab each
+    owners.order.push_back(v);
+    owners.ranks.push_back(std::min(3, int(drawn.point(v)[0])));
+  }
+  DrawnParts parts(drawn, 0, numbers, owners, {}, 4);
+  for (int rank = 0; rank < 4; ++rank) {
+    const DrawnPart part = drawnPartFromBytes(parts.bytesOf(rank));
+    for (int cell = 0; cell < part.mesh.numCells(); ++cell) // one layer of cells beyond its own
+      for (int v = 0; v < 4; ++v)
+        EXPECT_LE(std::abs(part.mesh.point(part.mesh.cell(cell)[v])[0] - (rank + 0.5)), 0.75 + 1e-12);
+    EXPECT_LE(part.mesh.numCells(), drawn.numCells() * 6 / 16);
+  }
 }
 
 TEST(RefinedShare, NumbersGoBeyondThoseOfARank)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <optional>
 
+#include "mpi_comm.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -20,7 +21,40 @@ std::string textOf(const Comm& comm, int rank, const std::string& text, std::siz
   return {characters.begin(), characters.end()};
 }
 
+constexpr int handedOutTag = 319;
+
+/// Calls `pass(first, length)` for pieces that MPI can count.
+template <class Bytes, class Pass>
+void inMessages(Bytes& bytes, const Pass& pass)
+{
+  constexpr std::size_t longest = std::size_t(1) << 30U;
+  for (std::size_t first = 0; first < bytes.size(); first += longest)
+    pass(bytes.data() + first, int(std::min(longest, bytes.size() - first)));
+}
+
 } // namespace
+
+std::string handedOut(const Comm& comm, const std::function<std::string(int rank)>& make)
+{
+  if (comm.rank() == 0) {
+    for (int rank = 1; rank < comm.size(); ++rank) {
+      const std::string bytes = make(rank);
+      const auto length = std::int64_t(bytes.size());
+      MPI_Send(&length, 1, MPI_INT64_T, rank, handedOutTag, mpiComm(comm));
+      inMessages(bytes, [&](const char* first, int count) {
+        MPI_Send(first, count, MPI_CHAR, rank, handedOutTag, mpiComm(comm));
+      });
+    }
+    return make(0);
+  }
+  std::int64_t length = 0;
+  MPI_Recv(&length, 1, MPI_INT64_T, 0, handedOutTag, mpiComm(comm), MPI_STATUS_IGNORE);
+  std::string bytes(std::size_t(length), '\0');
+  inMessages(bytes, [&](char* first, int count) {
+    MPI_Recv(first, count, MPI_CHAR, 0, handedOutTag, mpiComm(comm), MPI_STATUS_IGNORE);
+  });
+  return bytes;
+}
 
 std::string fromRankZero(const Comm& comm, const std::function<std::string()>& make)
 {

@@ -101,19 +101,58 @@ DrawnPlace DrawnPlace::middle(const DrawnPlace& a, const DrawnPlace& b)
   return result;
 }
 
-RefinedNumbers::RefinedNumbers(const Mesh& drawn, int halvings)
-    : order_(Number(1) << halvings), numCells_(Number(drawn.numCells()) << (drawn.dim * halvings))
+RefinedNumbers::RefinedNumbers(const Mesh& drawn, int halvings) : order_(Number(1) << halvings)
 {
-  for (int m = 1; m <= drawn.dim + 1; ++m) {
+  listSimplices(drawn);
+  whole_.cells = drawn.numCells();
+  whole_.counts[0] = drawn.numPoints();
+  for (std::size_t kind = 1; kind < simplices_.size(); ++kind)
+    whole_.counts[kind] = Number(simplices_[kind].size());
+  count(drawn.dim, halvings);
+}
+
+RefinedNumbers::RefinedNumbers(const Mesh& part, int halvings, Whole whole)
+    : order_(Number(1) << halvings), whole_(std::move(whole))
+{
+  listSimplices(part);
+  count(part.dim, halvings);
+}
+
+void RefinedNumbers::listSimplices(const Mesh& mesh)
+{
+  for (int m = 2; m <= mesh.dim + 1 && choose(2 * order_ - 1, m - 1) > 0; ++m)
+    simplices_[std::size_t(m - 1)] = simplicesOf(mesh, m);
+}
+
+void RefinedNumbers::count(int dim, int halvings)
+{
+  numCells_ = whole_.cells << (dim * halvings);
+  for (int m = 1; m <= dim + 1; ++m) {
     const auto kind = std::size_t(m - 1);
-    if (m > 1)
-      simplices_[kind] = simplicesOf(drawn, m);
-    const Number count = m > 1 ? Number(simplices_[kind].size()) : drawn.numPoints();
     firstPoint_[kind] = numPoints_;
     firstMiddle_[kind] = numMiddles_;
-    numPoints_ += count * choose(order_ - 1, m - 1);
-    numMiddles_ += count * (choose(2 * order_ - 1, m - 1) - choose(order_ - 1, m - 1));
+    numPoints_ += whole_.counts[kind] * choose(order_ - 1, m - 1);
+    numMiddles_ += whole_.counts[kind] * (choose(2 * order_ - 1, m - 1) - choose(order_ - 1, m - 1));
   }
+}
+
+RefinedNumbers::Whole RefinedNumbers::toldTo(const Mesh& part, const std::vector<int>& vertices,
+                                             const std::vector<int>& cells) const
+{
+  Whole told{whole_.cells, whole_.counts, {}, {}};
+  for (const int number : cells)
+    told.ofCells.push_back(cell(number));
+  for (const int vertex : vertices)
+    told.numbers[0].push_back(simplex(DrawnPlace::vertex(vertex)));
+  for (int m = 2; m <= 4; ++m)
+    if (const auto kind = std::size_t(m - 1); !simplices_[kind].empty())
+      for (const Vertices& simplexOfPart : simplicesOf(part, m)) {
+        DrawnPlace place{{}, {}, m};
+        for (std::size_t v = 0; v <= kind; ++v)
+          place.vertices[v] = vertices[std::size_t(simplexOfPart[v])];
+        told.numbers[kind].push_back(simplex(place));
+      }
+  return told;
 }
 
 void RefinedNumbers::countNodes(const std::vector<int>& order, std::vector<double>& counts) const
@@ -131,14 +170,17 @@ void RefinedNumbers::countNodes(const std::vector<int>& order, std::vector<doubl
 
 Number RefinedNumbers::simplex(const DrawnPlace& place) const
 {
-  if (place.count == 1)
-    return place.vertices[0];
-  Vertices vertices{none, none, none, none};
-  std::copy_n(place.vertices.begin(), place.count, vertices.begin());
-  const std::vector<Vertices>& all = simplices_[std::size_t(place.count - 1)];
-  const auto found = std::lower_bound(all.begin(), all.end(), vertices);
-  NDFRAME_ASSERT(found != all.end() && *found == vertices, "the place lies in a drawn cell");
-  return found - all.begin();
+  const auto kind = std::size_t(place.count - 1);
+  std::size_t number = std::size_t(place.vertices[0]);
+  if (kind > 0) {
+    Vertices vertices{none, none, none, none};
+    std::copy_n(place.vertices.begin(), place.count, vertices.begin());
+    const std::vector<Vertices>& all = simplices_[kind];
+    const auto found = std::lower_bound(all.begin(), all.end(), vertices);
+    NDFRAME_ASSERT(found != all.end() && *found == vertices, "the place lies in a drawn cell");
+    number = std::size_t(found - all.begin());
+  }
+  return whole_.numbers[kind].empty() ? Number(number) : whole_.numbers[kind][number];
 }
 
 Number RefinedNumbers::point(const DrawnPlace& place) const

@@ -4,6 +4,7 @@
 #include <numeric>
 
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/mesh_parts.hpp"
 #include "ndframe/mesh/refine.hpp"
 
 namespace ndframe
@@ -22,43 +23,13 @@ struct PlacedMesh
 /// These cells in this order, with their points in the order of the given ones.
 PlacedMesh taken(const PlacedMesh& given, const std::vector<int>& cells, const std::vector<int>& points)
 {
-  const Mesh& mesh = given.mesh;
-  PlacedMesh result{{mesh.dim, {}, {}, {}, mesh.notes, {}}, {}, {}};
-  std::vector<int> pointOf(std::size_t(mesh.numPoints()), -1), cellOf(std::size_t(mesh.numCells()), -1);
-  for (const int point : points) {
-    pointOf[std::size_t(point)] = int(result.points.size());
-    result.points.push_back(given.points[std::size_t(point)]);
-    result.mesh.points.insert(result.mesh.points.end(), mesh.point(point), mesh.point(point) + mesh.dim);
-  }
-  for (const int cell : cells) {
-    cellOf[std::size_t(cell)] = result.mesh.numCells();
-    result.cells.push_back(given.cells[std::size_t(cell)]);
-    for (int v = 0; v <= mesh.dim; ++v)
-      result.mesh.cells.push_back(pointOf[std::size_t(mesh.cell(cell)[v])]);
-  }
-  for (const Side& side : mesh.sides) {
-    result.mesh.sides.push_back({side.name, {}});
-    for (const Facet facet : side.facets)
-      if (const int cell = cellOf[std::size_t(facet.cell)]; cell >= 0)
-        result.mesh.sides.back().facets.push_back({cell, facet.local});
-  }
-  result.mesh.groups = mesh.groups;
-  if (!mesh.groups.kind.empty())
-    result.mesh.groups.inherit(cells);
-  return result;
-}
-
-std::vector<int> pointsOf(const Mesh& mesh, const std::vector<int>& cells)
-{
-  std::vector<char> isUsed(std::size_t(mesh.numPoints()), 0);
+  PlacedMesh result{MeshParts(given.mesh).of(cells, points), {}, {}};
   for (const int cell : cells)
-    for (int v = 0; v <= mesh.dim; ++v)
-      isUsed[std::size_t(mesh.cell(cell)[v])] = 1;
-  std::vector<int> points;
-  for (int point = 0; point < mesh.numPoints(); ++point)
-    if (isUsed[std::size_t(point)] != 0)
-      points.push_back(point);
-  return points;
+    result.cells.push_back(given.cells[std::size_t(cell)]);
+  result.points.reserve(points.size());
+  for (const int point : points)
+    result.points.push_back(given.points[std::size_t(point)]);
+  return result;
 }
 
 class Sharing
@@ -71,50 +42,24 @@ public:
   /// The cells that are needed, with all that becomes of them where halvings follow.
   PlacedMesh cut(const PlacedMesh& given, bool isLast) const
   {
-    const std::vector<char> touches = touchingPoints(given.mesh);
-    std::vector<char> isNeeded(std::size_t(given.mesh.numCells()), 0);
+    std::vector<char> isNear = pointsOfSides(given.mesh, sides_), hasOwn(std::size_t(given.mesh.numCells()), 0);
     for (int cell = 0; cell < given.mesh.numCells(); ++cell) {
       const int* v = given.mesh.cell(cell);
-      isNeeded[std::size_t(cell)] =
-          char(std::any_of(v, v + given.mesh.dim + 1, [&](int point) { return touches[std::size_t(point)] != 0; }) ||
-               hasOwnNode(given, v, isLast ? 2 : given.mesh.dim + 1));
+      hasOwn[std::size_t(cell)] = char(hasOwnNode(given, v, isLast ? 2 : given.mesh.dim + 1));
+      for (int i = 0; withHalo_ && hasOwn[std::size_t(cell)] != 0 && i <= given.mesh.dim; ++i)
+        isNear[std::size_t(v[i])] = 1;
     }
-    if (withHalo_)
-      addHalo(given.mesh, isNeeded);
     std::vector<int> cells;
-    for (int cell = 0; cell < given.mesh.numCells(); ++cell)
-      if (isNeeded[std::size_t(cell)] != 0)
+    for (int cell = 0; cell < given.mesh.numCells(); ++cell) {
+      const int* v = given.mesh.cell(cell);
+      if (hasOwn[std::size_t(cell)] != 0 ||
+          std::any_of(v, v + given.mesh.dim + 1, [&](int point) { return isNear[std::size_t(point)] != 0; }))
         cells.push_back(cell);
-    return taken(given, cells, pointsOf(given.mesh, cells));
+    }
+    return taken(given, cells, pointsOfCells(given.mesh, cells));
   }
 
 private:
-  /// Cells with a vertex of one that is needed, own cells among them, are needed, too.
-  static void addHalo(const Mesh& mesh, std::vector<char>& isNeeded)
-  {
-    std::vector<char> isNear(std::size_t(mesh.numPoints()), 0);
-    for (int cell = 0; cell < mesh.numCells(); ++cell)
-      for (int v = 0; isNeeded[std::size_t(cell)] != 0 && v <= mesh.dim; ++v)
-        isNear[std::size_t(mesh.cell(cell)[v])] = 1;
-    for (int cell = 0; cell < mesh.numCells(); ++cell)
-      for (int v = 0; v <= mesh.dim; ++v)
-        if (isNear[std::size_t(mesh.cell(cell)[v])] != 0)
-          isNeeded[std::size_t(cell)] = 1;
-  }
-
-  std::vector<char> touchingPoints(const Mesh& mesh) const
-  {
-    std::vector<char> touches(std::size_t(mesh.numPoints()), 0);
-    int vertices[3];
-    for (const std::string& name : sides_)
-      for (const Facet facet : mesh.findSide(name)->facets) {
-        facetVertices(mesh, facet, vertices);
-        for (int v = 0; v < mesh.dim; ++v)
-          touches[std::size_t(vertices[v])] = 1;
-      }
-    return touches;
-  }
-
   /// Whether the rank owns what lies inside a vertex, an edge, ... of the cell, of at most so many vertices.
   bool hasOwnNode(const PlacedMesh& given, const int* cell, int most) const
   {
@@ -187,6 +132,19 @@ RefinedShare sorted(const PlacedMesh& given, const RefinedNumbers& numbers, cons
 
 } // namespace
 
+std::vector<char> pointsOfSides(const Mesh& mesh, const std::vector<std::string>& sides)
+{
+  std::vector<char> touches(std::size_t(mesh.numPoints()), 0);
+  int vertices[3];
+  for (const std::string& name : sides)
+    for (const Facet facet : mesh.findSide(name)->facets) {
+      facetVertices(mesh, facet, vertices);
+      for (int v = 0; v < mesh.dim; ++v)
+        touches[std::size_t(vertices[v])] = 1;
+    }
+  return touches;
+}
+
 int DrawnOwners::rankOf(const DrawnPlace& place) const
 {
   const auto first = place.vertices.begin();
@@ -199,8 +157,9 @@ RefinedShare refinedShare(const Mesh& drawn, int halvings, const RefinedNumbers&
 {
   NDFRAME_ASSERT(std::all_of(sides.begin(), sides.end(), [&](const auto& side) { return drawn.findSide(side); }),
                  "the drawn mesh has the sides that all ranks have");
-  PlacedMesh mesh{drawn, {}, std::vector<RefinedNumbers::Number>(std::size_t(drawn.numCells()))};
-  std::iota(mesh.cells.begin(), mesh.cells.end(), 0);
+  PlacedMesh mesh{drawn, {}, {}};
+  for (int cell = 0; cell < drawn.numCells(); ++cell)
+    mesh.cells.push_back(numbers.cell(cell));
   for (int point = 0; point < drawn.numPoints(); ++point)
     mesh.points.push_back(DrawnPlace::vertex(point));
   const Sharing sharing(owners, rank, sides, withHalo);

@@ -46,9 +46,7 @@ public:
   Mesh readWith(ScriptMeshes& scripts) const override { return refined(source_->readWith(scripts)); }
   const MeshSource& drawn() const override { return *source_; }
   MeshScript script() const override { return source_->script(); }
-
-private:
-  Mesh refined(Mesh mesh) const
+  Mesh refined(Mesh mesh) const override
   {
     checkSize(mesh);
     const int before = mesh.numCells();
@@ -63,6 +61,7 @@ private:
     return mesh;
   }
 
+private:
   void checkSize(const Mesh& mesh) const
   {
     const MemoryLeft left = memoryLeft();
@@ -104,7 +103,10 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
        "whole "
        "(Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, where "
        "nothing asks for all of a body: no estimator Reference, no Accuracy, Probes or Checkpoint, Exodus Files in "
-       "pieces."});
+       "pieces. "
+       "Meshes that are not refined are shared out likewise from 200 vertices a process on, where Multigrid is named, "
+       "or "
+       "from 300 000 dofs on, where Automatic chooses it."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

@@ -142,7 +142,7 @@ ExodusScene exodusScene(const Run& run)
   ExodusScene scene{run.summary.title, {}, {}, {}, run.condensed.ranks};
   for (const auto& body : run.model.bodies) {
     scene.bodies.push_back({body.name, &body.mesh, &body.nodes, partsOf(body)});
-    if (run.model.drawn)
+    if (run.model.told)
       scene.shares.push_back(body.share);
   }
   for (const auto& interface : run.model.interfaces) {

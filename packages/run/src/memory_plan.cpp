@@ -133,8 +133,8 @@ std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, 
                      grouped(std::int64_t(dofs)), left, bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
 }
 
-void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, const Comm& comm,
-                 Diagnostics& diagnostics)
+void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, int ranks,
+                 const Comm& having, Diagnostics& diagnostics)
 {
   double ofInterfaces = memoryOfInterfaces(model, settings.scene.interfaceOperator);
   double bytes = ofInterfaces;
@@ -142,15 +142,15 @@ void checkMemory(const Model& model, const RunSettings& settings, const LinearSo
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyOutline body = model.outline(int(b));
     const double dofs = model.bodies[b].numDofs();
-    const bool iterates = solver.name(body, comm.size()) == "Multigrid"; // chosen by Automatic
-    bytes += iterates ? multigridBytes * dofs : memoryOfBody(dofs, body.dim);
+    const bool iterates = solver.name(body, ranks) == "Multigrid"; // chosen by Automatic
+    bytes += iterates ? multigridBytes * dofs * having.size() / ranks : memoryOfBody(dofs, body.dim);
     areCondensed = areCondensed || !iterates;
   }
   if (!areCondensed)
     bytes -= std::exchange(ofInterfaces, 0.0);
   const MemoryLeft left = memoryLeft();
   const bool isTooLarge = isDirect(settings) && 0.5 * bytes > double(left.bytes);
-  if (comm.sum(std::int64_t(isTooLarge)) == 0)
+  if (having.sum(std::int64_t(isTooLarge)) == 0)
     return;
   const bool isInterface = ofInterfaces > 0.5 * bytes;
   diagnostics.add(settings.scene.bodiesPlace.mistake(

@@ -40,7 +40,7 @@ bool iterates(const std::string& linearSolver)
 
 std::string sharesText(const RunSettings& settings, int ranks)
 {
-  return mayBeShared(settings, ranks) ? "; where Multigrid solves them, each process refines its share of the meshes"
+  return mayBeShared(settings, ranks) ? "; where Multigrid solves solids whole, each process has its share of them"
                                       : "";
 }
 

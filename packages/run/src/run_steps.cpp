@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include "check_model.hpp"
 #include "field_names.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/condensation/trust.hpp"
@@ -42,7 +43,7 @@ std::string failureOf(const Step& step)
 template <class Step>
 void withoutNodes(Model& model, const Comm& comm, const Step& step)
 {
-  if (comm.size() == 1 || !model.solvesWhole || model.drawn)
+  if (comm.size() == 1 || !model.solvesWhole || model.told)
     return step();
   std::vector<int> orders;
   for (BodyModel& body : model.bodies)
@@ -131,8 +132,7 @@ RunTools::RunTools(const RunSettings& givenSettings, const CertificateComponents
       solver(components.linearSolvers.build(settings.scene.linearSolver)), errors(settings.errors)
 {}
 
-/// Everything that the checks of a model find.
-void checkModel(Model& model, const RunTools& tools)
+void checkModel(Model& model, const RunTools& tools, const Comm& having)
 {
   const SceneSettings& scene = tools.settings.scene;
   Diagnostics diagnostics;
@@ -146,7 +146,7 @@ void checkModel(Model& model, const RunTools& tools)
   checkHeld(model, scene, diagnostics);
   if (tools.settings.output.exodus)
     checkFieldNames(model, scene, diagnostics);
-  checkMemory(model, tools.settings, *tools.solver, tools.comm, diagnostics);
+  checkMemory(model, tools.settings, *tools.solver, tools.comm.size(), having, diagnostics);
   checkRecovery(model, tools, diagnostics);
   checkWantedNumbers(model, tools.settings, *tools.solver, diagnostics);
   if (tools.settings.strictInput)
@@ -157,23 +157,22 @@ void checkModel(Model& model, const RunTools& tools)
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
 {
   const SceneSettings& scene = tools.settings.scene;
-  if (const DrawnScene drawn = meshes ? DrawnScene() : drawnToShare(tools); drawn.model) {
-    checkModel(*drawn.model, tools);
-    return takeShares(model, drawn, tools);
-  }
+  SceneToShare toShare = meshes ? SceneToShare() : sceneToShare(model, tools);
+  if (toShare.told)
+    return takeShares(model, std::move(toShare), tools);
   if (meshes)
     remeshModel(model, scene, tools.components, meshes, tools.comm, tools.ledger);
   else
-    updateModel(model, scene, tools.components, tools.comm, tools.ledger);
+    updateModel(model, scene, tools.components, tools.comm, tools.ledger, meshesOf(std::move(toShare.drawn), scene));
   offerWhole(model, *tools.coupling, scene.interfaceOperator);
-  checkModel(model, tools);
+  checkModel(model, tools, tools.comm);
 }
 
 CondensedModel condense(const Model& model, CondensedModel&& previous, const RunTools& tools, RunObserver& observer)
 {
   {
     const auto timer = timeStage(tools.ledger, Stage::Check);
-    refusePulledOff(model.whole());
+    refusePulledOff(model);
   }
   const auto representation = tools.components.interfaceOperators.build(tools.settings.scene.interfaceOperator);
   return condense(model, *tools.solver, *representation, tools.comm, tools.ledger, std::move(previous),

@@ -2,8 +2,10 @@
 
 #include <algorithm>
 
+#include "check_model.hpp"
+#include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/algebra/threads.hpp"
-#include "ndframe/meshing/refined_source.hpp"
+#include "ndframe/run/warnings.hpp"
 #include "ndframe/scene/stage.hpp"
 
 namespace ndframe
@@ -15,6 +17,25 @@ namespace
 bool certifiesShares(const std::optional<ErrorOptions>& errors)
 {
   return !errors || !errors->wants(Estimator::Reference);
+}
+
+/// Of bodies whose meshes are not all refined, where the deck leaves the choice of the solver: smaller ones may fall
+/// back on a factor, which ranks with shares cannot.
+constexpr std::int64_t leastDofs = 300'000;
+
+/// What the meshes alone decide.
+bool areLarge(const DrawnScene& drawn, const RunTools& tools)
+{
+  if (!areEnough(drawn, tools.comm.size()))
+    return false;
+  std::int64_t dofs = 0;
+  bool areRefined = true;
+  for (std::size_t b = 0; b < drawn.meshes.size(); ++b)
+    if (drawn.meshes[b].dim > 0) {
+      dofs += refinedDofs(drawn, int(b));
+      areRefined = areRefined && drawn.halvings[b] > 0;
+    }
+  return areRefined || tools.settings.linearSolver == "Multigrid" || dofs >= leastDofs;
 }
 
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
@@ -39,6 +60,39 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
          (!output.exodus || writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
 }
 
+/// Whether the model is that of an earlier run with these meshes, which could not be shared.
+bool isKnown(const Model& model, const SceneSettings& scene)
+{
+  if (model.recipe.solver.empty())
+    return false;
+  const std::vector<BodyRecipe>&before = model.recipe.bodies, now = recipeOf(scene).bodies;
+  return std::equal(before.begin(), before.end(), now.begin(), now.end(),
+                    [](const auto& a, const auto& b) { return a.mesh == b.mesh; });
+}
+
+/// Reads, builds and checks a scene; what is told of it, or nothing where it must be whole.
+std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTools& tools)
+{
+  const SceneSettings& scene = tools.settings.scene;
+  drawn = readDrawn(scene, tools.components, known, tools.comm.size(), tools.ledger);
+  if (!areLarge(drawn, tools))
+    return std::nullopt;
+  buildDrawn(drawn, scene, tools.components, tools.ledger);
+  Model& model = *drawn.model;
+  offerWhole(model, *tools.coupling, scene.interfaceOperator);
+  if (!canBeShared(drawn, tools))
+    return std::nullopt;
+  checkModel(model, tools, Comm::single());
+  const auto timer = timeStage(tools.ledger, Stage::Check);
+  ToldScene scenesTold = told(model);
+  scenesTold.warnings = sceneWarnings(model, tools.settings);
+  model.loads.clear(); // what is handed out are meshes
+  model.constraints.clear();
+  for (BodyModel& body : model.bodies)
+    body.nodes = {};
+  return scenesTold;
+}
+
 } // namespace
 
 bool mayBeShared(const RunSettings& settings, int ranks)
@@ -48,26 +102,30 @@ bool mayBeShared(const RunSettings& settings, int ranks)
   return ranks > 1 && certifiesShares(settings.errors) && !settings.accuracy && settings.scene.order == 2 &&
          output.probes.empty() && !output.checkpoint && output.steps == StepsWritten::Final &&
          (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
-         (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") &&
-         std::all_of(bodies.begin(), bodies.end(),
-                     [](const BodySettings& body) { return body.isRigid || halvingsOf(body.shape) > 0; });
+         (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") && !bodies.empty();
 }
 
-DrawnScene drawnToShare(const RunTools& tools)
+SceneToShare sceneToShare(const Model& known, const RunTools& tools)
 {
-  const SceneSettings& scene = tools.settings.scene;
-  if (!mayBeShared(tools.settings, tools.comm.size()) || !tools.coupling->solvesWhole(3))
+  if (!mayBeShared(tools.settings, tools.comm.size()) || !tools.coupling->solvesWhole(3) ||
+      isKnown(known, tools.settings.scene))
     return {};
-  DrawnScene drawn = readDrawn(scene, tools.components, tools.comm, tools.ledger);
-  offerWhole(*drawn.model, *tools.coupling, scene.interfaceOperator);
-  return canBeShared(drawn, tools) ? drawn : DrawnScene();
+  constexpr const char* whole = "whole";
+  SceneToShare scene;
+  const std::string bytes = fromRankZero(tools.comm, [&] {
+    const std::optional<ToldScene> found = tell(scene.drawn, known, tools);
+    return found ? toBytes(*found) : whole;
+  });
+  if (bytes != whole)
+    scene.told = toldSceneFromBytes(bytes);
+  return scene;
 }
 
-void takeShares(Model& model, const DrawnScene& drawn, const RunTools& tools)
+void takeShares(Model& model, SceneToShare&& scene, const RunTools& tools)
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
-  model = sharedModel(drawn, tools.settings.scene, tools.components, tools.errors.has_value(), tools.comm,
-                      numThreads(tools.comm));
+  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components,
+                      tools.errors.has_value(), tools.comm, numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
 }
 

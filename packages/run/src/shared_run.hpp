@@ -9,12 +9,20 @@ namespace ndframe
 /// Whether ranks can have shares of what a deck describes, as far as it says so without its meshes.
 bool mayBeShared(const RunSettings& settings, int ranks);
 
-/// The scene on its meshes as drawn, where ranks can have shares of the refined ones: several ranks solve solids
-/// whole, by Multigrid, and nothing asks for all of a body (a certificate, probes, a checkpoint,
-/// one Exodus file). Without a model where bodies must be whole. Collective.
-DrawnScene drawnToShare(const RunTools& tools);
+/// What ranks can have shares of, or what was read to find that they cannot.
+struct SceneToShare
+{
+  DrawnScene drawn;              ///< on rank 0, or nowhere
+  std::optional<ToldScene> told; ///< on every rank; none: bodies must be whole
+};
 
-/// The model is this rank's share of the refined scene. Counts "shared bodies". Collective.
-void takeShares(Model& model, const DrawnScene& drawn, const RunTools& tools);
+/// The scene on its meshes as drawn, checked, where ranks can have shares of it: several ranks solve solids whole, by
+/// Multigrid, nothing asks for all of a body (a reference, probes, a checkpoint, one Exodus file), and the meshes are
+/// fine enough (areEnough), or all refined. Rank 0 reads, builds and checks it for all; its mistakes are all ranks'
+/// (InputError). known: the model before, whose meshes are taken. Collective.
+SceneToShare sceneToShare(const Model& known, const RunTools& tools);
+
+/// The model is this rank's share of the scene. Counts "shared bodies". Collective.
+void takeShares(Model& model, SceneToShare&& scene, const RunTools& tools);
 
 } // namespace ndframe

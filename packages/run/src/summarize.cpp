@@ -171,7 +171,7 @@ RunSummary outlineSummary(const Model& model, const RunSettings& settings, const
     body.elements = model.bodies[b].totalCells();
     body.order = model.bodies[b].nodes.order;
     body.solver = model.bodies[b].isRigid ? "-" : solver.name(model.outline(int(b)), ranks);
-    body.heldBy = heldBy(model.whole(), int(b));
+    body.heldBy = model.told ? model.told->heldBy[b] : heldBy(model, int(b));
     for (const auto& support : model.bodies[b].supports)
       body.supports.push_back({support->params().name(), support->description(), {}, {}, {}});
     summary.bodies.push_back(std::move(body));

@@ -110,7 +110,7 @@ void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnost
 void findOverlaps(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
   const Run& run = answer.run;
-  if (run.model.drawn) // no rank has the boundaries
+  if (run.model.told) // no rank has the boundaries
     return;
   const auto boundaries = boundariesOf(run.model);
   const auto offsets = gapOffsets(run.model);

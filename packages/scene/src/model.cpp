@@ -189,7 +189,7 @@ Model buildModel(const SceneSettings& scene, const SceneComponents& components)
 }
 
 void updateModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
-                 Ledger& ledger)
+                 Ledger& ledger, std::vector<Mesh> drawn)
 {
   SceneRecipe recipe = recipeOf(scene);
   if (recipe.sameModel(model.recipe)) {
@@ -201,6 +201,7 @@ void updateModel(Model& model, const SceneSettings& scene, const SceneComponents
   const bool comparable = recipe.bodies.size() == model.recipe.bodies.size();
   std::size_t next = 0;
   ScriptMeshes scripts(ledger);
+  drawn.resize(recipe.bodies.size());
   Model updated = buildModel(
       scene, components,
       [&](const BodySettings& body) -> GivenMesh {
@@ -208,7 +209,7 @@ void updateModel(Model& model, const SceneSettings& scene, const SceneComponents
         if (body.isRigid)
           return Mesh();
         if (!comparable || recipe.bodies[b].mesh != model.recipe.bodies[b].mesh)
-          return readShared(*components.meshSources.build(body.shape), comm, scripts);
+          return readShared(*components.meshSources.build(body.shape), comm, scripts, std::move(drawn[b]));
         ledger.count("meshes reused");
         const BodyModel& known = model.bodies[b];
         return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);

@@ -154,6 +154,10 @@ std::string motionText(const Model& model, const Vector& motion)
 
 void refusePulledOff(const Model& model)
 {
+  if (model.told && !model.told->pulledOff.empty())
+    throw NotConverged(model.told->pulledOff);
+  if (model.told)
+    return;
   const Vector motion = pulledOff(rigidNetwork(model));
   if (!motion.empty())
     throw NotConverged("the load does not press the bodies together: it pulls off " + motionText(model, motion));

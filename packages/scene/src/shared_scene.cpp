@@ -7,13 +7,10 @@
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/base/grouped.hpp"
+#include "ndframe/mesh/drawn_parts.hpp"
 #include "ndframe/mesh/partition.hpp"
-#include "ndframe/mesh/refine.hpp"
-#include "ndframe/mesh/refined_share.hpp"
 #include "ndframe/meshing/refined_source.hpp"
 #include "ndframe/scene/joined_vertices.hpp"
-#include "ndframe/scene/shared_mesh.hpp"
-#include "ndframe/scene/stage.hpp"
 
 namespace ndframe
 {
@@ -21,15 +18,15 @@ namespace
 {
 
 /// Who owns the drawn vertices of the bodies that are not rigid.
-std::vector<DrawnOwners> shareOut(const Model& drawn, const std::vector<int>& bodies,
-                                  const std::vector<RefinedNumbers>& numbers, int ranks)
+std::vector<DrawnOwners> shareOut(const DrawnScene& scene, const std::vector<int>& bodies, int ranks)
 {
   constexpr double most = 1e9; // METIS adds them up in 32 bits
+  const Model& drawn = *scene.model;
   const JoinedVertices joined = joinedVertices(drawn, bodies);
   std::vector<double> counts(std::size_t(joined.count), 0.0);
   std::vector<int> cells, weights;
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    numbers[b].countNodes(joined.numbers[b], counts);
+    scene.numbers[std::size_t(bodies[b])].countNodes(joined.numbers[b], counts);
     for (const int point : drawn.bodies[std::size_t(bodies[b])].mesh.cells)
       cells.push_back(joined(b, point));
   }
@@ -91,24 +88,45 @@ struct Part
   std::shared_ptr<const BodyShare> share;
 };
 
-Part partOf(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
-            const std::vector<std::string>& sides, bool withHalo, const Comm& comm)
+Part partOf(const DrawnPart& drawn, const std::vector<std::string>& sides, bool withHalo, const Comm& comm)
 {
-  RefinedShare share = refinedShare(drawn, halvings, numbers, owners, comm.rank(), sides, withHalo);
+  RefinedShare share =
+      refinedShare(drawn.mesh, drawn.halvings, drawn.numbers, drawn.owners, comm.rank(), sides, withHalo);
   NodeMap nodes = makeNodeMap(share.mesh, 2);
-  const std::vector<BodyShare::Global> middles = sortEdges(nodes, share, numbers);
+  const std::vector<BodyShare::Global> middles = sortEdges(nodes, share, drawn.numbers);
   std::vector<int> ranks;
   for (int node = 0; node < nodes.numNodes(); ++node) {
     const auto [a, b] = nodes.ends(node);
-    ranks.push_back(owners.rankOf(DrawnPlace::middle(share.points[std::size_t(a)], share.points[std::size_t(b)])));
+    ranks.push_back(
+        drawn.owners.rankOf(DrawnPlace::middle(share.points[std::size_t(a)], share.points[std::size_t(b)])));
   }
   share.numbers.insert(share.numbers.end(), middles.begin(), middles.end());
   Part part;
-  BodyShare::Things ofNodes{numbers.numPoints() + numbers.numMiddles(), std::move(share.numbers), std::move(ranks)},
-      ofCells{numbers.numCells(), std::move(share.cellNumbers), std::move(share.cellOwners)};
+  BodyShare::Things ofNodes{drawn.numbers.numPoints() + drawn.numbers.numMiddles(), std::move(share.numbers),
+                            std::move(ranks)},
+      ofCells{drawn.numbers.numCells(), std::move(share.cellNumbers), std::move(share.cellOwners)};
   part.share = std::make_shared<const BodyShare>(std::move(ofNodes), std::move(ofCells), comm);
   part.given = GivenMesh(std::move(share.mesh), std::move(nodes));
   return part;
+}
+
+/// This rank's parts of the drawn bodies that are not rigid; rank 0 has the whole until all have theirs.
+std::vector<DrawnPart> drawnPartsOf(DrawnScene drawn, const std::vector<int>& bodies, const SceneSettings& scene,
+                                    bool withHalo, const Comm& comm)
+{
+  std::vector<DrawnOwners> owners(bodies.size());
+  if (comm.rank() == 0)
+    owners = shareOut(drawn, bodies, comm.size());
+  std::vector<DrawnPart> parts;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto body = std::size_t(bodies[b]);
+    std::optional<DrawnParts> all;
+    if (comm.rank() == 0)
+      all.emplace(drawn.model->bodies[body].mesh, drawn.halvings[body], drawn.numbers[body], owners[b],
+                  contactSides(scene, scene.bodies[body].name), comm.size(), withHalo);
+    parts.push_back(drawnPartFromBytes(handedOut(comm, [&](int rank) { return all->bytesOf(rank); })));
+  }
+  return parts;
 }
 
 /// What a user should know of how the cells are shared out. halvings: of the mesh as it was read.
@@ -116,9 +134,12 @@ std::string noteOf(const BodyShare& share, int dim, int halvings, const Comm& co
 {
   const Vector cells = gatheredFrom({double(share.numOwnCells())}, comm);
   const auto [least, most] = std::minmax_element(cells.begin(), cells.end());
-  return fmt::format("Refine = {}: {} cells became {}, made by the {} processes in shares of {} to {}.", halvings,
-                     grouped(share.numCells() >> (dim * halvings)), grouped(share.numCells()), comm.size(),
-                     grouped(std::int64_t(*least)), grouped(std::int64_t(*most)));
+  const std::string shares = fmt::format("the {} processes in shares of {} to {}.", comm.size(),
+                                         grouped(std::int64_t(*least)), grouped(std::int64_t(*most)));
+  if (halvings == 0)
+    return fmt::format("{} cells, shared out among {}", grouped(share.numCells()), shares);
+  return fmt::format("Refine = {}: {} cells became {}, made by {}", halvings,
+                     grouped(share.numCells() >> (dim * halvings)), grouped(share.numCells()), shares);
 }
 
 /// At nodes of other ranks what these prescribe: they have all facets there.
@@ -183,80 +204,20 @@ void compareInterfaces(const Model& model, const Comm& comm)
 
 } // namespace
 
-DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Comm& comm, Ledger& ledger)
+Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene, const SceneComponents& components,
+                  bool withHalo, const Comm& comm, int threads)
 {
-  constexpr int verticesOfRank = 200; // METIS shares out fewer unevenly
-  const auto timer = timeStage(ledger, Stage::Read);
-  DrawnScene drawn;
-  ScriptMeshes scripts(ledger);
-  std::vector<Mesh> meshes;
-  std::int64_t vertices = 0;
-  for (const BodySettings& body : scene.bodies) {
-    drawn.halvings.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
-    meshes.push_back(body.isRigid ? Mesh()
-                                  : readShared(components.meshSources.build(body.shape)->drawn(), comm, scripts));
-    vertices += meshes.back().numPoints();
-  }
-  for (bool isRefined = true; isRefined && vertices < std::int64_t(verticesOfRank) * comm.size();) {
-    isRefined = false;
-    vertices = 0;
-    for (std::size_t b = 0; b < meshes.size(); ++b) {
-      if (drawn.halvings[b] > 1) {
-        meshes[b] = refineUniformly(meshes[b]);
-        --drawn.halvings[b];
-        isRefined = true;
-      }
-      vertices += meshes[b].numPoints();
+  std::vector<int> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (!scene.bodies[b].isRigid)
+      bodies.push_back(int(b));
+  std::vector<Part> parts(scene.bodies.size());
+  {
+    const std::vector<DrawnPart> drawnParts = drawnPartsOf(std::move(drawn), bodies, scene, withHalo, comm);
+    for (std::size_t b = 0; b < bodies.size(); ++b) {
+      const auto body = std::size_t(bodies[b]);
+      parts[body] = partOf(drawnParts[b], contactSides(scene, scene.bodies[body].name), withHalo, comm);
     }
-  }
-  std::size_t next = 0;
-  drawn.model = std::make_shared<Model>(
-      buildModel(scene, components, [&](const BodySettings&) { return GivenMesh(std::move(meshes[next++])); }));
-  return drawn;
-}
-
-std::int64_t refinedDofs(const DrawnScene& drawn, int body)
-{
-  const Mesh& mesh = drawn.model->bodies[std::size_t(body)].mesh;
-  const RefinedNumbers numbers(mesh, drawn.halvings[std::size_t(body)]);
-  return mesh.dim * (numbers.numPoints() + numbers.numMiddles());
-}
-
-std::string needsWhole(const DrawnScene& drawn)
-{
-  for (std::size_t b = 0; b < drawn.model->bodies.size(); ++b) {
-    const BodyModel& body = drawn.model->bodies[b];
-    if (body.isRigid)
-      continue;
-    if (drawn.halvings[b] == 0)
-      return fmt::format("the mesh of \"{}\" is not refined (Refine)", body.name);
-    if (!body.regions.empty() || body.mesh.groups.names.size() > 1)
-      return fmt::format("\"{}\" has regions or loads in groups of cells", body.name);
-    if (!body.parents.empty())
-      return fmt::format("the mesh of \"{}\" is cut where sides do not match", body.name);
-    for (const auto& support : body.supports)
-      if (!support->params().has("Side") || support->holdsMeanMotion())
-        return fmt::format("the support \"{}\" of \"{}\" holds no side", support->params().name(), body.name);
-  }
-  for (const InterfaceMesh& interface : drawn.model->interfaces)
-    if (interface.touchesItself())
-      return fmt::format("the sides of \"{}\" belong to one body", interface.name);
-  return {};
-}
-
-Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, bool withHalo,
-                  const Comm& comm, int threads)
-{
-  const std::vector<int> bodies = drawn.model->elasticBodies();
-  std::vector<RefinedNumbers> numbers;
-  for (const int body : bodies)
-    numbers.emplace_back(drawn.model->bodies[std::size_t(body)].mesh, drawn.halvings[std::size_t(body)]);
-  const std::vector<DrawnOwners> owners = shareOut(*drawn.model, bodies, numbers, comm.size());
-  std::vector<Part> parts(drawn.model->bodies.size());
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto body = std::size_t(bodies[b]);
-    parts[body] = partOf(drawn.model->bodies[body].mesh, drawn.halvings[body], numbers[b], owners[b],
-                         contactSides(scene, drawn.model->bodies[body].name), withHalo, comm);
   }
   Model model;
   onEveryRank(comm, [&] { // a mistake may show in one rank's share only
@@ -268,11 +229,11 @@ Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const Sce
     if (parts[b].share)
       completePart(model, b, parts[b].share, halvingsOf(scene.bodies[b].shape), comm);
   compareInterfaces(model, comm);
-  model.rigid = drawn.model->rigid;
-  model.freeMotions = drawn.model->freeMotions;
-  model.balancedMotions = drawn.model->balancedMotions;
-  model.solvesWhole = drawn.model->solvesWhole;
-  model.drawn = drawn.model;
+  model.rigid = told.rigid;
+  model.freeMotions = told.freeMotions;
+  model.balancedMotions = told.balancedMotions;
+  model.solvesWhole = true;
+  model.told = std::make_shared<const ToldScene>(std::move(told));
   return model;
 }
 

@@ -38,7 +38,8 @@ void findStrangeStrain(const Answer& answer, const RunSettings& settings, Diagno
     const PeakSummary& peak = answer.bodies[b].strain;
     const double share = answer.bodies[b].strainedShare;
     largest = std::max(largest, peak.value);
-    motion = std::max(motion, answer.bodies[b].displacement.value / diameter(run.model.whole().bodies[b].mesh));
+    const double size = run.model.told ? run.model.told->diameters[b] : diameter(body.mesh);
+    motion = std::max(motion, answer.bodies[b].displacement.value / size);
     if (share > smallPart)
       found.add(settings.scene.bodies[b].place.mistake(
           "",

@@ -54,7 +54,9 @@ std::vector<Warning> collect(const Checks& checks, const Subject& subject, const
 
 std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings)
 {
-  std::vector<Warning> warnings = collect(sceneChecks, model.whole(), settings.scene);
+  if (model.told)
+    return model.told->warnings;
+  std::vector<Warning> warnings = collect(sceneChecks, model, settings.scene);
   for (const Diagnostic& place : settings.unnamedFacing)
     warnings.push_back({"unnamed facets", place});
   return warnings;

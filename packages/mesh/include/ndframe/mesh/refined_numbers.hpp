@@ -35,10 +35,25 @@ class RefinedNumbers
 {
 public:
   using Number = std::int64_t;
+  /// What a part of the drawn mesh does not show of the whole.
+  struct Whole
+  {
+    Number cells = 0;                           ///< of the drawn mesh
+    std::array<Number, 4> counts{};             ///< per number of vertices less one: its simplices
+    std::array<std::vector<Number>, 4> numbers; ///< the same: per simplex of the part that among all
+    std::vector<Number> ofCells;                ///< per cell of the part its place in the drawn mesh
+  };
+
   RefinedNumbers(const Mesh& drawn, int halvings);
+  /// The same numbers, of places in a part of the drawn mesh, by its vertices, which ascend as in the whole.
+  RefinedNumbers(const Mesh& part, int halvings, Whole whole);
+  /// What such a part must be told. vertices, cells: per vertex and cell of the part that of this mesh, ascending.
+  Whole toldTo(const Mesh& part, const std::vector<int>& vertices, const std::vector<int>& cells) const;
 
   Number point(const DrawnPlace& place) const;  ///< weights add up to 2^k
   Number middle(const DrawnPlace& place) const; ///< weights add up to 2^(k + 1), not all are even
+  /// The place in the whole drawn mesh of one of its cells.
+  Number cell(int drawn) const { return whole_.ofCells.empty() ? drawn : whole_.ofCells[std::size_t(drawn)]; }
   Number numPoints() const { return numPoints_; }
   Number numMiddles() const { return numMiddles_; }
   Number numCells() const { return numCells_; }
@@ -47,11 +62,15 @@ public:
   void countNodes(const std::vector<int>& order, std::vector<double>& counts) const;
 
 private:
+  void listSimplices(const Mesh& mesh);
+  void count(int dim, int halvings);
   /// The number of the drawn vertex, edge, ... in the list of its kind.
   Number simplex(const DrawnPlace& place) const;
 
-  Number order_, numPoints_ = 0, numMiddles_ = 0, numCells_;
-  /// Per number of vertices less one: the drawn simplices by their vertices, ascending; none of vertices themselves.
+  Number order_, numPoints_ = 0, numMiddles_ = 0, numCells_ = 0;
+  Whole whole_; ///< without numbers where the mesh is the whole
+  /// Per number of vertices less one: the drawn simplices by their vertices, ascending; none of vertices themselves,
+  /// nor of those that have no points inside.
   std::array<std::vector<std::array<int, 4>>, 4> simplices_;
   std::array<Number, 4> firstPoint_{}, firstMiddle_{}; ///< the same, of the first simplex
 };

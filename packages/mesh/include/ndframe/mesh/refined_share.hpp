@@ -38,4 +38,7 @@ struct RefinedShare
 RefinedShare refinedShare(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
                           int rank, const std::vector<std::string>& sides, bool withHalo = false);
 
+/// Per point whether it lies on one of these sides, which the mesh has.
+std::vector<char> pointsOfSides(const Mesh& mesh, const std::vector<std::string>& sides);
+
 } // namespace ndframe

@@ -34,6 +34,7 @@ public:
 
   /// What makes the mesh before its edges are halved (halvingsOf).
   virtual const MeshSource& drawn() const { return *this; }
+  virtual Mesh refined(Mesh drawnMesh) const { return drawnMesh; } ///< what read() makes of that one's
 
   /// The script that gmsh makes the mesh of. Throws InputError (with the deck's place) when the mesh comes from none.
   virtual MeshScript script() const = 0;

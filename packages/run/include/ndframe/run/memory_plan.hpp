@@ -27,8 +27,8 @@ double memoryOfCertificate(double dofs, int ranks);
 std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, int ranks);
 
 /// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
-/// Collective.
-void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, const Comm& comm,
-                 Diagnostics& diagnostics);
+/// having: of so many ranks those that have the model: all, or one that hands it out. Collective among them.
+void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, int ranks,
+                 const Comm& having, Diagnostics& diagnostics);
 
 } // namespace ndframe

@@ -6,13 +6,6 @@
 namespace ndframe
 {
 
-/// What is allowed but probably a mistake. With the deck's Strict Input it is an error.
-struct Warning
-{
-  std::string kind; ///< of the check, e.g. "large strain"
-  Diagnostic what;  ///< the place in the deck and the sentence
-};
-
 /// What the scene shows before anything is solved.
 std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings);
 

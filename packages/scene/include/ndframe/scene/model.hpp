@@ -10,6 +10,7 @@
 #include "ndframe/scene/recipe.hpp"
 #include "ndframe/scene/scene_components.hpp"
 #include "ndframe/scene/scene_settings.hpp"
+#include "ndframe/scene/told_scene.hpp"
 
 namespace ndframe
 {
@@ -50,11 +51,8 @@ struct Model
   ContactConditions conditions = ContactConditions::Nodal; ///< on all interfaces
   bool solvesWhole = false; ///< whether bodies in contact may be solved by iterations on all of them together
   SceneRecipe recipe;       ///< what it was made from; empty when it is not to be reused
-  /// Of a scene of which ranks have shares: the whole on the meshes as drawn, and what is told of it; null otherwise.
-  std::shared_ptr<const Model> drawn;
-
-  /// The model that knows the bodies as a whole.
-  const Model& whole() const { return drawn ? *drawn : *this; }
+  /// Of a scene of which ranks have shares: what is told of its bodies as a whole; null otherwise.
+  std::shared_ptr<const ToldScene> told;
 
   /// The Dirichlet and the Neumann side of an interface node.
   std::array<NodeSide, 2> sidesAt(const InterfaceMesh& interface, int node) const;
@@ -76,9 +74,10 @@ Model buildModel(const SceneSettings& scene, const SceneComponents& components);
 
 /// Makes an earlier (or empty) model this scene's. What it was made from in the same way stays: everything, or the
 /// meshes and node maps of bodies. Counts "meshes reused". Rank 0 reads the meshes for all. A deck that is refused
-/// leaves the model as it was.
+/// leaves the model as it was. drawn: none, or per body its mesh as drawn, where rank 0 has read it (dim 0: it has
+/// not).
 void updateModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
-                 Ledger& ledger);
+                 Ledger& ledger, std::vector<Mesh> drawn = {});
 
 /// A mesh and its node map, which is made when it is empty.
 struct GivenMesh

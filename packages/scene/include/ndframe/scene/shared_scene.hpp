@@ -1,35 +1,53 @@
 #pragma once
 
+#include <optional>
+
+#include "ndframe/mesh/refined_numbers.hpp"
 #include "ndframe/scene/model.hpp"
 
 namespace ndframe
 {
 
-/// A scene on the meshes as they are drawn, which are refined after they have been shared out.
+/// A scene on the meshes as they are drawn, which are refined, if at all, after they have been shared out. One rank has
+/// it.
 struct DrawnScene
 {
-  std::shared_ptr<Model> model;
-  std::vector<int> halvings; ///< per body, of its mesh (halvingsOf); zero for rigid bodies
+  std::vector<Mesh> meshes;            ///< per body, until the model is built; of rigid bodies none
+  std::vector<int> halvings;           ///< per body: of its mesh (halvingsOf) those to come; zero for rigid bodies
+  std::vector<RefinedNumbers> numbers; ///< per body, with these; none where ranks cannot share them out (areEnough)
+  std::optional<Model> model;          ///< on the meshes
 };
 
-/// Reads the meshes as drawn and refines them until ranks can share them out evenly, but not further than they will be.
-/// Rank 0 reads for all. InputError like buildModel(). Collective.
-DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Comm& comm, Ledger& ledger);
+/// Reads the meshes as drawn, but for those that `known` has, and refines them until bodies that touch have as many
+/// halvings to come, and so many ranks can share them out evenly, but not further than they will be. All mistakes are
+/// reported at once (InputError).
+DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
+                     Ledger& ledger);
+
+/// Whether so many ranks can share the meshes out: solids that have some 200 vertices a rank, or all will be refined.
+bool areEnough(const DrawnScene& drawn, int ranks);
 
 /// Degrees of freedom of second order of a body on its refined mesh.
 std::int64_t refinedDofs(const DrawnScene& drawn, int body);
 
+/// Makes the model. InputError like buildModel().
+void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, Ledger& ledger);
+
 /// Why ranks cannot have shares of these bodies (BodyShare); empty: they can.
 std::string needsWhole(const DrawnScene& drawn);
 
+/// The meshes that need not be read again, for updateModel().
+std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene);
+
 /// The scene on the refined meshes, of which this rank has its share: the nodes that go with its drawn vertices
 /// (DrawnOwners), with the cells around them, and the cells at contact on every rank. Interfaces are the same on all
-/// ranks, to the bit, but for the numbers of nodes and cells. What the drawn scene says of bodies as a whole (rigid
-/// motions that supports leave free) is taken from it. Loads and constraints are those of the part: complete at own
-/// nodes, constraints at all. withHalo: cells with a vertex of an own cell are there, too. Collective.
+/// ranks, to the bit, but for the numbers of nodes and cells. What is said of bodies as a whole (rigid motions that
+/// supports leave free) is what all ranks are told. Loads and constraints are those of the part: complete at own nodes,
+/// constraints at all. withHalo: cells with a vertex of an own cell are there, too. Collective.
 ///
+/// drawn: of rank 0, empty elsewhere; it is handed out in parts (DrawnParts), one after the other, and given back.
 /// Drawn vertices are shared out by METIS as one graph of all bodies (joinedVertices).
-Model sharedModel(const DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, bool withHalo,
-                  const Comm& comm, int threads);
+Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene, const SceneComponents& components,
+                  bool withHalo, const Comm& comm, int threads);
 
 } // namespace ndframe
