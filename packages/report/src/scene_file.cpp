@@ -7,6 +7,7 @@
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/assembly/share_boundary.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_pieces.hpp"
 
@@ -71,6 +72,10 @@ ExodusWhole wholeOf(const ExodusScene& scene, const Comm& comm)
     whole.numOwnCells.push_back(share != nullptr ? share->numOwnCells() : comm.rank() == 0 ? nodes.numCells() : 0);
     const Vector counts = gatheredFrom({double(whole.numOwnCells.back())}, comm);
     whole.firstCells.push_back(std::int64_t(std::accumulate(counts.begin(), counts.begin() + comm.rank(), 0.0)));
+    whole.borders.emplace_back();
+    if (share != nullptr)
+      whole.borders.back() =
+          bordersOfShare({nodes, share->numbers(), ownersOf(*share, comm), share->numOwnCells()}, comm);
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     for (const Side& side : scene.bodies[b].mesh->sides)
