@@ -39,9 +39,8 @@ bool mayBeShared(const RunSettings& settings, int ranks)
 {
   const OutputOptions& output = settings.output;
   const std::vector<BodySettings>& bodies = settings.scene.bodies;
-  return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 && output.probes.empty() &&
-         !output.checkpoint && output.steps == StepsWritten::Final &&
-         (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
+  return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 && !output.checkpoint &&
+         output.steps == StepsWritten::Final && (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
          (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") &&
          std::all_of(bodies.begin(), bodies.end(),
                      [](const BodySettings& body) { return body.isRigid || halvingsOf(body.shape) > 0; });

@@ -156,14 +156,6 @@ FacetDistances distancesFrom(const Mesh& mesh, int cell, const double* x)
   return result;
 }
 
-/// Where a point with a normal stands to a body.
-struct Standing
-{
-  bool inside = false;                               ///< in a cell
-  bool touches = false;                              ///< on the boundary, facing it
-  double depth = std::numeric_limits<double>::max(); ///< distance from the boundary facets of the cells that hold it
-};
-
 void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundary, int cell, const double* x,
           const Point& normal, Standing& standing)
 {
@@ -204,39 +196,80 @@ std::vector<Point> pointsOf(const Mesh& mesh, Facet facet)
 
 } // namespace
 
-Encounter encounter(const BoundaryView& first, const BoundaryView& second)
+double reachOf(double diameter, double other)
 {
-  const Mesh &mesh = *first.mesh, &other = *second.mesh;
-  const Box mine = boxOfMesh(mesh), theirs = boxOfMesh(other);
-  const double reach = onBoundary * std::max(diameter(mesh), diameter(other));
-  Encounter result;
-  if (!mine.meets(theirs, mesh.dim, reach))
-    return result;
-  std::vector<int> near;
-  for (int c = 0; c < other.numCells(); ++c)
-    if (boxOfCell(other, c).meets(mine, mesh.dim, reach))
-      near.push_back(c);
-  std::set<std::pair<int, int>> boundary;
-  for (const Facet facet : second.facets)
-    boundary.insert({facet.cell, facet.local});
-  const CellTree tree(other, std::move(near));
-  for (const Facet facet : first.facets) {
-    if (first.paired.count({facet.cell, facet.local}) > 0)
+  return onBoundary * std::max(diameter, other);
+}
+
+std::vector<BoundaryPoint> pointsOf(const BoundaryView& body)
+{
+  std::vector<BoundaryPoint> points;
+  for (const Facet facet : body.facets) {
+    if (body.paired.count({facet.cell, facet.local}) > 0)
       continue;
     Point normal{};
-    facetNormal(mesh, facet, normal.data());
-    for (const Point& point : pointsOf(mesh, facet)) {
-      Standing standing;
-      tree.visit(point.data(), reach, [&](int cell) { look(second, boundary, cell, point.data(), normal, standing); });
-      if (standing.touches && !result.touching)
-        result.touching = point;
-      if (standing.inside && standing.depth > result.depth) {
-        result.depth = standing.depth;
-        result.deepest = point;
-      }
+    facetNormal(*body.mesh, facet, normal.data());
+    for (const Point& point : pointsOf(*body.mesh, facet))
+      points.push_back({point, normal});
+  }
+  return points;
+}
+
+std::vector<Standing> standingsOf(const std::vector<BoundaryPoint>& points, const BoundaryView& body, double reach)
+{
+  Box all = emptyBox(body.mesh->dim);
+  for (const BoundaryPoint& point : points)
+    all.add(point.x.data(), body.mesh->dim);
+  std::vector<int> near;
+  for (int c = 0; c < body.lookedAt(); ++c)
+    if (boxOfCell(*body.mesh, c).meets(all, body.mesh->dim, reach))
+      near.push_back(c);
+  std::set<std::pair<int, int>> boundary;
+  for (const Facet facet : body.facets)
+    boundary.insert({facet.cell, facet.local});
+  const CellTree tree(*body.mesh, std::move(near));
+  std::vector<Standing> standings;
+  for (const auto& [x, normal] : points) {
+    Standing& standing = standings.emplace_back();
+    tree.visit(x.data(), reach,
+               [&, &x = x, &normal = normal](int cell) { look(body, boundary, cell, x.data(), normal, standing); });
+  }
+  return standings;
+}
+
+Encounter encounterAt(const std::vector<BoundaryPoint>& points, const std::vector<Standing>& standings)
+{
+  Encounter result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (standings[i].touches && !result.touching)
+      result.touching = points[i].x;
+    if (standings[i].inside && standings[i].depth > result.depth) {
+      result.depth = standings[i].depth;
+      result.deepest = points[i].x;
     }
   }
   return result;
+}
+
+Encounter deeperOf(Encounter one, const Encounter& other)
+{
+  if (!one.touching)
+    one.touching = other.touching;
+  if (other.depth > one.depth) {
+    one.depth = other.depth;
+    one.deepest = other.deepest;
+  }
+  return one;
+}
+
+Encounter encounter(const BoundaryView& first, const BoundaryView& second)
+{
+  const Mesh &mesh = *first.mesh, &other = *second.mesh;
+  const double reach = reachOf(diameter(mesh), diameter(other));
+  if (!boxOfMesh(mesh).meets(boxOfMesh(other), mesh.dim, reach))
+    return {};
+  const std::vector<BoundaryPoint> points = pointsOf(first);
+  return encounterAt(points, standingsOf(points, second, reach));
 }
 
 std::vector<std::pair<int, int>> nearPairs(const std::vector<const Mesh*>& meshes)
@@ -265,14 +298,7 @@ std::vector<std::pair<int, int>> nearPairs(const std::vector<const Mesh*>& meshe
 
 Encounter encounterOf(const BoundaryView& a, const BoundaryView& b)
 {
-  Encounter one = encounter(a, b), other = encounter(b, a);
-  if (!one.touching)
-    one.touching = other.touching;
-  if (other.depth > one.depth) {
-    one.depth = other.depth;
-    one.deepest = other.deepest;
-  }
-  return one;
+  return deeperOf(encounter(a, b), encounter(b, a));
 }
 
 } // namespace ndframe

@@ -1,0 +1,143 @@
+"""What several processes say of solids of which each has a share: test_shares.py NDFRAME DECKS MPIEXEC.
+
+Probes and warnings are those of one process.
+"""
+
+import json
+import pathlib
+import re
+import subprocess
+import sys
+import tempfile
+import unittest
+from xml.etree import ElementTree
+
+
+NDFRAME, DECKS, MPIEXEC = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
+
+PUNCH = ["Linear Solver/Type=Multigrid", "Bodies/punch/Mesh/Cells={2, 2, 2}", "Bodies/foundation/Mesh/Cells={4, 4, 2}",
+         "Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1"]
+
+
+def add(parent, name, *lists, **parameters):
+    """A list with parameters; underscores of their names are spaces."""
+    made = ElementTree.SubElement(parent, "ParameterList", name=name)
+    for key, value in parameters.items():
+        kind = "Array(double)" if isinstance(value, list) else {str: "string", float: "double", int: "int"}[type(value)]
+        text = "{" + ", ".join(map(repr, value)) + "}" if isinstance(value, list) else str(value)
+        ElementTree.SubElement(made, "Parameter", name=key.replace("_", " "), type=kind, value=text)
+    for build in lists:
+        build(made)
+    return made
+
+
+class Shares(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def punch(self):
+        """The punch without what needs whole meshes."""
+        root = ElementTree.parse(DECKS / "punch-3d.xml").getroot()
+        for part in list(root):
+            if part.get("name") in ("Error Estimation", "Expect"):
+                root.remove(part)
+        return root
+
+    def run_deck(self, root, ranks, *settings, name=None, before=()):
+        name = name or f"np{ranks}"
+        (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
+        options = [part for setting in (*settings, f"Output/Name={name}") for part in ("--set", setting)]
+        launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks), *before] if ranks > 1 else []
+        done = subprocess.run([*launch, NDFRAME, "-i", "deck.xml", *options], cwd=self.folder, capture_output=True, text=True)
+        path = self.folder / f"{name}.summary.json"
+        return done, json.loads(path.read_text()) if path.exists() else None
+
+    def right(self, root, ranks, *settings, **options):
+        done, summary = self.run_deck(root, ranks, *settings, **options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        if summary and ranks > 1:
+            self.assertGreater(summary["ledger"]["counts"].get("shared bodies", 0), 0, "ranks have shares")
+        return summary
+
+    def probed(self):
+        root = self.punch()
+        output = add(root, "Output")
+        probes = add(output, "Probes")
+        add(probes, "inside", Body="punch", At=[0.31, 0.47, 0.53])
+        add(probes, "corner", Body="punch", At=[0.5, 0.5, 0.5])  # of many cells, of several ranks
+        add(probes, "line", Body="foundation", From=[0.0, 0.0, -1.0], To=[2.0, 2.0, 0.0], Points=9)
+        add(probes, "contact", Body="punch", From=[0.0, 0.0, 0.0], To=[1.0, 1.0, 0.0], Points=7)
+        add(probes, "outside", Body="foundation", At=[1.0, 1.3, 0.004], Tolerance=0.01)
+        add(probes, "top", Body="punch", Side="top")
+        add(probes, "below", Body="foundation", Side="contact", About=[0.1, 0.2, 0.3])
+        return root
+
+    def compare(self, one, other, path="probes"):
+        """The same numbers but for the solver's tolerance."""
+        self.assertEqual(type(one), type(other), path)
+        if isinstance(one, dict):
+            self.assertEqual(one.keys(), other.keys(), path)
+            for key in one:
+                self.compare(one[key], other[key], f"{path}/{key}")
+        elif isinstance(one, list):
+            self.assertEqual(len(one), len(other), path)
+            for k, values in enumerate(zip(one, other)):
+                self.compare(*values, f"{path}/{k}")
+        elif isinstance(one, float):
+            self.assertAlmostEqual(one, other, delta=2e-6, msg=path)
+        else:
+            self.assertEqual(one, other, path)
+
+    def test_probes_are_those_of_one_process(self):
+        root = self.probed()
+        one = self.right(root, 1, *PUNCH, "Output/Exodus=false")
+        pressed = [point for probe in one["probes"] if probe["name"] == "contact" for point in probe["points"]]
+        self.assertGreater(pressed[3]["contact_pressure"], 0.5)
+        shared = self.right(root, 4, *PUNCH, "Output/Exodus=false")
+        self.compare(one["probes"], shared["probes"])
+        first, other = ((self.folder / f"np{n}.probes.csv").read_text().splitlines() for n in (1, 4))
+        self.assertEqual((len(first), first[0]), (len(other), other[0]))
+
+    def test_a_point_in_no_cell_is_refused_alike(self):
+        root = self.probed()
+        add(root.find("ParameterList[@name='Output']/ParameterList[@name='Probes']"), "nowhere", Body="punch", At=[0.5, 0.5, 1.5])
+        messages = []
+        for ranks in (1, 3):
+            done, summary = self.run_deck(root, ranks, *PUNCH, "Output/Exodus=false")
+            self.assertEqual((done.returncode, summary), (2, None), done.stdout)
+            messages.append([line for line in done.stderr.splitlines() if "nowhere" in line])
+        self.assertIn("(0.5, 0.5, 1.5) lies outside of \"punch\"", messages[0][0])
+        self.assertEqual(messages[0], messages[1])
+
+    def blocks(self, push):
+        """Two blocks one above the other with nothing between them; the upper one grows by `push`."""
+        root = ElementTree.Element("ParameterList", name="blocks")
+        bodies = add(root, "Bodies")
+        solid = dict(Young_Modulus=1.0, Poisson_Ratio=0.0, Hypothesis="Three Dimensional")
+        for name, lower, upper, held in (("lower", [0.0, 0.0, 0.0], [1.0, 1.0, 1.0], "bottom"),
+                                         ("upper", [0.3, 0.2, 1.002], [1.3, 1.1, 2.002], "top")):
+            body = add(bodies, name)
+            mesh = add(body, "Mesh", Type="Box", Lower=lower, Upper=upper, Refine=1)
+            ElementTree.SubElement(mesh, "Parameter", name="Cells", type="Array(int)", value="{3, 3, 3}")
+            add(body, "Material", **solid)
+            add(add(body, "Supports"), "held", Type="Clamp", Side=held)
+            if name == "upper":
+                add(add(body, "Loads"), "pull", Type="Pressure", Side="bottom", Value=-push)
+        ElementTree.SubElement(root, "Parameter", name="Strain Limit", type="double", value="10.0")
+        return root
+
+    def test_bodies_that_are_brought_into_each_other_get_the_warning_of_one_process(self):
+        for push, count in ((0.009, 1), (0.001, 0)):
+            root, found = self.blocks(push), []
+            for ranks in (1, 2, 3):
+                summary = self.right(root, ranks, "Linear Solver/Type=Multigrid", "Output/Exodus=false")
+                found.append([warning for warning in summary["warnings"] if warning["kind"] == "overlapping bodies"])
+            self.assertEqual([len(warnings) for warnings in found], [count] * 3, found)
+            said = {re.sub(r" near \(.*?\)", "", warning["message"]) for warnings in found for warning in warnings}
+            self.assertEqual(len(said), count, said)  # of equally deep points ranks may name another one
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
