@@ -1,6 +1,6 @@
-"""What several processes say of solids of which each has a share: test_shares.py NDFRAME DECKS MPIEXEC.
+"""What several processes write and say of solids of which each has a share: test_shares.py NDFRAME DECKS MPIEXEC.
 
-Probes and warnings are those of one process.
+Probes, warnings and the one file of all are those of one process; only the order of nodes and elements in the file is the ranks'.
 """
 
 import json
@@ -12,6 +12,12 @@ import tempfile
 import unittest
 from xml.etree import ElementTree
 
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "python"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "io"))
+import exodus_pieces  # noqa: E402
+import ndframe  # noqa: E402
+import netCDF4  # noqa: E402
+import numpy  # noqa: E402
 
 NDFRAME, DECKS, MPIEXEC = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 
@@ -137,6 +143,105 @@ class Shares(unittest.TestCase):
             self.assertEqual([len(warnings) for warnings in found], [count] * 3, found)
             said = {re.sub(r" near \(.*?\)", "", warning["message"]) for warnings in found for warning in warnings}
             self.assertEqual(len(said), count, said)  # of equally deep points ranks may name another one
+
+    def by_place(self, name):
+        """Nodes of a file by block and place, with their values; the file is checked on the way."""
+        with netCDF4.Dataset(self.folder / f"{name}.e") as file:
+            file.set_auto_mask(False)
+            text = lambda names: [row.tobytes().split(b"\0")[0].decode() for row in file[names][:]]
+            points = numpy.stack([file[f"coord{axis}"][:] for axis in "xyz"], axis=1)
+            nodal = {n: file[f"vals_nod_var{v + 1}"][-1] for v, n in enumerate(text("name_nod_var"))}
+            used, found = [], {}
+            for b, block in enumerate(text("eb_names")):
+                nodes = file[f"connect{b + 1}"][:] - 1
+                used.append(numpy.unique(nodes))
+                cells = numpy.sort(nodes[:, :4], axis=1)
+                centres = points[cells].mean(axis=1).round(9)
+                self.assertEqual(len(numpy.unique(centres, axis=0)), len(centres), "every cell once")
+                for middle, (a, c) in zip(nodes[:, 4:].T, ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))):
+                    numpy.testing.assert_allclose(points[middle], (points[nodes[:, a]] + points[nodes[:, c]]) / 2, atol=1e-12)
+                order = numpy.lexsort(points[used[-1]].round(9).T)
+                found[block] = points[used[-1]][order], {n: v[used[-1]][order] for n, v in nodal.items()}
+                order = numpy.lexsort(centres.T)
+                found[block, "cells"] = centres[order], {
+                    n: file[f"vals_elem_var{v + 1}eb{b + 1}"][-1][order] for v, n in enumerate(text("name_elem_var"))}
+            numpy.testing.assert_array_equal(numpy.concatenate(used), numpy.arange(len(points)))
+            connects = numpy.concatenate([file[f"connect{b + 1}"][:, :4] - 1 for b in range(len(text("eb_names")))])
+            sides = numpy.array(((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1)))
+            for s, side in enumerate(text("ss_names")):
+                facets = connects[file[f"elem_ss{s + 1}"][:] - 1][numpy.arange(len(file[f"elem_ss{s + 1}"])).reshape(-1, 1),
+                                                                 sides[file[f"side_ss{s + 1}"][:] - 1]]
+                centres = points[facets].mean(axis=1).round(9)
+                order = numpy.lexsort(centres.T)
+                values = {n: file[f"vals_sset_var{v + 1}ss{s + 1}"][-1][order]
+                          for v, n in enumerate(text("name_sset_var")) if f"vals_sset_var{v + 1}ss{s + 1}" in file.variables}
+                found["side", side] = centres[order], values
+            found["times"] = file["time_whole"][:], {"all": file["vals_glo_var"][-1]}
+        return found
+
+    def compare_files(self, one, other):
+        whole, shared = self.by_place(one), self.by_place(other)
+        self.assertEqual(whole.keys(), shared.keys())
+        for part, (points, values) in whole.items():
+            numpy.testing.assert_allclose(shared[part][0], points, atol=1e-9)
+            self.assertEqual(values.keys(), shared[part][1].keys())
+            for name, ours in values.items():
+                numpy.testing.assert_allclose(shared[part][1][name], ours, atol=1e-6, err_msg=f"{part} {name}")
+
+    def test_one_file_of_all_shares_is_that_of_one_process(self):
+        root = self.punch()
+        self.right(root, 1, *PUNCH)
+        for ranks in (4,):
+            (self.folder / f"np{ranks}.e.2.0").write_text("of an earlier run")
+            self.right(root, ranks, *PUNCH, "Output/Exodus Files=Single")
+            self.assertEqual([path.name for path in self.folder.glob(f"np{ranks}.e*")], [f"np{ranks}.e"])
+            self.compare_files("np1", f"np{ranks}")
+        whole, shared = (ndframe.read(str(self.folder / f"np{ranks}")).fields for ranks in (1, 4))
+        self.assertEqual((whole.blocks, whole.sides), (shared.blocks, shared.sides))
+
+    def test_one_file_of_load_cases(self):
+        root = self.punch()
+        cases = add(root, "Load Cases")
+        ElementTree.SubElement(cases, "Parameter", name="Names", type="Array(string)", value="{once, twice}")
+        add(cases, "Factors", **{"Bodies/punch/Loads/press": [1.0, 2.0]})
+        for ranks, *files in ((1,), (3, "Output/Exodus Files=Single")):
+            done, _ = self.run_deck(root, ranks, *PUNCH, *files)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.compare_files("np1", "np3")
+        done, _ = self.run_deck(root, 2, *PUNCH, "Output/Exodus Files=Pieces")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        exodus_pieces.Pieces(self.folder.glob("np2.e.2.*")).check_maps()
+
+    def test_where_the_file_cannot_be_written_nothing_is_left(self):
+        (self.folder / "np3.e").mkdir()
+        done, _ = self.run_deck(self.punch(), 3, *PUNCH, "Output/Exodus Files=Single")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertEqual(done.stderr.count('cannot write "np3.e": it is a folder'), 1, done.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["deck.xml", "np3.e"])
+
+    def test_a_full_disk_of_one_process_leaves_nothing(self):
+        limited = ["sh", "-c", 'test "$OMPI_COMM_WORLD_RANK" = 1 && ulimit -f 80; exec "$0" "$@"']
+        done, _ = self.run_deck(self.punch(), 2, *PUNCH, "Output/Exodus Files=Single", before=limited)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stderr.count('cannot write "np2.e": '), 1, done.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["deck.xml"])
+
+    def test_vtk_reads_the_one_file(self):
+        try:
+            from vtkmodules.vtkIOExodus import vtkExodusIIReader
+        except ImportError:
+            self.skipTest("VTK is not installed")
+        self.right(self.punch(), 3, *PUNCH, "Output/Exodus Files=Single")
+        reader = vtkExodusIIReader()
+        reader.SetFileName(str(self.folder / "np3.e"))
+        reader.UpdateInformation()
+        reader.SetAllArrayStatus(vtkExodusIIReader.NODAL, 1)
+        reader.Update()
+        blocks = reader.GetOutput().GetBlock(0)
+        with netCDF4.Dataset(self.folder / "np3.e") as file:
+            cells = [len(file[f"connect{b + 1}"]) for b in range(2)]
+            self.assertEqual([blocks.GetBlock(b).GetNumberOfCells() for b in range(2)], cells)
+        self.assertGreater(abs(blocks.GetBlock(0).GetPointData().GetArray("disp_").GetRange(2)[0]), 0.1)
 
 
 if __name__ == "__main__":

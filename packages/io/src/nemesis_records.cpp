@@ -38,9 +38,9 @@ NemesisRecords::NemesisRecords(const ExodusLayout& whole, const ExodusLayout& pi
       elementNumbers_(std::size_t(piece.numCells()))
 {
   for (const ElementBlock& block : whole.blocks)
-    whole_.blocks.push_back(block.numCells(*whole.bodies));
+    whole_.blocks.push_back(block.numCells);
   for (const SideSet& set : whole.sets)
-    whole_.sets.push_back(int(set.facets->size()));
+    whole_.sets.push_back(int(set.size));
   for (std::size_t b = 0; b < scene.parts().size(); ++b) {
     const PieceBody& part = scene.parts()[b];
     for (const int node : part.ofBody)

@@ -30,7 +30,8 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
   };
   const OutputOptions& output = tools.settings.output;
   return std::all_of(bodies.begin(), bodies.end(), isForMultigrid) &&
-         (!output.exodus || writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
+         (!output.exodus || output.exodusFiles == ExodusFiles::Single ||
+          writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
 }
 
 } // namespace
@@ -40,7 +41,7 @@ bool mayBeShared(const RunSettings& settings, int ranks)
   const OutputOptions& output = settings.output;
   const std::vector<BodySettings>& bodies = settings.scene.bodies;
   return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 && !output.checkpoint &&
-         output.steps == StepsWritten::Final && (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
+         output.steps == StepsWritten::Final &&
          (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") &&
          std::all_of(bodies.begin(), bodies.end(),
                      [](const BodySettings& body) { return body.isRigid || halvingsOf(body.shape) > 0; });
