@@ -1,14 +1,18 @@
 """What several processes write and say of solids of which each has a share: test_shares.py NDFRAME DECKS MPIEXEC.
 
 Probes, warnings and the one file of all are those of one process; only the order of nodes and elements in the file is the ranks'.
+Runs that are ended go on, on as many processes with the same bits.
 """
 
 import json
+import os
 import pathlib
 import re
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from xml.etree import ElementTree
 
@@ -51,12 +55,12 @@ class Shares(unittest.TestCase):
                 root.remove(part)
         return root
 
-    def run_deck(self, root, ranks, *settings, name=None, before=()):
+    def run_deck(self, root, ranks, *settings, name=None, before=(), more=()):
         name = name or f"np{ranks}"
         (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
         options = [part for setting in (*settings, f"Output/Name={name}") for part in ("--set", setting)]
         launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks), *before] if ranks > 1 else []
-        done = subprocess.run([*launch, NDFRAME, "-i", "deck.xml", *options], cwd=self.folder, capture_output=True, text=True)
+        done = subprocess.run([*launch, NDFRAME, "-i", "deck.xml", *options, *more], cwd=self.folder, capture_output=True, text=True)
         path = self.folder / f"{name}.summary.json"
         return done, json.loads(path.read_text()) if path.exists() else None
 
@@ -225,6 +229,78 @@ class Shares(unittest.TestCase):
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertEqual(done.stderr.count('cannot write "np2.e": '), 1, done.stderr)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["deck.xml"])
+
+    LOSS = ["Linear Solver/Type=Multigrid", "Bodies/upper/Mesh/Cells={3, 3, 2}", "Bodies/lower/Mesh/Cells={6, 6, 3}",
+            "Bodies/upper/Mesh/Refine=1", "Bodies/lower/Mesh/Refine=1", "Output/Checkpoint=true", "Output/Exodus Files=Pieces"]
+
+    def killed(self, root, ranks, name, passes):
+        """A run that is killed when its checkpoint has come so many times; whether it was."""
+        (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
+        options = [part for setting in (*self.LOSS, f"Output/Name={name}") for part in ("--set", setting)]
+        process = subprocess.Popen([MPIEXEC, "--oversubscribe", "-np", str(ranks), NDFRAME, "-i", "deck.xml", *options], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        path, seen = self.folder / f"{name}.checkpoint", set()
+        while process.poll() is None and len(seen) < passes:
+            if path.exists():
+                seen.add(path.stat().st_mtime_ns)
+            time.sleep(0.001)
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        process.wait()
+        time.sleep(0.5)  # what mpiexec started ends with it
+        return not (self.folder / f"{name}.summary.json").exists()
+
+    def loss(self):
+        root = ElementTree.parse(DECKS / "contact-loss-3d.xml").getroot()
+        for part in list(root):
+            if part.get("name") in ("Error Estimation", "Expect"):
+                root.remove(part)
+        return root
+
+    def parts(self, name):
+        return sorted(path.name for path in self.folder.glob(f"{name}.checkpoint.*"))
+
+    def test_killed_runs_go_on_on_any_number_of_processes(self):
+        root, caught = self.loss(), 0
+        whole = self.right(root, 3, *self.LOSS, name="whole")
+        self.assertEqual(self.parts("whole"), [], "a run that has ended leaves no parts")
+        for passes in (1, 2):
+            if not self.killed(root, 3, "np3", passes):
+                continue
+            caught += 1
+            self.assertGreaterEqual(len(self.parts("np3")), 3)
+            kept = {path.name: path.read_bytes() for path in self.folder.glob("np3.checkpoint*")}
+            for ranks in (3, 2, 4):
+                for name, content in kept.items():
+                    (self.folder / name).write_bytes(content)
+                (self.folder / "np3.summary.json").unlink(missing_ok=True)
+                done, summary = self.run_deck(root, ranks, *self.LOSS, name="np3", more=["--restart"])
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertRegex(done.stdout, "status pass(es)? (is|are) not solved again")
+                self.assertEqual(self.parts("np3"), [])
+                self.assertEqual(summary["interfaces"][0]["closed_nodes"], whole["interfaces"][0]["closed_nodes"])
+                self.assertAlmostEqual(summary["energy"] / whole["energy"], 1.0, delta=0.0 if ranks == 3 else 1e-8)
+                if ranks == 3:
+                    tables = [(self.folder / f"{name}.contact.csv").read_bytes() for name in ("np3", "whole")]
+                    self.assertEqual(tables[0], tables[1])
+            one = self.restart_alone(root, kept)
+            self.assertIn("processes that have shares of the bodies", one)
+            name = next(name for name in kept if name.endswith(".3.1"))
+            (self.folder / name).unlink()
+            done, _ = self.run_deck(root, 3, *self.LOSS, name="np3", more=["--restart"])
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(name, done.stderr)
+            (self.folder / "np3.summary.json").unlink(missing_ok=True)
+        self.assertGreater(caught, 0)
+
+    def restart_alone(self, root, kept):
+        for name, content in kept.items():
+            (self.folder / name).write_bytes(content)
+        done, _ = self.run_deck(root, 1, *self.LOSS, name="np3", more=["--restart"])
+        self.assertEqual(done.returncode, 2, done.stdout)
+        return done.stderr
 
     def test_vtk_reads_the_one_file(self):
         try:

@@ -40,7 +40,7 @@ bool mayBeShared(const RunSettings& settings, int ranks)
 {
   const OutputOptions& output = settings.output;
   const std::vector<BodySettings>& bodies = settings.scene.bodies;
-  return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 && !output.checkpoint &&
+  return ranks > 1 && !settings.errors && !settings.accuracy && settings.scene.order == 2 &&
          output.steps == StepsWritten::Final &&
          (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") &&
          std::all_of(bodies.begin(), bodies.end(),

@@ -23,7 +23,6 @@ struct Box
 {
   Point lower{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), 0.0};
   Point upper{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(), 0.0};
-
   void add(const double* x, int dim)
   {
     for (std::size_t k = 0; k < std::size_t(dim); ++k) {
@@ -156,11 +155,11 @@ FacetDistances distancesFrom(const Mesh& mesh, int cell, const double* x)
   return result;
 }
 
-void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundary, int cell, const double* x,
-          const Point& normal, Standing& standing)
+void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundary, int cell, const BoundaryPoint& point,
+          Standing& standing)
 {
   const auto& mesh = *body.mesh;
-  const auto facets = distancesFrom(mesh, cell, x);
+  const auto facets = distancesFrom(mesh, cell, point.x.data());
   const double nothing = onBoundary * facets.height;
   const auto last = facets.distance.begin() + mesh.dim + 1;
   if (*std::min_element(facets.distance.begin(), last) < -nothing)
@@ -174,7 +173,7 @@ void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundar
     standing.depth = std::min(standing.depth, facets.distance[f] < nothing ? 0.0 : facets.distance[f]);
     const auto& n = facets.normal[f];
     if (facets.distance[f] < nothing && body.paired.count({cell, local}) == 0 &&
-        n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2] < opposite)
+        n[0] * point.normal[0] + n[1] * point.normal[1] + n[2] * point.normal[2] < opposite)
       standing.touches = true;
   }
 }
@@ -228,12 +227,9 @@ std::vector<Standing> standingsOf(const std::vector<BoundaryPoint>& points, cons
   for (const Facet facet : body.facets)
     boundary.insert({facet.cell, facet.local});
   const CellTree tree(*body.mesh, std::move(near));
-  std::vector<Standing> standings;
-  for (const auto& [x, normal] : points) {
-    Standing& standing = standings.emplace_back();
-    tree.visit(x.data(), reach,
-               [&, &x = x, &normal = normal](int cell) { look(body, boundary, cell, x.data(), normal, standing); });
-  }
+  std::vector<Standing> standings(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    tree.visit(points[i].x.data(), reach, [&](int cell) { look(body, boundary, cell, points[i], standings[i]); });
   return standings;
 }
 
@@ -264,9 +260,8 @@ Encounter deeperOf(Encounter one, const Encounter& other)
 
 Encounter encounter(const BoundaryView& first, const BoundaryView& second)
 {
-  const Mesh &mesh = *first.mesh, &other = *second.mesh;
-  const double reach = reachOf(diameter(mesh), diameter(other));
-  if (!boxOfMesh(mesh).meets(boxOfMesh(other), mesh.dim, reach))
+  const double reach = reachOf(diameter(*first.mesh), diameter(*second.mesh));
+  if (!boxOfMesh(*first.mesh).meets(boxOfMesh(*second.mesh), first.mesh->dim, reach))
     return {};
   const std::vector<BoundaryPoint> points = pointsOf(first);
   return encounterAt(points, standingsOf(points, second, reach));
