@@ -103,7 +103,7 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
        "polygon of the mesh, with its corners: mesh it finely from the start. Several processes that solve solids "
        "whole "
        "(Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, where "
-       "nothing asks for all of a body: no Error Estimation, Accuracy, Probes or Checkpoint, Exodus Files in pieces."});
+       "nothing asks for all of a body: no Error Estimation or Accuracy; fields in pieces or Single (Exodus Files)."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {
