@@ -148,6 +148,16 @@ private:
 
 } // namespace
 
+void putTime(ExodusFile& file, int number, const ExodusStep& step)
+{
+  file.call("the time of a step", ex_put_time, number, &step.time);
+  Vector globals;
+  for (const NamedField& value : step.global)
+    globals.push_back(value.values.front());
+  if (!globals.empty())
+    file.call("the global values", ex_put_var, number, EX_GLOBAL, 1, 1, std::int64_t(globals.size()), globals.data());
+}
+
 void beginSlices(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
                  const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
                  const std::vector<std::string>& infoLines, const ExodusWhole& whole)

@@ -265,16 +265,6 @@ void defineContent(ExodusFile& file, const std::string& title, const ExodusLayou
   putAllNames(file, layout, variables);
 }
 
-void putTime(ExodusFile& file, int number, const ExodusStep& step)
-{
-  file.call("the time of a step", ex_put_time, number, &step.time);
-  Vector globals;
-  for (const auto& value : step.global)
-    globals.push_back(value.values.front());
-  if (!globals.empty())
-    StepWriter{file, number}.put(EX_GLOBAL, 0, 1, globals);
-}
-
 void writeContent(const std::string& path, const std::string& title, const ExodusLayout& layout,
                   const std::vector<ExodusStep>& steps, const std::vector<std::string>& infoLines,
                   const std::function<void(ExodusFile&)>& addRecords)
