@@ -51,6 +51,8 @@ std::vector<Facet> ownBoundary(const Mesh& mesh, const BodyShare& share, const C
   own.dim = mesh.dim;
   own.points = mesh.points;
   own.cells.assign(mesh.cells.begin(), mesh.cells.begin() + std::ptrdiff_t(share.numOwnCells()) * (mesh.dim + 1));
+  if (comm.size() == 1)
+    return boundaryFacets(own);
   const std::vector<int> owners = ownersOf(share, comm);
   std::vector<std::vector<Global>> told(std::size_t(comm.size()));
   std::vector<std::vector<Facet>> facets(told.size());
