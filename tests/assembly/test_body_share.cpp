@@ -1,9 +1,12 @@
 // What a rank has of a body that no rank has as a whole.
 
+#include <algorithm>
+
 #include <gtest/gtest.h>
 
 #include "common/test_main.hpp"
 #include "ndframe/assembly/body_share.hpp"
+#include "ndframe/assembly/share_boundary.hpp"
 
 namespace
 {
@@ -84,6 +87,38 @@ TEST(BodyShare, ForgetsTheValuesOfOtherOwners)
   (*chain).annulOthers(values, 1);
   for (std::size_t node = 0; node < values.size(); ++node)
     EXPECT_EQ(values[node], (*chain).owns(int(node)) ? 1.0 : 0.0);
+}
+
+/// A strip of squares of two triangles each, one square to a rank; the nodes between two are the next rank's.
+TEST(BodyShare, ItsBoundaryIsThatOfTheWhole)
+{
+  const int rank = Chain::rank(), last = Chain::ranks() - 1;
+  Mesh mesh;
+  mesh.dim = 2;
+  std::vector<Global> numbers;
+  std::vector<int> owners;
+  for (int node = 2 * rank; node < 2 * rank + 4; ++node) {
+    numbers.push_back(node);
+    owners.push_back(std::min(node / 2, last));
+    mesh.points.insert(mesh.points.end(), {double(node / 2), double(node % 2)});
+  }
+  mesh.cells = {0, 2, 3, 0, 3, 1};
+  const BodyShare share(2 * (last + 2), 2 * (last + 1), numbers, owners, 2, test::comm());
+  EXPECT_EQ(ownersOf(share, test::comm()), owners);
+  std::vector<std::pair<int, int>> edges;
+  for (const Facet facet : ownBoundary(mesh, share, test::comm())) {
+    int vertices[3];
+    facetVertices(mesh, facet, vertices);
+    edges.emplace_back(std::min(vertices[0], vertices[1]), std::max(vertices[0], vertices[1]));
+  }
+  std::sort(edges.begin(), edges.end());
+  std::vector<std::pair<int, int>> expected{{0, 2}, {1, 3}};
+  if (rank == 0)
+    expected.insert(expected.begin(), {0, 1});
+  if (rank == last)
+    expected.emplace_back(2, 3);
+  std::sort(expected.begin(), expected.end());
+  EXPECT_EQ(edges, expected);
 }
 
 } // namespace

@@ -104,6 +104,7 @@ class PiecesOfExodus(unittest.TestCase):
         self.right(1, deck, *settings, "Output/Name=whole")
         done = self.right(4, deck, *settings, "Output/Report=true")  # one piece at least has nothing of the punch
         self.assertIn("made by the 4 processes in shares of 0 to ", done.stdout)
+        exodus_pieces.Pieces(self.folder.glob("solids.e.4.*")).check_maps()
         self.assertNotIn("pictures of the bodies", (self.folder / "solids.report.html").read_text())
         whole, shares = (ndframe.read(str(self.folder / name)).fields for name in ("whole", "solids"))
         for block in whole.blocks:

@@ -59,18 +59,84 @@ def same(ours, theirs, what, tolerance=None):
                               equal_nan=True), what
 
 
-class Join:
-    """Everything of the whole, gathered from its pieces and compared; values up to a tolerance where another run has written the whole."""
+class Pieces:
+    """All pieces of a scene, and what they say of each other."""
 
-    def __init__(self, whole, pieces, tolerance=None):
-        self.tolerance = tolerance
-        self.whole, self.pieces = open_file(whole), sorted((Piece(path) for path in pieces), key=lambda p: p.number)
+    def __init__(self, pieces):
+        self.pieces = sorted((Piece(path) for path in pieces), key=lambda p: p.number)
         assert [p.number for p in self.pieces] == list(range(self.pieces[0].pieces))
-        owners = numpy.zeros(self.whole.dimensions["num_elem"].size, int)
+        sizes = self.pieces[0].file.dimensions
+        owners = numpy.zeros(sizes["num_elems_global"].size, int)
         for piece in self.pieces:
             owners[piece.elements] += 1
         assert (owners == 1).all(), "every element is in one piece"
-        assert set(numpy.concatenate([p.nodes for p in self.pieces])) == set(range(self.whole.dimensions["num_nodes"].size))
+        assert set(numpy.concatenate([p.nodes for p in self.pieces])) == set(range(sizes["num_nodes_global"].size))
+
+    def check_maps(self):
+        """What two pieces say they share is what they share, in the same order on both sides."""
+        facets = [self.facets_of(piece) for piece in self.pieces]
+        for piece in self.pieces:
+            maps, border = piece.maps("n"), set()
+            for other in self.pieces:
+                common = numpy.intersect1d(piece.nodes, other.nodes)
+                if other is piece or common.size == 0:
+                    assert other.number not in maps
+                    continue
+                mine = piece.nodes[maps[other.number][0] - 1]
+                assert list(mine) == list(common)
+                self.compare_common(piece, other, common)
+                border |= set(maps[other.number][0])
+            assert border == set(numbers(piece.file, "node_mapb"))
+            inner = set(numbers(piece.file, "node_mapi"))
+            assert not inner & border and inner | border == set(range(1, len(piece.nodes) + 1))
+            self.check_facets(piece, facets)
+
+    def compare_common(self, piece, other, common):
+        """Nodes of several pieces have the same place and the same values in all of them, bit by bit."""
+        names = [f"coord{axis}" for axis in piece.axes]
+        names += [f"vals_nod_var{v + 1}" for v in range(len(texts(piece.file, "name_nod_var")))]
+        for name in names:
+            ours, theirs = (p.file[name][:][..., numpy.searchsorted(p.nodes, common)] for p in (piece, other))
+            same(ours, theirs, f"{name} on common nodes")
+
+    def check_facets(self, piece, facets):
+        """facets: per piece all that it has."""
+        maps, border = piece.maps("e"), set()
+        for number, (elements, sides) in maps.items():
+            back = self.pieces[number].maps("e")[piece.number]
+            mine = [self.facet(piece, e, s) for e, s in zip(elements, sides)]
+            assert len(set(mine)) == len(mine)
+            assert mine == [self.facet(self.pieces[number], e, s) for e, s in zip(*back)]
+            border |= set(elements)
+        for other in self.pieces:
+            both = facets[piece.number] & facets[other.number] if other is not piece else set()
+            listed = zip(*maps[other.number]) if other.number in maps else []
+            assert both == {self.facet(piece, e, s) for e, s in listed}, "facets of two pieces are in their maps"
+        assert border == set(numbers(piece.file, "elem_mapb"))
+
+    SIDES = {2: ((0, 1), (1, 2), (2, 0)), 3: ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1))}
+
+    def facets_of(self, piece):
+        sides = self.SIDES[len(piece.axes)]
+        return {tuple(sorted(int(node) for node in piece.nodes[nodes[list(side)] - 1]))
+                for b in range(piece.blocks) for nodes in numbers(piece.file, f"connect{b + 1}") for side in sides}
+
+    def facet(self, piece, element, side):
+        """The vertices in the whole."""
+        for b in range(piece.blocks):
+            own = piece.elements_of(b)
+            if own.size and own[0] <= element - 1 <= own[-1]:
+                nodes = piece.file[f"connect{b + 1}"][element - 1 - own[0]]
+                return tuple(sorted(int(piece.nodes[nodes[v] - 1]) for v in self.SIDES[len(piece.axes)][side - 1]))
+        raise AssertionError(f"no element {element}")
+
+
+class Join(Pieces):
+    """Everything of the whole, gathered from its pieces and compared; values up to a tolerance where another run has written the whole."""
+
+    def __init__(self, whole, pieces, tolerance=None):
+        super().__init__(pieces)
+        self.tolerance, self.whole = tolerance, open_file(whole)
 
     def compare(self):
         for names in ("eb_names", "ss_names", "coor_names", "name_nod_var", "name_elem_var", "name_sset_var", "name_glo_var",
@@ -138,45 +204,3 @@ class Join:
         assert nodes == list(range(1, len(piece.nodes) + 1))
         elements = sorted([*numbers(piece.file, "elem_mapi"), *numbers(piece.file, "elem_mapb")])
         assert elements == list(range(1, len(piece.elements) + 1))
-
-    def check_maps(self):
-        """What two pieces say they share is what they share, in the same order on both sides."""
-        for piece in self.pieces:
-            maps, border = piece.maps("n"), set()
-            for other in self.pieces:
-                common = numpy.intersect1d(piece.nodes, other.nodes)
-                if other is piece or common.size == 0:
-                    assert other.number not in maps
-                    continue
-                mine = piece.nodes[maps[other.number][0] - 1]
-                assert list(mine) == list(common)
-                self.compare_common(piece, other, common)
-                border |= set(maps[other.number][0])
-            assert border == set(numbers(piece.file, "node_mapb"))
-            self.check_facets(piece)
-
-    def compare_common(self, piece, other, common):
-        """Nodes of several pieces have the same values in all of them, bit by bit."""
-        for v in range(len(texts(self.whole, "name_nod_var"))):
-            ours, theirs = (p.file[f"vals_nod_var{v + 1}"][:][:, numpy.searchsorted(p.nodes, common)] for p in (piece, other))
-            same(ours, theirs, f"nodal variable {v} on common nodes")
-
-    def check_facets(self, piece):
-        maps, border = piece.maps("e"), set()
-        for number, (elements, sides) in maps.items():
-            back = self.pieces[number].maps("e")[piece.number]
-            mine = [self.facet(piece, e, s) for e, s in zip(elements, sides)]
-            assert len(set(mine)) == len(mine)
-            assert mine == [self.facet(self.pieces[number], e, s) for e, s in zip(*back)]
-            border |= set(elements)
-        assert border == set(numbers(piece.file, "elem_mapb"))
-
-    def facet(self, piece, element, side):
-        """The vertices in the whole."""
-        sides = {2: ((0, 1), (1, 2), (2, 0)), 3: ((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1))}[len(piece.axes)]
-        for b in range(piece.blocks):
-            own = piece.elements_of(b)
-            if own.size and own[0] <= element - 1 <= own[-1]:
-                nodes = piece.file[f"connect{b + 1}"][element - 1 - own[0]]
-                return tuple(sorted(int(piece.nodes[nodes[v] - 1]) for v in sides[side - 1]))
-        raise AssertionError(f"no element {element}")

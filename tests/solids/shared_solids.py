@@ -1,7 +1,7 @@
 """Solids whose meshes are shared out: shared_solids.py NDFRAME [--scenes N] [--seed FIRST].
 
 Random scenes from files of gmsh, as they are drawn (fine enough for the ranks) or with `Refine`, on one process and on 2 to 6
-ranks that have shares of the meshes: energies, reactions, peaks and contact are the same, and so are the bounds of those that
+ranks that have shares of the meshes: energies, reactions, peaks, probes and contact are the same, and so are the bounds of those that
 are certified, whose stresses are in equilibrium. Scenes that cannot be shared (sides
 that are cut) are solved whole and are compared, too. Prints what differs.
 """
@@ -61,6 +61,31 @@ def numbers(summary):
     for interface in summary["interfaces"]:
         yield "force", "contact force", interface["contact_force"]
         yield "nodes", "nodes", interface["nodes"]
+    for probe in summary["probes"]:
+        for k, value in enumerate(probe["displacement"]):
+            yield "displacement", f"{probe['name']} displacement {k}", value
+        for key, value in probe.get("stress", {}).items():
+            yield "stress", f"{probe['name']} stress {key}", value
+        for k, value in enumerate([*probe.get("force", ()), *probe.get("moment", ())]):
+            yield "stress", f"{probe['name']} force {k}", value
+
+
+def add_probes(deck, draw, pair):
+    """Points and sides of the solids; a point that is outside of a bent one ends both runs."""
+    lists = []
+    for solid in pair:
+        if not solid.foot:
+            continue
+        for k in range(3):
+            inner = [draw.choice((0.5, draw.uniform(0.2, 0.8))) for _ in range(3)]
+            at = ", ".join(map(repr, solid.place(*inner)))
+            lists.append(f'<ParameterList name="{solid.name} {k}"><Parameter name="Body" type="string" value="{solid.name}"/>'
+                         f'<Parameter name="At" type="Array(double)" value="{{{at}}}"/></ParameterList>')
+        lists.append(f'<ParameterList name="{solid.name} side"><Parameter name="Body" type="string" value="{solid.name}"/>'
+                     f'<Parameter name="Side" type="string" value="{draw.choice(("left", solid.foot))}"/></ParameterList>')
+    text, end = deck.read_text(), "</ParameterList>"
+    assert text.endswith(end)
+    deck.write_text(f'{text[:-len(end)]}<ParameterList name="Output"><ParameterList name="Probes">{"".join(lists)}{end}{end}{end}')
 
 
 def table(text):
@@ -115,6 +140,7 @@ def judge(program, seed):
     about = f"{seed}: {kind}, {ranks} ranks, {' '.join(given)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)
+        add_probes(deck, draw, pair)
         one, shared = program.run(deck, *given), program.run(deck, *given, ranks=ranks)
     isShared = shared.summary is not None and shared.summary["ledger"]["counts"].get("shared bodies", 0) > 0
     return difference(one, shared), (one.code, isShared), about

@@ -14,7 +14,7 @@ void refuseOtherDeck(const Restart& restart, const RunSettings& settings)
                                  restart.file, difference));
 }
 
-SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings)
+SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings, const SharedPasses& shared)
 {
   SweepsKept sweeps;
   if (restart.from) {
@@ -24,12 +24,13 @@ SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings)
   if (!restart.write)
     return sweeps;
   sweeps.every = restart.sweeps;
-  sweeps.keep = [&restart, deck = toJson(settings.deck)](const SweepsDone& done) {
+  sweeps.keep = [&restart, &shared, deck = toJson(settings.deck)](const SweepsDone& done) {
     Checkpoint checkpoint;
     checkpoint.version = versionText();
     checkpoint.deckJson = deck;
     checkpoint.sweeps.emplace();
     checkpoint.sweeps->done = done;
+    checkpoint.shared = shared;
     restart.write(checkpoint);
   };
   return sweeps;

@@ -1,7 +1,9 @@
 #include "ndframe/assembly/point_values.hpp"
 
 #include <algorithm>
+#include <limits>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/assembly/cell_field.hpp"
 #include "ndframe/fem/quadrature.hpp"
 
@@ -60,6 +62,63 @@ PointInCell onFacet(Facet facet, int dim, const double* lambda)
   return place;
 }
 
+/// Per point, whether this rank's cells count: they hold it, or none does and theirs is the first that it is least
+/// outside of.
+std::vector<char> answersFor(const std::vector<std::vector<PointInCell>>& places, const Comm& comm)
+{
+  Vector nearest;
+  for (const auto& cells : places)
+    nearest.push_back(cells.empty() ? -std::numeric_limits<double>::max() : -std::max(0.0, cells.front().outside));
+  const Vector own = nearest;
+  takeLargest(nearest, comm);
+  Vector first;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    first.push_back(!places[i].empty() && own[i] == nearest[i] ? -double(comm.rank()) : -double(comm.size()));
+  takeLargest(first, comm);
+  std::vector<char> answers;
+  for (std::size_t i = 0; i < places.size(); ++i)
+    answers.push_back(
+        char(!places[i].empty() && own[i] == nearest[i] && (nearest[i] == 0.0 || first[i] == -double(comm.rank()))));
+  return answers;
+}
+
+/// Means over all ranks, weighted with the measures of the cells that each has.
+void takeMeans(std::vector<PointValues>& values, const Vector& weights, const Comm& comm)
+{
+  Vector sums;
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    sums.push_back(weights[i]);
+    for (const double value : values[i].displacement)
+      sums.push_back(weights[i] * value);
+    for (const double value : values[i].stress)
+      sums.push_back(weights[i] * value);
+  }
+  comm.sum(sums);
+  auto next = sums.begin();
+  for (PointValues& value : values) {
+    const double weight = *next > 0.0 ? *next : 1.0;
+    ++next;
+    for (double& component : value.displacement)
+      component = *next++ / weight;
+    for (double& component : value.stress)
+      component = *next++ / weight;
+  }
+}
+
+/// Everything becomes the sum over all ranks.
+void addOfRanks(const std::vector<Triple*>& parts, double& measure, const Comm& comm)
+{
+  Vector sums{measure};
+  for (const Triple* const part : parts)
+    sums.insert(sums.end(), part->begin(), part->end());
+  comm.sum(sums);
+  measure = sums.front();
+  auto next = sums.begin() + 1;
+  for (Triple* const part : parts)
+    for (double& value : *part)
+      value = *next++;
+}
+
 Triple tripleOf(const std::vector<double>& point)
 {
   Triple all{};
@@ -97,13 +156,35 @@ PointValues valuesAt(const BodyModel& body, const Vector& displacement, const Ve
   return mean;
 }
 
-SideIntegrals integrateSide(const BodyModel& body, const Side& side, const Vector& displacement, const Vector& strained)
+std::vector<PointValues> valuesAtPoints(const BodyModel& body, const Vector& displacement, const Vector& strained,
+                                        const std::vector<std::vector<double>>& points, double tolerance,
+                                        const Comm& comm)
+{
+  const auto places = cellsOfPoints(body.mesh, points, tolerance, body.share ? body.share->numOwnCells() : -1);
+  const std::vector<char> answers = body.share ? answersFor(places, comm) : std::vector<char>(places.size(), 1);
+  std::vector<PointValues> values(points.size());
+  Vector weights(points.size(), 0.0);
+  for (std::size_t i = 0; i < places.size(); ++i)
+    if (answers[i] != 0) {
+      values[i] = valuesAt(body, displacement, strained, places[i]);
+      for (const PointInCell& place : places[i])
+        weights[i] += cellMeasure(body.mesh, place.cell);
+    }
+  if (body.share)
+    takeMeans(values, weights, comm);
+  return values;
+}
+
+SideIntegrals integrateSide(const BodyModel& body, const Side& side, const Vector& displacement, const Vector& strained,
+                            const Comm& comm)
 {
   const int dim = body.mesh.dim;
   const QuadratureRule rule = simplexRule(dim - 1, body.nodes.order + 1); // of the moment, and of the displacement
   SideIntegrals sum;
   Triple moment{}; // about the origin
   for (const Facet facet : side.facets) {
+    if (body.share && facet.cell >= body.share->numOwnCells())
+      continue;
     double normal[3] = {};
     const double measure = facetNormal(body.mesh, facet, normal);
     for (int q = 0; q < rule.size(); ++q) {
@@ -118,6 +199,8 @@ SideIntegrals integrateSide(const BodyModel& body, const Side& side, const Vecto
       add(moment, weight, cross(x, t));
     }
   }
+  if (body.share)
+    addOfRanks({&sum.centre, &sum.displacement, &sum.force, &moment}, sum.measure, comm);
   for (std::size_t k = 0; k < 3; ++k) {
     sum.centre[k] /= sum.measure;
     sum.displacement[k] /= sum.measure;

@@ -133,7 +133,7 @@ Direction RigidBasis::displacement(int mode, const double* point) const
 RigidBasis rigidBasis(const Mesh& mesh)
 {
   RigidBasis basis{mesh.dim, {}, diameter(mesh)};
-  for (int k = 0; k < mesh.dim; ++k) {
+  for (int k = 0; k < mesh.dim && mesh.numPoints() > 0; ++k) { // a rank may have nothing of a body
     double low = mesh.point(0)[k], high = low;
     for (int p = 1; p < mesh.numPoints(); ++p) {
       low = std::min(low, mesh.point(p)[k]);

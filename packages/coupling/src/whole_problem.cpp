@@ -81,7 +81,10 @@ StatusMemory WholeProblem::memory()
 {
   StatusMemory memory;
   for (const NodalField& field : joined_->fields())
-    memory.fields.push_back(onEveryRank(field, joined_->comm()).whole());
+    if (network_.bodies[memory.fields.size()]->share)
+      memory.fields.emplace_back(field.begin(), field.end());
+    else
+      memory.fields.push_back(onEveryRank(field, joined_->comm()).whole());
   memory.levelClosed = levelClosed_;
   memory.levelProximal = levelProximal_;
   memory.tolerance = tolerance_;
@@ -95,9 +98,11 @@ bool WholeProblem::recall(const StatusMemory& memory)
   std::vector<NodalField> fields;
   for (std::size_t b = 0; fits && b < memory.fields.size(); ++b) {
     const BlockMatrix& K = *network_.bodies[b]->whole->freedProblem().matrix;
-    fits = IndexMap::Global(memory.fields[b].size()) == K.nodes.globalSize() * K.dim;
+    const auto& share = network_.bodies[b]->share;
+    const IndexMap::Global nodes = share ? IndexMap::Global(share->ownNodes().size()) : K.nodes.globalSize();
+    fits = IndexMap::Global(memory.fields[b].size()) == nodes * K.dim;
     if (fits)
-      fields.push_back(atNodes(memory.fields[b], K.dim));
+      fields.push_back(atNodes(share ? share->spread(memory.fields[b], K.dim) : memory.fields[b], K.dim));
   }
   if (!fits)
     return false;

@@ -61,7 +61,8 @@ Run runDeck(const RunSettings& given, const Components& components, const Comm& 
   if (settings.accuracy)
     return runToTarget(std::move(tools), components, screen, onLevel, previous.energies,
                        findsInterfaces(given.deck) ? meshesOf(std::move(previous.model)) : Model(), restart);
-  return runOnce(tools, screen, std::move(previous), sweepsOf(restart, settings));
+  SharedPasses shared = restart.from ? restart.from->shared : SharedPasses();
+  return runOnce(tools, screen, std::move(previous), sweepsOf(restart, settings, shared), shared);
 }
 
 Run runDeck(const Params& deck, const Components& components, const Comm& comm, Ledger& ledger, const Log& log,

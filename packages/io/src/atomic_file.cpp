@@ -86,20 +86,6 @@ fs::path clearedFolder(const fs::path& target)
   return folder;
 }
 
-/// What stands in the way of a file is a mistake of the user's.
-void orRefused(const std::string& path, const std::function<void()>& write)
-{
-  try {
-    write();
-  } catch (const InputError&) {
-    throw;
-  } catch (const fs::filesystem_error& error) {
-    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.code().message()));
-  } catch (const std::runtime_error& error) {
-    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.what()));
-  }
-}
-
 void writeText(const std::string& path, const std::string& text)
 {
   const auto close = [](std::FILE* file) { std::fclose(file); };
@@ -114,11 +100,24 @@ void writeText(const std::string& path, const std::string& text)
 
 } // namespace
 
+void orCannotWrite(const std::string& path, const std::function<void()>& write)
+{
+  try {
+    write();
+  } catch (const InputError&) {
+    throw;
+  } catch (const fs::filesystem_error& error) {
+    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.code().message()));
+  } catch (const std::runtime_error& error) {
+    throw InputError(fmt::format("cannot write \"{}\": {}", path, error.what()));
+  }
+}
+
 PendingFile::PendingFile(std::string path, const std::function<void(const std::string&)>& write)
     : path_(std::move(path)),
       temporary_(clearedFolder(path_) / fmt::format("{}{}.tmp", temporaryPrefix(path_), getpid()))
 {
-  orRefused(path_, [&] {
+  orCannotWrite(path_, [&] {
     write(temporary_.path().string());
     bytes_ = std::int64_t(fs::file_size(temporary_.path()));
   });
@@ -126,7 +125,7 @@ PendingFile::PendingFile(std::string path, const std::function<void(const std::s
 
 void PendingFile::keep()
 {
-  orRefused(path_, [&] { fs::rename(temporary_.path(), path_); });
+  orCannotWrite(path_, [&] { fs::rename(temporary_.path(), path_); });
   noteWritten(path_);
 }
 

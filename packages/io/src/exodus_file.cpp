@@ -30,6 +30,17 @@ ExodusFile::ExodusFile(const std::string& path)
   check(std::min(id_, 0), "the file");
 }
 
+ExodusFile ExodusFile::opened(const std::string& path)
+{
+  int memoryWordSize = sizeof(double);
+  int fileWordSize = sizeof(double);
+  float version = 0.0F;
+  errno = 0;
+  const int id = ex_open(path.c_str(), EX_WRITE, &memoryWordSize, &fileWordSize, &version);
+  check(std::min(id, 0), "to the file");
+  return ExodusFile(id);
+}
+
 ExodusFile::~ExodusFile()
 {
   if (id_ >= 0)
@@ -103,4 +114,15 @@ extern "C" int nc_create(const char* path, int mode, int* id)
       reinterpret_cast<int (*)(const char*, int, std::size_t, std::size_t*, int*)>(dlsym(RTLD_DEFAULT, "nc__create"));
   std::size_t bufferSize = std::size_t(1) << 20;
   return create(path, mode, 0, &bufferSize, id);
+}
+
+/// What Exodus opens files with, shared with others (NC_SHARE): then netCDF writes without a buffer, and forgets when
+/// the disk is full.
+extern "C" int nc_open(const char* path, int mode, int* id)
+{
+  constexpr int isWritten = 0x1, isShared = 0x800; // NC_WRITE, NC_SHARE
+  static const auto open =
+      reinterpret_cast<int (*)(const char*, int, std::size_t*, int*)>(dlsym(RTLD_DEFAULT, "nc__open"));
+  std::size_t bufferSize = (mode & isWritten) != 0 ? std::size_t(1) << 20 : 0; // 0: as netCDF likes
+  return open(path, mode & ~isShared, &bufferSize, id);
 }

@@ -15,6 +15,8 @@ class ExodusFile
 {
 public:
   explicit ExodusFile(const std::string& path);
+  /// One that is there, to add values to.
+  static ExodusFile opened(const std::string& path);
   ~ExodusFile();
   ExodusFile(const ExodusFile&) = delete;
   ExodusFile& operator=(const ExodusFile&) = delete;
@@ -31,6 +33,7 @@ public:
   void close();
 
 private:
+  explicit ExodusFile(int id) : id_(id) {}
   static void check(int status, const char* what);
   int id_ = -1;
 };

@@ -12,9 +12,9 @@ namespace ndframe
 namespace
 {
 
-void appendCount(std::vector<int>& first, int count)
+void appendCount(std::vector<int>& first, std::int64_t count)
 {
-  const auto next = std::int64_t(first.back()) + count;
+  const std::int64_t next = first.back() + count;
   if (next > INT_MAX)
     throw std::runtime_error("an Exodus file with 32-bit numbers holds at most 2147483647 nodes or elements");
   first.push_back(int(next));
@@ -63,11 +63,11 @@ void addBlocks(const ExodusBody& body, int number, ExodusLayout& layout)
   int first = layout.firstCell[std::size_t(number)];
   layout.elements.emplace_back();
   if (body.parts.empty())
-    layout.blocks.push_back({body.name, number, nullptr, first});
+    layout.blocks.push_back({body.name, number, nullptr, first, body.nodes->numCells()});
   else
     layout.elements.back().assign(std::size_t(body.nodes->numCells()), -1);
   for (const ExodusPart& part : body.parts) {
-    layout.blocks.push_back({part.name, number, &part.cells, first});
+    layout.blocks.push_back({part.name, number, &part.cells, first, int(part.cells.size())});
     for (const int cell : part.cells)
       layout.elements.back()[std::size_t(cell)] = first++;
   }
@@ -76,6 +76,12 @@ void addBlocks(const ExodusBody& body, int number, ExodusLayout& layout)
 }
 
 } // namespace
+
+void ExodusLayout::appendBody(std::int64_t numNodes, std::int64_t numCells)
+{
+  appendCount(firstNode, numNodes);
+  appendCount(firstCell, numCells);
+}
 
 ExodusLayout makeLayout(const std::vector<ExodusBody>& bodies, const std::vector<ExodusContactSide>& contactSides)
 {
@@ -86,15 +92,15 @@ ExodusLayout makeLayout(const std::vector<ExodusBody>& bodies, const std::vector
     const auto& [name, mesh, nodes, parts] = bodies[b];
     NDFRAME_ASSERT(mesh != nullptr && nodes != nullptr, "body without mesh or nodes: " + name);
     NDFRAME_ASSERT(nodes->dim == bodies.front().nodes->dim, "bodies of one file have the same dimension");
-    appendCount(layout.firstNode, nodes->numNodes());
-    appendCount(layout.firstCell, nodes->numCells());
+    layout.appendBody(nodes->numNodes(), nodes->numCells());
     addBlocks(bodies[b], int(b), layout);
     for (const auto& side : mesh->sides)
-      layout.sets.push_back({name.empty() ? side.name : name + ":" + side.name, int(b), &side.facets});
+      layout.sets.push_back(
+          {name.empty() ? side.name : name + ":" + side.name, int(b), &side.facets, std::int64_t(side.facets.size())});
   }
   layout.firstContact = layout.sets.size();
   for (const auto& side : contactSides)
-    layout.sets.push_back({side.name, side.body, &side.facets});
+    layout.sets.push_back({side.name, side.body, &side.facets, std::int64_t(side.facets.size())});
   return layout;
 }
 

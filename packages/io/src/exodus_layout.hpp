@@ -14,6 +14,7 @@ struct SideSet
   std::string name;
   int body;
   const std::vector<Facet>* facets;
+  std::int64_t size; ///< how many facets the file has of it
 };
 
 /// An element block of the file: a body or a part of it.
@@ -23,11 +24,7 @@ struct ElementBlock
   int body;
   const std::vector<int>* cells; ///< of the body; null: all
   int firstElement;              ///< of the file, from 0
-
-  int numCells(const std::vector<ExodusBody>& bodies) const
-  {
-    return cells == nullptr ? bodies[std::size_t(body)].nodes->numCells() : int(cells->size());
-  }
+  int numCells;                  ///< how many elements the file has of it
 };
 
 /// The bodies one after the other: what is numbered through the whole file.
@@ -51,7 +48,9 @@ struct ExodusLayout
     return ofCells.empty() ? firstCell[std::size_t(body)] + cell : ofCells[std::size_t(cell)];
   }
   /// The library knows no variables on sets without facets.
-  bool carriesVariables(std::size_t set) const { return set >= firstContact && !sets[set].facets->empty(); }
+  bool carriesVariables(std::size_t set) const { return set >= firstContact && sets[set].size > 0; }
+  /// Throws std::runtime_error when 32-bit numbers cannot count the nodes or elements.
+  void appendBody(std::int64_t numNodes, std::int64_t numCells);
 };
 
 /// Throws std::runtime_error when the bodies have more nodes or elements than 32-bit numbers can count.

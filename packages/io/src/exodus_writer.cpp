@@ -39,7 +39,7 @@ void defineBlocks(ExodusFile& file, const ExodusLayout& layout)
     const NodeMap& nodes = *(*layout.bodies)[std::size_t(layout.blocks[b].body)].nodes;
     ids.push_back(idOf(b));
     types.emplace_back(elementNames[std::size_t(nodes.dim - 2)][std::size_t(nodes.order - 1)]);
-    cells.push_back(layout.blocks[b].numCells(*layout.bodies));
+    cells.push_back(layout.blocks[b].numCells);
     nodesPerCell.push_back(nodes.nodesPerCell);
   }
   CStrings texts(types);
@@ -56,7 +56,7 @@ std::vector<ex_set> sideSets(const ExodusLayout& layout)
     ex_set set{};
     set.id = idOf(s);
     set.type = EX_SIDE_SET;
-    set.num_entry = std::int64_t(layout.sets[s].facets->size());
+    set.num_entry = layout.sets[s].size;
     sets.push_back(set);
   }
   return sets;
@@ -83,7 +83,7 @@ void defineVariables(ExodusFile& file, const ExodusLayout& layout, const ExodusV
   // Truth tables: which block or set (row) has which variable (column).
   std::vector<int> inBlocks, inSets;
   for (const ElementBlock& block : layout.blocks)
-    inBlocks.insert(inBlocks.end(), variables.element.size(), block.numCells(*layout.bodies) > 0 ? 1 : 0);
+    inBlocks.insert(inBlocks.end(), variables.element.size(), block.numCells > 0 ? 1 : 0);
   for (std::size_t s = 0; s < layout.sets.size(); ++s)
     inSets.insert(inSets.end(), variables.contactSide.size(), layout.carriesVariables(s) ? 1 : 0);
   ex_var_params counts{};
@@ -175,8 +175,8 @@ std::vector<Value> ofBlock(const std::vector<Value>& ofBody, int perCell, const 
 void putConnectivity(ExodusFile& file, const ExodusLayout& layout)
 {
   for (std::size_t b = 0; b < layout.blocks.size(); ++b) {
-    const auto& [name, body, cells, first] = layout.blocks[b];
-    if (layout.blocks[b].numCells(*layout.bodies) == 0)
+    const auto& [name, body, cells, first, count] = layout.blocks[b];
+    if (count == 0)
       continue;
     const NodeMap& map = *(*layout.bodies)[std::size_t(body)].nodes;
     auto nodes = ofBlock(map.cellNodes, map.nodesPerCell, cells);
@@ -189,7 +189,7 @@ void putConnectivity(ExodusFile& file, const ExodusLayout& layout)
 void putSideSets(ExodusFile& file, const ExodusLayout& layout)
 {
   for (std::size_t s = 0; s < layout.sets.size(); ++s) {
-    const auto& [name, body, facets] = layout.sets[s];
+    const auto& [name, body, facets, size] = layout.sets[s];
     std::vector<int> elements, sides;
     for (const auto& facet : *facets) {
       elements.push_back(layout.element(body, facet.cell) + 1);
@@ -231,12 +231,12 @@ void putStep(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables
              const ExodusStep& step)
 {
   const StepWriter writer{file, number};
-  file.call("the time of a step", ex_put_time, number, &step.time);
+  putTime(file, number, step);
   for (std::size_t v = 0; v < variables.nodal.size(); ++v)
     writer.put(EX_NODAL, v, 1, joined(step.nodal, v));
   for (std::size_t b = 0; !step.element.empty() && b < layout.blocks.size(); ++b) {
     const ElementBlock& block = layout.blocks[b];
-    if (block.numCells(*layout.bodies) == 0)
+    if (block.numCells == 0)
       continue;
     const auto& fields = step.element[std::size_t(block.body)];
     for (std::size_t v = 0; v < fields.size(); ++v)
@@ -245,11 +245,6 @@ void putStep(ExodusFile& file, const ExodusLayout& layout, const ExodusVariables
   for (std::size_t s = layout.firstContact; s < layout.sets.size(); ++s)
     if (layout.carriesVariables(s))
       writer.putAll(EX_SIDE_SET, idOf(s), step.contactSide[s - layout.firstContact]);
-  Vector globals;
-  for (const auto& value : step.global)
-    globals.push_back(value.values.front());
-  if (!globals.empty())
-    writer.put(EX_GLOBAL, 0, 1, globals);
 }
 
 } // namespace
@@ -259,18 +254,24 @@ int exodusSide(int local)
   return exodusSideNumber[std::size_t(local)];
 }
 
-void writeContent(const std::string& path, const std::string& title, const ExodusLayout& layout,
-                  const std::vector<ExodusStep>& steps, const std::vector<std::string>& infoLines,
-                  const std::function<void(ExodusFile&)>& addRecords)
+void defineContent(ExodusFile& file, const std::string& title, const ExodusLayout& layout,
+                   const ExodusVariables& variables, const std::vector<std::string>& infoLines)
 {
-  const auto variables = commonVariables(layout, steps);
-  ExodusFile file(path);
   // The library's default cuts names after 32 characters.
   file.call("names of that length", ex_set_max_name_length, int(longestName(layout, variables)));
   defineMesh(file, layout, title);
   defineVariables(file, layout, variables);
   putRecords(file, infoLines);
   putAllNames(file, layout, variables);
+}
+
+void writeContent(const std::string& path, const std::string& title, const ExodusLayout& layout,
+                  const std::vector<ExodusStep>& steps, const std::vector<std::string>& infoLines,
+                  const std::function<void(ExodusFile&)>& addRecords)
+{
+  const auto variables = commonVariables(layout, steps);
+  ExodusFile file(path);
+  defineContent(file, title, layout, variables, infoLines);
   addRecords(file);
   putCoordinates(file, layout);
   putConnectivity(file, layout);

@@ -38,9 +38,9 @@ NemesisRecords::NemesisRecords(const ExodusLayout& whole, const ExodusLayout& pi
       elementNumbers_(std::size_t(piece.numCells()))
 {
   for (const ElementBlock& block : whole.blocks)
-    whole_.blocks.push_back(block.numCells(*whole.bodies));
+    whole_.blocks.push_back(block.numCells);
   for (const SideSet& set : whole.sets)
-    whole_.sets.push_back(int(set.facets->size()));
+    whole_.sets.push_back(int(set.size));
   for (std::size_t b = 0; b < scene.parts().size(); ++b) {
     const PieceBody& part = scene.parts()[b];
     for (const int node : part.ofBody)
@@ -48,8 +48,10 @@ NemesisRecords::NemesisRecords(const ExodusLayout& whole, const ExodusLayout& pi
     for (std::size_t cell = 0; cell < part.cells.size(); ++cell)
       elementNumbers_[std::size_t(piece.element(int(b), int(cell)))] = whole.element(int(b), part.cells[cell]) + 1;
   }
-  addBorders(whole, piece, scene, sharing);
-  separate(piece);
+  std::vector<std::vector<PieceBorder>> borders;
+  for (std::size_t b = 0; b < scene.parts().size(); ++b)
+    borders.push_back(bordersOf(*(*whole.bodies)[b].nodes, sharing.owner[b], number_));
+  addBorders(borders, piece, scene);
 }
 
 NemesisRecords::NemesisRecords(const ExodusLayout& piece, const PieceScene& scene, const ExodusWhole& whole)
@@ -69,16 +71,16 @@ NemesisRecords::NemesisRecords(const ExodusLayout& piece, const PieceScene& scen
   if (std::max(whole_.nodes, whole_.cells) > std::numeric_limits<int>::max())
     throw std::runtime_error("the pieces have more nodes or elements together than 32-bit numbers can count");
   whole_.sets.assign(whole.numFacets.begin(), whole.numFacets.end());
-  separate(piece);
+  addBorders(whole.borders, piece, scene);
 }
 
-void NemesisRecords::addBorders(const ExodusLayout& whole, const ExodusLayout& piece, const PieceScene& scene,
-                                const ExodusSharing& sharing)
+void NemesisRecords::addBorders(const std::vector<std::vector<PieceBorder>>& borders, const ExodusLayout& piece,
+                                const PieceScene& scene)
 {
-  std::vector<Common> common(std::size_t(sharing.pieces));
+  std::vector<Common> common(static_cast<std::size_t>(pieces_));
   for (std::size_t b = 0; b < scene.parts().size(); ++b) {
     const PieceBody& part = scene.parts()[b];
-    for (const PieceBorder& border : bordersOf(*(*whole.bodies)[b].nodes, sharing.owner[b], number_)) {
+    for (const PieceBorder& border : borders[b]) {
       Common& with = common[std::size_t(border.other)];
       for (const int node : border.nodes) {
         const auto found = std::lower_bound(part.ofBody.begin(), part.ofBody.end(), node);
@@ -95,6 +97,7 @@ void NemesisRecords::addBorders(const ExodusLayout& whole, const ExodusLayout& p
     if (!common[other].nodes.empty())
       common_.push_back(std::move(common[other]));
   }
+  separate(piece);
 }
 
 void NemesisRecords::separate(const ExodusLayout& piece)

@@ -38,8 +38,9 @@ private:
     std::vector<int> blocks, sets; ///< cells and facets of each
   };
 
-  void addBorders(const ExodusLayout& whole, const ExodusLayout& piece, const PieceScene& scene,
-                  const ExodusSharing& sharing);
+  /// borders: per body.
+  void addBorders(const std::vector<std::vector<PieceBorder>>& borders, const ExodusLayout& piece,
+                  const PieceScene& scene);
   void separate(const ExodusLayout& piece);
   void putWhole(ExodusFile& file);
   void putBalance(ExodusFile& file);

@@ -149,7 +149,7 @@ private:
     const double outside = coordinates.outside(lambda);
     if (outside < least_[point]) {
       least_[point] = outside;
-      nearest_[point] = {cell, lambda};
+      nearest_[point] = {cell, lambda, outside};
     }
   }
 
@@ -165,12 +165,12 @@ private:
 } // namespace
 
 std::vector<std::vector<PointInCell>> cellsOfPoints(const Mesh& mesh, const std::vector<std::vector<double>>& points,
-                                                    double tolerance)
+                                                    double tolerance, int numCells)
 {
   for (const auto& point : points)
     NDFRAME_ASSERT(int(point.size()) == mesh.dim, "a point has dim coordinates");
   PointSearch search(mesh, points, tolerance);
-  for (int cell = 0; cell < mesh.numCells(); ++cell)
+  for (int cell = 0; cell < (numCells < 0 ? mesh.numCells() : numCells); ++cell)
     search.look(cell);
   return std::move(search).result();
 }

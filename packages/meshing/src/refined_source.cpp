@@ -102,11 +102,9 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
        "polygon of the mesh, with its corners: mesh it finely from the start. Several processes that solve solids "
        "whole "
        "(Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, where "
-       "nothing asks for all of a body: no estimator Reference, no Accuracy, Probes or Checkpoint, Exodus Files in "
-       "pieces. "
-       "Meshes that are not refined are shared out likewise from 200 vertices a process on, where Multigrid is named, "
-       "or "
-       "from 300 000 dofs on, where Automatic chooses it."});
+       "nothing asks for all of a body: no estimator Reference and no Accuracy; fields in pieces or Single (Exodus "
+       "Files). Meshes that are not refined are shared out likewise from 200 vertices a process on, where Multigrid is "
+       "named, or from 300 000 dofs on, where Automatic chooses it."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

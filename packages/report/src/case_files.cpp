@@ -104,7 +104,7 @@ CaseFiles::CaseFiles(OutputOptions output, std::string deckName, const Comm& com
 
 bool CaseFiles::keepsFields(const Run& run) const
 {
-  return output_.exodus && (comm_.rank() == 0 || isInPieces(output_, exodusScene(run), comm_));
+  return output_.exodus && (comm_.rank() == 0 || isWrittenByAll(output_, exodusScene(run), comm_));
 }
 
 void CaseFiles::add(const Run& run, int number, const std::string& name)
@@ -142,6 +142,7 @@ void CaseFiles::keepMeshes(const Run& run)
   title_ = std::move(scene.title);
   bodies_ = std::move(scene.bodies);
   sides_ = std::move(scene.sides);
+  shares_ = std::move(scene.shares);
   for (const ExodusBody& body : bodies_) {
     meshes_.push_back(*body.mesh);
     nodes_.push_back(*body.nodes);
@@ -170,11 +171,11 @@ std::vector<std::string> CaseFiles::writeFields(const std::string& stem, Ledger&
   std::vector<std::string> written;
   std::vector<std::string> records = exodusRecords(deckName_);
   records.insert(records.end(), names_.begin(), names_.end());
-  const ExodusScene scene{title_, bodies_, sides_};
+  const ExodusScene scene{title_, bodies_, sides_, shares_};
   if (!steps_.empty())
     completeSteps(steps_);
-  if (!steps_.empty() && isInPieces(output_, scene, comm_))
-    return writePieces(path, {scene, steps_, records}, comm_, ledger);
+  if (!steps_.empty() && isWrittenByAll(output_, scene, comm_))
+    return writeByAll(path, output_, {scene, steps_, records}, comm_, ledger);
   writeOnFirstRank(comm_, [&] {
     if (!steps_.empty())
       written = writeWhole(path, {scene, steps_, records}, ledger);

@@ -7,6 +7,7 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
+#include "checkpoint_pieces.hpp"
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/report/checkpoint_bytes.hpp"
@@ -22,24 +23,6 @@ namespace
 std::string checkpointPath(const OutputOptions& output, const std::string& deckName)
 {
   return outputStem(output, deckName).string() + ".checkpoint";
-}
-
-std::string contentsOf(const std::string& path)
-{
-  std::error_code ignored;
-  if (!std::filesystem::exists(path, ignored))
-    throw InputError(
-        fmt::format("there is no \"{}\" to continue from: a run with Output/Checkpoint = true writes it "
-                    "after its first level, Checkpoint Sweeps or status pass; run without --restart, from the "
-                    "beginning.",
-                    path));
-  std::ifstream file(path, std::ios::binary);
-  if (!std::filesystem::is_regular_file(path, ignored) || !file)
-    throw InputError(fmt::format("cannot read \"{}\"; run without --restart, from the beginning.", path));
-  std::string text{std::istreambuf_iterator<char>(file), {}};
-  if (text.empty())
-    throw InputError(fmt::format("\"{}\" is empty; run without --restart, from the beginning.", path));
-  return text;
 }
 
 Checkpoint readCheckpoint(const std::string& path, const Comm& comm)
@@ -86,12 +69,15 @@ void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std
   comm.broadcast(restart.file);
   if (goesOn) {
     restart.from = readCheckpoint(restart.file, comm);
+    readCheckpointPieces(restart.file, *restart.from, comm);
     log.line(fmt::format("  continues from {}: {} not solved again\n", restart.file, partsOf(*restart.from)));
   }
   if (!output.checkpoint)
     return;
   restart.sweeps = output.checkpointSweeps;
   restart.write = [&comm, path = restart.file](const Checkpoint& checkpoint) {
+    if (isInPieces(checkpoint))
+      return writeCheckpointPieces(path, checkpoint, comm);
     writeOnFirstRank(comm, [&] { writeTextAtomically(path, toBytes(checkpoint)); });
   };
   restart.keep = [&file](Checkpoint&& checkpoint) { file.last = std::move(checkpoint); };
@@ -109,7 +95,10 @@ void endCheckpoint(CheckpointFile& file, const Run& run, const std::vector<std::
     file.last->results = written;
   }
   if (file.last)
-    writeOnFirstRank(comm, [&] { writeTextAtomically(file.restart.file, toBytes(*file.last)); });
+    writeOnFirstRank(comm, [&] {
+      writeTextAtomically(file.restart.file, toBytes(*file.last));
+      removeCheckpointPieces(file.restart.file, file.last->stamp);
+    });
 }
 
 } // namespace ndframe

@@ -43,10 +43,10 @@ std::vector<std::string> writeFields(const Run& run, const OutputOptions& output
 {
   const ExodusScene scene = exodusScene(run);
   std::vector<std::string> written;
-  if (isInPieces(output, scene, comm)) {
+  if (isWrittenByAll(output, scene, comm)) {
     const std::vector<ExodusStep> steps = file.makeSteps();
     const auto timer = timeStage(ledger, file.stage);
-    return writePieces(file.path, {scene, steps, exodusRecords(file.deckName)}, comm, ledger);
+    return writeByAll(file.path, output, {scene, steps, exodusRecords(file.deckName)}, comm, ledger);
   }
   writeOnFirstRank(comm, [&] {
     const std::vector<ExodusStep> steps = file.makeSteps();

@@ -7,8 +7,9 @@
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/assembly/share_boundary.hpp"
 #include "ndframe/io/atomic_file.hpp"
-#include "ndframe/io/exodus_pieces.hpp"
+#include "ndframe/io/exodus_slices.hpp"
 
 namespace ndframe
 {
@@ -80,18 +81,70 @@ ExodusWhole wholeOf(const ExodusScene& scene, const Comm& comm)
   return whole;
 }
 
-} // namespace
+void findBorders(ExodusWhole& whole, const ExodusScene& scene, const Comm& comm)
+{
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    whole.borders.emplace_back();
+    if (const BodyShare* const share = scene.shares[b].get())
+      whole.borders.back() = bordersOfShare(
+          {*scene.bodies[b].nodes, share->numbers(), ownersOf(*share, comm), share->numOwnCells()}, comm);
+  }
+}
 
+/// What the processes before this one have.
+std::int64_t before(std::int64_t own, const Comm& comm)
+{
+  const Vector counts = gatheredFrom({double(own)}, comm);
+  return std::int64_t(std::accumulate(counts.begin(), counts.begin() + comm.rank(), 0.0));
+}
+
+/// Own nodes of a process follow those of the processes before it.
+ExodusSlice sliceOf(const ExodusScene& scene, const ExodusWhole& whole, const Comm& comm)
+{
+  ExodusSlice slice;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodyShare* const share = scene.shares[b].get();
+    std::vector<int> own(share != nullptr || comm.rank() > 0 ? 0 : std::size_t(scene.bodies[b].nodes->numNodes()));
+    std::iota(own.begin(), own.end(), 0);
+    if (share != nullptr)
+      own = share->ownNodes();
+    auto next = double(before(std::int64_t(own.size()), comm));
+    Vector numbers(std::size_t(scene.bodies[b].nodes->numNodes()), 0.0);
+    for (const int node : own)
+      numbers[std::size_t(node)] = next++;
+    if (share != nullptr)
+      share->fetch(numbers, 1);
+    slice.ownNodes.push_back(std::move(own));
+    slice.numbers.emplace_back(numbers.begin(), numbers.end());
+  }
+  const auto addFacets = [&](const std::vector<Facet>& facets, std::size_t body) {
+    slice.firstFacets.push_back(before(ownFacets(facets, whole.numOwnCells[body]), comm));
+  };
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const Side& side : scene.bodies[b].mesh->sides)
+      addFacets(side.facets, b);
+  for (const ExodusContactSide& side : scene.sides)
+    addFacets(side.facets, std::size_t(side.body));
+  return slice;
+}
+
+/// One with fewer cells than processes never is.
 bool isInPieces(const OutputOptions& output, const ExodusScene& scene, const Comm& comm)
 {
-  if (!scene.shares.empty())
-    return true;
   std::int64_t nodes = 0, cells = 0;
-  for (const ExodusBody& body : scene.bodies) {
-    nodes += body.nodes->numNodes();
-    cells += body.nodes->numCells();
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
+    const BodyShare* const share = scene.shares.empty() ? nullptr : scene.shares[b].get();
+    nodes += share != nullptr ? share->numNodes() : scene.bodies[b].nodes->numNodes();
+    cells += share != nullptr ? share->numCells() : scene.bodies[b].nodes->numCells();
   }
   return cells >= comm.size() && writesPieces(output.exodusFiles, nodes, comm.size());
+}
+
+} // namespace
+
+bool isWrittenByAll(const OutputOptions& output, const ExodusScene& scene, const Comm& comm)
+{
+  return !scene.shares.empty() || isInPieces(output, scene, comm);
 }
 
 std::vector<std::string> writeWhole(const std::string& path, const SceneContent& content, Ledger& ledger)
@@ -105,13 +158,19 @@ std::vector<std::string> writeWhole(const std::string& path, const SceneContent&
   return {path};
 }
 
+namespace
+{
+
+/// One on each rank; all appear or none.
 std::vector<std::string> writePieces(const std::string& path, const SceneContent& content, const Comm& comm,
                                      Ledger& ledger)
 {
   const ExodusScene& scene = content.scene;
   const bool areShares = !scene.shares.empty();
   const ExodusSharing sharing = areShares ? ExodusSharing() : shareCells(scene.bodies, comm.size(), scene.ranks);
-  const ExodusWhole whole = areShares ? wholeOf(scene, comm) : ExodusWhole();
+  ExodusWhole whole = areShares ? wholeOf(scene, comm) : ExodusWhole();
+  if (areShares)
+    findBorders(whole, scene, comm);
   std::vector<std::string> names;
   for (int piece = 0; piece < comm.size(); ++piece)
     names.push_back(pieceName(path, comm.size(), piece));
@@ -133,6 +192,46 @@ std::vector<std::string> writePieces(const std::string& path, const SceneContent
       removeOthers(path, names);
   });
   return names;
+}
+
+/// The first rank begins the file, and all add their parts one after the other.
+std::vector<std::string> writeInTurn(const std::string& path, const SceneContent& content, const Comm& comm,
+                                     Ledger& ledger)
+{
+  const ExodusScene& scene = content.scene;
+  const ExodusWhole whole = wholeOf(scene, comm);
+  const ExodusSlice slice = sliceOf(scene, whole, comm);
+  std::optional<PendingFile> file;
+  onEveryRank(comm, [&] {
+    if (comm.rank() == 0)
+      file.emplace(path, [&](const std::string& temporary) {
+        beginSlices(temporary, scene.title, scene.bodies, scene.sides, content.steps, content.records, whole);
+      });
+  });
+  std::string temporary = file ? file->temporary() : std::string();
+  comm.broadcast(temporary);
+  for (int turn = 0; turn < comm.size(); ++turn)
+    onEveryRank(comm, [&] {
+      if (turn == comm.rank())
+        orCannotWrite(path, [&] { writeSlice(temporary, scene.bodies, scene.sides, content.steps, whole, slice); });
+    });
+  onEveryRank(comm, [&] {
+    if (comm.rank() != 0)
+      return;
+    ledger.count("bytes written", std::int64_t(std::filesystem::file_size(temporary)));
+    file->keep();
+    removeAll(piecesBeside(path));
+  });
+  return {path};
+}
+
+} // namespace
+
+std::vector<std::string> writeByAll(const std::string& path, const OutputOptions& output, const SceneContent& content,
+                                    const Comm& comm, Ledger& ledger)
+{
+  return isInPieces(output, content.scene, comm) ? writePieces(path, content, comm, ledger)
+                                                 : writeInTurn(path, content, comm, ledger);
 }
 
 void removeScene(const std::string& path)

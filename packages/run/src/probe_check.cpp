@@ -23,10 +23,10 @@ public:
 
   void run()
   {
-    const int body = probedBody(model_, probe_);
-    if (body < 0)
+    number_ = probedBody(model_, probe_);
+    if (number_ < 0)
       return refuse("Body", unknownBody());
-    body_ = &model_.bodies[std::size_t(body)];
+    body_ = &model_.bodies[std::size_t(number_)];
     if (body_->isRigid)
       return refuse("Body",
                     fmt::format("\"{}\" is rigid: it has no stress and moves as the deck says; name a body that "
@@ -92,7 +92,7 @@ private:
   void checkInside()
   {
     const auto wanted = probe_.wanted();
-    const auto places = cellsOfPoints(body_->mesh, wanted, reachOf(probe_, *body_));
+    const auto places = cellsOfPoints(body_->mesh, wanted, reachOf(probe_, model_, number_));
     const auto isOutside = [](const auto& cells) { return cells.empty(); };
     const auto outside = std::count_if(places.begin(), places.end(), isOutside);
     if (outside == 0)
@@ -123,6 +123,7 @@ private:
   const Model& model_;
   const ProbeOptions& probe_;
   Diagnostics& diagnostics_;
+  int number_ = -1;
   const BodyModel* body_ = nullptr;
 };
 

@@ -67,7 +67,7 @@ ProbeSummary outlineOf(const Model& model, int number, const ProbeOptions& probe
   summary.isLine = probe.isLine();
   for (auto& wanted : probe.wanted()) {
     PointSummary point;
-    addContact(point, contactPlaces(model, number, wanted, reachOf(probe, body)), contact);
+    addContact(point, contactPlaces(model, number, wanted, reachOf(probe, model, number)), contact);
     point.point = std::move(wanted);
     point.displacement = zero;
     summary.points.push_back(std::move(point));
@@ -77,20 +77,22 @@ ProbeSummary outlineOf(const Model& model, int number, const ProbeOptions& probe
   return summary;
 }
 
-void addValues(ProbeSummary& summary, const BodyModel& body, const Fields& fields, const ProbeOptions& probe)
+void addValues(ProbeSummary& summary, const BodyModel& body, const Fields& fields, const ProbeOptions& probe,
+               double reach, const Comm& comm)
 {
-  const auto places = cellsOfPoints(body.mesh, probe.wanted(), reachOf(probe, body));
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    const PointValues values = valuesAt(body, fields.displacement, fields.strained, places[i]);
-    summary.points[i].displacement = firstOf(values.displacement, body.mesh.dim);
-    summary.points[i].stress = values.stress;
-    summary.points[i].vonMises = vonMises(values.stress);
+  const auto values = valuesAtPoints(body, fields.displacement, fields.strained, probe.wanted(), reach, comm);
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    summary.points[i].displacement = firstOf(values[i].displacement, body.mesh.dim);
+    summary.points[i].stress = values[i].stress;
+    summary.points[i].vonMises = vonMises(values[i].stress);
   }
 }
 
-void addIntegrals(SideSummary& summary, const BodyModel& body, const Fields& fields, const ProbeOptions& probe)
+void addIntegrals(SideSummary& summary, const BodyModel& body, const Fields& fields, const ProbeOptions& probe,
+                  const Comm& comm)
 {
-  const SideIntegrals integrals = integrateSide(body, *probedSide(body, probe), fields.displacement, fields.strained);
+  const SideIntegrals integrals =
+      integrateSide(body, *probedSide(body, probe), fields.displacement, fields.strained, comm);
   Triple about = integrals.centre;
   std::copy(probe.about.begin(), probe.about.end(), about.begin());
   summary.measure = integrals.measure;
@@ -125,9 +127,9 @@ const Side* probedSide(const BodyModel& body, const ProbeOptions& probe)
   return exact != nullptr ? exact : body.side(probe.body + ": " + probe.side);
 }
 
-double reachOf(const ProbeOptions& probe, const BodyModel& body)
+double reachOf(const ProbeOptions& probe, const Model& model, int body)
 {
-  return probe.tolerance * diameter(body.mesh);
+  return probe.tolerance * model.diameterOf(body);
 }
 
 std::vector<ProbeSummary> outlineProbes(const Model& model, const std::vector<ProbeOptions>& probes)
@@ -139,7 +141,7 @@ std::vector<ProbeSummary> outlineProbes(const Model& model, const std::vector<Pr
   return summaries;
 }
 
-std::vector<ProbeSummary> sampleProbes(const Run& run, const std::vector<ProbeOptions>& probes)
+std::vector<ProbeSummary> sampleProbes(const Run& run, const std::vector<ProbeOptions>& probes, const Comm& comm)
 {
   std::vector<ProbeSummary> summaries;
   for (const ProbeOptions& probe : probes) {
@@ -147,9 +149,9 @@ std::vector<ProbeSummary> sampleProbes(const Run& run, const std::vector<ProbeOp
     const BodyModel& body = run.model.bodies[std::size_t(number)];
     const Fields fields(run, std::size_t(number));
     summaries.push_back(outlineOf(run.model, number, probe, run.solved.contact));
-    addValues(summaries.back(), body, fields, probe);
+    addValues(summaries.back(), body, fields, probe, reachOf(probe, run.model, number), comm);
     if (summaries.back().side)
-      addIntegrals(*summaries.back().side, body, fields, probe);
+      addIntegrals(*summaries.back().side, body, fields, probe, comm);
   }
   return summaries;
 }

@@ -13,7 +13,7 @@ int probedBody(const Model& model, const ProbeOptions& probe);
 const Side* probedSide(const BodyModel& body, const ProbeOptions& probe);
 
 /// How far from the mesh a probe's points may be, a length.
-double reachOf(const ProbeOptions& probe, const BodyModel& body);
+double reachOf(const ProbeOptions& probe, const Model& model, int body);
 
 /// Refuses probes of the list Output that are of no body, point or side of the model, or that contradict themselves.
 void checkProbes(const Model& model, const std::vector<ProbeOptions>& probes, Diagnostics& diagnostics);
@@ -21,7 +21,7 @@ void checkProbes(const Model& model, const std::vector<ProbeOptions>& probes, Di
 /// The probes before anything is solved: names, points, all values zero. Those that checkProbes refuses may be missing.
 std::vector<ProbeSummary> outlineProbes(const Model& model, const std::vector<ProbeOptions>& probes);
 
-/// The same with the values of a solved run.
-std::vector<ProbeSummary> sampleProbes(const Run& run, const std::vector<ProbeOptions>& probes);
+/// The same with the values of a solved run. Collective.
+std::vector<ProbeSummary> sampleProbes(const Run& run, const std::vector<ProbeOptions>& probes, const Comm& comm);
 
 } // namespace ndframe

@@ -12,7 +12,8 @@ namespace
 {
 
 /// The whole run, starting with what stands in it of an earlier one.
-void compute(Run& run, const RunTools& tools, RunObserver& observer, const CarriedContact& contact, SweepsKept sweeps)
+void compute(Run& run, const RunTools& tools, RunObserver& observer, const CarriedContact& contact, SweepsKept sweeps,
+             SharedPasses& shared)
 {
   const SerialBlas serial;
   run.plan = Plan(tools.settings, *tools.solver, tools.comm.size());
@@ -24,7 +25,7 @@ void compute(Run& run, const RunTools& tools, RunObserver& observer, const Carri
     condenseRun(run, tools, observer);
     findRoles(run, tools, observer);
     CouplingStart start = startLike(run, contact);
-    start.sweeps = std::move(sweeps);
+    start.sweeps = sharedPasses(std::move(sweeps), run.model, shared, tools.comm);
     solveRun(run, tools, observer, std::move(start));
     if (run.plan.runs(Stage::Certificate))
       certifyRun(run, tools);
@@ -39,7 +40,7 @@ Reusable handOn(Run& run)
   return {std::move(run.model), std::move(run.condensed), std::move(run.reference), std::move(run.energies)};
 }
 
-Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, SweepsKept sweeps)
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, SweepsKept sweeps, SharedPasses& shared)
 {
   Run run;
   run.startSeconds = wallSeconds();
@@ -48,7 +49,7 @@ Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, S
   run.reference = std::move(previous.reference);
   run.energies = std::move(previous.energies);
   try {
-    compute(run, tools, observer, previous.contact, std::move(sweeps));
+    compute(run, tools, observer, previous.contact, std::move(sweeps), shared);
   } catch (...) {
     previous = handOn(run);
     throw;

@@ -57,7 +57,8 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
   };
   const OutputOptions& output = tools.settings.output;
   return std::all_of(bodies.begin(), bodies.end(), isForMultigrid) &&
-         (!output.exodus || writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
+         (!output.exodus || output.exodusFiles == ExodusFiles::Single ||
+          writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
 }
 
 /// Whether the model is that of an earlier run with these meshes, which could not be shared.
@@ -100,8 +101,7 @@ bool mayBeShared(const RunSettings& settings, int ranks)
   const OutputOptions& output = settings.output;
   const std::vector<BodySettings>& bodies = settings.scene.bodies;
   return ranks > 1 && certifiesShares(settings.errors) && !settings.accuracy && settings.scene.order == 2 &&
-         output.probes.empty() && !output.checkpoint && output.steps == StepsWritten::Final &&
-         (!output.exodus || output.exodusFiles != ExodusFiles::Single) &&
+         output.steps == StepsWritten::Final &&
          (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") && !bodies.empty();
 }
 

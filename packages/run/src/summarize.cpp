@@ -218,8 +218,8 @@ RunSummary completeSummary(const Run& run, const RunSettings& settings, const Co
     return summary;
   completeBodies(summary, run, settings.strainLimit, comm);
   completeInterfaces(summary, run);
-  summary.probes = sampleProbes(run, settings.output.probes);
-  addWarnings(summary, answerWarnings(run, summary, settings));
+  summary.probes = sampleProbes(run, settings.output.probes, comm);
+  addWarnings(summary, answerWarnings(run, summary, settings, comm));
   summary.residuals =
       residuals(run.model, run.condensed, run.solved.coupling.state, run.solved.fields, run.solved.contact, comm);
   summary.residuals.allowedInContact = run.solved.coupling.contactTolerance;

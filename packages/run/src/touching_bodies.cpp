@@ -3,10 +3,11 @@
 
 #include <fmt/format.h>
 
-#include "ndframe/mesh/boundary.hpp"
+#include "ndframe/assembly/share_boundary.hpp"
 #include "ndframe/scene/gap_offset.hpp"
 #include "warnings/body_overlap.hpp"
 #include "warnings/checks.hpp"
+#include "warnings/shared_overlap.hpp"
 
 namespace ndframe
 {
@@ -36,28 +37,63 @@ std::map<std::pair<int, int>, FacetSet> pairedFacets(const Model& model)
   return paired;
 }
 
-/// The boundaries of the bodies; a body alone meets nobody.
-std::vector<std::vector<Facet>> boundariesOf(const Model& model)
+/// The boundaries of the bodies, of shared ones what this rank's cells have of them; a body alone meets nobody.
+/// Collective where bodies are shared.
+std::vector<std::vector<Facet>> boundariesOf(const Model& model, const Comm& comm)
 {
   std::vector<std::vector<Facet>> boundaries;
-  for (std::size_t b = 0; model.bodies.size() > 1 && b < model.bodies.size(); ++b)
-    boundaries.push_back(boundaryFacets(model.bodies[b].mesh));
+  for (std::size_t b = 0; model.bodies.size() > 1 && b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    boundaries.push_back(body.share ? ownBoundary(body.mesh, *body.share, comm) : boundaryFacets(body.mesh));
+  }
   return boundaries;
 }
 
-/// Every pair of bodies that come near each other on these meshes.
+/// Of a body on this mesh, as another one sees it.
+BoundaryView viewOf(const BodyModel& body, const Mesh* mesh, std::vector<Facet> boundary, FacetSet paired)
+{
+  return {mesh, std::move(boundary), std::move(paired), body.share ? body.share->numOwnCells() : -1};
+}
+
+bool areShared(const Model& model)
+{
+  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& body) { return bool(body.share); });
+}
+
+/// Pairs of bodies that come near each other on these meshes. Collective where bodies are shared.
+std::vector<std::pair<int, int>> nearBodies(const Model& model, const std::vector<const Mesh*>& meshes,
+                                            const Comm& comm)
+{
+  if (!areShared(model))
+    return nearPairs(meshes);
+  std::vector<BoundaryView> views;
+  for (std::size_t b = 0; b < meshes.size(); ++b)
+    views.push_back(viewOf(model.bodies[b], meshes[b], {}, {}));
+  const std::vector<Mesh> boxes = boxesOfShares(views, comm);
+  std::vector<const Mesh*> all;
+  for (const Mesh& box : boxes)
+    all.push_back(&box);
+  return nearPairs(all);
+}
+
+/// Every pair of bodies that come near each other on these meshes. Collective where bodies are shared.
 template <class Report>
 void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes,
-                  const std::vector<std::vector<Facet>>& boundaries, const Report& report)
+                  const std::vector<std::vector<Facet>>& boundaries, const Comm& comm, const Report& report)
 {
   if (boundaries.empty())
     return;
   auto paired = pairedFacets(model);
-  for (const auto& [a, b] : nearPairs(meshes))
-    if (!model.bodies[std::size_t(a)].isRigid && !model.bodies[std::size_t(b)].isRigid) // only shown by their meshes
-      report(a, b,
-             encounterOf({meshes[std::size_t(a)], boundaries[std::size_t(a)], paired[{a, b}]},
-                         {meshes[std::size_t(b)], boundaries[std::size_t(b)], paired[{b, a}]}));
+  const auto view = [&](int body, int other) {
+    const auto b = std::size_t(body);
+    return viewOf(model.bodies[b], meshes[b], boundaries[b], paired[{body, other}]);
+  };
+  for (const auto& [a, b] : nearBodies(model, meshes, comm)) {
+    if (model.bodies[std::size_t(a)].isRigid || model.bodies[std::size_t(b)].isRigid) // only shown by their meshes
+      continue;
+    const BoundaryView one = view(a, b), other = view(b, a);
+    report(a, b, areShared(model) ? encounterOfShares(one, other, comm) : encounterOf(one, other));
+  }
 }
 
 std::string bodyNames(const Model& model, int a, int b)
@@ -92,7 +128,8 @@ void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnost
   std::vector<const Mesh*> meshes;
   for (const auto& body : model.bodies)
     meshes.push_back(&body.mesh);
-  forEveryPair(model, meshes, boundariesOf(model), [&](int a, int b, const Encounter& encounter) {
+  const Comm single = Comm::single();
+  forEveryPair(model, meshes, boundariesOf(model, single), single, [&](int a, int b, const Encounter& encounter) {
     const int dim = meshes.front()->dim;
     if (encounter.depth > 0.0)
       found.add(scene.bodiesPlace.mistake(
@@ -106,13 +143,11 @@ void findTouchingBodies(const Model& model, const SceneSettings& scene, Diagnost
   });
 }
 
-/// Bodies that their displacements bring into each other where no interface is. Limit: not of bodies that ranks share.
+/// Bodies that their displacements bring into each other where no interface is.
 void findOverlaps(const Answer& answer, const RunSettings& settings, Diagnostics& found)
 {
   const Run& run = answer.run;
-  if (run.model.told) // no rank has the boundaries
-    return;
-  const auto boundaries = boundariesOf(run.model);
+  const auto boundaries = boundariesOf(run.model, answer.comm);
   const auto offsets = gapOffsets(run.model);
   const double factor = drawnPart(answer.bodies);
   double motion = 0.0;
@@ -127,11 +162,11 @@ void findOverlaps(const Answer& answer, const RunSettings& settings, Diagnostics
     after.push_back(&moved[b]);
   }
   std::set<std::pair<int, int>> known; // they touch or overlap in the mesh already
-  forEveryPair(run.model, before, boundaries, [&](int a, int b, const Encounter& encounter) {
+  forEveryPair(run.model, before, boundaries, answer.comm, [&](int a, int b, const Encounter& encounter) {
     if (encounter.depth > 0.0 || encounter.touching)
       known.insert({a, b});
   });
-  forEveryPair(run.model, after, boundaries, [&](int a, int b, const Encounter& encounter) {
+  forEveryPair(run.model, after, boundaries, answer.comm, [&](int a, int b, const Encounter& encounter) {
     if (known.count({a, b}) == 0 && encounter.depth > secondOrder * motion)
       found.add(settings.scene.interfacesPlace.mistake(
           "", fmt::format("the displacements make {} overlap, by {:.2g} near {}, where no interface "

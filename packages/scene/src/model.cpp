@@ -158,6 +158,11 @@ bool Model::touches(int body) const
   });
 }
 
+double Model::diameterOf(int body) const
+{
+  return told ? told->diameters[std::size_t(body)] : diameter(bodies[std::size_t(body)].mesh);
+}
+
 BodyOutline Model::outline(int body) const
 {
   BodyOutline outline{bodies[std::size_t(body)].mesh.dim, 0, 0, touches(body) && !solvesWhole, 0.0};

@@ -23,7 +23,6 @@ struct Box
 {
   Point lower{std::numeric_limits<double>::max(), std::numeric_limits<double>::max(), 0.0};
   Point upper{std::numeric_limits<double>::lowest(), std::numeric_limits<double>::lowest(), 0.0};
-
   void add(const double* x, int dim)
   {
     for (std::size_t k = 0; k < std::size_t(dim); ++k) {
@@ -156,19 +155,11 @@ FacetDistances distancesFrom(const Mesh& mesh, int cell, const double* x)
   return result;
 }
 
-/// Where a point with a normal stands to a body.
-struct Standing
-{
-  bool inside = false;                               ///< in a cell
-  bool touches = false;                              ///< on the boundary, facing it
-  double depth = std::numeric_limits<double>::max(); ///< distance from the boundary facets of the cells that hold it
-};
-
-void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundary, int cell, const double* x,
-          const Point& normal, Standing& standing)
+void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundary, int cell, const BoundaryPoint& point,
+          Standing& standing)
 {
   const auto& mesh = *body.mesh;
-  const auto facets = distancesFrom(mesh, cell, x);
+  const auto facets = distancesFrom(mesh, cell, point.x.data());
   const double nothing = onBoundary * facets.height;
   const auto last = facets.distance.begin() + mesh.dim + 1;
   if (*std::min_element(facets.distance.begin(), last) < -nothing)
@@ -182,7 +173,7 @@ void look(const BoundaryView& body, const std::set<std::pair<int, int>>& boundar
     standing.depth = std::min(standing.depth, facets.distance[f] < nothing ? 0.0 : facets.distance[f]);
     const auto& n = facets.normal[f];
     if (facets.distance[f] < nothing && body.paired.count({cell, local}) == 0 &&
-        n[0] * normal[0] + n[1] * normal[1] + n[2] * normal[2] < opposite)
+        n[0] * point.normal[0] + n[1] * point.normal[1] + n[2] * point.normal[2] < opposite)
       standing.touches = true;
   }
 }
@@ -204,39 +195,76 @@ std::vector<Point> pointsOf(const Mesh& mesh, Facet facet)
 
 } // namespace
 
-Encounter encounter(const BoundaryView& first, const BoundaryView& second)
+double reachOf(double diameter, double other)
 {
-  const Mesh &mesh = *first.mesh, &other = *second.mesh;
-  const Box mine = boxOfMesh(mesh), theirs = boxOfMesh(other);
-  const double reach = onBoundary * std::max(diameter(mesh), diameter(other));
-  Encounter result;
-  if (!mine.meets(theirs, mesh.dim, reach))
-    return result;
-  std::vector<int> near;
-  for (int c = 0; c < other.numCells(); ++c)
-    if (boxOfCell(other, c).meets(mine, mesh.dim, reach))
-      near.push_back(c);
-  std::set<std::pair<int, int>> boundary;
-  for (const Facet facet : second.facets)
-    boundary.insert({facet.cell, facet.local});
-  const CellTree tree(other, std::move(near));
-  for (const Facet facet : first.facets) {
-    if (first.paired.count({facet.cell, facet.local}) > 0)
+  return onBoundary * std::max(diameter, other);
+}
+
+std::vector<BoundaryPoint> pointsOf(const BoundaryView& body)
+{
+  std::vector<BoundaryPoint> points;
+  for (const Facet facet : body.facets) {
+    if (body.paired.count({facet.cell, facet.local}) > 0)
       continue;
     Point normal{};
-    facetNormal(mesh, facet, normal.data());
-    for (const Point& point : pointsOf(mesh, facet)) {
-      Standing standing;
-      tree.visit(point.data(), reach, [&](int cell) { look(second, boundary, cell, point.data(), normal, standing); });
-      if (standing.touches && !result.touching)
-        result.touching = point;
-      if (standing.inside && standing.depth > result.depth) {
-        result.depth = standing.depth;
-        result.deepest = point;
-      }
+    facetNormal(*body.mesh, facet, normal.data());
+    for (const Point& point : pointsOf(*body.mesh, facet))
+      points.push_back({point, normal});
+  }
+  return points;
+}
+
+std::vector<Standing> standingsOf(const std::vector<BoundaryPoint>& points, const BoundaryView& body, double reach)
+{
+  Box all = emptyBox(body.mesh->dim);
+  for (const BoundaryPoint& point : points)
+    all.add(point.x.data(), body.mesh->dim);
+  std::vector<int> near;
+  for (int c = 0; c < body.lookedAt(); ++c)
+    if (boxOfCell(*body.mesh, c).meets(all, body.mesh->dim, reach))
+      near.push_back(c);
+  std::set<std::pair<int, int>> boundary;
+  for (const Facet facet : body.facets)
+    boundary.insert({facet.cell, facet.local});
+  const CellTree tree(*body.mesh, std::move(near));
+  std::vector<Standing> standings(points.size());
+  for (std::size_t i = 0; i < points.size(); ++i)
+    tree.visit(points[i].x.data(), reach, [&](int cell) { look(body, boundary, cell, points[i], standings[i]); });
+  return standings;
+}
+
+Encounter encounterAt(const std::vector<BoundaryPoint>& points, const std::vector<Standing>& standings)
+{
+  Encounter result;
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (standings[i].touches && !result.touching)
+      result.touching = points[i].x;
+    if (standings[i].inside && standings[i].depth > result.depth) {
+      result.depth = standings[i].depth;
+      result.deepest = points[i].x;
     }
   }
   return result;
+}
+
+Encounter deeperOf(Encounter one, const Encounter& other)
+{
+  if (!one.touching)
+    one.touching = other.touching;
+  if (other.depth > one.depth) {
+    one.depth = other.depth;
+    one.deepest = other.deepest;
+  }
+  return one;
+}
+
+Encounter encounter(const BoundaryView& first, const BoundaryView& second)
+{
+  const double reach = reachOf(diameter(*first.mesh), diameter(*second.mesh));
+  if (!boxOfMesh(*first.mesh).meets(boxOfMesh(*second.mesh), first.mesh->dim, reach))
+    return {};
+  const std::vector<BoundaryPoint> points = pointsOf(first);
+  return encounterAt(points, standingsOf(points, second, reach));
 }
 
 std::vector<std::pair<int, int>> nearPairs(const std::vector<const Mesh*>& meshes)
@@ -265,14 +293,7 @@ std::vector<std::pair<int, int>> nearPairs(const std::vector<const Mesh*>& meshe
 
 Encounter encounterOf(const BoundaryView& a, const BoundaryView& b)
 {
-  Encounter one = encounter(a, b), other = encounter(b, a);
-  if (!one.touching)
-    one.touching = other.touching;
-  if (other.depth > one.depth) {
-    one.depth = other.depth;
-    one.deepest = other.deepest;
-  }
-  return one;
+  return deeperOf(encounter(a, b), encounter(b, a));
 }
 
 } // namespace ndframe

@@ -21,6 +21,7 @@ struct Answer
 {
   const Run& run;
   const std::vector<BodySummary>& bodies;
+  const Comm& comm; ///< each of them makes the checks, and finds the same
 };
 
 // Of the answer.

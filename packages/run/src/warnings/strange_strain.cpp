@@ -38,8 +38,7 @@ void findStrangeStrain(const Answer& answer, const RunSettings& settings, Diagno
     const PeakSummary& peak = answer.bodies[b].strain;
     const double share = answer.bodies[b].strainedShare;
     largest = std::max(largest, peak.value);
-    const double size = run.model.told ? run.model.told->diameters[b] : diameter(body.mesh);
-    motion = std::max(motion, answer.bodies[b].displacement.value / size);
+    motion = std::max(motion, answer.bodies[b].displacement.value / run.model.diameterOf(int(b)));
     if (share > smallPart)
       found.add(settings.scene.bodies[b].place.mistake(
           "",

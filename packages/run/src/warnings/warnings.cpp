@@ -62,11 +62,12 @@ std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settin
   return warnings;
 }
 
-std::vector<Warning> answerWarnings(const Run& run, const RunSummary& summary, const RunSettings& settings)
+std::vector<Warning> answerWarnings(const Run& run, const RunSummary& summary, const RunSettings& settings,
+                                    const Comm& comm)
 {
   if (!std::isfinite(summary.energy)) // the run says so itself
     return {};
-  return collect(answerChecks, Answer{run, summary.bodies}, settings);
+  return collect(answerChecks, Answer{run, summary.bodies, comm}, settings);
 }
 
 void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics)

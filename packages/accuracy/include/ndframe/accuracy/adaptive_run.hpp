@@ -21,8 +21,9 @@ struct Restart
 /// Throws InputError where the checkpoint that a run is to go on from belongs to another deck.
 void refuseOtherDeck(const Restart& restart, const RunSettings& settings);
 
-/// The sweeps of a run without levels. Throws as refuseOtherDeck(). Settings and `restart` must live as long as they.
-SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings);
+/// The sweeps of a run without levels. Throws as refuseOtherDeck(). Settings, `restart` and `shared`, which is kept
+/// with passes (sharedPasses), must live as long as they.
+SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings, const SharedPasses& shared);
 
 /// Runs a deck with the list Accuracy up to the summary: solves and certifies on finer and finer meshes until the bound
 /// is below the target or a limit is met; `energies`: of earlier runs. The run that is returned is the one on the last

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ndframe/run/run_summary.hpp"
+#include "ndframe/run/shared_passes.hpp"
 
 namespace ndframe
 {
@@ -100,6 +101,9 @@ struct Checkpoint
   std::vector<std::string> results;   ///< names of the files that a finished run wrote; else empty
   std::vector<LevelRecord> levels;    ///< that are done, the first one first; none of a finished run
   std::optional<SweepsRecord> sweeps; ///< on the meshes after them
+  SharedPasses shared;                ///< belongs to them where they are passes of bodies that ranks have shares of
+  int pieces = 0;                     ///< then the fields and their places are in so many files, one of each rank,
+  std::string stamp;                  ///< whose names have this
   /// Displacements of the last level, where iterations on the next meshes begin with them; else empty.
   std::vector<Vector> solution; ///< per elastic body and node, global axes
   double seconds = 0.0;         ///< since the run began

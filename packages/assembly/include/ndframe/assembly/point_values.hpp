@@ -22,6 +22,13 @@ struct PointValues
 PointValues valuesAt(const BodyModel& body, const Vector& displacement, const Vector& strained,
                      const std::vector<PointInCell>& places);
 
+/// The same at several points, on every rank. A body that ranks share is looked at by all of them: a point in cells of
+/// several ranks gets the mean over all these, one in none the value of the cell that it is least outside of, of the
+/// first rank that has one; as far as cellsOfPoints with this tolerance finds any. Collective.
+std::vector<PointValues> valuesAtPoints(const BodyModel& body, const Vector& displacement, const Vector& strained,
+                                        const std::vector<std::vector<double>>& points, double tolerance,
+                                        const Comm& comm);
+
 /// Integrals over a side; zeros beyond dim.
 struct SideIntegrals
 {
@@ -36,8 +43,9 @@ struct SideIntegrals
 };
 
 /// sigma_h is that of the cells at the side, integrated exactly. It converges with the mesh and is not in balance with
-/// the loads: reactions of supports and contact forces (body and interface summaries) are.
-SideIntegrals integrateSide(const BodyModel& body, const Side& side, const Vector& displacement,
-                            const Vector& strained);
+/// the loads: reactions of supports and contact forces (body and interface summaries) are. Of a body that ranks share
+/// each adds its own cells' facets. Collective.
+SideIntegrals integrateSide(const BodyModel& body, const Side& side, const Vector& displacement, const Vector& strained,
+                            const Comm& comm = Comm::single());
 
 } // namespace ndframe

@@ -20,6 +20,9 @@ namespace ndframe
 std::int64_t writeAtomically(const std::string& path,
                              const std::function<void(const std::string& temporaryPath)>& write);
 
+/// Calls `write`, which writes to `path`: what stands in the way of a file is a mistake of the user's, as above.
+void orCannotWrite(const std::string& path, const std::function<void()>& write);
+
 /// The same for a text.
 std::int64_t writeTextAtomically(const std::string& path, const std::string& text);
 
@@ -31,7 +34,8 @@ public:
   /// Writes the temporary file. Throws InputError as writeAtomically does.
   PendingFile(std::string path, const std::function<void(const std::string& temporaryPath)>& write);
   std::int64_t bytes() const { return bytes_; } ///< that were written
-  void keep();                                  ///< renames it; throws InputError
+  std::string temporary() const { return temporary_.path().string(); }
+  void keep(); ///< renames it; throws InputError
 
 private:
   std::string path_;

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "ndframe/io/exodus_writer.hpp"
+#include "ndframe/io/piece_border.hpp"
 #include "ndframe/mesh/piece_name.hpp"
 
 namespace ndframe
@@ -47,10 +48,11 @@ struct ExodusWhole
   std::vector<std::int64_t> firstCells;         ///< per body: the number of the first of them in the whole body
   /// Of the whole: per side set, the named sides of all bodies and then the contact sides, the number of facets.
   std::vector<std::int64_t> numFacets;
+  std::vector<std::vector<PieceBorder>> borders; ///< per body, with the other pieces; in numbers of the share
 };
 
 /// The same of a scene of which a process has a share: `bodies`, `contactSides` and `steps` are the share's, with other
-/// cells than the piece's. Limit: the records do not say what other pieces have, too.
+/// cells than the piece's.
 void writeExodusShare(const std::string& path, const std::string& title, const std::vector<ExodusBody>& bodies,
                       const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
                       const std::vector<std::string>& infoLines, const ExodusWhole& whole);

@@ -41,9 +41,10 @@ private:
   std::string title_;
   std::vector<ExodusBody> bodies_;
   std::vector<ExodusContactSide> sides_;
-  std::vector<ExodusStep> steps_;  ///< on the ranks that write them
-  std::vector<std::string> names_; ///< "case 1: assembly"
-  std::string contact_, probes_;   ///< on rank 0
+  std::vector<std::shared_ptr<const BodyShare>> shares_; ///< of bodies that are shared out
+  std::vector<ExodusStep> steps_;                        ///< on the ranks that write them
+  std::vector<std::string> names_;                       ///< "case 1: assembly"
+  std::string contact_, probes_;                         ///< on rank 0
 };
 
 } // namespace ndframe

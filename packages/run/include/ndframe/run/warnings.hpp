@@ -10,7 +10,9 @@ namespace ndframe
 std::vector<Warning> sceneWarnings(const Model& model, const RunSettings& settings);
 
 /// What only the answer shows; of a run with a solution. summary: with what the run computed for the bodies.
-std::vector<Warning> answerWarnings(const Run& run, const RunSummary& summary, const RunSettings& settings);
+/// Collective.
+std::vector<Warning> answerWarnings(const Run& run, const RunSummary& summary, const RunSettings& settings,
+                                    const Comm& comm);
 
 /// The warnings of the scene are mistakes.
 void refuseWarnings(const Model& model, const RunSettings& settings, Diagnostics& diagnostics);

@@ -63,6 +63,7 @@ struct Model
   std::vector<int> elasticBodies() const;       ///< the numbers of the bodies that are not rigid
   std::vector<int> numDofs() const;    ///< per body, of all ranks, as far as an int goes: the same on all of them
   bool touches(int body) const;        ///< whether a body has a part in an interface
+  double diameterOf(int body) const;   ///< of its whole mesh
   BodyOutline outline(int body) const; ///< for the choice of its solver
   std::int64_t totalDofs() const;      ///< of the elastic bodies
 };

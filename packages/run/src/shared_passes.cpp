@@ -1,0 +1,171 @@
+#include "ndframe/run/shared_passes.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstring>
+#include <limits>
+#include <map>
+
+#include <fmt/format.h>
+
+#include "ndframe/algebra/exchanged_values.hpp"
+#include "ndframe/base/diagnostics.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+constexpr std::size_t axes = 3;
+using Place = std::array<double, axes>;
+
+/// FNV-1a, 64 bits.
+std::uint64_t hashOf(const void* data, std::size_t size, std::uint64_t hash = 14695981039346656037U)
+{
+  const auto* const bytes = static_cast<const unsigned char*>(data);
+  for (std::size_t i = 0; i < size; ++i) {
+    hash ^= bytes[i];
+    hash *= 1099511628211U;
+  }
+  return hash;
+}
+
+std::string hashOf(const std::vector<InterfaceMesh>& interfaces)
+{
+  std::uint64_t hash = hashOf(nullptr, 0);
+  for (const InterfaceMesh& interface : interfaces)
+    hash = hashOf(interface.points.data(), interface.points.size() * sizeof(double), hash);
+  return fmt::format("{:016x}", hash);
+}
+
+/// The bodies whose fields passes have: those that touch others.
+std::vector<const BodyModel*> bodiesOf(const Model& model)
+{
+  std::vector<const BodyModel*> bodies;
+  for (std::size_t b = 0; b < model.bodies.size(); ++b)
+    if (model.bodies[b].share && model.touches(int(b)))
+      bodies.push_back(&model.bodies[b]);
+  return bodies;
+}
+
+Vector ownPlaces(const BodyModel& body)
+{
+  Vector places;
+  for (const int node : body.share->ownNodes()) {
+    const auto x = body.nodes.point(node);
+    for (std::size_t k = 0; k < axes; ++k)
+      places.push_back(k < std::size_t(body.mesh.dim) ? x[k] + 0.0 : 0.0); // no zeros with a sign
+  }
+  return places;
+}
+
+/// Which rank answers for the nodes at a place.
+std::size_t homeOf(const double* place, int ranks)
+{
+  return std::size_t(hashOf(place, axes * sizeof(double)) % std::uint64_t(ranks));
+}
+
+/// Values at places, each on some rank, and what their homes know of them.
+class Directory
+{
+public:
+  Directory(const Vector& places, const Vector& values, std::size_t width, const Comm& comm)
+      : width_(width), comm_(comm)
+  {
+    std::vector<Vector> sent(std::size_t(comm.size()));
+    for (std::size_t i = 0; i * axes < places.size(); ++i) {
+      const double* const place = places.data() + i * axes;
+      Vector& message = sent[homeOf(place, comm.size())];
+      message.insert(message.end(), place, place + axes);
+      const auto first = values.begin() + std::ptrdiff_t(i) * std::ptrdiff_t(width);
+      message.insert(message.end(), first, first + std::ptrdiff_t(width));
+    }
+    for (const Vector& message : exchangedValues(sent, comm))
+      for (std::size_t at = 0; at < message.size(); at += axes + width)
+        known_[placeAt(message, at)] = {message.begin() + std::ptrdiff_t(at + axes),
+                                        message.begin() + std::ptrdiff_t(at + axes + width)};
+  }
+
+  /// The values at these places; false where some are not known, on every rank.
+  bool find(const Vector& places, Vector& values) const
+  {
+    std::vector<Vector> wanted(std::size_t(comm_.size()));
+    std::vector<std::vector<std::size_t>> places_(wanted.size());
+    for (std::size_t i = 0; i * axes < places.size(); ++i) {
+      const double* const place = places.data() + i * axes;
+      const std::size_t home = homeOf(place, comm_.size());
+      wanted[home].insert(wanted[home].end(), place, place + axes);
+      places_[home].push_back(i);
+    }
+    std::vector<Vector> answers(wanted.size());
+    std::int64_t missing = 0;
+    const std::vector<Vector> asked = exchangedValues(wanted, comm_);
+    for (std::size_t rank = 0; rank < asked.size(); ++rank)
+      for (std::size_t at = 0; at < asked[rank].size(); at += axes) {
+        const auto found = known_.find(placeAt(asked[rank], at));
+        missing += found == known_.end() ? 1 : 0;
+        const Vector value = found == known_.end() ? Vector(width_, 0.0) : found->second;
+        answers[rank].insert(answers[rank].end(), value.begin(), value.end());
+      }
+    answers = exchangedValues(answers, comm_);
+    values.assign(places.size() / axes * width_, 0.0);
+    for (std::size_t home = 0; home < answers.size(); ++home)
+      for (std::size_t i = 0; i < places_[home].size(); ++i)
+        std::copy_n(answers[home].begin() + std::ptrdiff_t(i) * std::ptrdiff_t(width_), width_,
+                    values.begin() + std::ptrdiff_t(places_[home][i]) * std::ptrdiff_t(width_));
+    return comm_.sum(missing) == 0;
+  }
+
+private:
+  static Place placeAt(const Vector& numbers, std::size_t at)
+  {
+    return {numbers[at], numbers[at + 1], numbers[at + 2]};
+  }
+
+  std::size_t width_;
+  const Comm& comm_;
+  std::map<Place, Vector> known_;
+};
+
+[[noreturn]] void refuse(const std::string& why)
+{
+  throw InputError("The status passes to go on from " + why + "; run without --restart, from the beginning.");
+}
+
+/// The fields at this rank's nodes.
+void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model, const Comm& comm)
+{
+  const std::vector<const BodyModel*> bodies = bodiesOf(model);
+  if (from.interfaces != hashOf(model.interfaces) || memory.fields.size() != bodies.size() ||
+      from.places.size() != bodies.size())
+    refuse(
+        "are of other interfaces, or of processes that share out other meshes: small ones are refined first, and the "
+        "more the more processes there are. Go on with as many as before");
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Directory directory(from.places[b], memory.fields[b], std::size_t(bodies[b]->mesh.dim), comm);
+    if (!directory.find(ownPlaces(*bodies[b]), memory.fields[b]))
+      refuse(fmt::format("have no displacements at some nodes of \"{}\"", bodies[b]->name));
+  }
+}
+
+} // namespace
+
+SweepsKept sharedPasses(SweepsKept sweeps, const Model& model, SharedPasses& shared, const Comm& comm)
+{
+  const std::vector<const BodyModel*> bodies = bodiesOf(model);
+  const bool hasFields = sweeps.after && sweeps.after->passes && !sweeps.after->passes->system.fields.empty();
+  if (hasFields && shared.places.empty() != bodies.empty())
+    refuse(bodies.empty() ? "are of several processes that have shares of the bodies; go on with several"
+                          : "are of whole bodies, and these processes have shares of them; go on with one");
+  if (bodies.empty())
+    return sweeps;
+  if (hasFields)
+    takeOwn(sweeps.after->passes->system, shared, model, comm);
+  shared.interfaces = hashOf(model.interfaces);
+  shared.places.clear();
+  for (const BodyModel* const body : bodies)
+    shared.places.push_back(ownPlaces(*body));
+  return sweeps;
+}
+
+} // namespace ndframe

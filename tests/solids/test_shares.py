@@ -1,0 +1,324 @@
+"""What several processes write and say of solids of which each has a share: test_shares.py NDFRAME DECKS MPIEXEC.
+
+Probes, warnings and the one file of all are those of one process; only the order of nodes and elements in the file is the ranks'.
+Runs that are ended go on, on as many processes with the same bits.
+"""
+
+import json
+import os
+import pathlib
+import re
+import signal
+import subprocess
+import sys
+import tempfile
+import time
+import unittest
+from xml.etree import ElementTree
+
+sys.path.insert(0, str(pathlib.Path(__file__).parents[2] / "python"))
+sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "io"))
+import exodus_pieces  # noqa: E402
+import ndframe  # noqa: E402
+import netCDF4  # noqa: E402
+import numpy  # noqa: E402
+
+NDFRAME, DECKS, MPIEXEC = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
+
+PUNCH = ["Linear Solver/Type=Multigrid", "Bodies/punch/Mesh/Cells={2, 2, 2}", "Bodies/foundation/Mesh/Cells={4, 4, 2}",
+         "Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1"]
+
+
+def add(parent, name, *lists, **parameters):
+    """A list with parameters; underscores of their names are spaces."""
+    made = ElementTree.SubElement(parent, "ParameterList", name=name)
+    for key, value in parameters.items():
+        kind = "Array(double)" if isinstance(value, list) else {str: "string", float: "double", int: "int"}[type(value)]
+        text = "{" + ", ".join(map(repr, value)) + "}" if isinstance(value, list) else str(value)
+        ElementTree.SubElement(made, "Parameter", name=key.replace("_", " "), type=kind, value=text)
+    for build in lists:
+        build(made)
+    return made
+
+
+class Shares(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.folder = pathlib.Path(temporary.name)
+
+    def punch(self):
+        """The punch without what needs whole meshes."""
+        root = ElementTree.parse(DECKS / "punch-3d.xml").getroot()
+        for part in list(root):
+            if part.get("name") in ("Error Estimation", "Expect"):
+                root.remove(part)
+        return root
+
+    def run_deck(self, root, ranks, *settings, name=None, before=(), more=()):
+        name = name or f"np{ranks}"
+        (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
+        options = [part for setting in (*settings, f"Output/Name={name}") for part in ("--set", setting)]
+        launch = [MPIEXEC, "--oversubscribe", "-np", str(ranks), *before] if ranks > 1 else []
+        done = subprocess.run([*launch, NDFRAME, "-i", "deck.xml", *options, *more], cwd=self.folder, capture_output=True, text=True)
+        path = self.folder / f"{name}.summary.json"
+        return done, json.loads(path.read_text()) if path.exists() else None
+
+    def right(self, root, ranks, *settings, **options):
+        done, summary = self.run_deck(root, ranks, *settings, **options)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        if summary and ranks > 1:
+            self.assertGreater(summary["ledger"]["counts"].get("shared bodies", 0), 0, "ranks have shares")
+        return summary
+
+    def probed(self):
+        root = self.punch()
+        output = add(root, "Output")
+        probes = add(output, "Probes")
+        add(probes, "inside", Body="punch", At=[0.31, 0.47, 0.53])
+        add(probes, "corner", Body="punch", At=[0.5, 0.5, 0.5])  # of many cells, of several ranks
+        add(probes, "line", Body="foundation", From=[0.0, 0.0, -1.0], To=[2.0, 2.0, 0.0], Points=9)
+        add(probes, "contact", Body="punch", From=[0.0, 0.0, 0.0], To=[1.0, 1.0, 0.0], Points=7)
+        add(probes, "outside", Body="foundation", At=[1.0, 1.3, 0.004], Tolerance=0.01)
+        add(probes, "top", Body="punch", Side="top")
+        add(probes, "below", Body="foundation", Side="contact", About=[0.1, 0.2, 0.3])
+        return root
+
+    def compare(self, one, other, path="probes"):
+        """The same numbers but for the solver's tolerance."""
+        self.assertEqual(type(one), type(other), path)
+        if isinstance(one, dict):
+            self.assertEqual(one.keys(), other.keys(), path)
+            for key in one:
+                self.compare(one[key], other[key], f"{path}/{key}")
+        elif isinstance(one, list):
+            self.assertEqual(len(one), len(other), path)
+            for k, values in enumerate(zip(one, other)):
+                self.compare(*values, f"{path}/{k}")
+        elif isinstance(one, float):
+            self.assertAlmostEqual(one, other, delta=2e-6, msg=path)
+        else:
+            self.assertEqual(one, other, path)
+
+    def test_probes_are_those_of_one_process(self):
+        root = self.probed()
+        one = self.right(root, 1, *PUNCH, "Output/Exodus=false")
+        pressed = [point for probe in one["probes"] if probe["name"] == "contact" for point in probe["points"]]
+        self.assertGreater(pressed[3]["contact_pressure"], 0.5)
+        shared = self.right(root, 4, *PUNCH, "Output/Exodus=false")
+        self.compare(one["probes"], shared["probes"])
+        first, other = ((self.folder / f"np{n}.probes.csv").read_text().splitlines() for n in (1, 4))
+        self.assertEqual((len(first), first[0]), (len(other), other[0]))
+
+    def test_a_point_in_no_cell_is_refused_alike(self):
+        root = self.probed()
+        add(root.find("ParameterList[@name='Output']/ParameterList[@name='Probes']"), "nowhere", Body="punch", At=[0.5, 0.5, 1.5])
+        messages = []
+        for ranks in (1, 3):
+            done, summary = self.run_deck(root, ranks, *PUNCH, "Output/Exodus=false")
+            self.assertEqual((done.returncode, summary), (2, None), done.stdout)
+            messages.append([line for line in done.stderr.splitlines() if "nowhere" in line])
+        self.assertIn("(0.5, 0.5, 1.5) lies outside of \"punch\"", messages[0][0])
+        self.assertEqual(messages[0], messages[1])
+
+    def blocks(self, push):
+        """Two blocks one above the other with nothing between them; the upper one grows by `push`."""
+        root = ElementTree.Element("ParameterList", name="blocks")
+        bodies = add(root, "Bodies")
+        solid = dict(Young_Modulus=1.0, Poisson_Ratio=0.0, Hypothesis="Three Dimensional")
+        for name, lower, upper, held in (("lower", [0.0, 0.0, 0.0], [1.0, 1.0, 1.0], "bottom"),
+                                         ("upper", [0.3, 0.2, 1.002], [1.3, 1.1, 2.002], "top")):
+            body = add(bodies, name)
+            mesh = add(body, "Mesh", Type="Box", Lower=lower, Upper=upper, Refine=1)
+            ElementTree.SubElement(mesh, "Parameter", name="Cells", type="Array(int)", value="{3, 3, 3}")
+            add(body, "Material", **solid)
+            add(add(body, "Supports"), "held", Type="Clamp", Side=held)
+            if name == "upper":
+                add(add(body, "Loads"), "pull", Type="Pressure", Side="bottom", Value=-push)
+        ElementTree.SubElement(root, "Parameter", name="Strain Limit", type="double", value="10.0")
+        return root
+
+    def test_bodies_that_are_brought_into_each_other_get_the_warning_of_one_process(self):
+        for push, count in ((0.009, 1), (0.001, 0)):
+            root, found = self.blocks(push), []
+            for ranks in (1, 2, 3):
+                summary = self.right(root, ranks, "Linear Solver/Type=Multigrid", "Output/Exodus=false")
+                found.append([warning for warning in summary["warnings"] if warning["kind"] == "overlapping bodies"])
+            self.assertEqual([len(warnings) for warnings in found], [count] * 3, found)
+            said = {re.sub(r" near \(.*?\)", "", warning["message"]) for warnings in found for warning in warnings}
+            self.assertEqual(len(said), count, said)  # of equally deep points ranks may name another one
+
+    def by_place(self, name):
+        """Nodes of a file by block and place, with their values; the file is checked on the way."""
+        with netCDF4.Dataset(self.folder / f"{name}.e") as file:
+            file.set_auto_mask(False)
+            text = lambda names: [row.tobytes().split(b"\0")[0].decode() for row in file[names][:]]
+            points = numpy.stack([file[f"coord{axis}"][:] for axis in "xyz"], axis=1)
+            nodal = {n: file[f"vals_nod_var{v + 1}"][-1] for v, n in enumerate(text("name_nod_var"))}
+            used, found = [], {}
+            for b, block in enumerate(text("eb_names")):
+                nodes = file[f"connect{b + 1}"][:] - 1
+                used.append(numpy.unique(nodes))
+                cells = numpy.sort(nodes[:, :4], axis=1)
+                centres = points[cells].mean(axis=1).round(9)
+                self.assertEqual(len(numpy.unique(centres, axis=0)), len(centres), "every cell once")
+                for middle, (a, c) in zip(nodes[:, 4:].T, ((0, 1), (1, 2), (0, 2), (0, 3), (1, 3), (2, 3))):
+                    numpy.testing.assert_allclose(points[middle], (points[nodes[:, a]] + points[nodes[:, c]]) / 2, atol=1e-12)
+                order = numpy.lexsort(points[used[-1]].round(9).T)
+                found[block] = points[used[-1]][order], {n: v[used[-1]][order] for n, v in nodal.items()}
+                order = numpy.lexsort(centres.T)
+                found[block, "cells"] = centres[order], {
+                    n: file[f"vals_elem_var{v + 1}eb{b + 1}"][-1][order] for v, n in enumerate(text("name_elem_var"))}
+            numpy.testing.assert_array_equal(numpy.concatenate(used), numpy.arange(len(points)))
+            connects = numpy.concatenate([file[f"connect{b + 1}"][:, :4] - 1 for b in range(len(text("eb_names")))])
+            sides = numpy.array(((0, 1, 3), (1, 2, 3), (0, 3, 2), (0, 2, 1)))
+            for s, side in enumerate(text("ss_names")):
+                facets = connects[file[f"elem_ss{s + 1}"][:] - 1][numpy.arange(len(file[f"elem_ss{s + 1}"])).reshape(-1, 1),
+                                                                 sides[file[f"side_ss{s + 1}"][:] - 1]]
+                centres = points[facets].mean(axis=1).round(9)
+                order = numpy.lexsort(centres.T)
+                values = {n: file[f"vals_sset_var{v + 1}ss{s + 1}"][-1][order]
+                          for v, n in enumerate(text("name_sset_var")) if f"vals_sset_var{v + 1}ss{s + 1}" in file.variables}
+                found["side", side] = centres[order], values
+            found["times"] = file["time_whole"][:], {"all": file["vals_glo_var"][-1]}
+        return found
+
+    def compare_files(self, one, other):
+        whole, shared = self.by_place(one), self.by_place(other)
+        self.assertEqual(whole.keys(), shared.keys())
+        for part, (points, values) in whole.items():
+            numpy.testing.assert_allclose(shared[part][0], points, atol=1e-9)
+            self.assertEqual(values.keys(), shared[part][1].keys())
+            for name, ours in values.items():
+                numpy.testing.assert_allclose(shared[part][1][name], ours, atol=1e-6, err_msg=f"{part} {name}")
+
+    def test_one_file_of_all_shares_is_that_of_one_process(self):
+        root = self.punch()
+        self.right(root, 1, *PUNCH)
+        for ranks in (4,):
+            (self.folder / f"np{ranks}.e.2.0").write_text("of an earlier run")
+            self.right(root, ranks, *PUNCH, "Output/Exodus Files=Single")
+            self.assertEqual([path.name for path in self.folder.glob(f"np{ranks}.e*")], [f"np{ranks}.e"])
+            self.compare_files("np1", f"np{ranks}")
+        whole, shared = (ndframe.read(str(self.folder / f"np{ranks}")).fields for ranks in (1, 4))
+        self.assertEqual((whole.blocks, whole.sides), (shared.blocks, shared.sides))
+
+    def test_one_file_of_load_cases(self):
+        root = self.punch()
+        cases = add(root, "Load Cases")
+        ElementTree.SubElement(cases, "Parameter", name="Names", type="Array(string)", value="{once, twice}")
+        add(cases, "Factors", **{"Bodies/punch/Loads/press": [1.0, 2.0]})
+        for ranks, *files in ((1,), (3, "Output/Exodus Files=Single")):
+            done, _ = self.run_deck(root, ranks, *PUNCH, *files)
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.compare_files("np1", "np3")
+        done, _ = self.run_deck(root, 2, *PUNCH, "Output/Exodus Files=Pieces")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        exodus_pieces.Pieces(self.folder.glob("np2.e.2.*")).check_maps()
+
+    def test_where_the_file_cannot_be_written_nothing_is_left(self):
+        (self.folder / "np3.e").mkdir()
+        done, _ = self.run_deck(self.punch(), 3, *PUNCH, "Output/Exodus Files=Single")
+        self.assertEqual(done.returncode, 2, done.stdout)
+        self.assertEqual(done.stderr.count('cannot write "np3.e": it is a folder'), 1, done.stderr)
+        self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["deck.xml", "np3.e"])
+
+    def test_a_full_disk_of_one_process_leaves_nothing(self):
+        limited = ["sh", "-c", 'test "$OMPI_COMM_WORLD_RANK" = 1 && ulimit -f 80; exec "$0" "$@"']
+        done, _ = self.run_deck(self.punch(), 2, *PUNCH, "Output/Exodus Files=Single", before=limited)
+        self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
+        self.assertEqual(done.stderr.count('cannot write "np2.e": '), 1, done.stderr)
+        self.assertEqual([path.name for path in self.folder.iterdir()], ["deck.xml"])
+
+    LOSS = ["Linear Solver/Type=Multigrid", "Bodies/upper/Mesh/Cells={3, 3, 2}", "Bodies/lower/Mesh/Cells={6, 6, 3}",
+            "Bodies/upper/Mesh/Refine=1", "Bodies/lower/Mesh/Refine=1", "Output/Checkpoint=true", "Output/Exodus Files=Pieces"]
+
+    def killed(self, root, ranks, name, passes):
+        """A run that is killed when its checkpoint has come so many times; whether it was."""
+        (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
+        options = [part for setting in (*self.LOSS, f"Output/Name={name}") for part in ("--set", setting)]
+        process = subprocess.Popen([MPIEXEC, "--oversubscribe", "-np", str(ranks), NDFRAME, "-i", "deck.xml", *options], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        path, seen = self.folder / f"{name}.checkpoint", set()
+        while process.poll() is None and len(seen) < passes:
+            if path.exists():
+                seen.add(path.stat().st_mtime_ns)
+            time.sleep(0.001)
+        try:
+            os.killpg(process.pid, signal.SIGKILL)
+        except ProcessLookupError:
+            pass
+        process.wait()
+        time.sleep(0.5)  # what mpiexec started ends with it
+        return not (self.folder / f"{name}.summary.json").exists()
+
+    def loss(self):
+        root = ElementTree.parse(DECKS / "contact-loss-3d.xml").getroot()
+        for part in list(root):
+            if part.get("name") in ("Error Estimation", "Expect"):
+                root.remove(part)
+        return root
+
+    def parts(self, name):
+        return sorted(path.name for path in self.folder.glob(f"{name}.checkpoint.*"))
+
+    def test_killed_runs_go_on_on_any_number_of_processes(self):
+        root, caught = self.loss(), 0
+        whole = self.right(root, 3, *self.LOSS, name="whole")
+        self.assertEqual(self.parts("whole"), [], "a run that has ended leaves no parts")
+        for passes in (1, 2):
+            if not self.killed(root, 3, "np3", passes):
+                continue
+            caught += 1
+            self.assertGreaterEqual(len(self.parts("np3")), 3)
+            kept = {path.name: path.read_bytes() for path in self.folder.glob("np3.checkpoint*")}
+            for ranks in (3, 2, 4):
+                for name, content in kept.items():
+                    (self.folder / name).write_bytes(content)
+                (self.folder / "np3.summary.json").unlink(missing_ok=True)
+                done, summary = self.run_deck(root, ranks, *self.LOSS, name="np3", more=["--restart"])
+                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+                self.assertRegex(done.stdout, "status pass(es)? (is|are) not solved again")
+                self.assertEqual(self.parts("np3"), [])
+                self.assertEqual(summary["interfaces"][0]["closed_nodes"], whole["interfaces"][0]["closed_nodes"])
+                self.assertAlmostEqual(summary["energy"] / whole["energy"], 1.0, delta=0.0 if ranks == 3 else 1e-8)
+                if ranks == 3:
+                    tables = [(self.folder / f"{name}.contact.csv").read_bytes() for name in ("np3", "whole")]
+                    self.assertEqual(tables[0], tables[1])
+            one = self.restart_alone(root, kept)
+            self.assertIn("processes that have shares of the bodies", one)
+            name = next(name for name in kept if name.endswith(".3.1"))
+            (self.folder / name).unlink()
+            done, _ = self.run_deck(root, 3, *self.LOSS, name="np3", more=["--restart"])
+            self.assertEqual(done.returncode, 2, done.stdout)
+            self.assertIn(name, done.stderr)
+            (self.folder / "np3.summary.json").unlink(missing_ok=True)
+        self.assertGreater(caught, 0)
+
+    def restart_alone(self, root, kept):
+        for name, content in kept.items():
+            (self.folder / name).write_bytes(content)
+        done, _ = self.run_deck(root, 1, *self.LOSS, name="np3", more=["--restart"])
+        self.assertEqual(done.returncode, 2, done.stdout)
+        return done.stderr
+
+    def test_vtk_reads_the_one_file(self):
+        try:
+            from vtkmodules.vtkIOExodus import vtkExodusIIReader
+        except ImportError:
+            self.skipTest("VTK is not installed")
+        self.right(self.punch(), 3, *PUNCH, "Output/Exodus Files=Single")
+        reader = vtkExodusIIReader()
+        reader.SetFileName(str(self.folder / "np3.e"))
+        reader.UpdateInformation()
+        reader.SetAllArrayStatus(vtkExodusIIReader.NODAL, 1)
+        reader.Update()
+        blocks = reader.GetOutput().GetBlock(0)
+        with netCDF4.Dataset(self.folder / "np3.e") as file:
+            cells = [len(file[f"connect{b + 1}"]) for b in range(2)]
+            self.assertEqual([blocks.GetBlock(b).GetNumberOfCells() for b in range(2)], cells)
+        self.assertGreater(abs(blocks.GetBlock(0).GetPointData().GetArray("disp_").GetRange(2)[0]), 0.1)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
