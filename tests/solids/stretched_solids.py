@@ -19,8 +19,9 @@ from runs import Program, certified, judge_certificate, print_sharpness, sweep, 
 from solid_scenes import SIDES, Solid, pressure
 
 SHAPES = {"cubes": (0.0, 0.0, 0.0), "plates": (1.0, 1.0, 0.0), "rods": (1.0, 0.0, 0.0), "blades": (1.0, 0.5, 0.0)}  # powers of the stretch
-MEDIANS = {"cubes": 1.25}  # at most, with 20 steps, of bound over error
-STRETCHED = 2.0  # the same, five to one; tests/solids asks for no more
+# At most, with 20 steps, of bound over error; the others five to one. Measured: docs/performance.md, "Stretched tetrahedra".
+MEDIANS = {"cubes": 1.3}
+STRETCHED = 2.0
 
 
 def scene(draw, shape, stretch):
