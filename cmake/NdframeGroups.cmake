@@ -1,4 +1,4 @@
-# Sources of one target compiled several at a time: a clean build takes a third of the time, because headers are read and
+# Sources of one target compiled several at a time: a clean build takes half of the time, because headers are read and
 # templates instantiated once for a group. A change of one source then costs that of its whole group. What is compiled
 # together, and why it means the same as apart: source_groups.py.
 option(NDFRAME_COMPILE_GROUPS "Compile the sources of a target in groups: for clean builds" OFF)

@@ -268,8 +268,9 @@ TEST_P(Spaces, OscillationIsBoundedByConstantsAtFirst)
     ofCoarse += coarse[c];
     ofSharp += sharp[c];
   }
-  if (degree < (dim == 2 ? 3 : 2)) // else no stress is richer
+  if (degree < (dim == 2 ? 3 : 2)) { // else no stress is richer
     EXPECT_GT(ofCoarse, 1.2 * ofSharp);
+  }
   for (int again = 0; again < 2; ++again) {
     sharpenOscillation(body, data);
     EXPECT_EQ(data.oscillation, sharp);

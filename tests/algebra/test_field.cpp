@@ -50,7 +50,7 @@ TEST(Field, AFieldThatEndsGivesItsValuesAway)
 {
   CellValues eta = ofCells({1.0, 2.0});
   const double* const values = eta.data();
-  const Vector taken = std::move(eta);
+  const Vector taken = std::move(eta).operator Vector();
   EXPECT_EQ(taken.data(), values);
 }
 
@@ -71,7 +71,7 @@ TEST(SparseField, HasTheValuesThatItWasMadeFrom)
 TEST(SparseField, StoresOnlyNodesThatHaveSomething)
 {
   std::vector<int> stored;
-  const auto note = [&](int node, const double*) { stored.push_back(node); };
+  const auto note = [&](IndexMap::Global node, const double*) { stored.push_back(int(node)); };
   SparseField(atNodes({0.0, 0.0, 0.0, -3.0, 0.0, 0.0, 2.0, 0.0}, 2)).each(note);
   EXPECT_EQ(stored, (std::vector<int>{1, 3}));
   const SparseField nothing(atNodes(Vector(6, 0.0), 3));

@@ -156,7 +156,7 @@ double BodyModel::poissonRatio() const
 SparseField BodySystem::effectiveLoad(const Comm& comm) const
 {
   if (share) {
-    Vector effective = load.all();
+    Vector effective = load.all().whole();
     if (!dofs.prescribed.empty()) {
       Vector held(effective.size(), 0.0);
       dofs.addPrescribed(held);

@@ -71,7 +71,7 @@ public:
       if (stopping.ends(result, agree(result.state, norm(body1.g) + norm(body2.g))))
         return result;
       if (start.sweeps.every > 0 && int(result.history.size()) % start.sweeps.every == 0) {
-        start.sweeps.keep({result.history, result.state, traction, relaxation_->memory(), ledger.counts()});
+        start.sweeps.keep({result.history, result.state, traction, relaxation_->memory(), ledger.counts(), {}});
         forget(dirichlet, body2);
       }
     }

@@ -76,8 +76,8 @@ Vector BodyTrace::forces(const UnknownValues& onDirichlet, const UnknownValues& 
     own.push_back(along(roles[k], unknowns[k]));
   for (const DependentUnknown& dependent : dependents) {
     const double force = along(dependent.role, dependent.unknown);
-    for (const auto& [k, share] : dependent.row)
-      own[std::size_t(k)] += share * force;
+    for (const auto& [k, part] : dependent.row)
+      own[std::size_t(k)] += part * force;
   }
   return own;
 }

@@ -46,6 +46,7 @@ __attribute__((target("avx512f"))) void multiplyByEight(const BlockMatrix& K, co
                                                         double* y)
 {
   const __m512i pattern = _mm512_setr_epi64(0, 1, 2, 0, 1, 2, 0, 1);
+  constexpr __mmask8 all = 0xff;      // the form without a mask makes g++ 12 warn of its own header
   const int last = int(size / 3) - 3; // node whose eight numbers are there
   const double* entry = K.values.data();
   for (std::size_t r = 0; r < std::size_t(K.numRows()); ++r) {
@@ -54,8 +55,10 @@ __attribute__((target("avx512f"))) void multiplyByEight(const BlockMatrix& K, co
     double corner = 0.0, otherCorner = 0.0, rest[3], sum[8];
     for (; end - column >= 2 && column[0] <= last && column[1] <= last; column += 2, entry += 18) {
       const double *first = x + std::ptrdiff_t(column[0]) * 3, *second = x + std::ptrdiff_t(column[1]) * 3;
-      even = _mm512_fmadd_pd(_mm512_loadu_pd(entry), _mm512_permutexvar_pd(pattern, _mm512_loadu_pd(first)), even);
-      odd = _mm512_fmadd_pd(_mm512_loadu_pd(entry + 9), _mm512_permutexvar_pd(pattern, _mm512_loadu_pd(second)), odd);
+      even = _mm512_fmadd_pd(_mm512_loadu_pd(entry), _mm512_maskz_permutexvar_pd(all, pattern, _mm512_loadu_pd(first)),
+                             even);
+      odd = _mm512_fmadd_pd(_mm512_loadu_pd(entry + 9),
+                            _mm512_maskz_permutexvar_pd(all, pattern, _mm512_loadu_pd(second)), odd);
       corner += entry[8] * first[2];
       otherCorner += entry[17] * second[2];
     }

@@ -40,26 +40,26 @@ std::filesystem::path makeScratchFolder()
 
 std::string gmshAdvice(const ChildFailure& failure, ChildLimits limits)
 {
-  using Kind = ChildFailure::Kind;
+  using Reason = ChildFailure::Kind;
   const std::string beforehand = "mesh the script beforehand (gmsh -2 FILE.geo; -3 for a solid)";
   switch (failure.kind()) {
-  case Kind::OutOfTime:
+  case Reason::OutOfTime:
     return fmt::format("gmsh did not finish within {} s of processor time. Look for an infinite loop and for too small "
                        "mesh sizes; if it needs more, raise \"Maximum Seconds\" or {}.",
                        limits.cpuSeconds, beforehand);
-  case Kind::OutOfMemory:
+  case Reason::OutOfMemory:
     return fmt::format("gmsh asks for more memory than is free. Look for too small mesh sizes; if it needs more, {} on "
                        "a larger machine.",
                        beforehand);
-  case Kind::StartsProgram:
+  case Reason::StartsProgram:
     return fmt::format("the script starts another program (SystemCall, OnelabRun or the like). Look at what it starts; "
                        "if you trust it, set \"Allow Commands\" = true, or {}.",
                        beforehand);
-  case Kind::Unwatched:
+  case Reason::Unwatched:
     return fmt::format("this system has no way to keep a script from starting programs (seccomp). If you trust it, set "
                        "\"Allow Commands\" = true, or {}.",
                        beforehand);
-  case Kind::Exited:
+  case Reason::Exited:
     return "the script ended gmsh before it had a mesh; is there an Exit in it?";
   default:
     return failure.what();
