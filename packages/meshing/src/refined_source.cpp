@@ -103,8 +103,8 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
        "whole "
        "(Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, where "
        "nothing asks for all of a body: no Error Estimation, Accuracy, Probes or Checkpoint, Exodus Files in pieces. "
-       "Meshes that are not refined are shared out likewise from 200 vertices a process on, where Multigrid is named, or "
-       "from 300 000 dofs on, where Automatic chooses it."});
+       "Meshes that are not refined are shared out likewise from 200 vertices a process on, where Multigrid is named, "
+       "or from 300 000 dofs on, where Automatic chooses it."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

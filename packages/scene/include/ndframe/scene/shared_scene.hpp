@@ -19,7 +19,8 @@ struct DrawnScene
 };
 
 /// Reads the meshes as drawn, but for those that `known` has, and refines them until bodies that touch have as many
-/// halvings to come, and so many ranks can share them out evenly, but not further than they will be. All mistakes are reported at once (InputError).
+/// halvings to come, and so many ranks can share them out evenly, but not further than they will be. All mistakes are
+/// reported at once (InputError).
 DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
                      Ledger& ledger);
 
