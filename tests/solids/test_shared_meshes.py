@@ -16,7 +16,7 @@ sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from runs import Program
 from shared_solids import difference
 
-NDFRAME, DECKS, MPIEXEC = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]), sys.argv[3]
+NDFRAME, DECKS, MPIEXEC = str(pathlib.Path(sys.argv[1]).resolve()), pathlib.Path(sys.argv[2]).resolve(), sys.argv[3]
 CELLS = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]  # 1526 vertices
 SIDES = {"punch": {"Supports/symmetry x": "left", "Supports/symmetry y": "front", "Loads/press": "top"},
          "foundation": {"Supports/ground": "bottom", "Supports/symmetry x": "left", "Supports/symmetry y": "front"}}
@@ -116,6 +116,21 @@ class MeshesAsDrawn(unittest.TestCase):
         for n, shared in ((8, 0), (14, 2)):
             cells = [f"Bodies/punch/Mesh/Cells={{{n}, {n}, {n}}}", f"Bodies/foundation/Mesh/Cells={{{2 * n}, {2 * n}, {n}}}"]
             self.assertEqual(self.shares(*cells, ranks=2), shared)
+
+    def test_a_script_is_meshed_once_where_bodies_stay_whole(self):  # few vertices
+        self.tree = ElementTree.parse(DECKS / "blocks-3d.xml")
+        for name in ("Error Estimation", "Expect"):
+            self.remove(name)
+        for part in self.tree.getroot().iter("Parameter"):
+            if part.get("name") == "File":
+                part.set("value", str(DECKS / part.get("value")))
+        settings = [MULTIGRID, NO_EXODUS, "Coupling/Type=Monolithic"]
+        one, whole = (self.program.run(self.written("blocks"), *settings, ranks=ranks) for ranks in (1, 2))
+        self.assertEqual(whole.code, 0, whole.screen)
+        self.assertIsNone(difference(one, whole))
+        counts = whole.summary["ledger"]["counts"]
+        self.assertNotIn("shared bodies", counts)
+        self.assertEqual(counts["scripts meshed"], one.summary["ledger"]["counts"]["scripts meshed"])
 
     def refused(self, code, message, *settings, deck=None):
         run = self.program.run(deck or self.boxes, *CELLS, *settings, MULTIGRID, NO_EXODUS, ranks=3)

@@ -4,6 +4,7 @@
 
 #include "exchange.hpp"
 #include "ndframe/algebra/dense.hpp"
+#include "ndframe/algebra/exchanged_values.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -95,11 +96,6 @@ void SharedValues::add(const Places& places, Vector& values) const
 std::vector<std::vector<std::int64_t>> askedFor(const std::vector<std::vector<std::int64_t>>& wanted, const Comm& comm)
 {
   return comm.size() == 1 ? std::vector<std::vector<std::int64_t>>{{}} : exchanged(wanted, comm);
-}
-
-std::vector<Vector> exchangedValues(const std::vector<Vector>& values, const Comm& comm)
-{
-  return exchanged(values, comm);
 }
 
 SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std::vector<int>& owners,

@@ -160,8 +160,8 @@ void settle(const CertifiedScene& scene, const RecoveryScene& recovery, const st
     ledger.count("settled stresses");
     if (field.stress.pieces) {
       const BodyPiece& piece = *field.stress.pieces->bodies[b];
-      const Vector held = piece.ofContact(contact);
-      settleBalance(piece, {&field.field.displacement[b].whole(), &held}, correction, scene.comm);
+      const Vector ofPiece = piece.ofContact(contact);
+      settleBalance(piece, {&field.field.displacement[b].whole(), &ofPiece}, correction, scene.comm);
     } else
       settleBalance(*scene.bodies[b], recovery.data[b], {&field.field.displacement[b].whole(), &contact}, correction);
   };

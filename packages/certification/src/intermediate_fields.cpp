@@ -128,10 +128,10 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
 NodalField partField(const BodySystem& system, const NodalField& force, const NodalField& start, const FieldNeed& need)
 {
   NodalField load = system.dofs.frames.toLocal(force);
-  const Vector given = system.load.all();
+  const NodalField given = system.load.all(), local = system.dofs.frames.toLocal(start);
   for (std::size_t i = 0; i < load.size(); ++i)
     load[i] += given[i];
-  const Vector u = fieldOfPart(system, load, system.dofs.frames.toLocal(start), need.isNear, need.enough, need.comm);
+  const Vector u = fieldOfPart(system, load.whole(), local.whole(), need.isNear, need.enough, need.comm);
   return system.dofs.frames.toGlobal(u);
 }
 

@@ -7,7 +7,7 @@
 #include <tuple>
 #include <unordered_map>
 
-#include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/algebra/exchanged_values.hpp"
 #include "ndframe/equilibrium/moment_basis.hpp"
 
 namespace ndframe

@@ -5,6 +5,7 @@
 #include <set>
 
 #include "block_grid.hpp"
+#include "ndframe/algebra/exchanged_values.hpp"
 #include "ndframe/equilibrium/facet_twins.hpp"
 #include "values_reader.hpp"
 

@@ -177,7 +177,8 @@ void completePart(Model& model, std::size_t b, const std::shared_ptr<const BodyS
   BodyModel& body = model.bodies[b];
   body.share = share;
   fetchConstraints(*share, model.constraints[b]);
-  Vector load = model.loads[b].all().whole(); // complete at own nodes only
+  const NodalField all = model.loads[b].all();
+  Vector load = all.whole(); // complete at own nodes only
   share->annulOthers(load, body.mesh.dim);
   model.loads[b] = SparseField(atNodes(std::move(load), body.mesh.dim));
   body.mesh.notes.push_back(noteOf(*share, body.mesh.dim, halvings, comm));

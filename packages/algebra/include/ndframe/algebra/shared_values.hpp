@@ -55,9 +55,6 @@ private:
 /// order. Collective.
 std::vector<std::vector<std::int64_t>> askedFor(const std::vector<std::vector<std::int64_t>>& wanted, const Comm& comm);
 
-/// The same with values: what each rank has for this one. values: per rank, what this one has for it. Collective.
-std::vector<Vector> exchangedValues(const std::vector<Vector>& values, const Comm& comm);
-
 /// Values of things of which each rank holds some. numbers: per thing that this rank holds one that all ranks know;
 /// owners: per thing the rank that owns it, and holds it; local: this rank's place of a number. Collective.
 SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std::vector<int>& owners,
