@@ -70,7 +70,8 @@ private:
   void fetch(Rounded& unknowns) const;
   void ofContact(int face, const Steps& steps, double* T) const;
   std::vector<char> held(const std::vector<char>& patches) const;
-  void add(const Vector& tractions, const DescentField& field) const;
+  void add(int face, const double* change, const DescentField& field, Vector& ofPatches) const;
+  void addPatches(Vector& ofPatches, const DescentField& field) const;
   void addNormal(std::size_t patch, const double* T, const ContactTraction& traction, Vector& change) const;
   int facetData() const { return faces_->cells().facetData(); }
 

@@ -144,12 +144,18 @@ void StressDescent::lower(const DescentField& field, Vector start, int count) co
   Steps steps = begin(field, std::move(start), held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
   for (int step = 0; step < count && steps.rz > 0.0 && take(steps, room ? &*room : nullptr); ++step)
     watch_.stepIsTaken();
-  Vector x = std::move(steps.x), tractions;
-  for (double& value : x)
-    value *= steps.traction;
+  const Vector x = std::move(steps.x);
+  const double unit = steps.traction;
   steps = {}; // its memory is needed again
-  unknowns_.tractions(x, threads_, tractions);
-  add(tractions, field);
+  Vector ofPatches(field.traction == nullptr ? 0 : field.traction->shares.size(), 0.0);
+  std::array<double, 18> T{}; // facet data at most
+  for (int face = 0; face < faces_->size(); ++face) {
+    unknowns_.tractionsOf(face, x, T.data());
+    for (double& value : T)
+      value *= unit;
+    add(face, T.data(), field, ofPatches);
+  }
+  addPatches(ofPatches, field);
 }
 
 StressDescent::Steps StressDescent::begin(const DescentField& field, Vector start, std::vector<char> still) const

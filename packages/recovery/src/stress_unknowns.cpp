@@ -192,6 +192,7 @@ void StressUnknowns::gradient(std::vector<Number>& faceForces, int threads, std:
 template void StressUnknowns::tractions(const Vector&, int, Vector&) const;
 template void StressUnknowns::tractions(const std::vector<float>&, int, std::vector<float>&) const;
 template void StressUnknowns::tractionsOf(int, const std::vector<float>&, double*) const;
+template void StressUnknowns::tractionsOf(int, const Vector&, double*) const;
 template void StressUnknowns::gradient(Vector&, int, Vector&) const;
 template void StressUnknowns::gradient(std::vector<float>&, int, std::vector<float>&) const;
 
