@@ -105,7 +105,7 @@ void StressDescent::addStart(int batch, const std::function<void(const double*, 
 }
 
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
-void StressDescent::addOpening(const Vector& opening, double unit, Rounded& faceForces) const
+void StressDescent::addOpening(const Vector& opening, double unit, Vector& faceForces) const
 {
   const auto modes = std::size_t(facetData()) / 3;
   for (int f = 0; f < faces_->size(); ++f)
@@ -114,7 +114,7 @@ void StressDescent::addOpening(const Vector& opening, double unit, Rounded& face
       for (std::size_t k = 0; k < modes; ++k)
         for (std::size_t i = 0; i < 3; ++i)
           faceForces[(std::size_t(f) * modes + k) * 3 + i] +=
-              float(patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit);
+              patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit;
     }
 }
 
