@@ -58,19 +58,17 @@ double contactRoot(double contact, double norm)
   return std::copysign(std::sqrt(std::abs(contact)), contact);
 }
 
-/// |K eps(u_h) - s_m| = |c + K eps(u~ + u^ - 2 u_h)| / 2.
-double distanceFromMean(const CertifiedScene& scene, const RecoveredField& recovered, const AdmissibleScene& admissible)
+/// |K eps(u_h) - s_m| = |c + K eps(u~ - (2 u_h - u^))| / 2: where u^ is u_h this has been measured already.
+double distanceFromMean(const CertifiedScene& scene, const AdmissibleScene& admissible, ElementDistances& distances)
 {
-  std::vector<CellValues> squares;
+  std::vector<NodalField> mirrored;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    if (scene.bodies[b]->isRigid)
-      continue;
-    Vector v = recovered.field.displacement[b];
-    for (std::size_t i = 0; i < v.size(); ++i)
-      v[i] += admissible.displacement.displacement[b][i] - 2.0 * scene.solved[b][i];
-    squares.push_back(elementDistances(scene, b, recovered.stress, &v));
+    Vector v = scene.solved[b];
+    for (std::size_t i = 0; i < v.size() && !scene.bodies[b]->isRigid; ++i)
+      v[i] = 2.0 * v[i] - admissible.displacement.displacement[b][i];
+    mirrored.push_back(atNodes(std::move(v), scene.dim()));
   }
-  return 0.5 * totalOf(squares, scene.parts);
+  return 0.5 * totalOf(distances.to(mirrored), scene.parts);
 }
 
 } // namespace
@@ -106,7 +104,7 @@ ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& re
   measure.prescribed = admissible.prescribed;
   measure.projection = admissible.displacement.charge;
   if (measure.projection > 0.0)
-    measure.aside = distanceFromMean(scene, recovered, admissible);
+    measure.aside = distanceFromMean(scene, admissible, distances);
   return measure;
 }
 

@@ -113,7 +113,7 @@ void measureBody(BodyPiece& piece, const Comm& comm)
   takeLargest(reach, comm);
   for (std::size_t i = 0; i < std::size_t(mesh.dim); ++i) {
     piece.centre[i] = 0.5 * (reach[3 + i] - reach[i]);
-    piece.size = std::hypot(piece.size, reach[3 + i] + reach[i]);
+    piece.extent = std::hypot(piece.extent, reach[3 + i] + reach[i]);
   }
 }
 

@@ -124,7 +124,7 @@ void settleBalance(const BodyPiece& piece, const FieldInput& field, StressCorrec
 {
   NDFRAME_ASSERT(field.displacement != nullptr && piece.data.degree == correction.degree,
                  "data and stress do not match");
-  BalanceSettler(piece.model, piece.data, field, piece.size, &piece, correction).runWith(comm);
+  BalanceSettler(piece.model, piece.data, field, piece.extent, &piece, correction).runWith(comm);
   piece.fetchGhosts(correction);
 }
 

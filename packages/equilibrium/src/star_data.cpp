@@ -3,8 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/algebra/threads.hpp"
-
 namespace ndframe
 {
 StarLoads::StarLoads(const StarBody& body, std::vector<FieldInput> fields)
@@ -19,10 +17,8 @@ void StarLoads::addStress(const Star& star, int field, double* x) const
 {
   const int dim = body_->dim(), data = body_->reference().data(), facetData = body_->facetData();
   for (const StarCell& cell : star.cells) {
-    const CellStress found = stresses_.empty() ? cellStress(body_->model(), cell.cell, cell.sorted,
-                                                            *fields_[std::size_t(field)].displacement)
-                                               : CellStress();
-    const CellStress& stress = stresses_.empty() ? found : stresses_[std::size_t(field)][std::size_t(cell.cell)];
+    const CellStress stress =
+        cellStress(body_->model(), cell.cell, cell.sorted, *fields_[std::size_t(field)].displacement);
     for (int facet = 0; facet <= dim; ++facet) {
       if (facet == cell.apex)
         continue;
@@ -118,19 +114,6 @@ StarFields StarLoads::initial(const Star& star, Vector& forces) const
     }
   }
   return fields;
-}
-
-void StarLoads::keepStresses(int threads)
-{
-  const Mesh& mesh = body_->model().mesh;
-  stresses_.resize(fields_.size());
-  for (std::size_t f = 0; f < fields_.size(); ++f) {
-    stresses_[f].resize(std::size_t(mesh.numCells()));
-    runInRanges(mesh.numCells(), threads, [&](int first, int last) {
-      for (int c = first; c < last; ++c)
-        stresses_[f][std::size_t(c)] = cellStress(body_->model(), c, sortedCell(mesh, c), *fields_[f].displacement);
-    });
-  }
 }
 
 namespace

@@ -66,14 +66,16 @@ std::vector<int> ClassBlocks::keyOfFace(int f) const
   return {classes.of(face.cell[0]), classes.of(face.cell[1]), face.facet[0] * 4 + face.facet[1]};
 }
 
-/// The class of a cell and the two facets that meet at an edge.
-int ClassBlocks::codeAround(int cell, const StressEdge& edge) const
+/// The class of the cell that a step of a ring leaves and the two facets that meet at the edge.
+int ClassBlocks::codeAround(const StressEdge& edge, std::size_t step) const
 {
+  const auto& ring = edge.ring;
+  const int cell = ring[step].cell;
   int facets = 0;
-  const auto steps = stepsOf(*faces_, cell, edge);
-  for (std::size_t facet = 0; facet < 4; ++facet)
-    if (steps[facet] >= 0)
-      facets |= 1 << facet;
+  for (const std::size_t s : {step, (step + ring.size() - 1) % ring.size()}) {
+    const StressFace& face = (*faces_)[ring[s].face];
+    facets |= 1 << face.facet[face.sideOf(cell)];
+  }
   return faces_->cells().classes().of(cell) * 16 + facets;
 }
 
@@ -81,11 +83,12 @@ std::vector<int> ClassBlocks::keyOfEdge(int e) const
 {
   const StressEdge& edge = (*edges_)[std::size_t(e)];
   std::vector<int> key;
-  for (const StressEdge::Step& step : edge.ring) {
+  for (const StressEdge::Step& step : edge.ring)
     if (step.cell < 0 || !matrices_->has(step.cell) || !(*faces_)[step.face].isInside())
       return {};
-    key.push_back(codeAround(step.cell, edge));
-  }
+  key.reserve(edge.ring.size() + 1); // a mark comes behind
+  for (std::size_t step = 0; step < edge.ring.size(); ++step)
+    key.push_back(codeAround(edge, step));
   std::sort(key.begin(), key.end());
   return key;
 }
@@ -94,9 +97,9 @@ double ClassBlocks::scaleOfEdge(int e) const
 {
   const StressEdge& edge = (*edges_)[std::size_t(e)];
   int least = -1, code = 0;
-  for (const StressEdge::Step& step : edge.ring)
-    if (const int own = codeAround(step.cell, edge); least < 0 || own < code) {
-      least = step.cell;
+  for (std::size_t step = 0; step < edge.ring.size(); ++step)
+    if (const int own = codeAround(edge, step); least < 0 || own < code) {
+      least = edge.ring[step].cell;
       code = own;
     }
   return scale(least);

@@ -34,7 +34,7 @@ public:
 
 private:
   double scale(int cell) const { return faces_->cells().classes().scale(cell); }
-  int codeAround(int cell, const StressEdge& edge) const;
+  int codeAround(const StressEdge& edge, std::size_t step) const;
   void addProduct(int cell, std::array<int, 2> facets, const DenseMatrix& left, const DenseMatrix& right,
                   double* sum) const;
 

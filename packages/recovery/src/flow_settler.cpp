@@ -29,7 +29,7 @@ void addSquare(const DenseMatrix& map, double factor, double* sum)
 FlowSettler::FlowSettler(int body, const StressFaces& faces, const BodyPiece* piece, const Comm& comm)
     : body_(body), faces_(faces), piece_(piece), mesh_(faces.cells().body(body).model().mesh),
       flow_(mesh_, piece, comm), about_(piece == nullptr ? cellCentre(mesh_, 0) : piece->centre),
-      size_(piece == nullptr ? diameter(mesh_) : piece->size)
+      size_(piece == nullptr ? diameter(mesh_) : piece->extent)
 {
   const StarBody& star = faces.cells().body(body);
   const auto modes = std::size_t(star.loadModes());

@@ -37,13 +37,13 @@ Vector movedInside(const DenseMatrix& toBernstein, const Vector& moments, double
 
 } // namespace
 
-Vector interiorChange(const StressFaces& faces, const std::vector<ContactPatch>& contact,
-                      const ContactTraction& traction)
+std::vector<FaceTraction> interiorChange(const StressFaces& faces, const std::vector<ContactPatch>& contact,
+                                         const ContactTraction& traction)
 {
   const DenseMatrix toBernstein = bernsteinOfMoments(3, traction.degree);
-  Vector change(std::size_t(faces.size()) * std::size_t(faces.cells().facetData()), 0.0);
+  std::vector<FaceTraction> changes;
   if (toBernstein.cols() == linear)
-    return change;
+    return changes;
   for (int f = 0; f < faces.size(); ++f) {
     if (faces[f].contact < 0 || !faces.isNear(f))
       continue;
@@ -57,14 +57,14 @@ Vector interiorChange(const StressFaces& faces, const std::vector<ContactPatch>&
       const Vector moved = movedInside(toBernstein, moments, least);
       if (dot(moved, moved) == 0.0)
         continue;
-      for (std::size_t k = 0; k < moved.size(); ++k)
-        for (std::size_t i = 0; i < 3; ++i)
-          change[(std::size_t(f) * moved.size() + k) * 3 + i] =
-              moved[k] * contact[std::size_t(faces[f].contact)].normal[i];
+      changes.push_back({f, {}});
+      for (const double moment : moved)
+        for (const double component : contact[std::size_t(faces[f].contact)].normal)
+          changes.back().T.push_back(moment * component);
       break;
     }
   }
-  return change;
+  return changes;
 }
 
 Vector normalMoments(const ContactPatch& patch, const double* T, std::size_t modes)

@@ -8,11 +8,18 @@
 namespace ndframe
 {
 
-/// Tractions per face (on its first cell), without wrench, that move the given ones away from zero: where a Bernstein
-/// coefficient is smaller than a part of the mean pressure on its patch, all become that large, or half of it, or ..;
-/// zero where nothing suits, as where bodies part.
-Vector interiorChange(const StressFaces& faces, const std::vector<ContactPatch>& contact,
-                      const ContactTraction& traction);
+/// A traction of a face, on its first cell.
+struct FaceTraction
+{
+  int face;
+  Vector T; ///< facet data
+};
+
+/// Tractions without wrench that move the given ones away from zero: where a Bernstein coefficient is smaller than a
+/// part of the mean pressure on its patch, all become that large, or half of it, or ..; none where nothing suits, as
+/// where bodies part.
+std::vector<FaceTraction> interiorChange(const StressFaces& faces, const std::vector<ContactPatch>& contact,
+                                         const ContactTraction& traction);
 
 /// The moments of a traction's normal part: modes of T . n_c.
 Vector normalMoments(const ContactPatch& patch, const double* T, std::size_t modes);

@@ -1,6 +1,7 @@
 #include "stress_blocks.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstring>
 #include <map>
 #include <numeric>
@@ -195,7 +196,7 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
   }
   Vector largest{unit_};
   takeLargest(largest, sharing.comm());
-  unit_ = largest.front();
+  unit_ = largest.front() > 0.0 ? std::exp2(std::ceil(std::log2(largest.front()))) : 1.0; // rounds nothing
 }
 
 /// Some blocks, those of one size side by side.

@@ -15,8 +15,12 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
       blocks_(faces, edges_, ofClasses_), unknowns_(faces, edges_, blocks_), matrices_(faces.cells(), ofClasses_)
 {
   for (const DescentField& field : fields_) {
-    if (field.traction != nullptr)
-      add(interiorChange(faces, contact, *field.traction), field);
+    if (field.traction != nullptr) {
+      Vector ofPatches(field.traction->shares.size(), 0.0);
+      for (const FaceTraction& change : interiorChange(faces, contact, *field.traction))
+        add(change.face, change.T.data(), field, ofPatches);
+      addPatches(ofPatches, field);
+    }
     start_.emplace_back(std::size_t(faces.cells().size()) * 4 * std::size_t(facetData()), 0.0);
   }
   findMatrices();
@@ -101,7 +105,7 @@ void StressDescent::addStart(int batch, const std::function<void(const double*, 
 }
 
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
-void StressDescent::addOpening(const Vector& opening, double unit, Rounded& faceForces) const
+void StressDescent::addOpening(const Vector& opening, double unit, Vector& faceForces) const
 {
   const auto modes = std::size_t(facetData()) / 3;
   for (int f = 0; f < faces_->size(); ++f)
@@ -110,7 +114,7 @@ void StressDescent::addOpening(const Vector& opening, double unit, Rounded& face
       for (std::size_t k = 0; k < modes; ++k)
         for (std::size_t i = 0; i < 3; ++i)
           faceForces[(std::size_t(f) * modes + k) * 3 + i] +=
-              float(patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit);
+              patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit;
     }
 }
 
@@ -146,27 +150,27 @@ void StressDescent::addNormal(std::size_t patch, const double* T, const ContactT
       change[traction.first(patch, vertex) + k] += moments[k] / 3.0;
 }
 
-/// Adds tractions of faces to a field.
-void StressDescent::add(const Vector& tractions, const DescentField& field) const
+/// Adds a face's traction to a field, but not yet to its traction in contact.
+void StressDescent::add(int f, const double* change, const DescentField& field, Vector& ofPatches) const
 {
   const int size = facetData();
   const StressCells& cells = faces_->cells();
+  const StressFace& face = (*faces_)[f];
   std::array<double, 18> T{}; // facet data at most
-  Vector ofPatches(field.traction == nullptr ? 0 : field.traction->shares.size(), 0.0);
-  for (int f = 0; f < faces_->size(); ++f) {
-    const StressFace& face = (*faces_)[f];
-    const double* change = tractions.data() + std::ptrdiff_t(f) * size;
-    for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side) {
-      const int body = cells.bodyOf(face.cell[side]), cell = face.cell[side] - cells.number(body, 0);
-      face.toSide(side, change, size, T.data());
-      double* sum =
-          field.corrections[std::size_t(body)]->tractions.data() + (std::ptrdiff_t(cell) * 4 + face.facet[side]) * size;
-      for (int i = 0; i < size; ++i)
-        sum[i] += T[std::size_t(i)];
-    }
-    if (field.traction != nullptr && face.contact >= 0 && sharing_.owns(f))
-      addNormal(std::size_t(face.contact), change, *field.traction, ofPatches);
+  for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side) {
+    const int body = cells.bodyOf(face.cell[side]), cell = face.cell[side] - cells.number(body, 0);
+    face.toSide(side, change, size, T.data());
+    double* sum =
+        field.corrections[std::size_t(body)]->tractions.data() + (std::ptrdiff_t(cell) * 4 + face.facet[side]) * size;
+    for (int i = 0; i < size; ++i)
+      sum[i] += T[std::size_t(i)];
   }
+  if (field.traction != nullptr && face.contact >= 0 && sharing_.owns(f))
+    addNormal(std::size_t(face.contact), change, *field.traction, ofPatches);
+}
+
+void StressDescent::addPatches(Vector& ofPatches, const DescentField& field) const
+{
   comm_.sum(ofPatches);
   for (std::size_t i = 0; i < ofPatches.size(); ++i)
     field.traction->shares[i] += ofPatches[i];

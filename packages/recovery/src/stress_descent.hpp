@@ -60,17 +60,18 @@ private:
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
   void addStart(int batch, const std::function<void(const double*, double*)>& multiply);
-  void gradientOf(Rounded& faceForces, Rounded& gradient) const;
+  void gradientOf(Vector& faceForces, Rounded& gradient) const;
   void gather(int batch, const Rounded& tractions, float* x) const;
   void cellForces(const Rounded& tractions, double unit, Rounded& result) const;
   template <class Number>
-  void faceForces(const std::vector<Number>& cellForces, double unit, Rounded& result) const;
-  void addOpening(const Vector& opening, double unit, Rounded& faceForces) const;
+  void faceForces(const std::vector<Number>& cellForces, double unit, Vector& result) const;
+  void addOpening(const Vector& opening, double unit, Vector& faceForces) const;
   double dotOfAll(const Rounded& a, const Rounded& b) const;
   void fetch(Rounded& unknowns) const;
   void ofContact(int face, const Steps& steps, double* T) const;
   std::vector<char> held(const std::vector<char>& patches) const;
-  void add(const Vector& tractions, const DescentField& field) const;
+  void add(int face, const double* change, const DescentField& field, Vector& ofPatches) const;
+  void addPatches(Vector& ofPatches, const DescentField& field) const;
   void addNormal(std::size_t patch, const double* T, const ContactTraction& traction, Vector& change) const;
   int facetData() const { return faces_->cells().facetData(); }
 

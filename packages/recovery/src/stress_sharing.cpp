@@ -9,6 +9,10 @@ namespace ndframe
 StressSharing::StressSharing(const StressFaces& faces, const std::vector<StressEdge>& edges, const Comm& comm)
     : comm_(comm), owns_(std::size_t(faces.size()) + edges.size(), 0), with_(std::size_t(comm.size()))
 {
+  if (comm.size() == 1) {
+    std::fill(owns_.begin(), owns_.end(), char(1));
+    return;
+  }
   const StressCells& cells = faces.cells();
   const auto add = [&](int block, std::vector<int>& around) {
     const int owner = cells.owner(*std::min_element(around.begin(), around.end()));

@@ -1,4 +1,5 @@
 #include <algorithm>
+#include <cmath>
 #include <optional>
 
 #include "ndframe/algebra/threads.hpp"
@@ -59,10 +60,9 @@ void StressDescent::cellForces(const Rounded& tractions, double unit, Rounded& r
 
 /// What the cells' forces, over a unit, amount to on every face.
 template <class Number>
-void StressDescent::faceForces(const std::vector<Number>& cellForces, double unit, Rounded& result) const
+void StressDescent::faceForces(const std::vector<Number>& cellForces, double unit, Vector& result) const
 {
   const int size = facetData();
-  const Number factor = Number(1.0 / unit);
   result.resize(std::size_t(faces_->size()) * std::size_t(size));
   runInRanges(faces_->size(), threads_, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
@@ -70,52 +70,41 @@ void StressDescent::faceForces(const std::vector<Number>& cellForces, double uni
       const auto forces = [&](std::size_t side) {
         return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
       };
-      float* sum = result.data() + std::ptrdiff_t(f) * size;
+      double* sum = result.data() + std::ptrdiff_t(f) * size;
       if (face.turned.rows() > 0) {
-        std::array<double, 18> own{}, other{};
-        std::copy_n(forces(0), size, own.begin());
+        std::array<double, 18> other{}; // facet data at most
+        std::copy_n(forces(0), size, sum);
         std::copy_n(forces(1), size, other.begin());
-        face.fromSide(1, other.data(), size, own.data());
-        std::transform(own.begin(), own.begin() + size, sum, [&](double value) { return float(value / unit); });
+        face.fromSide(1, other.data(), size, sum);
       } else if (face.isBoundary())
-        std::transform(forces(0), forces(0) + size, sum, [=](Number own) { return float(factor * own); });
+        std::copy_n(forces(0), size, sum);
       else
         std::transform(forces(0), forces(0) + size, forces(1), sum,
-                       [=](Number own, Number other) { return float(factor * (own - other)); });
+                       [](Number own, Number other) { return double(own) - double(other); });
+      for (int i = 0; i < size; ++i)
+        sum[i] /= unit;
     }
   });
 }
 
-namespace
+/// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks. Summed
+/// in double precision and rounded once, so that it is the same however cells are shared out.
+void StressDescent::gradientOf(Vector& faceForces, Rounded& gradient) const
 {
-
-/// Calls use(values) where ranks share what they send in double precision.
-template <class Use>
-void inDouble(std::vector<float>& values, const Comm& comm, const Use& use)
-{
-  if (comm.size() == 1)
-    return;
-  Vector copy(values.begin(), values.end());
-  use(copy);
-  std::transform(copy.begin(), copy.end(), values.begin(), [](double value) { return float(value); });
-}
-
-} // namespace
-
-/// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks.
-void StressDescent::gradientOf(Rounded& faceForces, Rounded& gradient) const
-{
-  unknowns_.gradient(faceForces, threads_, gradient);
-  inDouble(gradient, comm_, [&](Vector& values) {
-    sharing_.values().add([this](int block) { return blocks_.placeOf(block); }, values);
-  });
+  Vector all;
+  unknowns_.gradient(faceForces, threads_, all);
+  sharing_.values().add([this](int block) { return blocks_.placeOf(block); }, all);
+  gradient.resize(all.size());
+  std::transform(all.begin(), all.end(), gradient.begin(), [](double value) { return float(value); });
 }
 
 void StressDescent::fetch(Rounded& unknowns) const
 {
-  inDouble(unknowns, comm_, [&](Vector& values) {
-    sharing_.values().fetch([this](int block) { return blocks_.placeOf(block); }, values);
-  });
+  if (comm_.size() == 1)
+    return;
+  Vector copy(unknowns.begin(), unknowns.end());
+  sharing_.values().fetch([this](int block) { return blocks_.placeOf(block); }, copy);
+  std::transform(copy.begin(), copy.end(), unknowns.begin(), [](double value) { return float(value); });
 }
 
 double StressDescent::dotOfAll(const Rounded& a, const Rounded& b) const
@@ -128,10 +117,10 @@ double StressDescent::dotOfAll(const Rounded& a, const Rounded& b) const
 /// Vectors of a field's steps.
 struct StressDescent::Steps
 {
-  double force, traction;                               ///< units, of residuals and of directions
-  Rounded residual, p, Ap, tractions, ofFaces, ofCells; ///< p, Ap: the direction and what the energy makes of it
-  Vector x;                                             ///< the sum of the steps
-  std::vector<char> still;                              ///< blocks that are held
+  double force, traction;                      ///< units, of residuals and of directions
+  Rounded residual, p, Ap, tractions, ofCells; ///< p, Ap: the direction and what the energy makes of it
+  Vector ofFaces, x;                           ///< forces on faces; the sum of the steps
+  std::vector<char> still;                     ///< blocks that are held
   double rz = 0.0;
 };
 
@@ -144,12 +133,18 @@ void StressDescent::lower(const DescentField& field, Vector start, int count) co
   Steps steps = begin(field, std::move(start), held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
   for (int step = 0; step < count && steps.rz > 0.0 && take(steps, room ? &*room : nullptr); ++step)
     watch_.stepIsTaken();
-  Vector x = std::move(steps.x), tractions;
-  for (double& value : x)
-    value *= steps.traction;
+  const Vector x = std::move(steps.x);
+  const double unit = steps.traction;
   steps = {}; // its memory is needed again
-  unknowns_.tractions(x, threads_, tractions);
-  add(tractions, field);
+  Vector ofPatches(field.traction == nullptr ? 0 : field.traction->shares.size(), 0.0);
+  std::array<double, 18> T{}; // facet data at most
+  for (int face = 0; face < faces_->size(); ++face) {
+    unknowns_.tractionsOf(face, x, T.data());
+    for (double& value : T)
+      value *= unit;
+    add(face, T.data(), field, ofPatches);
+  }
+  addPatches(ofPatches, field);
 }
 
 StressDescent::Steps StressDescent::begin(const DescentField& field, Vector start, std::vector<char> still) const
@@ -157,7 +152,7 @@ StressDescent::Steps StressDescent::begin(const DescentField& field, Vector star
   Vector largest{largestEntry(start)};
   takeLargest(largest, comm_);
   Steps steps{};
-  steps.force = largest.front() > 0.0 ? largest.front() : 1.0;
+  steps.force = largest.front() > 0.0 ? std::exp2(std::ceil(std::log2(largest.front()))) : 1.0; // rounds nothing
   steps.traction = steps.force * blocks_.unit();
   steps.still = std::move(still);
   faceForces(start, steps.force, steps.ofFaces);
@@ -178,7 +173,7 @@ StressDescent::Steps StressDescent::begin(const DescentField& field, Vector star
 /// Whether there was a step to take.
 bool StressDescent::take(Steps& steps, PressureRoom* room) const
 {
-  auto& [force, traction, residual, p, Ap, tractions, ofFaces, ofCells, x, still, rz] = steps;
+  auto& [force, traction, residual, p, Ap, tractions, ofCells, ofFaces, x, still, rz] = steps;
   fetch(p);
   unknowns_.tractions(p, threads_, tractions);
   cellForces(tractions, blocks_.unit(), ofCells);

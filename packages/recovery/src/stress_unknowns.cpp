@@ -174,7 +174,7 @@ void StressUnknowns::gradient(std::vector<Number>& faceForces, int threads, std:
       Number *G = faceForces.data() + std::size_t(f) * size, *y = gradient.data() + blocks_.ofFace(f),
              ofCarriers[6] = {};
       if (isInside_[std::size_t(f)] != 0) {
-        split(f, Number()).forces(G, y, ofCarriers);
+        FaceFrameOf<Number>(splits_[std::size_t(f)]).forces(G, y, ofCarriers);
         std::copy_n(G + StressFace::linear, size - StressFace::linear, y + StressFace::ownLinear);
       } else {
         multiplyColumns(faces_[f].free->own, G, y);
@@ -192,7 +192,7 @@ void StressUnknowns::gradient(std::vector<Number>& faceForces, int threads, std:
 template void StressUnknowns::tractions(const Vector&, int, Vector&) const;
 template void StressUnknowns::tractions(const std::vector<float>&, int, std::vector<float>&) const;
 template void StressUnknowns::tractionsOf(int, const std::vector<float>&, double*) const;
+template void StressUnknowns::tractionsOf(int, const Vector&, double*) const;
 template void StressUnknowns::gradient(Vector&, int, Vector&) const;
-template void StressUnknowns::gradient(std::vector<float>&, int, std::vector<float>&) const;
 
 } // namespace ndframe

@@ -23,8 +23,6 @@ public:
   /// directions zero), G = - share of (b + div sigma~). Cells are not in balance yet.
   /// forces: per field those that sigma~ and the loads amount to in the star, to measure an imbalance with.
   StarFields initial(const Star& star, Vector& forces) const;
-  /// Finds sigma~ in all cells, 0.3 kB each and field: for who asks for all stars.
-  void keepStresses(int threads);
 
 private:
   void addStress(const Star& star, int field, double* x) const;
@@ -34,7 +32,6 @@ private:
   const StarBody* body_;
   std::vector<FieldInput> fields_;
   Shares facetShares_, cellShares_;
-  std::vector<std::vector<CellStress>> stresses_; ///< per field and cell, or empty
 };
 
 /// Corrections of a body, one per field.

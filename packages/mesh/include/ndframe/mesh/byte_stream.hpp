@@ -53,15 +53,15 @@ public:
   template <class T>
   void array(T& values)
   {
-    using Value = typename T::value_type;
-    static_assert(std::is_trivially_copyable_v<Value>);
+    using Entry = typename T::value_type;
+    static_assert(std::is_trivially_copyable_v<Entry>);
     std::size_t size = 0;
     number(size);
-    requireLeft(size, sizeof(Value));
+    requireLeft(size, sizeof(Entry));
     values.resize(size);
     if (size > 0)
-      std::memcpy(values.data(), left_.data(), size * sizeof(Value));
-    left_.remove_prefix(size * sizeof(Value));
+      std::memcpy(values.data(), left_.data(), size * sizeof(Entry));
+    left_.remove_prefix(size * sizeof(Entry));
   }
   template <class T>
   void length(std::vector<T>& items)

@@ -14,7 +14,17 @@ namespace ndframe
 template <class Real>
 class FaceFrameOf
 {
+  template <class Other>
+  friend class FaceFrameOf;
+
 public:
+  /// The same with other digits.
+  template <class Other>
+  explicit FaceFrameOf(const FaceFrameOf<Other>& frame)
+      : along_(converted(frame.along_)), across_(converted(frame.across_)), normal_(converted(frame.normal_)),
+        byFirst_(frame.byFirst_), second_(frame.second_), byHeight_(frame.byHeight_), size_(frame.size_),
+        own_(converted(frame.own_))
+  {}
   FaceFrameOf(const std::array<Direction, 2>& arms, double size) : size_(Real(size))
   {
     const double first = std::sqrt(dotProduct(arms[0], arms[0]));
@@ -73,6 +83,14 @@ public:
   }
 
 private:
+  template <class Other, std::size_t count>
+  static std::array<Real, count> converted(const std::array<Other, count>& values)
+  {
+    std::array<Real, count> result{};
+    for (std::size_t i = 0; i < count; ++i)
+      result[i] = Real(values[i]);
+    return result;
+  }
   static Real dotOf(const std::array<Real, 3>& a, const Real* b) { return a[0] * b[0] + a[1] * b[1] + a[2] * b[2]; }
 
   std::array<Real, 3> along_{}, across_{}, normal_{}; ///< r_1 along the first, r_2 in the plane of the first two
