@@ -103,7 +103,8 @@ TEST(BodyShare, ItsBoundaryIsThatOfTheWhole)
     mesh.points.insert(mesh.points.end(), {double(node / 2), double(node % 2)});
   }
   mesh.cells = {0, 2, 3, 0, 3, 1};
-  const BodyShare share(2 * (last + 2), 2 * (last + 1), numbers, owners, 2, test::comm());
+  const BodyShare share({2 * (last + 2), numbers, owners}, {2 * (last + 1), {2 * rank, 2 * rank + 1}, {rank, rank}},
+                        test::comm());
   EXPECT_EQ(ownersOf(share, test::comm()), owners);
   std::vector<std::pair<int, int>> edges;
   for (const Facet facet : ownBoundary(mesh, share, test::comm())) {

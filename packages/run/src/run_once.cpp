@@ -57,4 +57,10 @@ Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, S
   return run;
 }
 
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous)
+{
+  SharedPasses none;
+  return runOnce(tools, observer, std::move(previous), {}, none);
+}
+
 } // namespace ndframe

@@ -11,4 +11,7 @@ namespace ndframe
 /// to them and is set before they are kept.
 Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous, SweepsKept sweeps, SharedPasses& shared);
 
+/// The same without sweeps.
+Run runOnce(const RunTools& tools, RunObserver& observer, Reusable&& previous);
+
 } // namespace ndframe
