@@ -3,10 +3,10 @@
 #include <gtest/gtest.h>
 
 #include "admissibility/sample_problems.hpp"
-#include "ndframe/simd/class_matrices.hpp"
 #include "fem/sample_meshes.hpp"
 #include "mechanics/sample_laws.hpp"
 #include "ndframe/equilibrium/cell_form.hpp"
+#include "ndframe/simd/class_matrices.hpp"
 
 namespace ndframe
 {

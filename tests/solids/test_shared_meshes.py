@@ -37,7 +37,7 @@ class MeshesAsDrawn(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
         self.tree = ElementTree.parse(DECKS / "punch-3d.xml")
-        for name in ("Error Estimation", "Expect"):  # with a certificate all ranks have the whole
+        for name in ("Error Estimation", "Expect"):
             self.remove(name)
         self.boxes = self.written("boxes")
         self.program = Program(NDFRAME, MPIEXEC)
@@ -86,6 +86,15 @@ class MeshesAsDrawn(unittest.TestCase):
 
     def test_boxes(self):
         self.compare(self.boxes, *CELLS, several=(2, 3, 5))
+
+    def test_certified_boxes(self):
+        self.compare(self.boxes, *CELLS, "Error Estimation/Estimators={Global}", "Error Estimation/Check Equilibrium=true",
+                     several=(2, 3))
+
+    def test_stars_want_whole_bodies(self):
+        self.assertEqual(self.shares(MULTIGRID, "Error Estimation/Estimators={Global}", ranks=3), 2)
+        self.assertEqual(self.shares(MULTIGRID, "Error Estimation/Estimators={Global}", "Error Estimation/Recovery/Type=Star",
+                                     ranks=3), 0)
 
     def test_an_exodus_file(self):
         self.compare(self.exodus(), several=(3,))

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "ndframe/flow/block_flow.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
+#include "ndframe/flow/block_flow.hpp"
 #include "stress_faces.hpp"
 
 namespace ndframe

@@ -19,6 +19,13 @@ bool certifiesShares(const std::optional<ErrorOptions>& errors)
   return !errors || !errors->wants(Estimator::Reference);
 }
 
+/// Stars want whole bodies.
+bool recoversShares(const RunTools& tools)
+{
+  const auto& errors = tools.errors;
+  return !errors || !errors->recoversStress() || tools.components.recoveries.build(errors->recoveryList)->settles(3);
+}
+
 /// Of bodies whose meshes are not all refined, where the deck leaves the choice of the solver: smaller ones may fall
 /// back on a factor, which ranks with shares cannot.
 constexpr std::int64_t leastDofs = 300'000;
@@ -107,7 +114,7 @@ bool mayBeShared(const RunSettings& settings, int ranks)
 
 SceneToShare sceneToShare(const Model& known, const RunTools& tools)
 {
-  if (!mayBeShared(tools.settings, tools.comm.size()) || !tools.coupling->solvesWhole(3) ||
+  if (!mayBeShared(tools.settings, tools.comm.size()) || !tools.coupling->solvesWhole(3) || !recoversShares(tools) ||
       isKnown(known, tools.settings.scene))
     return {};
   constexpr const char* whole = "whole";

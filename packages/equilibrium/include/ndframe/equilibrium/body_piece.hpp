@@ -23,7 +23,7 @@ struct BodyPiece
   std::vector<int> contact;          ///< per facet of data.contact its place among the body's
   int rank = 0;                      ///< this one
   Direction centre{};                ///< of the box around the whole body
-  double extent = 0.0;                 ///< its diagonal
+  double extent = 0.0;               ///< its diagonal
   SharedValues shared;               ///< the values of held cells
 
   bool owns(int cell) const { return owner[std::size_t(cell)] == rank; } ///< a held cell
