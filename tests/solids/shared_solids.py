@@ -61,7 +61,7 @@ def numbers(summary):
     for interface in summary["interfaces"]:
         yield "force", "contact force", interface["contact_force"]
         yield "nodes", "nodes", interface["nodes"]
-    for probe in summary["probes"]:
+    for probe in summary.get("probes", []):
         for k, value in enumerate(probe["displacement"]):
             yield "displacement", f"{probe['name']} displacement {k}", value
         for key, value in probe.get("stress", {}).items():
