@@ -8,6 +8,7 @@
 #include "common/test_main.hpp"
 #include "equilibrium/sample_stress.hpp"
 #include "fem/sample_meshes.hpp"
+#include "mechanics/sample_laws.hpp"
 #include "ndframe/equilibrium/settle_balance.hpp"
 #include "ndframe/equilibrium/solid_energies.hpp"
 #include "ndframe/recovery/scene_pieces.hpp"
@@ -115,6 +116,24 @@ TEST(Pieces, AnswerIsThatOfOneProcess)
       EXPECT_EQ(found.force, expected.force) << kind;
       EXPECT_EQ(together.counted("cell matrices"), alone.counted("cell matrices")) << kind;
     }
+}
+
+/// Pieces number the laws of their cells by themselves, in the order in which they come.
+TEST(Pieces, OfSeveralMaterialsAgreeOnWhichCellsAreAlike)
+{
+  BodyModel body = test::makeBody(test::box({4, 3, 3}, "Right", 35.0), 2, test::conditions(3, "clamped"));
+  std::vector<int> ofCell(std::size_t(body.mesh.numCells()), 0);
+  for (std::size_t cell = 0; cell < ofCell.size(); ++cell)
+    ofCell[cell] = int(3 * cell / ofCell.size());
+  body.laws = CellLaws({test::isotropic(1.0, 0.3, "Three Dimensional"), test::isotropic(2.0, 0.3, "Three Dimensional"),
+                        test::isotropic(5.0, 0.2, "Three Dimensional")},
+                       ofCell);
+  const auto problem = test::solved(std::move(body), 2);
+  Ledger alone, together;
+  const StressCorrection expected = recovered(problem, Comm::single(), alone).corrections[0],
+                         found = whole(recovered(problem, test::comm(), together));
+  EXPECT_NEAR(energy(problem, found), energy(problem, expected), 1e-7 * energy(problem, expected));
+  EXPECT_EQ(together.counted("cell matrices"), alone.counted("cell matrices"));
 }
 
 TEST(Pieces, MatricesAreSharedAndMessagesAreFew)

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <tuple>
 #include <unordered_map>
 
@@ -43,6 +44,18 @@ double measureShape(const Mesh& mesh, int cell, Shape& shape)
   for (std::size_t at = 0; at < edges.size(); ++at)
     shape[at] = std::llround(edges[at] / length * units);
   return length;
+}
+
+/// The same on all ranks, which number the laws of their cells differently.
+std::int64_t hashOf(const Elasticity& law)
+{
+  std::uint64_t hash = std::uint64_t(law.dim);
+  for (const double entry : law.D) {
+    std::uint64_t bits = 0;
+    std::memcpy(&bits, &entry, sizeof bits);
+    hash = (hash ^ bits) * 0x9E3779B97F4A7C15U ^ hash >> 29;
+  }
+  return std::int64_t(hash);
 }
 
 /// What a rank says of a class, or hears: its hash, how many own cells, the number of the first one.
@@ -100,6 +113,7 @@ void CellClasses::find(const std::vector<const BodyModel*>& bodies)
       if (isNew) {
         first_.push_back(int(of_.size()));
         count_.push_back(0);
+        shape[10] = hashOf(bodies[b]->laws(cell));
         hashes_.push_back(std::int64_t(HashOfShape()(shape) >> (64 - exactBits)));
       }
       of_.push_back(place->second);
