@@ -128,6 +128,11 @@ std::vector<int> BodyPiece::ownCells() const
   return own;
 }
 
+int BodyPiece::held(std::int64_t number) const
+{
+  return placeOf(numbers, number);
+}
+
 Vector BodyPiece::ofContact(const Vector& all) const
 {
   return numContact == 0 ? Vector() : selected(all, all.size() / numContact, contact);
@@ -169,7 +174,7 @@ BodyPiece cutPiece(const BodyModel& body, const StaticData& data, const std::vec
   cutData(data, piece);
   measureBody(piece, comm);
   piece.shared = sharedByOwners(
-      piece.numbers, piece.owner, [&piece](std::int64_t number) { return placeOf(piece.numbers, number); }, comm);
+      piece.numbers, piece.owner, [&piece](std::int64_t number) { return piece.held(number); }, comm);
   return piece;
 }
 

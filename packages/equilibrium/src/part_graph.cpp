@@ -56,11 +56,11 @@ void PartGraph::findJoints(const BodyPiece& piece, const CellTree& own, const Co
       }
   Vector named;
   for (const auto& [parts, half] : found)
-    for (const int entry : {parts.first, parts.second, piece.cells[std::size_t(half / facets)], half % facets})
-      named.push_back(double(entry));
+    named.insert(named.end(), {double(parts.first), double(parts.second),
+                               double(piece.numbers[std::size_t(half / facets)]), double(half % facets)});
   named = gatheredFrom(named, comm);
   for (std::size_t at = 0; at < named.size(); at += 4)
-    joints_.push_back({int(named[at]), int(named[at + 1]), int(named[at + 2]), int(named[at + 3])});
+    joints_.push_back({int(named[at]), int(named[at + 1]), std::int64_t(named[at + 2]), int(named[at + 3])});
 }
 
 void PartGraph::hang(int start)
@@ -86,7 +86,7 @@ void PartGraph::hang(int start)
 int PartGraph::exit(int part, const BodyPiece& piece, const CellTree& tree) const
 {
   const Joint& joint = joints_[std::size_t(joint_[std::size_t(part)])];
-  const int half = piece.local(joint.cell) * (piece.model.mesh.dim + 1) + joint.facet;
+  const int half = piece.held(joint.cell) * (piece.model.mesh.dim + 1) + joint.facet;
   return joint.low == part ? half : tree.twin(half);
 }
 

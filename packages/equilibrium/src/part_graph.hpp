@@ -31,8 +31,9 @@ public:
 private:
   struct Joint
   {
-    int low, high;   ///< parts
-    int cell, facet; ///< of `low`: its number in the body, sorted
+    int low, high;     ///< parts
+    std::int64_t cell; ///< of `low`: its number in the body
+    int facet;         ///< the same, sorted
   };
   void findJoints(const BodyPiece& piece, const CellTree& own, const Comm& comm);
   void hang(int root);

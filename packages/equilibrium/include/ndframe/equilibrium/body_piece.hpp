@@ -29,6 +29,7 @@ struct BodyPiece
   bool owns(int cell) const { return owner[std::size_t(cell)] == rank; } ///< a held cell
   std::vector<int> ownCells() const;
   int local(int cell) const { return places[std::size_t(cell)]; } ///< the held cell that this one of `body` is, or -1
+  int held(std::int64_t number) const;                            ///< the cell with this of `numbers`, or -1
   /// The shares of all contact facets of the body (FieldInput::contact), of the held ones.
   Vector ofContact(const Vector& all) const;
   /// Those of a piece become those of `body`: of all cells on all ranks, or of those of a share that this rank holds.
