@@ -58,9 +58,10 @@ class Shares(unittest.TestCase):
         self.addCleanup(temporary.cleanup)
         self.folder = pathlib.Path(temporary.name)
 
-    def punch(self):
-        """The punch without what needs whole meshes."""
-        root = ElementTree.parse(DECKS / "punch-3d.xml").getroot()
+    @staticmethod
+    def bare(name):
+        """A deck without its certificate and what it expects of it."""
+        root = ElementTree.parse(DECKS / f"{name}.xml").getroot()
         for part in list(root):
             if part.get("name") in ("Error Estimation", "Expect"):
                 root.remove(part)
@@ -83,7 +84,7 @@ class Shares(unittest.TestCase):
         return summary
 
     def probed(self):
-        root = self.punch()
+        root = self.bare("punch-3d")
         output = add(root, "Output")
         probes = add(output, "Probes")
         add(probes, "inside", Body="punch", At=[0.31, 0.47, 0.53])
@@ -204,7 +205,7 @@ class Shares(unittest.TestCase):
                 numpy.testing.assert_allclose(shared[part][1][name], ours, atol=1e-6, err_msg=f"{part} {name}")
 
     def test_one_file_of_all_shares_is_that_of_one_process(self):
-        root = self.punch()
+        root = self.bare("punch-3d")
         self.right(root, 1, *PUNCH)
         for ranks in (4,):
             (self.folder / f"np{ranks}.e.2.0").write_text("of an earlier run")
@@ -215,7 +216,7 @@ class Shares(unittest.TestCase):
         self.assertEqual((whole.blocks, whole.sides), (shared.blocks, shared.sides))
 
     def test_one_file_of_load_cases(self):
-        root = self.punch()
+        root = self.bare("punch-3d")
         cases = add(root, "Load Cases")
         ElementTree.SubElement(cases, "Parameter", name="Names", type="Array(string)", value="{once, twice}")
         add(cases, "Factors", **{"Bodies/punch/Loads/press": [1.0, 2.0]})
@@ -229,14 +230,14 @@ class Shares(unittest.TestCase):
 
     def test_where_the_file_cannot_be_written_nothing_is_left(self):
         (self.folder / "np3.e").mkdir()
-        done, _ = self.run_deck(self.punch(), 3, *PUNCH, "Output/Exodus Files=Single")
+        done, _ = self.run_deck(self.bare("punch-3d"), 3, *PUNCH, "Output/Exodus Files=Single")
         self.assertEqual(done.returncode, 2, done.stdout)
         self.assertEqual(done.stderr.count('cannot write "np3.e": it is a folder'), 1, done.stderr)
         self.assertEqual(sorted(path.name for path in self.folder.iterdir()), ["deck.xml", "np3.e"])
 
     def test_a_full_disk_of_one_process_leaves_nothing(self):
         limited = ["sh", "-c", 'test "$OMPI_COMM_WORLD_RANK" = 1 && ulimit -f 80; exec "$0" "$@"']
-        done, _ = self.run_deck(self.punch(), 2, *PUNCH, "Output/Exodus Files=Single", before=limited)
+        done, _ = self.run_deck(self.bare("punch-3d"), 2, *PUNCH, "Output/Exodus Files=Single", before=limited)
         self.assertEqual(done.returncode, 2, done.stdout + done.stderr)
         self.assertEqual(done.stderr.count('cannot write "np2.e": '), 1, done.stderr)
         self.assertEqual([path.name for path in self.folder.iterdir()], ["deck.xml"])
@@ -259,18 +260,11 @@ class Shares(unittest.TestCase):
         process.wait()
         return not (self.folder / f"{name}.summary.json").exists()
 
-    def loss(self):
-        root = ElementTree.parse(DECKS / "contact-loss-3d.xml").getroot()
-        for part in list(root):
-            if part.get("name") in ("Error Estimation", "Expect"):
-                root.remove(part)
-        return root
-
     def parts(self, name):
         return sorted(path.name for path in self.folder.glob(f"{name}.checkpoint.*"))
 
     def test_killed_runs_go_on_on_any_number_of_processes(self):
-        root, caught = self.loss(), 0
+        root, caught = self.bare("contact-loss-3d"), 0
         whole = self.right(root, 3, *self.LOSS, name="whole")
         self.assertEqual(self.parts("whole"), [], "a run that has ended leaves no parts")
         for passes in (1, 2):
@@ -314,7 +308,7 @@ class Shares(unittest.TestCase):
             from vtkmodules.vtkIOExodus import vtkExodusIIReader
         except ImportError:
             self.skipTest("VTK is not installed")
-        self.right(self.punch(), 3, *PUNCH, "Output/Exodus Files=Single")
+        self.right(self.bare("punch-3d"), 3, *PUNCH, "Output/Exodus Files=Single")
         reader = vtkExodusIIReader()
         reader.SetFileName(str(self.folder / "np3.e"))
         reader.UpdateInformation()

@@ -2,24 +2,11 @@
 
 #include <algorithm>
 
+#include "ndframe/base/ascending.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
-namespace
-{
-
-using Global = BodyShare::Global;
-
-/// The place of a number among ascending ones, -1: it is none of them.
-int placeOf(const std::vector<Global>& ascending, Global number)
-{
-  const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
-  return found != ascending.end() && *found == number ? int(found - ascending.begin()) : -1;
-}
-
-} // namespace
-
 BodyShare::BodyShare(Things nodes, Things cells, const Comm& comm)
     : nodes_(std::move(nodes)), cells_(std::move(cells)), rank_(comm.rank()),
       numOwnCells_(int(std::count(cells_.owners.begin(), cells_.owners.end(), rank_))),

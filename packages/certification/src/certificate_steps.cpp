@@ -30,11 +30,6 @@ std::vector<int> traceSizes(const CertifiedScene& scene)
   return sizes;
 }
 
-bool areShares(const Model& model)
-{
-  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& body) { return bool(body.share); });
-}
-
 } // namespace
 
 double shareOf(int dim, int order, std::size_t node)
@@ -68,7 +63,7 @@ CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, co
                        degree,
                        0.0,
                        comm,
-                       areShares(model) ? comm : Comm::single()};
+                       model.told ? comm : Comm::single()};
   double total = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     scene.bodies.push_back(&model.bodies[b]);

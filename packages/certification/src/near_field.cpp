@@ -66,7 +66,7 @@ private:
 bool descend(const System& system, const Vector& load, double enough, int mostSteps, Vector& u)
 {
   const Vector none(u.size(), 0.0);
-  Vector r = system.residual(load, u), p(u.size(), 0.0), own;
+  Vector r = system.residual(load, u), p(u.size(), 0.0);
   double before = 0.0;
   for (int step = 0; step <= mostSteps; ++step) {
     const Vector z = system.scaled(r);
@@ -76,9 +76,8 @@ bool descend(const System& system, const Vector& load, double enough, int mostSt
     const double kept = step > 0 ? square / before : 0.0;
     for (std::size_t dof = 0; dof < p.size(); ++dof)
       p[dof] = z[dof] + kept * p[dof];
-    own = p;                                        // the next line fetches others' values
-    const Vector change = system.residual(none, p); // - K p
-    const double curvature = -system.dotOfAll(own, change);
+    const Vector change = system.residual(none, p); // - K p, zero where p has others' values
+    const double curvature = -system.dotOfAll(p, change);
     if (!(curvature > 0.0))
       break;
     for (std::size_t dof = 0; dof < r.size(); ++dof) {

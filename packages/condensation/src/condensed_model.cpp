@@ -122,7 +122,6 @@ public:
     result_.ranks.resize(model.bodies.size());
     result_.threads = solver.allowsThreads(comm.size()) ? numThreads(comm) : 1;
     traces_.resize(model.bodies.size());
-    isShared_ = std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& b) { return bool(b.share); });
   }
 
   CondensedModel run() &&
@@ -134,9 +133,9 @@ public:
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
       layOutBody(b, traceNodes[b]);
     if (std::any_of(kept_.begin(), kept_.end(), [](const Kept& kept) { return !kept.factor; }))
-      owners_.emplace(model_, isShared_ ? 1 : comm_.size()); // rigid bodies are the first rank's then
+      owners_.emplace(model_, model_.told ? 1 : comm_.size()); // rigid bodies are the first rank's then
     for (std::size_t b = 0; b < model_.bodies.size(); ++b)
-      if (!kept_[b].factor && !isShared_)
+      if (!kept_[b].factor && !model_.told)
         result_.ranks[b] = owners_->ofVertices(model_, int(b));
     const std::vector<int> sizes = model_.numDofs();
     const auto largest = std::size_t(std::max_element(sizes.begin(), sizes.end()) - sizes.begin());
@@ -258,7 +257,6 @@ private:
   std::vector<Kept> kept_;         ///< per body
   std::optional<NodeOwners> owners_;
   std::vector<BodyTrace> traces_; ///< per body, empty for those that touch nothing
-  bool isShared_ = false;         ///< bodies are parts of those that no rank has as a whole
 };
 
 } // namespace

@@ -3,19 +3,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/base/ascending.hpp"
 #include "ndframe/equilibrium/reference_stress.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-template <class Number>
-int placeOf(const std::vector<Number>& ascending, Number number)
-{
-  const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
-  return found != ascending.end() && *found == number ? int(found - ascending.begin()) : -1;
-}
 
 /// The blocks of `all` at these places.
 template <class Values>

@@ -9,6 +9,7 @@
 #include <unordered_map>
 
 #include "ndframe/algebra/exchanged_values.hpp"
+#include "ndframe/base/mixed_hash.hpp"
 #include "ndframe/equilibrium/moment_basis.hpp"
 
 namespace ndframe
@@ -24,7 +25,7 @@ struct HashOfShape
   {
     std::uint64_t hash = 0;
     for (const std::int64_t entry : shape)
-      hash = (hash ^ std::uint64_t(entry)) * 0x9E3779B97F4A7C15U ^ hash >> 29;
+      hash = mixedHash(hash, std::uint64_t(entry));
     return std::size_t(hash);
   }
 };
@@ -53,7 +54,7 @@ std::int64_t hashOf(const Elasticity& law)
   for (const double entry : law.D) {
     std::uint64_t bits = 0;
     std::memcpy(&bits, &entry, sizeof bits);
-    hash = (hash ^ bits) * 0x9E3779B97F4A7C15U ^ hash >> 29;
+    hash = mixedHash(hash, bits);
   }
   return std::int64_t(hash);
 }
@@ -89,19 +90,17 @@ std::vector<const BodyModel*> modelsOf(const std::vector<const BodyPiece*>& piec
 CellClasses::CellClasses(const std::vector<const BodyModel*>& bodies)
 {
   find(bodies);
-  hashes_ = {};
 }
 
 CellClasses::CellClasses(const std::vector<const BodyPiece*>& pieces, const Comm& comm)
 {
-  find(modelsOf(pieces));
-  agree(pieces, comm);
-  hashes_ = {};
+  agree(pieces, find(modelsOf(pieces)), comm);
 }
 
-void CellClasses::find(const std::vector<const BodyModel*>& bodies)
+std::vector<std::int64_t> CellClasses::find(const std::vector<const BodyModel*>& bodies)
 {
   constexpr int exactBits = 53; // of a hash that is sent as a double
+  std::vector<std::int64_t> hashes;
   std::unordered_map<Shape, int, HashOfShape> known;
   for (std::size_t b = 0; b < bodies.size(); ++b)
     for (int cell = 0; bodies[b] != nullptr && cell < bodies[b]->mesh.numCells(); ++cell) {
@@ -114,16 +113,18 @@ void CellClasses::find(const std::vector<const BodyModel*>& bodies)
         first_.push_back(int(of_.size()));
         count_.push_back(0);
         shape[10] = hashOf(bodies[b]->laws(cell));
-        hashes_.push_back(std::int64_t(HashOfShape()(shape) >> (64 - exactBits)));
+        hashes.push_back(std::int64_t(HashOfShape()(shape) >> (64 - exactBits)));
       }
       of_.push_back(place->second);
       ++count_[std::size_t(place->second)];
     }
   hasOrigin_.assign(first_.size(), 1);
+  return hashes;
 }
 
 /// Every class is looked after by the rank that its hash names.
-void CellClasses::agree(const std::vector<const BodyPiece*>& pieces, const Comm& comm)
+void CellClasses::agree(const std::vector<const BodyPiece*>& pieces, const std::vector<std::int64_t>& hashes,
+                        const Comm& comm)
 {
   Vector counts(first_.size(), 0.0), firsts(first_.size(), HUGE_VAL);
   std::size_t at = 0;
@@ -134,8 +135,8 @@ void CellClasses::agree(const std::vector<const BodyPiece*>& pieces, const Comm&
   std::vector<Vector> records(std::size_t(comm.size()));
   std::vector<std::vector<int>> asked(records.size());
   for (std::size_t number = 0; number < counts.size(); ++number) {
-    const auto rank = std::size_t(hashes_[number] % comm.size());
-    records[rank].insert(records[rank].end(), {double(hashes_[number]), counts[number], firsts[number]});
+    const auto rank = std::size_t(hashes[number] % comm.size());
+    records[rank].insert(records[rank].end(), {double(hashes[number]), counts[number], firsts[number]});
     asked[rank].push_back(int(number));
   }
   records = exchangedValues(records, comm);

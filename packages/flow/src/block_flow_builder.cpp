@@ -6,6 +6,7 @@
 
 #include "block_grid.hpp"
 #include "ndframe/algebra/exchanged_values.hpp"
+#include "ndframe/base/ascending.hpp"
 #include "ndframe/equilibrium/facet_twins.hpp"
 #include "values_reader.hpp"
 
@@ -21,12 +22,6 @@ constexpr int cellsOfBlock = 500, mostBlocks = 20000;
 void append(Vector& values, const Direction& direction)
 {
   values.insert(values.end(), direction.begin(), direction.end());
-}
-
-int placeOf(const std::vector<Number>& ascending, Number number)
-{
-  const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
-  return found != ascending.end() && *found == number ? int(found - ascending.begin()) : -1;
 }
 
 } // namespace
@@ -83,10 +78,10 @@ void BlockFlow::Builder::findBlocks()
 void BlockFlow::Builder::findFaces()
 {
   const std::vector<SortedCell> cells = sortedCells(mesh_);
-  const std::vector<int> twins = facetTwins(cells, 3);
+  twins_ = facetTwins(cells, 3);
   for (const int cell : flow_.own_)
     for (int half = cell * 4; half < cell * 4 + 4; ++half) {
-      const int twin = twins[std::size_t(half)];
+      const int twin = twins_[std::size_t(half)];
       if (twin < 0 || number(twin / 4) < number(cell))
         continue;
       const Facet facet{cell, cells[std::size_t(cell)].local[std::size_t(half % 4)]};
@@ -280,10 +275,9 @@ void BlockFlow::Builder::takeCrossings()
 /// Own half facets learn where their flow is.
 void BlockFlow::Builder::findPlaces()
 {
-  const std::vector<int> twins = facetTwins(sortedCells(mesh_), 3);
   for (const int cell : flow_.own_)
     for (int half = cell * 4; half < cell * 4 + 4; ++half) {
-      const int twin = twins[std::size_t(half)];
+      const int twin = twins_[std::size_t(half)];
       if (twin < 0)
         continue;
       const Number mine = number(cell), theirs = number(twin / 4);

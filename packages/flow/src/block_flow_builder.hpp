@@ -63,6 +63,7 @@ private:
   BlockFlow& flow_;
   std::vector<int> blockOf_;              ///< per held cell
   std::vector<std::vector<int>> ranksOf_; ///< per block
+  std::vector<int> twins_;                ///< per half facet of the held mesh that on the other side, -1: none
   std::vector<OwnFace> faces_;
   std::vector<Number> near_;                      ///< numbers of the near cells, ascending
   std::vector<Direction> setCentres_;             ///< per set of the body

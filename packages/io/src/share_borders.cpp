@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/base/ascending.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/io/piece_border.hpp"
 
@@ -119,13 +120,6 @@ OfRanks offered(const OwnFacets& facets, const std::map<int, Numbers>& common, i
   return offers;
 }
 
-int placeOf(const Numbers& ascending, Number number)
-{
-  const auto found = std::lower_bound(ascending.begin(), ascending.end(), number);
-  NDFRAME_ASSERT(found != ascending.end() && *found == number, "a piece's nodes are in its share");
-  return int(found - ascending.begin());
-}
-
 } // namespace
 
 std::vector<PieceBorder> bordersOfShare(const SharedNodes& share, const Comm& comm)
@@ -136,8 +130,10 @@ std::vector<PieceBorder> bordersOfShare(const SharedNodes& share, const Comm& co
   std::vector<PieceBorder> borders;
   for (const auto& [other, nodes] : common) {
     borders.push_back({other, {}, {}});
-    for (const Number node : nodes)
+    for (const Number node : nodes) {
       borders.back().nodes.push_back(placeOf(share.numbers, node));
+      NDFRAME_ASSERT(borders.back().nodes.back() >= 0, "a piece's nodes are in its share");
+    }
     const Numbers& offer = theirs[std::size_t(other)];
     for (std::size_t at = 0; at < offer.size(); at += 3) // in the order of their vertices
       if (const auto found = facets.find({offer[at], offer[at + 1], offer[at + 2]}); found != facets.end())

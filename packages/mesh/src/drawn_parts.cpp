@@ -97,7 +97,7 @@ DrawnPart drawnPartFromBytes(std::string_view bytes)
   DrawnOwners owners;
   int halvings = 0;
   walk(reader, whole, owners, halvings);
-  NDFRAME_ASSERT(reader.atEnd(), "something follows the bytes of a part");
+  reader.requireEnd();
   RefinedNumbers numbers(mesh, halvings, std::move(whole));
   return {std::move(mesh), std::move(numbers), std::move(owners), halvings};
 }

@@ -1,6 +1,5 @@
 #include "ndframe/mesh/mesh_bytes.hpp"
 
-#include "ndframe/base/diagnostics.hpp"
 #include "ndframe/mesh/byte_stream.hpp"
 
 namespace ndframe
@@ -21,16 +20,11 @@ void walk(Stream& stream, AnyMesh& mesh)
     stream.array(side.name);
     stream.array(side.facets);
   }
-  stream.length(mesh.notes);
-  for (auto& note : mesh.notes)
-    stream.array(note);
+  stream.arrays(mesh.notes);
   stream.array(mesh.groups.kind);
   stream.length(mesh.groups.names);
-  for (auto& names : mesh.groups.names) {
-    stream.length(names);
-    for (auto& name : names)
-      stream.array(name);
-  }
+  for (auto& names : mesh.groups.names)
+    stream.arrays(names);
 }
 
 } // namespace
@@ -47,7 +41,7 @@ Mesh meshFromBytes(std::string_view bytes)
   ByteReader reader(bytes);
   Mesh mesh;
   walk(reader, mesh);
-  NDFRAME_ASSERT(reader.atEnd(), "something follows the bytes of a mesh");
+  reader.requireEnd();
   return mesh;
 }
 

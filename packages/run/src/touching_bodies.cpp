@@ -55,16 +55,11 @@ BoundaryView viewOf(const BodyModel& body, const Mesh* mesh, std::vector<Facet> 
   return {mesh, std::move(boundary), std::move(paired), body.share ? body.share->numOwnCells() : -1};
 }
 
-bool areShared(const Model& model)
-{
-  return std::any_of(model.bodies.begin(), model.bodies.end(), [](const BodyModel& body) { return bool(body.share); });
-}
-
 /// Pairs of bodies that come near each other on these meshes. Collective where bodies are shared.
 std::vector<std::pair<int, int>> nearBodies(const Model& model, const std::vector<const Mesh*>& meshes,
                                             const Comm& comm)
 {
-  if (!areShared(model))
+  if (!model.told)
     return nearPairs(meshes);
   std::vector<BoundaryView> views;
   for (std::size_t b = 0; b < meshes.size(); ++b)
@@ -92,7 +87,7 @@ void forEveryPair(const Model& model, const std::vector<const Mesh*>& meshes,
     if (model.bodies[std::size_t(a)].isRigid || model.bodies[std::size_t(b)].isRigid) // only shown by their meshes
       continue;
     const BoundaryView one = view(a, b), other = view(b, a);
-    report(a, b, areShared(model) ? encounterOfShares(one, other, comm) : encounterOf(one, other));
+    report(a, b, model.told ? encounterOfShares(one, other, comm) : encounterOf(one, other));
   }
 }
 

@@ -36,9 +36,7 @@ void walk(ByteReader& stream, DenseMatrix& matrix)
 template <class Stream, class Scene>
 void walk(Stream& stream, Scene& scene)
 {
-  stream.length(scene.heldBy);
-  for (auto& text : scene.heldBy)
-    stream.array(text);
+  stream.arrays(scene.heldBy);
   stream.array(scene.diameters);
   stream.array(scene.rigid);
   for (auto* motions : {&scene.freeMotions, &scene.balancedMotions}) {
@@ -86,7 +84,7 @@ ToldScene toldSceneFromBytes(std::string_view bytes)
   ByteReader reader(bytes);
   ToldScene scene;
   walk(reader, scene);
-  NDFRAME_ASSERT(reader.atEnd(), "something follows the bytes of a scene");
+  reader.requireEnd();
   return scene;
 }
 

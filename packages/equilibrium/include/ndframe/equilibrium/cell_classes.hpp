@@ -33,13 +33,13 @@ public:
   double scale(int cell) const { return length_[std::size_t(first(of(cell)))] / length_[std::size_t(cell)]; }
 
 private:
-  void find(const std::vector<const BodyModel*>& bodies);
-  void agree(const std::vector<const BodyPiece*>& pieces, const Comm& comm);
+  /// Returns per class a hash that is the same on all ranks.
+  std::vector<std::int64_t> find(const std::vector<const BodyModel*>& bodies);
+  void agree(const std::vector<const BodyPiece*>& pieces, const std::vector<std::int64_t>& hashes, const Comm& comm);
 
   std::vector<int> of_, first_, count_;
-  Vector length_;                    ///< of every cell
-  std::vector<std::int64_t> hashes_; ///< per class, while ranks agree
-  std::vector<char> hasOrigin_;      ///< per class
+  Vector length_;               ///< of every cell
+  std::vector<char> hasOrigin_; ///< per class
 };
 
 } // namespace ndframe

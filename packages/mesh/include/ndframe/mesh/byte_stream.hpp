@@ -31,13 +31,21 @@ public:
   {
     number(items.size());
   }
+  template <class T>
+  void arrays(const std::vector<T>& all)
+  {
+    length(all);
+    for (const T& values : all)
+      array(values);
+  }
   std::string take() { return std::move(bytes_); }
 
 private:
   std::string bytes_;
 };
 
-/// Reads them in the same order, by functions of the same names. Bytes that end too early are a bug (InternalError).
+/// Reads them in the same order, by functions of the same names. Bytes that end too early, or too late
+/// (requireEnd), are a bug (InternalError).
 class ByteReader
 {
 public:
@@ -71,7 +79,14 @@ public:
     requireLeft(size, sizeof size); // each item begins with its own length
     items.resize(size);
   }
-  bool atEnd() const { return left_.empty(); }
+  template <class T>
+  void arrays(std::vector<T>& all)
+  {
+    length(all);
+    for (T& values : all)
+      array(values);
+  }
+  void requireEnd() const { NDFRAME_ASSERT(left_.empty(), "something follows the bytes that are wanted"); }
 
 private:
   void requireLeft(std::size_t count, std::size_t size) const

@@ -15,7 +15,8 @@ namespace ndframe
 /// What a rank needs of a drawn mesh to make its share (refinedShare), which is the same as with the whole mesh.
 struct DrawnPart
 {
-  Mesh mesh;              ///< cells with an own vertex and those that touch the sides that all ranks have; all sides
+  /// Cells with an own vertex, those that touch the sides that all ranks have, and the halo (DrawnParts); all sides.
+  Mesh mesh;
   RefinedNumbers numbers; ///< of the whole, by the part's vertices, which ascend as in the whole
   DrawnOwners owners;     ///< of the part's vertices
   int halvings = 0;
@@ -26,7 +27,8 @@ struct DrawnPart
 class DrawnParts
 {
 public:
-  /// sides: names of those that all ranks have. halvings: to come. withHalo: for shares with one.
+  /// sides: names of those that all ranks have. halvings: to come. withHalo: with all cells that have a vertex
+  /// in common with one that has an own vertex, for shares with a halo.
   DrawnParts(const Mesh& drawn, int halvings, const RefinedNumbers& numbers, const DrawnOwners& owners,
              const std::vector<std::string>& sides, int ranks, bool withHalo = false);
 
