@@ -1,6 +1,7 @@
 #include "ndframe/algebra/shared_values.hpp"
 
 #include <algorithm>
+#include <iterator>
 
 #include "exchange.hpp"
 #include "ndframe/algebra/dense.hpp"
@@ -125,6 +126,16 @@ void takeLargest(Vector& values, const Comm& comm)
 {
   if (comm.size() > 1)
     MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_MAX, mpiComm(comm));
+}
+
+void takeExtremes(Vector& smallest, Vector& largest, const Comm& comm)
+{
+  Vector all = largest;
+  std::transform(smallest.begin(), smallest.end(), std::back_inserter(all), std::negate<>());
+  takeLargest(all, comm);
+  const auto middle = all.begin() + std::ptrdiff_t(largest.size());
+  std::copy(all.begin(), middle, largest.begin());
+  std::transform(middle, all.end(), smallest.begin(), std::negate<>());
 }
 
 Vector gatheredFrom(const Vector& own, const Comm& comm)

@@ -38,13 +38,6 @@ std::vector<std::vector<Global>> areAlone(const std::vector<std::vector<Global>>
 
 } // namespace
 
-std::vector<int> ownersOf(const BodyShare& share, const Comm& comm)
-{
-  Vector ranks(share.numbers().size(), double(comm.rank()));
-  share.fetch(ranks, 1);
-  return {ranks.begin(), ranks.end()};
-}
-
 std::vector<Facet> ownBoundary(const Mesh& mesh, const BodyShare& share, const Comm& comm)
 {
   Mesh own;
@@ -53,13 +46,12 @@ std::vector<Facet> ownBoundary(const Mesh& mesh, const BodyShare& share, const C
   own.cells.assign(mesh.cells.begin(), mesh.cells.begin() + std::ptrdiff_t(share.numOwnCells()) * (mesh.dim + 1));
   if (comm.size() == 1)
     return boundaryFacets(own);
-  const std::vector<int> owners = ownersOf(share, comm);
   std::vector<std::vector<Global>> told(std::size_t(comm.size()));
   std::vector<std::vector<Facet>> facets(told.size());
   for (const Facet facet : boundaryFacets(own)) {
     int vertices[3];
     facetVertices(mesh, facet, vertices);
-    const auto owner = std::size_t(owners[std::size_t(*std::min_element(vertices, vertices + mesh.dim))]);
+    const auto owner = std::size_t(share.owners()[std::size_t(*std::min_element(vertices, vertices + mesh.dim))]);
     const Vertices numbers = verticesOf(mesh, share, vertices);
     told[owner].insert(told[owner].end(), numbers.begin(), numbers.end());
     facets[owner].push_back(facet);

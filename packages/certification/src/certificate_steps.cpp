@@ -178,16 +178,15 @@ double largestDisplacement(const CertifiedScene& scene, const std::vector<NodalF
 bool areOfOneSize(const CertifiedScene& scene)
 {
   constexpr double most = 100.0; // sizes differ by less than five
-  double smallest = std::numeric_limits<double>::infinity(), largest = 0.0;
+  Vector smallest{std::numeric_limits<double>::infinity()}, largest{0.0};
   for (const BodyModel* body : scene.bodies)
     for (int cell = 0; cell < body->mesh.numCells() && !body->isRigid; ++cell) {
       const double measure = cellMeasure(body->mesh, cell);
-      smallest = std::min(smallest, measure);
-      largest = std::max(largest, measure);
+      smallest[0] = std::min(smallest[0], measure);
+      largest[0] = std::max(largest[0], measure);
     }
-  Vector extremes{-smallest, largest};
-  takeLargest(extremes, scene.parts);
-  return extremes[1] <= most * -extremes[0];
+  takeExtremes(smallest, largest, scene.parts);
+  return largest[0] <= most * smallest[0];
 }
 
 void solveFields(const CertifiedScene& scene, std::vector<IntermediateField*> fields, bool areNear)

@@ -97,17 +97,18 @@ void cutData(const StaticData& data, BodyPiece& piece)
 
 void measureBody(BodyPiece& piece, const Comm& comm)
 {
-  Vector reach(6, -HUGE_VAL); // to lower and to higher coordinates
+  Vector low(3, HUGE_VAL), high(3, -HUGE_VAL);
   const Mesh& mesh = piece.model.mesh;
+  const auto dim = std::size_t(mesh.dim);
   for (int v = 0; v < mesh.numPoints(); ++v)
-    for (int i = 0; i < mesh.dim; ++i) {
-      reach[std::size_t(i)] = std::max(reach[std::size_t(i)], -mesh.point(v)[i]);
-      reach[std::size_t(3 + i)] = std::max(reach[std::size_t(3 + i)], mesh.point(v)[i]);
+    for (std::size_t i = 0; i < dim; ++i) {
+      low[i] = std::min(low[i], mesh.point(v)[i]);
+      high[i] = std::max(high[i], mesh.point(v)[i]);
     }
-  takeLargest(reach, comm);
-  for (std::size_t i = 0; i < std::size_t(mesh.dim); ++i) {
-    piece.centre[i] = 0.5 * (reach[3 + i] - reach[i]);
-    piece.extent = std::hypot(piece.extent, reach[3 + i] + reach[i]);
+  takeExtremes(low, high, comm);
+  for (std::size_t i = 0; i < dim; ++i) {
+    piece.centre[i] = 0.5 * (high[i] + low[i]);
+    piece.extent = std::hypot(piece.extent, high[i] - low[i]);
   }
 }
 

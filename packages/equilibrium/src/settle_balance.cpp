@@ -101,17 +101,16 @@ void BalanceSettler::passOn(const PartGraph& graph, const Vector& about, const C
 
 bool needsSettling(const Mesh& mesh, const StressCorrection& correction, const Comm& comm)
 {
-  double smallest = HUGE_VAL, largest = 0.0;
+  Vector smallest{HUGE_VAL}, largest{0.0};
   for (int cell = 0; cell < mesh.numCells(); ++cell)
     for (int facet = 0; facet <= mesh.dim; ++facet) {
       double normal[3];
       const double measure = facetNormal(mesh, {cell, facet}, normal);
-      smallest = std::min(smallest, measure);
-      largest = std::max(largest, measure);
+      smallest[0] = std::min(smallest[0], measure);
+      largest[0] = std::max(largest[0], measure);
     }
-  Vector extremes{-smallest, largest};
-  takeLargest(extremes, comm);
-  return correction.imbalance * extremes[1] > unseen * correction.force * -extremes[0];
+  takeExtremes(smallest, largest, comm);
+  return correction.imbalance * largest[0] > unseen * correction.force * smallest[0];
 }
 
 void settleBalance(const BodyModel& body, const StaticData& data, const FieldInput& field, StressCorrection& correction)

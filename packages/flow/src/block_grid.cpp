@@ -10,18 +10,18 @@ namespace ndframe
 
 BlockGrid::BlockGrid(const std::vector<Direction>& places, int perBlock, int most, const Comm& comm)
 {
-  Vector reach(6, -HUGE_VAL); // to lower and to higher coordinates
+  Vector low(3, HUGE_VAL), high(3, -HUGE_VAL);
   for (const Direction& place : places)
     for (std::size_t i = 0; i < 3; ++i) {
-      reach[i] = std::max(reach[i], -place[i]);
-      reach[3 + i] = std::max(reach[3 + i], place[i]);
+      low[i] = std::min(low[i], place[i]);
+      high[i] = std::max(high[i], place[i]);
     }
-  takeLargest(reach, comm);
+  takeExtremes(low, high, comm);
   const std::int64_t all = comm.sum(std::int64_t(places.size()));
   const auto blocks = double(std::clamp<std::int64_t>(all / perBlock, 1, most));
   for (std::size_t i = 0; i < 3; ++i) {
-    low_[i] = -reach[i];
-    extent_[i] = std::max(0.0, reach[3 + i] + reach[i]);
+    low_[i] = low[i];
+    extent_[i] = std::max(0.0, high[i] - low[i]);
   }
   Direction longest = extent_;
   std::sort(longest.rbegin(), longest.rend());

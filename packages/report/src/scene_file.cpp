@@ -86,8 +86,8 @@ void findBorders(ExodusWhole& whole, const ExodusScene& scene, const Comm& comm)
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
     whole.borders.emplace_back();
     if (const BodyShare* const share = scene.shares[b].get())
-      whole.borders.back() = bordersOfShare(
-          {*scene.bodies[b].nodes, share->numbers(), ownersOf(*share, comm), share->numOwnCells()}, comm);
+      whole.borders.back() =
+          bordersOfShare({*scene.bodies[b].nodes, share->numbers(), share->owners(), share->numOwnCells()}, comm);
   }
 }
 

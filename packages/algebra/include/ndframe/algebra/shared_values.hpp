@@ -62,6 +62,8 @@ SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std:
 
 /// Element-wise the largest value of all ranks, on every rank. Collective.
 void takeLargest(Vector& values, const Comm& comm);
+/// The same with the smallest values of the first ones. Collective.
+void takeExtremes(Vector& smallest, Vector& largest, const Comm& comm);
 /// All ranks' values one after the other, on every rank; ranks may have different numbers of them. Collective.
 Vector gatheredFrom(const Vector& own, const Comm& comm);
 

@@ -32,6 +32,7 @@ public:
   int numOwnCells() const { return numOwnCells_; }
   bool owns(int node) const { return nodes_.owners[std::size_t(node)] == rank_; }
   const std::vector<Global>& numbers() const { return nodes_.numbers; } ///< per node of the part
+  const std::vector<int>& owners() const { return nodes_.owners; }      ///< the same
   const Things& cells() const { return cells_; }
   std::vector<int> ownNodes() const; ///< of the part, ascending
   /// Values of nodes of the part, `width` for each, become those of their owners. Collective among neighbours.

@@ -6,9 +6,6 @@
 namespace ndframe
 {
 
-/// Per node of the part the rank that owns it. Collective.
-std::vector<int> ownersOf(const BodyShare& share, const Comm& comm);
-
 /// The facets of a rank's own cells that belong to one cell of the whole body only. mesh: of the share. The owner of a
 /// facet's lowest vertex is told of it by all ranks that have a cell there. Collective.
 std::vector<Facet> ownBoundary(const Mesh& mesh, const BodyShare& share, const Comm& comm);
