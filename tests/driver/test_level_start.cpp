@@ -122,7 +122,7 @@ TEST(LevelStart, OfASolutionOnItsOwnMeshIsItself)
       same.emplace_back(std::size_t(run.model.bodies[std::size_t(body)].uncut().numCells()));
       std::iota(same.back().begin(), same.back().end(), 0);
     }
-    const auto fields = CarriedSolution(run).onto(run, same);
+    const auto fields = CarriedSolution(run).onto(run, same, Comm::single());
     const auto& expected = run.solved.coupling.state.fields;
     ASSERT_EQ(fields.size(), expected.size());
     for (std::size_t b = 0; b < fields.size(); ++b)

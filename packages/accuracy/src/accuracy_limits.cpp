@@ -60,7 +60,7 @@ std::string endOfProgress(const AccuracyOptions& options, const std::vector<Leve
 }
 
 std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSummary>& levels, std::int64_t nextDofs,
-                     double firstMemory, double peakMemory)
+                     double memory)
 {
   const LevelSummary& present = levels.back();
   const double growth = double(nextDofs) / double(present.dofs);
@@ -70,7 +70,6 @@ std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSumm
   if (present.seconds + growth * last > options.maximumSeconds)
     return fmt::format("Maximum Time = {:g} s: the next mesh would take {:.2g} s", options.maximumSeconds,
                        growth * last);
-  const double memory = firstMemory + growth * (peakMemory - firstMemory);
   if (memory > options.maximumMemory)
     return fmt::format("Maximum Memory = {:g} GB: with the next mesh it would be about {:.3g} GB",
                        options.maximumMemory * 1e-9, memory * 1e-9);

@@ -22,9 +22,8 @@ bool lostGuarantee(const std::vector<LevelSummary>& levels);
 std::string endOfProgress(const AccuracyOptions& options, const std::vector<LevelSummary>& levels,
                           const CouplingResult& coupling);
 
-/// Which limit meshes with so many dofs would exceed; empty when none. firstMemory, peakMemory: bytes, before there was
-/// a mesh and the most so far.
+/// Which limit meshes with so many dofs would exceed; empty when none. memory: bytes that they would take.
 std::string limitMet(const AccuracyOptions& options, const std::vector<LevelSummary>& levels, std::int64_t nextDofs,
-                     double firstMemory, double peakMemory);
+                     double memory);
 
 } // namespace ndframe

@@ -3,6 +3,7 @@
 #include "accuracy_limits.hpp"
 #include "level_loop.hpp"
 #include "ndframe/accuracy/first_meshes.hpp"
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/run/contact_start.hpp"
@@ -62,6 +63,7 @@ Run AdaptiveRun::run(Model known)
 void AdaptiveRun::begin(Model model)
 {
   planner_ = readFirstMeshes(model, tools_, components_);
+  shareLevel(model, planner_->meshes(), tools_);
   beginLevel(std::move(model), {});
   observer_.header(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic);
 }
@@ -71,8 +73,8 @@ bool AdaptiveRun::needsAnother()
   if (!run_.certificate || !run_.failure.empty())
     return false;
   const LevelErrors errors(run_, options_);
-  LevelLesson lesson = lessonOf(run_, errors);
-  planner_->learn(run_.model, lesson);
+  LevelLesson lesson = lessonOf(run_, errors, tools_.comm);
+  planner_->learn(lesson);
   record(errors, std::move(lesson));
   summary_.reached = errors.reached() && !run_.contradiction && !lostGuarantee(summary_.levels);
   if (run_.contradiction)
@@ -125,7 +127,8 @@ void AdaptiveRun::readLevel(const std::vector<Mesh>& meshes, const std::vector<I
   Model model;
   model.interfaces = run_.model.interfaces;
   auto next = meshes.begin();
-  readModel(model, tools_, [&](const BodySettings& body) { return body.isRigid ? Mesh() : *next++; });
+  if (!shareLevel(model, meshes, tools_))
+    readModel(model, tools_, [&](const BodySettings& body) { return body.isRigid ? Mesh() : *next++; });
   beginLevel(std::move(model), before);
 }
 
@@ -157,11 +160,11 @@ Progress AdaptiveRun::progress() const
 
 void AdaptiveRun::record(const LevelErrors& errors, LevelLesson&& lesson)
 {
-  LevelSummary level = summarizeLevel(run_, errors);
+  LevelSummary level = summarizeLevel(run_, planner_->meshes(), lesson, tools_.comm);
   level.level = int(summary_.levels.size()) + 1;
   level.sweeps = sweeps_;
   level.dofsToTarget = errors.reached() || !errors.tells() ? 0 : planner_->dofsToTarget().value_or(0);
-  level.seconds = wallSeconds() - run_.startSeconds;
+  level.seconds = largestOf(wallSeconds() - run_.startSeconds);
   const CarriedContact contact = contactOf(run_, run_.solved.coupling.state.tractionNeumann);
   enter(level, contact);
   errors_ = errors;
@@ -182,12 +185,20 @@ void AdaptiveRun::enter(const LevelSummary& level, const CarriedContact& contact
     best_ = {level.level, planner_->meshes(), contact, rolesOf(run_)};
 }
 
+double AdaptiveRun::largestOf(double value) const
+{
+  Vector values{value};
+  takeLargest(values, tools_.comm);
+  return values[0];
+}
+
 void AdaptiveRun::refine()
 {
   const auto timer = timeStage(tools_.ledger, Stage::Refine);
   MeshPlan plan = planner_->nextStep(options_.maximumDofs);
-  summary_.limit = limitMet(options_, summary_.levels, plan.dofs, double(firstMemory_),
-                            double(std::max(earlierMemory_, peakMemory())));
+  const double growth = double(plan.dofs) / double(summary_.levels.back().dofs);
+  const double used = double(std::max(earlierMemory_, peakMemory()) - firstMemory_);
+  summary_.limit = limitMet(options_, summary_.levels, plan.dofs, largestOf(double(firstMemory_) + growth * used));
   if (summary_.limit.empty() && plan.meshes->areUnchanged() && plan.dofs == summary_.levels.back().dofs)
     summary_.limit = "cells are as small as their coordinates can resolve";
   if (!summary_.limit.empty())

@@ -1,10 +1,12 @@
 #include "carried_solution.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
+#include <numeric>
 #include <utility>
 
+#include "ndframe/algebra/exchanged_values.hpp"
+#include "ndframe/algebra/ghosts.hpp"
 #include "ndframe/fem/lagrange.hpp"
 #include "ndframe/mesh/cells_of_points.hpp"
 #include "places.hpp"
@@ -14,11 +16,9 @@ namespace ndframe
 namespace
 {
 
-using Point = std::array<double, 3>;
-
 /// A point near a cell by its barycentric coordinates there.
 template <int dim>
-PointInCell placeIn(const NodeMap& nodes, int cell, const Point& x)
+PointInCell placeIn(const NodeMap& nodes, int cell, const double* x)
 {
   double points[(dim + 1) * dim], gradients[(dim + 1) * dim];
   for (int v = 0; v <= dim; ++v)
@@ -27,13 +27,13 @@ PointInCell placeIn(const NodeMap& nodes, int cell, const Point& x)
   PointInCell place{cell, {1.0}};
   for (int v = 0; v <= dim; ++v)
     for (int k = 0; k < dim; ++k)
-      place.lambda[std::size_t(v)] += gradients[v * dim + k] * (x[std::size_t(k)] - points[k]);
+      place.lambda[std::size_t(v)] += gradients[v * dim + k] * (x[k] - points[k]);
   return place;
 }
 
 /// In the one of some cells that it is least outside of.
 template <int dim>
-PointInCell nearestPlace(const NodeMap& nodes, const std::vector<int>& cells, const Point& x)
+PointInCell nearestPlace(const NodeMap& nodes, const std::vector<int>& cells, const double* x)
 {
   PointInCell nearest;
   double inside = -HUGE_VAL;
@@ -58,65 +58,193 @@ void addValues(const NodeMap& nodes, const PointInCell& place, const Vector& val
       sum[k] += N[a] * values[std::size_t(nodes.cell(place.cell)[a]) * dim + std::size_t(k)];
 }
 
+using Global = BodyShare::Global;
+
+/// A rank's cells by ascending numbers in the whole body, own ones only or all.
+std::vector<int> inOrder(const BodyShare& share, std::size_t count)
+{
+  const std::vector<Global>& numbers = share.cells().numbers;
+  std::vector<int> cells(count);
+  std::iota(cells.begin(), cells.end(), 0);
+  std::sort(cells.begin(), cells.end(),
+            [&](int a, int b) { return numbers[std::size_t(a)] < numbers[std::size_t(b)]; });
+  return cells;
+}
+
+/// The nodes of a body whose values this rank finds, each with an uncut cell of the whole body that it belongs to: the
+/// first one, whatever the shares are.
+struct Wanted
+{
+  std::vector<int> nodes;
+  std::vector<Global> cells;
+};
+
+Wanted wantedOf(const BodyModel& body)
+{
+  NDFRAME_ASSERT(!body.share || body.parents.empty(), "cells of shares are whole");
+  Wanted wanted;
+  std::vector<char> isKnown(std::size_t(body.nodes.numNodes()), 0);
+  const auto add = [&](int cell, Global uncut) {
+    for (int a = 0; a < body.nodes.nodesPerCell; ++a) {
+      const int node = body.nodes.cell(cell)[a];
+      if (std::exchange(isKnown[std::size_t(node)], char(1)) || (body.share && !body.share->owns(node)))
+        continue;
+      wanted.nodes.push_back(node);
+      wanted.cells.push_back(uncut);
+    }
+  };
+  if (body.share)
+    for (const int cell : inOrder(*body.share, body.share->cells().numbers.size()))
+      add(cell, body.share->cells().numbers[std::size_t(cell)]);
+  else
+    for (int cell = 0; cell < body.mesh.numCells(); ++cell)
+      add(cell, body.parents.empty() ? cell : body.parents[std::size_t(cell)]);
+  return wanted;
+}
+
+/// On rank 0, from the parts of all ranks. Collective.
+Vector gathered(const Vector& ofPart, int dim, const BodyShare& share, const Comm& comm)
+{
+  std::vector<Vector> sent(std::size_t(comm.size()));
+  for (const int node : share.ownNodes()) {
+    sent[0].push_back(double(share.numbers()[std::size_t(node)]));
+    const auto first = ofPart.begin() + std::ptrdiff_t(node) * dim;
+    sent[0].insert(sent[0].end(), first, first + dim);
+  }
+  const std::vector<Vector> received = exchangedValues(sent, comm);
+  Vector all(comm.rank() == 0 ? std::size_t(share.numNodes()) * std::size_t(dim) : 0);
+  for (const Vector& message : received)
+    for (auto next = message.begin(); next != message.end(); next += dim + 1)
+      std::copy_n(next + 1, dim, all.begin() + std::ptrdiff_t(*next) * dim);
+  return all;
+}
+
+/// What this rank has of it.
+Vector partOf(const Vector& all, int dim, const BodyShare& share)
+{
+  Vector part;
+  for (const Global number : share.numbers())
+    part.insert(part.end(), all.begin() + std::ptrdiff_t(number) * dim, all.begin() + std::ptrdiff_t(number + 1) * dim);
+  return part;
+}
+
 } // namespace
 
 CarriedSolution::CarriedSolution(const Run& run)
 {
   if (run.solved.fields.size() != run.model.bodies.size())
     return;
-  std::vector<Vector> values;
   for (const int number : run.model.elasticBodies()) {
     const auto b = std::size_t(number);
-    values.emplace_back(run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u.back()).whole());
+    add(run.model.bodies[b], run.condensed.systems[b].dofs.frames.toGlobal(run.solved.fields[b].u.back()).whole());
   }
-  *this = CarriedSolution(run.model, std::move(values));
 }
 
-CarriedSolution::CarriedSolution(const Model& model, std::vector<Vector> values)
+CarriedSolution::CarriedSolution(const Model& model, const std::vector<Vector>& values)
 {
-  std::size_t next = 0;
+  auto next = values.begin();
   for (const int b : model.elasticBodies()) {
     const BodyModel& body = model.bodies[std::size_t(b)];
-    if (next == values.size() || int(values[next].size()) != body.numDofs())
+    if (next == values.end() || std::int64_t(next->size()) != body.totalDofs())
       throw InputError("The displacements to go on from are those of other meshes.");
-    Body carried{body.nodes, {}, std::move(values[next++])};
-    carried.parts.resize(body.parents.empty() ? 0 : std::size_t(body.base.numCells()));
-    for (std::size_t cell = 0; cell < body.parents.size(); ++cell)
-      carried.parts[std::size_t(body.parents[cell])].push_back(int(cell));
-    bodies_.push_back(std::move(carried));
+    add(body, body.share ? partOf(*next, body.mesh.dim, *body.share) : *next);
+    ++next;
   }
 }
 
-std::vector<Vector> CarriedSolution::values() const
+void CarriedSolution::add(const BodyModel& body, Vector values)
+{
+  Body carried{body.nodes, {}, std::move(values), body.share};
+  carried.parts.resize(body.parents.empty() ? 0 : std::size_t(body.base.numCells()));
+  for (std::size_t cell = 0; cell < body.parents.size(); ++cell)
+    carried.parts[std::size_t(body.parents[cell])].push_back(int(cell));
+  bodies_.push_back(std::move(carried));
+}
+
+std::vector<Vector> CarriedSolution::values(const Comm& comm) const
 {
   std::vector<Vector> values;
   for (const Body& body : bodies_)
-    values.push_back(body.values);
+    values.push_back(body.share ? gathered(body.values, body.nodes.dim, *body.share, comm) : body.values);
   return values;
 }
 
-Vector CarriedSolution::Body::at(const BodyModel& body, const std::vector<int>& ancestors) const
+Vector CarriedSolution::Body::at(const std::vector<int>& cells, const Vector& points) const
 {
-  const auto dim = std::size_t(body.nodes.dim);
-  Vector result(std::size_t(body.numDofs()), 0.0);
-  std::vector<char> isKnown(std::size_t(body.nodes.numNodes()), 0);
-  for (int cell = 0; cell < body.mesh.numCells(); ++cell) {
-    const int ancestor = ancestors[std::size_t(body.parents.empty() ? cell : body.parents[std::size_t(cell)])];
-    const std::vector<int> itself{ancestor}, &candidates = parts.empty() ? itself : parts[std::size_t(ancestor)];
-    for (int a = 0; a < body.nodes.nodesPerCell; ++a) {
-      const auto node = std::size_t(body.nodes.cell(cell)[a]);
-      if (std::exchange(isKnown[node], char(1)))
-        continue;
-      withDimAndOrder(body.nodes.dim, body.nodes.order, [&](auto d, auto p) {
-        const PointInCell place = nearestPlace<d()>(nodes, candidates, body.nodes.point(int(node)));
-        addValues<d(), p()>(nodes, place, values, result.data() + node * dim);
-      });
-    }
+  const auto dim = std::size_t(nodes.dim);
+  Vector result(points.size(), 0.0);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::vector<int> itself{cells[i]}, &candidates = parts.empty() ? itself : parts[std::size_t(cells[i])];
+    withDimAndOrder(nodes.dim, nodes.order, [&](auto d, auto p) {
+      const PointInCell place = nearestPlace<d()>(nodes, candidates, points.data() + i * dim);
+      addValues<d(), p()>(nodes, place, values, result.data() + i * dim);
+    });
   }
   return result;
 }
 
-std::vector<NodalField> CarriedSolution::onto(const Run& run, const std::vector<std::vector<int>>& ancestors) const
+Vector CarriedSolution::Body::at(const std::vector<Global>& cells, const Vector& points, const Comm& comm) const
+{
+  if (!share)
+    return at({cells.begin(), cells.end()}, points);
+  const std::vector<int> own = inOrder(*share, std::size_t(share->numOwnCells()));
+  std::vector<Global> numbers;
+  for (const int cell : own)
+    numbers.push_back(share->cells().numbers[std::size_t(cell)]);
+  const IndexMap map(share->numCells(), std::move(numbers));
+  const std::vector<int> owners = ownersOf(cells, map, comm);
+  const auto dim = std::size_t(nodes.dim);
+  std::vector<Vector> asked(std::size_t(comm.size())), answers(asked.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    Vector& message = asked[std::size_t(owners[i])];
+    message.push_back(double(cells[i]));
+    message.insert(message.end(), points.begin() + std::ptrdiff_t(i * dim),
+                   points.begin() + std::ptrdiff_t((i + 1) * dim));
+  }
+  asked = exchangedValues(asked, comm);
+  for (std::size_t rank = 0; rank < asked.size(); ++rank) {
+    std::vector<int> here;
+    Vector places;
+    for (auto next = asked[rank].begin(); next != asked[rank].end(); next += std::ptrdiff_t(dim) + 1) {
+      here.push_back(own[std::size_t(map.local(Global(*next)))]);
+      places.insert(places.end(), next + 1, next + 1 + std::ptrdiff_t(dim));
+    }
+    answers[rank] = at(here, places);
+  }
+  answers = exchangedValues(answers, comm);
+  Vector result;
+  std::vector<std::size_t> taken(answers.size(), 0);
+  for (const int owner : owners) {
+    const auto first = answers[std::size_t(owner)].begin() +
+                       std::ptrdiff_t(std::exchange(taken[std::size_t(owner)], taken[std::size_t(owner)] + dim));
+    result.insert(result.end(), first, first + std::ptrdiff_t(dim));
+  }
+  return result;
+}
+
+Vector CarriedSolution::Body::at(const BodyModel& body, const std::vector<int>& ancestors, const Comm& comm) const
+{
+  Wanted wanted = wantedOf(body);
+  for (Global& cell : wanted.cells)
+    cell = ancestors[std::size_t(cell)];
+  const auto dim = std::size_t(body.nodes.dim);
+  Vector points;
+  for (const int node : wanted.nodes) {
+    const auto point = body.nodes.point(node);
+    points.insert(points.end(), point.begin(), point.begin() + std::ptrdiff_t(dim));
+  }
+  const Vector found = at(wanted.cells, points, comm);
+  Vector result(std::size_t(body.numDofs()), 0.0);
+  for (std::size_t i = 0; i < wanted.nodes.size(); ++i)
+    std::copy_n(found.begin() + std::ptrdiff_t(i * dim), dim,
+                result.begin() + std::ptrdiff_t(std::size_t(wanted.nodes[i]) * dim));
+  if (body.share)
+    body.share->fetch(result, int(dim));
+  return result;
+}
+
+std::vector<NodalField> CarriedSolution::onto(const Run& run, const std::vector<std::vector<int>>& ancestors,
+                                              const Comm& comm) const
 {
   const auto& traces = run.condensed.interface.bodies;
   const bool areWhole =
@@ -131,7 +259,7 @@ std::vector<NodalField> CarriedSolution::onto(const Run& run, const std::vector<
       return {};
     const auto place = std::size_t(places[b]);
     const DofLayout& dofs = run.condensed.systems[b].dofs;
-    Vector u = dofs.frames.toLocal(bodies_[place].at(run.model.bodies[b], ancestors[place])).whole();
+    Vector u = dofs.frames.toLocal(bodies_[place].at(run.model.bodies[b], ancestors[place], comm)).whole();
     dofs.addPrescribed(u, -1.0);
     fields.push_back(atNodes(std::move(u), run.model.bodies[b].nodes.dim));
   }

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/mesh/shape.hpp"
 #include "ndframe/run/energy_comparison.hpp"
 
@@ -12,21 +13,34 @@ namespace ndframe
 namespace
 {
 
-/// Where the largest contribution is.
-void findWorst(const Run& run, LevelSummary& level)
+constexpr double equallyLarge = 1e-6; ///< fields on several ranks are as exact as this
+
+/// Where the largest contribution is, of equally large ones the first, among the cells as they were refined.
+void findWorst(const Model& model, const std::vector<Mesh>& meshes, const std::vector<Vector>& contributions,
+               LevelSummary& level)
 {
+  const std::vector<int> bodies = model.elasticBodies();
   double largest = -1.0;
-  for (std::size_t b = 0; b < run.model.bodies.size(); ++b) {
-    const Vector& eta = run.certificate->etaGlobal[b];
-    const auto worst = std::max_element(eta.begin(), eta.end());
-    if (worst == eta.end() || *worst <= largest)
+  for (std::size_t b = 0; b < contributions.size(); ++b) {
+    const Vector& eta = contributions[b];
+    const double most = *std::max_element(eta.begin(), eta.end());
+    const auto worst = std::find_if(eta.begin(), eta.end(), [&](double e) { return e >= (1.0 - equallyLarge) * most; });
+    if (worst == eta.end() || *worst <= (1.0 + equallyLarge) * largest)
       continue;
     largest = *worst;
-    const Mesh& mesh = run.model.bodies[b].mesh;
-    const auto centre = cellCentre(mesh, int(worst - eta.begin()));
-    level.worstBody = run.model.bodies[b].name;
-    level.worstPoint.assign(centre.begin(), centre.begin() + mesh.dim);
+    const auto centre = cellCentre(meshes[b], int(worst - eta.begin()));
+    level.worstBody = model.bodies[std::size_t(bodies[b])].name;
+    level.worstPoint.assign(centre.begin(), centre.begin() + meshes[b].dim);
   }
+}
+
+/// The worst cell of a body counts, whoever has it. Collective.
+double worstShape(const BodyModel& body, const Comm& comm)
+{
+  Vector worst{worstShape(body.mesh)}, none;
+  if (body.share)
+    takeExtremes(worst, none, comm);
+  return worst[0];
 }
 
 } // namespace
@@ -60,14 +74,16 @@ double LevelErrors::iterationToTarget() const
   return std::sqrt(allowed * allowed - mesh * mesh);
 }
 
-LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
+LevelSummary summarizeLevel(const Run& run, const std::vector<Mesh>& meshes, const LevelLesson& lesson,
+                            const Comm& comm)
 {
   LevelSummary level;
   level.dofs = run.model.totalDofs();
   for (const auto& body : run.model.bodies) {
-    level.elements += body.mesh.numCells();
-    level.worstShape = std::min(level.worstShape, worstShape(body.mesh));
+    level.elements += body.share ? body.share->numCells() : body.mesh.numCells();
+    level.worstShape = std::min(level.worstShape, worstShape(body, comm));
   }
+  const LevelNumbers& errors = lesson.errors;
   level.bound = errors.bound;
   level.relative = errors.relative;
   level.iteration = errors.iteration;
@@ -75,7 +91,7 @@ LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors)
   level.energy = bracketOf(run.energy);
   if (!run.certificate->summary.guaranteed)
     level.doubt = run.certificate->summary.reason;
-  findWorst(run, level);
+  findWorst(run.model, meshes, lesson.contributions, level);
   return level;
 }
 

@@ -5,6 +5,7 @@
 #include <numeric>
 #include <utility>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/run/contact_ends.hpp"
 #include "places.hpp"
 
@@ -26,9 +27,26 @@ Vector uncutContributions(const BodyModel& body, const CellValues& eta)
   return squares;
 }
 
+/// Contributions of all cells of a body that ranks have shares of, from those of their own cells. Collective.
+Vector gatheredContributions(const BodyShare& share, const CellValues& eta, const Comm& comm)
+{
+  Vector own;
+  for (int cell = 0; cell < share.numOwnCells(); ++cell) {
+    own.push_back(double(share.cells().numbers[std::size_t(cell)]));
+    own.push_back(eta[std::size_t(cell)]);
+  }
+  const Vector gathered = gatheredFrom(own, comm);
+  Vector all(std::size_t(share.numCells()), 0.0);
+  for (std::size_t i = 0; i < gathered.size(); i += 2)
+    all[std::size_t(gathered[i])] = gathered[i + 1];
+  return all;
+}
+
 /// The vertices of the uncut mesh that stand for a vertex: itself, or those of the cell that it was cut into.
 std::vector<int> uncutVertices(const BodyModel& body, int vertex)
 {
+  if (body.share)
+    return {int(body.share->numbers()[std::size_t(vertex)])};
   if (vertex < body.uncut().numPoints())
     return {vertex};
   const auto found = std::find(body.mesh.cells.begin(), body.mesh.cells.end(), vertex);
@@ -78,13 +96,16 @@ std::vector<EndOnSide> bracketsOf(const Run& run)
 
 } // namespace
 
-LevelLesson lessonOf(const Run& run, const LevelErrors& errors)
+LevelLesson lessonOf(const Run& run, const LevelErrors& errors, const Comm& comm)
 {
   LevelLesson lesson;
   lesson.errors = errors;
-  for (const int body : run.model.elasticBodies())
-    lesson.contributions.push_back(
-        uncutContributions(run.model.bodies[std::size_t(body)], run.certificate->etaGlobal[std::size_t(body)]));
+  for (const int b : run.model.elasticBodies()) {
+    const BodyModel& body = run.model.bodies[std::size_t(b)];
+    const CellValues& eta = run.certificate->etaGlobal[std::size_t(b)];
+    lesson.contributions.push_back(body.share ? gatheredContributions(*body.share, eta, comm)
+                                              : uncutContributions(body, eta));
+  }
   lesson.ends = endsOfContact(run);
   lesson.brackets = bracketsOf(run);
   return lesson;

@@ -56,6 +56,7 @@ private:
   /// Plans the next meshes; AccuracySummary::limit says when they do not fit into the limits.
   void refine();
   void carryOver(MeshPlan plan);
+  double largestOf(double value) const; ///< of all ranks, on each: they go on alike
   void returnToBest();
   void solveBestAgain();
   Run finish();
@@ -101,6 +102,7 @@ private:
   AccuracySummary summary_;
   std::vector<LevelRecord> done_;          ///< for a checkpoint, if there is one
   std::optional<SweepsRecord> sweepsDone_; ///< of a checkpoint, until they are taken
+  SharedPasses shared_;                    ///< belongs to them, or to the passes of this level
 };
 
 } // namespace ndframe

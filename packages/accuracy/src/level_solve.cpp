@@ -16,12 +16,12 @@ constexpr double falling = 0.9, oneMoreDigit = 0.1;
 /// Supports of points carry what is left of the residual, which costs the guarantee.
 bool holdsPoints(const Model& model)
 {
-  const auto holdsPoint = [](const BodyModel& body) {
-    return std::any_of(body.supports.begin(), body.supports.end(), [&](const auto& support) {
-      return support->facets(body.mesh).empty() && !support->holdsMeanMotion();
-    });
+  const auto holdsPoint = [&](int body) {
+    const auto& supports = model.bodies[std::size_t(body)].supports;
+    return std::any_of(supports.begin(), supports.end(), [](const auto& support) { return support->holdsPoint(); });
   };
-  return std::any_of(model.bodies.begin(), model.bodies.end(), holdsPoint);
+  const std::vector<int> bodies = model.elasticBodies();
+  return std::any_of(bodies.begin(), bodies.end(), holdsPoint);
 }
 
 } // namespace
@@ -46,6 +46,7 @@ void AdaptiveRun::solveFrom(CouplingStart start, SweepsRecord& before)
 {
   start.sweeps.every = restart_.sweeps;
   start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start); };
+  start.sweeps = sharedPasses(std::move(start.sweeps), run_.model, shared_, tools_.comm);
   solveRun(run_, tools_, silent_, start);
   isLoose_ = start.exactness == Exactness::Rough && !run_.solved.coupling.state.fields.empty();
   sweeps_ = before.before += int(run_.solved.coupling.history.size());
@@ -86,7 +87,7 @@ CouplingStart AdaptiveRun::firstStart() const
   CouplingStart start = begins ? CouplingStart() : startFrom(run_, transfer_->onto(run_.model.interfaces, carried_));
   start.iterationError = allowedIteration(expectedMesh_);
   if (!start.closed.empty())
-    start.fields = solution_.onto(run_, planner_->ancestors());
+    start.fields = solution_.onto(run_, planner_->ancestors(), tools_.comm);
   start.exactness = expectsTarget_ || holdsPoints(run_.model) ? Exactness::Full : Exactness::Rough;
   return start;
 }

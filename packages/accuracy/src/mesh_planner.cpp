@@ -153,7 +153,7 @@ std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
   return dim_ * nodes;
 }
 
-void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
+void MeshPlanner::learn(const LevelLesson& lesson)
 {
   const LevelErrors errors(lesson.errors);
   double squared = 0.0;
@@ -164,10 +164,7 @@ void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
 
   if (expected_ > 0.0 && tells_)
     fall_.learn(bound_, predicted_, errors.bound);
-  std::vector<const Mesh*> uncut;
-  for (const int b : model.elasticBodies())
-    uncut.push_back(&model.bodies[std::size_t(b)].uncut());
-  learnExponents(uncut, lesson.contributions, errors.relative > tooCoarse(dim_));
+  learnExponents(lesson.contributions, errors.relative > tooCoarse(dim_));
   contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions(),
                          makesSolidsAnew());
   brackets_ = lesson.brackets;
@@ -178,18 +175,21 @@ void MeshPlanner::learn(const Model& model, const LevelLesson& lesson)
   total_ = std::sqrt(squared);
 }
 
-void MeshPlanner::learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse)
+void MeshPlanner::learnExponents(const std::vector<Vector>& eta, bool isCoarse)
 {
+  std::vector<const Mesh*> present;
+  for (const Mesh& mesh : meshes())
+    present.push_back(&mesh);
   if (dim_ == 3) {
     const bool knewEdges = edges_.knowsAny();
-    edges_.observe(meshes, eta, isCoarse);
+    edges_.observe(present, eta, isCoarse);
     if (!knewEdges && edges_.knowsAny())
       fall_.edgesBecameKnown();
     return;
   }
   if (isCoarse)
     corners_ = CornerExponents(degree_);
-  corners_.observe(meshes, eta);
+  corners_.observe(present, eta);
 }
 
 std::vector<Vector> MeshPlanner::exponentsFor(const LevelLesson& lesson) const

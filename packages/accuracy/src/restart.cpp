@@ -103,7 +103,7 @@ Checkpoint AdaptiveRun::levelCheckpoint() const
 {
   Checkpoint whole = checkpoint();
   if (carriesSolution())
-    whole.solution = CarriedSolution(run_).values();
+    whole.solution = CarriedSolution(run_).values(tools_.comm);
   return whole;
 }
 
@@ -137,6 +137,7 @@ SweepsRecord AdaptiveRun::takeSweeps(CouplingStart& start)
 void AdaptiveRun::keepSweeps(const SweepsRecord& before, const SweepsDone& done, const CouplingStart& start) const
 {
   Checkpoint kept = checkpoint();
+  kept.shared = shared_;
   kept.sweeps = before;
   kept.sweeps->done = done;
   kept.sweeps->goal = start.iterationError;
@@ -159,6 +160,7 @@ bool AdaptiveRun::resume(const Checkpoint& checkpoint)
     done_ = checkpoint.levels;
   tools_.ledger.restore(checkpoint.counts, stagesOf(checkpoint.stages));
   sweepsDone_ = checkpoint.sweeps;
+  shared_ = checkpoint.shared;
   if (!checkpoint.solution.empty())
     solution_ = CarriedSolution(run_.model, checkpoint.solution);
   if (checkpoint.levels.empty()) {
@@ -185,7 +187,7 @@ void AdaptiveRun::restore(const LevelRecord& level)
   if (run_.summary.coupling)
     run_.summary.coupling->roles = level.roles;
   recall(level.energy);
-  planner_->learn(run_.model, level.lesson);
+  planner_->learn(level.lesson);
   enter(level.summary, contactOn(run_.model, level.tractionNeumann, level.closed));
   errors_ = LevelErrors(level.lesson.errors);
   next_ = contactOn(run_.model, level.nextTraction, level.closed);

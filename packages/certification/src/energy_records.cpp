@@ -11,9 +11,8 @@ SceneIdentity::SceneIdentity(const SceneSettings& scene, const Model& model) : d
 {
   for (const BodySettings& body : scene.bodies)
     data_ += body.name + body.materialText + body.supportText + body.loadText;
-  for (const BodyModel& body : model.bodies)
-    if (!body.isRigid) // its mesh follows the others'
-      bodies_.push_back(outlineOf(body.mesh));
+  for (const int b : model.elasticBodies()) // meshes of the others follow theirs
+    bodies_.push_back(model.told ? model.told->outlines[std::size_t(b)] : outlineOf(model.bodies[std::size_t(b)].mesh));
 }
 
 bool SceneIdentity::operator==(const SceneIdentity& other) const

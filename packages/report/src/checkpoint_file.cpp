@@ -78,7 +78,10 @@ void openCheckpoint(CheckpointFile& file, const RunSettings& settings, const std
   restart.write = [&comm, path = restart.file](const Checkpoint& checkpoint) {
     if (isInPieces(checkpoint))
       return writeCheckpointPieces(path, checkpoint, comm);
-    writeOnFirstRank(comm, [&] { writeTextAtomically(path, toBytes(checkpoint)); });
+    writeOnFirstRank(comm, [&] {
+      writeTextAtomically(path, toBytes(checkpoint));
+      removeCheckpointPieces(path, checkpoint.stamp);
+    });
   };
   restart.keep = [&file](Checkpoint&& checkpoint) { file.last = std::move(checkpoint); };
 }

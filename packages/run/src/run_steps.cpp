@@ -159,7 +159,7 @@ void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes)
   const SceneSettings& scene = tools.settings.scene;
   SceneToShare toShare = meshes ? SceneToShare() : sceneToShare(model, tools);
   if (toShare.told)
-    return takeShares(model, std::move(toShare), tools);
+    return takeShares(model, std::move(toShare), {}, tools);
   if (meshes)
     remeshModel(model, scene, tools.components, meshes, tools.comm, tools.ledger);
   else

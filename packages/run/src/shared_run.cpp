@@ -1,6 +1,7 @@
 #include "shared_run.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "check_model.hpp"
 #include "ndframe/algebra/from_rank_zero.hpp"
@@ -51,21 +52,15 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
   const std::vector<int> bodies = model.elasticBodies();
   if (bodies.empty() || !model.solvesWhole || !needsWhole(drawn).empty())
     return false;
-  std::int64_t all = 0, together = 0; // those that touch others are solved together
-  for (const int body : bodies) {
-    const std::int64_t dofs = refinedDofs(drawn, body);
-    all += dofs;
-    together += model.touches(body) ? dofs : 0;
-  }
+  std::int64_t together = 0; // those that touch others are solved together
+  for (const int body : bodies)
+    together += model.touches(body) ? refinedDofs(drawn, body) : 0;
   const auto isForMultigrid = [&](int body) {
     BodyOutline outline = model.outline(body);
     outline.dofs = model.touches(body) ? together : refinedDofs(drawn, body);
     return tools.solver->name(outline, tools.comm.size()) == "Multigrid";
   };
-  const OutputOptions& output = tools.settings.output;
-  return std::all_of(bodies.begin(), bodies.end(), isForMultigrid) &&
-         (!output.exodus || output.exodusFiles == ExodusFiles::Single ||
-          writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
+  return std::all_of(bodies.begin(), bodies.end(), isForMultigrid);
 }
 
 /// Whether the model is that of an earlier run with these meshes, which could not be shared.
@@ -78,14 +73,13 @@ bool isKnown(const Model& model, const SceneSettings& scene)
                     [](const auto& a, const auto& b) { return a.mesh == b.mesh; });
 }
 
-/// Reads, builds and checks a scene; what is told of it, or nothing where it must be whole.
-std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTools& tools)
+/// Builds and checks a scene; what is told of it, or nothing where it must be whole.
+std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh>& earlier, const RunTools& tools)
 {
-  const SceneSettings& scene = tools.settings.scene;
-  drawn = readDrawn(scene, tools.components, known, tools.comm.size(), tools.ledger);
   if (!areLarge(drawn, tools))
     return std::nullopt;
-  buildDrawn(drawn, scene, tools.components, tools.ledger);
+  const SceneSettings& scene = tools.settings.scene;
+  buildDrawn(drawn, scene, tools.components, earlier, tools.ledger);
   Model& model = *drawn.model;
   offerWhole(model, *tools.coupling, scene.interfaceOperator);
   if (!canBeShared(drawn, tools))
@@ -93,6 +87,7 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTo
   checkModel(model, tools, Comm::single());
   const auto timer = timeStage(tools.ledger, Stage::Check);
   ToldScene scenesTold = told(model);
+  scenesTold.halvings = drawn.asked;
   scenesTold.warnings = sceneWarnings(model, tools.settings);
   model.loads.clear(); // what is handed out are meshes
   model.constraints.clear();
@@ -101,26 +96,21 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTo
   return scenesTold;
 }
 
-} // namespace
-
-bool mayBeShared(const RunSettings& settings, int ranks)
+/// What the deck alone decides.
+bool mayBeShared(const RunTools& tools)
 {
-  const OutputOptions& output = settings.output;
-  const std::vector<BodySettings>& bodies = settings.scene.bodies;
-  return ranks > 1 && certifiesShares(settings.errors) && !settings.accuracy && settings.scene.order == 2 &&
-         output.steps == StepsWritten::Final &&
-         (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") && !bodies.empty();
+  return mayBeShared(tools.settings, tools.comm.size()) && tools.coupling->solvesWhole(3) && recoversShares(tools);
 }
 
-SceneToShare sceneToShare(const Model& known, const RunTools& tools)
+/// The scene that rank 0 draws. Collective.
+SceneToShare sceneOf(const std::function<DrawnScene()>& draw, const std::vector<InterfaceMesh>& earlier,
+                     const RunTools& tools)
 {
-  if (!mayBeShared(tools.settings, tools.comm.size()) || !tools.coupling->solvesWhole(3) || !recoversShares(tools) ||
-      isKnown(known, tools.settings.scene))
-    return {};
   constexpr const char* whole = "whole";
   SceneToShare scene;
   const std::string bytes = fromRankZero(tools.comm, [&] {
-    const std::optional<ToldScene> found = tell(scene.drawn, known, tools);
+    scene.drawn = draw();
+    const std::optional<ToldScene> found = tell(scene.drawn, earlier, tools);
     return found ? toBytes(*found) : whole;
   });
   if (bytes != whole)
@@ -128,12 +118,50 @@ SceneToShare sceneToShare(const Model& known, const RunTools& tools)
   return scene;
 }
 
-void takeShares(Model& model, SceneToShare&& scene, const RunTools& tools)
+} // namespace
+
+bool mayBeShared(const RunSettings& settings, int ranks)
+{
+  const OutputOptions& output = settings.output;
+  const std::vector<BodySettings>& bodies = settings.scene.bodies;
+  return ranks > 1 && certifiesShares(settings.errors) && settings.scene.order == 2 &&
+         output.steps == StepsWritten::Final &&
+         (settings.linearSolver == "Automatic" || settings.linearSolver == "Multigrid") && !bodies.empty();
+}
+
+SceneToShare sceneToShare(const Model& known, const RunTools& tools)
+{
+  const SceneSettings& scene = tools.settings.scene;
+  if (tools.settings.accuracy || !mayBeShared(tools) || isKnown(known, scene))
+    return {};
+  return sceneOf([&] { return readDrawn(scene, tools.components, known, tools.comm.size(), tools.ledger); }, {}, tools);
+}
+
+SceneToShare sceneToShare(const std::vector<Mesh>& meshes, const std::vector<InterfaceMesh>& earlier,
+                          const RunTools& tools)
+{
+  const bool areSolids = !meshes.empty() && meshes.front().dim == 3;
+  if (!areSolids || !mayBeShared(tools))
+    return {};
+  return sceneOf([&] { return drawnOn(meshes, tools.settings.scene, tools.comm.size()); }, earlier, tools);
+}
+
+void takeShares(Model& model, SceneToShare&& scene, const std::vector<InterfaceMesh>& earlier, const RunTools& tools)
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
-  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components,
+  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components, earlier,
                       tools.errors.has_value(), tools.comm, numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
+}
+
+bool shareLevel(Model& model, const std::vector<Mesh>& meshes, const RunTools& tools)
+{
+  SceneToShare scene = sceneToShare(meshes, model.interfaces, tools);
+  if (!scene.told)
+    return false;
+  const std::vector<InterfaceMesh> earlier = std::move(model.interfaces);
+  takeShares(model, std::move(scene), earlier, tools);
+  return true;
 }
 
 } // namespace ndframe

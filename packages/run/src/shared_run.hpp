@@ -19,10 +19,16 @@ struct SceneToShare
 /// The scene on its meshes as drawn, checked, where ranks can have shares of it: several ranks solve solids whole, by
 /// Multigrid, nothing asks for all of a body (a reference of the error, materials by regions), and the meshes are
 /// fine enough (areEnough), or all refined. Rank 0 reads, builds and checks it for all; its mistakes are all ranks'
-/// (InputError). known: the model before, whose meshes are taken. Collective.
+/// (InputError). Not for runs with a target, whose first meshes are whole. known: the model before, whose meshes are
+/// taken. Collective.
 SceneToShare sceneToShare(const Model& known, const RunTools& tools);
 
+/// The same on the meshes of a level, which all ranks have. meshes: of bodies that are not rigid; earlier: interfaces
+/// on meshes before (buildModel). Collective.
+SceneToShare sceneToShare(const std::vector<Mesh>& meshes, const std::vector<InterfaceMesh>& earlier,
+                          const RunTools& tools);
+
 /// The model is this rank's share of the scene. Counts "shared bodies". Collective.
-void takeShares(Model& model, SceneToShare&& scene, const RunTools& tools);
+void takeShares(Model& model, SceneToShare&& scene, const std::vector<InterfaceMesh>& earlier, const RunTools& tools);
 
 } // namespace ndframe

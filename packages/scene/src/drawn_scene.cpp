@@ -81,6 +81,12 @@ std::vector<Mesh> readMeshes(const SceneSettings& scene, const SceneComponents& 
   return meshes;
 }
 
+void numberNodes(DrawnScene& drawn, int ranks)
+{
+  for (std::size_t b = 0; b < drawn.meshes.size() && areEnough(drawn, ranks); ++b)
+    drawn.numbers.emplace_back(drawn.meshes[b], drawn.halvings[b]);
+}
+
 } // namespace
 
 DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
@@ -90,7 +96,8 @@ DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& componen
   DrawnScene drawn;
   drawn.meshes = readMeshes(scene, components, known, ledger);
   for (const BodySettings& body : scene.bodies)
-    drawn.halvings.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
+    drawn.asked.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
+  drawn.halvings = drawn.asked;
   refineAlike(drawn, scene);
   for (bool isRefined = true; isRefined && !haveEnough(drawn.meshes, ranks);) {
     isRefined = false;
@@ -100,8 +107,19 @@ DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& componen
         isRefined = true;
       }
   }
-  for (std::size_t b = 0; b < drawn.meshes.size() && areEnough(drawn, ranks); ++b)
-    drawn.numbers.emplace_back(drawn.meshes[b], drawn.halvings[b]);
+  numberNodes(drawn, ranks);
+  return drawn;
+}
+
+DrawnScene drawnOn(const std::vector<Mesh>& meshes, const SceneSettings& scene, int ranks)
+{
+  DrawnScene drawn;
+  drawn.asked.assign(scene.bodies.size(), 0);
+  drawn.halvings = drawn.asked;
+  auto next = meshes.begin();
+  for (const BodySettings& body : scene.bodies)
+    drawn.meshes.push_back(body.isRigid ? Mesh() : *next++);
+  numberNodes(drawn, ranks);
   return drawn;
 }
 
@@ -124,12 +142,13 @@ std::int64_t refinedDofs(const DrawnScene& drawn, int body)
   return dim * (numbers.numPoints() + numbers.numMiddles());
 }
 
-void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, Ledger& ledger)
+void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components,
+                const std::vector<InterfaceMesh>& earlier, Ledger& ledger)
 {
   const auto timer = timeStage(ledger, Stage::Read);
   std::size_t next = 0;
-  drawn.model =
-      buildModel(scene, components, [&](const BodySettings&) { return GivenMesh(std::move(drawn.meshes[next++])); });
+  drawn.model = buildModel(
+      scene, components, [&](const BodySettings&) { return GivenMesh(std::move(drawn.meshes[next++])); }, earlier);
   drawn.meshes.clear();
 }
 
@@ -157,8 +176,7 @@ std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene)
   DrawnScene drawn = std::move(given); // given back at the end
   std::vector<Mesh> meshes(scene.bodies.size());
   for (std::size_t b = 0; b < drawn.halvings.size(); ++b) {
-    const BodySettings& body = scene.bodies[b];
-    if (body.isRigid || drawn.halvings[b] < halvingsOf(body.shape))
+    if (scene.bodies[b].isRigid || drawn.halvings[b] < drawn.asked[b])
       continue;
     if (drawn.model)
       meshes[b] = drawn.model->bodies[b].uncut();

@@ -9,7 +9,6 @@
 #include "ndframe/base/grouped.hpp"
 #include "ndframe/mesh/drawn_parts.hpp"
 #include "ndframe/mesh/partition.hpp"
-#include "ndframe/meshing/refined_source.hpp"
 #include "ndframe/scene/joined_vertices.hpp"
 
 namespace ndframe
@@ -206,7 +205,7 @@ void compareInterfaces(const Model& model, const Comm& comm)
 } // namespace
 
 Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene, const SceneComponents& components,
-                  bool withHalo, const Comm& comm, int threads)
+                  const std::vector<InterfaceMesh>& earlier, bool withHalo, const Comm& comm, int threads)
 {
   std::vector<int> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
@@ -224,11 +223,11 @@ Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene
   onEveryRank(comm, [&] { // a mistake may show in one rank's share only
     std::size_t next = 0;
     model = buildModel(
-        scene, components, [&](const BodySettings&) { return std::move(parts[next++].given); }, {}, threads);
+        scene, components, [&](const BodySettings&) { return std::move(parts[next++].given); }, earlier, threads);
   });
   for (std::size_t b = 0; b < parts.size(); ++b)
     if (parts[b].share)
-      completePart(model, b, parts[b].share, halvingsOf(scene.bodies[b].shape), comm);
+      completePart(model, b, parts[b].share, told.halvings[b], comm);
   compareInterfaces(model, comm);
   model.rigid = told.rigid;
   model.freeMotions = told.freeMotions;

@@ -37,7 +37,19 @@ template <class Stream, class Scene>
 void walk(Stream& stream, Scene& scene)
 {
   stream.arrays(scene.heldBy);
+  stream.array(scene.halvings);
   stream.array(scene.diameters);
+  stream.length(scene.outlines);
+  for (auto& outline : scene.outlines) {
+    stream.number(outline.measure);
+    stream.length(outline.sides);
+    for (auto& [name, side] : outline.sides) {
+      stream.array(name);
+      stream.number(side.measure);
+      stream.number(side.size);
+      stream.array(side.corners);
+    }
+  }
   stream.array(scene.rigid);
   for (auto* motions : {&scene.freeMotions, &scene.balancedMotions}) {
     stream.length(*motions);
@@ -59,10 +71,11 @@ void walk(Stream& stream, Scene& scene)
 
 ToldScene told(const Model& whole)
 {
-  ToldScene scene{{}, {}, whole.rigid, whole.freeMotions, whole.balancedMotions, {}, {}};
+  ToldScene scene{{}, {}, {}, {}, whole.rigid, whole.freeMotions, whole.balancedMotions, {}, {}};
   for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
     scene.heldBy.push_back(heldBy(whole, int(b)));
     scene.diameters.push_back(diameter(whole.bodies[b].mesh));
+    scene.outlines.push_back(outlineOf(whole.bodies[b].mesh));
   }
   try {
     refusePulledOff(whole);

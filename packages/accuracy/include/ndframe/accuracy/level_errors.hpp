@@ -26,7 +26,8 @@ struct LevelErrors : LevelNumbers
   double iterationToTarget() const;
 };
 
-/// The line of a level without what it predicts.
-LevelSummary summarizeLevel(const Run& run, const LevelErrors& errors);
+/// The line of a level without what it predicts. meshes: per elastic body, as they were refined, whole. Collective.
+LevelSummary summarizeLevel(const Run& run, const std::vector<Mesh>& meshes, const LevelLesson& lesson,
+                            const Comm& comm);
 
 } // namespace ndframe

@@ -29,6 +29,11 @@ struct RunTools
 /// deck's.
 void readModel(Model& model, const RunTools& tools, const MeshOfBody& meshes = {});
 
+/// The scene on the meshes of a level of which ranks can have shares, in place of a model whose interfaces are earlier
+/// ones; false where they cannot, and nothing is changed. meshes: of bodies that are not rigid, on every rank.
+/// Collective.
+bool shareLevel(Model& model, const std::vector<Mesh>& meshes, const RunTools& tools);
+
 /// Matrices, factors, Schur complements; previous: taken over where it is the same.
 CondensedModel condense(const Model& model, CondensedModel&& previous, const RunTools& tools, RunObserver& observer);
 

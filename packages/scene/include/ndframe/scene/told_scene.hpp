@@ -6,6 +6,7 @@
 
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/mesh/outline.hpp"
 
 namespace ndframe
 {
@@ -23,7 +24,9 @@ struct Warning
 struct ToldScene
 {
   std::vector<std::string> heldBy;          ///< heldBy()
+  std::vector<int> halvings;                ///< of its mesh since it was read
   std::vector<double> diameters;            ///< of its mesh
+  std::vector<MeshOutline> outlines;        ///< of its mesh
   std::vector<RigidBasis> rigid;            ///< Model::rigid
   std::vector<DenseMatrix> freeMotions;     ///< Model::freeMotions
   std::vector<DenseMatrix> balancedMotions; ///< Model::balancedMotions
@@ -31,7 +34,7 @@ struct ToldScene
   std::vector<Warning> warnings; ///< of the scene
 };
 
-/// What a model of the whole scene says; without warnings.
+/// What a model of the whole scene says; without halvings and warnings.
 ToldScene told(const Model& whole);
 
 /// As bytes for another rank, and read back (InternalError: they are others).
