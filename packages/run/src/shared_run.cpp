@@ -45,11 +45,19 @@ bool areLarge(const DrawnScene& drawn, const RunTools& tools)
   return areRefined || tools.settings.linearSolver == "Multigrid" || dofs >= leastDofs;
 }
 
+/// Bodies touch themselves: there two nodes have one place, by which checkpoints of shares know nodes.
+bool hasSlits(const Model& model)
+{
+  return std::any_of(model.interfaces.begin(), model.interfaces.end(),
+                     [](const InterfaceMesh& interface) { return interface.touchesItself(); });
+}
+
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
 {
   const Model& model = *drawn.model;
   const std::vector<int> bodies = model.elasticBodies();
-  if (bodies.empty() || !model.solvesWhole || !needsWhole(drawn).empty())
+  const OutputOptions& output = tools.settings.output;
+  if (bodies.empty() || !model.solvesWhole || (output.checkpoint && hasSlits(model)))
     return false;
   std::int64_t all = 0, together = 0; // those that touch others are solved together
   for (const int body : bodies) {
@@ -62,7 +70,6 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
     outline.dofs = model.touches(body) ? together : refinedDofs(drawn, body);
     return tools.solver->name(outline, tools.comm.size()) == "Multigrid";
   };
-  const OutputOptions& output = tools.settings.output;
   return std::all_of(bodies.begin(), bodies.end(), isForMultigrid) &&
          (!output.exodus || output.exodusFiles == ExodusFiles::Single ||
           writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
@@ -83,7 +90,7 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTo
 {
   const SceneSettings& scene = tools.settings.scene;
   drawn = readDrawn(scene, tools.components, known, tools.comm.size(), tools.ledger);
-  if (!areLarge(drawn, tools))
+  if (!areLarge(drawn, tools) || !drawsHeldPoints(drawn, scene))
     return std::nullopt;
   buildDrawn(drawn, scene, tools.components, tools.ledger);
   Model& model = *drawn.model;
@@ -92,7 +99,7 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTo
     return std::nullopt;
   checkModel(model, tools, Comm::single());
   const auto timer = timeStage(tools.ledger, Stage::Check);
-  ToldScene scenesTold = told(model);
+  ToldScene scenesTold = told(drawn);
   scenesTold.warnings = sceneWarnings(model, tools.settings);
   model.loads.clear(); // what is handed out are meshes
   model.constraints.clear();
