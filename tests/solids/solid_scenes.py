@@ -25,6 +25,12 @@ class Solid:
     shake: float = 0.0  # of the vertices inside, in parts of a cell
     seed: int = 0  # of numbering and shaking
     foot_shake: float = 0.0  # of the vertices inside the side of contact, along it
+    group_of: object = lambda corner: "body"  # of a grid cell: the group of cells that it belongs to
+    regions: dict = dataclasses.field(default_factory=dict)  # group -> Young's modulus; other cells have the body's
+
+    def corners(self):
+        """Of the grid cells."""
+        return itertools.product(*(range(n) for n in self.cells))
 
     def write(self, folder):
         draw = random.Random(self.seed)
@@ -41,25 +47,28 @@ class Solid:
             shakes = [self.shake] * 3 if all(isInside) else [isFoot * self.foot_shake * (k != axis) for k in range(3)]
             moved = [(i + (draw.uniform(-by, by) if by else 0.0)) / n for i, n, by in zip(at, self.cells, shakes)]
             points[number[at]] = self.place(*moved)
-        tetrahedra, triangles = [], {side: [] for side in SIDES}
-        for corner in itertools.product(*(range(n) for n in self.cells)):
+        tetrahedra, triangles, groups = [], {side: [] for side in SIDES}, []
+        for corner in self.corners():
             for path in itertools.permutations(range(3)):
                 cell = [corner]
                 for axis in path:
                     cell.append(tuple(c + (a == axis) for a, c in enumerate(cell[-1])))
                 turns = sum(a > b for a, b in itertools.combinations(path, 2)) % 2  # an odd path turns the other way
                 tetrahedra.append([number[at] for at in ([cell[1], cell[0], *cell[2:]] if turns else cell)])
+                groups.append(self.group_of(corner))
                 for facet in itertools.combinations(cell, 3):
                     for side, (axis, end) in zip(SIDES, itertools.product(range(3), (0, 1))):
                         if all(at[axis] == end * self.cells[axis] for at in facet):
                             triangles[side].append([number[at] for at in facet])
-        self._save(pathlib.Path(folder) / f"{self.name}.msh", points, tetrahedra, triangles)
+        self._save(pathlib.Path(folder) / f"{self.name}.msh", points, tetrahedra, triangles, groups)
 
-    def _save(self, path, points, tetrahedra, triangles):
+    def _save(self, path, points, tetrahedra, triangles, groups):
+        tag = {group: 7 + k for k, group in enumerate(dict.fromkeys(groups))}
         elements = [f"2 2 {k + 1} {k + 1} " + " ".join(str(v + 1) for v in facet)
                     for k, side in enumerate(SIDES) for facet in triangles[side]]
-        elements += ["4 2 7 7 " + " ".join(str(v + 1) for v in cell) for cell in tetrahedra]
-        names = [f'2 {k + 1} "{side}"' for k, side in enumerate(SIDES)] + ['3 7 "body"']
+        elements += [f"4 2 {tag[group]} {tag[group]} " + " ".join(str(v + 1) for v in cell)
+                     for cell, group in zip(tetrahedra, groups)]
+        names = [f'2 {k + 1} "{side}"' for k, side in enumerate(SIDES)] + [f'3 {k} "{group}"' for group, k in tag.items()]
         text = ["$MeshFormat", "2.2 0 8", "$EndMeshFormat", "$PhysicalNames", str(len(names)), *names,
                 "$EndPhysicalNames", "$Nodes", str(len(points))]
         text += [f"{k + 1} {x!r} {y!r} {z!r}" for k, (x, y, z) in enumerate(points)]
@@ -74,11 +83,13 @@ class Solid:
         supports = [listed(side, [parameter(*entry) for entry in given(side, kind)])
                     for side, kind in self.supports.items()]
         loads = [listed(name, [parameter(*entry) for entry in load]) for name, load in self.loads.items()]
+        material = lambda young: listed("Material", [parameter("Young Modulus", "double", repr(young)),
+                                                     parameter("Poisson Ratio", "double", repr(self.poisson)),
+                                                     parameter("Hypothesis", "string", "Three Dimensional")])
+        regions = [listed(group, [material(young)]) for group, young in self.regions.items()]
         return listed(self.name, [
             listed("Mesh", [parameter("Type", "string", "Gmsh"), parameter("File", "string", f"{self.name}.msh")]),
-            listed("Material", [parameter("Young Modulus", "double", repr(self.young)),
-                                parameter("Poisson Ratio", "double", repr(self.poisson)),
-                                parameter("Hypothesis", "string", "Three Dimensional")]),
+            material(self.young), *([listed("Regions", regions)] if regions else []),
             listed("Supports", supports), listed("Loads", loads)])
 
 

@@ -108,9 +108,10 @@ class MeshesAsDrawn(unittest.TestCase):
 
     def test_sides_that_will_not_match_are_cut(self):  # as drawn they do
         settings = [*CELLS, "Bodies/punch/Mesh/Refine=1", MULTIGRID, NO_EXODUS]
-        one, whole = (self.program.run(self.boxes, *settings, ranks=ranks) for ranks in (1, 3))
-        self.assertIsNone(difference(one, whole))
-        self.assertNotIn("shared bodies", whole.summary["ledger"]["counts"])
+        one, shared = (self.program.run(self.boxes, *settings, ranks=ranks) for ranks in (1, 3))
+        self.assertIsNone(difference(one, shared))
+        self.assertEqual(shared.summary["ledger"]["counts"]["shared bodies"], 2)
+        self.assertIn("processes in shares of ", shared.screen)
 
     def shares(self, *settings, ranks, deck=None):
         run = self.program.run(deck or self.boxes, *settings, NO_EXODUS, ranks=ranks)

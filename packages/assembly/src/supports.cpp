@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include <fmt/format.h>
 
@@ -134,6 +135,8 @@ public:
 
   std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap&) const override
   {
+    if (pins_)
+      return *pins_;
     const int vertex = nearest(mesh); // its node has the same number
     const auto held = directions(mesh);
     std::vector<NodeConstraint> all;
@@ -141,6 +144,8 @@ public:
       all.push_back({vertex, held[k], valueAt(functions()[k], mesh.dim, mesh.point(vertex))});
     return all;
   }
+
+  void pin(const std::vector<NodeConstraint>& pins) override { pins_ = pins; }
 
 private:
   double distance(const double* x, int dim) const
@@ -161,6 +166,7 @@ private:
   }
 
   std::vector<double> at_;
+  std::optional<std::vector<NodeConstraint>> pins_; ///< of a part of a body, which may not have the vertex
 };
 
 /// The mean rigid motion of the body, or of a side: among the solutions that differ by motions which nothing resists,

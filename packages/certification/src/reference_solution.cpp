@@ -118,7 +118,7 @@ ReferenceSolution::ReferenceSolution(const SceneSettings& settings, const Certif
                 ->solve(
                     condensed.interface, [](const SweepRecord&, const InterfaceState&) {}, ledger)
                 .state;
-  for (auto& fields : recoverFields(model_, condensed, {state}, ledger))
+  for (auto& fields : recoverFields(model_, condensed, {state}, comm, ledger))
     displacement_.push_back(std::move(fields.displacement.front()));
   systems_ = std::move(condensed.systems); // the matrices stay where they are as long as the factors live
 }

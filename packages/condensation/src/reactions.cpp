@@ -36,22 +36,27 @@ Vector sharesOf(const Vector& force, const std::vector<Hold>& holds)
   return multiply(pseudoInverse(directions, parallel), force);
 }
 
-/// Mean of the nodes that a support without a side holds.
-Direction centreOfNodes(const Support& support, const BodyModel& body)
+/// Mean of the nodes at which a point or a mean motion is held.
+Direction centreOfNodes(const Support& support, const BodyModel& body, const Comm& comm)
 {
-  Direction centre{};
-  const auto constraints = support.constraints(body.mesh, body.nodes);
-  for (const auto& constraint : constraints)
+  Vector sums(4, 0.0); // of the coordinates, and how many
+  for (const auto& constraint : support.constraints(body.mesh, body.nodes)) {
+    if (body.share && !body.share->owns(constraint.node))
+      continue;
     for (int k = 0; k < body.mesh.dim; ++k)
-      centre[std::size_t(k)] += body.nodes.point(constraint.node)[k] / double(constraints.size());
-  return centre;
+      sums[std::size_t(k)] += body.nodes.point(constraint.node)[k];
+    ++sums[3];
+  }
+  if (body.share)
+    comm.sum(sums);
+  return {sums[0] / sums[3], sums[1] / sums[3], sums[2] / sums[3]};
 }
 
 /// Centre of a support's side.
 Direction centreOf(const Support& support, const BodyModel& body, const Comm& comm)
 {
-  if (!support.params().has("Side"))
-    return centreOfNodes(support, body);
+  if (support.holdsMeanMotion() || !support.params().has("Side")) // the mean over a side is held elsewhere
+    return centreOfNodes(support, body, comm);
   Direction normal{};
   Vector sums(4, 0.0); // first moments, and the measure
   int vertices[3];

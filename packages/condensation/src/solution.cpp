@@ -142,7 +142,7 @@ void addConditions(std::vector<ContactNode>& nodes, const InterfaceSystem& syste
 } // namespace
 
 std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& condensed,
-                                      const std::vector<InterfaceState>& states, Ledger& ledger)
+                                      const std::vector<InterfaceState>& states, const Comm& comm, Ledger& ledger)
 {
   const auto timer = timeStage(ledger, Stage::Recover);
   std::vector<BodyFields> all(model.bodies.size());
@@ -166,7 +166,7 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
     std::vector<NodalField*> ofState;
     for (BodyFields& body : all)
       ofState.push_back(&body.displacement[s]);
-    removeMeanMotions(model, std::move(ofState));
+    removeMeanMotions(model, std::move(ofState), comm);
   }
   return all;
 }

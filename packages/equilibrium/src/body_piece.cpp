@@ -68,7 +68,7 @@ void cutModel(const BodyModel& body, BodyPiece& piece)
   std::vector<int> laws;
   for (const int cell : piece.cells)
     laws.push_back(body.laws.number(cell));
-  model.laws = laws.empty() ? body.laws : CellLaws(body.laws.all(), laws);
+  model.laws = CellLaws(body.laws.all(), laws);
 }
 
 void cutData(const StaticData& data, BodyPiece& piece)

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <array>
+#include <iterator>
+#include <numeric>
 
 #include "exodus_content.hpp"
 #include "ndframe/base/diagnostics.hpp"
@@ -15,11 +17,13 @@ namespace
 ExodusLayout layoutOfWhole(ExodusLayout layout, const ExodusWhole& whole)
 {
   layout.firstNode = layout.firstCell = {0};
-  for (std::size_t b = 0; b < whole.numNodes.size(); ++b) {
+  for (std::size_t b = 0; b < whole.numNodes.size(); ++b)
     layout.appendBody(whole.numNodes[b], whole.numCells[b]);
-    NDFRAME_ASSERT((*layout.bodies)[b].parts.empty(), "bodies that processes have shares of have no parts");
-    layout.blocks[b].numCells = int(whole.numCells[b]);
-    layout.blocks[b].firstElement = layout.firstCell[b];
+  int first = 0;
+  for (std::size_t k = 0; k < layout.blocks.size(); ++k) {
+    layout.blocks[k].firstElement = first;
+    layout.blocks[k].numCells = int(whole.numElements[k]);
+    first += layout.blocks[k].numCells;
   }
   for (std::size_t s = 0; s < layout.sets.size(); ++s)
     layout.sets[s].size = whole.numFacets[s];
@@ -36,24 +40,24 @@ public:
 
   void putMesh()
   {
-    for (std::size_t b = 0; b < whole_.numNodes.size(); ++b) {
+    for (std::size_t b = 0; b < whole_.numNodes.size(); ++b)
       putCoordinates(b);
-      putElements(b);
-    }
+    for (std::size_t k = 0; k < layout_.blocks.size(); ++k)
+      putElements(k);
     for (std::size_t s = 0; s < layout_.sets.size(); ++s)
       putFacets(s);
   }
 
   void putStep(int number, const ExodusStep& step)
   {
-    for (std::size_t b = 0; b < whole_.numNodes.size(); ++b) {
-      const auto count = std::size_t(whole_.numOwnCells[b]);
+    for (std::size_t b = 0; b < whole_.numNodes.size(); ++b)
       for (std::size_t v = 0; v < step.nodal[b].size(); ++v)
         put(number, EX_NODAL, v, 1, firstNode(b), chosen(step.nodal[b][v].values, slice_.ownNodes[b]));
-      for (std::size_t v = 0; v < step.element[b].size(); ++v) {
-        const Vector& all = step.element[b][v].values;
-        put(number, EX_ELEM_BLOCK, v, b, whole_.firstCells[b], {all.begin(), all.begin() + std::ptrdiff_t(count)});
-      }
+    for (std::size_t k = 0; k < layout_.blocks.size(); ++k) {
+      const std::vector<NamedField>& fields = step.element[std::size_t(layout_.blocks[k].body)];
+      const std::vector<int> cells = ownCells(k);
+      for (std::size_t v = 0; v < fields.size(); ++v)
+        put(number, EX_ELEM_BLOCK, v, k, whole_.firstElements[k], chosen(fields[v].values, cells));
     }
     for (std::size_t s = layout_.firstContact; s < layout_.sets.size(); ++s)
       if (layout_.carriesVariables(s)) {
@@ -91,6 +95,20 @@ private:
     return own;
   }
 
+  /// The block's own cells.
+  std::vector<int> ownCells(std::size_t block) const
+  {
+    const int count = whole_.numOwnCells[std::size_t(layout_.blocks[block].body)];
+    std::vector<int> own;
+    if (const std::vector<int>* const cells = layout_.blocks[block].cells) {
+      std::copy_if(cells->begin(), cells->end(), std::back_inserter(own), [count](int cell) { return cell < count; });
+      return own;
+    }
+    own.resize(std::size_t(count));
+    std::iota(own.begin(), own.end(), 0);
+    return own;
+  }
+
   void put(int step, ex_entity_type type, std::size_t variable, std::size_t object, std::int64_t first,
            const Vector& values)
   {
@@ -111,18 +129,19 @@ private:
                  x[0].data(), x[1].data(), x[2].data());
   }
 
-  void putElements(std::size_t body)
+  void putElements(std::size_t block)
   {
+    const auto body = std::size_t(layout_.blocks[block].body);
     const NodeMap& nodes = *(*layout_.bodies)[body].nodes;
-    const int count = whole_.numOwnCells[body];
+    const std::vector<int> cells = ownCells(block);
     std::vector<int> elements;
-    elements.reserve(std::size_t(count) * std::size_t(nodes.nodesPerCell));
-    for (int cell = 0; cell < count; ++cell)
+    elements.reserve(cells.size() * std::size_t(nodes.nodesPerCell));
+    for (const int cell : cells)
       for (int a = 0; a < nodes.nodesPerCell; ++a)
         elements.push_back(int(layout_.firstNode[body] + slice_.numbers[body][std::size_t(nodes.cell(cell)[a])] + 1));
-    if (count > 0)
-      file_.call("a part of the elements", ex_put_partial_elem_conn, int(body) + 1, whole_.firstCells[body] + 1,
-                 std::int64_t(count), elements.data());
+    if (!cells.empty())
+      file_.call("a part of the elements", ex_put_partial_elem_conn, int(block) + 1, whole_.firstElements[block] + 1,
+                 std::int64_t(cells.size()), elements.data());
   }
 
   void putFacets(std::size_t set)
@@ -131,8 +150,8 @@ private:
     std::vector<int> elements, sides;
     for (const int place : ownFacets(set)) {
       const Facet facet = (*facets)[std::size_t(place)];
-      elements.push_back(int(layout_.firstCell[std::size_t(body)] + whole_.firstCells[std::size_t(body)] + facet.cell) +
-                         1);
+      elements.push_back(
+          int(layout_.firstCell[std::size_t(body)] + whole_.elements[std::size_t(body)][std::size_t(facet.cell)] + 1));
       sides.push_back(exodusSide(facet.local));
     }
     if (!elements.empty())

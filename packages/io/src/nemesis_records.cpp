@@ -63,13 +63,13 @@ NemesisRecords::NemesisRecords(const ExodusLayout& piece, const PieceScene& scen
       nodeNumbers_.push_back(int(whole_.nodes + whole.nodes[b][std::size_t(node)] + 1));
     for (std::size_t cell = 0; cell < part.cells.size(); ++cell)
       elementNumbers_[std::size_t(piece.element(int(b), int(cell)))] =
-          int(whole_.cells + whole.firstCells[b] + part.cells[cell] + 1);
+          int(whole_.cells + whole.elements[b][std::size_t(part.cells[cell])] + 1);
     whole_.nodes += whole.numNodes[b];
     whole_.cells += whole.numCells[b];
-    whole_.blocks.push_back(int(whole.numCells[b]));
   }
   if (std::max(whole_.nodes, whole_.cells) > std::numeric_limits<int>::max())
     throw std::runtime_error("the pieces have more nodes or elements together than 32-bit numbers can count");
+  whole_.blocks.assign(whole.numElements.begin(), whole.numElements.end());
   whole_.sets.assign(whole.numFacets.begin(), whole.numFacets.end());
   addBorders(whole.borders, piece, scene);
 }

@@ -10,21 +10,25 @@ namespace ndframe
 CellLaws::CellLaws(const std::vector<Elasticity>& laws, const std::vector<int>& ofCell)
     : laws_() // NOLINT(readability-redundant-member-init): none, where the default is one
 {
-  std::vector<int> number(laws.size(), -1);
-  for (const int law : ofCell) { // only laws that a cell has
-    int& found = number[std::size_t(law)];
-    if (found >= 0)
-      continue;
-    found = int(std::find(laws_.begin(), laws_.end(), laws[std::size_t(law)]) - laws_.begin());
-    if (found == int(laws_.size()))
-      laws_.push_back(laws[std::size_t(law)]);
+  NDFRAME_ASSERT(!laws.empty(), "a body has a law");
+  std::vector<int> number;
+  for (const Elasticity& law : laws) {
+    number.push_back(int(std::find(laws_.begin(), laws_.end(), law) - laws_.begin()));
+    if (number.back() == int(laws_.size()))
+      laws_.push_back(law);
   }
-  NDFRAME_ASSERT(!laws_.empty(), "a body has cells");
   if (laws_.size() == 1)
     return;
   ofCell_.reserve(ofCell.size());
   for (const int law : ofCell)
     ofCell_.push_back(number[std::size_t(law)]);
+}
+
+int CellLaws::numberOf(const Elasticity& law) const
+{
+  const auto found = std::find(laws_.begin(), laws_.end(), law);
+  NDFRAME_ASSERT(found != laws_.end(), "a law of the body");
+  return int(found - laws_.begin());
 }
 
 } // namespace ndframe

@@ -1,7 +1,9 @@
 #include "scene_file.hpp"
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
+#include <iterator>
 #include <numeric>
 #include <optional>
 
@@ -54,6 +56,39 @@ std::int64_t ownFacets(const std::vector<Facet>& facets, int numOwnCells)
   return std::count_if(facets.begin(), facets.end(), [numOwnCells](Facet facet) { return facet.cell < numOwnCells; });
 }
 
+/// What the processes before this one have, and what all have.
+std::array<std::int64_t, 2> beforeAndAll(std::int64_t own, const Comm& comm)
+{
+  const Vector counts = gatheredFrom({double(own)}, comm);
+  const auto sum = [&](auto last) { return std::int64_t(std::accumulate(counts.begin(), last, 0.0)); };
+  return {sum(counts.begin() + comm.rank()), sum(counts.end())};
+}
+
+/// The blocks of a body: own cells of a process follow those of the processes before it.
+void numberElements(ExodusWhole& whole, const ExodusBody& body, const Comm& comm)
+{
+  std::vector<int> own(std::size_t(whole.numOwnCells.back()));
+  std::iota(own.begin(), own.end(), 0);
+  std::vector<std::vector<int>> blocks(1, own);
+  if (!body.parts.empty())
+    blocks.clear();
+  for (const ExodusPart& part : body.parts) {
+    blocks.emplace_back();
+    std::copy_if(part.cells.begin(), part.cells.end(), std::back_inserter(blocks.back()),
+                 [&](int cell) { return cell < int(own.size()); });
+  }
+  std::vector<std::int64_t>& numbers = whole.elements.emplace_back(own.size());
+  std::int64_t first = 0;
+  for (const std::vector<int>& cells : blocks) {
+    const auto [before, all] = beforeAndAll(std::int64_t(cells.size()), comm);
+    for (std::size_t i = 0; i < cells.size(); ++i)
+      numbers[std::size_t(cells[i])] = first + before + std::int64_t(i);
+    first += all;
+    whole.firstElements.push_back(before);
+    whole.numElements.push_back(all);
+  }
+}
+
 /// Bodies without a share, rigid ones, are the first piece's.
 ExodusWhole wholeOf(const ExodusScene& scene, const Comm& comm)
 {
@@ -70,8 +105,7 @@ ExodusWhole wholeOf(const ExodusScene& scene, const Comm& comm)
     whole.numNodes.push_back(share != nullptr ? share->numNodes() : nodes.numNodes());
     whole.numCells.push_back(share != nullptr ? share->numCells() : nodes.numCells());
     whole.numOwnCells.push_back(share != nullptr ? share->numOwnCells() : comm.rank() == 0 ? nodes.numCells() : 0);
-    const Vector counts = gatheredFrom({double(whole.numOwnCells.back())}, comm);
-    whole.firstCells.push_back(std::int64_t(std::accumulate(counts.begin(), counts.begin() + comm.rank(), 0.0)));
+    numberElements(whole, scene.bodies[b], comm);
   }
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     for (const Side& side : scene.bodies[b].mesh->sides)
@@ -91,13 +125,6 @@ void findBorders(ExodusWhole& whole, const ExodusScene& scene, const Comm& comm)
   }
 }
 
-/// What the processes before this one have.
-std::int64_t before(std::int64_t own, const Comm& comm)
-{
-  const Vector counts = gatheredFrom({double(own)}, comm);
-  return std::int64_t(std::accumulate(counts.begin(), counts.begin() + comm.rank(), 0.0));
-}
-
 /// Own nodes of a process follow those of the processes before it.
 ExodusSlice sliceOf(const ExodusScene& scene, const ExodusWhole& whole, const Comm& comm)
 {
@@ -108,7 +135,7 @@ ExodusSlice sliceOf(const ExodusScene& scene, const ExodusWhole& whole, const Co
     std::iota(own.begin(), own.end(), 0);
     if (share != nullptr)
       own = share->ownNodes();
-    auto next = double(before(std::int64_t(own.size()), comm));
+    auto next = double(beforeAndAll(std::int64_t(own.size()), comm)[0]);
     Vector numbers(std::size_t(scene.bodies[b].nodes->numNodes()), 0.0);
     for (const int node : own)
       numbers[std::size_t(node)] = next++;
@@ -118,7 +145,7 @@ ExodusSlice sliceOf(const ExodusScene& scene, const ExodusWhole& whole, const Co
     slice.numbers.emplace_back(numbers.begin(), numbers.end());
   }
   const auto addFacets = [&](const std::vector<Facet>& facets, std::size_t body) {
-    slice.firstFacets.push_back(before(ownFacets(facets, whole.numOwnCells[body]), comm));
+    slice.firstFacets.push_back(beforeAndAll(ownFacets(facets, whole.numOwnCells[body]), comm)[0]);
   };
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     for (const Side& side : scene.bodies[b].mesh->sides)

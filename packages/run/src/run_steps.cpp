@@ -85,7 +85,7 @@ void couple(Solved& solved, Model& model, const CondensedModel& condensed, const
 /// Displacements and contact of what was coupled.
 void recover(Solved& solved, const Model& model, const CondensedModel& condensed, const RunTools& tools)
 {
-  solved.fields = recoverFields(model, condensed, solved.states, tools.ledger);
+  solved.fields = recoverFields(model, condensed, solved.states, tools.comm, tools.ledger);
   solved.contact = contactNodes(model, condensed, solved.coupling.state, solved.fields, solved.states.size() - 1);
   solved.doubt = undecidedContact(model, condensed, solved.coupling.state, solved.fields, tools.comm);
   if (!solved.doubt.empty()) {

@@ -46,11 +46,26 @@ bool areLarge(const DrawnScene& drawn, const RunTools& tools)
   return areRefined || tools.settings.linearSolver == "Multigrid" || dofs >= leastDofs;
 }
 
+/// Bodies touch themselves: there two nodes have one place, by which checkpoints of shares know nodes.
+bool hasSlits(const Model& model)
+{
+  return std::any_of(model.interfaces.begin(), model.interfaces.end(),
+                     [](const InterfaceMesh& interface) { return interface.touchesItself(); });
+}
+
+bool isCut(const Model& model)
+{
+  return std::any_of(model.bodies.begin(), model.bodies.end(),
+                     [](const BodyModel& body) { return !body.isRigid && !body.parents.empty(); });
+}
+
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
 {
   const Model& model = *drawn.model;
   const std::vector<int> bodies = model.elasticBodies();
-  if (bodies.empty() || !model.solvesWhole || !needsWhole(drawn).empty())
+  const OutputOptions& output = tools.settings.output;
+  if (bodies.empty() || !model.solvesWhole || (output.checkpoint && hasSlits(model)) ||
+      (tools.settings.accuracy && isCut(model))) // the next meshes are made from those that are not
     return false;
   std::int64_t together = 0; // those that touch others are solved together
   for (const int body : bodies)
@@ -76,7 +91,7 @@ bool isKnown(const Model& model, const SceneSettings& scene)
 /// Builds and checks a scene; what is told of it, or nothing where it must be whole.
 std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh>& earlier, const RunTools& tools)
 {
-  if (!areLarge(drawn, tools))
+  if (!areLarge(drawn, tools) || !drawsHeldPoints(drawn, tools.settings.scene))
     return std::nullopt;
   const SceneSettings& scene = tools.settings.scene;
   buildDrawn(drawn, scene, tools.components, earlier, tools.ledger);
@@ -86,8 +101,7 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh
     return std::nullopt;
   checkModel(model, tools, Comm::single());
   const auto timer = timeStage(tools.ledger, Stage::Check);
-  ToldScene scenesTold = told(model);
-  scenesTold.halvings = drawn.asked;
+  ToldScene scenesTold = told(drawn);
   scenesTold.warnings = sceneWarnings(model, tools.settings);
   model.loads.clear(); // what is handed out are meshes
   model.constraints.clear();

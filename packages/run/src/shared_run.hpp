@@ -17,7 +17,7 @@ struct SceneToShare
 };
 
 /// The scene on its meshes as drawn, checked, where ranks can have shares of it: several ranks solve solids whole, by
-/// Multigrid, nothing asks for all of a body (a reference of the error, materials by regions), and the meshes are
+/// Multigrid, nothing asks for all of a body (a reference of the error), and the meshes are
 /// fine enough (areEnough), or all refined. Rank 0 reads, builds and checks it for all; its mistakes are all ranks'
 /// (InputError). Not for runs with a target, whose first meshes are whole. known: the model before, whose meshes are
 /// taken. Collective.

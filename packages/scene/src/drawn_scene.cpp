@@ -1,6 +1,5 @@
 #include <algorithm>
-
-#include <fmt/format.h>
+#include <cmath>
 
 #include "ndframe/mesh/refine.hpp"
 #include "ndframe/meshing/refined_source.hpp"
@@ -37,24 +36,55 @@ void refine(DrawnScene& drawn, std::size_t body)
   --drawn.halvings[body];
 }
 
-/// Bodies that touch get as many halvings to come: their sides match in the end if they match now.
-void refineAlike(DrawnScene& drawn, const SceneSettings& scene)
+/// The bodies of an interface whose meshes are drawn: that of the Dirichlet side first.
+std::optional<std::array<std::size_t, 2>> drawnBodies(const InterfaceSettings& interface, const SceneSettings& scene)
 {
   const auto bodyOf = [&](const std::string& name) {
     return std::size_t(std::find_if(scene.bodies.begin(), scene.bodies.end(),
                                     [&](const BodySettings& body) { return body.name == name && !body.isRigid; }) -
                        scene.bodies.begin());
   };
+  const std::size_t a = bodyOf(interface.dirichletBody), b = bodyOf(interface.neumannBody);
+  if (a == scene.bodies.size() || b == scene.bodies.size())
+    return std::nullopt;
+  return std::array{a, b};
+}
+
+/// Bodies that touch get as many halvings to come: their sides match in the end if they match now.
+void refineAlike(DrawnScene& drawn, const SceneSettings& scene)
+{
   for (bool isAlike = false; !isAlike;) {
     isAlike = true;
     for (const InterfaceSettings& interface : scene.interfaces) {
-      const std::size_t a = bodyOf(interface.dirichletBody), b = bodyOf(interface.neumannBody);
-      if (a == scene.bodies.size() || b == scene.bodies.size() || drawn.halvings[a] == drawn.halvings[b])
+      const auto bodies = drawnBodies(interface, scene);
+      if (!bodies || drawn.halvings[(*bodies)[0]] == drawn.halvings[(*bodies)[1]])
         continue;
+      const auto [a, b] = *bodies;
       refine(drawn, drawn.halvings[a] > drawn.halvings[b] ? a : b);
       isAlike = false;
     }
   }
+}
+
+/// Solids whose sides do not match are refined first: what is cut is not refined.
+void refineWhereCut(DrawnScene& drawn, const SceneSettings& scene)
+{
+  for (const InterfaceSettings& interface : scene.interfaces) {
+    const auto bodies = drawnBodies(interface, scene);
+    if (!bodies)
+      continue;
+    const auto [a, b] = *bodies;
+    const Mesh &first = drawn.meshes[a], &second = drawn.meshes[b];
+    const Side *ours = first.findSide(interface.dirichletSide),
+               *theirs = second.findSide(interface.neumannSide.value_or(interface.name));
+    if (drawn.halvings[a] == 0 || first.dim != 3 || second.dim != 3 || ours == nullptr || theirs == nullptr ||
+        sidesMatch(first, *ours, second, *theirs)) // they have as many halvings to come
+      continue;
+    for (const std::size_t body : {a, b})
+      while (drawn.halvings[body] > 0)
+        refine(drawn, body);
+  }
+  refineAlike(drawn, scene);
 }
 
 /// All of them, with all mistakes.
@@ -87,6 +117,19 @@ void numberNodes(DrawnScene& drawn, int ranks)
     drawn.numbers.emplace_back(drawn.meshes[b], drawn.halvings[b]);
 }
 
+/// The number of a drawn vertex (twice), or of the middle of a drawn edge, among the nodes of the refined mesh.
+std::int64_t refinedNumber(const DrawnScene& drawn, std::size_t body, const std::array<int, 2>& ends)
+{
+  const RefinedNumbers& numbers = drawn.numbers[body];
+  const auto [a, b] = ends;
+  DrawnPlace place = DrawnPlace::middle(DrawnPlace::vertex(a), DrawnPlace::vertex(b));
+  if (drawn.halvings[body] == 0)
+    return a == b ? numbers.point(DrawnPlace::vertex(a)) : numbers.middle(place);
+  for (int k = 1; k < drawn.halvings[body]; ++k)
+    place = place.doubled();
+  return numbers.point(place);
+}
+
 } // namespace
 
 DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
@@ -99,6 +142,7 @@ DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& componen
     drawn.asked.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
   drawn.halvings = drawn.asked;
   refineAlike(drawn, scene);
+  refineWhereCut(drawn, scene);
   for (bool isRefined = true; isRefined && !haveEnough(drawn.meshes, ranks);) {
     isRefined = false;
     for (std::size_t b = 0; b < drawn.meshes.size(); ++b)
@@ -135,6 +179,26 @@ bool areEnough(const DrawnScene& drawn, int ranks)
   return areRefined || haveEnough(drawn.meshes, ranks);
 }
 
+bool drawsHeldPoints(const DrawnScene& drawn, const SceneSettings& scene)
+{
+  constexpr double near = 1e-6; // of the diameter, as the support takes a vertex if not told otherwise
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    for (const Params& support : scene.bodies[b].supports) {
+      const Mesh& mesh = drawn.meshes[b];
+      if (drawn.halvings[b] == 0 || !support.has("At"))
+        continue;
+      const auto at = support.get<std::vector<double>>("At");
+      bool isDrawn = int(at.size()) != mesh.dim; // the support refuses it
+      for (int p = 0; p < mesh.numPoints() && !isDrawn; ++p) {
+        const double* const x = mesh.point(p);
+        isDrawn = std::hypot(x[0] - at[0], x[1] - at[1], x[2] - at[2]) <= near * diameter(mesh);
+      }
+      if (!isDrawn)
+        return false;
+    }
+  return true;
+}
+
 std::int64_t refinedDofs(const DrawnScene& drawn, int body)
 {
   constexpr int dim = 3;
@@ -150,25 +214,31 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
   drawn.model = buildModel(
       scene, components, [&](const BodySettings&) { return GivenMesh(std::move(drawn.meshes[next++])); }, earlier);
   drawn.meshes.clear();
+  const std::vector<InterfaceMesh>& interfaces = drawn.model->interfaces;
+  if (std::any_of(interfaces.begin(), interfaces.end(), [](const InterfaceMesh& one) { return one.isCut; }))
+    for (const int body : drawn.model->elasticBodies()) { // the numbers are of meshes that were not
+      const auto b = std::size_t(body);
+      const BodyModel& whole = drawn.model->bodies[b];
+      NDFRAME_ASSERT(whole.parents.empty() || drawn.halvings[b] == 0, "what is cut has been refined");
+      drawn.numbers[b] = RefinedNumbers(whole.mesh, drawn.halvings[b]);
+    }
 }
 
-std::string needsWhole(const DrawnScene& drawn)
+ToldScene told(const DrawnScene& drawn)
 {
-  for (const BodyModel& body : drawn.model->bodies) {
-    if (body.isRigid)
-      continue;
-    if (!body.regions.empty() || body.mesh.groups.names.size() > 1)
-      return fmt::format("\"{}\" has regions or loads in groups of cells", body.name);
-    if (!body.parents.empty())
-      return fmt::format("the mesh of \"{}\" is cut where sides do not match", body.name);
-    for (const auto& support : body.supports)
-      if (!support->params().has("Side") || support->holdsMeanMotion())
-        return fmt::format("the support \"{}\" of \"{}\" holds no side", support->params().name(), body.name);
+  ToldScene scene = told(*drawn.model);
+  scene.halvings = drawn.asked;
+  for (std::size_t b = 0; b < scene.regions.size(); ++b) {
+    const BodyModel& body = drawn.model->bodies[b];
+    for (BodyRegion& region : scene.regions[b])
+      region.numCells <<= body.mesh.dim * drawn.halvings[b];
+    for (std::size_t s = 0; s < body.supports.size() && !body.isRigid; ++s)
+      if (const Support& support = *body.supports[s]; !support.params().has("Side") || support.holdsMeanMotion())
+        for (const NodeConstraint& pin : support.constraints(body.mesh, body.nodes))
+          scene.pins.push_back(
+              {int(b), int(s), refinedNumber(drawn, b, body.nodes.ends(pin.node)), pin.direction, pin.value});
   }
-  for (const InterfaceMesh& interface : drawn.model->interfaces)
-    if (interface.touchesItself())
-      return fmt::format("the sides of \"{}\" belong to one body", interface.name);
-  return {};
+  return scene;
 }
 
 std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene)

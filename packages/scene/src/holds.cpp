@@ -97,6 +97,18 @@ DenseMatrix pushedByContact(const Model& model, int body, const DenseMatrix& mot
   return multiply(motions, nullSpace(rows, rigidTolerance));
 }
 
+/// HeldMean::means
+std::vector<NodalField> meansOf(const Model& model, const HeldMean& hold)
+{
+  const BodyModel& body = model.bodies[std::size_t(hold.body)];
+  const Params& params = body.supports[hold.support]->params();
+  std::vector<NodalField> means;
+  for (int m = 0; m < hold.motions.cols(); ++m)
+    means.push_back(
+        atNodes(meanWeights(body, params, model.rigid[std::size_t(hold.body)], hold.motions.column(m)), body.mesh.dim));
+  return means;
+}
+
 /// Fixes what one Hold holds; the body is held from then on.
 void resolveHold(Model& model, int body, std::size_t support, Diagnostics& diagnostics)
 {
@@ -111,8 +123,7 @@ void resolveHold(Model& model, int body, std::size_t support, Diagnostics& diagn
                                            : "finds no nodes away from supports and contact; make the mesh finer."));
     return;
   }
-  for (int m = 0; m < hold.motions.cols(); ++m)
-    hold.means.push_back(atNodes(meanWeights(here, params, model.rigid[b], hold.motions.column(m)), here.mesh.dim));
+  hold.means = meansOf(model, hold);
   here.supports[support]->pin(hold.pins);
   model.constraints[b] = collectConstraints(here.supports, here.mesh, here.nodes);
   model.freeMotions[b] = nullSpace(supportRows(model.rigid[b], here.nodes, model.constraints[b]), rigidTolerance);
@@ -214,6 +225,16 @@ void resolveHolds(Model& model, const SceneSettings& scene, Diagnostics& diagnos
   checkHeld(model, scene, diagnostics);
   if (diagnostics.empty())
     refuseImbalance(model, diagnostics);
+}
+
+void takeHolds(Model& model)
+{
+  model.jointMotions = model.told->jointMotions;
+  for (const ToldHold& told : model.told->holds) {
+    HeldMean hold{told.body, std::size_t(told.support), told.motions, {}, {}};
+    hold.means = meansOf(model, hold);
+    model.holds.push_back(std::move(hold));
+  }
 }
 
 std::string heldMotions(const Model& model, int body, std::size_t support)

@@ -225,16 +225,30 @@ void pairSurfaces(const Sides& scene, const std::vector<char>& isMeshed, std::ma
   }
 }
 
+/// The pairings of solids of which ranks have shares: their meshes have been cut.
+std::map<std::string, SidePairing> toldPairings(const Sides& scene, const std::vector<char>& isMeshed,
+                                                const ToldScene& told)
+{
+  std::map<std::string, SidePairing> pairings;
+  for (std::size_t i = 0; i < told.areCut.size(); ++i)
+    pairings[scene.settings.interfaces[i].name].isCut = told.areCut[i] != 0;
+  pairSurfaces(scene, isMeshed, pairings);
+  return pairings;
+}
+
 } // namespace
 
 std::map<std::string, SidePairing> matchSides(const SceneSettings& settings, const SceneComponents& components,
-                                              const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes)
+                                              const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes,
+                                              const ToldScene* told)
 {
   const Sides scene{settings, components, earlier, meshes};
   checkRigid(settings);
   std::vector<char> isMeshed;
   for (const CutMesh& mesh : meshes)
     isMeshed.push_back(mesh.mesh.numCells() > 0);
+  if (told != nullptr)
+    return toldPairings(scene, isMeshed, *told);
   std::map<std::string, SidePairing> pairings;
   std::vector<FacingSides> facing;
   MatchingSides matching;

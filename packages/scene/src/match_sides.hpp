@@ -30,8 +30,10 @@ struct SidePairing
 /// Cuts the meshes of bodies where interfaces have sides that do not match (insertion), and makes those of rigid
 /// bodies that have none yet. Returns the pairing of every interface by its name: without map, too, where something is
 /// missing or wrong that reading the interface will tell. A map of an earlier mesh of the same polygons is kept: the
-/// scene stays the same. InputError for rigid bodies that nothing faces.
+/// scene stays the same. told: meshes are shares of bodies that have been cut; null: they are whole. InputError for
+/// rigid bodies that nothing faces.
 std::map<std::string, SidePairing> matchSides(const SceneSettings& scene, const SceneComponents& components,
-                                              const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes);
+                                              const std::vector<InterfaceMesh>& earlier, std::vector<CutMesh>& meshes,
+                                              const ToldScene* told);
 
 } // namespace ndframe

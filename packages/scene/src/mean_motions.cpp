@@ -36,11 +36,14 @@ Vector meanOver(const BodyModel& body, const Side* side, const RigidBasis& rigid
 {
   Vector weights(std::size_t(body.numDofs()), 0.0);
   const QuadratureRule rule = simplexRule(side == nullptr ? dim : dim - 1, order + 1);
+  const int numCells = body.share ? body.share->numOwnCells() : body.mesh.numCells(); // the first
   if (side == nullptr)
-    for (int c = 0; c < body.mesh.numCells(); ++c)
+    for (int c = 0; c < numCells; ++c)
       addMean<dim, order>(weights, body.nodes, body.nodes.cell(c), cellMeasure(body.mesh, c), rule, rigid, motion);
   else
     for (const Facet facet : side->facets) {
+      if (facet.cell >= numCells)
+        continue;
       int onFacet[Lagrange<dim - 1, order>::nodes];
       double normal[3];
       facetNodes(body.nodes, facet, onFacet);
@@ -96,25 +99,29 @@ Vector meanWeights(const BodyModel& body, const Params& hold, const RigidBasis& 
                          [&](auto d, auto p) { return meanOver<d(), p()>(body, side, rigid, motion); });
 }
 
-void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement)
+void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement, const Comm& comm)
 {
-  std::vector<Vector> joint; // mean of every joint motion
-  Vector mean;
+  Vector sums; // per mean that of the displacement, and of every joint motion
   for (const HeldMean& hold : model.holds)
     for (const NodalField& weights : hold.means) {
-      mean.push_back(dot(weights, *displacement[std::size_t(hold.body)]));
-      Vector row;
+      sums.push_back(dot(weights, *displacement[std::size_t(hold.body)]));
       for (int j = 0; j < model.jointMotions.cols(); ++j)
-        row.push_back(workAlong(model.bodies[std::size_t(hold.body)], model.rigid[std::size_t(hold.body)],
-                                ofBody(model, model.jointMotions, j, hold.body), weights));
-      joint.push_back(std::move(row));
+        sums.push_back(workAlong(model.bodies[std::size_t(hold.body)], model.rigid[std::size_t(hold.body)],
+                                 ofBody(model, model.jointMotions, j, hold.body), weights));
     }
-  if (mean.empty())
+  if (sums.empty())
     return;
-  DenseMatrix means(int(mean.size()), model.jointMotions.cols());
-  for (int i = 0; i < means.rows(); ++i)
+  if (model.told)
+    comm.sum(sums);
+  const std::size_t width = 1 + std::size_t(model.jointMotions.cols());
+  DenseMatrix means(int(sums.size() / width), model.jointMotions.cols());
+  Vector mean;
+  for (int i = 0; i < means.rows(); ++i) {
+    const double* const row = sums.data() + std::size_t(i) * width;
+    mean.push_back(row[0]);
     for (int j = 0; j < means.cols(); ++j)
-      means(i, j) = joint[std::size_t(i)][std::size_t(j)];
+      means(i, j) = row[1 + j];
+  }
   const Vector motion = multiply(model.jointMotions, multiply(pseudoInverse(means, rigidTolerance), mean));
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const double* const first = motion.data() + offsetOf(model, int(b));

@@ -23,9 +23,10 @@ void refuseConditions(const BodySettings& rigid, Diagnostics& diagnostics)
         "", "has no meaning for a rigid body, which is where its list Rigid says; remove one of the two."));
 }
 
-/// Builds one body; mistakes are collected and leave the body incomplete.
+/// Builds one body; mistakes are collected and leave the body incomplete. whole: the regions of a body of which it is a
+/// share.
 BodyModel buildBody(const BodySettings& settings, const SceneComponents& components, CutMesh given, int order,
-                    Diagnostics& diagnostics)
+                    const std::vector<BodyRegion>* whole, Diagnostics& diagnostics)
 {
   BodyModel body;
   body.name = settings.name;
@@ -34,22 +35,44 @@ BodyModel buildBody(const BodySettings& settings, const SceneComponents& compone
   body.parents = std::move(given.parents);
   body.uncutPoints = given.uncutPoints;
   body.isRigid = settings.isRigid;
+  body.share = std::move(given.share);
   if (body.isRigid) {
     body.supports.push_back(makeRigidSupport(settings.shape));
     refuseConditions(settings, diagnostics);
   } else {
-    takeMaterials(body, settings, components, diagnostics);
+    takeMaterials(body, settings, components, whole, diagnostics);
   }
   body.nodes = given.nodes.numNodes() > 0 ? std::move(given.nodes) : makeNodeMap(body.mesh, order);
   for (const Params& support : settings.supports)
     body.supports.push_back(components.supports.build(support));
   for (const Params& load : settings.loads)
     body.loads.push_back(components.loads.build(load));
+  if (body.share) // the whole is checked
+    return body;
   for (const auto& support : body.supports)
     support->check(body.mesh, diagnostics);
   for (const auto& load : body.loads)
     load->check(body.mesh, diagnostics);
   return body;
+}
+
+/// Rigid motions of the bodies, and what holds them.
+void findMotions(Model& model, const SceneSettings& scene, Diagnostics& diagnostics)
+{
+  if (model.told) {
+    model.rigid = model.told->rigid;
+    model.freeMotions = model.told->freeMotions;
+    model.balancedMotions = model.told->balancedMotions;
+    takeHolds(model);
+    return;
+  }
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    model.rigid.push_back(rigidBasis(model.bodies[b].mesh));
+    model.freeMotions.push_back(
+        nullSpace(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), rigidTolerance));
+  }
+  resolveHolds(model, scene, diagnostics);
+  diagnostics.throwIfAny();
 }
 
 /// Groups of cells mean nothing to a body whose regions and loads name none.
@@ -234,9 +257,10 @@ void remeshModel(Model& model, const SceneSettings& scene, const SceneComponents
 }
 
 Model buildModel(const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
-                 const std::vector<InterfaceMesh>& earlier, int threads)
+                 const std::vector<InterfaceMesh>& earlier, int threads, std::shared_ptr<const ToldScene> told)
 {
   Model model;
+  model.told = std::move(told);
   Diagnostics diagnostics;
   if (scene.bodies.empty())
     diagnostics.add(scene.bodiesPlace.mistake("", "has no bodies; name at least one list in it."));
@@ -244,12 +268,15 @@ Model buildModel(const SceneSettings& scene, const SceneComponents& components, 
   for (const BodySettings& body : scene.bodies)
     collecting(diagnostics, [&] { meshes.emplace_back(withoutIdleGroups(meshOf(body), body)); });
   diagnostics.throwIfAny();
-  const auto pairings = matchSides(scene, components, earlier, meshes);
+  const auto pairings = matchSides(scene, components, earlier, meshes, model.told.get());
   for (std::size_t b = 0; b < meshes.size(); ++b)
     collecting(diagnostics, [&] {
-      model.bodies.push_back(buildBody(scene.bodies[b], components, std::move(meshes[b]), scene.order, diagnostics));
+      model.bodies.push_back(buildBody(scene.bodies[b], components, std::move(meshes[b]), scene.order,
+                                       model.told ? &model.told->regions[b] : nullptr, diagnostics));
     });
   diagnostics.throwIfAny();
+  if (model.told)
+    takePins(model.bodies, *model.told);
   for (const auto& body : model.bodies)
     collecting(diagnostics,
                [&] { model.constraints.push_back(collectConstraints(body.supports, body.mesh, body.nodes)); });
@@ -259,13 +286,7 @@ Model buildModel(const SceneSettings& scene, const SceneComponents& components, 
     collecting(diagnostics, [&] { addInterface(model, interface, pairings.at(interface.name), earlier, diagnostics); });
   diagnostics.throwIfAny();
   checkInterfaces(model, scene, diagnostics);
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    model.rigid.push_back(rigidBasis(model.bodies[b].mesh));
-    model.freeMotions.push_back(
-        nullSpace(supportRows(model.rigid[b], model.bodies[b].nodes, model.constraints[b]), rigidTolerance));
-  }
-  resolveHolds(model, scene, diagnostics);
-  diagnostics.throwIfAny();
+  findMotions(model, scene, diagnostics);
   return model;
 }
 

@@ -132,30 +132,41 @@ std::vector<BodyRegion> countCells(std::vector<std::string> names, const std::ve
 {
   std::vector<BodyRegion> regions;
   for (std::string& name : names)
-    regions.push_back({std::move(name), 0, 0});
-  for (std::size_t c = 0; c < regionOfCell.size(); ++c) {
-    BodyRegion& region = regions[std::size_t(regionOfCell[c])];
-    if (region.numCells++ == 0)
-      region.firstCell = int(c);
-  }
+    regions.push_back({std::move(name)});
+  for (const int region : regionOfCell)
+    ++regions[std::size_t(region)].numCells;
   return regions;
 }
 
-void refuseWithoutMaterial(const BodyModel& body, const BodyRegion& rest, const BodySettings& settings,
-                           Diagnostics& diagnostics)
+void refuseWithoutMaterial(const BodyModel& body, const BodySettings& settings, Diagnostics& diagnostics)
 {
+  const int rest = int(body.regions.size()) - 1;
+  const auto first = std::find(body.regionOfCell.begin(), body.regionOfCell.end(), rest) - body.regionOfCell.begin();
   diagnostics.add(settings.place.mistake(
       "", fmt::format("{} of {} cells are in no region, the first at {}; give the body a list \"Material\" for them.",
-                      rest.numCells, body.mesh.numCells(),
-                      pointText(cellCentre(body.mesh, rest.firstCell).data(), body.mesh.dim))));
+                      body.regions.back().numCells, body.mesh.numCells(),
+                      pointText(cellCentre(body.mesh, int(first)).data(), body.mesh.dim))));
+}
+
+/// Counts the cells of the regions of a whole body; a rest that has none is no region.
+void findRegions(BodyModel& body, std::vector<std::string> names, const BodySettings& settings,
+                 Diagnostics& diagnostics)
+{
+  body.regions = countCells(std::move(names), body.regionOfCell);
+  for (std::size_t r = 0; r < settings.regions.size(); ++r)
+    if (body.regions[r].numCells == 0 && diagnostics.empty())
+      diagnostics.add(settings.regions[r].place.mistake("", "names no cells."));
+  if (body.regions.back().numCells == 0)
+    body.regions.pop_back();
+  else if (!settings.material && diagnostics.empty())
+    refuseWithoutMaterial(body, settings, diagnostics);
 }
 
 } // namespace
 
 void takeMaterials(BodyModel& body, const BodySettings& settings, const SceneComponents& components,
-                   Diagnostics& diagnostics)
+                   const std::vector<BodyRegion>* whole, Diagnostics& diagnostics)
 {
-  const bool hasRest = settings.material.has_value();
   Laws laws(components, body.mesh.dim, diagnostics);
   KindsOfRegions kinds(body.mesh, diagnostics);
   std::vector<std::string> names;
@@ -164,7 +175,7 @@ void takeMaterials(BodyModel& body, const BodySettings& settings, const SceneCom
     kinds.add(region, int(names.size()));
     names.push_back(region.name);
   }
-  if (hasRest)
+  if (settings.material)
     laws.add(*settings.material);
   if (laws.all().empty())
     throw InputError(settings.place.mistake("", "has neither a list \"Material\" nor regions."));
@@ -175,16 +186,17 @@ void takeMaterials(BodyModel& body, const BodySettings& settings, const SceneCom
   const int rest = int(names.size());
   names.emplace_back();
   body.regionOfCell = kinds.ofCells(rest);
-  body.regions = countCells(std::move(names), body.regionOfCell);
-  for (std::size_t r = 0; r < settings.regions.size(); ++r)
-    if (body.regions[r].numCells == 0 && diagnostics.empty())
-      diagnostics.add(settings.regions[r].place.mistake("", "names no cells."));
-  if (body.regions.back().numCells == 0)
-    body.regions.pop_back();
-  else if (!hasRest && diagnostics.empty())
-    refuseWithoutMaterial(body, body.regions.back(), settings, diagnostics);
-  if (diagnostics.empty())
-    body.laws = CellLaws(laws.all(), body.regionOfCell);
+  if (whole != nullptr)
+    body.regions = *whole;
+  else
+    findRegions(body, std::move(names), settings, diagnostics);
+  if (!diagnostics.empty())
+    return;
+  std::vector<Elasticity> ofRegions = laws.all();
+  ofRegions.resize(body.regions.size()); // a rest that is no region has none
+  body.laws = CellLaws(ofRegions, body.regionOfCell);
+  for (std::size_t r = 0; r < ofRegions.size(); ++r)
+    body.regions[r].law = body.laws.numberOf(ofRegions[r]);
 }
 
 std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const BodySettings& settings)
@@ -195,7 +207,7 @@ std::vector<PlacedMaterial> materialsOf(const BodyModel& body, const BodySetting
     return {{settings.materialOf({}), body.laws(0)}};
   std::vector<PlacedMaterial> materials;
   for (const BodyRegion& region : body.regions)
-    materials.push_back({settings.materialOf(region.name), body.laws(region.firstCell)});
+    materials.push_back({settings.materialOf(region.name), body.laws.all()[std::size_t(region.law)]});
   return materials;
 }
 

@@ -81,13 +81,7 @@ std::vector<BodyShare::Global> sortEdges(NodeMap& nodes, const RefinedShare& sha
 }
 
 /// A body's mesh and nodes on this rank.
-struct Part
-{
-  GivenMesh given = Mesh();
-  std::shared_ptr<const BodyShare> share;
-};
-
-Part partOf(const DrawnPart& drawn, const std::vector<std::string>& sides, bool withHalo, const Comm& comm)
+GivenMesh partOf(const DrawnPart& drawn, const std::vector<std::string>& sides, bool withHalo, const Comm& comm)
 {
   RefinedShare share =
       refinedShare(drawn.mesh, drawn.halvings, drawn.numbers, drawn.owners, comm.rank(), sides, withHalo);
@@ -100,12 +94,11 @@ Part partOf(const DrawnPart& drawn, const std::vector<std::string>& sides, bool 
         drawn.owners.rankOf(DrawnPlace::middle(share.points[std::size_t(a)], share.points[std::size_t(b)])));
   }
   share.numbers.insert(share.numbers.end(), middles.begin(), middles.end());
-  Part part;
   BodyShare::Things ofNodes{drawn.numbers.numPoints() + drawn.numbers.numMiddles(), std::move(share.numbers),
                             std::move(ranks)},
       ofCells{drawn.numbers.numCells(), std::move(share.cellNumbers), std::move(share.cellOwners)};
+  GivenMesh part(std::move(share.mesh), std::move(nodes));
   part.share = std::make_shared<const BodyShare>(std::move(ofNodes), std::move(ofCells), comm);
-  part.given = GivenMesh(std::move(share.mesh), std::move(nodes));
   return part;
 }
 
@@ -170,11 +163,10 @@ void fetchConstraints(const BodyShare& share, ConstraintSet& constraints)
 
 /// Makes a body that was built on a rank's part of its mesh a share of the whole one. halvings: of the mesh as it was
 /// read.
-void completePart(Model& model, std::size_t b, const std::shared_ptr<const BodyShare>& share, int halvings,
-                  const Comm& comm)
+void completePart(Model& model, std::size_t b, int halvings, const Comm& comm)
 {
   BodyModel& body = model.bodies[b];
-  body.share = share;
+  const BodyShare* const share = body.share.get();
   fetchConstraints(*share, model.constraints[b]);
   const NodalField all = model.loads[b].all();
   Vector load = all.whole(); // complete at own nodes only
@@ -211,7 +203,7 @@ Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
     if (!scene.bodies[b].isRigid)
       bodies.push_back(int(b));
-  std::vector<Part> parts(scene.bodies.size());
+  std::vector<GivenMesh> parts(scene.bodies.size(), Mesh());
   {
     const std::vector<DrawnPart> drawnParts = drawnPartsOf(std::move(drawn), bodies, scene, withHalo, comm);
     for (std::size_t b = 0; b < bodies.size(); ++b) {
@@ -223,17 +215,13 @@ Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene
   onEveryRank(comm, [&] { // a mistake may show in one rank's share only
     std::size_t next = 0;
     model = buildModel(
-        scene, components, [&](const BodySettings&) { return std::move(parts[next++].given); }, earlier, threads);
+        scene, components, [&](const BodySettings&) { return std::move(parts[next++]); }, earlier, threads,
+        std::make_shared<const ToldScene>(std::move(told)));
   });
-  for (std::size_t b = 0; b < parts.size(); ++b)
-    if (parts[b].share)
-      completePart(model, b, parts[b].share, told.halvings[b], comm);
+  for (const int body : bodies)
+    completePart(model, std::size_t(body), model.told->halvings[std::size_t(body)], comm);
   compareInterfaces(model, comm);
-  model.rigid = told.rigid;
-  model.freeMotions = told.freeMotions;
-  model.balancedMotions = told.balancedMotions;
   model.solvesWhole = true;
-  model.told = std::make_shared<const ToldScene>(std::move(told));
   return model;
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ndframe/base/ascending.hpp"
 #include "ndframe/mesh/byte_stream.hpp"
 #include "ndframe/scene/model.hpp"
 #include "ndframe/scene/rigid_check.hpp"
@@ -32,6 +33,28 @@ void walk(ByteReader& stream, DenseMatrix& matrix)
   }
 }
 
+template <class Stream, class Regions>
+void walkRegions(Stream& stream, Regions& regions)
+{
+  stream.length(regions);
+  for (auto& region : regions) {
+    stream.array(region.name);
+    stream.number(region.numCells);
+    stream.number(region.law);
+  }
+}
+
+template <class Stream, class Holds>
+void walkHolds(Stream& stream, Holds& holds)
+{
+  stream.length(holds);
+  for (auto& hold : holds) {
+    stream.number(hold.body);
+    stream.number(hold.support);
+    walk(stream, hold.motions);
+  }
+}
+
 /// Everything, in one order for both directions.
 template <class Stream, class Scene>
 void walk(Stream& stream, Scene& scene)
@@ -56,6 +79,13 @@ void walk(Stream& stream, Scene& scene)
     for (auto& matrix : *motions)
       walk(stream, matrix);
   }
+  stream.length(scene.regions);
+  for (auto& regions : scene.regions)
+    walkRegions(stream, regions);
+  stream.array(scene.pins);
+  walkHolds(stream, scene.holds);
+  walk(stream, scene.jointMotions);
+  stream.array(scene.areCut);
   stream.array(scene.pulledOff);
   stream.length(scene.warnings);
   for (auto& warning : scene.warnings) {
@@ -71,18 +101,40 @@ void walk(Stream& stream, Scene& scene)
 
 ToldScene told(const Model& whole)
 {
-  ToldScene scene{{}, {}, {}, {}, whole.rigid, whole.freeMotions, whole.balancedMotions, {}, {}};
+  ToldScene scene;
+  scene.rigid = whole.rigid;
+  scene.freeMotions = whole.freeMotions;
+  scene.balancedMotions = whole.balancedMotions;
+  scene.jointMotions = whole.jointMotions;
   for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
     scene.heldBy.push_back(heldBy(whole, int(b)));
-    scene.diameters.push_back(diameter(whole.bodies[b].mesh));
     scene.outlines.push_back(outlineOf(whole.bodies[b].mesh));
+    scene.diameters.push_back(diameter(whole.bodies[b].mesh));
+    scene.regions.push_back(whole.bodies[b].regions);
   }
+  for (const HeldMean& hold : whole.holds)
+    scene.holds.push_back({hold.body, int(hold.support), hold.motions});
+  for (const InterfaceMesh& interface : whole.interfaces)
+    scene.areCut.push_back(char(interface.isCut));
   try {
     refusePulledOff(whole);
   } catch (const NotConverged& refusal) {
     scene.pulledOff = refusal.what();
   }
   return scene;
+}
+
+void takePins(const std::vector<BodyModel>& bodies, const ToldScene& told)
+{
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    for (std::size_t s = 0; s < bodies[b].supports.size(); ++s) {
+      std::vector<NodeConstraint> pins;
+      for (const ToldPin& pin : told.pins)
+        if (pin.body == int(b) && pin.support == int(s))
+          if (const int node = placeOf(bodies[b].share->numbers(), pin.node); node >= 0)
+            pins.push_back({node, pin.direction, pin.value});
+      bodies[b].supports[s]->pin(pins);
+    }
 }
 
 std::string toBytes(const ToldScene& scene)

@@ -17,9 +17,9 @@ namespace ndframe
 /// A part of a body with a material of its own.
 struct BodyRegion
 {
-  std::string name;  ///< empty: what is in no region that the deck names
-  int firstCell = 0; ///< the one of its cells with the smallest number
-  int numCells = 0;  ///< they need not follow each other
+  std::string name;          ///< empty: what is in no region that the deck names
+  std::int64_t numCells = 0; ///< of the whole body; they need not follow each other
+  int law = 0;               ///< its number among those of the body
 };
 
 /// A body as the deck describes it, discretised.

@@ -72,7 +72,10 @@ public:
   virtual std::vector<NodeConstraint> constraints(const Mesh& mesh, const NodeMap& nodes) const;
   /// It holds the mean rigid motions that nothing else resists, and can carry no force.
   virtual bool holdsMeanMotion() const { return false; }
-  /// For such a support: the equations that fix these motions in a system.
+  /// It holds a point, whose force no stress of finite energy can carry; not for bodies that are rigid.
+  bool holdsPoint() const { return !params().has("Side") && !holdsMeanMotion(); }
+  /// For a support without a side: its equations. They fix the motions that it holds in a system, or are those that a
+  /// part of a body has of a point's.
   virtual void pin(const std::vector<NodeConstraint>&) {}
 };
 

@@ -28,9 +28,9 @@ struct ResidualSummary
 };
 
 /// Interiors recovered by one multi-right-hand-side back-solve per body, (25) and (26). One entry per body; without
-/// interfaces `states` holds one empty state.
+/// interfaces `states` holds one empty state. Collective where ranks have shares.
 std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& condensed,
-                                      const std::vector<InterfaceState>& states, Ledger& ledger);
+                                      const std::vector<InterfaceState>& states, const Comm& comm, Ledger& ledger);
 
 /// Every interface node with its displacements and tractions; nodes in the order of the contact matrix.
 std::vector<ContactNode> contactNodes(const Model& model, const CondensedModel& condensed, const InterfaceState& state,

@@ -45,7 +45,10 @@ struct ExodusWhole
   std::vector<std::vector<std::int64_t>> nodes; ///< per body and node of the share: its number in the whole body
   std::vector<std::int64_t> numNodes, numCells; ///< per body, of the whole
   std::vector<int> numOwnCells;                 ///< per body: the first cells of the share are the piece's
-  std::vector<std::int64_t> firstCells;         ///< per body: the number of the first of them in the whole body
+  /// Per block, of bodies or their parts: its elements in the whole, and those of the pieces before this one.
+  std::vector<std::int64_t> numElements, firstElements;
+  /// Per body and own cell: its number among the elements of the whole body, whose parts follow each other.
+  std::vector<std::vector<std::int64_t>> elements;
   /// Of the whole: per side set, the named sides of all bodies and then the contact sides, the number of facets.
   std::vector<std::int64_t> numFacets;
   std::vector<std::vector<PieceBorder>> borders; ///< per body, with the other pieces; in numbers of the share

@@ -24,7 +24,7 @@ void beginSlices(const std::string& path, const std::string& title, const std::v
                  const std::vector<std::string>& infoLines, const ExodusWhole& whole);
 
 /// Adds a process's nodes, elements and facets with their values to the file that one of them has begun. One after the
-/// other; `bodies`, `contactSides` and `steps` are the share's, without parts.
+/// other; `bodies`, `contactSides` and `steps` are the share's.
 void writeSlice(const std::string& path, const std::vector<ExodusBody>& bodies,
                 const std::vector<ExodusContactSide>& contactSides, const std::vector<ExodusStep>& steps,
                 const ExodusWhole& whole, const ExodusSlice& slice);

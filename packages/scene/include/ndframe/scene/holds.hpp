@@ -20,9 +20,12 @@ DenseMatrix partOf(const DenseMatrix& motions, int offset, int size);
 /// mistakes.
 void resolveHolds(Model& model, const SceneSettings& scene, Diagnostics& diagnostics);
 
+/// The same in a model of shares, which has been told of them.
+void takeHolds(Model& model);
+
 /// Moves the bodies by the motions that Holds fix, so that the mean motions held vanish: displacement of every body in
-/// global axes.
-void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement);
+/// global axes. Collective where ranks have shares.
+void removeMeanMotions(const Model& model, std::vector<NodalField*> displacement, const Comm& comm);
 
 /// "translation along x"; empty for other supports than Hold.
 std::string heldMotions(const Model& model, int body, std::size_t support);

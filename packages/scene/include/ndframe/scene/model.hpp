@@ -21,8 +21,10 @@ struct HeldMean
   int body = 0;                     ///< index into Model::bodies
   std::size_t support = 0;          ///< index into the body's supports
   DenseMatrix motions;              ///< orthonormal columns in the body's rigid basis
-  std::vector<NodeConstraint> pins; ///< as many, where the system is fixed
-  std::vector<NodalField> means;    ///< as many: weights of the displacement (numNodes * dim) in the mean that vanishes
+  std::vector<NodeConstraint> pins; ///< as many, where the system is fixed; none where ranks have shares
+  /// As many as motions: weights of the displacement (numNodes * dim) in the mean that vanishes; of a share those of
+  /// its own cells.
+  std::vector<NodalField> means;
 };
 
 /// One body at an interface node.
@@ -87,6 +89,8 @@ struct GivenMesh
   GivenMesh(Mesh givenMesh, NodeMap givenNodes = {}) : mesh(std::move(givenMesh)), nodes(std::move(givenNodes)) {}
   Mesh mesh;     ///< before it is cut at others
   NodeMap nodes; ///< empty: made when the body is built
+  /// Of a rank's part of a body (BodyModel::share), which has been cut; null: the mesh is the body's.
+  std::shared_ptr<const BodyShare> share{};
 };
 
 /// The mesh of a body; of a rigid one an empty mesh if it has to be made.
@@ -94,9 +98,11 @@ using MeshOfBody = std::function<GivenMesh(const BodySettings& body)>;
 
 /// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes
 /// before; a side that still is the same polygon keeps their normals (inheritNormals). threads: for loads that are
-/// sampled; their number changes no bit.
+/// sampled; their number changes no bit. told: meshes are shares of the bodies of this scene, which is checked as a
+/// whole where it was told.
 Model buildModel(const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
-                 const std::vector<InterfaceMesh>& earlier = {}, int threads = 1);
+                 const std::vector<InterfaceMesh>& earlier = {}, int threads = 1,
+                 std::shared_ptr<const ToldScene> told = {});
 
 /// The same as a stage of a run; model.interfaces are the earlier ones. Not to be reused: the model has no recipe.
 void remeshModel(Model& model, const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,

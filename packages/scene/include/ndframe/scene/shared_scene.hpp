@@ -20,8 +20,8 @@ struct DrawnScene
 };
 
 /// Reads the meshes as drawn, but for those that `known` has, and refines them until bodies that touch have as many
-/// halvings to come, and so many ranks can share them out evenly, but not further than they will be. All mistakes are
-/// reported at once (InputError).
+/// halvings to come (none where their sides do not match: they will be cut), and so many ranks can share them out
+/// evenly, but not further than they will be. All mistakes are reported at once (InputError).
 DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
                      Ledger& ledger);
 
@@ -35,12 +35,16 @@ std::int64_t refinedDofs(const DrawnScene& drawn, int body);
 /// not rigid.
 DrawnScene drawnOn(const std::vector<Mesh>& meshes, const SceneSettings& scene, int ranks);
 
+/// Whether the vertices that supports hold, of meshes that will be refined, are drawn: of others no rank could say what
+/// their supports leave free.
+bool drawsHeldPoints(const DrawnScene& drawn, const SceneSettings& scene);
+
 /// Makes the model. earlier, InputError: like buildModel().
 void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components,
                 const std::vector<InterfaceMesh>& earlier, Ledger& ledger);
 
-/// Why ranks cannot have shares of these bodies (BodyShare); empty: they can.
-std::string needsWhole(const DrawnScene& drawn);
+/// What ranks are told of the scene on the refined meshes; without warnings.
+ToldScene told(const DrawnScene& drawn);
 
 /// The meshes that need not be read again, for updateModel().
 std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene);
