@@ -192,11 +192,12 @@ def drawn_scene(draw):
 def judge(program, seed):
     draw = random.Random(f"shared {seed}")
     kind, pair, settings, more = drawn_scene(draw)
-    ranks, halvings = draw.randint(2, 6), draw.choice((0, 0, 1, 1, 2)) if more != "cut" else draw.choice((0, 0, 0, 1))
+    ranks, halvings = draw.randint(2, 6), draw.choice((0, 0, 1, 1, 2) if more != "cut" else (0, 0, 1))
     solids = [solid for solid in pair if solid.foot]
     for solid in solids:
         solid.cells = tuple(min(n, 2 if halvings == 2 else 4) for n in solid.cells)
-    while halvings == 0 and sum(math.prod(n + 1 for n in solid.cells) for solid in solids) < ENOUGH * ranks:
+    isWhole = halvings == 0 or more in ("cut", "tied")  # rank 0 refines these
+    while isWhole and sum(math.prod(n * 2**halvings + 1 for n in solid.cells) for solid in solids) < ENOUGH * ranks:
         for solid in solids:
             solid.cells = tuple(2 * n for n in solid.cells)
     for solid in solids[:1] if more == "tied" else solids:  # of tied ones one may have a material besides its regions
