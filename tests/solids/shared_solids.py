@@ -157,7 +157,7 @@ def divide(draw, solid):
                                  ("Z", "string", draw.choice(("-0.2", "-0.1*(1+x)", "-0.1*cos(y)")))]
 
 
-def hold(draw, kind, solid):
+def hold(draw, solid):
     """Instead of its rollers: points, some with a force, or a mean motion."""
     at = lambda r, s, t: f"{{{', '.join(map(repr, solid.place(r, s, t)))}}}"
     point = lambda place, **held: [("Type", "string", "Point"), ("At", "Array(double)", at(*place)),
@@ -172,7 +172,7 @@ def hold(draw, kind, solid):
 
 
 def drawn_scene(draw):
-    """(kind, pair, settings, whether it is tied)"""
+    """(kind, pair, settings, what it has more than contact)"""
     kind, pair, settings = scene(draw, 2)
     more = draw.choice(("", "regions", "regions", "held", "held", "cut", "cut", "tied"))
     if more == "cut":
@@ -180,10 +180,10 @@ def drawn_scene(draw):
         settings = []
     if more == "held" and kind != "flat":
         kind, pair, settings = scene(draw, 2)
-    if more == "held" and kind.startswith("flat"):
-        hold(draw, kind, next(solid for solid in pair if solid.name == "upper"))
-    if more == "tied" and "rigid" in kind:
+    if (more == "held" and not kind.startswith("flat")) or (more == "tied" and "rigid" in kind):
         more = ""
+    if more == "held":
+        hold(draw, next(solid for solid in pair if solid.name == "upper"))
     if more == "tied":
         settings = [("Tied", "bool", "true")]
     return f"{kind} {more}", pair, settings, more
