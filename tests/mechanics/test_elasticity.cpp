@@ -4,6 +4,7 @@
 
 #include "fem/sample_meshes.hpp"
 #include "mechanics/sample_laws.hpp"
+#include "ndframe/mechanics/cell_laws.hpp"
 
 namespace ndframe
 {
@@ -167,6 +168,21 @@ TEST(Elasticity, VonMisesDoesNotFeelPressureNorRotation)
   const double value = vonMises({s[0], s[1], s[2], s[3], s[4], s[5]});
   EXPECT_NEAR(vonMises({s[0] + 2, s[1] + 2, s[2] + 2, s[3], s[4], s[5]}), value, 1e-14);
   EXPECT_NEAR(vonMises({t[0], t[1], t[2], t[3], t[4], t[5]}), value, 1e-14);
+}
+
+TEST(CellLaws, AreNumberedAlikeWhateverCellsThereAre)
+{
+  const Elasticity soft = test::isotropic(1.0, 0.3), hard = test::isotropic(9.0, 0.3);
+  const std::vector<Elasticity> laws{soft, hard, soft};
+  const CellLaws whole(laws, {2, 1, 0}), part(laws, {1}), nothing(laws, {});
+  for (const CellLaws* all : {&whole, &part, &nothing}) {
+    EXPECT_EQ(all->all().size(), 2U);
+    EXPECT_EQ(all->numberOf(soft), 0);
+    EXPECT_EQ(all->numberOf(hard), 1);
+  }
+  EXPECT_EQ(whole.number(0), 0);
+  EXPECT_TRUE(part(0) == hard);
+  EXPECT_TRUE(CellLaws({soft, soft}, {0, 1, 0}).isUniform());
 }
 
 } // namespace ndframe

@@ -157,7 +157,7 @@ def divide(draw, solid):
                                  ("Z", "string", draw.choice(("-0.2", "-0.1*(1+x)", "-0.1*cos(y)")))]
 
 
-def hold(draw, kind, solid):
+def hold(draw, solid):
     """Instead of its rollers: points, some with a force, or a mean motion."""
     at = lambda r, s, t: f"{{{', '.join(map(repr, solid.place(r, s, t)))}}}"
     point = lambda place, **held: [("Type", "string", "Point"), ("At", "Array(double)", at(*place)),
@@ -172,7 +172,7 @@ def hold(draw, kind, solid):
 
 
 def drawn_scene(draw):
-    """(kind, pair, settings, whether it is tied)"""
+    """(kind, pair, settings, what it has more than contact)"""
     kind, pair, settings = scene(draw, 2)
     more = draw.choice(("", "regions", "regions", "held", "held", "cut", "cut", "tied"))
     if more == "cut":
@@ -180,10 +180,10 @@ def drawn_scene(draw):
         settings = []
     if more == "held" and kind != "flat":
         kind, pair, settings = scene(draw, 2)
-    if more == "held" and kind.startswith("flat"):
-        hold(draw, kind, next(solid for solid in pair if solid.name == "upper"))
-    if more == "tied" and "rigid" in kind:
+    if (more == "held" and not kind.startswith("flat")) or (more == "tied" and "rigid" in kind):
         more = ""
+    if more == "held":
+        hold(draw, next(solid for solid in pair if solid.name == "upper"))
     if more == "tied":
         settings = [("Tied", "bool", "true")]
     return f"{kind} {more}", pair, settings, more
@@ -192,11 +192,12 @@ def drawn_scene(draw):
 def judge(program, seed):
     draw = random.Random(f"shared {seed}")
     kind, pair, settings, more = drawn_scene(draw)
-    ranks, halvings = draw.randint(2, 6), draw.choice((0, 0, 1, 1, 2)) if more != "cut" else draw.choice((0, 0, 0, 1))
+    ranks, halvings = draw.randint(2, 6), draw.choice((0, 0, 1, 1, 2) if more != "cut" else (0, 0, 1))
     solids = [solid for solid in pair if solid.foot]
     for solid in solids:
         solid.cells = tuple(min(n, 2 if halvings == 2 else 4) for n in solid.cells)
-    while halvings == 0 and sum(math.prod(n + 1 for n in solid.cells) for solid in solids) < ENOUGH * ranks:
+    isWhole = halvings == 0 or more in ("cut", "tied")  # rank 0 refines these
+    while isWhole and sum(math.prod(n * 2**halvings + 1 for n in solid.cells) for solid in solids) < ENOUGH * ranks:
         for solid in solids:
             solid.cells = tuple(2 * n for n in solid.cells)
     for solid in solids[:1] if more == "tied" else solids:  # of tied ones one may have a material besides its regions
