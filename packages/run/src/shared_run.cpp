@@ -94,11 +94,24 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const Model& known, const RunTo
   const auto timer = timeStage(tools.ledger, Stage::Check);
   ToldScene scenesTold = told(model);
   scenesTold.warnings = sceneWarnings(model, tools.settings);
+  scenesTold.sides = sidesAsDrawn(drawn, scene);
   model.loads.clear(); // what is handed out are meshes
   model.constraints.clear();
   for (BodyModel& body : model.bodies)
     body.nodes = {};
   return scenesTold;
+}
+
+/// Interfaces of which only what they were as drawn is known.
+std::vector<InterfaceMesh> asFirst(std::vector<InterfaceMesh> sides)
+{
+  std::vector<InterfaceMesh> interfaces;
+  for (InterfaceMesh& side : sides) {
+    interfaces.emplace_back();
+    interfaces.back().name = side.name;
+    interfaces.back().firstMesh = std::make_shared<const InterfaceMesh>(std::move(side));
+  }
+  return interfaces;
 }
 
 } // namespace
@@ -131,7 +144,8 @@ SceneToShare sceneToShare(const Model& known, const RunTools& tools)
 void takeShares(Model& model, SceneToShare&& scene, const RunTools& tools)
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
-  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components,
+  const std::vector<InterfaceMesh> drawn = asFirst(std::move(scene.told->sides));
+  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components, drawn,
                       tools.errors.has_value(), tools.comm, numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
 }

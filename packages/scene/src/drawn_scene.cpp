@@ -33,7 +33,10 @@ const Mesh* knownMesh(const Model& known, const SceneRecipe& recipe, std::size_t
 
 void refine(DrawnScene& drawn, std::size_t body)
 {
-  drawn.meshes[body] = refineUniformly(drawn.meshes[body]);
+  Mesh refined = refineUniformly(drawn.meshes[body]);
+  if (!drawn.before[body])
+    drawn.before[body] = std::make_shared<const Mesh>(std::move(drawn.meshes[body]));
+  drawn.meshes[body] = std::move(refined);
   --drawn.halvings[body];
 }
 
@@ -91,6 +94,7 @@ DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& componen
   drawn.meshes = readMeshes(scene, components, known, ledger);
   for (const BodySettings& body : scene.bodies)
     drawn.halvings.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
+  drawn.before.resize(drawn.meshes.size());
   refineAlike(drawn, scene);
   for (bool isRefined = true; isRefined && !haveEnough(drawn.meshes, ranks);) {
     isRefined = false;
@@ -128,9 +132,34 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
 {
   const auto timer = timeStage(ledger, Stage::Read);
   std::size_t next = 0;
-  drawn.model =
-      buildModel(scene, components, [&](const BodySettings&) { return GivenMesh(std::move(drawn.meshes[next++])); });
+  drawn.model = buildModel(scene, components, [&](const BodySettings&) {
+    const std::size_t b = next++;
+    return GivenMesh(std::move(drawn.meshes[b]), {}, std::move(drawn.before[b]));
+  });
   drawn.meshes.clear();
+}
+
+std::vector<InterfaceMesh> sidesAsDrawn(const DrawnScene& drawn, const SceneSettings& scene)
+{
+  const auto isHalved = [&](const InterfaceSide& side) {
+    const BodySettings& body = scene.bodies[std::size_t(side.body)];
+    return !body.isRigid && halvingsOf(body.shape) > 0;
+  };
+  std::vector<InterfaceMesh> sides;
+  for (const InterfaceMesh& interface : drawn.model->interfaces) {
+    if (!isHalved(interface.dirichlet()) && !isHalved(interface.neumann()))
+      continue;
+    const InterfaceMesh& first = interface.firstMesh ? *interface.firstMesh : interface;
+    InterfaceMesh side;
+    side.name = interface.name;
+    side.dim = first.dim;
+    side.points = first.points;
+    side.facets = first.facets;
+    side.measures = first.measures;
+    side.endNormals = first.endNormals;
+    sides.push_back(std::move(side));
+  }
+  return sides;
 }
 
 std::string needsWhole(const DrawnScene& drawn)

@@ -206,7 +206,7 @@ void compareInterfaces(const Model& model, const Comm& comm)
 } // namespace
 
 Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene, const SceneComponents& components,
-                  bool withHalo, const Comm& comm, int threads)
+                  const std::vector<InterfaceMesh>& earlier, bool withHalo, const Comm& comm, int threads)
 {
   std::vector<int> bodies;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b)
@@ -224,7 +224,7 @@ Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene
   onEveryRank(comm, [&] { // a mistake may show in one rank's share only
     std::size_t next = 0;
     model = buildModel(
-        scene, components, [&](const BodySettings&) { return std::move(parts[next++].given); }, {}, threads);
+        scene, components, [&](const BodySettings&) { return std::move(parts[next++].given); }, earlier, threads);
   });
   for (std::size_t b = 0; b < parts.size(); ++b)
     if (parts[b].share)

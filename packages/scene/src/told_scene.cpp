@@ -53,13 +53,22 @@ void walk(Stream& stream, Scene& scene)
     stream.array(warning.what.path);
     stream.array(warning.what.message);
   }
+  stream.length(scene.sides);
+  for (auto& side : scene.sides) {
+    stream.array(side.name);
+    stream.number(side.dim);
+    stream.array(side.points);
+    stream.array(side.facets);
+    stream.array(side.measures);
+    stream.array(side.endNormals);
+  }
 }
 
 } // namespace
 
 ToldScene told(const Model& whole)
 {
-  ToldScene scene{{}, {}, whole.rigid, whole.freeMotions, whole.balancedMotions, {}, {}};
+  ToldScene scene{{}, {}, whole.rigid, whole.freeMotions, whole.balancedMotions, {}, {}, {}};
   for (std::size_t b = 0; b < whole.bodies.size(); ++b) {
     scene.heldBy.push_back(heldBy(whole, int(b)));
     scene.diameters.push_back(diameter(whole.bodies[b].mesh));

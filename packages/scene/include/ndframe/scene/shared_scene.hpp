@@ -12,7 +12,9 @@ namespace ndframe
 /// it.
 struct DrawnScene
 {
-  std::vector<Mesh> meshes;            ///< per body, until the model is built; of rigid bodies none
+  std::vector<Mesh> meshes; ///< per body, until the model is built; of rigid bodies none
+  /// Per body what it was before the first halving that has been; null: none has.
+  std::vector<std::shared_ptr<const Mesh>> before;
   std::vector<int> halvings;           ///< per body: of its mesh (halvingsOf) those to come; zero for rigid bodies
   std::vector<RefinedNumbers> numbers; ///< per body, with these; none where ranks cannot share them out (areEnough)
   std::optional<Model> model;          ///< on the meshes
@@ -33,6 +35,10 @@ std::int64_t refinedDofs(const DrawnScene& drawn, int body);
 /// Makes the model. InputError like buildModel().
 void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components, Ledger& ledger);
 
+/// The first sides of interfaces between bodies that have been or will be halved, by name, as drawn: they have the
+/// directions of contact.
+std::vector<InterfaceMesh> sidesAsDrawn(const DrawnScene& drawn, const SceneSettings& scene);
+
 /// Why ranks cannot have shares of these bodies (BodyShare); empty: they can.
 std::string needsWhole(const DrawnScene& drawn);
 
@@ -43,11 +49,12 @@ std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene);
 /// (DrawnOwners), with the cells around them, and the cells at contact on every rank. Interfaces are the same on all
 /// ranks, to the bit, but for the numbers of nodes and cells. What is said of bodies as a whole (rigid motions that
 /// supports leave free) is what all ranks are told. Loads and constraints are those of the part: complete at own nodes,
-/// constraints at all. withHalo: cells with a vertex of an own cell are there, too. Collective.
+/// constraints at all. earlier: like buildModel(), the same on all ranks. withHalo: cells with a vertex of an own cell
+/// are there, too. Collective.
 ///
 /// drawn: of rank 0, empty elsewhere; it is handed out in parts (DrawnParts), one after the other, and given back.
 /// Drawn vertices are shared out by METIS as one graph of all bodies (joinedVertices).
 Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene, const SceneComponents& components,
-                  bool withHalo, const Comm& comm, int threads);
+                  const std::vector<InterfaceMesh>& earlier, bool withHalo, const Comm& comm, int threads);
 
 } // namespace ndframe

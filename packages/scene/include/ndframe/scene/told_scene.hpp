@@ -6,6 +6,7 @@
 
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/interface/interface_mesh.hpp"
 
 namespace ndframe
 {
@@ -29,9 +30,11 @@ struct ToldScene
   std::vector<DenseMatrix> balancedMotions; ///< Model::balancedMotions
   std::string pulledOff;         ///< of all bodies: why refusePulledOff() would refuse them; empty: it does not
   std::vector<Warning> warnings; ///< of the scene
+  /// Of interfaces: their names, points, facets, measures and normals at ends (sidesAsDrawn).
+  std::vector<InterfaceMesh> sides;
 };
 
-/// What a model of the whole scene says; without warnings.
+/// What a model of the whole scene says; without warnings and sides.
 ToldScene told(const Model& whole);
 
 /// As bytes for another rank, and read back (InternalError: they are others).
