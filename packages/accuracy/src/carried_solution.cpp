@@ -197,27 +197,30 @@ Vector CarriedSolution::Body::at(const std::vector<Global>& cells, const Vector&
   std::vector<Vector> asked(std::size_t(comm.size())), answers(asked.size());
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Vector& message = asked[std::size_t(owners[i])];
+    const double* const point = points.data() + i * dim;
     message.push_back(double(cells[i]));
-    message.insert(message.end(), points.begin() + std::ptrdiff_t(i * dim),
-                   points.begin() + std::ptrdiff_t((i + 1) * dim));
+    message.insert(message.end(), point, point + dim);
   }
   asked = exchangedValues(asked, comm);
   for (std::size_t rank = 0; rank < asked.size(); ++rank) {
     std::vector<int> here;
     Vector places;
-    for (auto next = asked[rank].begin(); next != asked[rank].end(); next += std::ptrdiff_t(dim) + 1) {
-      here.push_back(own[std::size_t(map.local(Global(*next)))]);
-      places.insert(places.end(), next + 1, next + 1 + std::ptrdiff_t(dim));
+    for (std::size_t next = 0; next < asked[rank].size(); next += dim + 1) {
+      const double* const question = asked[rank].data() + next;
+      here.push_back(own[std::size_t(map.local(Global(question[0])))]);
+      places.insert(places.end(), question + 1, question + 1 + dim);
     }
     answers[rank] = at(here, places);
   }
   answers = exchangedValues(answers, comm);
   Vector result;
-  std::vector<std::size_t> taken(answers.size(), 0);
+  std::vector<const double*> next;
+  for (const Vector& answer : answers)
+    next.push_back(answer.data());
   for (const int owner : owners) {
-    const auto first = answers[std::size_t(owner)].begin() +
-                       std::ptrdiff_t(std::exchange(taken[std::size_t(owner)], taken[std::size_t(owner)] + dim));
-    result.insert(result.end(), first, first + std::ptrdiff_t(dim));
+    const double*& value = next[std::size_t(owner)];
+    result.insert(result.end(), value, value + dim);
+    value += dim;
   }
   return result;
 }
@@ -236,8 +239,7 @@ Vector CarriedSolution::Body::at(const BodyModel& body, const std::vector<int>& 
   const Vector found = at(wanted.cells, points, comm);
   Vector result(std::size_t(body.numDofs()), 0.0);
   for (std::size_t i = 0; i < wanted.nodes.size(); ++i)
-    std::copy_n(found.begin() + std::ptrdiff_t(i * dim), dim,
-                result.begin() + std::ptrdiff_t(std::size_t(wanted.nodes[i]) * dim));
+    std::copy_n(found.data() + i * dim, dim, result.data() + std::size_t(wanted.nodes[i]) * dim);
   if (body.share)
     body.share->fetch(result, int(dim));
   return result;

@@ -108,16 +108,17 @@ Params coarseBox(const Params& mesh, const Stations& stations, const SceneCompon
   return mesh;
 }
 
-Mesh readCoarse(const BodySettings& body, const Stations& stations, const SceneComponents& components, const Comm& comm,
-                ScriptMeshes& scripts, double size)
+GivenMesh readCoarse(const BodySettings& body, const Stations& stations, const SceneComponents& components,
+                     const Comm& comm, ScriptMeshes& scripts, double size)
 {
   if (body.isRigid)
-    return {};
+    return Mesh();
   const Params& mesh = body.shape;
   const Params chosen = isBox(body) ? coarseBox(mesh, stations, components, size) : mesh;
-  Mesh read = readShared(*components.meshSources.build(chosen), comm, scripts);
+  GivenMesh read = readShared(*components.meshSources.build(chosen), comm, scripts);
   const auto isUnasked = [](const Side& side) { return side.name.rfind(unaskedPart, 0) == 0; };
-  read.sides.erase(std::remove_if(read.sides.begin(), read.sides.end(), isUnasked), read.sides.end());
+  std::vector<Side>& sides = read.mesh.sides;
+  sides.erase(std::remove_if(sides.begin(), sides.end(), isUnasked), sides.end());
   return read;
 }
 

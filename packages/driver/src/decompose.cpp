@@ -9,7 +9,6 @@
 
 #include "ndframe/io/atomic_file.hpp"
 #include "ndframe/io/exodus_pieces.hpp"
-#include "ndframe/meshing/refined_source.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/scene/read_meshes.hpp"
 
@@ -69,17 +68,14 @@ void writePieces(const std::string& path, const BodySettings& body, const Mesh& 
     file->keep();
 }
 
-/// The pieces of a body, and the settings that make the deck read them.
+/// The pieces of a body's mesh as drawn, and the settings that make the deck read them, whose Refine stays.
 std::string writeBody(const BodySettings& body, const Mesh& mesh, int pieces, const std::string& stem)
 {
   refuseWhatCannotBe(body, mesh, pieces);
   const std::string path = fmt::format("{}.{}.e", stem, body.name);
   writePieces(path, body, mesh, pieces);
-  std::string text = fmt::format(
-      " \\\n    --set \"Bodies/{0}/Mesh/Type=Exodus\" --set \"Bodies/{0}/Mesh/File={1}.{2}\"", body.name, path, pieces);
-  if (halvingsOf(body.shape) > 0)
-    text += fmt::format(" --set \"Bodies/{}/Mesh/Refine=0\"", body.name);
-  return text;
+  return fmt::format(" \\\n    --set \"Bodies/{0}/Mesh/Type=Exodus\" --set \"Bodies/{0}/Mesh/File={1}.{2}\"", body.name,
+                     path, pieces);
 }
 
 } // namespace
@@ -94,8 +90,8 @@ std::string decompose(const RunSettings& settings, int pieces, const Components&
   writeOnFirstRank(comm, [&] {
     const std::string stem = outputStem(settings.output, deckName).string();
     for (std::size_t b = 0; b < model.bodies.size(); ++b)
-      if (!settings.scene.bodies[b].isRigid)
-        text += writeBody(settings.scene.bodies[b], model.bodies[b].mesh, pieces, stem);
+      if (const BodyModel& body = model.bodies[b]; !settings.scene.bodies[b].isRigid)
+        text += writeBody(settings.scene.bodies[b], body.drawn ? *body.drawn : body.mesh, pieces, stem);
   });
   return fmt::format("  wrote {} piece{} of each mesh; the deck reads them with{}", pieces, pieces == 1 ? "" : "s",
                      text);

@@ -7,6 +7,7 @@
 #include "facet_tree.hpp"
 #include "ndframe/fem/lagrange.hpp"
 #include "ndframe/mesh/surface_normals.hpp"
+#include "side_facets.hpp"
 
 namespace ndframe
 {
@@ -245,6 +246,18 @@ void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerA
       side.split(corner);
 }
 
+InterfaceMesh sideAlone(const Mesh& mesh, const std::vector<Facet>& facets, double cornerAngle)
+{
+  InterfaceMesh side;
+  side.dim = mesh.dim;
+  side.order = 1;
+  addSideFacets(side, mesh, makeNodeMap(mesh, 1), facets);
+  for (const int node : side.sides[0].nodes)
+    side.points.insert(side.points.end(), mesh.point(node), mesh.point(node) + mesh.dim);
+  turnNormals(side, mesh, cornerAngle);
+  return side;
+}
+
 bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
 {
   const FacetTree tree(earlier);
@@ -263,7 +276,7 @@ bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
         middle[k] += own[std::size_t(i)][k] / mesh.dim;
     const int parent = tree.nearest(middle).facet;
     const auto theirs = corners(earlier, parent);
-    const auto& ends = earlier.endNormals[std::size_t(parent)];
+    const VertexNormals ends = earlier.endNormals.empty() ? VertexNormals{} : earlier.endNormals[std::size_t(parent)];
     const double sign = dotProduct(ends[0], mesh.facetNormals[std::size_t(f)]) < 0.0 ? -1.0 : 1.0; // of the other body
     for (std::size_t i = 0; i < std::size_t(mesh.dim); ++i) {
       const auto place = mesh.dim == 2 ? placeOn(theirs[0], theirs[1], own[i]) : placeOn(theirs, own[i]);
@@ -273,8 +286,13 @@ bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier)
         normals[std::size_t(f)][i] = combine(1.0, normals[std::size_t(f)][i], sign * (*place)[a], ends[a]);
     }
   }
-  mesh.endNormals = std::move(normals);
-  setNodeNormals(mesh);
+  setMeanNormals(mesh);
+  if (earlier.endNormals.empty()) {
+    mesh.endNormals.clear();
+  } else {
+    mesh.endNormals = std::move(normals);
+    setNodeNormals(mesh);
+  }
   return true;
 }
 

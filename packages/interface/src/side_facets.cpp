@@ -55,16 +55,21 @@ void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& no
 void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Facet>& facets)
 {
   interface.sides[0].facets = facets;
-  interface.normals.assign(interface.sides[0].nodes.size(), Direction{});
-  const std::size_t nodes = interface.facets.size() / facets.size();
-  for (std::size_t f = 0; f < facets.size(); ++f) {
-    Direction normal{};
-    interface.measures.push_back(facetNormal(mesh, facets[f], normal.data()));
-    interface.facetNormals.push_back(normal);
-    for (std::size_t a = 0; a < nodes; ++a)
-      for (std::size_t k = 0; k < 3; ++k)
-        interface.normals[std::size_t(interface.facets[f * nodes + a])][k] += interface.measures.back() * normal[k];
+  for (const Facet facet : facets) {
+    interface.facetNormals.emplace_back();
+    interface.measures.push_back(facetNormal(mesh, facet, interface.facetNormals.back().data()));
   }
+  setMeanNormals(interface);
+}
+
+void setMeanNormals(InterfaceMesh& interface)
+{
+  interface.normals.assign(interface.sides[0].nodes.size(), Direction{});
+  for (int f = 0; f < interface.numFacets(); ++f)
+    for (int a = 0; a < interface.nodesPerFacet(); ++a)
+      for (std::size_t k = 0; k < 3; ++k)
+        interface.normals[std::size_t(interface.nodesOf(f)[a])][k] +=
+            interface.measures[std::size_t(f)] * interface.facetNormals[std::size_t(f)][k];
   for (auto& normal : interface.normals) {
     const double length = std::sqrt(dotProduct(normal, normal));
     for (double& component : normal)

@@ -17,9 +17,11 @@ InterfaceMesh emptyInterface(const std::string& name, const BodyModel& body);
 /// Fills in what an interface has of its first side alone: dirichletNodes (ascending), facets, and addNormals().
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets);
 
-/// Fills in dirichletFacets, measures, facetNormals and the normals at the nodes: the facets' weighted by their
-/// measure.
+/// Fills in dirichletFacets, measures, facetNormals and the normals at the nodes (setMeanNormals).
 void addNormals(InterfaceMesh& interface, const Mesh& mesh, const std::vector<Facet>& facets);
+
+/// Makes the normals at the nodes the facets', weighted by their measure.
+void setMeanNormals(InterfaceMesh& interface);
 
 /// Fills in gapFunction and gap: the deck's Gap, and what an obstacle adds to it (ObstacleOutline::gap). InputError
 /// where it is negative or not finite.

@@ -6,7 +6,6 @@
 #include "ndframe/interface/normal_field.hpp"
 #include "ndframe/interface/side_map.hpp"
 #include "rays.hpp"
-#include "side_facets.hpp"
 
 namespace ndframe
 {
@@ -33,12 +32,7 @@ struct Piece
 /// The facets of a side as edges, each with the body to its left.
 std::vector<Piece> facetEdges(const Mesh& mesh, const std::vector<Facet>& facets, double cornerAngle)
 {
-  InterfaceMesh side;
-  side.dim = 2;
-  addSideFacets(side, mesh, makeNodeMap(mesh, 1), facets);
-  for (const int node : side.sides[0].nodes)
-    side.points.insert(side.points.end(), mesh.point(node), mesh.point(node) + 2);
-  turnNormals(side, mesh, cornerAngle);
+  const InterfaceMesh side = sideAlone(mesh, facets, cornerAngle);
   std::vector<Piece> pieces;
   for (std::size_t f = 0; f < facets.size(); ++f) {
     const Direction& own = side.facetNormals[f];

@@ -99,9 +99,8 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
       {key, 0, inClosedRange(0, most),
        "How many times, k, every edge is halved when the mesh is read: a triangle becomes 4^k triangles, a tetrahedron "
        "8^k. Sides and groups are kept, and matching sides still match with the same number on both. A curve stays the "
-       "polygon of the mesh, with its corners: mesh it finely from the start. Where bodies touch along it, directions "
-       "of contact turn along the halved facets: their scene is another one, and so are its energies, than without "
-       "Refine (Accuracy keeps the directions of the meshes that it starts from). Several processes that solve solids "
+       "polygon of the mesh, with its corners: mesh it finely from the start. Directions of contact are those of the "
+       "mesh that is not halved: the scene is the same with every Refine. Several processes that solve solids "
        "whole (Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, "
        "where nothing asks for all of a body: no estimator Reference and no Accuracy; fields in pieces or Single "
        "(Exodus Files). Meshes that are not refined are shared out likewise from 200 vertices a process on, where "

@@ -110,6 +110,18 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh
   return scenesTold;
 }
 
+/// Interfaces of which only what they were as drawn is known.
+std::vector<InterfaceMesh> asFirst(std::vector<InterfaceMesh> sides)
+{
+  std::vector<InterfaceMesh> interfaces;
+  for (InterfaceMesh& side : sides) {
+    interfaces.emplace_back();
+    interfaces.back().name = side.name;
+    interfaces.back().firstMesh = std::make_shared<const InterfaceMesh>(std::move(side));
+  }
+  return interfaces;
+}
+
 /// What the deck alone decides.
 bool mayBeShared(const RunTools& tools)
 {
@@ -163,7 +175,8 @@ SceneToShare sceneToShare(const std::vector<Mesh>& meshes, const std::vector<Int
 void takeShares(Model& model, SceneToShare&& scene, const std::vector<InterfaceMesh>& earlier, const RunTools& tools)
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
-  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components, earlier,
+  const std::vector<InterfaceMesh> drawn = earlier.empty() ? asFirst(std::move(scene.told->sides)) : earlier;
+  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components, drawn,
                       tools.errors.has_value(), tools.comm, numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
 }

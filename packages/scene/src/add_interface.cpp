@@ -32,16 +32,28 @@ int findBody(const Model& model, const InterfaceSettings& settings, ContactRole 
   return -1;
 }
 
-/// A side that is the polygon it was before keeps the normals of the mesh that it had first.
-void keepNormals(InterfaceMesh& interface, const std::vector<InterfaceMesh>& earlier)
+/// Gives an interface the normals of its first mesh; false where it is not the same polygon any more.
+bool keepNormals(InterfaceMesh& interface, std::shared_ptr<const InterfaceMesh> first)
 {
-  for (const InterfaceMesh& before : earlier) {
-    if (before.name != interface.name || before.endNormals.empty())
-      continue;
-    auto first = before.firstMesh ? before.firstMesh : std::make_shared<const InterfaceMesh>(before);
-    if (inheritNormals(interface, *first))
-      interface.firstMesh = std::move(first);
-  }
+  const bool turn = !interface.endNormals.empty() || !first->endNormals.empty();
+  if (turn && !inheritNormals(interface, *first))
+    return false;
+  if (turn)
+    interface.firstMesh = std::move(first);
+  return true;
+}
+
+/// A side that is the polygon it was before, or as drawn, keeps the normals of the mesh that it had first.
+void keepNormals(InterfaceMesh& interface, const InterfaceSettings& settings, const SidePairing& pairing,
+                 const std::vector<InterfaceMesh>& earlier)
+{
+  if (pairing.drawn && !keepNormals(interface, pairing.drawn))
+    throw InputError(settings.place.mistake(
+        "", "the sides were cut to match, and what is cut does not lie on the bent side as it is drawn, which gives "
+            "the directions of contact: give the meshes of both bodies the same Refine."));
+  for (const InterfaceMesh& before : earlier)
+    if (before.name == interface.name && (before.firstMesh || !before.endNormals.empty()))
+      keepNormals(interface, before.firstMesh ? before.firstMesh : std::make_shared<const InterfaceMesh>(before));
 }
 
 /// Per interface node whether supports hold neither of its bodies there.
@@ -90,7 +102,7 @@ void addInterface(Model& model, const InterfaceSettings& settings, const SidePai
   interface.isMortar = settings.isMortar;
   refuseMeans(interface, settings, neumann);
   if (!interface.map)
-    keepNormals(interface, earlier);
+    keepNormals(interface, settings, pairing, earlier);
   interface.sides[0].body = first;
   interface.sides[1].body = second;
   if (diagnostics.empty() && interface.dim == 2) // else constraints may be missing

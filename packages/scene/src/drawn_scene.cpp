@@ -32,7 +32,10 @@ const Mesh* knownMesh(const Model& known, const SceneRecipe& recipe, std::size_t
 
 void refine(DrawnScene& drawn, std::size_t body)
 {
-  drawn.meshes[body] = refineUniformly(drawn.meshes[body]);
+  Mesh refined = refineUniformly(drawn.meshes[body]);
+  if (!drawn.before[body])
+    drawn.before[body] = std::make_shared<const Mesh>(std::move(drawn.meshes[body]));
+  drawn.meshes[body] = std::move(refined);
   --drawn.halvings[body];
 }
 
@@ -130,6 +133,28 @@ std::int64_t refinedNumber(const DrawnScene& drawn, std::size_t body, const std:
   return numbers.point(place);
 }
 
+/// The first sides of interfaces between bodies that have been or will be halved, by name, as drawn: they have the
+/// directions of contact.
+std::vector<InterfaceMesh> sidesAsDrawn(const DrawnScene& drawn)
+{
+  const auto isHalved = [&](const InterfaceSide& side) { return drawn.asked[std::size_t(side.body)] > 0; };
+  std::vector<InterfaceMesh> sides;
+  for (const InterfaceMesh& interface : drawn.model->interfaces) {
+    if (!isHalved(interface.dirichlet()) && !isHalved(interface.neumann()))
+      continue;
+    const InterfaceMesh& first = interface.firstMesh ? *interface.firstMesh : interface;
+    InterfaceMesh side;
+    side.name = interface.name;
+    side.dim = first.dim;
+    side.points = first.points;
+    side.facets = first.facets;
+    side.measures = first.measures;
+    side.endNormals = first.endNormals;
+    sides.push_back(std::move(side));
+  }
+  return sides;
+}
+
 } // namespace
 
 DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
@@ -141,6 +166,7 @@ DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& componen
   for (const BodySettings& body : scene.bodies)
     drawn.asked.push_back(body.isRigid ? 0 : halvingsOf(body.shape));
   drawn.halvings = drawn.asked;
+  drawn.before.resize(drawn.meshes.size());
   refineAlike(drawn, scene);
   refineWhereCut(drawn, scene);
   for (bool isRefined = true; isRefined && !haveEnough(drawn.meshes, ranks);) {
@@ -159,6 +185,7 @@ DrawnScene drawnOn(const std::vector<Mesh>& meshes, const SceneSettings& scene, 
 {
   DrawnScene drawn;
   drawn.asked.assign(scene.bodies.size(), 0);
+  drawn.before.resize(scene.bodies.size());
   drawn.halvings = drawn.asked;
   auto next = meshes.begin();
   for (const BodySettings& body : scene.bodies)
@@ -212,7 +239,12 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
   const auto timer = timeStage(ledger, Stage::Read);
   std::size_t next = 0;
   drawn.model = buildModel(
-      scene, components, [&](const BodySettings&) { return GivenMesh(std::move(drawn.meshes[next++])); }, earlier);
+      scene, components,
+      [&](const BodySettings&) {
+        const std::size_t b = next++;
+        return GivenMesh(std::move(drawn.meshes[b]), {}, std::move(drawn.before[b]));
+      },
+      earlier);
   drawn.meshes.clear();
   const std::vector<InterfaceMesh>& interfaces = drawn.model->interfaces;
   if (std::any_of(interfaces.begin(), interfaces.end(), [](const InterfaceMesh& one) { return one.isCut; }))
@@ -228,6 +260,7 @@ ToldScene told(const DrawnScene& drawn)
 {
   ToldScene scene = told(*drawn.model);
   scene.halvings = drawn.asked;
+  scene.sides = sidesAsDrawn(drawn);
   for (std::size_t b = 0; b < scene.regions.size(); ++b) {
     const BodyModel& body = drawn.model->bodies[b];
     for (BodyRegion& region : scene.regions[b])

@@ -2,7 +2,7 @@
 
 #include <fmt/format.h>
 
-#include "cut_meshes.hpp"
+#include "drawn_sides.hpp"
 
 namespace ndframe
 {
@@ -74,9 +74,24 @@ std::shared_ptr<const SideMap> mapOf(const InterfaceSettings& interface, const F
   if (auto before = earlierMap(interface.name, earlier);
       before && !facingPieces(*before, first, ours->facets, second, theirs->facets).empty())
     return before;
-  if (sidesMatch(first, *ours, second, *theirs))
+  const bool match = sidesMatch(first, *ours, second, *theirs);
+  if (match && matchAsDrawn(sides, meshes))
     return nullptr;
-  return mapBetween(sides, first, second, interface.cornerAngle);
+  auto map = mapAsDrawn(sides, meshes, first, second, interface.cornerAngle);
+  return match && !turns(*map) ? nullptr : map;
+}
+
+/// The pairing of two bodies that are not rigid.
+SidePairing pairingOf(const InterfaceSettings& interface, const FacingSides& sides,
+                      const std::vector<InterfaceMesh>& earlier, const std::vector<CutMesh>& meshes)
+{
+  SidePairing pairing;
+  pairing.map = mapOf(interface, sides, earlier, meshes);
+  pairing.isCut = haveOtherFacets(sides, meshes);
+  const bool areAlike = meshes[std::size_t(sides.firstBody)].mesh.dim == meshes[std::size_t(sides.secondBody)].mesh.dim;
+  if (!pairing.map && areAlike && bothExist(sides, meshes))
+    pairing.drawn = firstSideAsDrawn(sides, meshes, interface.cornerAngle);
+  return pairing;
 }
 
 /// Whether a map of earlier meshes still is one of this side.
@@ -110,7 +125,8 @@ SidePairing surfacePairing(Mesh& rigid, bool isMeshed, const InterfaceSettings& 
 SidePairing obstaclePairing(const Sides& scene, const InterfaceSettings& interface, const Params& surface,
                             bool isMeshed, const FacingSides& sides)
 {
-  const Mesh& first = scene.meshes[std::size_t(sides.firstBody)].mesh;
+  const CutMesh& body = scene.meshes[std::size_t(sides.firstBody)];
+  const Mesh& first = body.mesh;
   const Side* ours = first.findSide(sides.firstSide);
   if (ours == nullptr)
     throw InputError(interface.place.mistake(
@@ -121,7 +137,7 @@ SidePairing obstaclePairing(const Sides& scene, const InterfaceSettings& interfa
                           *ours);
   auto map = earlierMap(interface.name, scene.earlier);
   if (!suits(map, first, *ours)) {
-    SidePolygon side(first, ours->facets, interface.cornerAngle);
+    SidePolygon side = polygonAsDrawn(body, first, sides.firstSide, interface.cornerAngle);
     SidePolygon outline = obstacle->facing(side).polygon;
     map = std::make_shared<const SideMap>(std::move(side), std::move(outline));
   }
@@ -129,7 +145,7 @@ SidePairing obstaclePairing(const Sides& scene, const InterfaceSettings& interfa
     throw InputError(facesNothing(interface, sides.firstSide));
   if (!isMeshed)
     addStrip(scene.meshes[std::size_t(sides.secondBody)].mesh, interface.name, *map, first, ours->facets);
-  return {map, obstacle->facing(map->first()).gap, {}, false};
+  return {map, obstacle->facing(map->first()).gap};
 }
 
 /// A rigid body is the second one, has no sides of its own and touches something.
@@ -163,15 +179,16 @@ using MatchingSides = std::vector<std::pair<InterfaceSettings, FacingSides>>;
 
 /// Cells that are halved for one side may have a facet on another one, which does not match any more then: those that
 /// do not get a map and a place among the facing sides. False where all do.
-bool faceWhereCut(const std::vector<Mesh>& before, const std::vector<DerivedMesh>& cut, MatchingSides& matching,
-                  std::vector<FacingSides>& facing, std::map<std::string, SidePairing>& pairings)
+bool faceWhereCut(const std::vector<CutMesh>& meshes, const std::vector<Mesh>& before,
+                  const std::vector<DerivedMesh>& cut, MatchingSides& matching, std::vector<FacingSides>& facing,
+                  std::map<std::string, SidePairing>& pairings)
 {
   bool any = false;
   for (auto& [interface, sides] : matching) {
     const Mesh &first = cut[std::size_t(sides.firstBody)].mesh, &second = cut[std::size_t(sides.secondBody)].mesh;
     if (sides.map || sidesMatch(first, *first.findSide(sides.firstSide), second, *second.findSide(sides.secondSide)))
       continue;
-    sides.map = mapBetween(sides, before[std::size_t(sides.firstBody)], before[std::size_t(sides.secondBody)],
+    sides.map = mapAsDrawn(sides, meshes, before[std::size_t(sides.firstBody)], before[std::size_t(sides.secondBody)],
                            interface.cornerAngle);
     pairings[interface.name].map = sides.map;
     facing.push_back(sides);
@@ -199,7 +216,7 @@ void insertAll(std::vector<CutMesh>& meshes, std::vector<FacingSides> facing, Ma
       }
   }
   std::vector<DerivedMesh> cut = cutMeshes(before, facing, scene.interfacesPlace);
-  while (faceWhereCut(before, cut, matching, facing, pairings))
+  while (faceWhereCut(meshes, before, cut, matching, facing, pairings))
     cut = cutMeshes(before, facing, scene.interfacesPlace);
   for (std::size_t b = 0; b < meshes.size(); ++b)
     if (!cut[b].parents.empty()) {
@@ -260,7 +277,7 @@ std::map<std::string, SidePairing> matchSides(const SceneSettings& settings, con
       continue;
     const BodySettings& second = settings.bodies[std::size_t(sides.secondBody)];
     if (!second.isRigid)
-      pairing = {mapOf(interface, sides, earlier, meshes), {}, {}, haveOtherFacets(sides, meshes)};
+      pairing = pairingOf(interface, sides, earlier, meshes);
     else if (!isSolid(sides, meshes))
       pairing = obstaclePairing(scene, interface, second.shape, isMeshed[std::size_t(sides.secondBody)] != 0, sides);
     sides.map = pairing.map;

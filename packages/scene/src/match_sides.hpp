@@ -24,7 +24,9 @@ struct SidePairing
   std::shared_ptr<const SideMap> map;     ///< null where the sides match as they are
   std::string gap;                        ///< what a rigid body adds to the gap (ObstacleOutline)
   std::optional<ObstacleSurface> surface; ///< of a rigid body that a solid touches
-  bool isCut = false;                     ///< solids whose sides were not the same: pairCutSides
+  std::shared_ptr<const InterfaceMesh>
+      drawn{};        ///< the first side before its edges were halved, if they or the other's were
+  bool isCut = false; ///< solids whose sides were not the same: pairCutSides
 };
 
 /// Cuts the meshes of bodies where interfaces have sides that do not match (insertion), and makes those of rigid

@@ -34,6 +34,7 @@ BodyModel buildBody(const BodySettings& settings, const SceneComponents& compone
   body.base = std::move(given.base);
   body.parents = std::move(given.parents);
   body.uncutPoints = given.uncutPoints;
+  body.drawn = std::move(given.drawn);
   body.isRigid = settings.isRigid;
   body.share = std::move(given.share);
   if (body.isRigid) {
@@ -211,8 +212,10 @@ Model buildModel(const SceneSettings& scene, const SceneComponents& components)
 {
   Ledger nobody;
   ScriptMeshes scripts(nobody);
-  return buildModel(scene, components, [&](const BodySettings& body) {
-    return body.isRigid ? Mesh() : components.meshSources.build(body.shape)->readWith(scripts);
+  return buildModel(scene, components, [&](const BodySettings& body) -> GivenMesh {
+    if (body.isRigid)
+      return Mesh();
+    return readShared(*components.meshSources.build(body.shape), Comm::single(), scripts);
   });
 }
 
@@ -240,7 +243,8 @@ void updateModel(Model& model, const SceneSettings& scene, const SceneComponents
           return readShared(*components.meshSources.build(body.shape), comm, scripts, std::move(drawn[b]));
         ledger.count("meshes reused");
         const BodyModel& known = model.bodies[b];
-        return known.parents.empty() ? GivenMesh(known.mesh, known.nodes) : GivenMesh(known.base);
+        return known.parents.empty() ? GivenMesh(known.mesh, known.nodes, known.drawn)
+                                     : GivenMesh(known.base, {}, known.drawn);
       },
       {}, numThreads(comm));
   updated.recipe = std::move(recipe);

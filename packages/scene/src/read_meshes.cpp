@@ -24,9 +24,12 @@ void updateMeshes(Model& model, const SceneSettings& scene, const SceneComponent
     const bool isKnown = now.size() == before.size() && sameMesh(now[b], before[b]);
     read.bodies.emplace_back();
     read.bodies.back().name = body.name;
-    if (!body.isRigid)
-      read.bodies.back().mesh =
-          isKnown ? model.bodies[b].uncut() : readShared(*components.meshSources.build(body.shape), comm, scripts);
+    if (!body.isRigid) {
+      GivenMesh given = isKnown ? GivenMesh(model.bodies[b].uncut(), {}, model.bodies[b].drawn)
+                                : readShared(*components.meshSources.build(body.shape), comm, scripts);
+      read.bodies.back().mesh = std::move(given.mesh);
+      read.bodies.back().drawn = std::move(given.drawn);
+    }
     read.recipe.bodies.push_back({now[b].name, now[b].mesh, {}, {}});
   }
   model = std::move(read);

@@ -55,15 +55,11 @@ void walkHolds(Stream& stream, Holds& holds)
   }
 }
 
-/// Everything, in one order for both directions.
-template <class Stream, class Scene>
-void walk(Stream& stream, Scene& scene)
+template <class Stream, class Outlines>
+void walkOutlines(Stream& stream, Outlines& outlines)
 {
-  stream.arrays(scene.heldBy);
-  stream.array(scene.halvings);
-  stream.array(scene.diameters);
-  stream.length(scene.outlines);
-  for (auto& outline : scene.outlines) {
+  stream.length(outlines);
+  for (auto& outline : outlines) {
     stream.number(outline.measure);
     stream.length(outline.sides);
     for (auto& [name, side] : outline.sides) {
@@ -73,6 +69,30 @@ void walk(Stream& stream, Scene& scene)
       stream.array(side.corners);
     }
   }
+}
+
+template <class Stream, class Sides>
+void walkSides(Stream& stream, Sides& sides)
+{
+  stream.length(sides);
+  for (auto& side : sides) {
+    stream.array(side.name);
+    stream.number(side.dim);
+    stream.array(side.points);
+    stream.array(side.facets);
+    stream.array(side.measures);
+    stream.array(side.endNormals);
+  }
+}
+
+/// Everything, in one order for both directions.
+template <class Stream, class Scene>
+void walk(Stream& stream, Scene& scene)
+{
+  stream.arrays(scene.heldBy);
+  stream.array(scene.halvings);
+  stream.array(scene.diameters);
+  walkOutlines(stream, scene.outlines);
   stream.array(scene.rigid);
   for (auto* motions : {&scene.freeMotions, &scene.balancedMotions}) {
     stream.length(*motions);
@@ -95,6 +115,7 @@ void walk(Stream& stream, Scene& scene)
     stream.array(warning.what.path);
     stream.array(warning.what.message);
   }
+  walkSides(stream, scene.sides);
 }
 
 } // namespace

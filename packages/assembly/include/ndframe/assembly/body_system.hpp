@@ -33,7 +33,8 @@ struct BodyModel
   std::vector<std::unique_ptr<Load>> loads;       ///< in the order of the deck
   Mesh base;                ///< the mesh that was cut where sides do not match; empty where `mesh` was not cut
   std::vector<int> parents; ///< then per cell of `mesh` the cell of `base` that it is a part of
-  int uncutPoints = 0;      ///< vertices of `mesh` but those that cut facets in the plane, which follow; 0: no such
+  std::shared_ptr<const Mesh> drawn{}; ///< the mesh before its edges were halved (Refine); null: it is that one
+  int uncutPoints = 0;  ///< vertices of `mesh` but those that cut facets in the plane, which follow; 0: no such
   bool isRigid = false; ///< an obstacle: `mesh` only shows where it is; all its nodes are held, it carries no stress
   std::vector<BodyRegion> regions{}; ///< none: the body is one part
   std::vector<int> regionOfCell{};   ///< per cell; empty without regions

@@ -53,7 +53,8 @@ struct InterfaceMesh
   /// n_c at the vertices of each facet, linear in between, where it turns along the facet; zero on facets that keep
   /// their own normal. Empty where nothing turns.
   std::vector<VertexNormals> endNormals;
-  std::shared_ptr<const InterfaceMesh> firstMesh; ///< the side as first meshed, which gave the normals; null: this one
+  std::shared_ptr<const InterfaceMesh>
+      firstMesh;                      ///< the side as drawn or first meshed, which gave the normals; null: this one
   std::shared_ptr<const SideMap> map; ///< in the plane which points face each other; null: sides match as drawn
   bool isCut = false;                 ///< the meshes were cut to match; each body is refined by itself
   bool isMortar = false;              ///< contact is asked in weighted means (MortarSpace)

@@ -32,9 +32,13 @@ void setNodeNormals(InterfaceMesh& mesh);
 void splitCorners(InterfaceMesh& mesh, const Mesh& dirichletMesh, double cornerAngle,
                   const std::vector<char>& maySplit);
 
+/// One side with the vertices of its facets and their normals (turnNormals), without the other side.
+InterfaceMesh sideAlone(const Mesh& mesh, const std::vector<Facet>& facets, double cornerAngle);
+
 /// Gives a mesh the normals of another one of the same polygon, whose facets contain its facets: the condition of
-/// contact stays the same function. `earlier` may look from the other body. False, and nothing is changed, where `mesh`
-/// does not lie on the polygon (up to 1e-6 of its facets), as when a curve was meshed anew.
+/// contact stays the same function. Where the other one keeps its facets' own, this one does. `earlier` may look from
+/// the other body. False, and nothing is changed, where `mesh` does not lie on the polygon (up to 1e-6 of its facets),
+/// as when a curve was meshed anew.
 bool inheritNormals(InterfaceMesh& mesh, const InterfaceMesh& earlier);
 
 } // namespace ndframe

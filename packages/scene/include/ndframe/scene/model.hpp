@@ -86,20 +86,23 @@ void updateModel(Model& model, const SceneSettings& scene, const SceneComponents
 struct GivenMesh
 {
   /// givenNodes: of this mesh, with the order of the deck; empty: made when the body is built.
-  GivenMesh(Mesh givenMesh, NodeMap givenNodes = {}) : mesh(std::move(givenMesh)), nodes(std::move(givenNodes)) {}
+  GivenMesh(Mesh givenMesh, NodeMap givenNodes = {}, std::shared_ptr<const Mesh> before = {})
+      : mesh(std::move(givenMesh)), nodes(std::move(givenNodes)), drawn(std::move(before))
+  {}
   Mesh mesh;     ///< before it is cut at others
   NodeMap nodes; ///< empty: made when the body is built
   /// Of a rank's part of a body (BodyModel::share), which has been cut; null: the mesh is the body's.
   std::shared_ptr<const BodyShare> share{};
+  std::shared_ptr<const Mesh> drawn; ///< before its edges were halved: its facets say how n turns; null: it is `mesh`
 };
 
 /// The mesh of a body; of a rigid one an empty mesh if it has to be made.
 using MeshOfBody = std::function<GivenMesh(const BodySettings& body)>;
 
-/// The same scene on other meshes than those that the deck names. earlier: the interfaces of this scene on meshes
-/// before; a side that still is the same polygon keeps their normals (inheritNormals). threads: for loads that are
-/// sampled; their number changes no bit. told: meshes are shares of the bodies of this scene, which is checked as a
-/// whole where it was told.
+/// The same scene on other meshes than those that the deck names. Directions of contact are those of the meshes as
+/// drawn (GivenMesh::drawn). earlier: the interfaces of this scene on meshes before; a side that still is the same
+/// polygon keeps their normals (inheritNormals). threads: for loads that are sampled; their number changes no bit.
+/// told: meshes are shares of the bodies of this scene, which is checked as a whole where it was told.
 Model buildModel(const SceneSettings& scene, const SceneComponents& components, const MeshOfBody& meshOf,
                  const std::vector<InterfaceMesh>& earlier = {}, int threads = 1,
                  std::shared_ptr<const ToldScene> told = {});

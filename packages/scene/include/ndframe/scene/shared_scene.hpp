@@ -12,7 +12,9 @@ namespace ndframe
 /// it.
 struct DrawnScene
 {
-  std::vector<Mesh> meshes;            ///< per body, until the model is built; of rigid bodies none
+  std::vector<Mesh> meshes; ///< per body, until the model is built; of rigid bodies none
+  /// Per body what it was before the first halving that has been; null: none has.
+  std::vector<std::shared_ptr<const Mesh>> before;
   std::vector<int> asked;              ///< per body: halvings of its mesh as read (halvingsOf); zero for rigid bodies
   std::vector<int> halvings;           ///< per body: those of them that are to come
   std::vector<RefinedNumbers> numbers; ///< per body, with these; none where ranks cannot share them out (areEnough)
@@ -53,8 +55,8 @@ std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene);
 /// (DrawnOwners), with the cells around them, and the cells at contact on every rank. Interfaces are the same on all
 /// ranks, to the bit, but for the numbers of nodes and cells. What is said of bodies as a whole (rigid motions that
 /// supports leave free) is what all ranks are told. Loads and constraints are those of the part: complete at own nodes,
-/// constraints at all. withHalo: cells with a vertex of an own cell are there, too. earlier: like buildModel(), the
-/// same on all ranks. Collective.
+/// constraints at all. earlier: like buildModel(), the same on all ranks. withHalo: cells with a vertex of an own cell
+/// are there, too. Collective.
 ///
 /// drawn: of rank 0, empty elsewhere; it is handed out in parts (DrawnParts), one after the other, and given back.
 /// Drawn vertices are shared out by METIS as one graph of all bodies (joinedVertices).

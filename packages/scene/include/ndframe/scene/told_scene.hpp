@@ -8,6 +8,7 @@
 #include "ndframe/assembly/body_system.hpp"
 #include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/interface/interface_mesh.hpp"
 #include "ndframe/mesh/outline.hpp"
 
 namespace ndframe
@@ -56,9 +57,11 @@ struct ToldScene
   std::vector<char> areCut;                     ///< per interface: InterfaceMesh::isCut
   std::string pulledOff;         ///< of all bodies: why refusePulledOff() would refuse them; empty: it does not
   std::vector<Warning> warnings; ///< of the scene
+  /// Of interfaces: their names, points, facets, measures and normals at ends of the sides as drawn.
+  std::vector<InterfaceMesh> sides;
 };
 
-/// What a model of the whole scene says; without halvings, pins, whose nodes have other numbers, and warnings.
+/// What a model of the whole scene says; without halvings, pins, whose nodes have other numbers, warnings and sides.
 ToldScene told(const Model& whole);
 
 /// Gives supports that hold no side the equations that they have in the shares of these bodies.
