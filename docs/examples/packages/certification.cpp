@@ -30,7 +30,7 @@ int main()
   const CondensedModel condensed = condense(model, *solver, *representation, comm, ledger);
   const SweepObserver silent = [](const SweepRecord&, const InterfaceState&) {};
   const auto coupling = components->couplings.build(deck.sub("Coupling"))->solve(condensed.interface, silent, ledger);
-  const auto fields = recoverFields(model, condensed, {coupling.state}, ledger);
+  const auto fields = recoverFields(model, condensed, {coupling.state}, comm, ledger);
   std::shared_ptr<const ReferenceSolution> reference; // none is asked for
   const Certificate certificate = certify(settings.scene, *settings.errors, *components, model, condensed, coupling,
                                           fields, comm, ledger, reference);

@@ -27,7 +27,7 @@ int main()
                                    ->solve(
                                        condensed.interface, [](auto&, auto&) {}, ledger)
                                    .state;
-  const auto fields = recoverFields(model, condensed, {state}, ledger); // of all bodies, per state
+  const auto fields = recoverFields(model, condensed, {state}, comm, ledger); // of all bodies, per state
 
   const auto contact = contactNodes(model, condensed, state, fields, 0);
   const ResidualSummary residual = residuals(model, condensed, state, fields, contact, comm);

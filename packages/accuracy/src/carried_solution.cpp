@@ -71,6 +71,14 @@ std::vector<int> inOrder(const BodyShare& share, std::size_t count)
   return cells;
 }
 
+std::vector<Global> numbersOf(const std::vector<int>& cells, const BodyShare& share)
+{
+  std::vector<Global> numbers;
+  for (const int cell : cells)
+    numbers.push_back(share.cells().numbers[std::size_t(cell)]);
+  return numbers;
+}
+
 /// The nodes of a body whose values this rank finds, each with an uncut cell of the whole body that it belongs to: the
 /// first one, whatever the shares are.
 struct Wanted
@@ -188,29 +196,26 @@ Vector CarriedSolution::Body::at(const std::vector<Global>& cells, const Vector&
   if (!share)
     return at({cells.begin(), cells.end()}, points);
   const std::vector<int> own = inOrder(*share, std::size_t(share->numOwnCells()));
-  std::vector<Global> numbers;
-  for (const int cell : own)
-    numbers.push_back(share->cells().numbers[std::size_t(cell)]);
-  const IndexMap map(share->numCells(), std::move(numbers));
+  const IndexMap map(share->numCells(), numbersOf(own, *share));
   const std::vector<int> owners = ownersOf(cells, map, comm);
   const auto dim = std::size_t(nodes.dim);
-  std::vector<Vector> asked(std::size_t(comm.size())), answers(asked.size());
+  std::vector<Vector> asked(std::size_t(comm.size()));
   for (std::size_t i = 0; i < cells.size(); ++i) {
     Vector& message = asked[std::size_t(owners[i])];
     const double* const point = points.data() + i * dim;
     message.push_back(double(cells[i]));
     message.insert(message.end(), point, point + dim);
   }
-  asked = exchangedValues(asked, comm);
-  for (std::size_t rank = 0; rank < asked.size(); ++rank) {
+  std::vector<Vector> answers;
+  for (const Vector& questions : exchangedValues(asked, comm)) {
     std::vector<int> here;
     Vector places;
-    for (std::size_t next = 0; next < asked[rank].size(); next += dim + 1) {
-      const double* const question = asked[rank].data() + next;
+    for (std::size_t next = 0; next < questions.size(); next += dim + 1) {
+      const double* const question = questions.data() + next;
       here.push_back(own[std::size_t(map.local(Global(question[0])))]);
       places.insert(places.end(), question + 1, question + 1 + dim);
     }
-    answers[rank] = at(here, places);
+    answers.push_back(at(here, places));
   }
   answers = exchangedValues(answers, comm);
   Vector result;
