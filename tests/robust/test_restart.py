@@ -398,7 +398,7 @@ class Refused(Restarts):
     def test_another_version(self):
         path = self.ended()
         path.write_bytes(path.read_bytes().replace(b"gversione0.1.0", b"gversione0.0.9"))
-        self.refuse("was written by ndframe 0.0.9 (format 6), and this is 0.1.0 (format 6)", BEGIN_AGAIN)
+        self.refuse("was written by ndframe 0.0.9 (format 7), and this is 0.1.0 (format 7)", BEGIN_AGAIN)
 
     def test_files_that_are_no_checkpoints(self):
         path = self.ended()

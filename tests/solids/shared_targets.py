@@ -45,10 +45,9 @@ def difference(one, shared):
                 return f"level {first['level']}: bounds {first['bound']!r} and {second['bound']!r}"
             if first["guaranteed"] != second["guaranteed"]:
                 return f"level {first['level']}: {first['reason']!r} and {second['reason']!r}"
-    certificates = [run.summary["errors"]["energy_bracket"] and run.summary["errors"]["energy_bracket"]["certificates"]
-                    for run in (one, shared) if run.summary["errors"]]
-    if len(set(certificates)) > 1:
-        return f"brackets are of {certificates[0]} and of {certificates[1]} certificates"
+    bracket = shared.summary["errors"] and shared.summary["errors"]["energy_bracket"]
+    if bracket and bracket["certificates"] < last:
+        return f"{bracket['certificates']} certificates of {last} levels are of one scene"
     return brackets_differ((one, shared))
 
 

@@ -1,10 +1,13 @@
 """What tests of solids of which several processes have shares have in common; the script's arguments are NDFRAME DECKS MPIEXEC."""
 
 import json
+import os
 import pathlib
+import signal
 import subprocess
 import sys
 import tempfile
+import time
 import unittest
 from xml.etree import ElementTree
 
@@ -27,6 +30,17 @@ def add(parent, name, *lists, **parameters):
     for build in lists:
         build(made)
     return made
+
+
+def kill_session(leader):
+    """Kills all processes of a session at once: ranks would go on for a while without their mpiexec."""
+    for entry in pathlib.Path("/proc").glob("[0-9]*"):
+        try:
+            session = int((entry / "stat").read_text().rpartition(")")[2].split()[3])
+            if session == leader:
+                os.kill(int(entry.name), signal.SIGKILL)
+        except (FileNotFoundError, ProcessLookupError):
+            pass
 
 
 class SharesTest(unittest.TestCase):
@@ -61,6 +75,24 @@ class SharesTest(unittest.TestCase):
         if summary and ranks > 1:
             self.assertGreater(summary["ledger"]["counts"].get("shared bodies", 0), 0, "ranks have shares")
         return summary
+
+    def killed(self, root, ranks, name, times, *settings):
+        """A run that is killed when its checkpoint has come so many times; whether it was."""
+        (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
+        options = [part for setting in (*settings, f"Output/Name={name}") for part in ("--set", setting)]
+        process = subprocess.Popen([MPIEXEC, "--oversubscribe", "-np", str(ranks), NDFRAME, "-i", "deck.xml", *options], cwd=self.folder,
+                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
+        path, seen = self.folder / f"{name}.checkpoint", set()
+        while process.poll() is None and len(seen) < times:
+            if path.exists():
+                seen.add(path.stat().st_mtime_ns)
+            time.sleep(0.001)
+        kill_session(process.pid)
+        process.wait()
+        return not (self.folder / f"{name}.summary.json").exists()
+
+    def parts(self, name):
+        return sorted(path.name for path in self.folder.glob(f"{name}.checkpoint.*"))
 
     def compare(self, one, other, path="probes"):
         """The same numbers but for the solver's tolerance."""

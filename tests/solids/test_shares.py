@@ -4,13 +4,9 @@ Probes, warnings and the one file of all are those of one process; only the orde
 Runs that are ended go on, on as many processes with the same bits.
 """
 
-import os
 import pathlib
 import re
-import signal
-import subprocess
 import sys
-import time
 import unittest
 from xml.etree import ElementTree
 
@@ -19,18 +15,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).parents[1] / "io"))
 import exodus_pieces  # noqa: E402
 import ndframe  # noqa: E402
 import netCDF4  # noqa: E402
-from shares_test import MPIEXEC, NDFRAME, PUNCH, SharesTest, add  # noqa: E402
-
-
-def kill_session(leader):
-    """Kills all processes of a session at once: ranks would go on for a while without their mpiexec."""
-    for entry in pathlib.Path("/proc").glob("[0-9]*"):
-        try:
-            session = int((entry / "stat").read_text().rpartition(")")[2].split()[3])
-            if session == leader:
-                os.kill(int(entry.name), signal.SIGKILL)
-        except (FileNotFoundError, ProcessLookupError):
-            pass
+from shares_test import PUNCH, SharesTest, add  # noqa: E402
 
 
 class Shares(SharesTest):
@@ -136,30 +121,12 @@ class Shares(SharesTest):
     LOSS = ["Linear Solver/Type=Multigrid", "Bodies/upper/Mesh/Cells={3, 3, 2}", "Bodies/lower/Mesh/Cells={6, 6, 3}",
             "Bodies/upper/Mesh/Refine=1", "Bodies/lower/Mesh/Refine=1", "Output/Checkpoint=true", "Output/Exodus Files=Pieces"]
 
-    def killed(self, root, ranks, name, passes):
-        """A run that is killed when its checkpoint has come so many times; whether it was."""
-        (self.folder / "deck.xml").write_bytes(ElementTree.tostring(root))
-        options = [part for setting in (*self.LOSS, f"Output/Name={name}") for part in ("--set", setting)]
-        process = subprocess.Popen([MPIEXEC, "--oversubscribe", "-np", str(ranks), NDFRAME, "-i", "deck.xml", *options], cwd=self.folder,
-                                   stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL, start_new_session=True)
-        path, seen = self.folder / f"{name}.checkpoint", set()
-        while process.poll() is None and len(seen) < passes:
-            if path.exists():
-                seen.add(path.stat().st_mtime_ns)
-            time.sleep(0.001)
-        kill_session(process.pid)
-        process.wait()
-        return not (self.folder / f"{name}.summary.json").exists()
-
-    def parts(self, name):
-        return sorted(path.name for path in self.folder.glob(f"{name}.checkpoint.*"))
-
     def test_killed_runs_go_on_on_any_number_of_processes(self):
         root, caught = self.bare("contact-loss-3d"), 0
         whole = self.right(root, 3, *self.LOSS, name="whole")
         self.assertEqual(self.parts("whole"), [], "a run that has ended leaves no parts")
         for passes in (1, 2):
-            if not self.killed(root, 3, "np3", passes):
+            if not self.killed(root, 3, "np3", passes, *self.LOSS):
                 continue
             caught += 1
             self.assertGreaterEqual(len(self.parts("np3")), 3)
@@ -178,7 +145,7 @@ class Shares(SharesTest):
                     tables = [(self.folder / f"{name}.contact.csv").read_bytes() for name in ("np3", "whole")]
                     self.assertEqual(tables[0], tables[1])
             one = self.restart_alone(root, kept)
-            self.assertIn("processes that have shares of the bodies", one)
+            self.assertIn("have the interfaces of processes that share out other meshes, or of one that has all", one)
             name = next(name for name in kept if name.endswith(".3.1"))
             (self.folder / name).unlink()
             done, _ = self.run_deck(root, 3, *self.LOSS, name="np3", more=["--restart"])

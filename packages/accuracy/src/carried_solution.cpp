@@ -110,32 +110,6 @@ Wanted wantedOf(const BodyModel& body)
   return wanted;
 }
 
-/// On rank 0, from the parts of all ranks. Collective.
-Vector gathered(const Vector& ofPart, int dim, const BodyShare& share, const Comm& comm)
-{
-  std::vector<Vector> sent(std::size_t(comm.size()));
-  for (const int node : share.ownNodes()) {
-    sent[0].push_back(double(share.numbers()[std::size_t(node)]));
-    const auto first = ofPart.begin() + std::ptrdiff_t(node) * dim;
-    sent[0].insert(sent[0].end(), first, first + dim);
-  }
-  const std::vector<Vector> received = exchangedValues(sent, comm);
-  Vector all(comm.rank() == 0 ? std::size_t(share.numNodes()) * std::size_t(dim) : 0);
-  for (const Vector& message : received)
-    for (auto next = message.begin(); next != message.end(); next += dim + 1)
-      std::copy_n(next + 1, dim, all.begin() + std::ptrdiff_t(*next) * dim);
-  return all;
-}
-
-/// What this rank has of it.
-Vector partOf(const Vector& all, int dim, const BodyShare& share)
-{
-  Vector part;
-  for (const Global number : share.numbers())
-    part.insert(part.end(), all.begin() + std::ptrdiff_t(number) * dim, all.begin() + std::ptrdiff_t(number + 1) * dim);
-  return part;
-}
-
 } // namespace
 
 CarriedSolution::CarriedSolution(const Run& run)
@@ -148,18 +122,6 @@ CarriedSolution::CarriedSolution(const Run& run)
   }
 }
 
-CarriedSolution::CarriedSolution(const Model& model, const std::vector<Vector>& values)
-{
-  auto next = values.begin();
-  for (const int b : model.elasticBodies()) {
-    const BodyModel& body = model.bodies[std::size_t(b)];
-    if (next == values.end() || std::int64_t(next->size()) != body.totalDofs())
-      throw InputError("The displacements to go on from are those of other meshes.");
-    add(body, body.share ? partOf(*next, body.mesh.dim, *body.share) : *next);
-    ++next;
-  }
-}
-
 void CarriedSolution::add(const BodyModel& body, Vector values)
 {
   Body carried{body.nodes, {}, std::move(values), body.share};
@@ -167,14 +129,6 @@ void CarriedSolution::add(const BodyModel& body, Vector values)
   for (std::size_t cell = 0; cell < body.parents.size(); ++cell)
     carried.parts[std::size_t(body.parents[cell])].push_back(int(cell));
   bodies_.push_back(std::move(carried));
-}
-
-std::vector<Vector> CarriedSolution::values(const Comm& comm) const
-{
-  std::vector<Vector> values;
-  for (const Body& body : bodies_)
-    values.push_back(body.share ? gathered(body.values, body.nodes.dim, *body.share, comm) : body.values);
-  return values;
 }
 
 Vector CarriedSolution::Body::at(const std::vector<int>& cells, const Vector& points) const

@@ -18,7 +18,8 @@ public:
   explicit CarriedSolution(const Run& run);
   /// The same with values(), on every rank. Throws InputError where they are not of such a model.
   CarriedSolution(const Model& model, const std::vector<Vector>& values);
-  /// Per elastic body and node of the whole body, global axes; where bodies are shared out, on rank 0 only. Collective.
+  /// Per elastic body and node of the whole body, in the order of the numbers of shares, global axes; where bodies are
+  /// shared out, on rank 0 only. Collective.
   std::vector<Vector> values(const Comm& comm) const;
 
   /// Their values at the nodes of another run's bodies, per body of its interfaces, in the nodes' own axes, without

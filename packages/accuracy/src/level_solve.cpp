@@ -45,7 +45,8 @@ CouplingStart AdaptiveRun::presentState() const
 void AdaptiveRun::solveFrom(CouplingStart start, SweepsRecord& before)
 {
   start.sweeps.every = restart_.sweeps;
-  start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start); };
+  if (restart_.write)
+    start.sweeps.keep = [&](const SweepsDone& done) { keepSweeps(before, done, start); };
   start.sweeps = sharedPasses(std::move(start.sweeps), run_.model, shared_, tools_.comm);
   solveRun(run_, tools_, silent_, start);
   isLoose_ = start.exactness == Exactness::Rough && !run_.solved.coupling.state.fields.empty();

@@ -127,6 +127,8 @@ SweepsRecord AdaptiveRun::takeSweeps(CouplingStart& start)
     return {};
   SweepsRecord taken = std::move(*sweepsDone_);
   sweepsDone_.reset();
+  if (!arePassesOf(taken.done, shared_, run_.model))
+    return {}; // other ranks have kept them: this level begins anew
   recall(taken.energy);
   start.iterationError = taken.goal;
   start.exactness = taken.isRough ? Exactness::Rough : Exactness::Full;

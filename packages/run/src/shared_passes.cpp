@@ -5,6 +5,7 @@
 #include <cstring>
 #include <limits>
 #include <map>
+#include <numeric>
 
 #include <fmt/format.h>
 
@@ -42,16 +43,21 @@ std::string hashOf(const std::vector<InterfaceMesh>& interfaces)
 std::vector<const BodyModel*> bodiesOf(const Model& model)
 {
   std::vector<const BodyModel*> bodies;
-  for (std::size_t b = 0; b < model.bodies.size(); ++b)
-    if (model.bodies[b].share && model.touches(int(b)))
-      bodies.push_back(&model.bodies[b]);
+  for (const int b : model.elasticBodies())
+    if (model.touches(b))
+      bodies.push_back(&model.bodies[std::size_t(b)]);
   return bodies;
 }
 
-Vector ownPlaces(const BodyModel& body)
+/// Of the nodes that this rank has the fields at.
+Vector placesOf(const BodyModel& body)
 {
+  std::vector<int> nodes(std::size_t(body.nodes.numNodes()));
+  std::iota(nodes.begin(), nodes.end(), 0);
+  if (body.share)
+    nodes = body.share->ownNodes();
   Vector places;
-  for (const int node : body.share->ownNodes()) {
+  for (const int node : nodes) {
     const auto x = body.nodes.point(node);
     for (std::size_t k = 0; k < axes; ++k)
       places.push_back(k < std::size_t(body.mesh.dim) ? x[k] + 0.0 : 0.0); // no zeros with a sign
@@ -136,35 +142,41 @@ private:
 void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model, const Comm& comm)
 {
   const std::vector<const BodyModel*> bodies = bodiesOf(model);
-  if (from.interfaces != hashOf(model.interfaces) || memory.fields.size() != bodies.size() ||
-      from.places.size() != bodies.size())
-    refuse(
-        "are of other interfaces, or of processes that share out other meshes: small ones are refined first, and the "
-        "more the more processes there are. Go on with as many as before");
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Directory directory(from.places[b], memory.fields[b], std::size_t(bodies[b]->mesh.dim), comm);
-    if (!directory.find(ownPlaces(*bodies[b]), memory.fields[b]))
+    const bool tells = from.areParts || comm.rank() == 0; // whole fields are all ranks'
+    const Directory directory(tells ? from.places[b] : Vector(), tells ? memory.fields[b] : Vector(),
+                              std::size_t(bodies[b]->mesh.dim), comm);
+    if (!directory.find(placesOf(*bodies[b]), memory.fields[b]))
       refuse(fmt::format("have no displacements at some nodes of \"{}\"", bodies[b]->name));
   }
 }
 
 } // namespace
 
+bool arePassesOf(const SweepsDone& done, const SharedPasses& shared, const Model& model)
+{
+  const std::size_t fields = done.passes ? done.passes->system.fields.size() : 0;
+  const bool areAllWhole = !model.told && !shared.areParts;
+  return fields == 0 || areAllWhole ||
+         (shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
+          shared.places.size() == fields);
+}
+
 SweepsKept sharedPasses(SweepsKept sweeps, const Model& model, SharedPasses& shared, const Comm& comm)
 {
-  const std::vector<const BodyModel*> bodies = bodiesOf(model);
+  const bool areParts = model.told != nullptr;
+  if (sweeps.after && !arePassesOf(*sweeps.after, shared, model))
+    refuse("have the interfaces of processes that share out other meshes, or of one that has all of them: small ones "
+           "are refined first, the more the more processes there are. Go on with as many as before");
   const bool hasFields = sweeps.after && sweeps.after->passes && !sweeps.after->passes->system.fields.empty();
-  if (hasFields && shared.places.empty() != bodies.empty())
-    refuse(bodies.empty() ? "are of several processes that have shares of the bodies; go on with several"
-                          : "are of whole bodies, and these processes have shares of them; go on with one");
-  if (bodies.empty())
-    return sweeps;
-  if (hasFields)
+  if (hasFields && (areParts || shared.areParts))
     takeOwn(sweeps.after->passes->system, shared, model, comm);
+  shared = {areParts, {}, {}};
+  if (!sweeps.keep || !model.solvesWhole)
+    return sweeps;
   shared.interfaces = hashOf(model.interfaces);
-  shared.places.clear();
-  for (const BodyModel* const body : bodies)
-    shared.places.push_back(ownPlaces(*body));
+  for (const BodyModel* const body : bodiesOf(model))
+    shared.places.push_back(placesOf(*body));
   return sweeps;
 }
 
