@@ -20,7 +20,7 @@ double value(std::mt19937& random)
 /// M = R^T R of a banded R with a positive diagonal, f of any sign; conditions that a random x <= 0 meets.
 BandedProgram randomProgram(int n, int bandwidth, int conditions, std::mt19937& random)
 {
-  BandedProgram program{BandMatrix(n, bandwidth), Vector(std::size_t(n)), SparseColumns(n, conditions),
+  BandedProgram program{SymmetricRows(n), Vector(std::size_t(n)), SparseColumns(n, conditions),
                         Vector(std::size_t(conditions))};
   DenseMatrix R(n, n);
   for (int j = 0; j < n; ++j)
@@ -29,7 +29,7 @@ BandedProgram randomProgram(int n, int bandwidth, int conditions, std::mt19937& 
   const DenseMatrix M = multiplyTransposed(R, R);
   for (int j = 0; j < n; ++j)
     for (int i = j; i < std::min(n, j + bandwidth + 1); ++i)
-      program.M(i, j) = M(i, j);
+      program.M.add(i, j, M(i, j));
   for (int i = 0; i < n; ++i)
     program.f[std::size_t(i)] = 5.0 * value(random);
   for (int k = 0; k < conditions; ++k)
@@ -48,8 +48,8 @@ Vector denseMinimum(const BandedProgram& program)
   for (int i = 0; i < n; ++i) {
     dense.h[std::size_t(i)] *= -1.0;
     dense.B(i, i) = 1.0;
-    for (int j = std::max(0, i - program.M.bandwidth()); j < std::min(n, i + program.M.bandwidth() + 1); ++j)
-      dense.H(i, j) = program.M(i, j);
+    for (const auto& [j, entry] : program.M.rows()[std::size_t(i)])
+      dense.H(i, j) = entry;
     for (int k = 0; k < conditions; ++k) {
       dense.B(n + 2 * k, i) = program.W(i, k);
       dense.B(n + 2 * k + 1, i) = -program.W(i, k);
@@ -90,12 +90,12 @@ TEST(BandedProgram, ANumberingThatMakesTheBandWideChangesNothing)
   std::mt19937 random(4);
   for (int conditions = 0; conditions < 3; ++conditions) {
     const BandedProgram program = randomProgram(n, 2, conditions, random);
-    BandedProgram wide{BandMatrix(n, n - 1), Vector(std::size_t(n)), SparseColumns(n, conditions), program.r};
+    BandedProgram wide{SymmetricRows(n), Vector(std::size_t(n)), SparseColumns(n, conditions), program.r};
     const auto place = [](int i) { return 37 * i % n; };
     for (int i = 0; i < n; ++i) {
       wide.f[std::size_t(place(i))] = program.f[std::size_t(i)];
       for (int j = std::max(0, i - 2); j <= i; ++j)
-        wide.M(place(i), place(j)) = program.M(i, j);
+        wide.M.add(place(i), place(j), program.M(i, j));
       for (int k = 0; k < conditions; ++k)
         wide.W(place(i), k) = program.W(i, k);
     }
@@ -123,11 +123,11 @@ TEST(BandedProgram, DependentAndVanishingConditionsAreHarmless)
 TEST(BandedProgram, ConditionsThatOnePointMeetsFindIt)
 {
   // the resultant and the moment of a force at the last entry
-  BandedProgram program{BandMatrix(6, 1), Vector(6, 3.0), SparseColumns(6, 2), {-2.0, -10.0}};
+  BandedProgram program{SymmetricRows(6), Vector(6, 3.0), SparseColumns(6, 2), {-2.0, -10.0}};
   for (int i = 0; i < 6; ++i) {
-    program.M(i, i) = 2.0;
+    program.M.add(i, i, 2.0);
     if (i > 0)
-      program.M(i, i - 1) = 0.5;
+      program.M.add(i, i - 1, 0.5);
     program.W(i, 0) = 1.0, program.W(i, 1) = i;
   }
   expectSame(*minimise(program), {0.0, 0.0, 0.0, 0.0, 0.0, -2.0}, 1e-12);
@@ -142,14 +142,14 @@ TEST(BandedProgram, DegenerateDataEnd)
     Vector x(20, 0.0);
     for (std::size_t i = 0; i < 20; i += 1 + random() % 3)
       x[i] = -std::abs(value(random));
-    program.f = multiply(program.M, x);
+    program.f = product(program.M.rows(), x);
     expectSame(*minimise(program), x, 1e-13);
   }
 }
 
 TEST(BandedProgram, OfNothingIsSolved)
 {
-  EXPECT_TRUE(minimise(BandedProgram{BandMatrix(0, 0), {}, {}, {}})->empty());
+  EXPECT_TRUE(minimise(BandedProgram{SymmetricRows(0), {}, {}, {}})->empty());
 }
 
 } // namespace ndframe

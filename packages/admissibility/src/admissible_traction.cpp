@@ -42,17 +42,6 @@ public:
 
   int position(int node) const { return position_[std::size_t(node)]; }
 
-  int bandwidth() const
-  {
-    int width = 0;
-    for (const ContactPatch& patch : patches_)
-      for (int i = 0; i < nodesPerFacet_; ++i)
-        for (int j = 0; j < i; ++j)
-          width =
-              std::max(width, std::abs(position(patch.nodes[std::size_t(i)]) - position(patch.nodes[std::size_t(j)])));
-    return width;
-  }
-
 private:
   /// Everything that hangs together with `start`, unless it has numbers already.
   void number(int start)
@@ -78,15 +67,15 @@ private:
   int next_ = 0;
 };
 
-BandMatrix massMatrix(const std::vector<ContactPatch>& patches, const FacetUnknowns& unknowns, const ChainOrder& order,
-                      int numNodes, int p)
+SymmetricRows massMatrix(const std::vector<ContactPatch>& patches, const FacetUnknowns& unknowns,
+                         const ChainOrder& order, int numNodes, int p)
 {
-  BandMatrix M(numNodes, order.bandwidth());
+  SymmetricRows M(numNodes);
   for (std::size_t f = 0; f < patches.size(); ++f)
     for (int i = 0; i < numFacetNodes(patches[f].dim, p); ++i)
       for (int j = 0; j <= i; ++j)
-        M(order.position(patches[f].nodes[std::size_t(i)]), order.position(patches[f].nodes[std::size_t(j)])) +=
-            patches[f].measure * unknowns.mass(i, j);
+        M.add(order.position(patches[f].nodes[std::size_t(i)]), order.position(patches[f].nodes[std::size_t(j)]),
+              patches[f].measure * unknowns.mass(i, j));
   return M;
 }
 
@@ -180,7 +169,7 @@ public:
                           few ? 0.0 : std::max(largestEntry(balance_.magnitude), largestEntry(balance_.value))};
     Vector wanted = mean_;
     unknowns.fromNodal(wanted);
-    program.f = multiply(program.M, permuted(wanted, chain_));
+    program.f = product(program.M.rows(), permuted(wanted, chain_));
     addCost(unknowns, program.f);
     const auto solution = minimise(program);
     if (!solution)

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "ndframe/algebra/band.hpp"
 #include "ndframe/algebra/sparse_cholesky.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
@@ -39,8 +40,8 @@ std::vector<Block> blocksOf(const BandedProgram& program)
   for (int i = 0, reach = -1; i < n; ++i) {
     if (i > reach)
       blocks.push_back({i, i, {}, {}, {}, {}});
-    for (int j = i; j < std::min(n, i + program.M.bandwidth() + 1); ++j)
-      if (program.M(i, j) != 0.0)
+    for (const auto& [j, value] : program.M.rows()[std::size_t(i)])
+      if (value != 0.0)
         reach = std::max(reach, j);
     blocks.back().last = i + 1;
   }
@@ -69,27 +70,23 @@ void addResponse(const Block& block, const SparseColumns& W, SymmetricEntries& r
     }
 }
 
-SymmetricEntries entriesOf(const BandMatrix& M)
-{
-  SymmetricEntries entries;
-  entries.size = M.size();
-  for (int i = 0; i < M.size(); ++i)
-    for (int j = i; j < std::min(M.size(), i + M.bandwidth() + 1); ++j)
-      if (i == j || M(i, j) != 0.0)
-        entries.add(i, j, M(i, j));
-  return entries;
-}
-
-/// Factor of a band matrix, of its entries alone where the band is wide.
+/// Factor of a matrix with a narrow band, of its entries alone where the band is wide.
 class BandFactor
 {
 public:
-  explicit BandFactor(BandMatrix M)
+  explicit BandFactor(const SymmetricEntries& M)
   {
-    if (M.bandwidth() > widestBand)
-      sparse_.emplace(entriesOf(M));
-    else
-      band_.emplace(std::move(M));
+    int width = 0;
+    for (std::size_t entry = 0; entry < M.values.size(); ++entry)
+      width = std::max(width, M.columns[entry] - M.rows[entry]);
+    if (width > widestBand) {
+      sparse_.emplace(M);
+      return;
+    }
+    BandMatrix band(M.size, width);
+    for (std::size_t entry = 0; entry < M.values.size(); ++entry)
+      band(M.columns[entry], M.rows[entry]) += M.values[entry];
+    band_.emplace(std::move(band));
   }
   Vector solve(Vector b) const { return sparse_ ? sparse_->solve(b) : band_->solve(std::move(b)); }
 
@@ -200,14 +197,16 @@ private:
   }
 
   /// M with the rows and columns of fixed entries those of a diagonal matrix.
-  BandMatrix freePart(const Block& block, const std::vector<char>& fixed) const
+  SymmetricEntries freePart(const Block& block, const std::vector<char>& fixed) const
   {
-    const int n = block.last - block.first;
-    BandMatrix M(n, std::min(program_.M.bandwidth(), n - 1));
-    for (int i = 0; i < n; ++i)
-      for (int j = std::max(0, i - M.bandwidth()); j <= i; ++j)
-        if (i == j || !(fixed[std::size_t(i)] || fixed[std::size_t(j)]))
-          M(i, j) = program_.M(block.first + i, block.first + j);
+    SymmetricEntries M;
+    M.size = block.last - block.first;
+    for (int i = 0; i < M.size; ++i)
+      for (const auto& [column, value] : program_.M.rows()[std::size_t(block.first + i)]) {
+        const int j = column - block.first; // of the block: nothing couples it with others
+        if (i == j || (i < j && value != 0.0 && !fixed[std::size_t(i)] && !fixed[std::size_t(j)]))
+          M.add(i, j, value);
+      }
     return M;
   }
 
@@ -215,7 +214,7 @@ private:
   std::vector<std::size_t> wrongSigns() const
   {
     Vector pull = program_.f;
-    const Vector stress = multiply(program_.M, x_), held = program_.W.times(multipliers_);
+    const Vector stress = product(program_.M.rows(), x_), held = program_.W.times(multipliers_);
     double scale = 0.0;
     for (std::size_t i = 0; i < x_.size(); ++i) {
       const double diagonal = program_.M(int(i), int(i));

@@ -2,16 +2,17 @@
 
 #include <optional>
 
-#include "ndframe/algebra/band.hpp"
 #include "ndframe/algebra/sparse_columns.hpp"
+#include "symmetric_rows.hpp"
 
 namespace ndframe
 {
 
-/// min 1/2 x^T M x - f^T x  subject to  x <= 0,  W^T x = r;  M positive definite and banded, n x n.
+/// min 1/2 x^T M x - f^T x  subject to  x <= 0,  W^T x = r;  M positive definite, n x n, banded where contact is along
+/// chains of edges.
 struct BandedProgram
 {
-  BandMatrix M;
+  SymmetricRows M;
   Vector f;
   SparseColumns W; ///< n x conditions, in comparable units; columns may depend on each other or vanish
   Vector r;
@@ -28,8 +29,8 @@ struct BandedProgram
 /// each), so do its factors, and the conditions' multipliers come from a sparse matrix: time grows with the number of
 /// blocks.
 ///
-/// KKT conditions hold to 1e-12 relative, bounds exactly. Each step costs one factorisation: of the band, or of its
-/// entries alone where it is wide.
+/// KKT conditions hold to 1e-12 relative, bounds exactly. Each step costs one factorisation: of a band, or of the
+/// entries alone where it would be wide.
 std::optional<Vector> minimise(const BandedProgram& program);
 
 } // namespace ndframe

@@ -144,14 +144,24 @@ double largestTension(const CertifiedScene& scene, const ContactTraction& tracti
 Vector admitNodal(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
 {
   const auto balance = balanceConditions(scene.model, scene.condensed, scene.patches, scene.parts);
-  try {
-    return projectTraction(scene.patches, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
-  } catch (const InfeasibleTraction& failure) {
+  Vector admitted(nodal.size(), 0.0);
+  std::string motion;
+  if (scene.comm.rank() == 0) // the program takes 20 kB a node, and all ranks have the same one
+    try {
+      admitted =
+          projectTraction(scene.patches, scene.condensed.interface.C->size(), scene.order, nodal, balance, sign, cost);
+    } catch (const InfeasibleTraction& failure) {
+      motion = failure.motion;
+      NDFRAME_ASSERT(!motion.empty(), "what is not balanced has a name");
+    }
+  scene.comm.broadcast(motion);
+  if (!motion.empty())
     throw NotConverged(fmt::format("no pressure on the interfaces balances the loads ({}): they act too close to the "
                                    "edge of contact, so there is no equilibrated stress and no bound. Hold the body or "
                                    "move its load",
-                                   failure.motion));
-  }
+                                   motion));
+  scene.comm.broadcast(admitted);
+  return admitted;
 }
 
 ContactTraction admitTraction(const CertifiedScene& scene, const Vector& nodal, TractionSign sign, const Vector& cost)
