@@ -74,7 +74,7 @@ bool AdaptiveRun::needsAnother()
     return false;
   const LevelErrors errors(run_, options_);
   LevelLesson lesson = lessonOf(run_, errors, tools_.comm);
-  planner_->learn(lesson);
+  planner_->learn(uncutMeshes(), lesson);
   record(errors, std::move(lesson));
   summary_.reached = errors.reached() && !run_.contradiction && !lostGuarantee(summary_.levels);
   if (run_.contradiction)
@@ -160,7 +160,7 @@ Progress AdaptiveRun::progress() const
 
 void AdaptiveRun::record(const LevelErrors& errors, LevelLesson&& lesson)
 {
-  LevelSummary level = summarizeLevel(run_, planner_->meshes(), lesson, tools_.comm);
+  LevelSummary level = summarizeLevel(run_, uncutMeshes(), lesson, tools_.comm);
   level.level = int(summary_.levels.size()) + 1;
   level.sweeps = sweeps_;
   level.dofsToTarget = errors.reached() || !errors.tells() ? 0 : planner_->dofsToTarget().value_or(0);
@@ -183,6 +183,16 @@ void AdaptiveRun::enter(const LevelSummary& level, const CarriedContact& contact
   observer_.level(level, planner_->note());
   if (best_.level == 0 || isBetter(level, summary_.levels[std::size_t(best_.level) - 1]))
     best_ = {level.level, planner_->meshes(), contact, rolesOf(run_)};
+}
+
+std::vector<const Mesh*> AdaptiveRun::uncutMeshes() const
+{
+  std::vector<const Mesh*> meshes;
+  for (const int b : run_.model.elasticBodies()) {
+    const BodyModel& body = run_.model.bodies[std::size_t(b)];
+    meshes.push_back(body.share ? &planner_->meshes()[meshes.size()] : &body.uncut());
+  }
+  return meshes;
 }
 
 double AdaptiveRun::largestOf(double value) const

@@ -16,7 +16,7 @@ namespace
 constexpr double equallyLarge = 1e-6; ///< fields on several ranks are as exact as this
 
 /// Where the largest contribution is, of equally large ones the first, among the cells as they were refined.
-void findWorst(const Model& model, const std::vector<Mesh>& meshes, const std::vector<Vector>& contributions,
+void findWorst(const Model& model, const std::vector<const Mesh*>& meshes, const std::vector<Vector>& contributions,
                LevelSummary& level)
 {
   const std::vector<int> bodies = model.elasticBodies();
@@ -28,9 +28,9 @@ void findWorst(const Model& model, const std::vector<Mesh>& meshes, const std::v
     if (worst == eta.end() || *worst <= (1.0 + equallyLarge) * largest)
       continue;
     largest = *worst;
-    const auto centre = cellCentre(meshes[b], int(worst - eta.begin()));
+    const auto centre = cellCentre(*meshes[b], int(worst - eta.begin()));
     level.worstBody = model.bodies[std::size_t(bodies[b])].name;
-    level.worstPoint.assign(centre.begin(), centre.begin() + meshes[b].dim);
+    level.worstPoint.assign(centre.begin(), centre.begin() + meshes[b]->dim);
   }
 }
 
@@ -74,7 +74,7 @@ double LevelErrors::iterationToTarget() const
   return std::sqrt(allowed * allowed - mesh * mesh);
 }
 
-LevelSummary summarizeLevel(const Run& run, const std::vector<Mesh>& meshes, const LevelLesson& lesson,
+LevelSummary summarizeLevel(const Run& run, const std::vector<const Mesh*>& meshes, const LevelLesson& lesson,
                             const Comm& comm)
 {
   LevelSummary level;

@@ -56,7 +56,8 @@ private:
   /// Plans the next meshes; AccuracySummary::limit says when they do not fit into the limits.
   void refine();
   void carryOver(MeshPlan plan);
-  double largestOf(double value) const; ///< of all ranks, on each: they go on alike
+  std::vector<const Mesh*> uncutMeshes() const; ///< of this level, whole, per elastic body
+  double largestOf(double value) const;         ///< of all ranks, on each: they go on alike
   void returnToBest();
   void solveBestAgain();
   Run finish();

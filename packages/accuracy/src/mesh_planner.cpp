@@ -153,7 +153,7 @@ std::int64_t MeshPlanner::dofsOf(const std::vector<Mesh>& meshes) const
   return dim_ * nodes;
 }
 
-void MeshPlanner::learn(const LevelLesson& lesson)
+void MeshPlanner::learn(const std::vector<const Mesh*>& uncut, const LevelLesson& lesson)
 {
   const LevelErrors errors(lesson.errors);
   double squared = 0.0;
@@ -164,7 +164,7 @@ void MeshPlanner::learn(const LevelLesson& lesson)
 
   if (expected_ > 0.0 && tells_)
     fall_.learn(bound_, predicted_, errors.bound);
-  learnExponents(lesson.contributions, errors.relative > tooCoarse(dim_));
+  learnExponents(uncut, lesson.contributions, errors.relative > tooCoarse(dim_));
   contributions_.emplace(meshes(), lesson.contributions, exponentsFor(lesson), degree_, edges_.directions(),
                          makesSolidsAnew());
   brackets_ = lesson.brackets;
@@ -175,21 +175,18 @@ void MeshPlanner::learn(const LevelLesson& lesson)
   total_ = std::sqrt(squared);
 }
 
-void MeshPlanner::learnExponents(const std::vector<Vector>& eta, bool isCoarse)
+void MeshPlanner::learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse)
 {
-  std::vector<const Mesh*> present;
-  for (const Mesh& mesh : meshes())
-    present.push_back(&mesh);
   if (dim_ == 3) {
     const bool knewEdges = edges_.knowsAny();
-    edges_.observe(present, eta, isCoarse);
+    edges_.observe(meshes, eta, isCoarse);
     if (!knewEdges && edges_.knowsAny())
       fall_.edgesBecameKnown();
     return;
   }
   if (isCoarse)
     corners_ = CornerExponents(degree_);
-  corners_.observe(present, eta);
+  corners_.observe(meshes, eta);
 }
 
 std::vector<Vector> MeshPlanner::exponentsFor(const LevelLesson& lesson) const

@@ -189,7 +189,7 @@ void AdaptiveRun::restore(const LevelRecord& level)
   if (run_.summary.coupling)
     run_.summary.coupling->roles = level.roles;
   recall(level.energy);
-  planner_->learn(level.lesson);
+  planner_->learn(uncutMeshes(), level.lesson);
   enter(level.summary, contactOn(run_.model, level.tractionNeumann, level.closed));
   errors_ = LevelErrors(level.lesson.errors);
   next_ = contactOn(run_.model, level.nextTraction, level.closed);

@@ -27,7 +27,7 @@ struct LevelErrors : LevelNumbers
 };
 
 /// The line of a level without what it predicts. meshes: per elastic body, as they were refined, whole. Collective.
-LevelSummary summarizeLevel(const Run& run, const std::vector<Mesh>& meshes, const LevelLesson& lesson,
+LevelSummary summarizeLevel(const Run& run, const std::vector<const Mesh*>& meshes, const LevelLesson& lesson,
                             const Comm& comm);
 
 } // namespace ndframe

@@ -30,8 +30,9 @@ public:
   /// settings: with a target. model: of the first meshes.
   MeshPlanner(const RunSettings& settings, const AccuracyComponents& components, const Model& model, const Comm& comm);
 
-  /// Takes in what the certificate of the present meshes teaches.
-  void learn(const LevelLesson& lesson);
+  /// Takes in what the certificate of the present meshes teaches. uncut: they, per elastic body, with the ends of sides
+  /// in the plane, which may split some of their cells.
+  void learn(const std::vector<const Mesh*>& uncut, const LevelLesson& lesson);
 
   /// Dofs of a mesh with the target's bound, without what conformity adds; none where the marking does not predict.
   std::optional<std::int64_t> dofsToTarget() const;
@@ -54,7 +55,7 @@ private:
     FineSegment segment;
   };
 
-  void learnExponents(const std::vector<Vector>& eta, bool isCoarse);
+  void learnExponents(const std::vector<const Mesh*>& meshes, const std::vector<Vector>& eta, bool isCoarse);
   /// lambda per body and vertex: what has been learned, and where contact ends now.
   std::vector<Vector> exponentsFor(const LevelLesson& lesson) const;
   MeshPlan planFor(double wanted) const;
