@@ -100,11 +100,12 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
        "How many times, k, every edge is halved when the mesh is read: a triangle becomes 4^k triangles, a tetrahedron "
        "8^k. Sides and groups are kept, and matching sides still match with the same number on both. A curve stays the "
        "polygon of the mesh, with its corners: mesh it finely from the start. Directions of contact are those of the "
-       "mesh that is not halved: the scene is the same with every Refine. Several processes that solve solids "
-       "whole (Multigrid, Monolithic) share the mesh out before they refine it, so that none has the refined mesh, "
-       "where nothing asks for all of a body: no estimator Reference and no Accuracy; fields in pieces or Single "
-       "(Exodus Files). Meshes that are not refined are shared out likewise from 200 vertices a process on, where "
-       "Multigrid is named, or from 300 000 dofs on, where Automatic chooses it."});
+       "mesh that is not halved: the scene is the same with every Refine (but for tied bodies, which are halved before "
+       "they are glued). Several "
+       "processes that solve solids whole (Multigrid, Monolithic) share the mesh out before they refine it, so that "
+       "none has the refined mesh, where nothing asks for all of a body: no estimator Reference. Meshes that are not "
+       "refined, and those of a target's levels, which all processes have, are shared out likewise from 200 vertices "
+       "a process on, where Multigrid is named, or from 300 000 dofs on, where Automatic chooses it."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {
