@@ -23,10 +23,11 @@ std::vector<int> inOrder(const NodeMap& nodes)
   return order;
 }
 
-Vector taken(const Vector& values, const std::vector<int>& nodes, int dim)
+template <class Number>
+Vector taken(const Vector& values, const std::vector<Number>& nodes, int dim)
 {
   Vector result;
-  for (const int node : nodes) {
+  for (const Number node : nodes) {
     const auto first = values.begin() + std::ptrdiff_t(node) * dim;
     result.insert(result.end(), first, first + dim);
   }
@@ -59,15 +60,6 @@ Vector gathered(const Vector& ofPart, int dim, const BodyShare& share, const Com
   return all;
 }
 
-/// What this rank has of it.
-Vector partOf(const Vector& all, int dim, const BodyShare& share)
-{
-  Vector part;
-  for (const BodyShare::Global number : share.numbers())
-    part.insert(part.end(), all.begin() + std::ptrdiff_t(number) * dim, all.begin() + std::ptrdiff_t(number + 1) * dim);
-  return part;
-}
-
 } // namespace
 
 CarriedSolution::CarriedSolution(const Model& model, const std::vector<Vector>& values)
@@ -77,8 +69,8 @@ CarriedSolution::CarriedSolution(const Model& model, const std::vector<Vector>& 
     const BodyModel& body = model.bodies[std::size_t(b)];
     if (next == values.end() || std::int64_t(next->size()) != body.totalDofs())
       throw InputError("The displacements to go on from are those of other meshes.");
-    add(body,
-        body.share ? partOf(*next, body.mesh.dim, *body.share) : givenBack(*next, inOrder(body.nodes), body.mesh.dim));
+    add(body, body.share ? taken(*next, body.share->numbers(), body.mesh.dim)
+                         : givenBack(*next, inOrder(body.nodes), body.mesh.dim));
     ++next;
   }
 }

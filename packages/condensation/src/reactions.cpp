@@ -55,7 +55,7 @@ Direction centreOfNodes(const Support& support, const BodyModel& body, const Com
 /// Centre of a support's side.
 Direction centreOf(const Support& support, const BodyModel& body, const Comm& comm)
 {
-  if (support.holdsMeanMotion() || !support.params().has("Side")) // the mean over a side is held elsewhere
+  if (support.holdsMeanMotion() || support.holdsPoint()) // the mean over a side is held elsewhere
     return centreOfNodes(support, body, comm);
   Direction normal{};
   Vector sums(4, 0.0); // first moments, and the measure

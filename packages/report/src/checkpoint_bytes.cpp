@@ -62,7 +62,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusPasses, first, closed, passes, proximal
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsDone, history, state, traction, relaxation, counts, passes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsRecord, done, goal, isRough, before, iterationBefore, boundBefore, energy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, name, seconds, peakBytes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedPasses, areParts, places, interfaces)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedPasses, places, interfaces)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, sweeps, shared, pieces,
                                    stamp, solution, seconds, firstMemory, peakMemory, counts, stages)
 

@@ -102,7 +102,7 @@ std::string contentsOf(const std::string& path)
 
 bool isInPieces(const Checkpoint& checkpoint)
 {
-  return checkpoint.shared.areParts;
+  return !checkpoint.shared.places.empty();
 }
 
 void writeCheckpointPieces(const std::string& path, const Checkpoint& checkpoint, const Comm& comm)

@@ -5,7 +5,6 @@
 #include <cstring>
 #include <limits>
 #include <map>
-#include <numeric>
 
 #include <fmt/format.h>
 
@@ -49,15 +48,10 @@ std::vector<const BodyModel*> bodiesOf(const Model& model)
   return bodies;
 }
 
-/// Of the nodes that this rank has the fields at.
-Vector placesOf(const BodyModel& body)
+Vector ownPlaces(const BodyModel& body)
 {
-  std::vector<int> nodes(std::size_t(body.nodes.numNodes()));
-  std::iota(nodes.begin(), nodes.end(), 0);
-  if (body.share)
-    nodes = body.share->ownNodes();
   Vector places;
-  for (const int node : nodes) {
+  for (const int node : body.share->ownNodes()) {
     const auto x = body.nodes.point(node);
     for (std::size_t k = 0; k < axes; ++k)
       places.push_back(k < std::size_t(body.mesh.dim) ? x[k] + 0.0 : 0.0); // no zeros with a sign
@@ -143,10 +137,8 @@ void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model,
 {
   const std::vector<const BodyModel*> bodies = bodiesOf(model);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const bool tells = from.areParts || comm.rank() == 0; // whole fields are all ranks'
-    const Directory directory(tells ? from.places[b] : Vector(), tells ? memory.fields[b] : Vector(),
-                              std::size_t(bodies[b]->mesh.dim), comm);
-    if (!directory.find(placesOf(*bodies[b]), memory.fields[b]))
+    const Directory directory(from.places[b], memory.fields[b], std::size_t(bodies[b]->mesh.dim), comm);
+    if (!directory.find(ownPlaces(*bodies[b]), memory.fields[b]))
       refuse(fmt::format("have no displacements at some nodes of \"{}\"", bodies[b]->name));
   }
 }
@@ -156,27 +148,27 @@ void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model,
 bool arePassesOf(const SweepsDone& done, const SharedPasses& shared, const Model& model)
 {
   const std::size_t fields = done.passes ? done.passes->system.fields.size() : 0;
-  const bool areAllWhole = !model.told && !shared.areParts;
-  return fields == 0 || areAllWhole ||
-         (shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
-          shared.places.size() == fields);
+  if (fields == 0)
+    return true;
+  if (!model.told || shared.places.empty())
+    return !model.told && shared.places.empty();
+  return shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
+         fields == shared.places.size();
 }
 
 SweepsKept sharedPasses(SweepsKept sweeps, const Model& model, SharedPasses& shared, const Comm& comm)
 {
-  const bool areParts = model.told != nullptr;
   if (sweeps.after && !arePassesOf(*sweeps.after, shared, model))
     refuse("have the interfaces of processes that share out other meshes, or of one that has all of them: small ones "
            "are refined first, the more the more processes there are. Go on with as many as before");
-  const bool hasFields = sweeps.after && sweeps.after->passes && !sweeps.after->passes->system.fields.empty();
-  if (hasFields && (areParts || shared.areParts))
+  if (model.told && sweeps.after && sweeps.after->passes && !sweeps.after->passes->system.fields.empty())
     takeOwn(sweeps.after->passes->system, shared, model, comm);
-  shared = {areParts, {}, {}};
-  if (!sweeps.keep || !model.solvesWhole)
+  shared = {};
+  if (!model.told || !sweeps.keep)
     return sweeps;
   shared.interfaces = hashOf(model.interfaces);
   for (const BodyModel* const body : bodiesOf(model))
-    shared.places.push_back(placesOf(*body));
+    shared.places.push_back(ownPlaces(*body));
   return sweeps;
 }
 

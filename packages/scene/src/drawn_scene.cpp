@@ -266,7 +266,7 @@ ToldScene told(const DrawnScene& drawn)
     for (BodyRegion& region : scene.regions[b])
       region.numCells <<= body.mesh.dim * drawn.halvings[b];
     for (std::size_t s = 0; s < body.supports.size() && !body.isRigid; ++s)
-      if (const Support& support = *body.supports[s]; !support.params().has("Side") || support.holdsMeanMotion())
+      if (const Support& support = *body.supports[s]; support.holdsPoint() || support.holdsMeanMotion())
         for (const NodeConstraint& pin : support.constraints(body.mesh, body.nodes))
           scene.pins.push_back(
               {int(b), int(s), refinedNumber(drawn, b, body.nodes.ends(pin.node)), pin.direction, pin.value});

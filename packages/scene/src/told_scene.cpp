@@ -33,56 +33,47 @@ void walk(ByteReader& stream, DenseMatrix& matrix)
   }
 }
 
-template <class Stream, class Regions>
-void walkRegions(Stream& stream, Regions& regions)
+/// Their number, and each as `walkOne` does.
+template <class Stream, class Items, class Walk>
+void walkAll(Stream& stream, Items& items, const Walk& walkOne)
 {
-  stream.length(regions);
-  for (auto& region : regions) {
-    stream.array(region.name);
-    stream.number(region.numCells);
-    stream.number(region.law);
-  }
+  stream.length(items);
+  for (auto& item : items)
+    walkOne(item);
 }
 
-template <class Stream, class Holds>
-void walkHolds(Stream& stream, Holds& holds)
+template <class Stream, class BodyOutline>
+void walkOutline(Stream& stream, BodyOutline& outline)
 {
-  stream.length(holds);
-  for (auto& hold : holds) {
-    stream.number(hold.body);
-    stream.number(hold.support);
-    walk(stream, hold.motions);
-  }
+  stream.number(outline.measure);
+  walkAll(stream, outline.sides, [&](auto& named) {
+    auto& [name, side] = named;
+    stream.array(name);
+    stream.number(side.measure);
+    stream.number(side.size);
+    stream.array(side.corners);
+  });
 }
 
-template <class Stream, class Outlines>
-void walkOutlines(Stream& stream, Outlines& outlines)
+template <class Stream, class Side>
+void walkSide(Stream& stream, Side& side)
 {
-  stream.length(outlines);
-  for (auto& outline : outlines) {
-    stream.number(outline.measure);
-    stream.length(outline.sides);
-    for (auto& [name, side] : outline.sides) {
-      stream.array(name);
-      stream.number(side.measure);
-      stream.number(side.size);
-      stream.array(side.corners);
-    }
-  }
+  stream.array(side.name);
+  stream.number(side.dim);
+  stream.array(side.points);
+  stream.array(side.facets);
+  stream.array(side.measures);
+  stream.array(side.endNormals);
 }
 
-template <class Stream, class Sides>
-void walkSides(Stream& stream, Sides& sides)
+template <class Stream, class Warning>
+void walkWarning(Stream& stream, Warning& warning)
 {
-  stream.length(sides);
-  for (auto& side : sides) {
-    stream.array(side.name);
-    stream.number(side.dim);
-    stream.array(side.points);
-    stream.array(side.facets);
-    stream.array(side.measures);
-    stream.array(side.endNormals);
-  }
+  stream.array(warning.kind);
+  stream.array(warning.what.file);
+  stream.number(warning.what.line);
+  stream.array(warning.what.path);
+  stream.array(warning.what.message);
 }
 
 /// Everything, in one order for both directions.
@@ -92,30 +83,28 @@ void walk(Stream& stream, Scene& scene)
   stream.arrays(scene.heldBy);
   stream.array(scene.halvings);
   stream.array(scene.diameters);
-  walkOutlines(stream, scene.outlines);
+  walkAll(stream, scene.outlines, [&](auto& outline) { walkOutline(stream, outline); });
   stream.array(scene.rigid);
-  for (auto* motions : {&scene.freeMotions, &scene.balancedMotions}) {
-    stream.length(*motions);
-    for (auto& matrix : *motions)
-      walk(stream, matrix);
-  }
-  stream.length(scene.regions);
-  for (auto& regions : scene.regions)
-    walkRegions(stream, regions);
+  for (auto* motions : {&scene.freeMotions, &scene.balancedMotions})
+    walkAll(stream, *motions, [&](auto& matrix) { walk(stream, matrix); });
+  walkAll(stream, scene.regions, [&](auto& ofBody) {
+    walkAll(stream, ofBody, [&](auto& region) {
+      stream.array(region.name);
+      stream.number(region.numCells);
+      stream.number(region.law);
+    });
+  });
   stream.array(scene.pins);
-  walkHolds(stream, scene.holds);
+  walkAll(stream, scene.holds, [&](auto& hold) {
+    stream.number(hold.body);
+    stream.number(hold.support);
+    walk(stream, hold.motions);
+  });
   walk(stream, scene.jointMotions);
   stream.array(scene.areCut);
   stream.array(scene.pulledOff);
-  stream.length(scene.warnings);
-  for (auto& warning : scene.warnings) {
-    stream.array(warning.kind);
-    stream.array(warning.what.file);
-    stream.number(warning.what.line);
-    stream.array(warning.what.path);
-    stream.array(warning.what.message);
-  }
-  walkSides(stream, scene.sides);
+  walkAll(stream, scene.warnings, [&](auto& warning) { walkWarning(stream, warning); });
+  walkAll(stream, scene.sides, [&](auto& side) { walkSide(stream, side); });
 }
 
 } // namespace
