@@ -11,7 +11,9 @@
 #include "joined_krylov.hpp"
 #include "krylov_module.hpp"
 #include "ndframe/algebra/joined_system.hpp"
+#include "ndframe/algebra/own_field.hpp"
 #include "ndframe/algebra/shared_rows.hpp"
+#include "ndframe/algebra/solver_problem.hpp"
 #include "ndframe/iterative/linear_level.hpp"
 #include "own_dofs.hpp"
 #include "preconditioner_registry.hpp"
@@ -136,11 +138,8 @@ private:
 
   static SparseField load(const FarBody& body, const test::SampleBody& near, unsigned seed)
   {
-    std::vector<Global> nodes;
-    for (int r = 0; r < body.matrix.numRows(); ++r)
-      nodes.push_back(body.matrix.nodes.global(r));
-    return SparseField::ofOwn(NodalField(IndexMap(body.matrix.nodes.globalSize(), std::move(nodes)), 3,
-                                         ownRandom(near.matrix, near.points.size(), seed)));
+    return SparseField::ofOwn(
+        NodalField(body.matrix.nodes.withoutGhosts(), 3, ownRandom(near.matrix, near.points.size(), seed)));
   }
 
   /// No statuses: all are open.
@@ -213,6 +212,54 @@ TEST(FarNumbers, MultigridSolvesTheSame)
     own[dof] = far.problem.roles[dof] == DofRole::Interior ? own[dof] : 0.0;
   EXPECT_LT(relativeTo(own, ownPart(body.matrix, exact)), 1e-9);
   EXPECT_NEAR(iterations, solved(heldPart(problem, true), ownPart(body.matrix, load)).iterations, 2);
+}
+
+/// A body in shares by itself, its kept dofs freed: held by its supports, or floating and held by some of its kept
+/// dofs, under a load that balances.
+TEST(FarNumbers, FreedBodiesMoveTheSame)
+{
+  for (const test::Support support : {test::Support::Clamp, test::Support::Guide, test::Support::None}) {
+    const test::SampleBody body = test::trussBody({8, 6, 4}, test::comm());
+    const SolverProblem problem = body.problem(support);
+    Vector load = test::randomVector(problem.roles.size(), 4);
+    if (support == test::Support::Clamp)
+      for (std::size_t dof = 0; dof < load.size(); ++dof)
+        load[dof] = problem.roles[dof] == DofRole::Fixed ? 0.0 : load[dof];
+    else // what some displacement makes of it
+      load = multiply(body.matrix, load, test::comm());
+    RankProblem held = heldPart(problem, true);
+    held.holding = freeMotions(problem, test::comm()).held;
+    const FarBody far(body.matrix, held, beyond);
+    Ledger ledger;
+    const auto solver = test::makeSolver("Multigrid", R"(<Parameter name="Tolerance" type="double" value="1e-12"/>)");
+    const auto shared = solver->share(far.problem, test::comm(), ledger);
+    const IndexMap nodes = far.matrix.nodes.withoutGhosts();
+    const NodalField given(nodes, 3, ownPart(body.matrix, load));
+    const NodalField u = wholeSolver(*shared)->solveFree(given, NodalField(nodes, 3), Exactness::Full);
+    EXPECT_EQ(ledger.counted("multigrid set-ups"), 1);
+    EXPECT_LE(ledger.counted("Krylov iterations"), 40);
+
+    const NodalField expected =
+        wholeSolver(*solver->factor(problem, test::comm(), ledger))
+            ->solveFree(NodalField(body.matrix.nodes.withoutGhosts(), 3, ownPart(body.matrix, load)),
+                        NodalField(body.matrix.nodes.withoutGhosts(), 3), Exactness::Full);
+    EXPECT_LT(relativeTo({u.begin(), u.end()}, {expected.begin(), expected.end()}), 1e-9);
+    Vector left = multiply(body.matrix, onEveryRank(expected, test::comm()).whole(), test::comm());
+    for (std::size_t dof = 0; dof < left.size(); ++dof)
+      left[dof] = problem.roles[dof] == DofRole::Fixed ? 0.0 : left[dof] - load[dof];
+    EXPECT_LT(largestEntry(left), 1e-10 * largestEntry(load)) << "there too where the body is held";
+  }
+}
+
+TEST(FarNumbers, ABodyThatNothingHoldsIsNotSolved)
+{
+  const test::SampleBody body = test::trussBody({8, 6, 4}, test::comm());
+  RankProblem problem = heldPart(body.problem(test::Support::None), true);
+  problem.isHeld = false;
+  Ledger ledger;
+  const auto shared = test::makeSolver("Multigrid")->share(problem, test::comm(), ledger);
+  const NodalField zero(body.matrix.nodes.withoutGhosts(), 3);
+  EXPECT_THROW(wholeSolver(*shared)->solveFree(zero, zero, Exactness::Full), SingularBody);
 }
 
 TEST(FarNumbers, JoinedBodiesMoveTheSame)

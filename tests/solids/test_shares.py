@@ -121,6 +121,20 @@ class Shares(SharesTest):
     LOSS = ["Linear Solver/Type=Multigrid", "Bodies/upper/Mesh/Cells={3, 3, 2}", "Bodies/lower/Mesh/Cells={6, 6, 3}",
             "Bodies/upper/Mesh/Refine=1", "Bodies/lower/Mesh/Refine=1", "Output/Checkpoint=true", "Output/Exodus Files=Pieces"]
 
+    def test_fields_of_the_certificate_take_what_they_take_on_one_process(self):
+        root, all_of_them = self.bare("contact-loss-3d"), "Error Estimation/Estimators={Global, Algorithm, Discretization}"
+        counts, bounds = [], []
+        for ranks in (1, 3):
+            summary = self.right(root, ranks, *self.LOSS, all_of_them)
+            counts.append(summary["ledger"]["counts"])
+            bounds.append([summary["errors"][name]["absolute"] for name in ("global", "algorithm", "discretization")])
+        for count in ("Krylov solves", "multigrid set-ups"):
+            self.assertEqual(counts[0][count], counts[1][count], count)
+        self.assertGreater(counts[0]["multigrid set-ups"], 2, "every body has cycles of its own")
+        self.assertLessEqual(counts[1]["Krylov iterations"], 1.2 * counts[0]["Krylov iterations"])
+        for one, shared in zip(*bounds):
+            self.assertAlmostEqual(shared / one, 1.0, delta=1e-7)
+
     def test_killed_runs_go_on_on_any_number_of_processes(self):
         root, caught = self.bare("contact-loss-3d"), 0
         whole = self.right(root, 3, *self.LOSS, name="whole")

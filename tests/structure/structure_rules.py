@@ -66,7 +66,6 @@ MAY_SEE_ALL_RANKS = {
     "packages/iterative/src/rank_problem.hpp": "the same",
     "packages/iterative/src/krylov_body.hpp": "the same: takes that description",
     "packages/iterative/src/krylov_body.cpp": "a CondensedBody takes and gives vectors of all dofs",
-    "packages/iterative/src/krylov_system.cpp": "the same: gathers its solution once a solve",
     "packages/iterative/src/own_dofs.cpp": "the same: a rank's part of such vectors, and the way back",
     "packages/iterative/src/own_dofs.hpp": "the same",
     "packages/iterative/src/krylov_solver.cpp": "a LinearSolver takes the description of all nodes",

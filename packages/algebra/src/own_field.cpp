@@ -9,14 +9,12 @@ NodalField ownPart(const NodalField& all, const IndexMap& nodes)
 {
   if (nodes.isWhole())
     return all;
-  std::vector<IndexMap::Global> owned;
   Vector values;
   for (int node = 0; node < nodes.numOwned(); ++node) {
-    owned.push_back(nodes.global(node));
-    const auto first = all.whole().begin() + std::ptrdiff_t(owned.back()) * all.width();
+    const auto first = all.whole().begin() + std::ptrdiff_t(nodes.global(node)) * all.width();
     values.insert(values.end(), first, first + all.width());
   }
-  return {IndexMap(nodes.globalSize(), std::move(owned)), all.width(), std::move(values)};
+  return {nodes.withoutGhosts(), all.width(), std::move(values)};
 }
 
 NodalField onEveryRank(NodalField own, const Comm& comm)

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/algebra/own_field.hpp"
 #include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/subdomain/neumann_problem.hpp"
@@ -98,6 +99,16 @@ Vector traceLoadUnder(const CondensedModel& condensed, int body, const Vector& l
   return g;
 }
 
+/// By iterations, from values that all ranks have.
+Vector solveAll(const BodySystem& system, const WholeSolver& whole, const NodalField& load, Vector start,
+                const Comm& comm)
+{
+  const IndexMap& nodes = system.K.nodes;
+  return onEveryRank(
+      whole.solveFree(ownPart(load, nodes), ownPart(atNodes(std::move(start), load.width()), nodes), Exactness::Rough),
+      comm);
+}
+
 /// The unknown fields by iterations on the whole body, from those that are there. False where it gives up.
 bool solveWhole(const CondensedModel& condensed, int body, const std::vector<NodalField>& forces,
                 const std::vector<std::size_t>& unknown, const FieldNeed& need, std::vector<NodalField>& fields)
@@ -112,7 +123,7 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
       const NodalField load = loaded(system, condensed.loads[b], forces[f]);
       const auto near =
           need.isNear ? nearField(system, load.whole(), u, need.enough, need.comm) : std::optional<Vector>();
-      u = near ? *near : whole.solveFree(load.whole(), std::move(u), Exactness::Rough);
+      u = near ? *near : solveAll(system, whole, load, std::move(u), need.comm);
       system.dofs.addPrescribed(u);
       fields[f] = system.dofs.frames.toGlobal(u);
     }
@@ -124,15 +135,34 @@ bool solveWhole(const CondensedModel& condensed, int body, const std::vector<Nod
   }
 }
 
-/// The unknown field of a body that ranks have parts of.
-NodalField partField(const BodySystem& system, const NodalField& force, const NodalField& start, const FieldNeed& need)
+/// By iterations on the shares of all ranks, or with the diagonal alone where these do not go on. Values at the nodes
+/// of the part, prescribed ones among them.
+Vector solvePart(const BodySystem& system, const WholeSolver& whole, const Vector& load, const Vector& start,
+                 const FieldNeed& need)
 {
-  NodalField load = system.dofs.frames.toLocal(force);
+  const BlockMatrix& K = system.K;
+  try {
+    const NodalField u = whole.solveFree(system.share->own(load, K.dim, K.nodes),
+                                         system.share->own(start, K.dim, K.nodes), Exactness::Rough);
+    return system.share->spread({u.begin(), u.end()}, K.dim);
+  } catch (const NotConverged&) {
+  } catch (const SingularBody&) {
+  }
+  return fieldOfPart(system, load, start, need.enough, need.comm);
+}
+
+/// The unknown field of a body that ranks have parts of.
+NodalField partField(const BodySystem& system, const WholeSolver& whole, const NodalField& force,
+                     const NodalField& start, const FieldNeed& need)
+{
+  Vector load = system.dofs.frames.toLocal(force).whole();
   const NodalField given = system.load.all(), local = system.dofs.frames.toLocal(start);
   for (std::size_t i = 0; i < load.size(); ++i)
     load[i] += given[i];
-  const Vector u = fieldOfPart(system, load.whole(), local.whole(), need.isNear, need.enough, need.comm);
-  return system.dofs.frames.toGlobal(u);
+  std::optional<Vector> u;
+  if (need.isNear)
+    u = nearField(system, load, local.whole(), need.enough, need.comm);
+  return system.dofs.frames.toGlobal(u ? *u : solvePart(system, whole, load, local.whole(), need));
 }
 
 /// The body's displacements for several right-hand sides at once.
@@ -178,7 +208,7 @@ std::vector<NodalField> intermediateFields(const Model& model, const CondensedMo
     return fields;
   if (system.share) {
     for (const std::size_t f : unknown)
-      fields[f] = partField(system, forces[f], fields[f], need);
+      fields[f] = partField(system, *trace.whole, forces[f], fields[f], need);
     return fields;
   }
   if (trace.isSolvedWhole() && solveWhole(condensed, body, forces, unknown, need, fields))

@@ -98,13 +98,11 @@ std::optional<Vector> nearField(const BodySystem& system, const Vector& load, Ve
   return std::nullopt;
 }
 
-Vector fieldOfPart(const BodySystem& system, const Vector& load, Vector u, bool isNear, double enough, const Comm& comm)
+Vector fieldOfPart(const BodySystem& system, const Vector& load, Vector u, double enough, const Comm& comm)
 {
-  constexpr int mostSteps = 3000;             // some ten times as many as a million dofs take
-  const double solved = isNear ? 1e-6 : 1e-8; // beside what is near; the recovery settles what is left of it
-  const System ofParts(system, comm);
-  if (!isNear || !descend(ofParts, load, enough, mostStepsNear, u))
-    descend(ofParts, load, solved * enough, mostSteps, u);
+  constexpr int mostSteps = 3000; // some ten times as many as a million dofs take
+  constexpr double solved = 1e-8; // beside what is near; the recovery settles what is left of it
+  descend(System(system, comm), load, solved * enough, mostSteps, u);
   return u;
 }
 

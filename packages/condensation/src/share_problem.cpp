@@ -2,10 +2,23 @@
 
 #include <algorithm>
 
+#include "ndframe/algebra/pivot_rows.hpp"
+
 namespace ndframe
 {
 namespace
 {
+
+constexpr double zeroMotion = 1e-9; ///< beside the largest
+
+DenseMatrix rowsOf(const DenseMatrix& A, const std::vector<int>& rows)
+{
+  DenseMatrix result(int(rows.size()), A.cols());
+  for (int j = 0; j < A.cols(); ++j)
+    for (std::size_t i = 0; i < rows.size(); ++i)
+      result(int(i), j) = A(rows[i], j);
+  return result;
+}
 
 /// The parts of a problem by what the matrix holds, from those of the body's part.
 class PartProblem
@@ -54,9 +67,16 @@ public:
       }
   }
 
-  void addVertices(const RigidBasis& rigid, RankProblem& problem) const
+  /// modes: of the part. free: combinations of them that the supports leave.
+  void addHolding(const DenseMatrix& modes, const DenseMatrix& free, RankProblem& problem) const
   {
-    const DenseMatrix modes = rigidModes(rigid, nodes_, system_.dofs.frames);
+    const DenseMatrix motions = multiply(rowsOf(modes, system_.dofs.keptDofs()), free);
+    problem.isHeld = nullSpace(motions, zeroMotion).cols() == 0;
+    problem.holding = pivotRows(motions);
+  }
+
+  void addVertices(const DenseMatrix& modes, RankProblem& problem) const
+  {
     std::vector<int> dofs;
     for (int r = 0; r < system_.K.numRows(); ++r)
       if (const int node = system_.partNodes[std::size_t(r)]; node < nodes_.numVertices())
@@ -64,10 +84,7 @@ public:
           dofs.push_back(node * nodes_.dim + i);
           problem.nodePoints.push_back(nodes_.coordinate(node, i));
         }
-    problem.nearNullSpace = DenseMatrix(int(dofs.size()), modes.cols());
-    for (int m = 0; m < modes.cols(); ++m)
-      for (std::size_t i = 0; i < dofs.size(); ++i)
-        problem.nearNullSpace(int(i), m) = modes(dofs[i], m);
+    problem.nearNullSpace = rowsOf(modes, dofs);
   }
 
 private:
@@ -83,11 +100,14 @@ RankProblem shareProblem(const Model& model, int number, const BodySystem& syste
   RankProblem problem;
   problem.matrix = &system.K;
   problem.outline = model.outline(number);
-  const PartProblem part(model.bodies[std::size_t(number)], system);
+  const BodyModel& body = model.bodies[std::size_t(number)];
+  const PartProblem part(body, system);
   part.addRoles(problem);
   part.addKept(problem);
   part.addEdges(problem);
-  part.addVertices(model.rigid[std::size_t(number)], problem);
+  const DenseMatrix modes = rigidModes(model.rigid[std::size_t(number)], body.nodes, system.dofs.frames);
+  part.addVertices(modes, problem);
+  part.addHolding(modes, model.freeMotions[std::size_t(number)], problem);
   return problem;
 }
 

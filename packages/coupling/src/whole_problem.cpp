@@ -30,15 +30,6 @@ DenseMatrix approachOf(const Network& network)
   return result;
 }
 
-/// Of values at the nodes of a part.
-NodalField ofOwnNodes(const BodyShare& share, const NodalField& ofPart, const IndexMap& nodes)
-{
-  std::vector<IndexMap::Global> owned;
-  for (int node = 0; node < nodes.numOwned(); ++node)
-    owned.push_back(nodes.global(node));
-  return {IndexMap(nodes.globalSize(), std::move(owned)), ofPart.width(), share.own(ofPart, ofPart.width())};
-}
-
 } // namespace
 
 bool areSolvedWhole(const InterfaceSystem& system)
@@ -70,7 +61,7 @@ void WholeProblem::begin(const std::vector<NodalField>& fields)
       kept_[std::size_t(network_.offsets[b]) + std::size_t(k)] =
           fields[b].whole()[std::size_t(body.map.dofs()[std::size_t(k)])];
     const IndexMap& nodes = body.whole->freedProblem().matrix->nodes;
-    own.push_back(body.share ? ofOwnNodes(*body.share, fields[b], nodes) : ownPart(fields[b], nodes));
+    own.push_back(body.share ? body.share->own(fields[b], fields[b].width(), nodes) : ownPart(fields[b], nodes));
   }
   joined_->begin(own);
   v_ = rows_.values(kept_);

@@ -164,4 +164,18 @@ std::unique_ptr<JoinedSystem> makeJoinedKrylov(const std::vector<const RankProbl
   return joined;
 }
 
+std::unique_ptr<JoinedSystem> joinBodies(const std::vector<const WholeSolver*>& bodies, const JoinedRows& open,
+                                         const Comm& comm, Ledger& ledger, KrylovOptions options,
+                                         const MakeJoinedGradients& make)
+{
+  std::vector<const RankProblem*> problems;
+  for (const WholeSolver* body : bodies)
+    problems.push_back(&body->freedProblem());
+  double largest = 0.0;
+  auto joined = makeJoinedKrylov(problems, open, comm, ledger, options, make, largest);
+  for (const WholeSolver* body : bodies)
+    body->setLargestEigenvalue(largest);
+  return joined;
+}
+
 } // namespace ndframe

@@ -4,10 +4,9 @@
 
 #include <fmt/format.h>
 
+#include "freed_system.hpp"
 #include "joined_krylov.hpp"
-#include "krylov_system.hpp"
 #include "ndframe/algebra/split_body.hpp"
-#include "ndframe/base/diagnostics.hpp"
 #include "own_dofs.hpp"
 #include "rank_problem.hpp"
 
@@ -17,12 +16,11 @@ namespace ndframe
 namespace
 {
 
-RankProblem withKeptDofsAs(DofRole role, RankProblem problem)
+RankProblem freedPart(const SolverProblem& problem, const FreeMotions& motions, bool hasEdges)
 {
-  for (const RankProblem::Global kept : problem.kept)
-    if (const int dof = problem.held(kept); dof >= 0)
-      problem.roles[std::size_t(dof)] = role;
-  return problem;
+  RankProblem freed = withKeptDofsAs(DofRole::Interior, heldPart(problem, hasEdges));
+  freed.holding = motions.held;
+  return freed;
 }
 
 /// Nothing is factored: every back-solve is a run of conjugate gradients, and the Schur complement takes one per kept
@@ -32,14 +30,15 @@ class KrylovBody final : public SplitBody, public WholeSolver
 public:
   KrylovBody(SolverProblem problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
              MakeConjugateGradients makeCg, MakeJoinedGradients makeJoined, std::string description)
-      : SplitBody(problem, comm, ledger),
-        freed_(withKeptDofsAs(DofRole::Interior, heldPart(problem, makeJoined != nullptr))), options_(options),
-        makeCg_(std::move(makeCg)), makeJoined_(std::move(makeJoined)), description_(std::move(description))
+      : SplitBody(problem, comm, ledger), freed_(freedPart(problem, motions_, makeJoined != nullptr), comm, ledger,
+                                                 options, makeCg, makeJoined != nullptr),
+        options_(options), makeCg_(std::move(makeCg)), makeJoined_(std::move(makeJoined)),
+        description_(std::move(description))
   {
     problem = {}; // as large as all nodes
     if (kept_.empty()) {
-      interior_ = makeSystem(freed_);
-      freed_ = {};
+      interior();
+      freed_.dropProblem();
     }
   }
 
@@ -48,10 +47,12 @@ public:
     checkShapes(load, kept);
     DenseMatrix u(numDofs(), load.cols());
     for (int j = 0; j < u.cols(); ++j) {
-      Vector start(std::size_t(numDofs()), 0.0);
+      Vector start(std::size_t(matrix_.numRows()) * std::size_t(matrix_.dim), 0.0);
       for (int c = 0; c < numKept(); ++c)
-        start[std::size_t(kept_[std::size_t(c)])] = kept(c, j);
-      const Vector solution = interior().solve(load.column(j), start);
+        if (const int own = ownDof(c); own >= 0)
+          start[std::size_t(own)] = kept(c, j);
+      const Vector own = interior().solve(ownPart(matrix_, load.column(j)), start);
+      const Vector solution = gathered(matrix_, own.data(), comm_);
       std::copy(solution.begin(), solution.end(), u.col(j));
     }
     return u;
@@ -61,61 +62,45 @@ public:
   {
     if (kept_.empty())
       return {};
-    Vector load(std::size_t(numDofs()), 0.0), kept;
-    for (std::size_t c = 0; c < kept_.size(); ++c)
-      load[std::size_t(kept_[c])] = force[c];
-    const Vector u = solveFree(load, Vector(load.size(), 0.0), Exactness::Full);
-    for (const int dof : kept_)
-      kept.push_back(u[std::size_t(dof)]);
+    NodalField load(matrix_.nodes.withoutGhosts(), matrix_.dim);
+    for (int c = 0; c < numKept(); ++c)
+      if (const int own = ownDof(c); own >= 0)
+        load[std::size_t(own)] = force[std::size_t(c)];
+    const NodalField u = solveFree(load, NodalField(load.map(), load.width()), Exactness::Full);
+    Vector kept(force.size(), 0.0);
+    for (int c = 0; c < numKept(); ++c)
+      if (const int own = ownDof(c); own >= 0)
+        kept[std::size_t(c)] = u[std::size_t(own)];
+    comm_.sum(kept);
     return kept;
   }
 
   bool solvesNeumann() const override { return true; }
 
-  Vector solveFree(const Vector& load, Vector start, Exactness exactness) const override
+  NodalField solveFree(const NodalField& load, NodalField start, Exactness exactness) const override
   {
-    Vector carried = ownPart(matrix_, load);
-    for (std::size_t dof = 0; dof < carried.size(); ++dof)
-      if (freed_.roles[dof] == DofRole::Fixed)
-        carried[dof] = 0.0;
-    const double size = normOf(carried, comm_);
-    try {
-      return freeSystem().solve(load, start, size, exactness);
-    } catch (const SingularBody&) {
-      if (largestEigenvalue_ == 0.0)
-        throw;
-    }
-    free_.reset(); // the eigenvalue of others was too small
-    largestEigenvalue_ = 0.0;
-    return freeSystem().solve(load, start, size, exactness);
+    return freed_.solve(load, start, exactness);
   }
 
-  void forget() const override { free_.reset(); }
+  void forget() const override { freed_.forget(); }
 
   void forgetSolutions() const override
   {
-    for (const auto* system : {interior_.get(), free_.get()})
-      if (system != nullptr)
-        system->forgetSolutions();
+    freed_.forgetSolutions();
+    if (interior_)
+      interior_->forgetSolutions();
   }
 
-  void setLargestEigenvalue(double value) const override { largestEigenvalue_ = value; }
+  void setLargestEigenvalue(double value) const override { freed_.setLargestEigenvalue(value); }
 
   bool solvesWhole() const override { return makeJoined_ != nullptr; }
-  const RankProblem& freedProblem() const override { return freed_; }
+  const RankProblem& freedProblem() const override { return freed_.problem(); }
 
   std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
                                      const JoinedRows& open) const override
   {
     startMpi();
-    std::vector<const RankProblem*> problems;
-    for (const WholeSolver* body : bodies)
-      problems.push_back(&body->freedProblem());
-    double largest = 0.0;
-    auto joined = makeJoinedKrylov(problems, open, comm_, ledger_, options_, makeJoined_, largest);
-    for (const WholeSolver* body : bodies)
-      body->setLargestEigenvalue(largest);
-    return joined;
+    return joinBodies(bodies, open, comm_, ledger_, options_, makeJoined_);
   }
 
   DenseMatrix schurComplement() const override
@@ -142,40 +127,28 @@ public:
   }
 
 private:
-  std::unique_ptr<KrylovSystem> makeSystem(const RankProblem& problem) const
-  {
-    return std::make_unique<KrylovSystem>(problem, comm_, ledger_, options_, makeCg_, makeJoined_ != nullptr);
-  }
-
-  const KrylovSystem& freeSystem() const
-  {
-    if (!free_) {
-      RankProblem held = freed_;
-      for (const int k : motions_.held)
-        if (const int dof = held.held(kept_[std::size_t(k)]); dof >= 0)
-          held.roles[std::size_t(dof)] = DofRole::Fixed;
-      held.largestEigenvalue = largestEigenvalue_;
-      free_ = makeSystem(held);
-    }
-    return *free_;
-  }
-
   /// Set up when it is first needed: where whole bodies are solved together nobody asks.
   const KrylovSystem& interior() const
   {
     if (!interior_)
-      interior_ = makeSystem(withKeptDofsAs(DofRole::Kept, freed_));
+      interior_ = std::make_unique<KrylovSystem>(withKeptDofsAs(DofRole::Kept, freed_.problem()), comm_, ledger_,
+                                                 options_, makeCg_, makeJoined_ != nullptr);
     return *interior_;
   }
 
-  RankProblem freed_; ///< with the kept dofs as interior ones; empty where there are none
+  /// This rank's number of a kept dof among those of its own nodes, -1: another's.
+  int ownDof(int kept) const
+  {
+    const int dof = freed_.problem().held(kept_[std::size_t(kept)]);
+    return dof < matrix_.numRows() * matrix_.dim ? dof : -1;
+  }
+
+  FreedSystem freed_; ///< of nothing where there are no kept dofs
   KrylovOptions options_;
   MakeConjugateGradients makeCg_;
   MakeJoinedGradients makeJoined_;
   std::string description_;
   mutable std::unique_ptr<KrylovSystem> interior_;
-  mutable std::unique_ptr<KrylovSystem> free_; ///< with the kept dofs as unknowns: set up when it is first needed
-  mutable double largestEigenvalue_ = 0.0;     ///< of the system that this body was joined to
 };
 
 } // namespace

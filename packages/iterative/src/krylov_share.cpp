@@ -2,9 +2,11 @@
 
 #include <fmt/format.h>
 
+#include "freed_system.hpp"
 #include "joined_krylov.hpp"
 #include "ndframe/algebra/neumann_solver.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "rank_problem.hpp"
 
 namespace ndframe
 {
@@ -21,30 +23,28 @@ class KrylovShare final : public CondensedBody, public NeumannSolver, public Who
 {
 public:
   KrylovShare(RankProblem problem, const Comm& comm, Ledger& ledger, KrylovOptions options,
-              MakeJoinedGradients makeJoined, std::string description)
-      : freed_(std::move(problem)), comm_(comm), ledger_(ledger), options_(options), makeJoined_(std::move(makeJoined)),
+              MakeConjugateGradients makeCg, MakeJoinedGradients makeJoined, std::string description)
+      : freed_(withKeptDofsAs(DofRole::Interior, std::move(problem)), comm, ledger, options, std::move(makeCg), true),
+        comm_(comm), ledger_(ledger), options_(options), makeJoined_(std::move(makeJoined)),
         description_(fmt::format("{}, tolerance {:.0e}", description, options.tolerance))
-  {
-    for (const RankProblem::Global kept : freed_.kept)
-      if (const int dof = freed_.held(kept); dof >= 0)
-        freed_.roles[std::size_t(dof)] = DofRole::Interior;
-  }
+  {}
 
   bool solvesWhole() const override { return true; }
-  const RankProblem& freedProblem() const override { return freed_; }
+  const RankProblem& freedProblem() const override { return freed_.problem(); }
   std::unique_ptr<JoinedSystem> join(const std::vector<const WholeSolver*>& bodies,
                                      const JoinedRows& open) const override
   {
-    double largestEigenvalue = 0.0;
-    std::vector<const RankProblem*> problems;
-    for (const WholeSolver* body : bodies)
-      problems.push_back(&body->freedProblem());
-    return makeJoinedKrylov(problems, open, comm_, ledger_, options_, makeJoined_, largestEigenvalue);
+    return joinBodies(bodies, open, comm_, ledger_, options_, makeJoined_);
   }
+  void setLargestEigenvalue(double value) const override { freed_.setLargestEigenvalue(value); }
+  NodalField solveFree(const NodalField& load, NodalField start, Exactness exactness) const override
+  {
+    return freed_.solve(load, start, exactness);
+  }
+  void forget() const override { freed_.forget(); }
+  void forgetSolutions() const override { freed_.forgetSolutions(); }
   std::string description() const override { return description_; }
 
-  void forget() const override {} // it keeps nothing
-  Vector solveFree(const Vector&, Vector, Exactness) const override { refuse(); }
   DenseMatrix expand(const DenseMatrix&, const DenseMatrix&) const override { refuse(); }
   DenseMatrix reduce(const DenseMatrix&) const override { refuse(); }
   Vector applySchur(const Vector&) const override { refuse(); }
@@ -55,7 +55,7 @@ public:
   bool hasCheapSchur() const override { return false; }
 
 private:
-  RankProblem freed_; ///< with the kept dofs as interior ones
+  FreedSystem freed_;
   Comm comm_;
   Ledger& ledger_;
   KrylovOptions options_;
@@ -66,11 +66,11 @@ private:
 } // namespace
 
 std::unique_ptr<CondensedBody> makeKrylovShare(RankProblem problem, const Comm& comm, Ledger& ledger,
-                                               KrylovOptions options, MakeJoinedGradients makeJoined,
-                                               std::string description)
+                                               KrylovOptions options, MakeConjugateGradients makeCg,
+                                               MakeJoinedGradients makeJoined, std::string description)
 {
-  return std::make_unique<KrylovShare>(std::move(problem), comm, ledger, options, std::move(makeJoined),
-                                       std::move(description));
+  return std::make_unique<KrylovShare>(std::move(problem), comm, ledger, options, std::move(makeCg),
+                                       std::move(makeJoined), std::move(description));
 }
 
 } // namespace ndframe

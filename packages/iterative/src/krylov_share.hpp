@@ -6,10 +6,10 @@
 namespace ndframe
 {
 
-/// A body that no rank has as a whole: it can be joined to others (WholeSolver::join), and nothing else.
+/// A body that no rank has as a whole: a WholeSolver, which is joined to others or solved by itself, and nothing else.
 /// problem: with its kept dofs as Kept. description: what the conjugate gradients are.
 std::unique_ptr<CondensedBody> makeKrylovShare(RankProblem problem, const Comm& comm, Ledger& ledger,
-                                               KrylovOptions options, MakeJoinedGradients makeJoined,
-                                               std::string description);
+                                               KrylovOptions options, MakeConjugateGradients makeCg,
+                                               MakeJoinedGradients makeJoined, std::string description);
 
 } // namespace ndframe

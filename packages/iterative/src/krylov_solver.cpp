@@ -32,11 +32,7 @@ public:
     checkProblem(problem, comm);
     const auto timer = ledger.time("factor");
     const bool twoLevels = hasTwoLevels_ && !problem.edgeNodes.ends.empty();
-    const auto make = [preconditioner = preconditioner_, belos = belos_,
-                       twoLevels](const RankProblem& given, const Comm& ranks, double decoupledDiagonal) {
-      return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
-    };
-    return makeKrylovBody(std::move(problem), comm, ledger, options_, make,
+    return makeKrylovBody(std::move(problem), comm, ledger, options_, gradients(twoLevels),
                           twoLevels ? joining() : MakeJoinedGradients(), description(twoLevels));
   }
 
@@ -46,13 +42,20 @@ public:
       return nullptr;
     const auto timer = ledger.time("factor");
     startMpi();
-    return makeKrylovShare(std::move(problem), comm, ledger, options_, joining(), description(true));
+    return makeKrylovShare(std::move(problem), comm, ledger, options_, gradients(true), joining(), description(true));
   }
 
   std::string name(int) const override { return name_; }
   bool needsMpi(int) const override { return true; } // Ifpack2 and MueLu call it even on one process
 
 private:
+  MakeConjugateGradients gradients(bool twoLevels) const
+  {
+    return [preconditioner = preconditioner_, belos = belos_, twoLevels](const RankProblem& given, const Comm& ranks,
+                                                                         double decoupledDiagonal) {
+      return makeCg(given, ranks, decoupledDiagonal, *preconditioner, belos, twoLevels);
+    };
+  }
   MakeJoinedGradients joining() const
   {
     return [preconditioner = preconditioner_, belos = belos_](const JoinedBodies& bodies,

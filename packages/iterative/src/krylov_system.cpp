@@ -41,11 +41,14 @@ KrylovSystem::KrylovSystem(const RankProblem& problem, const Comm& comm, Ledger&
 Vector KrylovSystem::solve(const Vector& load, const Vector& start, double reference, Exactness exactness) const
 {
   const std::lock_guard lock(librariesInUse());
-  const Vector own = ownPart(matrix_, load);
-  Vector u = heldPart(matrix_, start), residual = interiorResidual(own, u);
+  Vector u = start;
+  u.resize(std::size_t(matrix_.nodes.size()) * std::size_t(matrix_.dim));
+  fetchGhosts(u);
+  Vector residual = interiorResidual(load, u);
   const double initial = std::max(normOf(residual, comm_), reference);
   add(recycled_.start(residual), u);
-  const Vector first(u.begin(), u.begin() + std::ptrdiff_t(own.size())), missing = residual = interiorResidual(own, u);
+  const auto ownDofs = std::ptrdiff_t(load.size());
+  const Vector first(u.begin(), u.begin() + ownDofs), missing = residual = interiorResidual(load, u);
   const int iterations = restartedGradients(
       toleranceFor(exactness, options_.tolerance) * initial, initial, options_.maxIterations, normOf(residual, comm_),
       ledger_,
@@ -58,18 +61,18 @@ Vector KrylovSystem::solve(const Vector& load, const Vector& start, double refer
         return step.iterations;
       },
       [&] {
-        residual = interiorResidual(own, u);
+        residual = interiorResidual(load, u);
         return normOf(residual, comm_);
       },
       [&] { return rowRoundOff * normOf(ownSizes(matrix_, u), comm_); });
   if (iterations > 0)
-    recycled_.add(difference({u.begin(), u.begin() + std::ptrdiff_t(own.size())}, first),
-                  difference(missing, residual));
+    recycled_.add(difference({u.begin(), u.begin() + ownDofs}, first), difference(missing, residual));
   ledger_.count("back-solves");
   ledger_.count("Krylov solves");
   ledger_.count("Krylov iterations", iterations);
   work_.enter(work(), comm_, ledger_);
-  return gathered(matrix_, u.data(), comm_);
+  u.resize(load.size());
+  return u;
 }
 
 /// held += own, and the ghosts are those of their owners again.
@@ -77,6 +80,11 @@ void KrylovSystem::add(const Vector& own, Vector& held) const
 {
   for (std::size_t dof = 0; dof < own.size(); ++dof)
     held[dof] += own[dof];
+  fetchGhosts(held);
+}
+
+void KrylovSystem::fetchGhosts(Vector& held) const
+{
   const auto dim = std::size_t(matrix_.dim);
   ghosts_.fetch([dim](int node) { return SharedValues::Place{std::size_t(node) * dim, dim}; }, held);
 }

@@ -9,8 +9,8 @@
 namespace ndframe
 {
 
-/// K on the dofs of one role, solved by conjugate gradients from a start that earlier solutions give. Between the
-/// vectors that come and go, which are on all ranks, each has the dofs of its own nodes.
+/// K on the dofs of one role, solved by conjugate gradients from a start that earlier solutions give. Vectors have the
+/// dofs of the rank's own nodes.
 class KrylovSystem
 {
 public:
@@ -27,6 +27,7 @@ public:
 
 private:
   void add(const Vector& own, Vector& held) const;
+  void fetchGhosts(Vector& held) const;
   Vector interiorResidual(const Vector& load, const Vector& held) const;
   CycleWork work() const;
 

@@ -19,17 +19,6 @@ Vector ownPart(const BlockMatrix& K, const Vector& all)
   return own;
 }
 
-Vector heldPart(const BlockMatrix& K, const Vector& all)
-{
-  Vector held;
-  held.reserve(std::size_t(K.nodes.size()) * std::size_t(K.dim));
-  for (int node = 0; node < K.nodes.size(); ++node) {
-    const auto first = all.begin() + std::ptrdiff_t(K.nodes.global(node)) * K.dim;
-    held.insert(held.end(), first, first + K.dim);
-  }
-  return held;
-}
-
 Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm)
 {
   Vector all(std::size_t(K.numDofs()), 0.0);
@@ -134,11 +123,8 @@ std::vector<NodalField> OwnDofs::fields(const Vector& own) const
   auto next = own.begin();
   for (const RankProblem* problem : problems_) {
     const BlockMatrix& K = *problem->matrix;
-    std::vector<IndexMap::Global> nodes;
-    for (int r = 0; r < K.numRows(); ++r)
-      nodes.push_back(K.nodes.global(r));
     const auto end = next + std::ptrdiff_t(K.numRows()) * K.dim;
-    fields.emplace_back(IndexMap(K.nodes.globalSize(), std::move(nodes)), K.dim, Vector(next, end));
+    fields.emplace_back(K.nodes.withoutGhosts(), K.dim, Vector(next, end));
     next = end;
   }
   return fields;

@@ -9,10 +9,9 @@
 namespace ndframe
 {
 
-/// The entries at the dofs of this rank's rows, or of all nodes that it holds, of a vector of all dofs, and such a
-/// vector from the entries of all ranks.
+/// The entries at the dofs of this rank's rows of a vector of all dofs, and such a vector from the entries of all
+/// ranks.
 Vector ownPart(const BlockMatrix& K, const Vector& all);
-Vector heldPart(const BlockMatrix& K, const Vector& all);
 Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm); ///< own: of all rows. Collective
 
 /// K u in this rank's rows; u at the nodes that it holds.

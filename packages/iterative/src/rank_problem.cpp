@@ -166,6 +166,14 @@ RankProblem heldPart(const SolverProblem& given, bool hasEdges)
   return problem;
 }
 
+RankProblem withKeptDofsAs(DofRole role, RankProblem problem)
+{
+  for (const RankProblem::Global kept : problem.kept)
+    if (const int dof = problem.held(kept); dof >= 0)
+      problem.roles[std::size_t(dof)] = role;
+  return problem;
+}
+
 SolverProblem onAllRanks(const RankProblem& given, const Comm& comm)
 {
   const BlockMatrix& K = *given.matrix;

@@ -59,7 +59,7 @@ public:
   {
     return wholeSolver(*body_)->join(bodies, open);
   }
-  Vector solveFree(const Vector& load, Vector start, Exactness exactness) const override
+  NodalField solveFree(const NodalField& load, NodalField start, Exactness exactness) const override
   {
     return wholeSolver(*body_)->solveFree(load, std::move(start), exactness);
   }
@@ -97,12 +97,8 @@ private:
 
   void takeSecond() const
   {
-    if (problem_.matrix == nullptr) { // the body has it but for the roles of kept dofs
-      problem_ = freedProblem();
-      for (const RankProblem::Global kept : problem_.kept)
-        if (const int dof = problem_.held(kept); dof >= 0)
-          problem_.roles[std::size_t(dof)] = DofRole::Kept;
-    }
+    if (problem_.matrix == nullptr) // the body has it but for the roles of kept dofs
+      problem_ = withKeptDofsAs(DofRole::Kept, freedProblem());
     body_.reset(); // its memory is needed
     body_ = std::exchange(second_, nullptr)->factor(onAllRanks(std::exchange(problem_, {}), comm_), comm_, ledger_);
     ledger_.count("solvers given up");

@@ -57,6 +57,12 @@ public:
   /// Whether a number of this rank, as local() gives it, is neither a ghost nor -1.
   bool owns(int local) const { return local >= 0 && local < numOwned_; }
 
+  /// What this rank owns, and nothing else.
+  IndexMap withoutGhosts() const
+  {
+    return isWhole() ? *this : IndexMap(globalSize_, {numbers_->begin(), numbers_->begin() + numOwned_});
+  }
+
   /// The global number of one of this rank, 0 <= local < size().
   Global global(int local) const { return isWhole() ? local : (*numbers_)[std::size_t(local)]; }
   /// This rank's number of a global one; -1 if it does not hold it. Logarithmic.

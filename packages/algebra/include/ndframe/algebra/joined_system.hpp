@@ -79,9 +79,10 @@ class WholeSolver
 public:
   virtual ~WholeSolver() = default;
 
-  /// K u = load on all dofs that are not fixed but those that hold the body (FreeMotions::held of its NeumannSolver),
-  /// where u keeps the values of `start`, as it does on fixed dofs. There too if the load balances.
-  virtual Vector solveFree(const Vector& load, Vector start, Exactness exactness) const = 0;
+  /// K u = load on all dofs that are not fixed but those that hold the body (RankProblem::holding), where u keeps the
+  /// values of `start`, as it does on fixed dofs. There too if the load balances. All at the nodes that this rank owns
+  /// of the body's matrix. Throws NotConverged, and SingularBody where nothing holds the body.
+  virtual NodalField solveFree(const NodalField& load, NodalField start, Exactness exactness) const = 0;
 
   /// Gives back the memory that solveFree() keeps for the next call, which sets up again what it needs.
   virtual void forget() const = 0;

@@ -20,6 +20,8 @@ struct RankProblem
   /// The Kept dofs of all ranks, in the order of the condensed system: dim for each of all nodes; -1 where one is none.
   std::vector<Global> kept;
   std::vector<std::array<Global, 2>> keptEnds; ///< per kept dof the ends of its node's edge, by numbers of all ranks
+  std::vector<int> holding; ///< kept dofs, by their places there, that hold the body as FreeMotions::held do
+  bool isHeld = true;       ///< false: kept and fixed dofs together leave it a motion
   /// Per own node the ends of the edge that it is the middle of, held nodes; a vertex is both of its ends. Empty: all
   /// nodes of all ranks are vertices.
   std::vector<std::array<int, 2>> ends;

@@ -2,7 +2,7 @@
 
 #include <vector>
 
-#include "ndframe/algebra/index_map.hpp"
+#include "ndframe/algebra/field.hpp"
 #include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/fem/node_map.hpp"
 
@@ -41,6 +41,11 @@ public:
   void annulOthers(Vector& values, int width) const;
   /// Values at own nodes, ascending, from those of the part, and back with zeros elsewhere.
   Vector own(const Vector& values, int width) const;
+  /// The same as a field on what is owned of the body's nodes, which `nodes` has in the same order.
+  NodalField own(const Vector& values, int width, const IndexMap& nodes) const
+  {
+    return {nodes.withoutGhosts(), width, own(values, width)};
+  }
   Vector spread(const Vector& own, int width) const; ///< fetches the other ranks' values. Collective
 
 private:
