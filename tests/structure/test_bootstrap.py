@@ -85,7 +85,7 @@ class Bootstrap(unittest.TestCase):
         run = self.call("run", "-i", "my deck.xml")
         self.assertEqual(self.apt_notes(), [])
         configure, dry, build = self.notes()
-        self.assertEqual(configure, "cmake --preset release")
+        self.assertEqual(configure, "cmake --preset release -D NDFRAME_COMPILE_GROUPS=ON")
         self.assertIn(" -n ndframe", dry)
         self.assertTrue(build.endswith(" ndframe") and " -n " not in build, build)
         self.assertIn("configuring", run.stderr)
