@@ -1,9 +1,10 @@
 """What several processes write and say of solids of which each has a share: test_shares.py NDFRAME DECKS MPIEXEC.
 
 Probes, warnings and the one file of all are those of one process; only the order of nodes and elements in the file is the ranks'.
-Runs that are ended go on, on as many processes with the same bits.
+Runs that are ended go on on any number of processes, on as many with the same bits.
 """
 
+import csv
 import pathlib
 import re
 import sys
@@ -136,44 +137,59 @@ class Shares(SharesTest):
             self.assertAlmostEqual(shared / one, 1.0, delta=1e-7)
 
     def test_killed_runs_go_on_on_any_number_of_processes(self):
+        """Of shares or of whole bodies, and from either to the other."""
         root, caught = self.bare("contact-loss-3d"), 0
-        whole = self.right(root, 3, *self.LOSS, name="whole")
-        self.assertEqual(self.parts("whole"), [], "a run that has ended leaves no parts")
-        for passes in (1, 2):
-            if not self.killed(root, 3, "np3", passes, *self.LOSS):
+        whole = {ranks: self.right(root, ranks, *self.LOSS, name=f"whole{ranks}") for ranks in (1, 3)}
+        self.assertEqual(self.parts("whole3"), [], "a run that has ended leaves no parts")
+        for first, passes in ((3, 1), (3, 2), (1, 1), (1, 2)):
+            self.put({})
+            if not self.killed(root, first, "killed", passes, *self.LOSS):
                 continue
             caught += 1
-            self.assertGreaterEqual(len(self.parts("np3")), 3)
-            kept = {path.name: path.read_bytes() for path in self.folder.glob("np3.checkpoint*")}
-            for ranks in (3, 2, 4):
-                for name, content in kept.items():
-                    (self.folder / name).write_bytes(content)
-                (self.folder / "np3.summary.json").unlink(missing_ok=True)
-                done, summary = self.run_deck(root, ranks, *self.LOSS, name="np3", more=["--restart"])
-                self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-                self.assertRegex(done.stdout, "status pass(es)? (is|are) not solved again")
-                self.assertEqual(self.parts("np3"), [])
-                self.assertEqual(summary["interfaces"][0]["closed_nodes"], whole["interfaces"][0]["closed_nodes"])
-                self.assertAlmostEqual(summary["energy"] / whole["energy"], 1.0, delta=0.0 if ranks == 3 else 1e-8)
-                if ranks == 3:
-                    tables = [(self.folder / f"{name}.contact.csv").read_bytes() for name in ("np3", "whole")]
-                    self.assertEqual(tables[0], tables[1])
-            one = self.restart_alone(root, kept)
-            self.assertIn("have the interfaces of processes that share out other meshes, or of one that has all", one)
-            name = next(name for name in kept if name.endswith(".3.1"))
-            (self.folder / name).unlink()
-            done, _ = self.run_deck(root, 3, *self.LOSS, name="np3", more=["--restart"])
-            self.assertEqual(done.returncode, 2, done.stdout)
-            self.assertIn(name, done.stderr)
-            (self.folder / "np3.summary.json").unlink(missing_ok=True)
-        self.assertGreater(caught, 0)
+            kept = {path.name: path.read_bytes() for path in self.folder.glob("killed.checkpoint*")}
+            self.assertEqual(len(self.parts("killed")) >= 3, first == 3, kept.keys())
+            for ranks in (1, 2, 3, 4):
+                self.go_on(root, kept, ranks, first, whole[first])
+            if first == 3:
+                name = next(name for name in kept if name.endswith(".3.1"))
+                self.put(kept)
+                (self.folder / name).unlink()
+                done, _ = self.run_deck(root, 3, *self.LOSS, name="killed", more=["--restart"])
+                self.assertEqual(done.returncode, 2, done.stdout)
+                self.assertIn(name, done.stderr)
+            (self.folder / "killed.summary.json").unlink(missing_ok=True)
+        self.assertGreater(caught, 1)
 
-    def restart_alone(self, root, kept):
+    def put(self, kept):
+        for path in self.folder.glob("killed.checkpoint*"):
+            path.unlink()
         for name, content in kept.items():
             (self.folder / name).write_bytes(content)
-        done, _ = self.run_deck(root, 1, *self.LOSS, name="np3", more=["--restart"])
-        self.assertEqual(done.returncode, 2, done.stdout)
-        return done.stderr
+
+    def go_on(self, root, kept, ranks, first, whole):
+        """What `first` processes have kept."""
+        self.put(kept)
+        (self.folder / "killed.summary.json").unlink(missing_ok=True)
+        done, summary = self.run_deck(root, ranks, *self.LOSS, name="killed", more=["--restart"])
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertRegex(done.stdout, "status pass(es)? (is|are) not solved again")
+        self.assertEqual(self.parts("killed"), [])
+        self.assertEqual(summary["interfaces"][0]["closed_nodes"], whole["interfaces"][0]["closed_nodes"])
+        self.assertAlmostEqual(summary["energy"] / whole["energy"], 1.0, delta=0.0 if ranks == first else 1e-8)
+        if ranks == first:
+            tables = [(self.folder / f"{name}.contact.csv").read_bytes() for name in ("killed", f"whole{ranks}")]
+            self.assertEqual(tables[0], tables[1])
+
+    def test_contact_is_told_in_one_order(self):
+        """Tables of processes with shares and of one with all name the same places row by row."""
+        root, rows = self.bare("contact-loss-3d"), []
+        for ranks in (1, 2, 4):
+            self.right(root, ranks, *self.LOSS)
+            with open(self.folder / f"np{ranks}.contact.csv") as file:
+                rows.append([[line[key] for key in ("x", "y", "z")] for line in csv.DictReader(file)])
+        self.assertGreater(len(rows[0]), 100)
+        self.assertEqual(rows[0], rows[1])
+        self.assertEqual(rows[0], rows[2])
 
     def test_vtk_reads_the_one_file(self):
         try:

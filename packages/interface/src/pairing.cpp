@@ -220,7 +220,7 @@ InterfaceMesh pairSides(const InterfaceSettings& settings, const BodyModel& diri
     first.facets = surface->facets;
   const Side& second = findSide(settings, ContactRole::Neumann, neumann);
   const std::string names = sideText(dirichlet, first, neumann, second);
-  const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+  const SideNodes mine{dirichlet.nodes, nodesInOrder(dirichlet.nodes, first.facets)};
   const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
   InterfaceMesh interface = firstSideOf(settings, dirichlet, first.facets);
   setNormal(interface, surface);
@@ -248,7 +248,7 @@ InterfaceMesh pairCutSides(const InterfaceSettings& settings, const BodyModel& d
   const std::string names = sideText(dirichlet, first, neumann, second);
   CommonFacets common = commonFacets(dirichlet.mesh, first, neumann.mesh, second);
   if (common.firstFacets.empty()) {
-    const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+    const SideNodes mine{dirichlet.nodes, nodesInOrder(dirichlet.nodes, first.facets)};
     const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
     const Comparison forward = compare(mine, theirs);
     refuseOffset(settings, forward, firstSideOf(settings, dirichlet, first.facets).normals, names);
@@ -256,7 +256,7 @@ InterfaceMesh pairCutSides(const InterfaceSettings& settings, const BodyModel& d
   }
   first.facets = std::move(common.firstFacets);
   second.facets = std::move(common.secondFacets);
-  const SideNodes mine{dirichlet.nodes, sideNodes(dirichlet.nodes, first)};
+  const SideNodes mine{dirichlet.nodes, nodesInOrder(dirichlet.nodes, first.facets)};
   const SideNodes theirs{neumann.nodes, sideNodes(neumann.nodes, second)};
   InterfaceMesh interface = firstSideOf(settings, dirichlet, first.facets);
   addPartners(interface, dirichlet.nodes, compare(mine, theirs));

@@ -1,5 +1,6 @@
 #include "side_facets.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 
@@ -36,10 +37,24 @@ InterfaceMesh emptyInterface(const std::string& name, const BodyModel& body)
   return interface;
 }
 
+std::vector<int> nodesInOrder(const NodeMap& nodes, const std::vector<Facet>& facets)
+{
+  std::vector<int> ordered = sideNodes(nodes, {"", facets});
+  if (nodes.dim < 3)
+    return ordered;
+  std::vector<std::pair<Direction, int>> places;
+  places.reserve(ordered.size());
+  for (const int node : ordered)
+    places.emplace_back(nodes.point(node), node);
+  std::sort(places.begin(), places.end());
+  std::transform(places.begin(), places.end(), ordered.begin(), [](const auto& place) { return place.second; });
+  return ordered;
+}
+
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets)
 {
   if (interface.sides[0].nodes.empty())
-    interface.sides[0].nodes = sideNodes(nodes, {"", facets});
+    interface.sides[0].nodes = nodesInOrder(nodes, facets);
   std::map<int, int> number;
   for (std::size_t i = 0; i < interface.sides[0].nodes.size(); ++i)
     number[interface.sides[0].nodes[i]] = int(i);

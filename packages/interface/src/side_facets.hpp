@@ -14,7 +14,11 @@ const Side& findSide(const InterfaceSettings& settings, ContactRole role, const 
 /// An interface of bodies like this one, still without facets.
 InterfaceMesh emptyInterface(const std::string& name, const BodyModel& body);
 
-/// Fills in what an interface has of its first side alone: dirichletNodes (ascending), facets, and addNormals().
+/// The nodes of a side as an interface numbers them: in space by their coordinates, so that no numbering of meshes
+/// counts, and ranks that have shares of bodies agree with those that have all of them; in the plane ascending.
+std::vector<int> nodesInOrder(const NodeMap& nodes, const std::vector<Facet>& facets);
+
+/// Fills in what an interface has of its first side alone: nodes (nodesInOrder), facets, and addNormals().
 void addSideFacets(InterfaceMesh& interface, const Mesh& mesh, const NodeMap& nodes, const std::vector<Facet>& facets);
 
 /// Fills in dirichletFacets, measures, facetNormals and the normals at the nodes (setMeanNormals).

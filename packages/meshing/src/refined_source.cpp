@@ -103,10 +103,10 @@ void addMeshSource(Registry<MeshSource>& registry, std::string name, std::string
        "mesh that is not halved: the scene is the same with every Refine (but for tied bodies, which are halved before "
        "they are glued). Several "
        "processes that solve solids whole (Multigrid, Monolithic) share the mesh out before they refine it, so that "
-       "none has the refined mesh, where nothing asks for all of a body: no estimator Reference; fields in pieces or "
-       "Single (Exodus Files). Meshes that are not refined, and those of a target's levels, which all processes have "
-       "(and whatever Exodus Files says), are shared out likewise from 200 vertices a process on, where Multigrid is "
-       "named, or from 300 000 dofs on, where Automatic chooses it."});
+       "none has the refined mesh, where nothing asks for all of a body: no estimator Reference, no recovery Star. "
+       "Meshes that are not refined, and those of a target's levels, which all processes have, are shared out likewise "
+       "from 200 vertices a process on, where Multigrid is named, or from 300 000 dofs on, where Automatic chooses "
+       "it."});
   registry.add(
       std::move(name), std::move(doc), std::move(params),
       [build = std::move(builder)](const Params& list) -> std::unique_ptr<MeshSource> {

@@ -62,7 +62,7 @@ NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StatusPasses, first, closed, passes, proximal
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsDone, history, state, traction, relaxation, counts, passes)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SweepsRecord, done, goal, isRough, before, iterationBefore, boundBefore, energy)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(StageRecord, name, seconds, peakBytes)
-NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedPasses, places, interfaces)
+NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(SharedPasses, places, interfaces, isInParts)
 NLOHMANN_DEFINE_TYPE_NON_INTRUSIVE(Checkpoint, version, deckJson, isFinished, results, levels, sweeps, shared, pieces,
                                    stamp, solution, seconds, firstMemory, peakMemory, counts, stages)
 
@@ -71,7 +71,7 @@ namespace
 
 constexpr const char *kindKey = "kind", *formatKey = "format", *contentKey = "content";
 constexpr const char* kind = "ndframe checkpoint";
-constexpr int format = 7;
+constexpr int format = 8;
 
 std::string refusal(const std::string& path, const std::string& why)
 {

@@ -102,7 +102,7 @@ std::string contentsOf(const std::string& path)
 
 bool isInPieces(const Checkpoint& checkpoint)
 {
-  return !checkpoint.shared.places.empty();
+  return checkpoint.shared.isInParts;
 }
 
 void writeCheckpointPieces(const std::string& path, const Checkpoint& checkpoint, const Comm& comm)

@@ -34,7 +34,10 @@ std::string hashOf(const std::vector<InterfaceMesh>& interfaces)
 {
   std::uint64_t hash = hashOf(nullptr, 0);
   for (const InterfaceMesh& interface : interfaces)
-    hash = hashOf(interface.points.data(), interface.points.size() * sizeof(double), hash);
+    for (const double value : interface.points) {
+      const double coordinate = value + 0.0; // no zeros with a sign
+      hash = hashOf(&coordinate, sizeof(double), hash);
+    }
   return fmt::format("{:016x}", hash);
 }
 
@@ -48,14 +51,21 @@ std::vector<const BodyModel*> bodiesOf(const Model& model)
   return bodies;
 }
 
-Vector ownPlaces(const BodyModel& body)
+/// Of the nodes that this rank has fields at: its own ones, or all.
+Vector heldPlaces(const BodyModel& body)
 {
   Vector places;
-  for (const int node : body.share->ownNodes()) {
+  const auto add = [&](int node) {
     const auto x = body.nodes.point(node);
     for (std::size_t k = 0; k < axes; ++k)
       places.push_back(k < std::size_t(body.mesh.dim) ? x[k] + 0.0 : 0.0); // no zeros with a sign
-  }
+  };
+  if (body.share)
+    for (const int node : body.share->ownNodes())
+      add(node);
+  else
+    for (int node = 0; node < body.nodes.numNodes(); ++node)
+      add(node);
   return places;
 }
 
@@ -132,13 +142,15 @@ private:
   throw InputError("The status passes to go on from " + why + "; run without --restart, from the beginning.");
 }
 
-/// The fields at this rank's nodes.
+/// The fields at this rank's nodes. Whole ones are given by rank 0.
 void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model, const Comm& comm)
 {
   const std::vector<const BodyModel*> bodies = bodiesOf(model);
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Directory directory(from.places[b], memory.fields[b], std::size_t(bodies[b]->mesh.dim), comm);
-    if (!directory.find(ownPlaces(*bodies[b]), memory.fields[b]))
+    const bool gives = from.isInParts || comm.rank() == 0;
+    const Directory directory(gives ? from.places[b] : Vector(), memory.fields[b], std::size_t(bodies[b]->mesh.dim),
+                              comm);
+    if (!directory.find(heldPlaces(*bodies[b]), memory.fields[b]))
       refuse(fmt::format("have no displacements at some nodes of \"{}\"", bodies[b]->name));
   }
 }
@@ -148,27 +160,25 @@ void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model,
 bool arePassesOf(const SweepsDone& done, const SharedPasses& shared, const Model& model)
 {
   const std::size_t fields = done.passes ? done.passes->system.fields.size() : 0;
-  if (fields == 0)
-    return true;
-  if (!model.told || shared.places.empty())
-    return !model.told && shared.places.empty();
-  return shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
-         fields == shared.places.size();
+  return fields == 0 || (shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
+                         fields == shared.places.size());
 }
 
 SweepsKept sharedPasses(SweepsKept sweeps, const Model& model, SharedPasses& shared, const Comm& comm)
 {
   if (sweeps.after && !arePassesOf(*sweeps.after, shared, model))
-    refuse("have the interfaces of processes that share out other meshes, or of one that has all of them: small ones "
-           "are refined first, the more the more processes there are. Go on with as many as before");
-  if (model.told && sweeps.after && sweeps.after->passes && !sweeps.after->passes->system.fields.empty())
+    refuse("are those of other interfaces");
+  const bool areShared = bool(model.told);
+  if ((areShared || shared.isInParts) && sweeps.after && sweeps.after->passes &&
+      !sweeps.after->passes->system.fields.empty())
     takeOwn(sweeps.after->passes->system, shared, model, comm);
   shared = {};
-  if (!model.told || !sweeps.keep)
+  if (!model.solvesWhole || !sweeps.keep)
     return sweeps;
   shared.interfaces = hashOf(model.interfaces);
+  shared.isInParts = areShared;
   for (const BodyModel* const body : bodiesOf(model))
-    shared.places.push_back(ownPlaces(*body));
+    shared.places.push_back(areShared || comm.rank() == 0 ? heldPlaces(*body) : Vector());
   return sweeps;
 }
 

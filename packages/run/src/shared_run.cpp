@@ -63,24 +63,18 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
 {
   const Model& model = *drawn.model;
   const std::vector<int> bodies = model.elasticBodies();
-  const OutputOptions& output = tools.settings.output;
-  if (bodies.empty() || !model.solvesWhole || (output.checkpoint && hasSlits(model)) ||
+  if (bodies.empty() || !model.solvesWhole || (tools.settings.output.checkpoint && hasSlits(model)) ||
       (tools.settings.accuracy && isCut(model))) // the next meshes are made from those that are not
     return false;
-  std::int64_t all = 0, together = 0; // those that touch others are solved together
-  for (const int body : bodies) {
-    const std::int64_t dofs = refinedDofs(drawn, body);
-    all += dofs;
-    together += model.touches(body) ? dofs : 0;
-  }
+  std::int64_t together = 0; // those that touch others are solved together
+  for (const int body : bodies)
+    together += model.touches(body) ? refinedDofs(drawn, body) : 0;
   const auto isForMultigrid = [&](int body) {
     BodyOutline outline = model.outline(body);
     outline.dofs = model.touches(body) ? together : refinedDofs(drawn, body);
     return tools.solver->name(outline, tools.comm.size()) == "Multigrid";
   };
-  return std::all_of(bodies.begin(), bodies.end(), isForMultigrid) &&
-         (tools.settings.accuracy || !output.exodus || output.exodusFiles == ExodusFiles::Single ||
-          writesPieces(output.exodusFiles, all / model.bodies.front().mesh.dim, tools.comm.size()));
+  return std::all_of(bodies.begin(), bodies.end(), isForMultigrid);
 }
 
 /// Whether the model is that of an earlier run with these meshes, which could not be shared.
