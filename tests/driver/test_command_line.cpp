@@ -157,7 +157,7 @@ TEST_F(Program, PlansWithoutReadingAMesh)
   for (const char* line :
        {"  gmsh                skip   no .geo script: the library is not loaded\n",
         "  mpi                 skip   one process: MPI is not started\n",
-        "  krylov              skip   neither Krylov nor Multigrid as linear solver: Tpetra is not loaded\n",
+        "  krylov              skip   no iterative linear solver is named: Tpetra is loaded for large solids alone\n",
         "  couple              run    Monolithic\n",
         "  certificate         skip   the deck has no list Error Estimation\n",
         "  stress              skip   no Exodus file is written\n", "  read                run    2 bodies\n"})

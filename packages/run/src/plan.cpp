@@ -66,11 +66,14 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Gmsh, settings.outline.needsGmsh, "a body's mesh is a .geo script",
       "no .geo script: the library is not loaded");
   add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks),
-      fmt::format("{}, linear solver {}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks)),
+      fmt::format("{}, linear solver {}{}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks),
+                  settings.linearSolver == "Automatic" ? ", Multigrid for large solids" : ""),
       "one process: MPI is not started");
   add(Stage::Krylov, iterates(settings.linearSolver),
       fmt::format("linear solver {}: Tpetra, Belos and the like are loaded", settings.linearSolver),
-      "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
+      settings.linearSolver == "Automatic"
+          ? "no iterative linear solver is named: Tpetra is loaded for large solids alone"
+          : "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
   const bool toTarget = settings.accuracy.has_value();
   const std::string again = toTarget ? ", on every level" : "";
   add(Stage::Read, true, counted(bodies, "body", "bodies") + again + sharesText(settings, ranks), {});
