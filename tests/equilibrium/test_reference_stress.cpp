@@ -162,11 +162,11 @@ TEST(ReferenceStress, ManyCellsSideBySideHaveTheMatricesOfEach)
           EXPECT_NEAR(entry[lane], A(i, j), 1e-10 * std::sqrt(A(i, i) * A(j, j)));
         }
     const Vector T = random.vector(std::size_t(reference.data()) * CellForms::lanes);
-    Vector forces(std::size_t(reference.tractions) * CellForms::lanes);
+    Vector forces(T.size());
     for (const int columns : {reference.tractions, reference.data()}) {
       forms.apply(compliances.data(), found.factor, T.data(), std::size_t(columns), forces.data());
       for (std::size_t lane = 0; lane < CellForms::lanes; ++lane)
-        for (int i = 0; i < reference.tractions; ++i) {
+        for (int i = 0; i < columns; ++i) {
           double force = 0.0, scale = 0.0;
           for (int j = 0; j < columns; ++j) {
             force += expected[lane](i, j) * T[std::size_t(j) * CellForms::lanes + lane];

@@ -8,9 +8,11 @@
 namespace ndframe::test
 {
 
-/// A recovery as the deck names it: type "Star" or "Element", with its integer parameters.
+/// A recovery as the deck names it: type "Star" or "Element", with its parameters; all are integers but "Least Gain".
 std::unique_ptr<StressRecovery> makeRecovery(const std::string& type,
-                                             const std::vector<std::pair<std::string, int>>& entries = {});
+                                             const std::vector<std::pair<std::string, double>>& entries = {});
+/// "Global" with so many steps, whatever they gain.
+std::unique_ptr<StressRecovery> withSteps(int degree, int steps);
 
 /// What a recovery gives on all ranks of test::comm(), with the corrections of all cells.
 std::vector<SceneStress> recoverWhole(const StressRecovery& recovery, const RecoveryScene& scene,

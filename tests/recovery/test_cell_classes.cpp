@@ -27,7 +27,7 @@ double largestDifference(const StressCells& cells, const ClassMatrices& matrices
   const CellMap map = cellMap(body.model().mesh, sortedCell(body.model().mesh, number));
   const DenseMatrix A = CellForm(body.reference(), map, body.model().laws(number)).condensed();
   double largest = 0.0, difference = 0.0;
-  for (int i = 0; i < matrices.rows(); ++i)
+  for (int i = 0; i < matrices.columns(); ++i)
     for (int j = 0; j < matrices.columns(); ++j) {
       double own = 0.0; // (F^-T A F^-1)_ij, vector by vector
       for (int k = 0; k < 3; ++k)

@@ -22,7 +22,7 @@ TEST(FlowSettler, BringsAnyFieldIntoEquilibrium)
       SceneField field;
       field.displacement = {&problem.displacement};
       const RecoveryScene scene{{&problem.body}, {problem.data}, {}};
-      const auto recovery = test::makeRecovery("Global", {{"Degree", 2}, {"Steps", 10}});
+      const auto recovery = test::withSteps(2, 10);
       return test::recoverWhole(*recovery, scene, {field}, ledger)[0].corrections[0];
     };
     const double before = std::sqrt(test::energyOf(problem.body, recovered()));

@@ -1,5 +1,7 @@
 // The recovery of solids: balance whatever the conditions, the energy falls with every step, towards the least one.
 
+#include <cmath>
+
 #include <gmock/gmock.h>
 
 #include "admissibility/sample_problems.hpp"
@@ -7,6 +9,7 @@
 #include "equilibrium/sample_stress.hpp"
 #include "mechanics/sample_laws.hpp"
 #include "recovery/sample_recovery.hpp"
+#include "stress_descent.hpp"
 
 namespace ndframe
 {
@@ -16,25 +19,28 @@ namespace
 
 constexpr double roundOff = 1e-12;
 
-StressCorrection recovered(const test::Problem& problem, const std::string& type, const std::string& effort, int amount,
-                           Ledger& ledger)
+StressCorrection recovered(const test::Problem& problem, const StressRecovery& recovery, Ledger& ledger)
 {
   const RecoveryScene scene{{&problem.body}, {problem.data}, {}};
   SceneField field;
   field.displacement = {&problem.displacement};
-  const auto recovery = test::makeRecovery(type, {{"Degree", problem.data.degree}, {effort, amount}});
-  return test::recoverWhole(*recovery, scene, {field}, ledger)[0].corrections[0];
-}
-
-StressCorrection recovered(const test::Problem& problem, const std::string& type, const std::string& effort, int amount)
-{
-  Ledger ledger;
-  return recovered(problem, type, effort, amount, ledger);
+  return test::recoverWhole(recovery, scene, {field}, ledger)[0].corrections[0];
 }
 
 StressCorrection recovered(const test::Problem& problem, int steps = 10)
 {
-  return recovered(problem, "Global", "Steps", steps);
+  Ledger ledger;
+  return recovered(problem, *test::withSteps(problem.data.degree, steps), ledger);
+}
+
+/// As many as lower the bound by a share of it.
+std::int64_t stepsTaken(const test::Problem& problem, std::vector<std::pair<std::string, double>> entries = {},
+                        const std::string& type = "Global")
+{
+  Ledger ledger;
+  entries.emplace_back("Degree", problem.data.degree);
+  recovered(problem, *test::makeRecovery(type, entries), ledger);
+  return ledger.counted("recovery steps");
 }
 
 double largestDefect(const test::Problem& problem, const StressCorrection& correction)
@@ -88,7 +94,7 @@ TEST_P(GlobalRecovery, FindsOneMatrixForCellsThatDifferByPlaceAndSizeAlone)
     for (const Mesh& mesh : {equal, nearlyEqual}) {
       const auto problem = problemOn(mesh, kind);
       Ledger ledger;
-      const StressCorrection correction = recovered(problem, "Global", "Steps", 10, ledger);
+      const StressCorrection correction = recovered(problem, *test::withSteps(GetParam().degree, 10), ledger);
       EXPECT_LT(largestDefect(problem, correction), roundOff) << kind;
       EXPECT_LT(energyOf(problem, correction), energyOf(problem, recovered(problem, 0))) << kind;
       if (mesh.points == equal.points)
@@ -96,7 +102,7 @@ TEST_P(GlobalRecovery, FindsOneMatrixForCellsThatDifferByPlaceAndSizeAlone)
     }
   Ledger ledger;
   const auto apart = problemOn(test::sampleMesh(3, 35.0), "clamped");
-  recovered(apart, "Global", "Steps", 1, ledger);
+  recovered(apart, *test::withSteps(GetParam().degree, 1), ledger);
   EXPECT_EQ(ledger.counted("cell matrices"), apart.body.mesh.numCells());
 }
 
@@ -124,8 +130,10 @@ TEST_P(GlobalRecovery, LowersTheEnergyWithEveryStepToThatOfManySweeps)
       EXPECT_LT(lower, energy * (1.0 + 1e-6)) << kind << ", steps " << steps;
       energy = lower;
     }
+    Ledger ledger;
+    const auto stars = test::makeRecovery("Star", {{"Degree", GetParam().degree}, {"Sweeps", 10}});
     const double least = energyOf(problem, recovered(problem, 100)),
-                 bySweeps = energyOf(problem, recovered(problem, "Star", "Sweeps", 10));
+                 bySweeps = energyOf(problem, recovered(problem, *stars, ledger));
     EXPECT_LT(least, 1.01 * bySweeps) << kind;
     EXPECT_GT(least, 0.9 * bySweeps) << kind;
     EXPECT_LT(energyOf(problem, recovered(problem, 20)), 1.25 * least) << kind;
@@ -137,6 +145,77 @@ TEST_P(GlobalRecovery, DoesNotDependOnTheNumbering)
   const auto problem = sampleProblem(GetParam(), "corner"), other = sampleProblem(GetParam(), "corner", 5);
   const double energy = energyOf(problem, recovered(problem)), again = energyOf(other, recovered(other));
   EXPECT_NEAR(again, energy, 1e-5 * energy); // steps have single precision
+}
+
+TEST_P(GlobalRecovery, TellsTheEnergyThatItLeaves)
+{
+  for (const std::string& kind : test::conditionKinds())
+    for (const Mesh& mesh : {test::sampleMesh(3, 35.0), test::box({3, 3, 3}, "Right", 35.0)}) { // alone, in classes
+      const auto problem =
+          test::solved(test::makeBody(mesh, GetParam().order, test::conditions(3, kind)), GetParam().degree);
+      const StarBody body(problem.body, problem.data);
+      const StressCells cells({&body});
+      const StressFaces faces(cells);
+      StressCorrection correction = recovered(problem, 0);
+      const DescentWatch watch{[] {}, [](double) {}};
+      StressDescent descent(faces, {}, {{{&correction}}}, watch, Comm::single(), 1);
+      EXPECT_NEAR(descent.energy(0), energyOf(problem, correction), 1e-10 * energyOf(problem, correction)) << kind;
+      EXPECT_EQ(descent.lower({30, 0.0}), 30);
+      EXPECT_NEAR(descent.energy(0), energyOf(problem, correction), 1e-5 * energyOf(problem, correction)) << kind;
+    }
+}
+
+TEST_P(GlobalRecovery, TakesMoreStepsWhereCellsAreStretched)
+{
+  const auto stepsOn = [](double height) {
+    const Mesh mesh = test::moved(test::box({4, 4, 4}, "Right", 0.0), [=](double* x) { x[2] *= height; });
+    return stepsTaken(
+        test::solved(test::makeBody(mesh, GetParam().order, test::conditions(3, "clamped")), GetParam().degree));
+  };
+  const std::int64_t cubes = stepsOn(1.0), plates = stepsOn(0.2);
+  EXPECT_LT(cubes, 30);
+  EXPECT_GT(plates, 5 * cubes / 4);
+  EXPECT_GT(stepsOn(0.05), plates);
+}
+
+TEST_P(GlobalRecovery, TakesStepsAsLongAsTheyGainEnough)
+{
+  const auto problem = sampleProblem(GetParam(), "clamped");
+  const double start = energyOf(problem, recovered(problem, 0));
+  const auto boundAfter = [&](std::int64_t steps) {
+    return std::sqrt(energyOf(problem, recovered(problem, int(steps))) / start);
+  };
+  const std::int64_t steps = stepsTaken(problem, {{"Least Gain", 0.01}});
+  const auto gainUntil = [&](std::int64_t last) {
+    return 1.0 - std::pow(boundAfter(last) / boundAfter(last - 4), 1.0 / 4.0);
+  };
+  EXPECT_LT(gainUntil(steps), 0.01);
+  EXPECT_GT(gainUntil(steps - 1), 0.01);
+  EXPECT_EQ(stepsTaken(problem, {{"Least Gain", 0.01}, {"Steps", 5}}), 5);
+  EXPECT_EQ(stepsTaken(problem, {{"Least Gain", 0.0}, {"Steps", 50}}), 50);
+  EXPECT_EQ(stepsTaken(problem, {{"Steps", 0}}), 0);
+}
+
+TEST_P(GlobalRecovery, SweepsOfAutomaticHalveTheGain)
+{
+  const auto problem = sampleProblem(GetParam(), "rollers");
+  std::int64_t last = 0;
+  for (const int sweeps : {0, 1, 2, 4}) {
+    const std::int64_t steps = stepsTaken(problem, {{"Sweeps", sweeps}}, "Automatic");
+    EXPECT_EQ(steps, stepsTaken(problem, {{"Least Gain", std::ldexp(0.005, -sweeps)}})) << sweeps;
+    EXPECT_GT(steps, last);
+    last = steps;
+  }
+}
+
+TEST_P(GlobalRecovery, TakesNoStepsWhereNothingActs)
+{
+  test::Conditions conditions;
+  conditions.supports = {test::onSide("Clamp", "left")};
+  const auto problem =
+      test::solved(test::makeBody(test::sampleMesh(3, 35.0), GetParam().order, conditions), GetParam().degree);
+  EXPECT_EQ(stepsTaken(problem), 0);
+  EXPECT_EQ(energyOf(problem, recovered(problem)), 0.0);
 }
 
 } // namespace ndframe

@@ -29,7 +29,7 @@ Mesh mesh(int dim)
 struct Recovery
 {
   std::string name;
-  std::vector<std::pair<std::string, int>> entries;
+  std::vector<std::pair<std::string, double>> entries;
 };
 
 const std::vector<Recovery>& recoveries()

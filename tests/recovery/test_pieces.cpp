@@ -24,12 +24,17 @@ test::Problem sampleProblem(const Mesh& mesh, const std::string& kind)
   return test::solved(test::makeBody(mesh, 2, test::conditions(3, kind)), 2);
 }
 
-SceneStress recovered(const test::Problem& problem, const Comm& comm, Ledger& ledger)
+SceneStress recovered(const StressRecovery& recovery, const test::Problem& problem, const Comm& comm, Ledger& ledger)
 {
   const RecoveryScene scene{{&problem.body}, {problem.data}, {}};
   SceneField field;
   field.displacement = {&problem.displacement};
-  return test::makeRecovery("Global", {{"Degree", 2}, {"Steps", 10}})->recover(scene, {field}, comm, ledger)[0];
+  return recovery.recover(scene, {field}, comm, ledger)[0];
+}
+
+SceneStress recovered(const test::Problem& problem, const Comm& comm, Ledger& ledger)
+{
+  return recovered(*test::withSteps(2, 10), problem, comm, ledger);
 }
 
 StressCorrection whole(SceneStress stress)
@@ -115,6 +120,21 @@ TEST(Pieces, AnswerIsThatOfOneProcess)
       EXPECT_EQ(found.imbalance, expected.imbalance) << kind;
       EXPECT_EQ(found.force, expected.force) << kind;
       EXPECT_EQ(together.counted("cell matrices"), alone.counted("cell matrices")) << kind;
+    }
+}
+
+TEST(Pieces, DescentsEndAfterAsManyStepsAsOnOneProcess)
+{
+  const auto recovery = test::makeRecovery("Global");
+  for (const Mesh& mesh : sampleMeshes())
+    for (const std::string& kind : test::conditionKinds()) {
+      const auto problem = sampleProblem(mesh, kind);
+      Ledger alone, together;
+      recovered(*recovery, problem, Comm::single(), alone);
+      recovered(*recovery, problem, test::comm(), together);
+      EXPECT_EQ(together.counted("recovery steps"), alone.counted("recovery steps")) << kind;
+      EXPECT_GT(alone.counted("recovery steps"), 5) << kind;
+      EXPECT_LT(alone.counted("recovery steps"), 60) << kind;
     }
 }
 

@@ -16,6 +16,7 @@
 #include "ndframe/admissibility/contact_nodes.hpp"
 #include "ndframe/admissibility/make_static_data.hpp"
 #include "recovery/sample_recovery.hpp"
+#include "stress_descent.hpp"
 
 namespace ndframe
 {
@@ -67,8 +68,31 @@ public:
   SceneStress recovered(int steps) const
   {
     Ledger ledger;
-    const auto method = test::makeRecovery("Global", {{"Degree", kind_.degree}, {"Steps", steps}});
-    return test::recoverWhole(*method, recovery, {field}, ledger)[0];
+    return test::recoverWhole(*test::withSteps(kind_.degree, steps), recovery, {field}, ledger)[0];
+  }
+
+  /// As many as lower the bound.
+  std::int64_t stepsTaken() const
+  {
+    Ledger ledger;
+    test::recoverWhole(*test::makeRecovery("Global", {{"Degree", kind_.degree}}), recovery, {field}, ledger);
+    return ledger.counted("recovery steps");
+  }
+
+  /// What a descent from there says that the objective is, and the objective: before the first step and after some.
+  std::vector<std::pair<double, double>> told(int steps) const
+  {
+    const StarBody above(bodies[0], recovery.data[0]), below(bodies[1], recovery.data[1]);
+    const StressCells cells({&above, &below});
+    const StressFaces faces(cells, recovery.patches);
+    SceneStress stress = recovered(0);
+    const DescentField changes{{&stress.corrections[0], &stress.corrections[1]}, &stress.tractions[0], &field.opening};
+    const DescentWatch watch{[] {}, [](double) {}};
+    StressDescent descent(faces, recovery.patches, {changes}, watch, Comm::single(), 1);
+    std::vector<std::pair<double, double>> result{{descent.energy(0), objective(stress)}};
+    EXPECT_EQ(descent.lower({steps, 0.0}), steps);
+    result.emplace_back(descent.energy(0), objective(stress));
+    return result;
   }
 
   /// |c|^2 + 2 int t (u~1_N - u~2_N - g)
@@ -232,6 +256,12 @@ TEST_P(TractionDescent, StaysAdmissibleAndInEquilibriumWithBothStresses)
   }
 }
 
+TEST_P(TractionDescent, TellsTheObjectiveThatItLeaves)
+{
+  for (const auto& [told, measured] : SolidPair(GetParam()).told(30))
+    EXPECT_NEAR(told, measured, 1e-5 * std::abs(measured));
+}
+
 TEST_P(TractionDescent, MakesTheBoundSmallerThanTheProjectedOneWithEveryStep)
 {
   SolidPair scene(GetParam());
@@ -257,6 +287,7 @@ TEST_P(TractionDescent, DependsNeitherOnNumberingNorOnUnits)
   const double one = scene.objective(scene.recovered(10)),
                two = other.objective(other.recovered(10)) / (std::pow(kind.length, 3) * kind.stress);
   EXPECT_NEAR(two, one, 1e-4 * std::abs(one));
+  EXPECT_EQ(other.stepsTaken(), scene.stepsTaken());
 }
 
 } // namespace ndframe

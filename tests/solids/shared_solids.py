@@ -20,7 +20,7 @@ sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from certificate_solids import scene
 from cut_solids import partial, patch
 from runs import Program, sweep, sweep_options
-from solid_scenes import pressure, write_scene
+from solid_scenes import AS_MANY_STEPS, pressure, write_scene
 
 ENOUGH = 200  # vertices a rank: fewer are not shared out
 SAME = 2e-6  # of the largest of its kind: iterations stop at 1e-10, and forces are derivatives
@@ -207,7 +207,7 @@ def judge(program, seed):
     given += ["Linear Solver/Type=Multigrid", "Coupling/Type=Monolithic", "Output/Exodus=false"]
     if draw.random() < 0.6:
         estimators = draw.choice(("{Global}", "{Global}", "{Global}" if more == "tied" else "{Global, Algorithm, Discretization}"))
-        given += [f"Error Estimation/Estimators={estimators}", "Error Estimation/Check Equilibrium=true"]
+        given += [f"Error Estimation/Estimators={estimators}", "Error Estimation/Check Equilibrium=true", *AS_MANY_STEPS]
     about = f"{seed}: {kind}, {ranks} ranks, {' '.join(given)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)

@@ -14,7 +14,7 @@ import tempfile
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from certificate_solids import NOTHING_TO_SOLVE, scene
 from runs import Program, sweep, sweep_options
-from solid_scenes import write_scene
+from solid_scenes import AS_MANY_STEPS, write_scene
 
 SAME = 1e-6  # of the largest: forces stop at 1e-10 of the loads
 NEAR = 1e-3  # of the bound: bodies that are solved whole have no second solve for it (theory, section 4), so it is another one
@@ -49,7 +49,7 @@ def judge(program, seed):
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)
         given = ["Discretization/Order=2", "Coupling/Type=Monolithic", "Error Estimation/Estimators={Global}",
-                 "Output/Exodus=false", "Output/Contact Table=false"]
+                 "Output/Exodus=false", "Output/Contact Table=false", *AS_MANY_STEPS]
         factored = program.run(deck, *given, "Linear Solver/Type=Cholmod")
         whole = program.run(deck, *given, "Linear Solver/Type=Multigrid", "Linear Solver/Tolerance=1e-12", ranks=ranks)
     if factored.code == 2 and any(reason in factored.screen for reason in NOTHING_TO_SOLVE):

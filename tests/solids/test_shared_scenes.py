@@ -13,6 +13,7 @@ import exodus_pieces
 import netCDF4
 import numpy
 from shares_test import PUNCH, SharesTest, add
+from solid_scenes import AS_MANY_STEPS
 
 
 STEPPED = 1e-5  # of fields of the certificate, whose steps are in single precision
@@ -107,7 +108,7 @@ class SharedScenes(SharesTest):
         for refine in (0, 1):
             cells = [f"Bodies/punch/Mesh/Cells={{{n}, {n}, {n}}}" for n in (5 - 2 * refine,)] + [
                 "Bodies/foundation/Mesh/Cells={8, 8, 4}" if refine == 0 else "Bodies/foundation/Mesh/Cells={4, 4, 2}"]
-            settings = [PUNCH[0], *cells, *(f"Bodies/{body}/Mesh/Refine={refine}" for body in ("punch", "foundation"))]
+            settings = [PUNCH[0], *AS_MANY_STEPS, *cells, *(f"Bodies/{body}/Mesh/Refine={refine}" for body in ("punch", "foundation"))]
             one, shared = (self.right(root, ranks, *settings, "Output/Exodus Files=Single", name=f"n{refine}{ranks}") for ranks in (1, 3))
             self.assertEqual(*(summary["interfaces"][0]["nodes"] for summary in (one, shared)))
             bounds = [summary["errors"]["global"] for summary in (one, shared)]

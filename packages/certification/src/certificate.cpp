@@ -140,7 +140,7 @@ SceneField Certifier::globalField() const
   SceneField field = makeSceneField(global_.field);
   field.optimise = options_.optimises(recovery_, scene_.dim());
   if (field.optimise)
-    field.opening = openings(scene_, global_.field.displacement, admissible_.gap);
+    setOpening(scene_, global_.field, admissible_, field);
   return field;
 }
 

@@ -90,6 +90,19 @@ AdmissibleScene admitScene(const CertifiedScene& scene, const RecoveryScene& rec
   return result;
 }
 
+void setOpening(const CertifiedScene& scene, const IntermediateField& field, const AdmissibleScene& admissible,
+                SceneField& input)
+{
+  input.opening = openings(scene, field.displacement, admissible.gap);
+  if (scene.dim() == 2)
+    return;
+  const std::vector<NodalField>& to = admissible.displacement.displacement;
+  input.beside = std::pow(changeInEnergy(scene.bodies, field.displacement, to, scene.parts), 2);
+  const Vector closed = difference(openings(scene, to, admissible.gap), input.opening);
+  for (const double twice : contactContributions(scene.patches, field.tractions[0], closed))
+    input.beside += twice;
+}
+
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
                            const AdmissibleScene& admissible, ElementDistances& distances)
 {

@@ -38,6 +38,11 @@ void addOscillation(const CertifiedScene& scene, const RecoveryScene& recovery, 
 /// Bounds the data's oscillation sharper where it is more than a small share of a measure; false where it is not.
 bool sharpenOscillation(const CertifiedScene& scene, RecoveryScene& recovery, const ErrorMeasure& measure);
 
+/// SceneField::opening, and in space SceneField::beside: |u~ - u^|^2 + 2 int t^ (w^ - w~), t^ as projected, as far as
+/// u~ is in finite element equilibrium.
+void setOpening(const CertifiedScene& scene, const IntermediateField& field, const AdmissibleScene& admissible,
+                SceneField& input);
+
 /// (39): distance of the stress from K eps(u^), contact term, what is added. distances: of this stress.
 ErrorMeasure measureStress(const CertifiedScene& scene, const RecoveredField& recovered,
                            const AdmissibleScene& admissible, ElementDistances& distances);

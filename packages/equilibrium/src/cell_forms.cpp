@@ -21,13 +21,13 @@ CellForms::CellForms(const ReferenceStress& reference) : reference_(reference)
     for (int j = 0; j < reference.bubbles; ++j)
       bubble_.push_back(reference.bubble(i, j));
   }
-  lifted_.assign(reference.lift.data(), reference.lift.col(reference.tractions));
+  lifted_.assign(reference.lift.data(), reference.lift.data() + std::ptrdiff_t(reference.coefficients) * data);
   bubbled_.assign(reference.bubble.data(),
                   reference.bubble.data() + std::ptrdiff_t(reference.coefficients) * reference.bubbles);
   for (int i = 0; i < reference.coefficients; ++i)
     for (int j = 0; j < reference.tractions; ++j)
       liftRounded_.push_back(float(reference.lift(i, j)));
-  liftedRounded_.assign(lifted_.begin(), lifted_.end());
+  liftedRounded_.assign(reference.lift.data(), reference.lift.col(reference.tractions));
   bubbleRounded_.assign(bubble_.begin(), bubble_.end());
   bubbledRounded_.assign(bubbled_.begin(), bubbled_.end());
   for (int j = 0; j < data; ++j)

@@ -240,13 +240,13 @@ CellForms::Facets CellForms::facets(const double* compliances, Vector& work) con
   return {work.data(), work.data() + alone * lanes, own};
 }
 
-void CellForms::apply(const double* compliances, const double* factor, const double* x, std::size_t columns,
+void CellForms::apply(const double* compliances, const double* factor, const double* x, std::size_t size,
                       double* forces) const
 {
-  const auto coefficients = std::size_t(reference_.coefficients), tractions = std::size_t(reference_.tractions);
+  const auto coefficients = std::size_t(reference_.coefficients);
   const auto modes = std::size_t(reference_.basis.size());
   double stress[mostCoefficients * lanes];
-  multiplyTable(lift_.data(), std::size_t(reference_.data()), coefficients, columns, x, stress);
+  multiplyTable(lift_.data(), std::size_t(reference_.data()), coefficients, size, x, stress);
   weigh(compliances, modes, stress);
   if (reference_.bubbles > 0) {
     double inside[mostCoefficients * lanes];
@@ -254,7 +254,7 @@ void CellForms::apply(const double* compliances, const double* factor, const dou
     weigh(compliances, modes, inside);
     add(inside, coefficients, stress);
   }
-  multiplyTable(lifted_.data(), coefficients, tractions, coefficients, stress, forces);
+  multiplyTable(lifted_.data(), coefficients, size, coefficients, stress, forces);
 }
 
 } // namespace ndframe

@@ -5,7 +5,7 @@
 namespace ndframe
 {
 
-/// "Automatic" (parameters Degree, Sweeps): Star in the plane; Global in space, with ten steps more a sweep.
+/// "Automatic" (parameters Degree, Sweeps): Star in the plane; Global in space, half the least gain a sweep.
 void registerAutomaticRecovery(Registry<StressRecovery>& registry);
 
 } // namespace ndframe

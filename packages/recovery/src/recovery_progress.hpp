@@ -7,13 +7,14 @@
 namespace ndframe
 {
 
-/// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken. Any
-/// thread may say so.
+/// Tells how many stars are in balance, then how many cells have their matrices, then how many steps are taken and what
+/// they gain. Any thread may say so.
 class RecoveryProgress
 {
 public:
-  RecoveryProgress(const RecoveryScene& scene, std::size_t descents, int steps, const Comm& comm, Ledger& ledger)
-      : ledger_(ledger), steps_(std::int64_t(descents) * steps)
+  /// leastGain: at which a descent ends.
+  RecoveryProgress(const RecoveryScene& scene, double leastGain, const Comm& comm, Ledger& ledger)
+      : ledger_(ledger), leastGain_(leastGain)
   {
     for (const BodyModel* body : scene.bodies)
       if (!body->isRigid) {
@@ -24,7 +25,10 @@ public:
 
   void starIsBalanced() { tell("star", ++balanced_, stars_); }
   void cellIsRead() { tell("cell", ++read_, cells_); }
-  void stepIsTaken() { tell("step", ++taken_, steps_); }
+  void stepIsTaken(double gain)
+  {
+    ledger_.tell(Depth::Step, Progress::falling("step", ++taken_, "gain", gain, leastGain_));
+  }
 
 private:
   void tell(const char* name, std::int64_t number, std::int64_t of)
@@ -33,7 +37,8 @@ private:
   }
 
   Ledger& ledger_;
-  std::int64_t stars_ = 0, cells_ = 0, steps_;
+  double leastGain_;
+  std::int64_t stars_ = 0, cells_ = 0;
   std::atomic<std::int64_t> balanced_ = 0, read_ = 0, taken_ = 0;
 };
 

@@ -1,7 +1,10 @@
 #include "stress_descent.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numeric>
 
+#include "ndframe/admissibility/contact_moments.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "pressure_room.hpp"
 
@@ -22,8 +25,11 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
       addPatches(ofPatches, field);
     }
     start_.emplace_back(std::size_t(faces.cells().size()) * 4 * std::size_t(facetData()), 0.0);
+    batches_.emplace_back(std::size_t(matrices_.numBatches()));
   }
   findMatrices();
+  for (std::size_t f = 0; f < fields_.size(); ++f)
+    energies_.push_back(startEnergy(f));
   blocks_.invert(sharing_, threads);
 }
 
@@ -98,10 +104,26 @@ void StressDescent::addStart(int batch, const std::function<void(const double*, 
         x[(tractions + i) * lanes + c] = correction.loads[cell * loads + i];
     }
     multiply(x.data(), forces.data());
+    const auto bySize = [](double a, double b) { return std::abs(a) < std::abs(b); };
+    batches_[f][std::size_t(batch)] = {std::inner_product(x.begin(), x.end(), forces.begin(), 0.0),
+                                       std::abs(*std::max_element(x.begin(), x.end(), bySize))};
     for (std::size_t c = 0; c < std::size_t(count); ++c)
       for (std::size_t i = 0; i < tractions; ++i)
         start_[f][std::size_t(cells[c]) * tractions + i] = forces[i * lanes + c];
   }
+}
+
+/// sum x_E^T A_E x_E of all ranks' cells, and 2 int t^ w.
+double StressDescent::startEnergy(std::size_t field) const
+{
+  Vector sum{0.0};
+  for (const Start& start : batches_[field])
+    sum.front() += start.energy;
+  comm_.sum(sum);
+  if (fields_[field].traction == nullptr)
+    return sum.front();
+  const Vector contact = contactContributions(*contact_, *fields_[field].traction, *fields_[field].opening);
+  return std::accumulate(contact.begin(), contact.end(), sum.front());
 }
 
 /// Half the derivative of 2 int t^ w by the tractions of faces in contact.
@@ -135,10 +157,25 @@ std::vector<char> StressDescent::held(const std::vector<char>& patches) const
   return blocks;
 }
 
-void StressDescent::lower(int steps)
+int StressDescent::lower(const DescentEnd& end)
 {
+  int steps = 0;
   for (std::size_t f = 0; f < fields_.size(); ++f)
-    lower(fields_[f], std::move(start_[f]), steps);
+    steps += lower(f, end);
+  return steps;
+}
+
+/// Whether the data of all corrections are round-off of the forces.
+bool StressDescent::isDone(std::size_t field) const
+{
+  constexpr double roundOff = 1e-12;
+  Vector largest{0.0, 0.0}; // of data, of forces
+  for (const Start& start : batches_[field])
+    largest[0] = std::max(largest[0], start.largest);
+  for (const StressCorrection* correction : fields_[field].corrections)
+    largest[1] = std::max(largest[1], correction->force);
+  takeLargest(largest, comm_);
+  return largest[0] <= roundOff * largest[1];
 }
 
 /// Adds the normal part of a face's traction to the change of a patch's, in equal shares.

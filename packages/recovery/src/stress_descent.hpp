@@ -2,6 +2,7 @@
 
 #include <functional>
 #include <memory>
+#include <optional>
 
 #include "ndframe/equilibrium/stress_correction.hpp"
 #include "ndframe/simd/stress_matrices.hpp"
@@ -19,12 +20,21 @@ struct DescentField
   /// Admissible tractions of the faces in contact that may change with the rest; null: they stay as they are.
   ContactTraction* traction = nullptr;
   const Vector* opening = nullptr; ///< SceneField::opening; with a traction
+  double beside = 0.0;             ///< SceneField::beside
+};
+
+/// When a descent ends.
+struct DescentEnd
+{
+  int most;         ///< steps
+  double leastGain; ///< StepGains::mean below which no further step is taken; 0: all steps are
 };
 
 /// Who wants to know how far a descent is; any thread may tell.
 struct DescentWatch
 {
-  std::function<void()> cellIsRead, stepIsTaken;
+  std::function<void()> cellIsRead;
+  std::function<void(double gain)> stepIsTaken; ///< StepGains::mean
 };
 
 /// Lowers the energy of equilibrated corrections by a few steps of conjugate gradients over all tractions that keep the
@@ -33,7 +43,7 @@ struct DescentWatch
 /// The energy is sum_E x_E^T A_E x_E, x_E = (T, G) the data of cell E, and with a traction t^ that may change
 /// + 2 int t^ (u~1_N - u~2_N - g). Its Bernstein coefficients stay <= 0: a step ends where one of them would become
 /// positive; facets that stop steps keep their traction from then on. Whatever the steps are, cells stay in balance to
-/// round-off, and the energy falls.
+/// round-off, and the energy falls: a step of length a along p, from the residual r, lowers it by 2 a r.p - a^2 p.Ap.
 class StressDescent
 {
 public:
@@ -44,8 +54,10 @@ public:
   StressDescent(const StressDescent&) = delete;
   StressDescent& operator=(const StressDescent&) = delete;
 
-  /// Takes `steps` steps, every field for itself.
-  void lower(int steps);
+  /// Takes steps, every field for itself; none where nothing but round-off is left. Returns how many all fields took.
+  int lower(const DescentEnd& end);
+  /// The energy of a field at present, as the steps know it.
+  double energy(std::size_t field) const { return energies_[field]; }
   /// Matrices A_E that all ranks found, one a class or cell without one, and the most that one of them holds.
   std::array<std::int64_t, 2> numMatrices() const;
   const SharedValues& shared() const { return sharing_.values(); } ///< to ask what was sent
@@ -53,10 +65,18 @@ public:
 private:
   /// Steps are in single precision, in units that make their numbers of the order of one.
   using Rounded = std::vector<float>;
+  /// What a batch of cells has of x_E^T A_E x_E before the first step, and its largest datum.
+  struct Start
+  {
+    double energy, largest;
+  };
   struct Steps;
-  void lower(const DescentField& field, Vector start, int count) const;
+  int lower(std::size_t field, const DescentEnd& end);
+  int descend(Steps& steps, PressureRoom* room, std::size_t field, const DescentEnd& end);
+  bool isDone(std::size_t field) const;
+  double startEnergy(std::size_t field) const;
   Steps begin(const DescentField& field, Vector start, std::vector<char> still) const;
-  bool take(Steps& steps, PressureRoom* room) const;
+  std::optional<double> take(Steps& steps, PressureRoom* room) const;
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
   void addStart(int batch, const std::function<void(const double*, double*)>& multiply);
@@ -82,7 +102,9 @@ private:
   const Comm& comm_;
   int threads_;
   std::vector<StressFaces::Seat> seats_;
-  std::vector<Vector> start_; ///< per field A_E x_E, cell by cell; zero at ghosts
+  std::vector<Vector> start_;               ///< per field A_E x_E, by tractions and cell by cell; zero at ghosts
+  std::vector<std::vector<Start>> batches_; ///< per field
+  Vector energies_;                         ///< per field
   std::vector<StressEdge> edges_;
   StressSharing sharing_;
   ClassMatrices ofClasses_;

@@ -2,6 +2,7 @@
 #include <cmath>
 #include <optional>
 
+#include "ndframe/algebra/step_gains.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/simd/block_kernels.hpp"
 #include "pressure_room.hpp"
@@ -125,14 +126,17 @@ struct StressDescent::Steps
 };
 
 /// Residuals and directions are zero where another rank owns, but for directions that are about to be taken.
-void StressDescent::lower(const DescentField& field, Vector start, int count) const
+int StressDescent::lower(std::size_t number, const DescentEnd& end)
 {
+  const DescentField& field = fields_[number];
+  if (end.most == 0 || isDone(number))
+    return 0;
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction, comm_);
-  Steps steps = begin(field, std::move(start), held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
-  for (int step = 0; step < count && steps.rz > 0.0 && take(steps, room ? &*room : nullptr); ++step)
-    watch_.stepIsTaken();
+  Steps steps =
+      begin(field, std::move(start_[number]), held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
+  const int taken = descend(steps, room ? &*room : nullptr, number, end);
   const Vector x = std::move(steps.x);
   const double unit = steps.traction;
   steps = {}; // its memory is needed again
@@ -145,6 +149,26 @@ void StressDescent::lower(const DescentField& field, Vector start, int count) co
     add(face, T.data(), field, ofPatches);
   }
   addPatches(ofPatches, field);
+  return taken;
+}
+
+/// Takes steps until they gain too little; how many.
+int StressDescent::descend(Steps& steps, PressureRoom* room, std::size_t field, const DescentEnd& end)
+{
+  Vector square{energies_[field] + fields_[field].beside};
+  takeLargest(square, comm_); // the same to the bit on all ranks, which have to end together
+  StepGains gains(square.front());
+  int taken = 0;
+  while (taken < end.most && steps.rz > 0.0 && !gains.areBelow(end.leastGain)) {
+    const std::optional<double> lowered = take(steps, room);
+    if (!lowered)
+      break;
+    gains.add(*lowered);
+    ++taken;
+    watch_.stepIsTaken(gains.mean());
+  }
+  energies_[field] -= gains.lowered();
+  return taken;
 }
 
 StressDescent::Steps StressDescent::begin(const DescentField& field, Vector start, std::vector<char> still) const
@@ -170,8 +194,8 @@ StressDescent::Steps StressDescent::begin(const DescentField& field, Vector star
   return steps;
 }
 
-/// Whether there was a step to take.
-bool StressDescent::take(Steps& steps, PressureRoom* room) const
+/// What the step lowers the energy by; none where there was no step to take.
+std::optional<double> StressDescent::take(Steps& steps, PressureRoom* room) const
 {
   auto& [force, traction, residual, p, Ap, tractions, ofCells, ofFaces, x, still, rz] = steps;
   fetch(p);
@@ -181,7 +205,7 @@ bool StressDescent::take(Steps& steps, PressureRoom* room) const
   gradientOf(ofFaces, Ap);
   const double curvature = dotOfAll(p, Ap);
   if (!(curvature > 0.0))
-    return false;
+    return std::nullopt;
   const double wanted = rz / curvature;
   double length = wanted;
   if (room != nullptr)
@@ -198,8 +222,9 @@ bool StressDescent::take(Steps& steps, PressureRoom* room) const
   const auto kept = float(length < wanted ? 0.0 : next / rz);
   for (std::size_t i = 0; i < p.size(); ++i)
     p[i] = z[i] + kept * p[i];
+  const double lowered = force * traction * length * (2.0 * rz - length * curvature);
   rz = next;
-  return true;
+  return lowered;
 }
 
 /// The traction of a direction on a face in contact, in double precision, as x will have it.

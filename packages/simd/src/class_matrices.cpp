@@ -10,8 +10,8 @@ namespace ndframe
 {
 
 ClassMatrices::ClassMatrices(const StressCells& cells)
-    : cells_(&cells), rows_(cells.any().reference().tractions), columns_(cells.any().reference().data()),
-      place_(std::size_t(cells.classes().size()), -1)
+    : cells_(&cells), columns_(cells.any().reference().data()),
+      tractions_(std::size_t(cells.any().reference().tractions)), place_(std::size_t(cells.classes().size()), -1)
 {
   std::vector<int> large;
   for (int number = 0; number < cells.classes().size(); ++number)
@@ -20,7 +20,7 @@ ClassMatrices::ClassMatrices(const StressCells& cells)
       large.push_back(number);
     }
   tables_.resize(std::size_t(size_) * tableSize());
-  rounded_.resize(std::size_t(size_) * std::size_t(rows_) * std::size_t(rows_));
+  rounded_.resize(std::size_t(size_) * tractions_ * tractions_);
   units_.assign(std::size_t(size_), 0.0);
   const CellForms& forms = solidForms(cells.any().data().degree);
   for (int first = 0; first < size_; first += CellForms::lanes)
@@ -67,11 +67,12 @@ bool isRound(const CellMap& map)
 void ClassMatrices::round(std::size_t place)
 {
   const double* table = tables_.data() + place * tableSize();
-  float* rounded = rounded_.data() + place * std::size_t(rows_) * std::size_t(rows_);
-  for (int i = 0; i < rows_; ++i) // on the diagonal are the largest entries
-    units_[place] = std::max(units_[place], table[std::ptrdiff_t(i) * (columns_ + 1)]);
-  for (int i = 0; i < rows_; ++i, table += columns_)
-    for (int j = 0; j < rows_; ++j)
+  float* rounded = rounded_.data() + place * tractions_ * tractions_;
+  const auto stride = std::size_t(columns_);
+  for (std::size_t i = 0; i < tractions_; ++i) // on the diagonal are the largest entries
+    units_[place] = std::max(units_[place], table[i * (stride + 1)]);
+  for (std::size_t i = 0; i < tractions_; ++i, table += stride)
+    for (std::size_t j = 0; j < tractions_; ++j)
       *rounded++ = float(table[j] / units_[place]);
 }
 
@@ -80,7 +81,7 @@ void ClassMatrices::turn(const CellMatrices& matrices, int lane, double* table) 
 {
   const auto& F = matrices.maps[lane].inverse;
   const double inverse[3][3] = {{F[0], F[1], F[2]}, {F[3], F[4], F[5]}, {F[6], F[7], F[8]}};
-  for (int row = 0; row < rows_; ++row, table += columns_)
+  for (int row = 0; row < columns_; ++row, table += columns_)
     for (int col = 0; col < columns_; col += 3) {
       double half[3] = {}; // row of F^-T A^
       for (int k = 0; k < 3; ++k)

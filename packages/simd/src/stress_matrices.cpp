@@ -124,24 +124,24 @@ void StressMatrices::roundMaps(const Batch& batch, const CellMap* maps)
 }
 
 /// Of all lanes with the matrix of their class.
-void StressMatrices::multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const
+void StressMatrices::multiplyClass(const Batch& batch, std::size_t size, const double* x, double* forces) const
 {
-  multiplyTable(ofClasses_->of(batch.cells[0]), std::size_t(ofClasses_->columns()), tractions_, columns, x, forces);
+  multiplyTable(ofClasses_->of(batch.cells[0]), std::size_t(ofClasses_->columns()), size, size, x, forces);
   std::array<double, lanes> scale{};
   for (std::size_t lane = 0; lane < std::size_t(batch.count); ++lane)
     scale[lane] = cells_->classes().scale(batch.cells[lane]);
-  for (std::size_t at = 0; at < tractions_; ++at)
+  for (std::size_t at = 0; at < size; ++at)
     for (std::size_t lane = 0; lane < lanes; ++lane)
       forces[at * lanes + lane] *= scale[lane];
 }
 
-void StressMatrices::multiplyFound(const CellFacets& found, std::size_t columns, const double* x, double* forces) const
+void StressMatrices::multiplyFound(const CellFacets& found, std::size_t size, const double* x, double* forces) const
 {
   std::array<double, mostNumbers> pulled{};
-  std::copy_n(x, columns * lanes, pulled.data());
-  pullBackLanes(found.maps, int(columns), pulled.data());
-  forms_.apply(found.compliances, found.facets.factor, pulled.data(), columns, forces);
-  pushLanes(found.maps, int(tractions_), forces);
+  std::copy_n(x, size * lanes, pulled.data());
+  pullBackLanes(found.maps, int(size), pulled.data());
+  forms_.apply(found.compliances, found.facets.factor, pulled.data(), size, forces);
+  pushLanes(found.maps, int(size), forces);
 }
 
 /// Of cells without a class.

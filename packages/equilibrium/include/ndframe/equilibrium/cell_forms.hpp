@@ -37,10 +37,9 @@ public:
   /// The result is valid until `work` is used again.
   Facets facets(const double* compliances, Vector& work) const;
 
-  /// forces = the same matrices times x, without having the matrices: the stress of x, its bubbles, and back; x has
-  /// the tractions alone (`columns` = their number) or all data. Per entry and lane.
-  void apply(const double* compliances, const double* factor, const double* x, std::size_t columns,
-             double* forces) const;
+  /// forces = the same matrices times x, without having the matrices: the stress of x, its bubbles, and back; both
+  /// have the tractions alone (`size` = their number) or all data. Per entry and lane.
+  void apply(const double* compliances, const double* factor, const double* x, std::size_t size, double* forces) const;
 
   /// Numbers of `lanes` cells that applyRounded() needs.
   std::size_t roundedSize() const { return (reference_.energy.size() + factorSize()) * lanes; }
@@ -61,7 +60,7 @@ private:
 
   const ReferenceStress& reference_;
   Vector lift_;             ///< of all data, row by row; functions are orthonormal on sub-cells
-  Vector lifted_;           ///< of tractions, column by column
+  Vector lifted_;           ///< the same, column by column
   Vector bubble_, bubbled_; ///< the same
   std::vector<float> liftRounded_, liftedRounded_, bubbleRounded_, bubbledRounded_; ///< lift_ of tractions alone
   Vector table_;      ///< per entry of the triangle of data, then of rows of bubbles, what compliances weigh

@@ -30,6 +30,9 @@ struct SceneField
   bool optimise = false;
   /// With `optimise`: per patch and mode, int (u~1_N - u~2_N - g) L_k, the linear term of the bound.
   Vector opening;
+  /// What the square of the bound has beside |c|^2 and, with `optimise`, 2 int t^ (u~1_N - u~2_N - g), about: it does
+  /// not change with the stress and t^. For who measures how fast the bound falls; 0: nothing is known.
+  double beside = 0.0;
 };
 
 struct ScenePieces;
@@ -72,8 +75,8 @@ public:
   virtual std::string standsFor(int /*dim*/) const { return {}; }
 };
 
-/// "Automatic" (default; Degree, Sweeps), "Star" (Degree, Sweeps), "Global" (3-D; Degree, Steps), "Element" (EET, 2-D;
-/// Degree). Degree 0 (default) means the order of the displacement; one more is allowed.
+/// "Automatic" (default; Degree, Sweeps), "Star" (Degree, Sweeps), "Global" (3-D; Degree, Least Gain, Steps),
+/// "Element" (EET, 2-D; Degree). Degree 0 (default) means the order of the displacement; one more is allowed.
 void registerRecoveries(Registry<StressRecovery>& registry);
 
 } // namespace ndframe

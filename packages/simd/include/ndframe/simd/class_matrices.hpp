@@ -21,8 +21,8 @@ struct CellMatrices
   }
 };
 
-/// The energy matrices A_E (CellForm::condensed) of the classes of cells (CellClasses) that have many: rows for the
-/// tractions, columns for tractions and loads, global axes, of the first cell of the class.
+/// The energy matrices A_E (CellForm::condensed) of the classes of cells (CellClasses) that have many, over tractions
+/// and loads, global axes, of the first cell of the class.
 class ClassMatrices
 {
 public:
@@ -42,22 +42,21 @@ public:
   /// The rows and columns of tractions in single precision, divided by unit(); null where the cells are stretched.
   const float* rounded(int cell) const
   {
-    return unit(cell) > 0.0 ? rounded_.data() + std::size_t(place(cell)) * std::size_t(rows_) * std::size_t(rows_)
-                            : nullptr;
+    return unit(cell) > 0.0 ? rounded_.data() + std::size_t(place(cell)) * tractions_ * tractions_ : nullptr;
   }
   double unit(int cell) const { return units_[std::size_t(place(cell))]; }
-  int rows() const { return rows_; }
   int columns() const { return columns_; }
 
 private:
-  std::size_t tableSize() const { return std::size_t(rows_) * std::size_t(columns_); }
+  std::size_t tableSize() const { return std::size_t(columns_) * std::size_t(columns_); }
   int place(int cell) const { return place_[std::size_t(cells_->classes().of(cell))]; }
   void find(const CellForms& forms, const int* classes, int count);
   void turn(const CellMatrices& matrices, int lane, double* table) const;
   void round(std::size_t place);
 
   const StressCells* cells_;
-  int size_ = 0, rows_, columns_;
+  int size_ = 0, columns_;
+  std::size_t tractions_;
   std::vector<int> place_; ///< per class, -1: too few cells
   Vector tables_;
   std::vector<float> rounded_;

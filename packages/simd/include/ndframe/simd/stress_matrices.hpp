@@ -48,7 +48,8 @@ public:
   /// The same times `unit`, which makes T and forces numbers of the order of one: in single precision where cells are
   /// not stretched, four digits and more.
   void multiplyRounded(int batch, double unit, const float* T, float* forces) const;
-  /// The same for tractions and loads, T and G, in double precision: of a batch with a class, and of found cells.
+  /// The same for tractions and loads, T and G, and by both, in double precision: of a batch with a class, and of found
+  /// cells.
   void multiplyData(int batch, const double* x, double* forces) const;
   void multiplyData(const CellFacets& found, const double* x, double* forces) const;
 
@@ -61,13 +62,13 @@ private:
   };
 
   std::vector<Batch> all() const;
-  void multiplyClass(const Batch& batch, std::size_t columns, const double* x, double* forces) const;
+  void multiplyClass(const Batch& batch, std::size_t size, const double* x, double* forces) const;
   void pushRounded(const Batch& batch, double unit, const float* T, float* forces) const;
   void roundMaps(const Batch& batch, const CellMap* maps);
   std::size_t compliances() const { return cells_->any().reference().energy.size() * lanes; }
   std::size_t roundedSize() const { return forms_.roundedSize() + std::size_t(9) * lanes; }
   std::size_t keptSize() const { return compliances() + forms_.factorSize() * lanes; }
-  void multiplyFound(const CellFacets& found, std::size_t columns, const double* x, double* forces) const;
+  void multiplyFound(const CellFacets& found, std::size_t size, const double* x, double* forces) const;
 
   const StressCells* cells_;
   const ClassMatrices* ofClasses_;
