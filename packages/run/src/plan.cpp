@@ -38,6 +38,18 @@ bool iterates(const std::string& linearSolver)
   return linearSolver == "Krylov" || linearSolver == "Multigrid";
 }
 
+std::string krylovSkipped(bool choosesSolver)
+{
+  return choosesSolver ? "no iterative linear solver is named: Tpetra is loaded for large solids alone"
+                       : "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded";
+}
+
+std::string processesText(int ranks, const std::string& solver, bool choosesSolver)
+{
+  return fmt::format("{}, linear solver {}{}", counted(std::size_t(ranks), "process", "processes"), solver,
+                     choosesSolver ? ", Multigrid for large solids" : "");
+}
+
 std::string sharesText(const RunSettings& settings, int ranks)
 {
   return mayBeShared(settings, ranks) ? "; where Multigrid solves solids whole, each process has its share of them"
@@ -61,20 +73,16 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
 {
   const std::size_t bodies = settings.outline.bodies, interfaces = settings.outline.interfaces;
   const OutputOptions& output = settings.output;
-  const bool touches = interfaces > 0, exodus = output.exodus;
+  const bool touches = interfaces > 0, toTarget = settings.accuracy.has_value(), exodus = output.exodus,
+             chooses = settings.linearSolver == "Automatic";
   const std::string noInterface = "the deck has no interface";
   add(Stage::Gmsh, settings.outline.needsGmsh, "a body's mesh is a .geo script",
       "no .geo script: the library is not loaded");
-  add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks),
-      fmt::format("{}, linear solver {}{}", counted(std::size_t(ranks), "process", "processes"), solver.name(ranks),
-                  settings.linearSolver == "Automatic" ? ", Multigrid for large solids" : ""),
+  add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks), processesText(ranks, solver.name(ranks), chooses),
       "one process: MPI is not started");
   add(Stage::Krylov, iterates(settings.linearSolver),
       fmt::format("linear solver {}: Tpetra, Belos and the like are loaded", settings.linearSolver),
-      settings.linearSolver == "Automatic"
-          ? "no iterative linear solver is named: Tpetra is loaded for large solids alone"
-          : "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded");
-  const bool toTarget = settings.accuracy.has_value();
+      krylovSkipped(chooses));
   const std::string again = toTarget ? ", on every level" : "";
   add(Stage::Read, true, counted(bodies, "body", "bodies") + again + sharesText(settings, ranks), {});
   add(Stage::Check, true, "sides, pairing and supports are checked before anything is assembled" + again, {});
