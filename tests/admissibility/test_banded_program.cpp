@@ -105,31 +105,6 @@ TEST(BandedProgram, ANumberingThatMakesTheBandWideChangesNothing)
   }
 }
 
-/// Beyond the half that is pressed signs are those of what decays from there: exchanges one by one would take thousands
-/// of factors.
-TEST(BandedProgram, WhatDecaysWhereNothingPressesIsSettledSoon)
-{
-  constexpr int size = 40, n = size * size;
-  std::mt19937 random(3);
-  BandedProgram program{SymmetricRows(n), Vector(std::size_t(n)), SparseColumns(n, 0), {}};
-  Vector wanted(std::size_t(n), 0.0);
-  for (int i = 0; i < n; ++i) {
-    program.M.add(i, i, 3.0);
-    for (const int next : {i + 1, i + size, i + size + 1})
-      if (next < n && (next == i + size || (i + 1) % size != 0))
-        program.M.add(i, next, next == i + size + 1 ? -0.4 : 0.5);
-    if (i % size < size / 2)
-      wanted[std::size_t(i)] = double(i % size) / size - 0.5 + 0.1 * value(random);
-  }
-  program.f = product(program.M.rows(), wanted);
-  const Vector x = *minimise(program), pull = difference(program.f, product(program.M.rows(), x));
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    EXPECT_LE(x[i], 0.0);
-    EXPECT_GE(pull[i], -1e-12);
-    EXPECT_NEAR(x[i] * pull[i], 0.0, 1e-12);
-  }
-}
-
 TEST(BandedProgram, DependentAndVanishingConditionsAreHarmless)
 {
   std::mt19937 random(2);
