@@ -18,6 +18,7 @@ class Run:
     screen: str
     summary: dict | None
     contact: str | None = None
+    found: object = None  # what Program.run was asked to look for in its files
 
     @property
     def answered(self):
@@ -46,8 +47,8 @@ class Program:
         self.mpiexec = mpiexec
         self.seconds = seconds
 
-    def run(self, deck, *settings, ranks=1):
-        """Runs a deck with settings as of --set, in a folder that is removed afterwards."""
+    def run(self, deck, *settings, ranks=1, look=lambda folder: None):
+        """Runs a deck with settings as of --set, in a folder that is removed afterwards; look: at what is in it."""
         launch = [self.mpiexec, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
         command = [*launch, str(self.path), "-i", str(pathlib.Path(deck).resolve())]
         for setting in settings:
@@ -58,7 +59,7 @@ class Program:
             summary = json.loads(summaries[0].read_text()) if summaries else None
             tables = list(pathlib.Path(folder).glob("*.contact.csv"))
             contact = tables[0].read_text() if tables else None
-        return Run(done.returncode, done.stdout + done.stderr, summary, contact)
+            return Run(done.returncode, done.stdout + done.stderr, summary, contact, look(pathlib.Path(folder)))
 
 
 BALANCED = 1e-10  # largest defect of the recovered stress

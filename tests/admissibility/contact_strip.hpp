@@ -1,5 +1,7 @@
 #pragma once
 
+#include <string>
+
 #include "assembly/sample_body.hpp"
 #include "ndframe/admissibility/contact_traction.hpp"
 
@@ -31,5 +33,18 @@ ContactStrip contactStrip(int numFacets, int order, double bend = 0.0, const Con
 
 /// The same with a normal that turns along the facets (turnFacets).
 ContactStrip turningStrip(int numFacets, int order, double bend);
+
+/// What tests go through.
+struct Strip
+{
+  int order;
+  double bend;
+  bool turns = false;
+};
+constexpr Strip strips[] = {{1, 0.0}, {2, 0.0}, {1, 0.6}, {2, 0.6}, {1, 0.6, true}, {2, 0.6, true}};
+inline std::string nameOf(const Strip& strip)
+{
+  return "Order" + std::to_string(strip.order) + (strip.turns ? "Turning" : strip.bend > 0.0 ? "Bent" : "Flat");
+}
 
 } // namespace ndframe::test

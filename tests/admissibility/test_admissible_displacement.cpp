@@ -78,27 +78,13 @@ test::Conditions supported(std::vector<test::Condition> supports)
 
 } // namespace
 
-struct Strip
-{
-  int order;
-  double bend;
-  bool turns = false;
-};
-
-struct Admission : testing::TestWithParam<Strip>
+struct Admission : testing::TestWithParam<test::Strip>
 {
   ContactStrip strip = GetParam().turns ? test::turningStrip(4, GetParam().order, GetParam().bend)
                                         : test::contactStrip(4, GetParam().order, GetParam().bend);
 };
-INSTANTIATE_TEST_SUITE_P(Strips, Admission,
-                         testing::Values(Strip{1, 0.0}, Strip{2, 0.0}, Strip{1, 0.6}, Strip{2, 0.6},
-                                         Strip{1, 0.6, true}, Strip{2, 0.6, true}),
-                         [](const auto& test) {
-                           return "Order" + std::to_string(test.param.order) +
-                                  (test.param.turns        ? "Turning"
-                                   : test.param.bend > 0.0 ? "Bent"
-                                                           : "Flat");
-                         });
+INSTANTIATE_TEST_SUITE_P(Strips, Admission, testing::ValuesIn(test::strips),
+                         [](const auto& strip) { return nameOf(strip.param); });
 
 TEST_P(Admission, MakesTheJumpStayBelowTheGapEverywhere)
 {

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <random>
 
 #include <gtest/gtest.h>
 
@@ -52,6 +53,29 @@ BalanceConditions balanceOf(const Chain& chain, const Vector& load)
   const Vector one(load.size(), 1.0);
   return test::resultantAndMoment(chain, test::innerProduct(chain, load, one),
                                   test::innerProduct(chain, load, chain.x));
+}
+
+/// A square of 2 n^2 triangles with the nodes of order 2.
+std::vector<ContactPatch> squarePatches(int n)
+{
+  const int row = 2 * n + 1;
+  std::vector<ContactPatch> patches;
+  for (int cell = 0; cell < n * n; ++cell)
+    for (const int second : {1, row}) { // to the right first, or up
+      ContactPatch patch;
+      patch.dim = 3;
+      patch.normal = {0.0, 0.0, 1.0};
+      patch.measure = 0.5 / n / n;
+      const int corner = 2 * (cell / n) * row + 2 * (cell % n);
+      const std::array<int, 3> vertices{corner, corner + 2 * second, corner + 2 + 2 * row};
+      for (std::size_t i = 0; i < 3; ++i) {
+        patch.nodes[i] = vertices[i];
+        patch.nodes[3 + i] = (vertices[i] + vertices[(i + 1) % 3]) / 2;
+      }
+      patch.pairs = patch.nodes;
+      patches.push_back(patch);
+    }
+  return patches;
 }
 
 } // namespace
@@ -137,6 +161,33 @@ TEST(PressingTraction, LargeInterfacesAreSolved)
   const Vector t = project(chain, mean, {}, TractionSign::Values);
   EXPECT_LT(largestValue(t), 1e-13);
   EXPECT_LT(std::abs(test::innerProduct(chain, difference(mean, t), t)), 1e-11 * test::innerProduct(chain, t, t));
+}
+
+/// Where tractions vanish over a region, signs there are those of what decays into it: exchanged one by one they would
+/// take thousands of factors.
+TEST(PressingTraction, ThatVanishesOverARegionIsFoundSoon)
+{
+  constexpr int n = 20, row = 2 * n + 1;
+  const auto patches = squarePatches(n);
+  for (unsigned seed = 0; seed < 10; ++seed) {
+    std::mt19937 random(seed);
+    std::uniform_real_distribution<double> noise(-0.01, 0.01);
+    Vector mean(std::size_t(row) * row, 0.0), twice;
+    for (std::size_t node = 0; node < mean.size(); ++node) {
+      const double x = double(node % row) / (row - 1), y = double(node / row) / (row - 1),
+                   pressure = 1.0 - 4.0 * (x * x + y * y);
+      if (pressure > 0.0)
+        mean[node] = noise(random) - pressure;
+      twice.push_back(2.0 * mean[node]);
+    }
+    const auto nearest = [&](const Vector& t) { return projectTraction(patches, row * row, 2, t, {}); };
+    const Vector found = nearest(mean), ofTwice = nearest(twice), again = nearest(found);
+    EXPECT_LE(largestBernstein(tractionFromNodes(patches, found, 2, 2), patches), 1e-13) << seed;
+    for (std::size_t node = 0; node < mean.size(); ++node) { // tractions are a cone
+      EXPECT_NEAR(ofTwice[node], 2.0 * found[node], 1e-11) << seed;
+      EXPECT_NEAR(again[node], found[node], 1e-11) << seed;
+    }
+  }
 }
 
 } // namespace ndframe

@@ -103,26 +103,12 @@ double deepest(const Scene& scene, const std::vector<NodalField>& displacement)
 
 } // namespace
 
-struct Strip
-{
-  int order;
-  double bend;
-  bool turns = false;
-};
-
-struct Tightening : testing::TestWithParam<Strip>
+struct Tightening : testing::TestWithParam<test::Strip>
 {
   Scene scene{GetParam().order, GetParam().bend, GetParam().turns};
 };
-INSTANTIATE_TEST_SUITE_P(Strips, Tightening,
-                         testing::Values(Strip{1, 0.0}, Strip{2, 0.0}, Strip{1, 0.6}, Strip{2, 0.6},
-                                         Strip{1, 0.6, true}, Strip{2, 0.6, true}),
-                         [](const auto& test) {
-                           return "Order" + std::to_string(test.param.order) +
-                                  (test.param.turns        ? "Turning"
-                                   : test.param.bend > 0.0 ? "Bent"
-                                                           : "Flat");
-                         });
+INSTANTIATE_TEST_SUITE_P(Strips, Tightening, testing::ValuesIn(test::strips),
+                         [](const auto& strip) { return nameOf(strip.param); });
 
 TEST_P(Tightening, LowersTheBoundAndStaysBelowTheGap)
 {

@@ -32,21 +32,12 @@ DenseMatrix dense(const BandMatrix& A)
 
 } // namespace
 
-TEST(Band, ProductEqualsThatOfTheDenseMatrix)
-{
-  for (const int bandwidth : {0, 1, 4}) {
-    const BandMatrix A = positiveDefinite(9, bandwidth);
-    const Vector x = test::randomVector(9, 5);
-    EXPECT_LT(test::relativeDifference(multiply(A, x), multiply(dense(A), x)), 1e-15);
-  }
-}
-
 TEST(Band, SolveInvertsTheProduct)
 {
   for (const int bandwidth : {0, 1, 4}) {
     const BandMatrix A = positiveDefinite(30, bandwidth);
     const Vector x = test::randomVector(30, 9);
-    EXPECT_LT(test::relativeDifference(BandCholesky(A).solve(multiply(A, x)), x), 1e-14);
+    EXPECT_LT(test::relativeDifference(BandCholesky(A).solve(multiply(dense(A), x)), x), 1e-14);
   }
 }
 
@@ -72,12 +63,10 @@ TEST(Band, NamesTheRowThatIsNotPositive)
 TEST(Band, OfNothingSolvesNothing)
 {
   EXPECT_TRUE(BandCholesky(BandMatrix(0, 1)).solve({}).empty());
-  EXPECT_TRUE(multiply(BandMatrix(0, 1), {}).empty());
 }
 
 TEST(Band, RefusesShapesThatDoNotMatch)
 {
-  EXPECT_THROW(multiply(BandMatrix(2, 1), Vector(3)), InternalError);
   EXPECT_THROW(BandCholesky(positiveDefinite(2, 1)).solve(Vector(3)), InternalError);
 }
 

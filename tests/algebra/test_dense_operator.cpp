@@ -4,38 +4,22 @@
 #include <gtest/gtest.h>
 
 #include "algebra/sample_bodies.hpp"
+#include "algebra/spring_chain.hpp"
 #include "ndframe/algebra/symmetric_operator.hpp"
 
 namespace ndframe
 {
 
-namespace
-{
-
-/// The second difference matrix of a chain of n nodes without supports: singular, constants in the null space.
-DenseMatrix chain(int n)
-{
-  DenseMatrix A(n, n);
-  for (int i = 0; i + 1 < n; ++i) {
-    A(i, i) += 1.0;
-    A(i + 1, i + 1) += 1.0;
-    A(i, i + 1) = A(i + 1, i) = -1.0;
-  }
-  return A;
-}
-
-} // namespace
-
 TEST(DenseOperator, AppliesTheMatrix)
 {
-  const auto A = makeDenseOperator(chain(4));
+  const auto A = makeDenseOperator(test::springChain(4));
   EXPECT_EQ(A->size(), 4);
   EXPECT_EQ(A->apply({1.0, 2.0, 4.0, 8.0}), (Vector{-1.0, -1.0, -2.0, 4.0}));
 }
 
 TEST(DenseOperator, InverseOnASetSolvesItsEquationsAndVanishesOutside)
 {
-  const auto A = makeDenseOperator(chain(6));
+  const auto A = makeDenseOperator(test::springChain(6));
   const std::vector<char> isFree = {0, 1, 1, 0, 1, 1};
   const Vector b = test::randomVector(6, 1), x = A->inverseOn(isFree, 0.0)->solve(b), product = A->apply(x);
   for (std::size_t i = 0; i < 6; ++i)
@@ -47,7 +31,7 @@ TEST(DenseOperator, InverseOnASetSolvesItsEquationsAndVanishesOutside)
 
 TEST(DenseOperator, ShiftIsAddedToTheDiagonal)
 {
-  const auto A = makeDenseOperator(chain(4));
+  const auto A = makeDenseOperator(test::springChain(4));
   const Vector b = test::randomVector(4, 2), x = A->inverseOn({1, 1, 1, 1}, 0.5)->solve(b), product = A->apply(x);
   for (std::size_t i = 0; i < 4; ++i)
     EXPECT_NEAR(product[i] + 0.5 * x[i], b[i], 1e-14);
@@ -55,14 +39,14 @@ TEST(DenseOperator, ShiftIsAddedToTheDiagonal)
 
 TEST(DenseOperator, ShowsItsMatrix)
 {
-  const auto A = makeDenseOperator(chain(3));
+  const auto A = makeDenseOperator(test::springChain(3));
   ASSERT_NE(A->dense(), nullptr);
   EXPECT_EQ((*A->dense())(1, 2), -1.0);
 }
 
 TEST(DenseOperator, InverseOnNothingIsZero)
 {
-  const auto A = makeDenseOperator(chain(3));
+  const auto A = makeDenseOperator(test::springChain(3));
   EXPECT_EQ(A->inverseOn({0, 0, 0}, 0.0)->solve({1.0, 2.0, 3.0}), Vector(3, 0.0));
 }
 
@@ -70,7 +54,7 @@ TEST(DenseOperator, InverseOnNothingIsZero)
 TEST(DenseOperator, MovedInverseIsThatOfTheNewSet)
 {
   for (const double shift : {0.0, 0.3}) {
-    DenseMatrix matrix = chain(500);
+    DenseMatrix matrix = test::springChain(500);
     for (int i = 0; i < 500; ++i)
       for (int j = 0; j < 500; ++j)
         matrix(i, j) += std::exp(-0.05 * std::abs(i - j));
@@ -103,7 +87,7 @@ TEST(DenseOperator, MovedInverseIsThatOfTheNewSet)
 
 TEST(DenseOperator, InverseIsNotMovedToSingularSets)
 {
-  const auto A = makeDenseOperator(chain(300));
+  const auto A = makeDenseOperator(test::springChain(300));
   std::vector<char> isFree(300, 1);
   isFree[17] = 0;
   const auto inverse = A->inverseOn(isFree, 0.0);
@@ -123,7 +107,7 @@ TEST(DenseOperator, InverseIsNotMovedToSingularSets)
 
 TEST(DenseOperator, InversesOfOneSetShareItsFactorAndNothingElse)
 {
-  const auto A = makeDenseOperator(chain(300));
+  const auto A = makeDenseOperator(test::springChain(300));
   std::vector<char> isFree(300, 1), other;
   isFree[17] = 0;
   other = isFree;
@@ -145,14 +129,14 @@ TEST(DenseOperator, InversesOfOneSetShareItsFactorAndNothingElse)
 
 TEST(DenseOperator, SmallInversesAreMadeAnew)
 {
-  const auto A = makeDenseOperator(chain(20));
+  const auto A = makeDenseOperator(test::springChain(20));
   const auto inverse = A->inverseOn(std::vector<char>(20, 0), 0.0);
   EXPECT_FALSE(inverse->moveTo(std::vector<char>(20, 0)));
 }
 
 TEST(DenseOperator, SingularSetIsRefusedWithARowOfTheMatrix)
 {
-  DenseMatrix A = chain(5);
+  DenseMatrix A = test::springChain(5);
   A(1, 1) = 0.0;
   try {
     makeDenseOperator(A)->inverseOn({0, 1, 0, 1, 1}, 0.0);
@@ -160,7 +144,7 @@ TEST(DenseOperator, SingularSetIsRefusedWithARowOfTheMatrix)
   } catch (const NotPositiveDefinite& failure) {
     EXPECT_EQ(failure.row, 1);
   }
-  EXPECT_THROW(makeDenseOperator(chain(5))->inverseOn({1, 1, 1, 1, 1}, 0.0), NotPositiveDefinite);
+  EXPECT_THROW(makeDenseOperator(test::springChain(5))->inverseOn({1, 1, 1, 1, 1}, 0.0), NotPositiveDefinite);
 }
 
 } // namespace ndframe

@@ -4,33 +4,16 @@
 #include <gtest/gtest.h>
 
 #include "algebra/sample_bodies.hpp"
+#include "algebra/spring_chain.hpp"
 #include "interface/box_bodies.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;
 
-namespace
-{
-
-/// Springs between neighbours; `ground` holds the first node.
-DenseMatrix chain(int n, double ground)
-{
-  DenseMatrix A(n, n);
-  A(0, 0) = ground;
-  for (int i = 0; i + 1 < n; ++i) {
-    A(i, i) += 1.0;
-    A(i + 1, i + 1) += 1.0;
-    A(i, i + 1) = A(i + 1, i) = -1.0;
-  }
-  return A;
-}
-
-} // namespace
-
 TEST(AppliedOperator, InverseOnASetSolvesItsEquationsAndVanishesOutside)
 {
-  const auto A = appliedOnly(chain(7, 0.0));
+  const auto A = appliedOnly(springChain(7));
   const std::vector<char> isFree = {0, 1, 1, 0, 1, 1, 1};
   const Vector b = randomVector(7, 1), x = A->inverseOn(isFree, 0.0)->solve(b), product = A->apply(x);
   for (std::size_t i = 0; i < 7; ++i)
@@ -42,7 +25,7 @@ TEST(AppliedOperator, InverseOnASetSolvesItsEquationsAndVanishesOutside)
 
 TEST(AppliedOperator, ShiftIsAddedToTheDiagonal)
 {
-  const auto A = appliedOnly(chain(5, 0.0));
+  const auto A = appliedOnly(springChain(5));
   const Vector b = randomVector(5, 2), x = A->inverseOn(std::vector<char>(5, 1), 0.5)->solve(b);
   const Vector product = A->apply(x);
   for (std::size_t i = 0; i < 5; ++i)
@@ -53,13 +36,13 @@ TEST(AppliedOperator, InverseIsThatOfTheStoredMatrix)
 {
   const std::vector<char> isFree = {1, 0, 1, 1, 1, 0, 1, 1};
   const Vector b = randomVector(8, 3);
-  const Vector stored = makeDenseOperator(chain(8, 0.3))->inverseOn(isFree, 0.0)->solve(b);
-  EXPECT_LT(relativeDifference(appliedOnly(chain(8, 0.3))->inverseOn(isFree, 0.0)->solve(b), stored), 1e-12);
+  const Vector stored = makeDenseOperator(springChain(8, 0.3))->inverseOn(isFree, 0.0)->solve(b);
+  EXPECT_LT(relativeDifference(appliedOnly(springChain(8, 0.3))->inverseOn(isFree, 0.0)->solve(b), stored), 1e-12);
 }
 
 TEST(AppliedOperator, SingularSetIsNotPositiveDefinite)
 {
-  const auto A = appliedOnly(chain(5, 0.0));
+  const auto A = appliedOnly(springChain(5));
   const auto inverse = A->inverseOn(std::vector<char>(5, 1), 0.0);
   EXPECT_THROW(inverse->solve(Vector(5, 1.0)), NotPositiveDefinite);
   for (unsigned seed = 0; seed < 20; ++seed)
@@ -68,7 +51,7 @@ TEST(AppliedOperator, SingularSetIsNotPositiveDefinite)
 
 TEST(AppliedOperator, InverseOnNothingIsZero)
 {
-  EXPECT_EQ(appliedOnly(chain(3, 1.0))->inverseOn({0, 0, 0}, 0.0)->solve({1.0, 2.0, 3.0}), Vector(3, 0.0));
+  EXPECT_EQ(appliedOnly(springChain(3, 1.0))->inverseOn({0, 0, 0}, 0.0)->solve({1.0, 2.0, 3.0}), Vector(3, 0.0));
 }
 
 TEST(AppliedOperator, StiffnessesTooFarApartAreNotConverged)

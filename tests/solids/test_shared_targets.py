@@ -33,18 +33,27 @@ class SharedTargets(SharesTest):
         one = self.right(root, 1, *LOSS)
         self.assertAlmostEqual(one["accuracy"]["dofs"] / LAST, 1.0, delta=0.02)
         for ranks in (2, 3):
-            shared = self.right(root, ranks, *LOSS, "Error Estimation/Check Equilibrium=true")
+            done, shared = self.run_deck(root, ranks, *LOSS, "Error Estimation/Check Equilibrium=true")
+            self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+            said = [int(line.split()[0]) for line in done.stdout.splitlines()
+                    if line.endswith(f"note: meshes are shared out among the {ranks} processes from here on")]
+            self.assertEqual(len(said), 1, done.stdout)
             self.compare_levels(one, shared, 0.01)
             self.assertLess(shared["errors"]["equilibrium"], 1e-10)
             counts = shared["ledger"]["counts"]["shared bodies"]
-            self.assertLess(counts, 2 * len(shared["accuracy"]["levels"]), "the first level is whole")
+            self.assertGreater(said[0], 1, "the first level is whole")
+            self.assertEqual(counts, 2 * (len(shared["accuracy"]["levels"]) - said[0] + 1), "those from then on")
 
     def test_the_first_level_may_be_shared(self):
         """What follows it is carried from one share to another: no more iterations than on one process."""
         root = self.bare("contact-loss-3d")
         fine = [*LOSS, "Accuracy/Start=Deck", "Accuracy/Target=0.05", "Bodies/upper/Mesh/Refine=1", "Bodies/upper/Mesh/Cells={3, 3, 2}",
                 "Bodies/lower/Mesh/Cells={6, 6, 3}", "Bodies/lower/Mesh/Refine=1", "Output/Exodus Files=Single"]
-        one, shared = self.right(root, 1, *fine), self.right(root, 2, *fine)
+        one = self.right(root, 1, *fine)
+        done, shared = self.run_deck(root, 2, *fine)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        self.assertIn("shared out among the 2 processes", done.stdout)
+        self.assertNotIn("from here on", done.stdout, "the header says it")
         self.compare_levels(one, shared, 0.01)
         self.assertEqual(shared["ledger"]["counts"]["shared bodies"], 2 * len(shared["accuracy"]["levels"]))
         counts = [run["ledger"]["counts"]["Krylov iterations"] for run in (one, shared)]

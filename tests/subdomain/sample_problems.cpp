@@ -7,6 +7,8 @@
 
 #include <gtest/gtest.h>
 
+#include "algebra/spring_chain.hpp"
+
 namespace ndframe::test
 {
 
@@ -83,13 +85,7 @@ DenseMatrix randomSpd(int size, unsigned seed)
 
 DenseMatrix floatingChain(int size)
 {
-  DenseMatrix A(size, size);
-  for (int i = 0; i + 1 < size; ++i) {
-    A(i, i) += 1.0;
-    A(i + 1, i + 1) += 1.0;
-    A(i, i + 1) = A(i + 1, i) = -1.0;
-  }
-  return A;
+  return springChain(size);
 }
 
 DenseMatrix floatingBeam(int size)

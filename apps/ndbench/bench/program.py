@@ -4,6 +4,8 @@ import csv
 import dataclasses
 import json
 import pathlib
+import subprocess
+import sys
 import tempfile
 import xml.etree.ElementTree
 
@@ -22,6 +24,7 @@ class Run:
     cost: Cost
     summary: dict
     contact: list
+    overlap: dict | None = None  # {work, points} of solids with a gap (overlap.py)
 
     @property
     def dofs(self):
@@ -71,6 +74,15 @@ def contact_rows(path):
         return [{key: float(value) for key, value in row.items() if key != "interface"} for row in rows]
 
 
+def overlap_of(contact, folder):
+    """Of solids with a gap; None of others."""
+    if not any("z" in row and row["gap"] > 0 for row in contact):
+        return None
+    script = pathlib.Path(__file__).with_name("overlap.py")
+    done = subprocess.run([sys.executable, script, folder], stdout=subprocess.PIPE, text=True, check=True)
+    return json.loads(done.stdout)
+
+
 def bare(deck, folder):
     """A copy of the deck in `folder`, without the lists LEFT_OUT."""
     lists = xml.etree.ElementTree.parse(deck)
@@ -101,4 +113,4 @@ def run_in(folder, program, deck, settings, environment=None, ranks=1):
     files = pathlib.Path(folder)
     summary = json.loads(next(files.glob("*.summary.json")).read_text())
     contact = [row for path in files.glob("*.contact.csv") for row in contact_rows(path)]
-    return Run(cost, summary, contact)
+    return Run(cost, summary, contact, overlap_of(contact, folder))

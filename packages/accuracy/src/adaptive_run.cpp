@@ -63,7 +63,7 @@ Run AdaptiveRun::run(Model known)
 void AdaptiveRun::begin(Model model)
 {
   planner_ = readFirstMeshes(model, tools_, components_);
-  shareLevel(model, planner_->meshes(), tools_);
+  saysShares_ = !shareLevel(model, planner_->meshes(), tools_);
   beginLevel(std::move(model), {});
   observer_.header(run_.summary, run_.model, tools_.coupling->roles() != Roles::Automatic);
 }
@@ -180,7 +180,7 @@ void AdaptiveRun::enter(const LevelSummary& level, const CarriedContact& contact
   if (summary_.levels.empty())
     observer_.levels(summary_, balances_ && tools_.settings.namesTolerance);
   summary_.levels.push_back(level);
-  observer_.level(level, planner_->note());
+  observer_.level(level, noteOfLevel());
   if (best_.level == 0 || isBetter(level, summary_.levels[std::size_t(best_.level) - 1]))
     best_ = {level.level, planner_->meshes(), contact, rolesOf(run_)};
 }

@@ -53,6 +53,8 @@ private:
   void record(const LevelErrors& errors, LevelLesson&& lesson);
   /// The level as the user is told of it, and the best one if it is. contact: with the Neumann traction.
   void enter(const LevelSummary& level, const CarriedContact& contact);
+  /// What there is to say of its meshes, and that ranks have shares of them for the first time.
+  std::string noteOfLevel();
   /// Plans the next meshes; AccuracySummary::limit says when they do not fit into the limits.
   void refine();
   void carryOver(MeshPlan plan);
@@ -97,6 +99,7 @@ private:
   bool expectsTarget_ = false;                               ///< the meshes were made to reach the target
   bool isLoose_ = false; ///< the solution of this level is as exact as the next meshes need it
   BestLevel best_;
+  bool saysShares_ = true;                  ///< nothing has told yet that ranks have shares of levels
   int sweeps_ = 0;                          ///< of this level
   std::int64_t firstMemory_ = peakMemory(); ///< bytes, before there was a mesh
   std::int64_t earlierMemory_ = 0;          ///< the most that an earlier process took

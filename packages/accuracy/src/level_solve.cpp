@@ -1,5 +1,7 @@
 #include <algorithm>
 
+#include <fmt/format.h>
+
 #include "level_loop.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/run/contact_start.hpp"
@@ -25,6 +27,17 @@ bool holdsPoints(const Model& model)
 }
 
 } // namespace
+
+std::string AdaptiveRun::noteOfLevel()
+{
+  std::string note = planner_->note();
+  if (saysShares_ && run_.model.told) {
+    saysShares_ = false; // as the header of the run does where the first level is shared
+    note += fmt::format("{}meshes are shared out among the {} processes from here on", note.empty() ? "" : "; ",
+                        tools_.comm.size());
+  }
+  return note;
+}
 
 bool AdaptiveRun::carriesSolution() const
 {

@@ -1,9 +1,8 @@
-#include <cstdint>
-
 #include <fmt/format.h>
 
 #include "accuracy_limits.hpp"
 #include "level_loop.hpp"
+#include "ndframe/base/byte_hash.hpp"
 #include "ndframe/condensation/roles.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
 #include "ndframe/run/summarize.hpp"
@@ -13,15 +12,13 @@ namespace ndframe
 namespace
 {
 
-/// FNV-1a, 64 bits.
 std::string hashOf(const std::vector<Mesh>& meshes)
 {
-  std::uint64_t hash = 14695981039346656037U;
-  for (const Mesh& mesh : meshes)
-    for (const char byte : toBytes(mesh)) {
-      hash ^= std::uint8_t(byte);
-      hash *= 1099511628211U;
-    }
+  std::uint64_t hash = byteHash(nullptr, 0);
+  for (const Mesh& mesh : meshes) {
+    const std::string bytes = toBytes(mesh);
+    hash = byteHash(bytes.data(), bytes.size(), hash);
+  }
   return fmt::format("{:016x}", hash);
 }
 

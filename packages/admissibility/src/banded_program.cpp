@@ -20,6 +20,9 @@ constexpr double proximal = 1e-10;
 constexpr int maxProximalSteps = 100;
 /// Steps of full exchange that may fail to reduce the number of wrong signs.
 constexpr int patience = 3;
+/// Then of steps that exchange entries which are wrong by this part of the largest at least.
+constexpr int patienceOfMost = 50;
+constexpr double most = 0.1;
 /// Wider bands are those of surfaces: mostly zeros.
 constexpr int widestBand = 64;
 
@@ -31,6 +34,12 @@ struct Block
   std::vector<char> factoredSet; ///< fixed entries that the following belongs to
   Vector x;                      ///< M^-1 f
   std::vector<Vector> moved;     ///< M^-1 W, per condition
+};
+
+struct WrongSign
+{
+  std::size_t entry;
+  double by; ///< in the units of x
 };
 
 std::vector<Block> blocksOf(const BandedProgram& program)
@@ -133,15 +142,27 @@ private:
     int tries = patience;
     for (;;) {
       solve(oldMultipliers);
-      const std::vector<std::size_t> wrong = wrongSigns();
+      const std::vector<WrongSign> wrong = wrongSigns();
       if (wrong.empty())
         return;
       const bool fewer = wrong.size() < fewest;
       tries = fewer ? patience : tries - 1;
       fewest = std::min(fewest, wrong.size());
-      for (std::size_t i = tries >= 0 ? 0 : wrong.size() - 1; i < wrong.size(); ++i)
-        fixed_[wrong[i]] = !fixed_[wrong[i]];
+      exchange(wrong, tries);
     }
+  }
+
+  /// All of them; after `patience` failures those that are wrong most, which the others may follow; in the end only
+  /// one.
+  void exchange(const std::vector<WrongSign>& wrong, int tries)
+  {
+    double largest = 0.0;
+    for (const WrongSign& sign : wrong)
+      largest = std::max(largest, sign.by);
+    const double least = tries >= 0 ? 0.0 : most * largest;
+    for (std::size_t i = tries >= -patienceOfMost ? 0 : wrong.size() - 1; i < wrong.size(); ++i)
+      if (wrong[i].by >= least || tries < -patienceOfMost)
+        fixed_[wrong[i].entry] = !fixed_[wrong[i].entry];
   }
 
   /// x and the multipliers for the entries that are fixed now: [M W; W^T -e] (x, lambda) = (f, r - e lambda_old).
@@ -211,7 +232,7 @@ private:
   }
 
   /// Free entries above their bound, fixed entries that are held back (f - M x - W lambda < 0).
-  std::vector<std::size_t> wrongSigns() const
+  std::vector<WrongSign> wrongSigns() const
   {
     Vector pull = program_.f;
     const Vector stress = product(program_.M.rows(), x_), held = program_.W.times(multipliers_);
@@ -221,10 +242,12 @@ private:
       scale = std::max({scale, std::abs(x_[i]), std::abs(pull[i]) / diagonal, std::abs(held[i]) / diagonal});
       pull[i] -= stress[i] + held[i];
     }
-    std::vector<std::size_t> wrong;
-    for (std::size_t i = 0; i < x_.size(); ++i)
-      if (fixed_[i] ? pull[i] < -roundOff * scale * program_.M(int(i), int(i)) : x_[i] > roundOff * scale)
-        wrong.push_back(i);
+    std::vector<WrongSign> wrong;
+    for (std::size_t i = 0; i < x_.size(); ++i) {
+      const double by = fixed_[i] ? -pull[i] / program_.M(int(i), int(i)) : x_[i];
+      if (by > roundOff * scale)
+        wrong.push_back({i, by});
+    }
     return wrong;
   }
 

@@ -23,7 +23,9 @@ struct BandedProgram
 ///
 /// Block principal pivoting (Judice and Pires 1994; Kim and Park 2011) for the bounds: every step solves for all
 /// entries not at their bound and exchanges those of the wrong sign; when that does not reduce their number three times
-/// in a row, only the last one is exchanged (Murty's rule, finite). The conditions enter through their multipliers with
+/// in a row, those that are wrong by a tenth of the largest, as smaller ones often follow them (where f = 0 beside a
+/// region that is pressed, signs are those of what decays into it); after 50 such steps in a row only the last one is
+/// exchanged (Murty's rule, finite). The conditions enter through their multipliers with
 /// a vanishing proximal term, W^T x - e lambda = r - e lambda_old, so that every step is well posed even where too few
 /// entries are free to meet them; lambda_old is then moved until W^T x = r. Where M falls into blocks (one interface
 /// each), so do its factors, and the conditions' multipliers come from a sparse matrix: time grows with the number of

@@ -2,23 +2,11 @@
 
 #include <utility>
 
-#include <cblas.h>
-
 #include "lapack.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
 {
-
-Vector multiply(const BandMatrix& A, const Vector& x)
-{
-  NDFRAME_ASSERT(A.size() == int(x.size()), "shapes do not match");
-  Vector y(x.size(), 0.0);
-  if (!x.empty())
-    cblas_dsbmv(CblasColMajor, CblasLower, A.size(), A.bandwidth(), 1.0, A.data(), A.bandwidth() + 1, x.data(), 1, 0.0,
-                y.data(), 1);
-  return y;
-}
 
 BandCholesky::BandCholesky(BandMatrix A) : factor_(std::move(A))
 {

@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include "ndframe/algebra/exchanged_values.hpp"
+#include "ndframe/base/byte_hash.hpp"
 #include "ndframe/base/diagnostics.hpp"
 
 namespace ndframe
@@ -19,24 +20,13 @@ namespace
 constexpr std::size_t axes = 3;
 using Place = std::array<double, axes>;
 
-/// FNV-1a, 64 bits.
-std::uint64_t hashOf(const void* data, std::size_t size, std::uint64_t hash = 14695981039346656037U)
-{
-  const auto* const bytes = static_cast<const unsigned char*>(data);
-  for (std::size_t i = 0; i < size; ++i) {
-    hash ^= bytes[i];
-    hash *= 1099511628211U;
-  }
-  return hash;
-}
-
 std::string hashOf(const std::vector<InterfaceMesh>& interfaces)
 {
-  std::uint64_t hash = hashOf(nullptr, 0);
+  std::uint64_t hash = byteHash(nullptr, 0);
   for (const InterfaceMesh& interface : interfaces)
     for (const double value : interface.points) {
       const double coordinate = value + 0.0; // no zeros with a sign
-      hash = hashOf(&coordinate, sizeof(double), hash);
+      hash = byteHash(&coordinate, sizeof(double), hash);
     }
   return fmt::format("{:016x}", hash);
 }
@@ -72,7 +62,7 @@ Vector heldPlaces(const BodyModel& body)
 /// Which rank answers for the nodes at a place.
 std::size_t homeOf(const double* place, int ranks)
 {
-  return std::size_t(hashOf(place, axes * sizeof(double)) % std::uint64_t(ranks));
+  return std::size_t(byteHash(place, axes * sizeof(double)) % std::uint64_t(ranks));
 }
 
 /// Values at places, each on some rank, and what their homes know of them.

@@ -35,9 +35,6 @@ private:
   std::vector<double> values_;
 };
 
-/// y = A x, BLAS dsbmv.
-Vector multiply(const BandMatrix& A, const Vector& x);
-
 /// Cholesky factor of a positive definite band matrix (LAPACK dpbtrf): size * bandwidth^2 operations.
 class BandCholesky
 {
