@@ -45,6 +45,21 @@ TEST(StepGains, AreNeverBelowWhereTheBoundIsNotKnown)
   }
 }
 
+/// A step that is stopped says nothing of the next ones, however short it was.
+TEST(StepGains, AreNotBelowSoonAfterAStoppedStep)
+{
+  StepGains gains(1.0);
+  for (int step = 0; step < 10; ++step) {
+    gains.add(1e-6, step % 4 == 3);
+    EXPECT_FALSE(step > 3 && gains.areBelow(0.1)) << step;
+  }
+  for (int step = 0; step < 4; ++step) {
+    EXPECT_EQ(gains.areBelow(0.1), step >= 2) << step;
+    gains.add(1e-6);
+  }
+  EXPECT_NEAR(gains.lowered(), 14e-6, 1e-15);
+}
+
 /// No step falls by less than nothing.
 TEST(StepGains, OfNothingAreZero)
 {

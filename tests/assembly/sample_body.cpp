@@ -138,7 +138,7 @@ NodalField solve(const BodySystem& system, const Comm& comm)
     for (std::size_t i = 0; i < free.size(); ++i)
       K(int(i), int(j)) = column[free[i]];
   }
-  const Vector load = system.effectiveLoad(comm).all();
+  const Vector load = system.effectiveLoad(comm).all().whole();
   Vector rhs;
   for (const std::size_t dof : free)
     rhs.push_back(load[dof]);

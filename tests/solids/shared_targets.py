@@ -22,7 +22,7 @@ import numpy
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from certificate_solids import scene
 from runs import Program, sweep, sweep_options
-from solid_scenes import write_scene
+from solid_scenes import AS_MANY_STEPS, write_scene
 
 NEAR = 0.1  # of the dofs of a level and of its bound, where marks differ
 TRACTIONS = ("Projected", "Optimal")
@@ -110,7 +110,7 @@ def judge(program, seed):
     ranks = draw.randint(2, 4)
     target = 10.0 ** draw.uniform(-1.4, -0.7)
     given = [f"Accuracy/Target={target}", f"Accuracy/Maximum Dofs={draw.choice((20000, 30000))}", "Linear Solver/Type=Multigrid",
-             "Coupling/Type=Monolithic", "Error Estimation/Check Equilibrium=true"]
+             "Coupling/Type=Monolithic", "Error Estimation/Check Equilibrium=true", *AS_MANY_STEPS]
     traction = draw.choice(TRACTIONS)
     same = SAME if traction == "Projected" and "bent" not in kind else CHOSEN
     given.append(f"Error Estimation/Interface Traction/Type={traction}")

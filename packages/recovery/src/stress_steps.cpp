@@ -123,6 +123,7 @@ struct StressDescent::Steps
   Vector ofFaces, x;                           ///< forces on faces; the sum of the steps
   std::vector<char> still;                     ///< blocks that are held
   double rz = 0.0;
+  bool wasStopped = false; ///< the last one, where a facet in contact reached its limit
 };
 
 /// Residuals and directions are zero where another rank owns, but for directions that are about to be taken.
@@ -163,7 +164,7 @@ int StressDescent::descend(Steps& steps, PressureRoom* room, std::size_t field, 
     const std::optional<double> lowered = take(steps, room);
     if (!lowered)
       break;
-    gains.add(*lowered);
+    gains.add(*lowered, steps.wasStopped);
     ++taken;
     watch_.stepIsTaken(gains.mean());
   }
@@ -197,7 +198,7 @@ StressDescent::Steps StressDescent::begin(const DescentField& field, Vector star
 /// What the step lowers the energy by; none where there was no step to take.
 std::optional<double> StressDescent::take(Steps& steps, PressureRoom* room) const
 {
-  auto& [force, traction, residual, p, Ap, tractions, ofCells, ofFaces, x, still, rz] = steps;
+  auto& [force, traction, residual, p, Ap, tractions, ofCells, ofFaces, x, still, rz, wasStopped] = steps;
   fetch(p);
   unknowns_.tractions(p, threads_, tractions);
   cellForces(tractions, blocks_.unit(), ofCells);
@@ -214,12 +215,13 @@ std::optional<double> StressDescent::take(Steps& steps, PressureRoom* room) cons
     x[i] += length * double(p[i]);
     residual[i] -= float(length) * Ap[i];
   }
-  if (length < wanted)
+  wasStopped = length < wanted;
+  if (wasStopped)
     still = held(room->held());
   Rounded& z = Ap; // not needed any more
   blocks_.precondition(residual, still, threads_, z);
   const double next = dotOfAll(residual, z);
-  const auto kept = float(length < wanted ? 0.0 : next / rz);
+  const auto kept = float(wasStopped ? 0.0 : next / rz);
   for (std::size_t i = 0; i < p.size(); ++i)
     p[i] = z[i] + kept * p[i];
   const double lowered = force * traction * length * (2.0 * rz - length * curvature);

@@ -18,7 +18,12 @@ public:
   /// square: B^2 before the first step.
   explicit StepGains(double square) : squares_{square} {}
 
-  void add(double lowered) { squares_.push_back(squares_.back() - lowered); }
+  /// isStopped: the step could not be as long as it should, which says nothing of those that follow.
+  void add(double lowered, bool isStopped = false)
+  {
+    squares_.push_back(squares_.back() - lowered);
+    sinceStopped_ = isStopped ? 0 : sinceStopped_ + 1;
+  }
   /// What B^2 has fallen by since the beginning.
   double lowered() const { return squares_.front() - squares_.back(); }
   /// One before the first step, and where B^2 is not known to be above zero.
@@ -28,11 +33,12 @@ public:
     const double before = squares_[squares_.size() - 1 - steps], now = squares_.back();
     return steps > 0 && before > 0.0 && now > 0.0 ? 1.0 - std::pow(now / before, 0.5 / double(steps)) : 1.0;
   }
-  /// Whether m steps were taken and the mean is below this.
-  bool areBelow(double least) const { return squares_.size() > together && mean() < least; }
+  /// Whether m steps were taken, none of them stopped, and the mean is below this.
+  bool areBelow(double least) const { return sinceStopped_ >= together && mean() < least; }
 
 private:
   std::vector<double> squares_;
+  std::size_t sinceStopped_ = 0; ///< steps
 };
 
 } // namespace ndframe
