@@ -27,7 +27,7 @@ from solid_scenes import AS_MANY_STEPS, write_scene
 NEAR = 0.1  # of the dofs of a level and of its bound, where marks differ
 TRACTIONS = ("Projected", "Optimal")
 SAME = 1e-4, 1e-6  # of bounds on the same cells: before the last level, which is solved to the end, and on it
-CHOSEN = 1e-3, 1e-3  # likewise, where the certificate chooses: measured 5e-4
+CHOSEN = 1e-4, 1e-5  # likewise, where the certificate chooses: measured 3.5e-7
 SAME_END = 1e-5  # of the upper end of the bracket, the energy of the displacement that does not penetrate: measured 5e-7
 SAME_ENERGY = 1e-9  # of the solution on the last level: measured 1e-12
 
