@@ -202,7 +202,7 @@ TEST_P(GlobalRecovery, SweepsOfAutomaticHalveTheGain)
   std::int64_t last = 0;
   for (const int sweeps : {0, 1, 2, 4}) {
     const std::int64_t steps = stepsTaken(problem, {{"Sweeps", sweeps}}, "Automatic");
-    EXPECT_EQ(steps, stepsTaken(problem, {{"Least Gain", std::ldexp(0.005, -sweeps)}})) << sweeps;
+    EXPECT_EQ(steps, stepsTaken(problem, {{"Least Gain", std::ldexp(0.01, -sweeps)}})) << sweeps;
     EXPECT_GT(steps, last);
     last = steps;
   }

@@ -54,9 +54,8 @@ void registerAutomaticRecovery(Registry<StressRecovery>& registry)
       {{"Degree", 0, inClosedRange(0, 3),
         "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
        {"Sweeps", 0, atLeast(0),
-        "Makes the bound lower: sweeps over the stars in 2D; in 3D each halves the Least Gain of Global (0.005) and "
-        "lets "
-        "it take 100 more steps."}},
+        "Makes the bound lower: sweeps over the stars in 2D; in 3D each halves the Least Gain of Global (0.01) and "
+        "lets it take 100 more steps."}},
       [](const Params& p) { return std::make_unique<AutomaticRecovery>(p.get<int>("Degree"), p.get<int>("Sweeps")); });
 }
 

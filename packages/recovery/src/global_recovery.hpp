@@ -12,7 +12,7 @@ namespace ndframe
 void registerGlobalRecovery(Registry<StressRecovery>& registry);
 
 /// Of Global and Automatic, unless asked otherwise (docs/performance.md, "How many steps").
-inline constexpr DescentEnd usualEnd{100, 0.005};
+inline constexpr DescentEnd usualEnd{100, 0.01};
 
 std::unique_ptr<StressRecovery> makeGlobalRecovery(int degree, const DescentEnd& end);
 
