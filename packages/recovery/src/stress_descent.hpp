@@ -99,7 +99,7 @@ private:
   const std::vector<ContactPatch>* contact_;
   std::vector<DescentField> fields_;
   const DescentWatch& watch_;
-  const Comm& comm_;
+  Comm comm_;
   int threads_;
   std::vector<StressFaces::Seat> seats_;
   std::vector<Vector> start_;               ///< per field A_E x_E, by tractions and cell by cell; zero at ghosts
