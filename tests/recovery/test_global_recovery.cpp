@@ -158,7 +158,8 @@ TEST_P(GlobalRecovery, TellsTheEnergyThatItLeaves)
       const StressFaces faces(cells);
       StressCorrection correction = recovered(problem, 0);
       const DescentWatch watch{[] {}, [](double) {}};
-      StressDescent descent(faces, {}, {{{&correction}}}, watch, Comm::single(), 1);
+      const std::vector<ContactPatch> none;
+      StressDescent descent(faces, none, {{{&correction}}}, watch, Comm::single(), 1);
       EXPECT_NEAR(descent.energy(0), energyOf(problem, correction), 1e-10 * energyOf(problem, correction)) << kind;
       EXPECT_EQ(descent.lower({30, 0.0}), 30);
       EXPECT_NEAR(descent.energy(0), energyOf(problem, correction), 1e-5 * energyOf(problem, correction)) << kind;
