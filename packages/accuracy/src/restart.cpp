@@ -136,7 +136,8 @@ SweepsRecord AdaptiveRun::takeSweeps(CouplingStart& start)
 void AdaptiveRun::keepSweeps(const SweepsRecord& before, const SweepsDone& done, const CouplingStart& start) const
 {
   Checkpoint kept = checkpoint();
-  kept.shared = shared_;
+  if (haveFields(done))
+    kept.shared = shared_;
   kept.sweeps = before;
   kept.sweeps->done = done;
   kept.sweeps->goal = start.iterationError;

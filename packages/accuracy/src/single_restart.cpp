@@ -30,7 +30,8 @@ SweepsKept sweepsOf(const Restart& restart, const RunSettings& settings, const S
     checkpoint.deckJson = deck;
     checkpoint.sweeps.emplace();
     checkpoint.sweeps->done = done;
-    checkpoint.shared = shared;
+    if (haveFields(done))
+      checkpoint.shared = shared;
     restart.write(checkpoint);
   };
   return sweeps;

@@ -1,9 +1,7 @@
 #include "ndframe/run/shared_passes.hpp"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
+#include <array>
 #include <map>
 
 #include <fmt/format.h>
@@ -147,11 +145,18 @@ void takeOwn(StatusMemory& memory, const SharedPasses& from, const Model& model,
 
 } // namespace
 
+bool haveFields(const SweepsDone& done)
+{
+  return done.passes && !done.passes->system.fields.empty();
+}
+
 bool arePassesOf(const SweepsDone& done, const SharedPasses& shared, const Model& model)
 {
-  const std::size_t fields = done.passes ? done.passes->system.fields.size() : 0;
-  return fields == 0 || (shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
-                         fields == shared.places.size());
+  if (!haveFields(done))
+    return true;
+  const std::size_t fields = done.passes->system.fields.size();
+  return shared.interfaces == hashOf(model.interfaces) && fields == bodiesOf(model).size() &&
+         fields == shared.places.size();
 }
 
 SweepsKept sharedPasses(SweepsKept sweeps, const Model& model, SharedPasses& shared, const Comm& comm)
@@ -159,8 +164,7 @@ SweepsKept sharedPasses(SweepsKept sweeps, const Model& model, SharedPasses& sha
   if (sweeps.after && !arePassesOf(*sweeps.after, shared, model))
     refuse("are those of other interfaces");
   const bool areShared = bool(model.told);
-  if ((areShared || shared.isInParts) && sweeps.after && sweeps.after->passes &&
-      !sweeps.after->passes->system.fields.empty())
+  if ((areShared || shared.isInParts) && sweeps.after && haveFields(*sweeps.after))
     takeOwn(sweeps.after->passes->system, shared, model, comm);
   shared = {};
   if (!model.solvesWhole || !sweeps.keep)

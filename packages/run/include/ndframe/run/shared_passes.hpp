@@ -17,6 +17,9 @@ struct SharedPasses
   bool isInParts = false; ///< each rank has a part of the fields
 };
 
+/// Whether sweeps are status passes of solids that are solved whole; nothing else needs SharedPasses.
+bool haveFields(const SweepsDone& done);
+
 /// Whether passes can go on with this model: interfaces have the same nodes in the same order, as those of one scene
 /// have whatever the ranks have of it.
 bool arePassesOf(const SweepsDone& done, const SharedPasses& shared, const Model& model);
