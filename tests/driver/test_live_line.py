@@ -138,7 +138,7 @@ class Pipe(Folder):
         self.assertEqual(code, 0, text)
         self.assertRegex(text, r"(?m)^  recover, iteration \d+, residual \S+ \(until 1e-12, about \d+ s left\) \.\.\. \d+ s$")
         self.assertRegex(text, r"(?m)^  certify recovery, cell \d+ of \d+, \d+ % ")
-        self.assertRegex(text, r"(?m)^  certify recovery, step \d+, gain \S+ \(until 0\.005")
+        self.assertRegex(text, r"(?m)^  certify recovery, step \d+, gain \S+ \(until 0\.01, about \d+ s left\)")
 
     def test_a_wrong_patience_is_refused(self):
         for wrong in ("-1", "soon"):
