@@ -1,6 +1,6 @@
 #include "certificate/drawn_scene.hpp"
 
-#include "meshing/mesh_files.hpp"
+#include "reading/mesh_files.hpp"
 
 namespace ndframe::test
 {

@@ -11,7 +11,7 @@
 #include "driver/certificate_numbers.hpp"
 #include "driver/program.hpp"
 #include "io/temporary_folder.hpp"
-#include "meshing/mesh_files.hpp"
+#include "reading/mesh_files.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;

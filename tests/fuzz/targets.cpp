@@ -10,10 +10,10 @@
 #include <exodusII.h>
 
 #include "meshing/mesh_deck.hpp"
-#include "meshing/mesh_files.hpp"
 #include "ndframe/base/deck.hpp"
 #include "ndframe/driver/components.hpp"
 #include "ndframe/driver/deck_spec.hpp"
+#include "reading/mesh_files.hpp"
 
 namespace ndframe::test
 {

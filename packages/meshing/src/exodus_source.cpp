@@ -3,14 +3,14 @@
 
 #include <fmt/format.h>
 
-#include "child_process.hpp"
-#include "exodus_reader.hpp"
-#include "file_error.hpp"
 #include "mesh_sources.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
 #include "ndframe/mesh/piece_name.hpp"
-#include "netcdf_header.hpp"
-#include "steady_file.hpp"
+#include "ndframe/reading/child_process.hpp"
+#include "ndframe/reading/exodus_reader.hpp"
+#include "ndframe/reading/file_error.hpp"
+#include "ndframe/reading/netcdf_header.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 namespace ndframe
 {

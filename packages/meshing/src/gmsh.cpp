@@ -3,12 +3,12 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
-#include "gmsh_converter.hpp"
 #include "gmsh_library.hpp"
 #include "mesh_sources.hpp"
 #include "ndframe/meshing/gmsh_groups.hpp"
-#include "steady_file.hpp"
+#include "ndframe/reading/file_error.hpp"
+#include "ndframe/reading/gmsh_converter.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 namespace ndframe
 {

@@ -5,11 +5,11 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
 #include "gmsh_session.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/scratch.hpp"
-#include "steady_file.hpp"
+#include "ndframe/reading/file_error.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "child_process.hpp"
+#include "ndframe/reading/child_process.hpp"
 
 namespace ndframe
 {

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cstdlib>
 
-#include "gmsh_converter.hpp"
+#include "ndframe/reading/gmsh_converter.hpp"
 
 namespace ndframe
 {

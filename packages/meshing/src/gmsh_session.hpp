@@ -2,8 +2,8 @@
 
 #include <string>
 
-#include "file_error.hpp"
 #include "gmsh_functions.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

@@ -5,10 +5,10 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
-#include "gmsh_converter.hpp"
 #include "ndframe/base/diagnostics.hpp"
-#include "steady_file.hpp"
+#include "ndframe/reading/file_error.hpp"
+#include "ndframe/reading/gmsh_converter.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 namespace ndframe
 {

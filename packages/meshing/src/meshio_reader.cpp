@@ -7,15 +7,15 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "child_process.hpp"
-#include "file_error.hpp"
-#include "gmsh_converter.hpp"
 #include "gmsh_library.hpp"
 #include "mesh_sources.hpp"
 #include "meshio_script.hpp"
 #include "ndframe/base/python_script.hpp"
 #include "ndframe/base/scratch.hpp"
-#include "steady_file.hpp"
+#include "ndframe/reading/child_process.hpp"
+#include "ndframe/reading/file_error.hpp"
+#include "ndframe/reading/gmsh_converter.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 namespace ndframe
 {

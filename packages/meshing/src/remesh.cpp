@@ -17,7 +17,7 @@
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/scratch.hpp"
 #include "ndframe/mesh/mesh_bytes.hpp"
-#include "steady_file.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 namespace ndframe
 {

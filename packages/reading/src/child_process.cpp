@@ -1,4 +1,4 @@
-#include "child_process.hpp"
+#include "ndframe/reading/child_process.hpp"
 
 #include <algorithm>
 #include <cerrno>
@@ -17,9 +17,9 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/base/memory.hpp"
+#include "ndframe/reading/file_error.hpp"
 #include "no_programs.hpp"
 
 #if defined(__SANITIZE_ADDRESS__)

@@ -1,4 +1,4 @@
-#include "gmsh_converter.hpp"
+#include "ndframe/reading/gmsh_converter.hpp"
 
 #include <algorithm>
 #include <set>
@@ -7,9 +7,9 @@
 #include <fmt/ranges.h>
 
 #include "cut_cells.hpp"
-#include "file_error.hpp"
 #include "mesh_builder.hpp"
 #include "ndframe/mesh/vertex_tuples.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "msh_file.hpp"
 #include "ndframe/mesh/mesh.hpp"
+#include "ndframe/reading/msh_file.hpp"
 
 namespace ndframe
 {

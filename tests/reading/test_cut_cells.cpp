@@ -8,7 +8,7 @@
 
 #include "cut_cells.hpp"
 #include "meshing/mesh_deck.hpp"
-#include "meshing/mesh_files.hpp"
+#include "reading/mesh_files.hpp"
 
 namespace
 {

@@ -8,7 +8,7 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

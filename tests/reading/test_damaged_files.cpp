@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "meshing/mesh_deck.hpp"
-#include "meshing/mesh_files.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "reading/mesh_files.hpp"
 
 namespace
 {

@@ -9,7 +9,7 @@
 #include <exodusII.h>
 #include <fmt/format.h>
 
-#include "file_error.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

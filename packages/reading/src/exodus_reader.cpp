@@ -1,4 +1,4 @@
-#include "exodus_reader.hpp"
+#include "ndframe/reading/exodus_reader.hpp"
 
 #include <algorithm>
 #include <array>
@@ -10,9 +10,9 @@
 #include <fmt/ranges.h>
 
 #include "cut_cells.hpp"
-#include "file_error.hpp"
 #include "joined_input.hpp"
 #include "mesh_builder.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

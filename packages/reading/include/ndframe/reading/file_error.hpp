@@ -4,9 +4,6 @@
 #include <string>
 #include <vector>
 
-#include <fmt/format.h>
-#include <fmt/ranges.h>
-
 namespace ndframe
 {
 
@@ -19,11 +16,6 @@ public:
 };
 
 /// Follows a mesh error when the file holds several bodies and the deck chose none of them; else empty.
-inline std::string choiceHint(const std::vector<std::string>& bodies, const char* key)
-{
-  return bodies.size() < 2
-             ? ""
-             : fmt::format(" The file holds {}: choose the body's with {}.", fmt::join(bodies, ", "), key);
-}
+std::string choiceHint(const std::vector<std::string>& bodies, const char* key);
 
 } // namespace ndframe

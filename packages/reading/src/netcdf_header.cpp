@@ -1,4 +1,4 @@
-#include "netcdf_header.hpp"
+#include "ndframe/reading/netcdf_header.hpp"
 
 #include <array>
 #include <cstdint>
@@ -10,7 +10,7 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

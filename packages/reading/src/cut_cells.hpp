@@ -4,7 +4,7 @@
 #include <string_view>
 #include <vector>
 
-#include "msh_file.hpp"
+#include "ndframe/reading/msh_file.hpp"
 
 namespace ndframe
 {

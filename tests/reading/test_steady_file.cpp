@@ -1,4 +1,4 @@
-#include "steady_file.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 #include <chrono>
 #include <fstream>
@@ -6,8 +6,8 @@
 #include <gmock/gmock.h>
 #include <sys/stat.h>
 
-#include "file_error.hpp"
 #include "meshing/mesh_deck.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 using namespace ndframe;
 using namespace ndframe::test;

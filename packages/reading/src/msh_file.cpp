@@ -1,4 +1,4 @@
-#include "msh_file.hpp"
+#include "ndframe/reading/msh_file.hpp"
 
 #include <array>
 #include <cstdlib>
@@ -7,8 +7,8 @@
 
 #include <fmt/format.h>
 
-#include "file_error.hpp"
 #include "msh_cursor.hpp"
+#include "ndframe/reading/file_error.hpp"
 #include "number_index.hpp"
 
 namespace ndframe

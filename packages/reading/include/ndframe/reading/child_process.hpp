@@ -4,7 +4,7 @@
 #include <functional>
 #include <string>
 
-#include "file_error.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

@@ -7,8 +7,8 @@
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
-#include "file_error.hpp"
 #include "ndframe/mesh/vertex_tuples.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

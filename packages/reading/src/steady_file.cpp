@@ -1,9 +1,9 @@
-#include "steady_file.hpp"
+#include "ndframe/reading/steady_file.hpp"
 
 #include <fstream>
 #include <sstream>
 
-#include "file_error.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 namespace ndframe
 {

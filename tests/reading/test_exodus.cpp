@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "meshing/mesh_deck.hpp"
-#include "meshing/mesh_files.hpp"
+#include "reading/mesh_files.hpp"
 
 namespace
 {

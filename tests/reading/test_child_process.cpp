@@ -1,4 +1,4 @@
-#include "child_process.hpp"
+#include "ndframe/reading/child_process.hpp"
 
 #include <csignal>
 #include <cstdio>
@@ -13,8 +13,8 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
-#include "file_error.hpp"
 #include "ndframe/base/diagnostics.hpp"
+#include "ndframe/reading/file_error.hpp"
 
 using namespace ndframe;
 using testing::HasSubstr;

@@ -1,6 +1,6 @@
 #include <array>
 
-#include "msh_file.hpp"
+#include "ndframe/reading/msh_file.hpp"
 
 namespace ndframe
 {
