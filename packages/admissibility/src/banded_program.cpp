@@ -152,18 +152,24 @@ private:
     }
   }
 
-  /// All of them; after `patience` failures those that are wrong most, which the others may follow; in the end only
-  /// one.
+  /// All of them; after `patience` failures those that are wrong most, which the others may follow; in the end only the
+  /// last one.
   void exchange(const std::vector<WrongSign>& wrong, int tries)
   {
+    if (tries < -patienceOfMost) {
+      exchange(wrong.back());
+      return;
+    }
     double largest = 0.0;
     for (const WrongSign& sign : wrong)
       largest = std::max(largest, sign.by);
-    const double least = tries >= 0 ? 0.0 : most * largest;
-    for (std::size_t i = tries >= -patienceOfMost ? 0 : wrong.size() - 1; i < wrong.size(); ++i)
-      if (wrong[i].by >= least || tries < -patienceOfMost)
-        fixed_[wrong[i].entry] = !fixed_[wrong[i].entry];
+    const double least = tries < 0 ? most * largest : 0.0;
+    for (const WrongSign& sign : wrong)
+      if (sign.by >= least)
+        exchange(sign);
   }
+
+  void exchange(const WrongSign& sign) { fixed_[sign.entry] = !fixed_[sign.entry]; }
 
   /// x and the multipliers for the entries that are fixed now: [M W; W^T -e] (x, lambda) = (f, r - e lambda_old).
   void solve(const Vector& oldMultipliers)
