@@ -3,13 +3,12 @@
 #include <algorithm>
 
 #include "ndframe/algebra/pivot_rows.hpp"
+#include "ndframe/assembly/rigid_modes.hpp"
 
 namespace ndframe
 {
 namespace
 {
-
-constexpr double zeroMotion = 1e-9; ///< beside the largest
 
 DenseMatrix rowsOf(const DenseMatrix& A, const std::vector<int>& rows)
 {
@@ -71,7 +70,7 @@ public:
   void addHolding(const DenseMatrix& modes, const DenseMatrix& free, RankProblem& problem) const
   {
     const DenseMatrix motions = multiply(rowsOf(modes, system_.dofs.keptDofs()), free);
-    problem.isHeld = nullSpace(motions, zeroMotion).cols() == 0;
+    problem.isHeld = nullSpace(motions, rigidTolerance).cols() == 0;
     problem.holding = pivotRows(motions);
   }
 
