@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "ndframe/equilibrium/settle_balance.hpp"
+#include "ndframe/flow/flow_potentials.hpp"
 
 namespace ndframe
 {
@@ -14,15 +15,6 @@ constexpr int wrench = 6;
 /// Supports that resist a motion by less than this, relative, do not resist it.
 constexpr double noResistance = 1e-10;
 constexpr double roundOff = 1e-14; ///< of the largest force in a star
-
-/// sum += factor map map^T, column by column.
-void addSquare(const DenseMatrix& map, double factor, double* sum)
-{
-  for (int k = 0; k < map.cols(); ++k)
-    for (int j = 0; j < wrench; ++j)
-      for (int i = 0; i < wrench; ++i)
-        sum[j * wrench + i] += factor * map(i, k) * map(j, k);
-}
 
 } // namespace
 
@@ -110,7 +102,7 @@ void FlowSettler::react(std::vector<Wrench>& lacks, StressCorrection& correction
     for (int facet = 0; facet < 4; ++facet)
       if (const StressFace& own = face(cell, facet); own.isBoundary() && own.free->reach.cols() > 0) {
         supports.push_back({cell, facet, reaction(own)});
-        addSquare(supports.back().map, own.size * own.size, sums.data() + part + wrench);
+        addSquare(supports.back().map, own.size * own.size, sums.data() + part + wrench, wrench);
       }
   }
   comm.sum(sums);

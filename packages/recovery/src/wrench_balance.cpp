@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 
-#include "ndframe/assembly/rigid_modes.hpp"
 #include "ndframe/equilibrium/self_touching.hpp"
 
 namespace ndframe
@@ -12,6 +11,20 @@ namespace
 {
 
 constexpr int wrench = 6;
+
+/// The part of all cells' wrenches together that works on free motions: by these.
+Vector leftOver(const DenseMatrix& needed, const DenseMatrix& free)
+{
+  Wrench total{};
+  for (int c = 0; c < needed.cols(); ++c)
+    for (std::size_t i = 0; i < total.size(); ++i)
+      total[i] += needed(int(i), c);
+  Vector left(std::size_t(free.cols()), 0.0);
+  for (int k = 0; k < free.cols(); ++k)
+    for (std::size_t i = 0; i < total.size(); ++i)
+      left[std::size_t(k)] += total[i] * free(int(i), k);
+  return left;
+}
 
 } // namespace
 
@@ -24,7 +37,6 @@ struct WrenchBalance::Around
   std::vector<int> apex;       ///< per cell, the sorted number of the vertex
   std::vector<FlowLink> links; ///< wrenches are about the vertex
   std::vector<int> faces;      ///< per link
-  bool isHeld = false;         ///< by supports
 
   int numCells() const { return int(end - begin); }
   int place(int cell) const { return int(std::lower_bound(begin, end, cell) - begin); }
@@ -86,7 +98,6 @@ void WrenchBalance::findLinks(Around& star) const
         link.cell[1] = star.place(own.cell[1] - first);
         volume += volumes_[std::size_t(own.cell[1] - first)];
       } else if (own.free->reach.cols() > 0) {
-        star.isHeld = true;
         link.through = DenseMatrix(wrench, own.free->reach.cols());
         for (int j = 0; j < own.free->reach.cols(); ++j) {
           Wrench unit{};
@@ -152,45 +163,6 @@ DenseMatrix WrenchBalance::imbalance(const Around& star, std::size_t field, doub
   return needed;
 }
 
-/// The motions (of the whole star) that its supports leave free: 6 x their number.
-DenseMatrix WrenchBalance::freeMotions(const std::vector<FlowLink>& links)
-{
-  DenseMatrix ground(wrench, wrench);
-  for (const FlowLink& link : links)
-    for (int k = 0; k < link.through.cols(); ++k)
-      for (int j = 0; j < wrench; ++j)
-        for (int i = 0; i < wrench; ++i)
-          ground(i, j) += link.through(i, k) * link.through(j, k);
-  return nullSpace(ground, rigidTolerance);
-}
-
-namespace
-{
-
-DenseMatrix allMotions()
-{
-  DenseMatrix all(wrench, wrench);
-  for (int i = 0; i < wrench; ++i)
-    all(i, i) = 1.0;
-  return all;
-}
-
-/// The part of all cells' wrenches together that works on free motions: by these.
-Vector leftOver(const DenseMatrix& needed, const DenseMatrix& free)
-{
-  Wrench total{};
-  for (int c = 0; c < needed.cols(); ++c)
-    for (std::size_t i = 0; i < total.size(); ++i)
-      total[i] += needed(int(i), c);
-  Vector left(std::size_t(free.cols()), 0.0);
-  for (int k = 0; k < free.cols(); ++k)
-    for (std::size_t i = 0; i < total.size(); ++i)
-      left[std::size_t(k)] += total[i] * free(int(i), k);
-  return left;
-}
-
-} // namespace
-
 /// What nothing takes is left to all cells, by their volumes: so it flows on (FlowSettler) as a smooth load.
 void WrenchBalance::share(const Around& star, const Vector& left, const DenseMatrix& free, DenseMatrix& needed) const
 {
@@ -225,7 +197,7 @@ Wrench WrenchBalance::amounts(std::size_t number, const DenseMatrix& potentials,
 WrenchBalance::Flows WrenchBalance::balance(int vertex) const
 {
   const Around star = around(vertex);
-  const DenseMatrix free = star.isHeld ? freeMotions(star.links) : allMotions();
+  const DenseMatrix free = freeMotions(star.links);
   Flows flows;
   flows.faces = star.faces;
   for (std::size_t field = 0; field < initial_.size(); ++field) {

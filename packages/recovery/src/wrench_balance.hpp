@@ -1,8 +1,8 @@
 #pragma once
 
-#include "flow_potentials.hpp"
 #include "initial_tractions.hpp"
 #include "ndframe/equilibrium/star_data.hpp"
+#include "ndframe/flow/flow_potentials.hpp"
 
 namespace ndframe
 {
@@ -40,7 +40,6 @@ private:
   void requireConnected(const Around& star) const;
   void findLinks(Around& star) const;
   DenseMatrix imbalance(const Around& star, std::size_t field, double& force) const;
-  static DenseMatrix freeMotions(const std::vector<FlowLink>& links);
   const StressFace& face(int number) const { return (*faces_)[number]; }
   void share(const Around& star, const Vector& left, const DenseMatrix& free, DenseMatrix& needed) const;
   Wrench amounts(std::size_t link, const DenseMatrix& potentials, const Around& star) const;

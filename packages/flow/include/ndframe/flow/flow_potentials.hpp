@@ -17,8 +17,14 @@ struct FlowLink
   DenseMatrix through; ///< 6 x r; empty between cells
 };
 
-/// Potentials, 6 x cells, of flows that bring every cell what it needs (6 x cells). free: orthonormal motions of all
-/// cells together that no support resists; nothing that is needed in all works on them. Cells hang together.
+/// sum += factor columns columns^T, 6 x 6; columns of the sum are `stride` apart.
+void addSquare(const DenseMatrix& columns, double factor, double* sum, int stride);
+
+/// Orthonormal motions of all cells together that no support resists: 6 x their number.
+DenseMatrix freeMotions(const std::vector<FlowLink>& links);
+
+/// Potentials, 6 x cells, of flows that bring every cell what it needs (6 x cells). free: freeMotions(); nothing that
+/// is needed in all works on them. Cells hang together.
 DenseMatrix potentials(const std::vector<FlowLink>& links, const DenseMatrix& free, DenseMatrix needed);
 
 } // namespace ndframe

@@ -1,7 +1,9 @@
-#include "flow_potentials.hpp"
+#include "ndframe/flow/flow_potentials.hpp"
 
 #include <algorithm>
 #include <cmath>
+
+#include "ndframe/assembly/rigid_modes.hpp"
 
 namespace ndframe
 {
@@ -54,17 +56,14 @@ DenseMatrix conductances(int cells, const std::vector<FlowLink>& links, const De
   const auto add = [&](int row, int col, int i, int j, double value) {
     L(row * components + i, col * components + j) += value;
   };
-  const auto addSquare = [&](int cell, const DenseMatrix& columns, double factor) {
-    for (int k = 0; k < columns.cols(); ++k)
-      for (int j = 0; j < components; ++j)
-        for (int i = 0; i < components; ++i)
-          add(cell, cell, i, j, factor * columns(i, k) * columns(j, k));
+  const auto resist = [&](int cell, const DenseMatrix& columns, double factor) {
+    addSquare(columns, factor, &L(cell * wrench, cell * wrench), L.rows());
   };
   double largest = 0.0;
   for (const FlowLink& link : links) {
     largest = std::max(largest, link.conductance);
     if (link.cell[1] < 0)
-      addSquare(link.cell[0], link.through, link.conductance);
+      resist(link.cell[0], link.through, link.conductance);
     for (int i = 0; i < components && link.cell[1] >= 0; ++i)
       for (std::size_t side = 0; side < 2; ++side) {
         add(link.cell[side], link.cell[side], i, i, link.conductance);
@@ -72,13 +71,38 @@ DenseMatrix conductances(int cells, const std::vector<FlowLink>& links, const De
       }
   }
   if (components == wrench)
-    addSquare(cells - 1, free, largest);
+    resist(cells - 1, free, largest);
   else
     add(cells - 1, cells - 1, 0, 0, cells == 1 ? 1.0 : largest);
   return L;
 }
 
 } // namespace
+
+void addSquare(const DenseMatrix& columns, double factor, double* sum, int stride)
+{
+  for (int k = 0; k < columns.cols(); ++k)
+    for (int j = 0; j < wrench; ++j)
+      for (int i = 0; i < wrench; ++i)
+        sum[std::ptrdiff_t(j) * stride + i] += factor * columns(i, k) * columns(j, k);
+}
+
+DenseMatrix freeMotions(const std::vector<FlowLink>& links)
+{
+  DenseMatrix ground(wrench, wrench);
+  bool isHeld = false;
+  for (const FlowLink& link : links)
+    if (link.cell[1] < 0) {
+      isHeld = true;
+      addSquare(link.through, 1.0, ground.data(), wrench);
+    }
+  if (isHeld)
+    return nullSpace(ground, rigidTolerance);
+  DenseMatrix all(wrench, wrench);
+  for (int i = 0; i < wrench; ++i)
+    all(i, i) = 1.0;
+  return all;
+}
 
 DenseMatrix potentials(const std::vector<FlowLink>& links, const DenseMatrix& free, DenseMatrix needed)
 {
