@@ -99,6 +99,14 @@ void BalanceSettler::passOn(const PartGraph& graph, const Vector& about, const C
   }
 }
 
+void agreeOnImbalance(StressCorrection& correction, const Comm& comm)
+{
+  Vector largest{correction.imbalance, correction.force};
+  takeLargest(largest, comm);
+  correction.imbalance = largest[0];
+  correction.force = largest[1];
+}
+
 bool needsSettling(const Mesh& mesh, const StressCorrection& correction, const Comm& comm)
 {
   Vector smallest{HUGE_VAL}, largest{0.0};

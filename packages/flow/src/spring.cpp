@@ -5,14 +5,6 @@ namespace ndframe
 namespace
 {
 
-/// sum += factor a x b
-void addProduct(const Direction& a, const double* b, double factor, double* sum)
-{
-  sum[0] += factor * (a[1] * b[2] - a[2] * b[1]);
-  sum[1] += factor * (a[2] * b[0] - a[0] * b[2]);
-  sum[2] += factor * (a[0] * b[1] - a[1] * b[0]);
-}
-
 Direction between(const Direction& a, const Direction& b)
 {
   return {b[0] - a[0], b[1] - a[1], b[2] - a[2]};
@@ -38,6 +30,13 @@ Direction product(const Symmetric& J, const Direction& b)
 }
 
 } // namespace
+
+void addCross(const Direction& arm, const double* force, double factor, double* moment)
+{
+  moment[0] += factor * (arm[1] * force[2] - arm[2] * force[1]);
+  moment[1] += factor * (arm[2] * force[0] - arm[0] * force[2]);
+  moment[2] += factor * (arm[0] * force[1] - arm[1] * force[0]);
+}
 
 Spring Spring::ofFace(const Direction& centre, double conductance, double size)
 {
@@ -75,7 +74,7 @@ ForceMoment Spring::shareOf(const Spring& part, const ForceMoment& wrench) const
     share[i] = part.conductance / conductance * wrench[i];
     share[3 + i] = moment[i];
   }
-  addProduct(b, d.data(), part.conductance, share.data());
+  addCross(b, d.data(), part.conductance, share.data());
   return share;
 }
 
@@ -83,7 +82,7 @@ void addMoved(const ForceMoment& wrench, const Direction& from, const Direction&
 {
   for (std::size_t i = 0; i < sum.size(); ++i)
     sum[i] += wrench[i];
-  addProduct(between(to, from), wrench.data(), 1.0, &sum[3]);
+  addCross(between(to, from), wrench.data(), 1.0, &sum[3]);
 }
 
 } // namespace ndframe

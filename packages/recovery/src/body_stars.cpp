@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <numeric>
 
+#include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/equilibrium/cell_form.hpp"
 #include "ndframe/equilibrium/self_touching.hpp"
+#include "ndframe/equilibrium/settle_balance.hpp"
 
 namespace ndframe
 {
@@ -23,15 +25,6 @@ std::vector<int> shareOfRank(const std::vector<int>& vertices, const Comm& comm)
 {
   const auto border = [&](int rank) { return vertices.begin() + std::ptrdiff_t(vertices.size()) * rank / comm.size(); };
   return {border(comm.rank()), border(comm.rank() + 1)};
-}
-
-/// The largest of the ranks' values, on all of them.
-double largestOverRanks(double value, const Comm& comm)
-{
-  Vector ofRanks(std::size_t(comm.size()), 0.0);
-  ofRanks[std::size_t(comm.rank())] = value;
-  comm.sum(ofRanks);
-  return *std::max_element(ofRanks.begin(), ofRanks.end());
 }
 
 /// values = before + sum over the ranks of what each has added.
@@ -53,20 +46,20 @@ void BodyStars::shareOut(const std::vector<int>& vertices, std::vector<StressCor
   if (comm.size() == 1)
     return work(own);
   const std::vector<StressCorrection> before = corrections;
-  int refused = -1;
+  Vector refused{-1.0}; // the largest vertex
   try {
     work(own);
   } catch (const SelfTouching& place) {
-    refused = place.vertex;
+    refused[0] = place.vertex;
   }
-  if (const int vertex = int(largestOverRanks(refused + 1.0, comm)) - 1; vertex >= 0)
-    throw SelfTouching(body_.model(), vertex);
+  takeLargest(refused, comm);
+  if (refused[0] >= 0.0)
+    throw SelfTouching(body_.model(), int(refused[0]));
   for (std::size_t field = 0; field < corrections.size(); ++field) {
     StressCorrection& correction = corrections[field];
     sumChanges(correction.tractions, before[field].tractions, comm);
     sumChanges(correction.loads, before[field].loads, comm);
-    correction.imbalance = largestOverRanks(correction.imbalance, comm);
-    correction.force = largestOverRanks(correction.force, comm);
+    agreeOnImbalance(correction, comm);
   }
 }
 

@@ -162,25 +162,17 @@ void CellBlocks::addEdge(int lane, const StressEdge& edge, Pair inside, double* 
         *sum++ += entry[(k * wrench + l) * lanes];
     return;
   }
-  const int cell = cells_[std::size_t(lane)];
-  std::array<int, 4> facets{};
-  std::array<DenseMatrix, 4> columns;
-  std::size_t count = 0;
-  for (int facet = 0; facet < 4; ++facet)
-    for (const StressEdge::Step& step : edge.ring)
-      if (step.face == faces_->of(cell, facet)) {
-        facets[count] = facet;
-        columns[count++] = edgeColumns(edge, step, (*faces_)[step.face], (*faces_)[step.face].sideOf(cell));
-      }
-  for (std::size_t a = 0; a < count; ++a)
-    for (std::size_t b = 0; b < count; ++b) {
+  const auto columns = edgeColumns(edge, *faces_, cells_[std::size_t(lane)]);
+  for (int a = 0; a < 4; ++a)
+    for (int b = 0; b < 4; ++b) {
+      const DenseMatrix &left = columns[std::size_t(a)], &right = columns[std::size_t(b)];
       double* column = sum;
-      for (int k = 0; k < edge.unknowns; column += edge.unknowns - k, ++k)
+      for (int k = 0; k < right.cols() && left.cols() > 0; column += right.cols() - k, ++k)
         for (int j = 0; j < linear; ++j)
           for (int i = 0; i < linear; ++i) {
-            const double value = between(lane, {facets[a], facets[b]}, i, j) * columns[b](j, k);
-            for (int l = k; l < edge.unknowns; ++l)
-              column[l - k] += columns[a](i, l) * value;
+            const double value = between(lane, {a, b}, i, j) * right(j, k);
+            for (int l = k; l < left.cols(); ++l)
+              column[l - k] += left(i, l) * value;
           }
     }
 }

@@ -10,17 +10,6 @@ namespace ndframe
 namespace
 {
 
-/// Which face of a ring a cell has at each facet, or -1.
-std::array<int, 4> stepsOf(const StressFaces& faces, int cell, const StressEdge& edge)
-{
-  std::array<int, 4> steps{-1, -1, -1, -1};
-  for (int facet = 0; facet < 4; ++facet)
-    for (std::size_t s = 0; s < edge.ring.size(); ++s)
-      if (edge.ring[s].face == faces.of(cell, facet))
-        steps[std::size_t(facet)] = int(s);
-  return steps;
-}
-
 constexpr std::size_t mostData = 18; ///< of a face
 
 /// A matrix by columns of at most so many entries, and of as many columns at most.
@@ -124,18 +113,12 @@ void ClassBlocks::addFace(int cell, int facet, double* sum) const
 
 void ClassBlocks::addEdge(int cell, int e, double* sum) const
 {
-  const StressEdge& edge = (*edges_)[std::size_t(e)];
-  const auto steps = stepsOf(*faces_, cell, edge);
-  std::array<DenseMatrix, 4> columns;
-  for (int facet = 0; facet < 4; ++facet)
-    if (const int s = steps[std::size_t(facet)]; s >= 0) {
-      const StressFace& face = (*faces_)[faces_->of(cell, facet)];
-      columns[std::size_t(facet)] = edgeColumns(edge, edge.ring[std::size_t(s)], face, face.sideOf(cell));
-    }
+  const auto columns = edgeColumns((*edges_)[std::size_t(e)], *faces_, cell);
   for (int a = 0; a < 4; ++a)
     for (int b = 0; b < 4; ++b)
-      if (steps[std::size_t(a)] >= 0 && steps[std::size_t(b)] >= 0)
-        addProduct(cell, {a, b}, columns[std::size_t(a)], columns[std::size_t(b)], sum);
+      if (const auto& left = columns[std::size_t(a)], &right = columns[std::size_t(b)];
+          left.cols() > 0 && right.cols() > 0)
+        addProduct(cell, {a, b}, left, right, sum);
 }
 
 void ClassBlocks::addAllOfFace(int f, double* sum) const

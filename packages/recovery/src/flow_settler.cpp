@@ -64,20 +64,6 @@ std::vector<Wrench> FlowSettler::lacks(const StressCorrection& correction) const
   return result;
 }
 
-/// The wrench of a supported face's carriers about about_, moments over size_.
-DenseMatrix FlowSettler::reaction(const StressFace& face) const
-{
-  const DenseMatrix& reach = face.free->reach;
-  DenseMatrix map(wrench, reach.cols());
-  for (int j = 0; j < reach.cols(); ++j) {
-    Wrench unit{};
-    std::copy_n(reach.col(j), wrench, unit.begin());
-    unit = movedWrench(unit, face.centre, face.size, about_, size_);
-    std::copy(unit.begin(), unit.end(), map.col(j));
-  }
-  return map;
-}
-
 /// Tractions on a cell's facet: carriers times amounts.
 void FlowSettler::add(int cell, int facet, const Vector& amounts, StressCorrection& correction) const
 {
@@ -101,7 +87,7 @@ void FlowSettler::react(std::vector<Wrench>& lacks, StressCorrection& correction
                    std::plus<>());
     for (int facet = 0; facet < 4; ++facet)
       if (const StressFace& own = face(cell, facet); own.isBoundary() && own.free->reach.cols() > 0) {
-        supports.push_back({cell, facet, reaction(own)});
+        supports.push_back({cell, facet, movedWrenches(own.free->reach, own.centre, own.size, about_, size_)});
         addSquare(supports.back().map, own.size * own.size, sums.data() + part + wrench, wrench);
       }
   }
@@ -188,10 +174,7 @@ void settleByFlows(int body, const StressFaces& faces, const BodyPiece* piece, c
 {
   std::unique_ptr<FlowSettler> settler;
   for (StressCorrection* correction : corrections) {
-    Vector largest{correction->imbalance, correction->force};
-    takeLargest(largest, comm);
-    correction->imbalance = largest[0];
-    correction->force = largest[1];
+    agreeOnImbalance(*correction, comm);
     if (!needsSettling(faces.cells().body(body).model().mesh, *correction, comm))
       continue;
     if (!settler)

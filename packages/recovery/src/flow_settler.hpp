@@ -23,7 +23,7 @@ private:
   struct Support
   {
     int cell, facet;
-    DenseMatrix map; ///< reaction()
+    DenseMatrix map; ///< wrenches of the face's carriers about about_, moments over size_
   };
 
   bool isOwn(int cell) const { return piece_ == nullptr || piece_->owns(cell); }
@@ -37,7 +37,6 @@ private:
   void give(const Support& support, const Vector& motion, std::vector<Wrench>& lacks,
             StressCorrection& correction) const;
   void react(std::vector<Wrench>& lacks, StressCorrection& correction, const Comm& comm) const;
-  DenseMatrix reaction(const StressFace& face) const;
   void add(int cell, int facet, const Vector& amounts, StressCorrection& correction) const;
   void pass(StressCorrection& correction, const Comm& comm) const;
   void measure(StressCorrection& correction, const Comm& comm) const;

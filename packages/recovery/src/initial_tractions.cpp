@@ -13,15 +13,6 @@ namespace
 
 constexpr int linear = StressFace::linear;
 
-Direction centreOf(const Mesh& mesh, int cell)
-{
-  Direction centre{};
-  for (int v = 0; v < 4; ++v)
-    for (std::size_t i = 0; i < 3; ++i)
-      centre[i] += 0.25 * mesh.point(mesh.cell(cell)[v])[i];
-  return centre;
-}
-
 } // namespace
 
 InitialTractions::InitialTractions(int body, const StressFaces& faces, const FieldInput& field,
@@ -192,7 +183,7 @@ void InitialTractions::addTraction(int cell, int facet, int apex, const double* 
 void InitialTractions::addLoad(int cell, int apex, const double* vertex, double size, Wrench& sum) const
 {
   const Mesh& mesh = body_->model().mesh;
-  const Direction centre = centreOf(mesh, cell), &divergence = divergence_[std::size_t(cell)];
+  const Direction centre = cellCentre(mesh, cell), &divergence = divergence_[std::size_t(cell)];
   const Direction arm{centre[0] - vertex[0], centre[1] - vertex[1], centre[2] - vertex[2]};
   for (std::size_t i = 0; i < 3; ++i)
     sum[i] += cellShares_.ofOne(apex)[0] * divergence[i];

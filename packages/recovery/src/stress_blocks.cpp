@@ -1,7 +1,6 @@
 #include "stress_blocks.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <cstring>
 #include <map>
 #include <numeric>
@@ -194,9 +193,7 @@ void StressBlocks::invert(const StressSharing& sharing, int threads)
     if (sharing.owns(int(b)) && sizeOf(int(b)) > 0)
       unit_ = std::max(unit_, factor_[b]);
   }
-  Vector largest{unit_};
-  takeLargest(largest, sharing.comm());
-  unit_ = largest.front() > 0.0 ? std::exp2(std::ceil(std::log2(largest.front()))) : 1.0; // rounds nothing
+  unit_ = sharing.unitOf(unit_);
 }
 
 /// Some blocks, those of one size side by side.

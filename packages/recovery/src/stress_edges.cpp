@@ -70,14 +70,11 @@ private:
 DenseMatrix throughMatrix(const StressEdge& edge, const DenseMatrix& basis, const StressEdge::Step& step,
                           const StressFace& face)
 {
-  DenseMatrix wrenches(wrenchSize(3), basis.cols());
-  for (int k = 0; k < wrenches.cols(); ++k) {
-    Wrench wrench{};
-    for (std::size_t i = 0; i < wrench.size(); ++i)
-      wrench[i] = step.sign * basis(int(i), k);
-    wrench = movedWrench(wrench, edge.middle, edge.length, face.centre, face.size);
-    std::copy(wrench.begin(), wrench.end(), wrenches.col(k));
-  }
+  DenseMatrix given(basis.rows(), basis.cols());
+  for (int k = 0; k < given.cols(); ++k)
+    for (int i = 0; i < given.rows(); ++i)
+      given(i, k) = step.sign * basis(i, k);
+  DenseMatrix wrenches = movedWrenches(given, edge.middle, edge.length, face.centre, face.size);
   return face.isInside() ? wrenches : multiply(face.free->choose, wrenches);
 }
 
@@ -183,19 +180,16 @@ DenseMatrix Rings::circulating(const StressEdge& edge) const
     const StressFace& face = *limited[f];
     if (face.free->reach.cols() == 0)
       return {6, 0};
-    const DenseMatrix taken = multiply(face.free->reach, face.free->choose);
-    for (int j = 0; j < 6; ++j) {
-      Wrench unit{};
-      unit[std::size_t(j)] = 1.0;
-      const Wrench there = movedWrench(unit, edge.middle, edge.length, face.centre, face.size);
+    const DenseMatrix taken = multiply(face.free->reach, face.free->choose),
+                      there = movedWrenches(all, edge.middle, edge.length, face.centre, face.size);
+    for (int j = 0; j < 6; ++j)
       for (int i = 0; i < 6; ++i) {
         double& rest = refused(int(f) * 6 + i, j);
-        rest = there[std::size_t(i)];
+        rest = there(i, j);
         for (int k = 0; k < 6; ++k)
-          rest -= taken(i, k) * there[std::size_t(k)];
+          rest -= taken(i, k) * there(k, j);
         largest = std::max(largest, std::abs(rest));
       }
-    }
   }
   return largest <= rigidTolerance ? all : nullSpace(refused, rigidTolerance);
 }
@@ -229,6 +223,16 @@ DenseMatrix edgeColumns(const StressEdge& edge, const StressEdge::Step& step, co
     for (int k = 0; k < carrier.cols(); ++k)
       for (int i = 0; i < columns.rows(); ++i)
         columns(i, j) += carrier(i, k) * through(k, j);
+  return columns;
+}
+
+std::array<DenseMatrix, 4> edgeColumns(const StressEdge& edge, const StressFaces& faces, int cell)
+{
+  std::array<DenseMatrix, 4> columns;
+  for (int facet = 0; facet < 4; ++facet)
+    for (const StressEdge::Step& step : edge.ring)
+      if (step.face == faces.of(cell, facet))
+        columns[std::size_t(facet)] = edgeColumns(edge, step, faces[step.face], faces[step.face].sideOf(cell));
   return columns;
 }
 

@@ -38,6 +38,9 @@ struct ThroughMatrix
 /// The columns that an edge's unknowns stand for on a face of its ring, as the cell of one side feels them.
 DenseMatrix edgeColumns(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face, std::size_t side);
 
+/// The same on each facet of a cell, as the cell feels them; none where the ring does not pass.
+std::array<DenseMatrix, 4> edgeColumns(const StressEdge& edge, const StressFaces& faces, int cell);
+
 /// All edges of own cells around which anything can circulate, whole rings. Those at which a body touches itself are
 /// left out.
 std::vector<StressEdge> stressEdges(const StressFaces& faces);

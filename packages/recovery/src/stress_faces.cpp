@@ -11,11 +11,6 @@ namespace ndframe
 namespace
 {
 
-Direction difference(const Direction& a, const Direction& b)
-{
-  return {a[0] - b[0], a[1] - b[1], a[2] - b[2]};
-}
-
 DenseMatrix transposed(const DenseMatrix& matrix)
 {
   DenseMatrix result(matrix.cols(), matrix.rows());
@@ -27,28 +22,12 @@ DenseMatrix transposed(const DenseMatrix& matrix)
 
 } // namespace
 
-void addCross(const Direction& arm, const double* force, double factor, double* moment)
-{
-  moment[0] += factor * (arm[1] * force[2] - arm[2] * force[1]);
-  moment[1] += factor * (arm[2] * force[0] - arm[0] * force[2]);
-  moment[2] += factor * (arm[0] * force[1] - arm[1] * force[0]);
-}
-
 Wrench StressFace::wrench(const double* T, const double* point, double length) const
 {
   Wrench result{T[0], T[1], T[2], 0.0, 0.0, 0.0};
   addCross({centre[0] - point[0], centre[1] - point[1], centre[2] - point[2]}, T, 1.0 / length, &result[3]);
   for (std::size_t k = 0; k < 2; ++k)
     addCross(arms[k], T + 3 * (k + 1), 1.0 / length, &result[3]);
-  return result;
-}
-
-Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLength, const Direction& to, double toLength)
-{
-  Wrench result = wrench;
-  for (std::size_t i = 3; i < 6; ++i)
-    result[i] *= fromLength / toLength;
-  addCross(difference(from, to), wrench.data(), 1.0 / toLength, &result[3]);
   return result;
 }
 

@@ -8,12 +8,10 @@
 #include "ndframe/equilibrium/star_wrench.hpp"
 #include "ndframe/simd/face_frame.hpp"
 #include "ndframe/simd/stress_cells.hpp"
+#include "wrench.hpp"
 
 namespace ndframe
 {
-
-/// Force and moment over a length, about a point.
-using Wrench = std::array<double, 6>;
 
 /// The tractions of a face on the boundary or in contact that may be changed: T = own y + carrier r. `own` carries no
 /// wrench; `carrier` carries the wrench  reach r  about the centre. On the boundary they are along supported
@@ -64,13 +62,6 @@ struct StressFace
   /// Columns of tractions by toSide().
   DenseMatrix onSide(std::size_t side, const DenseMatrix& columns) const;
 };
-
-/// moment += factor arm x force
-void addCross(const Direction& arm, const double* force, double factor, double* moment);
-
-/// (F, M / from.length) about one point as (F, M' / to.length) about another.
-Wrench movedWrench(const Wrench& wrench, const Direction& from, double fromLength, const Direction& to,
-                   double toLength);
 
 /// All faces of solids. A patch whose two sides coincide is one face that both bodies share; at a rigid body it
 /// is a boundary face whose normal traction may change. Where cells are those that a rank holds, faces of ghosts that

@@ -1,6 +1,7 @@
 #include "stress_sharing.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 namespace ndframe
 {
@@ -59,11 +60,11 @@ void StressSharing::list(int block, std::vector<int> around, int owner)
       with_[std::size_t(rank)].lent.push_back(block);
 }
 
-double StressSharing::dotOfAll(const Vector& a, const Vector& b) const
+double StressSharing::unitOf(double largest) const
 {
-  Vector sum{dot(a, b)};
-  comm_.sum(sum);
-  return sum.front();
+  Vector ofAll{largest};
+  takeLargest(ofAll, comm_);
+  return ofAll.front() > 0.0 ? std::exp2(std::ceil(std::log2(ofAll.front()))) : 1.0;
 }
 
 } // namespace ndframe

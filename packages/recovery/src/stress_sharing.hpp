@@ -16,8 +16,8 @@ public:
   bool owns(int block) const { return owns_[std::size_t(block)] != 0; }
   const SharedValues& values() const { return values_; } ///< of blocks
   const Comm& comm() const { return comm_; }
-  /// The sum over the ranks, of vectors that are zero where another rank owns. Collective.
-  double dotOfAll(const Vector& a, const Vector& b) const;
+  /// A power of two, which rounds nothing, from the largest of all ranks' numbers on; one if that is zero. Collective.
+  double unitOf(double largest) const;
 
 private:
   void list(int block, std::vector<int> around, int owner);

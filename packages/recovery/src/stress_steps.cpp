@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <cmath>
 #include <optional>
 
 #include "ndframe/algebra/step_gains.hpp"
@@ -174,10 +173,8 @@ int StressDescent::descend(Steps& steps, PressureRoom* room, std::size_t field, 
 
 StressDescent::Steps StressDescent::begin(const DescentField& field, Vector start, std::vector<char> still) const
 {
-  Vector largest{largestEntry(start)};
-  takeLargest(largest, comm_);
   Steps steps{};
-  steps.force = largest.front() > 0.0 ? std::exp2(std::ceil(std::log2(largest.front()))) : 1.0; // rounds nothing
+  steps.force = sharing_.unitOf(largestEntry(start));
   steps.traction = steps.force * blocks_.unit();
   steps.still = std::move(still);
   faceForces(start, steps.force, steps.ofFaces);

@@ -98,13 +98,8 @@ void WrenchBalance::findLinks(Around& star) const
         link.cell[1] = star.place(own.cell[1] - first);
         volume += volumes_[std::size_t(own.cell[1] - first)];
       } else if (own.free->reach.cols() > 0) {
-        link.through = DenseMatrix(wrench, own.free->reach.cols());
-        for (int j = 0; j < own.free->reach.cols(); ++j) {
-          Wrench unit{};
-          std::copy_n(own.free->reach.col(j), wrench, unit.begin());
-          unit = movedWrench(unit, own.centre, own.size, {star.point[0], star.point[1], star.point[2]}, star.size);
-          std::copy_n(unit.begin(), wrench, link.through.col(j));
-        }
+        const Direction vertex{star.point[0], star.point[1], star.point[2]};
+        link.through = movedWrenches(own.free->reach, own.centre, own.size, vertex, star.size);
       } else
         continue;
       const double area = own.size * own.size;

@@ -5,6 +5,9 @@
 namespace ndframe
 {
 
+/// StressCorrection::imbalance and force become the largest of all ranks. Collective.
+void agreeOnImbalance(StressCorrection& correction, const Comm& comm);
+
 /// True when what u~ lacks of finite element equilibrium, spread over the smallest facets, could be seen in the
 /// equilibrium of sigma^: a solver that stopped early, or round-off on meshes that are strongly graded and in bodies
 /// that move much more than they deform.

@@ -28,6 +28,9 @@ struct Spring
   ForceMoment shareOf(const Spring& part, const ForceMoment& wrench) const;
 };
 
+/// moment += factor arm x force
+void addCross(const Direction& arm, const double* force, double factor, double* moment);
+
 /// sum += a wrench about one point as one about another.
 void addMoved(const ForceMoment& wrench, const Direction& from, const Direction& to, ForceMoment& sum);
 
