@@ -1,10 +1,10 @@
 #include <algorithm>
 #include <optional>
 
-#include "ndframe/algebra/step_gains.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/simd/block_kernels.hpp"
 #include "pressure_room.hpp"
+#include "step_gains.hpp"
 #include "stress_descent.hpp"
 
 namespace ndframe

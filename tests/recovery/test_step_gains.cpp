@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "ndframe/algebra/step_gains.hpp"
+#include "step_gains.hpp"
 
 namespace ndframe
 {
