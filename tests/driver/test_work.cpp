@@ -327,9 +327,10 @@ TEST(Ledger, CountsTheStepsThatLowerTheBoundOfSolids)
       scene.set("Error Estimation/Recovery/" + entry);
     return scene.run().ledger->counted("recovery steps");
   };
-  EXPECT_GT(stepsWith({}), 8);
-  EXPECT_LT(stepsWith({}), 25);
-  EXPECT_GT(stepsWith({"Sweeps=2"}), stepsWith({}));
+  const std::int64_t usual = stepsWith({});
+  EXPECT_GT(usual, 8);
+  EXPECT_LT(usual, 25);
+  EXPECT_GT(stepsWith({"Sweeps=2"}), usual);
   EXPECT_EQ(stepsWith({"Type=Global", "Steps=6"}), 6);
   EXPECT_EQ(stepsWith({"Type=Global", "Least Gain=0"}), 100);
 }

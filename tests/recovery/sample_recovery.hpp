@@ -8,7 +8,7 @@
 namespace ndframe::test
 {
 
-/// A recovery as the deck names it: type "Star" or "Element", with its parameters; all are integers but "Least Gain".
+/// A recovery as the deck names it, with its parameters; all are integers but "Least Gain".
 std::unique_ptr<StressRecovery> makeRecovery(const std::string& type,
                                              const std::vector<std::pair<std::string, double>>& entries = {});
 /// "Global" with so many steps, whatever they gain.

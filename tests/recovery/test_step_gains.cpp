@@ -60,7 +60,7 @@ TEST(StepGains, AreNotBelowSoonAfterAStoppedStep)
   EXPECT_NEAR(gains.lowered(), 14e-6, 1e-15);
 }
 
-/// No step falls by less than nothing.
+/// A descent with a least gain of zero takes all its steps.
 TEST(StepGains, OfNothingAreZero)
 {
   StepGains gains(2.0);

@@ -79,7 +79,8 @@ public:
     return ledger.counted("recovery steps");
   }
 
-  /// What a descent from there says that the objective is, and the objective: before the first step and after some.
+  /// What a descent from stresses that are only in balance says that the objective is, and the objective: before the
+  /// first step and after some.
   std::vector<std::pair<double, double>> told(int steps) const
   {
     const StarBody above(bodies[0], recovery.data[0]), below(bodies[1], recovery.data[1]);

@@ -37,7 +37,7 @@ struct DescentWatch
   std::function<void(double gain)> stepIsTaken; ///< StepGains::mean
 };
 
-/// Lowers the energy of equilibrated corrections by a few steps of conjugate gradients over all tractions that keep the
+/// Lowers the energy of equilibrated corrections by steps of conjugate gradients over all tractions that keep the
 /// balance: what is in balance by itself on every face, and wrenches around every edge.
 ///
 /// The energy is sum_E x_E^T A_E x_E, x_E = (T, G) the data of cell E, and with a traction t^ that may change
@@ -103,7 +103,7 @@ private:
   int threads_;
   std::vector<StressFaces::Seat> seats_;
   std::vector<Vector> start_;               ///< per field A_E x_E, by tractions and cell by cell; zero at ghosts
-  std::vector<std::vector<Start>> batches_; ///< per field
+  std::vector<std::vector<Start>> batches_; ///< per field and batch
   Vector energies_;                         ///< per field
   std::vector<StressEdge> edges_;
   StressSharing sharing_;

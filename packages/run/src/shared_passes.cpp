@@ -88,12 +88,12 @@ public:
   bool find(const Vector& places, Vector& values) const
   {
     std::vector<Vector> wanted(std::size_t(comm_.size()));
-    std::vector<std::vector<std::size_t>> places_(wanted.size());
+    std::vector<std::vector<std::size_t>> numbers(wanted.size()); // of the places that are asked for
     for (std::size_t i = 0; i * axes < places.size(); ++i) {
       const double* const place = places.data() + i * axes;
       const std::size_t home = homeOf(place, comm_.size());
       wanted[home].insert(wanted[home].end(), place, place + axes);
-      places_[home].push_back(i);
+      numbers[home].push_back(i);
     }
     std::vector<Vector> answers(wanted.size());
     std::int64_t missing = 0;
@@ -108,9 +108,9 @@ public:
     answers = exchangedValues(answers, comm_);
     values.assign(places.size() / axes * width_, 0.0);
     for (std::size_t home = 0; home < answers.size(); ++home)
-      for (std::size_t i = 0; i < places_[home].size(); ++i)
+      for (std::size_t i = 0; i < numbers[home].size(); ++i)
         std::copy_n(answers[home].begin() + std::ptrdiff_t(i) * std::ptrdiff_t(width_), width_,
-                    values.begin() + std::ptrdiff_t(places_[home][i]) * std::ptrdiff_t(width_));
+                    values.begin() + std::ptrdiff_t(numbers[home][i]) * std::ptrdiff_t(width_));
     return comm_.sum(missing) == 0;
   }
 
