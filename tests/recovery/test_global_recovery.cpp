@@ -97,8 +97,9 @@ TEST_P(GlobalRecovery, FindsOneMatrixForCellsThatDifferByPlaceAndSizeAlone)
       const StressCorrection correction = recovered(problem, *test::withSteps(GetParam().degree, 10), ledger);
       EXPECT_LT(largestDefect(problem, correction), roundOff) << kind;
       EXPECT_LT(energyOf(problem, correction), energyOf(problem, recovered(problem, 0))) << kind;
-      if (mesh.points == equal.points)
+      if (mesh.points == equal.points) {
         EXPECT_EQ(ledger.counted("cell matrices"), 6) << kind;
+      }
     }
   Ledger ledger;
   const auto apart = problemOn(test::sampleMesh(3, 35.0), "clamped");
