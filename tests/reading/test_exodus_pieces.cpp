@@ -65,6 +65,27 @@ TEST(PiecesMeant, AreThoseOfANameWithANumber)
     EXPECT_TRUE(piecesMeant(name).empty()) << name;
 }
 
+TEST(ExodusPieces, AreTheWholeTogether)
+{
+  const int pieces = 5;
+  const std::string path = writeMesh(readMesh(box(3)), pieces);
+  const auto source = meshSource(fromFile(path + "." + std::to_string(pieces)));
+  ASSERT_EQ(source->numPieces(), pieces);
+  EXPECT_EQ(meshSource(fromFile(path))->numPieces(), 0);
+  std::vector<NumberedMesh> parts;
+  for (const auto& [first, last] : {std::pair(0, 1), {1, 4}, {4, 5}})
+    parts.push_back(source->readPieces(first, last));
+  NumberedMesh whole = joined(parts);
+  Mesh expected = source->read();
+  expected.groups = {}; // which joined() drops
+  expectSameMesh(whole.mesh, expected);
+  for (int point = 0; point < whole.mesh.numPoints(); ++point)
+    EXPECT_EQ(whole.points[std::size_t(point)], point + 1);
+  for (int cell = 0; cell < whole.mesh.numCells(); ++cell)
+    EXPECT_EQ(whole.cells[std::size_t(cell)], cell + 1);
+  removePieces(path);
+}
+
 TEST(ExodusPieces, AreReadAsTheWhole)
 {
   for (const int dim : {2, 3})

@@ -3,7 +3,8 @@
 Random scenes from files of gmsh, as they are drawn (fine enough for the ranks) or with `Refine`, on one process and on 2 to 6
 ranks that have shares of the meshes: energies, reactions, peaks, probes and contact are the same, and so are the bounds of those that
 are certified, whose stresses are in equilibrium. Solids have regions and loads in groups of cells, are tied, held at points or by
-their mean motion, or meshed apart and cut. Scenes that are not shared (too small ones) are solved whole and compared, too. Prints what differs, and how many scenes of each kind were shared.
+their mean motion, or meshed apart and cut. Some meshes are written in pieces first, which the ranks read for themselves where
+they can. Scenes that are not shared (too small ones) are solved whole and compared, too. Prints what differs, and how many scenes of each kind were shared.
 """
 
 import collections
@@ -13,6 +14,8 @@ import math
 import pathlib
 import random
 import re
+import shlex
+import subprocess
 import sys
 import tempfile
 
@@ -189,14 +192,26 @@ def drawn_scene(draw):
     return f"{kind} {more}", pair, settings, more
 
 
+def in_pieces(program, deck, pieces):
+    """The settings that make the deck read its meshes in pieces, which are written next to it."""
+    done = subprocess.run([program.path, "-i", deck, "--decompose", str(pieces)], cwd=deck.parent, capture_output=True, text=True)
+    if done.returncode != 0:
+        return None
+    told = shlex.split(done.stdout.split("the deck reads them with", 1)[1].replace("\\\n", " "))
+    return [setting.replace("/Mesh/File=", f"/Mesh/File={deck.parent}/") for setting in told if setting != "--set"]
+
+
 def judge(program, seed):
     draw = random.Random(f"shared {seed}")
+    other = random.Random(f"pieces {seed}")
+    arePieces = other.random() < 0.4
+    isPlain = arePieces and other.random() < 0.8  # as ranks can read them for themselves
     kind, pair, settings, more = drawn_scene(draw)
     ranks, halvings = draw.randint(2, 6), draw.choice((0, 0, 1, 1, 2) if more != "cut" else (0, 0, 1))
     solids = [solid for solid in pair if solid.foot]
     for solid in solids:
         solid.cells = tuple(min(n, 2 if halvings == 2 else 4) for n in solid.cells)
-    isWhole = halvings == 0 or more in ("cut", "tied")  # rank 0 refines these
+    isWhole = halvings == 0 or arePieces or more in ("cut", "tied")  # rank 0 refines the last two
     while isWhole and sum(math.prod(n * 2**halvings + 1 for n in solid.cells) for solid in solids) < ENOUGH * ranks:
         for solid in solids:
             solid.cells = tuple(2 * n for n in solid.cells)
@@ -211,11 +226,14 @@ def judge(program, seed):
     about = f"{seed}: {kind}, {ranks} ranks, {' '.join(given)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)
-        if more != "tied":
+        if more != "tied" and not isPlain:
             add_probes(deck, draw, pair)
-        one, shared = program.run(deck, *given), program.run(deck, *given, ranks=ranks)
-    isShared = shared.summary is not None and shared.summary["ledger"]["counts"].get("shared bodies", 0) > 0
-    return difference(one, shared), (one.code, isShared, more), about
+        read = arePieces and in_pieces(program, deck, ranks * other.choice((1, 1, 2)))
+        one, shared = program.run(deck, *given), program.run(deck, *given, *(read or ()), ranks=ranks)
+    counts = shared.summary["ledger"]["counts"] if shared.summary else {}
+    if counts.get("pieces read"):
+        more = f"{more} in pieces".strip()
+    return difference(one, shared), (one.code, counts.get("shared bodies", 0) > 0, more), f"{about} {' in pieces' if read else ''}"
 
 
 def main():

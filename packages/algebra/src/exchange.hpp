@@ -13,6 +13,11 @@ namespace ndframe
 template <class Value>
 MPI_Datatype mpiType();
 template <>
+inline MPI_Datatype mpiType<char>()
+{
+  return MPI_CHAR;
+}
+template <>
 inline MPI_Datatype mpiType<int>()
 {
   return MPI_INT;

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace ndframe
 {
@@ -134,6 +135,13 @@ double cellMeasure(const Mesh& mesh, int cell)
   if (mesh.dim == 2)
     return (a[0] * b[1] - a[1] * b[0]) / 2;
   return dot(cross(a, b), difference(mesh, v[0], v[3])) / 6;
+}
+
+void dropRoundOff(std::vector<double>& coordinates, double extent)
+{
+  for (double& coordinate : coordinates)
+    if (std::abs(coordinate) < std::numeric_limits<double>::epsilon() * extent)
+      coordinate = 0.0;
 }
 
 double diameter(const Mesh& mesh)

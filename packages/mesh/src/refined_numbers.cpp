@@ -59,7 +59,8 @@ Number evenBefore(const DrawnPlace& place, Number sum)
   return before;
 }
 
-/// All simplices of `count` vertices.
+} // namespace
+
 std::vector<Vertices> simplicesOf(const Mesh& mesh, int count)
 {
   std::vector<Vertices> all;
@@ -81,7 +82,10 @@ std::vector<Vertices> simplicesOf(const Mesh& mesh, int count)
   return all;
 }
 
-} // namespace
+int mostVertices(int dim, int halvings)
+{
+  return halvings == 0 ? 2 : dim + 1;
+}
 
 DrawnPlace DrawnPlace::middle(const DrawnPlace& a, const DrawnPlace& b)
 {
@@ -103,7 +107,7 @@ DrawnPlace DrawnPlace::middle(const DrawnPlace& a, const DrawnPlace& b)
 
 RefinedNumbers::RefinedNumbers(const Mesh& drawn, int halvings) : order_(Number(1) << halvings)
 {
-  listSimplices(drawn);
+  listSimplices(drawn, mostVertices(drawn.dim, halvings));
   whole_.cells = drawn.numCells();
   whole_.counts[0] = drawn.numPoints();
   for (std::size_t kind = 1; kind < simplices_.size(); ++kind)
@@ -114,13 +118,13 @@ RefinedNumbers::RefinedNumbers(const Mesh& drawn, int halvings) : order_(Number(
 RefinedNumbers::RefinedNumbers(const Mesh& part, int halvings, Whole whole)
     : order_(Number(1) << halvings), whole_(std::move(whole))
 {
-  listSimplices(part);
+  listSimplices(part, mostVertices(part.dim, halvings));
   count(part.dim, halvings);
 }
 
-void RefinedNumbers::listSimplices(const Mesh& mesh)
+void RefinedNumbers::listSimplices(const Mesh& mesh, int most)
 {
-  for (int m = 2; m <= mesh.dim + 1 && choose(2 * order_ - 1, m - 1) > 0; ++m)
+  for (int m = 2; m <= most; ++m)
     simplices_[std::size_t(m - 1)] = simplicesOf(mesh, m);
 }
 

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <climits>
 #include <filesystem>
+#include <functional>
 
 #include <fmt/format.h>
 
@@ -51,26 +53,53 @@ public:
 
   Mesh read() const override
   {
-    const auto path = params_.file("File");
+    return meshFromBytes(bytesOf(
+        0, INT_MAX, [](const auto& files, const auto& blocks) { return toBytes(meshOfExodus(files, blocks)); }));
+  }
+
+  int numPieces() const override
+  {
     try {
+      const std::string path = params_.file("File");
       const std::vector<std::string> files = filesOf(path);
-      std::vector<SteadyFile> steady(files.begin(), files.end());
-      for (const std::string& file : files)
-        checkNetcdfHeader(file);
-      const auto blocks = params_.get<std::vector<std::string>>("Blocks");
-      const auto work = [&] { return toBytes(meshOfExodus(files, blocks)); };
-      const std::string bytes = runInChild(work, "the Exodus library", limitsFor(files));
-      for (const SteadyFile& file : steady)
-        file.requireUnchanged();
-      return meshFromBytes(bytes);
-    } catch (const FileError& error) {
-      throw InputError(params_.mistake("File", fmt::format("{}: {}", path, error.what())));
+      return files.front() == path ? 0 : int(files.size());
+    } catch (const FileError&) { // one is missing, which is said when they are read
+      return 0;
     }
+  }
+
+  NumberedMesh readPieces(int first, int last) const override
+  {
+    return numberedMeshFromBytes(bytesOf(
+        first, last, [](const auto& files, const auto& blocks) { return toBytes(partOfExodus(files, blocks)); }));
   }
 
   MeshScript script() const override { refuseRemesh(params_, "Type"); }
 
 private:
+  using Names = std::vector<std::string>;
+
+  /// What `read` returns, in a child process, for these of the files and the blocks.
+  std::string bytesOf(int first, int last,
+                      const std::function<std::string(const Names& files, const Names& blocks)>& read) const
+  {
+    const auto path = params_.file("File");
+    try {
+      Names files = filesOf(path);
+      files = Names(files.begin() + first, files.begin() + std::min(last, int(files.size())));
+      std::vector<SteadyFile> steady(files.begin(), files.end());
+      for (const std::string& file : files)
+        checkNetcdfHeader(file);
+      const auto blocks = params_.get<Names>("Blocks");
+      std::string bytes = runInChild([&] { return read(files, blocks); }, "the Exodus library", limitsFor(files));
+      for (const SteadyFile& file : steady)
+        file.requireUnchanged();
+      return bytes;
+    } catch (const FileError& error) {
+      throw InputError(params_.mistake("File", fmt::format("{}: {}", path, error.what())));
+    }
+  }
+
   Params params_;
 };
 
@@ -83,9 +112,11 @@ void registerExodus(Registry<MeshSource>& registry)
       "A mesh of triangles or tetrahedra in an Exodus II file; quadrilaterals, hexahedra, wedges and pyramids are cut "
       "into these. Side sets are the sides, by their names (unnamed ones: sideset_ID). Second-order elements are "
       "reduced to their vertices.",
-      {ParamSpec::required("File", Kind::String,
-                           "The Exodus file; relative paths start from the deck's folder. NAME.e.4 stands for the four "
-                           "pieces NAME.e.4.0, ..., NAME.e.4.3, which are read as one mesh."),
+      {ParamSpec::required(
+           "File", Kind::String,
+           "The Exodus file; relative paths start from the deck's folder. NAME.e.4 stands for the four "
+           "pieces NAME.e.4.0, ..., NAME.e.4.3, which are read as one mesh; of solids that several processes "
+           "share, each reads its own pieces where their number is a multiple of that of the processes."),
        {"Blocks", std::vector<std::string>{},
         "Names or numbers of the element blocks that make up the body. Empty: all of the highest dimension."}},
       [](const Params& params) { return std::make_unique<Exodus>(params); });

@@ -3,6 +3,11 @@
 namespace ndframe
 {
 
+NumberedMesh MeshSource::readPieces(int, int) const
+{
+  throw InternalError("a mesh that is in no pieces is asked for some");
+}
+
 void registerMeshSources(Registry<MeshSource>& registry)
 {
   registerBox(registry);

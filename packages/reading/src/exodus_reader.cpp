@@ -59,13 +59,17 @@ const Shape& shapeOf(const ExodusBlock& block)
 class ExodusConverter
 {
 public:
-  /// paths: one file, or the pieces of one. wanted: names or numbers of the blocks to keep; empty for all.
-  ExodusConverter(const std::vector<std::string>& paths, const std::vector<std::string>& wanted)
-      : input_(opened(paths)), file_(*input_), wanted_(wanted), blocks_(chosenBlocks()), dim_(dimension()),
+  /// file: which must live as long. wanted: names or numbers of the blocks to keep; empty for all. isPart: others have
+  /// the rest of the mesh, and perhaps of its sides.
+  ExodusConverter(const ExodusMesh& file, const std::vector<std::string>& wanted, bool isPart)
+      : file_(file), wanted_(wanted), isPart_(isPart), blocks_(chosenBlocks()), dim_(dimension()),
         builder_(dim_, file_.coordinates()), cellOfElement_(file_.numElements(), -1)
   {}
 
   Mesh convert();
+  /// Per point and per cell of the mesh of a part what it is in the file.
+  const std::vector<int>& usedNodes() const { return usedNodes_; }
+  std::vector<int> usedElements() const;
 
 private:
   std::vector<ExodusBlock> chosenBlocks() const;
@@ -75,11 +79,9 @@ private:
   std::vector<Facet> facetsOnSide(int element, int side, const std::string& set) const;
   void addSide(const ExodusSideSet& set);
 
-  static std::unique_ptr<ExodusMesh> opened(const std::vector<std::string>& paths);
-
-  std::unique_ptr<ExodusMesh> input_;
   const ExodusMesh& file_;
   const std::vector<std::string>& wanted_;
+  bool isPart_;
   std::vector<ExodusBlock> blocks_;
   int dim_;
   MeshBuilder builder_;
@@ -93,6 +95,7 @@ private:
 
   std::vector<int> cellOfElement_; ///< the first of its cells
   std::vector<CutBlock> cutBlocks_;
+  std::vector<int> usedNodes_;
 };
 
 std::vector<std::string> namesOf(const std::vector<ExodusBlock>& blocks)
@@ -103,7 +106,7 @@ std::vector<std::string> namesOf(const std::vector<ExodusBlock>& blocks)
   return names;
 }
 
-std::unique_ptr<ExodusMesh> ExodusConverter::opened(const std::vector<std::string>& paths)
+std::unique_ptr<ExodusMesh> opened(const std::vector<std::string>& paths)
 {
   if (paths.size() == 1)
     return std::make_unique<ExodusInput>(paths.front());
@@ -134,6 +137,8 @@ int ExodusConverter::dimension() const
   for (const ExodusBlock& block : blocks_)
     if (block.numElements > 0)
       dim = std::max(dim, shapeOf(block).dim);
+  if (isPart_ && dim == 0) // others have its cells
+    return file_.dim();
   if (dim < 2 || dim > file_.dim())
     throw FileError("the mesh has no triangles and no tetrahedra.");
   return dim;
@@ -219,7 +224,7 @@ void ExodusConverter::addSide(const ExodusSideSet& set)
     const std::vector<Facet> onSide = facetsOnSide(element - 1, set.sides[i] - firstSide, set.name);
     facets.insert(facets.end(), onSide.begin(), onSide.end());
   }
-  if (!facets.empty())
+  if (!facets.empty() || isPart_)
     builder_.addSide(set.name, std::move(facets));
   else if (wanted_.empty())
     builder_.addNote(fmt::format("The side set {} is empty and is left out.", set.name));
@@ -232,6 +237,14 @@ Mesh ExodusConverter::convert()
       addBlock(block);
   for (const ExodusSideSet& set : file_.sideSets())
     addSide(set);
+  if (isPart_ && !cutBlocks_.empty())
+    throw FileError("cells that are parts of elements have no numbers of their own.");
+  const std::vector<int>& nodes = builder_.cells().cells;
+  if (isPart_ && nodes.empty())
+    return {dim_, {}, {}, builder_.cells().sides, {}};
+  usedNodes_ = nodes;
+  std::sort(usedNodes_.begin(), usedNodes_.end());
+  usedNodes_.erase(std::unique(usedNodes_.begin(), usedNodes_.end()), usedNodes_.end());
   try {
     return builder_.finish();
   } catch (const FileError& error) {
@@ -240,11 +253,33 @@ Mesh ExodusConverter::convert()
   }
 }
 
+std::vector<int> ExodusConverter::usedElements() const
+{
+  std::vector<int> elements;
+  for (int element = 0; element < int(cellOfElement_.size()); ++element)
+    if (cellOfElement_[element] >= 0)
+      elements.push_back(element);
+  std::sort(elements.begin(), elements.end(), [&](int a, int b) { return cellOfElement_[a] < cellOfElement_[b]; });
+  return elements;
+}
+
 } // namespace
 
 Mesh meshOfExodus(const std::vector<std::string>& paths, const std::vector<std::string>& wanted)
 {
-  return ExodusConverter(paths, wanted).convert();
+  return ExodusConverter(*opened(paths), wanted, false).convert();
+}
+
+NumberedMesh partOfExodus(const std::vector<std::string>& paths, const std::vector<std::string>& wanted)
+{
+  const JoinedInput file(paths);
+  ExodusConverter converter(file, wanted, true);
+  NumberedMesh part{converter.convert(), {}, {}};
+  for (const int node : converter.usedNodes())
+    part.points.push_back(file.nodeIds()[std::size_t(node)]);
+  for (const int element : converter.usedElements())
+    part.cells.push_back(file.elementIds()[std::size_t(element)]);
+  return part;
 }
 
 } // namespace ndframe

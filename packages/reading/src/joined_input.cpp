@@ -52,6 +52,7 @@ void JoinedInput::joinNodes()
       nodeOf_[p][n] = int(node);
     }
   }
+  nodeIds_ = std::move(all);
 }
 
 const ExodusBlock& JoinedInput::blockOf(std::size_t piece, int id) const
@@ -100,6 +101,7 @@ void JoinedInput::joinBlock(ExodusBlock block)
   for (const Member& member : members) {
     const int local = blockOf(member.piece, block.id).firstElement + member.place;
     elementOf_[member.piece][std::size_t(local)] = numElements_++;
+    elementIds_.push_back(member.id);
   }
   block.numElements = int(members.size());
   block.firstElement = numElements_ - block.numElements;

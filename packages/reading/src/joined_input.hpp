@@ -22,6 +22,8 @@ public:
   std::vector<ExodusBlock> blocks() const override { return blocks_; }
   std::vector<int> nodes(const ExodusBlock& block) const override;
   std::vector<ExodusSideSet> sideSets() const override;
+  const std::vector<int>& nodeIds() const { return nodeIds_; }       ///< per node its number in the whole, ascending
+  const std::vector<int>& elementIds() const { return elementIds_; } ///< the same per element, ascending in a block
 
 private:
   /// An element: its number in the whole, its piece, and its place in the piece's block.
@@ -41,6 +43,7 @@ private:
   std::vector<std::unique_ptr<ExodusInput>> pieces_;
   std::vector<std::vector<ExodusBlock>> pieceBlocks_;
   std::vector<std::vector<int>> nodeOf_, elementOf_; ///< per piece: number in the join, from 0
+  std::vector<int> nodeIds_, elementIds_;
   std::vector<double> coordinates_;
   std::vector<ExodusBlock> blocks_;
   std::map<int, std::vector<Member>> members_; ///< by the block's id, ascending numbers

@@ -127,15 +127,6 @@ void MeshBuilder::dropUnusedPoints()
 }
 
 /// Coordinates that are round-off beside the mesh's size are zero: sin(pi) of a script is meant to be.
-void MeshBuilder::dropRoundOff()
-{
-  const auto [low, high] = std::minmax_element(mesh_.points.begin(), mesh_.points.end());
-  const double extent = mesh_.points.empty() ? 0.0 : *high - *low;
-  for (double& coordinate : mesh_.points)
-    if (std::abs(coordinate) < std::numeric_limits<double>::epsilon() * extent)
-      coordinate = 0.0;
-}
-
 void MeshBuilder::requirePlane() const
 {
   std::array<double, 3> low{INFINITY, INFINITY, INFINITY};
@@ -200,7 +191,10 @@ Mesh MeshBuilder::finish()
   if (mesh_.dim == 2)
     requirePlane();
   dropUnusedPoints();
-  dropRoundOff();
+  if (!mesh_.points.empty()) {
+    const auto [low, high] = std::minmax_element(mesh_.points.begin(), mesh_.points.end());
+    dropRoundOff(mesh_.points, *high - *low);
+  }
   orient();
   noteCurvedEdges();
   if (mesh_.groups.names == std::vector<std::vector<std::string>>{{}})

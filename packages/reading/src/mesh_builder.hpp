@@ -43,7 +43,6 @@ private:
   void joinGroups(const VertexTuples& cells, int first, int end);
   double distanceFromMiddle(int mid, int a, int b) const;
   void dropUnusedPoints();
-  void dropRoundOff();
   void requirePlane() const;
   void orient();
   void turnAround();

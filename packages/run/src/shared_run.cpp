@@ -59,6 +59,26 @@ bool isCut(const Model& model)
                      [](const BodyModel& body) { return !body.isRigid && !body.parents.empty(); });
 }
 
+/// Loads inside a body that can move: only who has all of it knows what they do to it.
+bool pushInside(const Model& model)
+{
+  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+    const BodyModel& body = model.bodies[b];
+    if (model.freeMotions[b].cols() > 0 && std::any_of(body.loads.begin(), body.loads.end(), [&](const auto& load) {
+          return load->facets(body.mesh) == nullptr;
+        }))
+      return true;
+  }
+  return false;
+}
+
+/// What nothing but the boundaries of the bodies says.
+bool asksInside(const RunSettings& settings)
+{
+  const std::vector<ProbeOptions>& probes = settings.output.probes;
+  return std::any_of(probes.begin(), probes.end(), [](const ProbeOptions& probe) { return !probe.wanted().empty(); });
+}
+
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
 {
   const Model& model = *drawn.model;
@@ -96,7 +116,7 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh
   buildDrawn(drawn, scene, tools.components, earlier, tools.ledger);
   Model& model = *drawn.model;
   offerWhole(model, *tools.coupling, scene.interfaceOperator);
-  if (!canBeShared(drawn, tools))
+  if (!canBeShared(drawn, tools) || (model.isOuter && (isCut(model) || pushInside(model))))
     return std::nullopt;
   checkModel(model, tools, Comm::single());
   const auto timer = timeStage(tools.ledger, Stage::Check);
@@ -159,6 +179,14 @@ SceneToShare sceneToShare(const Model& known, const RunTools& tools)
   const SceneSettings& scene = tools.settings.scene;
   if (tools.settings.accuracy || !mayBeShared(tools) || isKnown(known, scene))
     return {};
+  if (std::optional<PieceScene> pieces =
+          asksInside(tools.settings) ? std::nullopt : readPieces(scene, tools.components, tools.comm, tools.ledger))
+  {
+    SceneToShare toShare = sceneOf([&] { return outerScene(*pieces); }, {}, tools);
+    toShare.pieces = std::move(pieces);
+    if (toShare.told)
+      return toShare;
+  }
   return sceneOf([&] { return readDrawn(scene, tools.components, known, tools.comm.size(), tools.ledger); }, {}, tools);
 }
 
@@ -175,8 +203,15 @@ void takeShares(Model& model, SceneToShare&& scene, const std::vector<InterfaceM
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
   const std::vector<InterfaceMesh> drawn = earlier.empty() ? asFirst(std::move(scene.told->sides)) : earlier;
-  model = sharedModel(std::move(scene.drawn), std::move(*scene.told), tools.settings.scene, tools.components, drawn,
-                      tools.errors.has_value(), tools.comm, numThreads(tools.comm));
+  if (scene.pieces)
+    tools.ledger.count("pieces read", scene.pieces->numPieces);
+  const SceneSettings& settings = tools.settings.scene;
+  const bool withHalo = tools.errors.has_value();
+  std::vector<DrawnPart> parts = scene.pieces ? drawnParts(std::move(*scene.pieces), scene.drawn, withHalo, tools.comm)
+                                              : drawnParts(std::move(scene.drawn), settings, withHalo, tools.comm);
+  scene = {std::move(scene.drawn), {}, std::move(scene.told)};
+  model = sharedModel(std::move(parts), std::move(*scene.told), settings, tools.components, drawn, withHalo, tools.comm,
+                      numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
 }
 

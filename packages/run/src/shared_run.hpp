@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ndframe/run/run_steps.hpp"
-#include "ndframe/scene/shared_scene.hpp"
+#include "ndframe/scene/piece_scene.hpp"
 
 namespace ndframe
 {
@@ -12,15 +12,16 @@ bool mayBeShared(const RunSettings& settings, int ranks);
 /// What ranks can have shares of, or what was read to find that they cannot.
 struct SceneToShare
 {
-  DrawnScene drawn;              ///< on rank 0, or nowhere
-  std::optional<ToldScene> told; ///< on every rank; none: bodies must be whole
+  DrawnScene drawn;                 ///< on rank 0, or nowhere
+  std::optional<PieceScene> pieces; ///< where each rank has read its own
+  std::optional<ToldScene> told;    ///< on every rank; none: bodies must be whole
 };
 
 /// The scene on its meshes as drawn, checked, where ranks can have shares of it: several ranks solve solids whole, by
 /// Multigrid, nothing asks for all of a body (a reference of the error), and the meshes are
-/// fine enough (areEnough), or all refined. Rank 0 reads, builds and checks it for all; its mistakes are all ranks'
-/// (InputError). Not for runs with a target, whose first meshes are whole. known: the model before, whose meshes are
-/// taken. Collective.
+/// fine enough (areEnough), or all refined. Rank 0 reads, builds and checks it for all, or, where ranks have read
+/// pieces of the meshes (readPieces), what lies at the boundaries; its mistakes are all ranks' (InputError). Not for
+/// runs with a target, whose first meshes are whole. known: the model before, whose meshes are taken. Collective.
 SceneToShare sceneToShare(const Model& known, const RunTools& tools);
 
 /// The same on the meshes of a level, which all ranks have. meshes: of bodies that are not rigid; earlier: interfaces

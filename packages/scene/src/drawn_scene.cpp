@@ -11,14 +11,12 @@ namespace ndframe
 namespace
 {
 
-constexpr int verticesOfRank = 200; ///< METIS shares out fewer unevenly
-
 bool haveEnough(const std::vector<Mesh>& meshes, int ranks)
 {
   std::int64_t vertices = 0;
   for (const Mesh& mesh : meshes)
     vertices += mesh.numPoints();
-  return vertices >= std::int64_t(verticesOfRank) * ranks;
+  return vertices >= fewestVertices(ranks);
 }
 
 /// The mesh that an earlier model has of a body, if it is the one that is drawn.
@@ -120,42 +118,24 @@ void numberNodes(DrawnScene& drawn, int ranks)
     drawn.numbers.emplace_back(drawn.meshes[b], drawn.halvings[b]);
 }
 
-/// The number of a drawn vertex (twice), or of the middle of a drawn edge, among the nodes of the refined mesh.
-std::int64_t refinedNumber(const DrawnScene& drawn, std::size_t body, const std::array<int, 2>& ends)
+} // namespace
+
+std::int64_t fewestVertices(int ranks)
 {
-  const RefinedNumbers& numbers = drawn.numbers[body];
-  const auto [a, b] = ends;
-  DrawnPlace place = DrawnPlace::middle(DrawnPlace::vertex(a), DrawnPlace::vertex(b));
-  if (drawn.halvings[body] == 0)
-    return a == b ? numbers.point(DrawnPlace::vertex(a)) : numbers.middle(place);
-  for (int k = 1; k < drawn.halvings[body]; ++k)
-    place = place.doubled();
-  return numbers.point(place);
+  return std::int64_t(200) * ranks;
 }
 
-/// The first sides of interfaces between bodies that have been or will be halved, by name, as drawn: they have the
-/// directions of contact.
-std::vector<InterfaceMesh> sidesAsDrawn(const DrawnScene& drawn)
+std::vector<std::string> contactSides(const SceneSettings& scene, const std::string& body)
 {
-  const auto isHalved = [&](const InterfaceSide& side) { return drawn.asked[std::size_t(side.body)] > 0; };
-  std::vector<InterfaceMesh> sides;
-  for (const InterfaceMesh& interface : drawn.model->interfaces) {
-    if (!isHalved(interface.dirichlet()) && !isHalved(interface.neumann()))
-      continue;
-    const InterfaceMesh& first = interface.firstMesh ? *interface.firstMesh : interface;
-    InterfaceMesh side;
-    side.name = interface.name;
-    side.dim = first.dim;
-    side.points = first.points;
-    side.facets = first.facets;
-    side.measures = first.measures;
-    side.endNormals = first.endNormals;
-    sides.push_back(std::move(side));
+  std::vector<std::string> sides;
+  for (const InterfaceSettings& interface : scene.interfaces) {
+    if (interface.dirichletBody == body)
+      sides.push_back(interface.dirichletSide);
+    if (interface.neumannBody == body)
+      sides.push_back(interface.neumannSide.value_or(interface.name));
   }
   return sides;
 }
-
-} // namespace
 
 DrawnScene readDrawn(const SceneSettings& scene, const SceneComponents& components, const Model& known, int ranks,
                      Ledger& ledger)
@@ -203,7 +183,7 @@ bool areEnough(const DrawnScene& drawn, int ranks)
       return false;
     areRefined = areRefined && (mesh.dim == 0 || drawn.halvings[b] > 0);
   }
-  return areRefined || haveEnough(drawn.meshes, ranks);
+  return areRefined || !drawn.inside.empty() || haveEnough(drawn.meshes, ranks);
 }
 
 bool drawsHeldPoints(const DrawnScene& drawn, const SceneSettings& scene)
@@ -246,6 +226,7 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
       },
       earlier);
   drawn.meshes.clear();
+  drawn.model->isOuter = !drawn.inside.empty();
   const std::vector<InterfaceMesh>& interfaces = drawn.model->interfaces;
   if (std::any_of(interfaces.begin(), interfaces.end(), [](const InterfaceMesh& one) { return one.isCut; }))
     for (const int body : drawn.model->elasticBodies()) { // the numbers are of meshes that were not
@@ -254,24 +235,6 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
       NDFRAME_ASSERT(whole.parents.empty() || drawn.halvings[b] == 0, "what is cut has been refined");
       drawn.numbers[b] = RefinedNumbers(whole.mesh, drawn.halvings[b]);
     }
-}
-
-ToldScene told(const DrawnScene& drawn)
-{
-  ToldScene scene = told(*drawn.model);
-  scene.halvings = drawn.asked;
-  scene.sides = sidesAsDrawn(drawn);
-  for (std::size_t b = 0; b < scene.regions.size(); ++b) {
-    const BodyModel& body = drawn.model->bodies[b];
-    for (BodyRegion& region : scene.regions[b])
-      region.numCells <<= body.mesh.dim * drawn.halvings[b];
-    for (std::size_t s = 0; s < body.supports.size() && !body.isRigid; ++s)
-      if (const Support& support = *body.supports[s]; support.holdsPoint() || support.holdsMeanMotion())
-        for (const NodeConstraint& pin : support.constraints(body.mesh, body.nodes))
-          scene.pins.push_back(
-              {int(b), int(s), refinedNumber(drawn, b, body.nodes.ends(pin.node)), pin.direction, pin.value});
-  }
-  return scene;
 }
 
 std::vector<Mesh> meshesOf(DrawnScene&& given, const SceneSettings& scene)

@@ -7,7 +7,6 @@
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/base/grouped.hpp"
-#include "ndframe/mesh/drawn_parts.hpp"
 #include "ndframe/mesh/partition.hpp"
 #include "ndframe/scene/joined_vertices.hpp"
 
@@ -15,6 +14,16 @@ namespace ndframe
 {
 namespace
 {
+
+/// The bodies that are not rigid.
+std::vector<int> drawnBodies(const SceneSettings& scene)
+{
+  std::vector<int> bodies;
+  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
+    if (!scene.bodies[b].isRigid)
+      bodies.push_back(int(b));
+  return bodies;
+}
 
 /// Who owns the drawn vertices of the bodies that are not rigid.
 std::vector<DrawnOwners> shareOut(const DrawnScene& scene, const std::vector<int>& bodies, int ranks)
@@ -41,19 +50,6 @@ std::vector<DrawnOwners> shareOut(const DrawnScene& scene, const std::vector<int
       owners.back().ranks.push_back(rank[std::size_t(number)]);
   }
   return owners;
-}
-
-/// The sides of a body that may touch another one.
-std::vector<std::string> contactSides(const SceneSettings& scene, const std::string& body)
-{
-  std::vector<std::string> sides;
-  for (const InterfaceSettings& interface : scene.interfaces) {
-    if (interface.dirichletBody == body)
-      sides.push_back(interface.dirichletSide);
-    if (interface.neumannBody == body)
-      sides.push_back(interface.neumannSide.value_or(interface.name));
-  }
-  return sides;
 }
 
 /// The nodes on edges in the order of their numbers, which are returned.
@@ -102,36 +98,19 @@ GivenMesh partOf(const DrawnPart& drawn, const std::vector<std::string>& sides, 
   return part;
 }
 
-/// This rank's parts of the drawn bodies that are not rigid; rank 0 has the whole until all have theirs.
-std::vector<DrawnPart> drawnPartsOf(DrawnScene drawn, const std::vector<int>& bodies, const SceneSettings& scene,
-                                    bool withHalo, const Comm& comm)
-{
-  std::vector<DrawnOwners> owners(bodies.size());
-  if (comm.rank() == 0)
-    owners = shareOut(drawn, bodies, comm.size());
-  std::vector<DrawnPart> parts;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const auto body = std::size_t(bodies[b]);
-    std::optional<DrawnParts> all;
-    if (comm.rank() == 0)
-      all.emplace(drawn.model->bodies[body].mesh, drawn.halvings[body], drawn.numbers[body], owners[b],
-                  contactSides(scene, scene.bodies[body].name), comm.size(), withHalo);
-    parts.push_back(drawnPartFromBytes(handedOut(comm, [&](int rank) { return all->bytesOf(rank); })));
-  }
-  return parts;
-}
-
 /// What a user should know of how the cells are shared out. halvings: of the mesh as it was read.
-std::string noteOf(const BodyShare& share, int dim, int halvings, const Comm& comm)
+std::string noteOf(const BodyShare& share, int dim, int halvings, bool isRead, const Comm& comm)
 {
   const Vector cells = gatheredFrom({double(share.numOwnCells())}, comm);
   const auto [least, most] = std::minmax_element(cells.begin(), cells.end());
   const std::string shares = fmt::format("the {} processes in shares of {} to {}.", comm.size(),
                                          grouped(std::int64_t(*least)), grouped(std::int64_t(*most)));
   if (halvings == 0)
-    return fmt::format("{} cells, shared out among {}", grouped(share.numCells()), shares);
-  return fmt::format("Refine = {}: {} cells became {}, made by {}", halvings,
-                     grouped(share.numCells() >> (dim * halvings)), grouped(share.numCells()), shares);
+    return fmt::format("{} cells, {} {}", grouped(share.numCells()), isRead ? "read in pieces by" : "shared out among",
+                       shares);
+  return fmt::format("Refine = {}: {} cells{} became {}, made by {}", halvings,
+                     grouped(share.numCells() >> (dim * halvings)), isRead ? ", read in pieces," : "",
+                     grouped(share.numCells()), shares);
 }
 
 /// At nodes of other ranks what these prescribe: they have all facets there.
@@ -161,9 +140,8 @@ void fetchConstraints(const BodyShare& share, ConstraintSet& constraints)
     }
 }
 
-/// Makes a body that was built on a rank's part of its mesh a share of the whole one. halvings: of the mesh as it was
-/// read.
-void completePart(Model& model, std::size_t b, int halvings, const Comm& comm)
+/// Makes a body that was built on a rank's part of its mesh a share of the whole one.
+void completePart(Model& model, std::size_t b, const Comm& comm)
 {
   BodyModel& body = model.bodies[b];
   const BodyShare* const share = body.share.get();
@@ -172,7 +150,7 @@ void completePart(Model& model, std::size_t b, int halvings, const Comm& comm)
   Vector load = all.whole(); // complete at own nodes only
   share->annulOthers(load, body.mesh.dim);
   model.loads[b] = SparseField(atNodes(std::move(load), body.mesh.dim));
-  body.mesh.notes.push_back(noteOf(*share, body.mesh.dim, halvings, comm));
+  body.mesh.notes.push_back(noteOf(*share, body.mesh.dim, model.told->halvings[b], model.told->areRead, comm));
 }
 
 /// Asserts that all ranks have the same interfaces.
@@ -196,21 +174,36 @@ void compareInterfaces(const Model& model, const Comm& comm)
 
 } // namespace
 
-Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene, const SceneComponents& components,
-                  const std::vector<InterfaceMesh>& earlier, bool withHalo, const Comm& comm, int threads)
+std::vector<DrawnPart> drawnParts(DrawnScene&& given, const SceneSettings& scene, bool withHalo, const Comm& comm)
 {
-  std::vector<int> bodies;
-  for (std::size_t b = 0; b < scene.bodies.size(); ++b)
-    if (!scene.bodies[b].isRigid)
-      bodies.push_back(int(b));
-  std::vector<GivenMesh> parts(scene.bodies.size(), Mesh());
-  {
-    const std::vector<DrawnPart> drawnParts = drawnPartsOf(std::move(drawn), bodies, scene, withHalo, comm);
-    for (std::size_t b = 0; b < bodies.size(); ++b) {
-      const auto body = std::size_t(bodies[b]);
-      parts[body] = partOf(drawnParts[b], contactSides(scene, scene.bodies[body].name), withHalo, comm);
-    }
+  const DrawnScene drawn = std::move(given); // given back at the end
+  const std::vector<int> bodies = drawnBodies(scene);
+  std::vector<DrawnOwners> owners(bodies.size());
+  if (comm.rank() == 0)
+    owners = shareOut(drawn, bodies, comm.size());
+  std::vector<DrawnPart> parts;
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto body = std::size_t(bodies[b]);
+    std::optional<DrawnParts> all;
+    if (comm.rank() == 0)
+      all.emplace(drawn.model->bodies[body].mesh, drawn.halvings[body], drawn.numbers[body], owners[b],
+                  contactSides(scene, scene.bodies[body].name), comm.size(), withHalo);
+    parts.push_back(drawnPartFromBytes(handedOut(comm, [&](int rank) { return all->bytesOf(rank); })));
   }
+  return parts;
+}
+
+Model sharedModel(std::vector<DrawnPart> drawn, ToldScene told, const SceneSettings& scene,
+                  const SceneComponents& components, const std::vector<InterfaceMesh>& earlier, bool withHalo,
+                  const Comm& comm, int threads)
+{
+  const std::vector<int> bodies = drawnBodies(scene);
+  std::vector<GivenMesh> parts(scene.bodies.size(), Mesh());
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const auto body = std::size_t(bodies[b]);
+    parts[body] = partOf(drawn[b], contactSides(scene, scene.bodies[body].name), withHalo, comm);
+  }
+  drawn = {}; // its memory is needed again
   Model model;
   onEveryRank(comm, [&] { // a mistake may show in one rank's share only
     std::size_t next = 0;
@@ -219,7 +212,7 @@ Model sharedModel(DrawnScene&& drawn, ToldScene told, const SceneSettings& scene
         std::make_shared<const ToldScene>(std::move(told)));
   });
   for (const int body : bodies)
-    completePart(model, std::size_t(body), model.told->halvings[std::size_t(body)], comm);
+    completePart(model, std::size_t(body), comm);
   compareInterfaces(model, comm);
   model.solvesWhole = true;
   return model;

@@ -102,6 +102,7 @@ void walk(Stream& stream, Scene& scene)
   });
   walk(stream, scene.jointMotions);
   stream.array(scene.areCut);
+  stream.number(scene.areRead);
   stream.array(scene.pulledOff);
   walkAll(stream, scene.warnings, [&](auto& warning) { walkWarning(stream, warning); });
   walkAll(stream, scene.sides, [&](auto& side) { walkSide(stream, side); });

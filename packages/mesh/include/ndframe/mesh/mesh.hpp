@@ -84,6 +84,9 @@ double cellMeasure(const Mesh& mesh, int cell);
 /// coordinates is more than 1e-6 of its shortest edge.
 std::vector<std::string> checkMesh(const Mesh& mesh);
 
+/// Coordinates that are round-off of a mesh whose coordinates differ by `extent` become zero.
+void dropRoundOff(std::vector<double>& coordinates, double extent);
+
 /// Length of the diagonal of the bounding box.
 double diameter(const Mesh& mesh);
 

@@ -62,7 +62,7 @@ public:
   void countNodes(const std::vector<int>& order, std::vector<double>& counts) const;
 
 private:
-  void listSimplices(const Mesh& mesh);
+  void listSimplices(const Mesh& mesh, int most);
   void count(int dim, int halvings);
   /// The number of the drawn vertex, edge, ... in the list of its kind.
   Number simplex(const DrawnPlace& place) const;
@@ -74,5 +74,11 @@ private:
   std::array<std::vector<std::array<int, 4>>, 4> simplices_;
   std::array<Number, 4> firstPoint_{}, firstMiddle_{}; ///< the same, of the first simplex
 };
+
+/// All simplices of so many vertices (2 to dim + 1) in a mesh, by their vertices, ascending; the rest of the four is
+/// larger than any.
+std::vector<std::array<int, 4>> simplicesOf(const Mesh& mesh, int count);
+/// Of how many vertices those simplices have at most that have points or middles inside.
+int mostVertices(int dim, int halvings);
 
 } // namespace ndframe

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "ndframe/base/registry.hpp"
-#include "ndframe/mesh/mesh.hpp"
+#include "ndframe/mesh/numbered_mesh.hpp"
 #include "ndframe/meshing/script_meshes.hpp"
 
 namespace ndframe
@@ -35,6 +35,11 @@ public:
   /// What makes the mesh before its edges are halved (halvingsOf).
   virtual const MeshSource& drawn() const { return *this; }
   virtual Mesh refined(Mesh drawnMesh) const { return drawnMesh; } ///< what read() makes of that one's
+
+  /// The number of pieces in which its files have the mesh; 0: in one.
+  virtual int numPieces() const { return 0; }
+  /// What the pieces from `first` to before `last` have, with the files' numbers; throws like read().
+  virtual NumberedMesh readPieces(int first, int last) const;
 
   /// The script that gmsh makes the mesh of. Throws InputError (with the deck's place) when the mesh comes from none.
   virtual MeshScript script() const = 0;

@@ -51,6 +51,7 @@ struct Model
   std::vector<HeldMean> holds;              ///< one per support Hold
   std::vector<InterfaceMesh> interfaces;    ///< in the order of the deck
   ContactConditions conditions = ContactConditions::Nodal; ///< on all interfaces
+  bool isOuter = false;     ///< only cells at the boundary are there, each body being one connected part (DrawnScene)
   bool solvesWhole = false; ///< whether bodies in contact may be solved by iterations on all of them together
   SceneRecipe recipe;       ///< what it was made from; empty when it is not to be reused
   /// Of a scene of which ranks have shares: what is told of its bodies as a whole; null otherwise.

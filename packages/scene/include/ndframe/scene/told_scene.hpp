@@ -55,6 +55,7 @@ struct ToldScene
   std::vector<ToldHold> holds;                  ///< of all bodies
   DenseMatrix jointMotions;                     ///< Model::jointMotions
   std::vector<char> areCut;                     ///< per interface: InterfaceMesh::isCut
+  bool areRead = false;                         ///< in pieces by all ranks; else handed out by rank 0
   std::string pulledOff;         ///< of all bodies: why refusePulledOff() would refuse them; empty: it does not
   std::vector<Warning> warnings; ///< of the scene
   /// Of interfaces: their names, points, facets, measures and normals at ends of the sides as drawn.

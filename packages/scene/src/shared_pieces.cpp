@@ -1,0 +1,242 @@
+#include "piece_parts.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+#include "ndframe/algebra/common_numbers.hpp"
+#include "ndframe/algebra/exchanged_values.hpp"
+#include "ndframe/algebra/shared_values.hpp"
+#include "ndframe/base/ascending.hpp"
+#include "ndframe/base/joined_numbers.hpp"
+#include "ndframe/mesh/boundary.hpp"
+
+namespace ndframe
+{
+namespace
+{
+
+using Number = PieceBody::Number;
+
+bool isOnAll(bool isSo, const Comm& comm)
+{
+  return comm.sum(std::int64_t(isSo)) == comm.size();
+}
+
+/// The names that any rank has, each once, on all ranks.
+std::vector<std::string> namesOfAll(const std::vector<std::string>& names, const Comm& comm)
+{
+  std::string own;
+  for (const std::string& name : names)
+    own += name + '\n';
+  std::vector<std::string> all;
+  for (const std::string& text : exchangedBytes(std::vector<std::string>(std::size_t(comm.size()), own), comm))
+    for (std::size_t first = 0, last = 0; first < text.size(); first = last + 1) {
+      last = text.find('\n', first);
+      const std::string name = text.substr(first, last - first);
+      if (std::find(all.begin(), all.end(), name) == all.end())
+        all.push_back(name);
+    }
+  return all;
+}
+
+/// Gives the mesh of each rank the sides of all.
+void takeAllSides(Mesh& mesh, const Comm& comm)
+{
+  std::vector<std::string> names;
+  for (const Side& side : mesh.sides)
+    names.push_back(side.name);
+  std::vector<Side> all;
+  for (const std::string& name : namesOfAll(names, comm)) {
+    const Side* const known = mesh.findSide(name);
+    all.push_back(known != nullptr ? *known : Side{name, {}});
+  }
+  mesh.sides = std::move(all);
+}
+
+/// Gives the mesh of each rank the groups of all: cells of a file with element blocks belong to one each.
+void takeAllGroups(Mesh& mesh, const Comm& comm)
+{
+  std::vector<std::string> names;
+  for (const std::vector<std::string>& ofKind : mesh.groups.names)
+    names.insert(names.end(), ofKind.begin(), ofKind.end());
+  CellGroups groups;
+  for (const std::string& name : namesOfAll(names, comm))
+    groups.findOrAdd({name});
+  for (const int kind : mesh.groups.kind)
+    groups.kind.push_back(groups.findOrAdd(mesh.groups.names[std::size_t(kind)]));
+  mesh.groups = std::move(groups);
+}
+
+/// Leaves out sides that have no facets anywhere; whether there were none.
+bool dropEmptySides(std::vector<Side>& sides, const Comm& comm)
+{
+  Vector counts;
+  for (const Side& side : sides)
+    counts.push_back(double(side.facets.size()));
+  comm.sum(counts);
+  std::vector<Side> left;
+  for (std::size_t s = 0; s < sides.size(); ++s)
+    if (counts[s] > 0.0)
+      left.push_back(std::move(sides[s]));
+  sides = std::move(left);
+  return sides.size() == counts.size();
+}
+
+void dropRoundOffOfAll(std::vector<double>& coordinates, const Comm& comm)
+{
+  Vector low{INFINITY}, high{-INFINITY};
+  for (const double coordinate : coordinates) {
+    low[0] = std::min(low[0], coordinate);
+    high[0] = std::max(high[0], coordinate);
+  }
+  takeExtremes(low, high, comm);
+  dropRoundOff(coordinates, high[0] - low[0]);
+}
+
+/// Numbers of the whole, from 0 on, instead of those of the files.
+CommonNumbers renumber(std::vector<Number>& ids, const Comm& comm)
+{
+  Vector largest{0.0};
+  std::vector<CommonKey> keys;
+  for (const Number id : ids) {
+    keys.push_back({id, 0, 0, 0});
+    largest[0] = std::max(largest[0], double(id));
+  }
+  takeLargest(largest, comm);
+  CommonNumbers common = commonNumbers(keys, Number(largest[0]) + 1, comm);
+  ids = common.numbers;
+  return common;
+}
+
+/// Whether all ranks have the same coordinates of what they share.
+bool agree(const PieceBody& body, const Comm& comm)
+{
+  const Mesh& mesh = body.part.mesh;
+  Vector values = mesh.points;
+  const auto local = [&](Number number) { return placeOf(body.part.points, number); };
+  const auto width = std::size_t(mesh.dim);
+  sharedByOwners(body.part.points, body.owners, local, comm)
+      .fetch(
+          [width](int point) {
+            return SharedValues::Place{std::size_t(point) * width, width};
+          },
+          values);
+  return isOnAll(values == mesh.points, comm);
+}
+
+/// Per cell its lowest vertex, by which a cell is one rank's.
+std::vector<int> lowestVertices(const Mesh& mesh)
+{
+  std::vector<int> lowest;
+  for (int cell = 0; cell < mesh.numCells(); ++cell)
+    lowest.push_back(*std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1));
+  return lowest;
+}
+
+std::vector<int> cellOwners(const PieceBody& body)
+{
+  std::vector<int> owners = lowestVertices(body.part.mesh);
+  for (int& owner : owners)
+    owner = body.owners[std::size_t(owner)];
+  return owners;
+}
+
+/// What is counted and summed up by the owners of lowest vertices.
+void measure(PieceBody& body, const Comm& comm)
+{
+  const Mesh& mesh = body.part.mesh;
+  Vector sums(5, 0.0), ofKinds(mesh.groups.names.size(), 0.0); // the volume; of so many vertices from two on, simplices
+  const std::vector<int> owners = cellOwners(body);
+  for (int cell = 0; cell < mesh.numCells(); ++cell)
+    if (owners[std::size_t(cell)] == comm.rank()) {
+      sums[0] += cellMeasure(mesh, cell);
+      if (!ofKinds.empty())
+        ofKinds[std::size_t(mesh.groups.kind[std::size_t(cell)])] += 1.0;
+    }
+  for (int m = 2; m <= mostVertices(mesh.dim, body.halvings); ++m)
+    for (const std::array<int, 4>& simplex : simplicesOf(mesh, m))
+      sums[std::size_t(m)] += body.owners[std::size_t(simplex[0])] == comm.rank() ? 1.0 : 0.0;
+  comm.sum(sums);
+  comm.sum(ofKinds);
+  body.cellsOfKinds = {ofKinds.begin(), ofKinds.end()};
+  body.measure = sums[0];
+  for (int m = 2; m <= mesh.dim + 1; ++m)
+    body.counts[std::size_t(m - 1)] = Number(sums[std::size_t(m)]);
+}
+
+/// Whether all cells are joined by facets.
+bool isOnePart(const PieceBody& body, const Comm& comm)
+{
+  JoinedNumbers own(body.part.mesh.numCells());
+  for (const auto& [cell, neighbour] : neighbourCells(body.part.mesh))
+    own.join(cell, neighbour);
+  int count = 0;
+  const std::vector<int> parts = std::move(own).numbered(count);
+  const Vector counts = gatheredFrom({double(count)}, comm);
+  double first = 0.0, all = 0.0;
+  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
+    first += int(rank) < comm.rank() ? counts[rank] : 0.0;
+    all += counts[rank];
+  }
+  Vector numbers;
+  for (const int part : parts)
+    numbers.push_back(first + part);
+  const Vector mine = numbers;
+  sharedByOwners(
+      body.part.cells, cellOwners(body), [&](Number cell) { return placeOf(body.part.cells, cell); }, comm)
+      .fetch(
+          [](int cell) {
+            return SharedValues::Place{std::size_t(cell), 1};
+          },
+          numbers);
+  std::set<std::pair<double, double>> same;
+  for (std::size_t cell = 0; cell < mine.size(); ++cell)
+    same.insert({mine[cell], numbers[cell]});
+  Vector pairs;
+  for (const auto& [a, b] : same)
+    pairs.insert(pairs.end(), {a, b});
+  pairs = gatheredFrom(pairs, comm);
+  JoinedNumbers joinedParts{int(all)};
+  for (std::size_t i = 0; i < pairs.size(); i += 2)
+    joinedParts.join(int(pairs[i]), int(pairs[i + 1]));
+  std::move(joinedParts).numbered(count);
+  return count == 1;
+}
+
+} // namespace
+
+std::optional<PieceBody> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
+                                      int halvings, bool choosesBlocks, const Comm& comm)
+{
+  if (!isOnAll(own && own->mesh.dim == 3 && own->mesh.notes.empty(), comm))
+    return std::nullopt;
+  PieceBody body;
+  body.part = std::move(*own);
+  body.halvings = halvings;
+  Mesh& mesh = body.part.mesh;
+  takeAllSides(mesh, comm);
+  if (!dropEmptySides(mesh.sides, comm) && !choosesBlocks) // a note says so where they are read as a whole
+    return std::nullopt;
+  takeAllGroups(mesh, comm);
+  const bool areThere = std::all_of(contactSides.begin(), contactSides.end(),
+                                    [&](const std::string& side) { return mesh.findSide(side) != nullptr; });
+  if (!areThere)
+    return std::nullopt;
+  dropRoundOffOfAll(mesh.points, comm);
+  body.cells = renumber(body.part.cells, comm).count;
+  CommonNumbers points = renumber(body.part.points, comm);
+  body.counts[0] = points.count;
+  body.owners = std::move(points.owners);
+  if (comm.sum(std::int64_t(body.part.cells.size())) != body.cells || !agree(body, comm))
+    return std::nullopt;
+  gatherAroundOwn(body, comm);
+  if (!isOnAll(mesh.numCells() == 0 || checkMesh(mesh).empty(), comm) || !isOnePart(body, comm))
+    return std::nullopt;
+  measure(body, comm);
+  findTouching(body, contactSides, comm);
+  gatherOuter(body, comm);
+  return body;
+}
+
+} // namespace ndframe

@@ -1,0 +1,187 @@
+"""Pieces of meshes that each rank reads for itself: test_read_pieces.py NDFRAME DECKS MPIEXEC.
+
+What `--decompose` writes has the answer of the whole, with a share of the cells on each rank; where a rank cannot know from its pieces what
+the scene needs, rank 0 joins them; pieces that do not belong together are refused in the words of one process. Random scenes:
+shared_solids.py.
+"""
+
+import pathlib
+import re
+import shlex
+import subprocess
+import sys
+import unittest
+from xml.etree import ElementTree
+
+import netCDF4
+import numpy
+
+sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
+from runs import Program
+from shared_solids import difference
+from shares_test import DECKS, MPIEXEC, NDFRAME, SharesTest, add
+
+CELLS = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]  # 1526 vertices
+GIVEN = ["Linear Solver/Type=Multigrid", "Output/Exodus=false"]
+CERTIFIED = ["Error Estimation/Estimators={Global}", "Error Estimation/Check Equilibrium=true"]
+
+
+class Pieces(SharesTest):
+    def setUp(self):
+        super().setUp()
+        self.program = Program(NDFRAME, MPIEXEC)
+
+    def deck(self, root):
+        path = self.folder / "scene.xml"
+        path.write_bytes(ElementTree.tostring(root))
+        return path
+
+    def decomposed(self, deck, pieces, *settings):
+        """The settings that make the deck read its meshes in pieces."""
+        options = [part for setting in settings for part in ("--set", setting)]
+        done = subprocess.run([NDFRAME, "-i", str(deck), *options, "--decompose", str(pieces)], cwd=self.folder, capture_output=True,
+                              text=True)
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        told = shlex.split(done.stdout.split("the deck reads them with", 1)[1].replace("\\\n", " "))
+        return [setting.replace("/Mesh/File=", f"/Mesh/File={self.folder}/") for setting in told if setting != "--set"]
+
+    def compare(self, root, pieces, ranks, *settings, bodies=2, drawn=(), areRead=True):
+        """drawn: what the meshes are before they are in pieces."""
+        deck = self.deck(root)
+        read = self.decomposed(deck, pieces, *drawn)
+        one = self.program.run(deck, *drawn, *settings, *GIVEN)
+        shared = self.program.run(deck, *settings, *GIVEN, *read, ranks=ranks)
+        self.assertIsNone(difference(one, shared), shared.screen)
+        self.assertEqual(self.piecesOf(shared), bodies * pieces // ranks if areRead else 0, shared.screen)
+        self.assertEqual(len(re.findall(f"(read|made) [a-z ]*by the {ranks} processes", shared.screen)), bodies if areRead else 0, shared.screen)
+        return shared
+
+    @staticmethod
+    def piecesOf(run):
+        return run.summary["ledger"]["counts"].get("pieces read", 0)
+
+    def test_each_rank_reads_its_own(self):
+        shared = self.compare(self.bare("punch-3d"), 4, 4, drawn=CELLS)
+        shares = re.findall(r"([\d ]+) cells, read in pieces by the 4 processes in shares of ([\d ]+) to ([\d ]+)\.", shared.screen)
+        self.assertEqual(len(shares), 2)
+        for share in shares:
+            cells, least, most = (int(number.replace(" ", "")) for number in share)
+            self.assertGreater(least, 0.6 * cells / 4)
+            self.assertLess(most, 1.4 * cells / 4)
+
+    def test_several_pieces_a_rank(self):
+        self.compare(self.bare("contact-loss-3d"), 6, 3, "Coupling/Type=Monolithic",
+                     drawn=["Bodies/upper/Mesh/Cells={6, 6, 3}", "Bodies/lower/Mesh/Cells={12, 12, 6}"])
+
+    def test_certified(self):
+        self.compare(self.bare("punch-3d"), 3, 3, *CERTIFIED, drawn=CELLS)
+
+    def test_refined(self):
+        self.compare(self.bare("punch-3d"), 2, 2, "Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1", *CERTIFIED,
+                     drawn=["Bodies/punch/Mesh/Cells={4, 4, 4}", "Bodies/foundation/Mesh/Cells={8, 8, 4}"])
+
+    def test_one_body_alone(self):
+        self.compare(self.bare("beam-3d"), 2, 2, *CERTIFIED, bodies=1, drawn=["Bodies/beam/Mesh/Cells={12, 6, 6}"])
+
+    def test_on_a_rigid_plane(self):
+        root = self.bare("punch-3d")
+        foundation = root.find("*[@name='Bodies']/*[@name='foundation']")
+        for part in list(foundation):
+            foundation.remove(part)
+        add(foundation, "Rigid", Type="Plane", Point=[0.0, 0.0, 0.0], Normal=[0.0, 0.0, 1.0])
+        for part in list(root.iter("ParameterList")):
+            for parameter in part.findall("*[@name='Neumann Side']"):
+                part.remove(parameter)
+        self.compare(root, 2, 2, *CERTIFIED, bodies=1, drawn=["Bodies/punch/Mesh/Cells={8, 8, 8}"])
+
+    def test_bodies_and_regions_in_one_file(self):
+        """What a run has written, with a piece of the beam of another material, in pieces of both bodies."""
+        root = self.bare("punch-3d")
+        mesh = root.find("*[@name='Bodies']/*[@name='punch']/*[@name='Mesh']")
+        add(mesh, "Parts", lambda parts: add(parts, "core", Lower=[0.0, 0.0, 0.0], Upper=[0.5, 0.5, 0.5]))
+        add(root.find("*[@name='Bodies']/*[@name='punch']"), "Regions",
+            lambda regions: add(regions, "core", lambda core: add(core, "Material", Young_Modulus=10.0, Poisson_Ratio=0.2,
+                                                                  Hypothesis="Three Dimensional")))
+        self.compare(root, 2, 2, *CERTIFIED, drawn=CELLS)
+        whole = self.program.run(self.deck(root), *CELLS, *GIVEN)
+        done, _ = self.run_deck(root, 2, *CELLS, *GIVEN[:1], "Output/Exodus Files=Pieces", name="drawn")
+        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
+        sides = {"punch": ("left", "front", "top", "bottom"), "foundation": ("left", "front", "bottom", "contact")}
+        for body, blocks in (("punch", "{punch, punch:core}"), ("foundation", "{foundation}")):
+            holder = root.find(f"*[@name='Bodies']/*[@name='{body}']")
+            holder.remove(holder.find("*[@name='Mesh']"))
+            mesh = add(holder, "Mesh", Type="Exodus", File=str(self.folder / "drawn.e.2"))
+            ElementTree.SubElement(mesh, "Parameter", name="Blocks", type="Array(string)", value=blocks)
+            for part in holder.iter("Parameter"):
+                if part.get("name") == "Side" and part.get("value") in sides[body]:
+                    part.set("value", f"{body}:{part.get('value')}")
+        for part in root.iter("Parameter"):
+            if part.get("name") == "Dirichlet Side":
+                part.set("value", "punch:bottom")
+        interface = next(part for part in root.find("*[@name='Interfaces']"))
+        for part in interface.findall("*[@name='Neumann Side']"):
+            interface.remove(part)
+        ElementTree.SubElement(interface, "Parameter", name="Neumann Side", type="string", value="foundation:contact")
+        for part in root.iter("ParameterList"):
+            if part.get("name") == "core" and part.find("*[@name='Material']") is not None:
+                ElementTree.SubElement(part, "Parameter", name="Cells", type="Array(string)", value="{punch:core}")
+        shared = self.program.run(self.deck(root), *GIVEN, ranks=2)
+        self.assertEqual(shared.code, 0, shared.screen)
+        self.assertEqual(self.piecesOf(shared), 2, shared.screen)
+        self.assertAlmostEqual(shared.summary["energy"], whole.summary["energy"], delta=1e-8)
+
+    def test_a_body_force(self):
+        root = self.bare("punch-3d")
+        loads = next(part for part in root.iter("ParameterList") if part.get("name") == "Loads")
+        add(loads, "weight", Type="Body Force", Z="-0.1*(1+x)")
+        self.compare(root, 2, 2, drawn=CELLS, areRead=False)  # of a body that contact holds
+        supports = next(part for part in root.iter("ParameterList") if part.get("name") == "Supports")
+        add(supports, "foot", Type="Clamp", Side="back")
+        self.compare(root, 2, 2, *CERTIFIED, drawn=CELLS)
+
+    def test_where_rank_0_has_to_know_more(self):
+        root = self.bare("punch-3d")
+        self.compare(root, 4, 3, drawn=CELLS, areRead=False)  # not as many for each
+        self.compare(root, 2, 2, drawn=["Bodies/punch/Mesh/Cells={2, 2, 2}", "Bodies/foundation/Mesh/Cells={4, 4, 2}"], areRead=False)
+        probes = add(add(root, "Output"), "Probes") if root.find("*[@name='Output']") is None else add(root.find("*[@name='Output']"), "Probes")
+        add(probes, "inside", Body="punch", At=[0.5, 0.5, 0.5])
+        self.compare(root, 2, 2, drawn=CELLS, areRead=False)
+
+    def refused(self, message, damage):
+        """What is wrong with pieces is said as it is where they are read as a whole."""
+        deck = self.deck(self.bare("punch-3d"))
+        read = self.decomposed(deck, 2, *CELLS)
+        damage(self.folder)
+        one, several = (self.program.run(deck, *GIVEN, *read, ranks=ranks) for ranks in (1, 2))
+        for run in (one, several):
+            self.assertEqual(run.code, 2, run.screen)
+            self.assertEqual(run.screen.count(message), 1, run.screen)
+
+    def test_pieces_that_do_not_belong_together(self):
+        piece = "scene.punch.e.2.1"
+        self.refused("is missing", lambda folder: (folder / piece).unlink())
+        self.refused("the file is shorter than its header says", lambda folder: (folder / piece).write_bytes((folder / piece).read_bytes()[:3000]))
+
+        def move(folder):
+            with netCDF4.Dataset(folder / piece, "r+") as file:
+                file["coordz"][:] += 1e-9
+
+        def repeat(folder):
+            with netCDF4.Dataset(folder / piece, "r+") as file:
+                file["elem_num_map"][:] = 1 + numpy.arange(len(file["elem_num_map"]))
+
+        self.refused("is at another place in", move)
+        self.refused("they are no pieces of one mesh", repeat)
+
+    def test_a_side_inside(self):
+        def add_facets(folder):  # all facets of the first cells
+            for piece in (0, 1):
+                with netCDF4.Dataset(folder / f"scene.punch.e.2.{piece}", "r+") as file:
+                    names = [row.tobytes().split(b"\0")[0].decode() for row in file["ss_names"][:]]
+                    side = names.index("right") + 1
+                    file[f"elem_ss{side}"][:] = 1
+        self.refused("are not on the boundary", add_facets)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=[sys.argv[0], *sys.argv[4:]])
