@@ -35,18 +35,21 @@ public:
   std::vector<std::vector<std::int64_t>> answers(std::int64_t first) const
   {
     std::vector<std::vector<std::int64_t>> result(ofRanks_.size());
-    std::vector<std::vector<int>> having(all_.size());
+    std::vector<std::pair<int, int>> having(all_.size(), {-1, -1}); // lowest and highest rank
     const auto placeOf = [&](const CommonKey& key) {
       return std::lower_bound(all_.begin(), all_.end(), key) - all_.begin();
     };
     for (std::size_t rank = 0; rank < ofRanks_.size(); ++rank)
-      for (const CommonKey& key : ofRanks_[rank])
-        having[std::size_t(placeOf(key))].push_back(int(rank));
+      for (const CommonKey& key : ofRanks_[rank]) {
+        auto& [lowest, highest] = having[std::size_t(placeOf(key))];
+        lowest = lowest < 0 ? int(rank) : lowest;
+        highest = int(rank);
+      }
     for (std::size_t rank = 0; rank < ofRanks_.size(); ++rank)
       for (const CommonKey& key : ofRanks_[rank]) {
         const auto place = placeOf(key);
-        const std::vector<int>& ranks = having[std::size_t(place)];
-        result[rank].insert(result[rank].end(), {first + place, ranks[std::size_t(place) % ranks.size()]});
+        const auto& [lowest, highest] = having[std::size_t(place)];
+        result[rank].insert(result[rank].end(), {first + place, (lowest + highest) % 2 == 0 ? lowest : highest});
       }
     return result;
   }

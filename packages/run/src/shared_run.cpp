@@ -203,14 +203,15 @@ void takeShares(Model& model, SceneToShare&& scene, const std::vector<InterfaceM
 {
   const auto timer = timeStage(tools.ledger, Stage::Read);
   const std::vector<InterfaceMesh> drawn = earlier.empty() ? asFirst(std::move(scene.told->sides)) : earlier;
-  if (scene.pieces)
-    tools.ledger.count("pieces read", scene.pieces->numPieces);
   const SceneSettings& settings = tools.settings.scene;
   const bool withHalo = tools.errors.has_value();
+  if (scene.pieces)
+    tools.ledger.count("pieces read", scene.pieces->numPieces);
   std::vector<DrawnPart> parts = scene.pieces ? drawnParts(std::move(*scene.pieces), scene.drawn, withHalo, tools.comm)
                                               : drawnParts(std::move(scene.drawn), settings, withHalo, tools.comm);
-  scene = {std::move(scene.drawn), {}, std::move(scene.told)};
-  model = sharedModel(std::move(parts), std::move(*scene.told), settings, tools.components, drawn, withHalo, tools.comm,
+  ToldScene told = std::move(*scene.told);
+  scene = {}; // its memory is needed again
+  model = sharedModel(std::move(parts), std::move(told), settings, tools.components, drawn, withHalo, tools.comm,
                       numThreads(tools.comm));
   tools.ledger.count("shared bodies", std::int64_t(model.elasticBodies().size()));
 }

@@ -125,20 +125,13 @@ bool agree(const PieceBody& body, const Comm& comm)
   return isOnAll(values == mesh.points, comm);
 }
 
-/// Per cell its lowest vertex, by which a cell is one rank's.
-std::vector<int> lowestVertices(const Mesh& mesh)
-{
-  std::vector<int> lowest;
-  for (int cell = 0; cell < mesh.numCells(); ++cell)
-    lowest.push_back(*std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1));
-  return lowest;
-}
-
+/// Per cell the owner of its lowest vertex, who is the cell's.
 std::vector<int> cellOwners(const PieceBody& body)
 {
-  std::vector<int> owners = lowestVertices(body.part.mesh);
-  for (int& owner : owners)
-    owner = body.owners[std::size_t(owner)];
+  const Mesh& mesh = body.part.mesh;
+  std::vector<int> owners;
+  for (int cell = 0; cell < mesh.numCells(); ++cell)
+    owners.push_back(body.owners[std::size_t(*std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1))]);
   return owners;
 }
 

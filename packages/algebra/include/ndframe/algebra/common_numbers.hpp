@@ -17,8 +17,10 @@ using CommonKey = std::array<std::int64_t, 4>;
 struct CommonNumbers
 {
   std::vector<std::int64_t> numbers; ///< per thing of this rank, from 0 on in the order of all keys, without holes
-  std::vector<int> owners;           ///< the same: one of the ranks that have it, each about as often as the others
-  std::int64_t count = 0;            ///< of different things
+  /// The same: of the lowest and the highest rank that have it the lowest if they are both even or both odd. So what
+  /// the same ranks have in common is one rank's, and no rank gets most of what it shares with others.
+  std::vector<int> owners;
+  std::int64_t count = 0; ///< of different things
 };
 
 /// keys: per thing of this rank, all different; their first entries are in [0, bound). Each rank orders those of a
