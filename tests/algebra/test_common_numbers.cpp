@@ -55,8 +55,25 @@ TEST(CommonNumbers, AreThoseOfAllKeysInOrder)
       ++lowest;
     while (!has(highest, things[i]))
       --highest;
-    EXPECT_EQ(found.owners[i], (highest - lowest) % 2 == 0 ? lowest : highest);
+    EXPECT_TRUE(found.owners[i] == lowest || found.owners[i] == highest);
   }
+}
+
+TEST(CommonNumbers, AreOwnedByOneRankEachInTurn)
+{
+  const Comm& comm = test::comm();
+  std::vector<CommonKey> keys; // all ranks have all
+  for (std::int64_t i = 0; i < numKeys; ++i)
+    keys.push_back(key(i));
+  const CommonNumbers found = commonNumbers(keys, bound, comm);
+  Vector sums(found.owners.begin(), found.owners.end());
+  comm.sum(sums);
+  int last = 0;
+  for (std::size_t i = 0; i < keys.size(); ++i) {
+    EXPECT_EQ(sums[i], found.owners[i] * comm.size()); // all ranks say the same
+    last += found.owners[i] == comm.size() - 1 ? 1 : 0;
+  }
+  EXPECT_NEAR(last, comm.size() == 1 ? numKeys : numKeys / 2, 10);
 }
 
 TEST(CommonNumbers, OfNothingAreNone)

@@ -66,8 +66,8 @@ class Pieces(SharesTest):
         self.assertEqual(len(shares), 2)
         for share in shares:
             cells, least, most = (int(number.replace(" ", "")) for number in share)
-            self.assertGreater(least, 0.6 * cells / 4)
-            self.assertLess(most, 1.4 * cells / 4)
+            self.assertGreater(least, 0.5 * cells / 4)
+            self.assertLess(most, 1.5 * cells / 4)
 
     def test_several_pieces_a_rank(self):
         self.compare(self.bare("contact-loss-3d"), 6, 3, "Coupling/Type=Monolithic",

@@ -11,6 +11,7 @@ namespace ndframe
 namespace
 {
 
+constexpr std::int64_t stripes = 4;
 constexpr int entries = std::tuple_size_v<CommonKey>;
 
 /// The keys of one block, by the ranks that have them.
@@ -32,7 +33,7 @@ public:
   std::int64_t count() const { return std::int64_t(all_.size()); }
 
   /// Per rank, for each of its keys: its number, counted from `first` on, and its owner.
-  std::vector<std::vector<std::int64_t>> answers(std::int64_t first) const
+  std::vector<std::vector<std::int64_t>> answers(std::int64_t first, std::int64_t bound) const
   {
     std::vector<std::vector<std::int64_t>> result(ofRanks_.size());
     std::vector<std::pair<int, int>> having(all_.size(), {-1, -1}); // lowest and highest rank
@@ -49,7 +50,9 @@ public:
       for (const CommonKey& key : ofRanks_[rank]) {
         const auto place = placeOf(key);
         const auto& [lowest, highest] = having[std::size_t(place)];
-        result[rank].insert(result[rank].end(), {first + place, (lowest + highest) % 2 == 0 ? lowest : highest});
+        const std::int64_t stripe = key[0] * stripes / bound;
+        result[rank].insert(result[rank].end(),
+                            {first + place, (lowest + highest + stripe) % 2 == 0 ? lowest : highest});
       }
     return result;
   }
@@ -79,7 +82,7 @@ CommonNumbers commonNumbers(const std::vector<CommonKey>& keys, std::int64_t bou
     first += int(rank) < comm.rank() ? std::int64_t(counts[rank]) : 0;
     result.count += std::int64_t(counts[rank]);
   }
-  const auto answers = exchanged(block.answers(first), comm);
+  const auto answers = exchanged(block.answers(first, bound), comm);
   std::vector<std::size_t> next(answers.size(), 0);
   for (const CommonKey& key : keys) {
     const std::size_t rank = blockOf(key);

@@ -17,8 +17,8 @@ using CommonKey = std::array<std::int64_t, 4>;
 struct CommonNumbers
 {
   std::vector<std::int64_t> numbers; ///< per thing of this rank, from 0 on in the order of all keys, without holes
-  /// The same: of the lowest and the highest rank that have it the lowest if they are both even or both odd. So what
-  /// the same ranks have in common is one rank's, and no rank gets most of what it shares with others.
+  /// The same: the lowest or the highest rank that has it, by turns in four stripes of first entries. So what two ranks
+  /// have in common is shared out between them in few pieces.
   std::vector<int> owners;
   std::int64_t count = 0; ///< of different things
 };
