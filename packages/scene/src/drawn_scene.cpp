@@ -228,7 +228,9 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
   drawn.meshes.clear();
   drawn.model->isOuter = !drawn.inside.empty();
   const std::vector<InterfaceMesh>& interfaces = drawn.model->interfaces;
-  if (std::any_of(interfaces.begin(), interfaces.end(), [](const InterfaceMesh& one) { return one.isCut; }))
+  const bool isCut =
+      std::any_of(interfaces.begin(), interfaces.end(), [](const InterfaceMesh& one) { return one.isCut; });
+  if (isCut && !drawn.model->isOuter)                     // outer cells that are cut are not shared out
     for (const int body : drawn.model->elasticBodies()) { // the numbers are of meshes that were not
       const auto b = std::size_t(body);
       const BodyModel& whole = drawn.model->bodies[b];
