@@ -31,7 +31,9 @@ def parse(arguments, root):
     parser.add_argument("--label", metavar="L", action="append", default=[],
                         help="only cases with this label; may be repeated")
     parser.add_argument("-j", "--jobs", metavar="N", type=int, default=1, help="runs at the same time (1)")
-    parser.add_argument("--np", metavar="N", type=int, help="only the runs on N ranks")
+    ranks = parser.add_mutually_exclusive_group()
+    ranks.add_argument("--np", metavar="N", type=int, help="only the runs on N ranks")
+    ranks.add_argument("--ranks", metavar="N", type=int, help="every case on N ranks, whatever it says")
     parser.add_argument("--program", metavar="[NAME=]FILE", action="append", default=[],
                         help="ndframe, or the program NAME that a case asks for (installed: beside ndregress; in a clone: build/release/bin/ndframe)")
     parser.add_argument("--keep", metavar="FOLDER", type=pathlib.Path,
@@ -87,7 +89,10 @@ def show_list(cases):
 
 def run_all(runner, cases, options):
     """Runs side by side; lines in the order of the cases."""
-    runs = [(case, ranks) for case in cases for ranks in case.np if options.np in (None, ranks)]
+    if options.ranks is not None and options.ranks < 1:
+        raise UsageError("--ranks is at least 1")
+    runs = [(case, ranks) for case in cases for ranks in ([options.ranks] if options.ranks else case.np)
+            if options.np in (None, ranks)]
     if not runs:
         raise UsageError(f"none of these cases runs on {options.np} ranks")
     if any(ranks > 1 for _, ranks in runs) and not shutil.which("mpirun"):

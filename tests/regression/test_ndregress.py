@@ -182,6 +182,9 @@ class Regression(Called):
         self.assertIn("1 cases, 1 runs", self.call("--np", "1")[1])
         self.assertIn("both.np2", self.call("--np", "2")[1])
         self.assert_refused("runs on 3 ranks", "--np", "3")
+        self.assertIn("both.np3", self.call("--ranks", "3")[1])
+        self.assertIn("1 cases, 1 runs", self.call("--ranks", "1")[1])
+        self.assert_refused("at least 1", "--ranks", "0")
 
     def test_side_by_side_gives_the_same_lines(self):
         for i in range(5):
