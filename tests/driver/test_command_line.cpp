@@ -240,23 +240,26 @@ TEST_F(Program, SaysWhenTheWorkingDirectoryIsGone)
 TEST_F(Program, PlansItsMemoryAndRefusesWhatCannotFit)
 {
   EXPECT_THAT(call({"--plan", shippedDeck("punch")}).out,
-              testing::ContainsRegex("\n  memory: about 0.03[0-9]* GB for some 5 400 dofs; .* GB \\(.*\\) left\n"));
+              testing::ContainsRegex("\n  memory: about 0.03[0-9]* GB for some 5 704 dofs; .* GB \\(.*\\) left\n"));
   EXPECT_THAT(call({"--plan", shippedDeck("gmsh-msh2")}).out,
               HasSubstr("memory: checked when the mesh files are read"));
   EXPECT_THAT(call({"--plan", shippedDeck("krylov")}).out, HasSubstr("memory: not estimated for Krylov"));
   EXPECT_THAT(call({"--plan", shippedDeck("punch-3d"), "--set", "Linear Solver/Type=Multigrid"}).out,
-              HasSubstr("memory: about 0.12 GB for some 15 000 dofs;"));
+              HasSubstr("memory: about 0.12 GB for some 18 546 dofs;"));
   // A large solid has no factor, unless its volume hardly changes; a bound takes more than the solution.
   const auto large = [this](std::vector<std::string> more) {
     more.insert(more.begin(), {"--plan", shippedDeck("punch-3d"), "--set", "Bodies/punch/Mesh/Cells={20, 20, 20}",
                                "--set", "Bodies/foundation/Mesh/Cells={40, 40, 20}"});
     return call(more).out;
   };
-  EXPECT_THAT(large({}), HasSubstr("memory: about 2.3 GB for some 960 000 dofs;"));
+  EXPECT_THAT(large({}), HasSubstr("memory: about 2.4 GB for some 1 013 766 dofs;"));
   EXPECT_THAT(large({"--set", "Error Estimation/Estimators={}"}),
-              HasSubstr("memory: about 1.3 GB for some 960 000 dofs;"));
+              HasSubstr("memory: about 1.4 GB for some 1 013 766 dofs;"));
   EXPECT_THAT(large({"--set", "Bodies/punch/Material/Poisson Ratio=0.499"}),
-              HasSubstr("memory: about 16 GB for some 960 000 dofs;"));
+              HasSubstr("memory: about 18 GB for some 1 013 766 dofs;"));
+  EXPECT_THAT(
+      large({"--set", "Bodies/punch/Mesh/Refine=4", "--set", "Bodies/foundation/Mesh/Refine=4"}),
+      testing::ContainsRegex("left: NOT ENOUGH; [0-9]+ machines like this one, with a process each, would do\n"));
   EXPECT_THAT(call({"--plan", shippedDeck("punch"), "--set", "Bodies/punch/Mesh/Cells={20000, 20000}"}).out,
               HasSubstr("left: NOT ENOUGH"));
 }

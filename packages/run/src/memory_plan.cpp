@@ -1,9 +1,10 @@
 #include "ndframe/run/memory_plan.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <numeric>
 #include <optional>
+#include <string_view>
 #include <utility>
 
 #include <fmt/format.h>
@@ -38,18 +39,49 @@ bool isDirect(const RunSettings& settings)
   return settings.linearSolver != "Krylov" && settings.linearSolver != "Multigrid";
 }
 
-/// Dofs of a box, from its bricks with their Refine: vertices and edges of large grids. Nothing for other meshes.
-std::optional<double> dofsOfBox(const Params& mesh, int order)
+/// What a mesh will have.
+struct MeshSize
+{
+  double dofs = 0.0, cells = 0.0;
+};
+
+/// How a box cuts its bricks: into how many cells, and how many vertices, and vertices and middles of edges, each has
+/// beyond those of a grid, and of one of half the width.
+struct BrickPattern
+{
+  std::string_view name;
+  std::size_t dim;
+  double cells, vertices, nodes;
+};
+
+constexpr std::array<BrickPattern, 5> brickPatterns{{{"Right", 2, 2.0, 0.0, 0.0},
+                                                     {"Alternating", 2, 2.0, 0.0, 0.0},
+                                                     {"Crossed", 2, 4.0, 1.0, 4.0},
+                                                     {"Right", 3, 6.0, 0.0, 0.0},
+                                                     {"Alternating", 3, 5.0, 0.0, -1.0}}};
+
+/// Of a box, from its bricks with their Refine. Nothing for other meshes.
+std::optional<MeshSize> sizeOfBox(const Params& mesh, int order)
 {
   if (mesh.get<std::string>("Type") != "Box")
     return std::nullopt;
-  const auto cells = mesh.get<std::vector<int>>("Cells");
-  const double parts = std::exp2(halvingsOf(mesh) * double(cells.size())); // of a brick
-  const double bricks = std::accumulate(cells.begin(), cells.end(), parts, std::multiplies<double>());
-  if (cells.size() == 3)
-    return 3.0 * bricks * (order == 1 ? 1.0 : 8.0);
-  const double vertices = mesh.get<std::string>("Pattern") == "Crossed" ? 2.0 : 1.0;
-  return 2.0 * bricks * vertices * (order == 1 ? 1.0 : 4.0);
+  const auto counts = mesh.get<std::vector<int>>("Cells");
+  const auto name = mesh.get<std::string>("Pattern");
+  const auto pattern = std::find_if(brickPatterns.begin(), brickPatterns.end(), [&](const BrickPattern& one) {
+    return one.name == name && one.dim == counts.size();
+  });
+  if (pattern == brickPatterns.end()) // refused where it is read
+    return std::nullopt;
+  double bricks = 1.0, vertices = 1.0, nodes = 1.0;
+  for (const int count : counts) {
+    const double along = std::ldexp(count, halvingsOf(mesh));
+    bricks *= along;
+    vertices *= along + 1.0;
+    nodes *= 2.0 * along + 1.0;
+  }
+  vertices += pattern->vertices * bricks;
+  nodes += pattern->nodes * bricks;
+  return MeshSize{double(counts.size()) * (order == 1 ? vertices : nodes), pattern->cells * bricks};
 }
 
 /// Whether these solids, in contact if they are several, are solved without a factor.
@@ -81,6 +113,53 @@ double memoryOfInterfaces(const Model& model, const Params& representation)
   return bytes;
 }
 
+/// Bytes of each of so many ranks that solve these solids by Multigrid.
+double bytesOfRank(const RunSettings& settings, double dofs, bool solvesWhole, int ranks)
+{
+  const bool certifies = settings.errors && !settings.errors->estimators.empty();
+  if (solvesWhole && mayBeShared(settings, ranks))
+    return atStartOfRanks + (certifies ? certifiedShareBytes : shareBytes) * dofs / ranks;
+  return std::max(memoryOfRank(dofs, ranks), certifies ? memoryOfCertificate(dofs, ranks) : 0.0);
+}
+
+/// How many machines like this one, with a rank each, have the memory; 0: more than can be counted on.
+int machinesFor(const RunSettings& settings, double dofs, bool solvesWhole)
+{
+  constexpr int most = 100'000;
+  const auto left = double(memoryLeft().bytes);
+  int machines = 1;
+  while (machines <= most && bytesOfRank(settings, dofs, solvesWhole, machines) > left)
+    machines += std::max(1, machines / 20);
+  return machines <= most ? machines : 0;
+}
+
+std::string gigabytes(double bytes)
+{
+  constexpr double many = 1e11;
+  const double size = 1e-9 * bytes;
+  return bytes < many ? fmt::format("{:.2g} GB", size) : grouped(std::int64_t(size)) + " GB";
+}
+
+/// "about ... GB on each of 4 ranks for some ... dofs in ... tetrahedra, ... and ... for a rank; ... left".
+std::string sharedPlan(const RunSettings& settings, const MeshSize& all, bool solvesWhole, int ranks)
+{
+  const double bytes = bytesOfRank(settings, all.dofs, solvesWhole, ranks);
+  const MemoryLeft left = memoryLeft();
+  const auto counted = [](double count) { return grouped(std::int64_t(count)); };
+  std::string text = fmt::format("about {}{} for some {} dofs", gigabytes(bytes),
+                                 ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "", counted(all.dofs));
+  if (ranks > 1)
+    text += fmt::format(" in {} tetrahedra, some {} and {} for a rank", counted(all.cells), counted(all.dofs / ranks),
+                        counted(all.cells / ranks));
+  text += fmt::format("; {} left", left.text());
+  if (bytes * ranks <= double(left.bytes))
+    return text;
+  text += ranks > 1 ? ": NOT ENOUGH for all of them on one machine" : ": NOT ENOUGH";
+  const int machines = machinesFor(settings, all.dofs, solvesWhole);
+  return machines > 1 ? text + fmt::format("; {} machines like this one, with a process each, would do", machines)
+                      : text;
+}
+
 } // namespace
 
 double memoryOfBody(double dofs, int dim)
@@ -107,30 +186,27 @@ std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, 
   const bool namesMultigrid = settings.linearSolver == "Multigrid";
   if (!isDirect(settings) && !namesMultigrid)
     return fmt::format("not estimated for {}; {}", settings.linearSolver, left);
-  double bytes = atStart, dofs = 0.0;
+  double factors = atStart;
+  MeshSize all;
   bool areSolids = true;
   for (const BodySettings& body : settings.scene.bodies) {
     if (body.isRigid)
       continue;
-    const auto ofBox = dofsOfBox(body.shape, settings.scene.order);
-    if (!ofBox)
+    const auto box = sizeOfBox(body.shape, settings.scene.order);
+    if (!box)
       return fmt::format("checked when the mesh files are read; {}", left);
     const int dim = int(body.shape.get<std::vector<int>>("Cells").size());
-    dofs += *ofBox;
-    bytes += memoryOfBody(*ofBox, dim);
+    all.dofs += box->dofs;
+    all.cells += box->cells;
+    factors += memoryOfBody(box->dofs, dim);
     areSolids = areSolids && dim == 3;
   }
   if (namesMultigrid && !areSolids)
     return fmt::format("not estimated for {} in the plane; {}", settings.linearSolver, left);
-  const bool isMultigrid = areSolids && takesMultigrid(settings, solver, solvesWhole, dofs, ranks);
-  const bool certifies = settings.errors && !settings.errors->estimators.empty();
-  if (isMultigrid && solvesWhole && mayBeShared(settings, ranks))
-    bytes = atStartOfRanks + (certifies ? certifiedShareBytes : shareBytes) * dofs / ranks;
-  else if (isMultigrid)
-    bytes = std::max(memoryOfRank(dofs, ranks), certifies ? memoryOfCertificate(dofs, ranks) : 0.0);
-  return fmt::format("about {:.2g} GB{} for some {} dofs; {}{}", 1e-9 * bytes,
-                     isMultigrid && ranks > 1 ? fmt::format(" on each of {} ranks", ranks) : "",
-                     grouped(std::int64_t(dofs)), left, bytes > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
+  if (!areSolids || !takesMultigrid(settings, solver, solvesWhole, all.dofs, ranks))
+    return fmt::format("about {} for some {} dofs; {}{}", gigabytes(factors), grouped(std::int64_t(all.dofs)), left,
+                       factors > double(memoryLeft().bytes) ? ": NOT ENOUGH" : "");
+  return sharedPlan(settings, all, solvesWhole, ranks);
 }
 
 void checkMemory(const Model& model, const RunSettings& settings, const LinearSolver& solver, int ranks,

@@ -23,7 +23,8 @@ double memoryOfRank(double dofs, int ranks);
 double memoryOfCertificate(double dofs, int ranks);
 
 /// "about 0.38 GB for some 250 000 dofs; 19 GB (the machine) are left": from the deck alone, for boxes; for Multigrid
-/// in three dimensions, which Automatic may choose, that of a rank. solvesWhole: so does the coupling with solids.
+/// in three dimensions, which Automatic may choose, that of a rank, how much of the scene a rank has, and how many
+/// machines would do where this one does not. solvesWhole: so does the coupling with solids.
 std::string memoryPlan(const RunSettings& settings, const LinearSolver& solver, bool solvesWhole, int ranks);
 
 /// Refuses a scene that would take more than twice the memory that is left to some process. Direct solvers only.
