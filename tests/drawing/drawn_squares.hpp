@@ -19,7 +19,7 @@ inline DrawnBody drawnSquare(const std::string& name, double x, double y, double
 }
 
 /// A block of size 1, `gap` above a plate of size 2 and `right` of the middle of it.
-inline DrawnScene blockOnPlate(double gap, double right = 0.0)
+inline DrawnAssembly blockOnPlate(double gap, double right = 0.0)
 {
   return {2,
           4.0,

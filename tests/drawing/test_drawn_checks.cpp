@@ -22,7 +22,7 @@ TEST(DrawnChecks, FindWhereBodiesOverlap)
 
 TEST(DrawnChecks, RefuseBodiesOfSeveralParts)
 {
-  DrawnScene scene = blockOnPlate(0.5);
+  DrawnAssembly scene = blockOnPlate(0.5);
   EXPECT_NO_THROW(refuseUnconnectedParts(scene));
   Mesh& mesh = scene.bodies[0].mesh;
   mesh.points.insert(mesh.points.end(), {5.0, 0.0, 6.0, 0.0, 5.0, 1.0});
@@ -40,7 +40,7 @@ TEST(DrawnChecks, RefuseNamesWithCommasAndBraces)
 
 TEST(DrawnChecks, RefuseBodiesWithoutANamedSide)
 {
-  DrawnScene scene = blockOnPlate(0.5);
+  DrawnAssembly scene = blockOnPlate(0.5);
   scene.bodies[0].sides.clear();
   EXPECT_NO_THROW(refuseNamelessSides(scene));
   scene.bodies[1].sides.clear();

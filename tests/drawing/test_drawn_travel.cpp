@@ -12,27 +12,27 @@ using namespace ndframe::test;
 
 TEST(DrawnTravel, IsTheGapAlongTheNormal)
 {
-  const DrawnScene scene = blockOnPlate(0.25);
+  const DrawnAssembly scene = blockOnPlate(0.25);
   EXPECT_DOUBLE_EQ(travelUntilContact(scene, scene.contacts[0], 1, {0.0, -1.0, 0.0}).value(), 0.25);
   EXPECT_DOUBLE_EQ(travelUntilContact(scene, scene.contacts[0], 0, {0.0, 1.0, 0.0}).value(), 0.25);
 }
 
 TEST(DrawnTravel, IsLongerAlongAnInclinedWay)
 {
-  const DrawnScene scene = blockOnPlate(0.25);
+  const DrawnAssembly scene = blockOnPlate(0.25);
   const double half = std::sqrt(0.5);
   EXPECT_NEAR(travelUntilContact(scene, scene.contacts[0], 1, {half, -half, 0.0}).value(), 0.25 / half, 1e-15);
 }
 
 TEST(DrawnTravel, ChordsThatOverlapTouchAlready)
 {
-  const DrawnScene scene = blockOnPlate(-0.01);
+  const DrawnAssembly scene = blockOnPlate(-0.01);
   EXPECT_DOUBLE_EQ(travelUntilContact(scene, scene.contacts[0], 1, {0.0, -1.0, 0.0}).value(), 0.0);
 }
 
 TEST(DrawnTravel, EndsNowhereWhereSidesPassOrLookAway)
 {
-  const DrawnScene beside = blockOnPlate(0.25, 3.0), above = blockOnPlate(0.25);
+  const DrawnAssembly beside = blockOnPlate(0.25, 3.0), above = blockOnPlate(0.25);
   EXPECT_FALSE(travelUntilContact(beside, beside.contacts[0], 1, {0.0, -1.0, 0.0}));
   EXPECT_FALSE(travelUntilContact(above, above.contacts[0], 1, {0.0, 1.0, 0.0}));
   EXPECT_FALSE(travelUntilContact(above, above.contacts[0], 1, {1.0, 0.0, 0.0}));

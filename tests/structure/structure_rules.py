@@ -339,6 +339,22 @@ def headers_are_included(tree):
             yield Problem(file.name, 1, "no file includes it; take it out")
 
 
+def class_names_are_unique(tree):
+    """Two classes of one name are one to the linker, which keeps the destructor of either."""
+    known = {}
+    for file in tree.product_code:
+        if file.path.suffix != ".hpp" or file.package is None:
+            continue
+        unnamed = [m.span() for m in re.finditer(r"^namespace\n\{.*?^\} // namespace$", file.raw, re.MULTILINE | re.DOTALL)]
+        for match in re.finditer(r"^(?:class|struct) (\w+)(?!\w|::|<)[^;{]*\{", file.code, re.MULTILINE):
+            if any(first <= match.start() < last for first, last in unnamed):
+                continue
+            if match[1] in known:
+                yield Problem(file.name, line_of(file.code, match.start()),
+                              f"{known[match[1]]} has a class {match[1]}, too; give one another name")
+            known.setdefault(match[1], file.name)
+
+
 RULES = [
     arrows_have_no_cycle,
     packages_are_in_the_table,
@@ -359,6 +375,7 @@ RULES = [
     nothing_is_unfinished,
     headers_are_guarded,
     headers_are_included,
+    class_names_are_unique,
 ]
 
 

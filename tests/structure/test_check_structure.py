@@ -222,6 +222,16 @@ class StructureCheck(unittest.TestCase):
         self.assertEqual(run.returncode, 1)
         self.assertIn("packages/magic:1: ", run.stdout)
 
+    def test_two_classes_of_one_name(self):
+        two = "#pragma once\n\nstruct Answer\n{\n  int value;\n};\n"
+        other = {"packages__mesh__include__ndframe__mesh__b_dot_hpp": two}
+        source = {"packages__mesh__src__m_dot_cpp": '#include "ndframe/mesh/b.hpp"\n#include "ndframe/base/a.hpp"\n'}
+        unnamed = two.replace("struct", "namespace\n{\nstruct") + "} // namespace\n"
+        problems = lambda header: self.found(**other, **source, packages__base__include__ndframe__base__a_dot_hpp=header)
+        self.assertTrue(any("has a class Answer, too" in str(problem) for problem in problems(two)), problems(two))
+        for header in (GOOD_HEADER, unnamed, "#pragma once\n\nstruct Answer;\n"):
+            self.assertFalse([problem for problem in problems(header) if "too; give" in str(problem)])
+
 
 class FunctionFinder(unittest.TestCase):
     def names(self, text):

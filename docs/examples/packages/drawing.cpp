@@ -22,7 +22,7 @@ int main()
                                  {"table", {}, {0.0, 1.0, 0.0}, 2.0, true});
   const DrawnBody block = square("block", -0.5, 0.25, 1.0, {"sole", {0.0, 0.25, 0.0}, {0.0, -1.0, 0.0}, 1.0, true},
                                  {"top", {0.0, 1.25, 0.0}, {0.0, 1.0, 0.0}, 1.0});
-  const DrawnScene scene{2, 4.0, {plate, block}, {{0, 1, "table", "sole", 0.25}}};
+  const DrawnAssembly scene{2, 4.0, {plate, block}, {{0, 1, "table", "sole", 0.25}}};
   refuseNamelessSides(scene);
 
   const GuessedScene guessed(scene);

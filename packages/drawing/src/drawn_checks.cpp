@@ -42,7 +42,7 @@ const char* nameOfBodies(int dim)
 
 } // namespace
 
-void refuseNamelessSides(const DrawnScene& scene)
+void refuseNamelessSides(const DrawnAssembly& scene)
 {
   if (std::any_of(scene.bodies.begin(), scene.bodies.end(), [](const DrawnBody& body) { return !body.sides.empty(); }))
     return;
@@ -56,7 +56,7 @@ void refuseNamelessSides(const DrawnScene& scene)
                                isPlane ? "Curve" : "Surface"));
 }
 
-void refuseUnconnectedParts(const DrawnScene& scene)
+void refuseUnconnectedParts(const DrawnAssembly& scene)
 {
   for (const DrawnBody& body : scene.bodies) {
     const auto cells = cellOfEachPart(body.mesh);
@@ -80,7 +80,7 @@ void refuseNamesOfLists(const std::vector<std::string>& bodies)
                                    name));
 }
 
-std::optional<DrawnOverlap> overlapOf(const DrawnScene& scene)
+std::optional<DrawnOverlap> overlapOf(const DrawnAssembly& scene)
 {
   for (const DrawnBody& within : scene.bodies) {
     const CellLocator locator(within.mesh);

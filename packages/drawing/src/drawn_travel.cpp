@@ -67,7 +67,7 @@ Vector3 opposite(const Vector3& v)
 
 } // namespace
 
-std::optional<double> travelUntilContact(const DrawnScene& scene, const DrawnContact& contact, std::size_t moved,
+std::optional<double> travelUntilContact(const DrawnAssembly& scene, const DrawnContact& contact, std::size_t moved,
                                          const Vector3& direction)
 {
   if (scene.dim != 2)

@@ -62,7 +62,7 @@ const DrawnSide* farthest(const DrawnBody& body, const Vector3& direction, bool 
 }
 
 /// The lowest body with a side to hold.
-std::size_t baseOf(const DrawnScene& scene)
+std::size_t baseOf(const DrawnAssembly& scene)
 {
   std::optional<std::size_t> base;
   const auto height = [&](std::size_t b) { return scene.bodies[b].centre[std::size_t(scene.dim - 1)]; };
@@ -89,7 +89,7 @@ void writeSymmetry(const DrawnBody& body, DeckWriter& deck)
 
 } // namespace
 
-GuessedScene::GuessedScene(const DrawnScene& scene) : scene_(scene), base_(baseOf(scene)) {}
+GuessedScene::GuessedScene(const DrawnAssembly& scene) : scene_(scene), base_(baseOf(scene)) {}
 
 void GuessedScene::write(std::size_t body, DeckWriter& deck) const
 {

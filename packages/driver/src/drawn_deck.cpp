@@ -26,7 +26,7 @@ std::string sideNames(const DrawnBody& body)
   return names.empty() ? "none is named" : fmt::format("{}", fmt::join(names, ", "));
 }
 
-void writeBody(const DrawnScene& scene, std::size_t index, const std::string& drawing, const GuessedScene& guessed,
+void writeBody(const DrawnAssembly& scene, std::size_t index, const std::string& drawing, const GuessedScene& guessed,
                DeckWriter& deck)
 {
   const DrawnBody& body = scene.bodies[index];
@@ -48,7 +48,7 @@ void writeBody(const DrawnScene& scene, std::size_t index, const std::string& dr
   deck.close();
 }
 
-void writeInterfaces(const DrawnScene& scene, DeckWriter& deck)
+void writeInterfaces(const DrawnAssembly& scene, DeckWriter& deck)
 {
   if (scene.contacts.empty())
     return;
@@ -67,7 +67,7 @@ void writeInterfaces(const DrawnScene& scene, DeckWriter& deck)
   deck.close();
 }
 
-bool touchesAtACurve(const DrawnScene& scene)
+bool touchesAtACurve(const DrawnAssembly& scene)
 {
   for (const DrawnBody& body : scene.bodies)
     if (std::any_of(body.sides.begin(), body.sides.end(),
@@ -87,7 +87,7 @@ void writeRefinement(DeckWriter& deck)
   deck.close();
 }
 
-void writeGoal(const DrawnScene& scene, bool mayRemesh, DeckWriter& deck)
+void writeGoal(const DrawnAssembly& scene, bool mayRemesh, DeckWriter& deck)
 {
   deck.emptyLine();
   if (scene.dim == 2) {
@@ -115,7 +115,7 @@ std::string namedFrom(const std::string& output, const std::string& drawing)
 }
 
 /// Mistakes have their place in the drawing, not in a deck that is not there yet.
-DrawnScene read(const std::string& drawing, const std::string& output, const Components& components)
+DrawnAssembly read(const std::string& drawing, const std::string& output, const Components& components)
 {
   try {
     return readDrawing(drawing, output, components);
@@ -124,7 +124,7 @@ DrawnScene read(const std::string& drawing, const std::string& output, const Com
   }
 }
 
-std::string written(const DrawnScene& scene, const GuessedScene& guessed, const std::string& file,
+std::string written(const DrawnAssembly& scene, const GuessedScene& guessed, const std::string& file,
                     const std::string& name)
 {
   DeckWriter deck;
@@ -145,7 +145,7 @@ std::string written(const DrawnScene& scene, const GuessedScene& guessed, const 
 }
 
 /// Leaves out each Hold that the mistakes name; whether there is one.
-bool leaveOutHolds(const std::vector<Diagnostic>& mistakes, const DrawnScene& scene, GuessedScene& guessed)
+bool leaveOutHolds(const std::vector<Diagnostic>& mistakes, const DrawnAssembly& scene, GuessedScene& guessed)
 {
   bool found = false;
   for (const Diagnostic& mistake : mistakes)
@@ -162,7 +162,7 @@ bool leaveOutHolds(const std::vector<Diagnostic>& mistakes, const DrawnScene& sc
 DrawnDeck drawnDeck(const std::string& drawing, const std::string& output, const Components& components)
 {
   const std::string file = namedFrom(output, drawing);
-  const DrawnScene scene = read(file, output, components);
+  const DrawnAssembly scene = read(file, output, components);
   GuessedScene guessed(scene);
   const std::string name = std::filesystem::path(output).stem().string();
   DrawnDeck deck{written(scene, guessed, file, name), {}};

@@ -119,7 +119,7 @@ private:
   ScriptMeshes scripts_{nobody_};
 };
 
-std::vector<SearchedBody> searched(const DrawnScene& scene)
+std::vector<SearchedBody> searched(const DrawnAssembly& scene)
 {
   std::vector<SearchedBody> bodies;
   for (const DrawnBody& body : scene.bodies)
@@ -128,7 +128,7 @@ std::vector<SearchedBody> searched(const DrawnScene& scene)
 }
 
 /// Why no sides of plane bodies face each other, and how to mend it.
-std::string whyNothingFaces(const DrawnScene& scene, const std::vector<UnnamedFacing>& unnamed)
+std::string whyNothingFaces(const DrawnAssembly& scene, const std::vector<UnnamedFacing>& unnamed)
 {
   const auto name = [&](int body) { return scene.bodies[std::size_t(body)].name; };
   if (const auto overlap = overlapOf(scene))
@@ -148,7 +148,7 @@ std::string whyNothingFaces(const DrawnScene& scene, const std::vector<UnnamedFa
                      nearest->distance);
 }
 
-std::vector<DrawnContact> planeContacts(const DrawnScene& scene)
+std::vector<DrawnContact> planeContacts(const DrawnAssembly& scene)
 {
   const auto bodies = searched(scene);
   const double distance = partOfScene * scene.extent;
@@ -163,7 +163,7 @@ std::vector<DrawnContact> planeContacts(const DrawnScene& scene)
   return contacts;
 }
 
-std::vector<DrawnContact> solidContacts(const DrawnScene& scene)
+std::vector<DrawnContact> solidContacts(const DrawnAssembly& scene)
 {
   std::vector<DrawnContact> contacts;
   for (const FacingPair& pair : searchMatching(searched(scene)).pairs)
@@ -178,7 +178,7 @@ std::vector<DrawnContact> solidContacts(const DrawnScene& scene)
   return contacts;
 }
 
-void markSides(DrawnScene& scene)
+void markSides(DrawnAssembly& scene)
 {
   const auto side = [&](std::size_t body, const std::string& name) -> DrawnSide& {
     auto& sides = scene.bodies[body].sides;
@@ -200,9 +200,9 @@ void markSides(DrawnScene& scene)
 
 } // namespace
 
-DrawnScene readDrawing(const std::string& drawing, const std::string& deckFile, const Components& components)
+DrawnAssembly readDrawing(const std::string& drawing, const std::string& deckFile, const Components& components)
 {
-  DrawnScene scene{2, 0.0, DrawingReader(drawing, deckFile, components).bodies(), {}};
+  DrawnAssembly scene{2, 0.0, DrawingReader(drawing, deckFile, components).bodies(), {}};
   scene.dim = scene.bodies.front().mesh.dim;
   scene.extent = extentOf(searched(scene));
   refuseNamelessSides(scene);

@@ -179,7 +179,7 @@ SceneToShare sceneToShare(const Model& known, const RunTools& tools)
   const SceneSettings& scene = tools.settings.scene;
   if (tools.settings.accuracy || !mayBeShared(tools) || isKnown(known, scene))
     return {};
-  if (std::optional<PieceScene> pieces =
+  if (std::optional<DrawnPieces> pieces =
           asksInside(tools.settings) ? std::nullopt : readPieces(scene, tools.components, tools.comm, tools.ledger))
   {
     SceneToShare toShare = sceneOf([&] { return outerScene(*pieces); }, {}, tools);

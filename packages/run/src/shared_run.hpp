@@ -1,7 +1,7 @@
 #pragma once
 
 #include "ndframe/run/run_steps.hpp"
-#include "ndframe/scene/piece_scene.hpp"
+#include "ndframe/scene/drawn_pieces.hpp"
 
 namespace ndframe
 {
@@ -12,9 +12,9 @@ bool mayBeShared(const RunSettings& settings, int ranks);
 /// What ranks can have shares of, or what was read to find that they cannot.
 struct SceneToShare
 {
-  DrawnScene drawn;                 ///< on rank 0, or nowhere
-  std::optional<PieceScene> pieces; ///< where each rank has read its own
-  std::optional<ToldScene> told;    ///< on every rank; none: bodies must be whole
+  DrawnScene drawn;                  ///< on rank 0, or nowhere
+  std::optional<DrawnPieces> pieces; ///< where each rank has read its own
+  std::optional<ToldScene> told;     ///< on every rank; none: bodies must be whole
 };
 
 /// The scene on its meshes as drawn, checked, where ranks can have shares of it: several ranks solve solids whole, by

@@ -16,7 +16,7 @@ namespace ndframe
 namespace
 {
 
-using Number = PieceBody::Number;
+using Number = BodyPieces::Number;
 
 /// The cells that have one of these points.
 NumberedMesh around(const std::vector<Number>& points, const NumberedMesh& part)
@@ -31,7 +31,7 @@ NumberedMesh around(const std::vector<Number>& points, const NumberedMesh& part)
   });
 }
 
-std::vector<Number> ownedOf(const PieceBody& body, int rank)
+std::vector<Number> ownedOf(const BodyPieces& body, int rank)
 {
   std::vector<Number> owned;
   for (std::size_t point = 0; point < body.owners.size(); ++point)
@@ -41,7 +41,7 @@ std::vector<Number> ownedOf(const PieceBody& body, int rank)
 }
 
 /// Finds out who owns the points of the part. owned: numbers of this rank's, ascending. Collective.
-void findOwners(PieceBody& body, const std::vector<Number>& owned, const Comm& comm)
+void findOwners(BodyPieces& body, const std::vector<Number>& owned, const Comm& comm)
 {
   body.owners = ownersOf(body.part.points, IndexMap(body.counts[0], owned), comm);
 }
@@ -58,7 +58,7 @@ NumberedMesh joinedWith(const NumberedMesh& own, const std::vector<std::string>&
 
 } // namespace
 
-void findTouching(PieceBody& body, const std::vector<std::string>& sides, const Comm& comm)
+void findTouching(BodyPieces& body, const std::vector<std::string>& sides, const Comm& comm)
 {
   const std::vector<char> touches = pointsOfSides(body.part.mesh, sides);
   Vector own;
@@ -75,7 +75,7 @@ void findTouching(PieceBody& body, const std::vector<std::string>& sides, const 
   }
 }
 
-void gatherOuter(PieceBody& body, const Comm& comm)
+void gatherOuter(BodyPieces& body, const Comm& comm)
 {
   const Mesh& mesh = body.part.mesh;
   std::vector<char> isOuter(std::size_t(mesh.numCells()), 0);
@@ -99,7 +99,7 @@ void gatherOuter(PieceBody& body, const Comm& comm)
     body.outer = std::move(all);
 }
 
-void addCellsAtContact(PieceBody& body, const Comm& comm)
+void addCellsAtContact(BodyPieces& body, const Comm& comm)
 {
   if (body.touching.empty())
     return;
@@ -109,7 +109,7 @@ void addCellsAtContact(PieceBody& body, const Comm& comm)
   findOwners(body, owned, comm);
 }
 
-void gatherAroundOwn(PieceBody& body, const Comm& comm)
+void gatherAroundOwn(BodyPieces& body, const Comm& comm)
 {
   std::vector<std::vector<int>> cells(std::size_t(comm.size()));
   for (int cell = 0; cell < body.part.mesh.numCells(); ++cell)
@@ -127,7 +127,7 @@ void gatherAroundOwn(PieceBody& body, const Comm& comm)
   findOwners(body, owned, comm);
 }
 
-void addHalo(PieceBody& body, const Comm& comm)
+void addHalo(BodyPieces& body, const Comm& comm)
 {
   const std::vector<Number> owned = ownedOf(body, comm.rank());
   const Mesh& mesh = body.part.mesh;
@@ -149,7 +149,7 @@ void addHalo(PieceBody& body, const Comm& comm)
   findOwners(body, owned, comm);
 }
 
-RefinedNumbers::Whole wholeOf(const PieceBody& body, const Comm& comm)
+RefinedNumbers::Whole wholeOf(const BodyPieces& body, const Comm& comm)
 {
   const NumberedMesh& part = body.part;
   RefinedNumbers::Whole whole{body.cells, body.counts, {}, part.cells};

@@ -1,6 +1,6 @@
 #pragma once
 
-#include "ndframe/scene/piece_scene.hpp"
+#include "ndframe/scene/drawn_pieces.hpp"
 
 namespace ndframe
 {
@@ -8,24 +8,24 @@ namespace ndframe
 /// What a rank's pieces of a mesh become; none where they do not belong together, or are no single connected part of a
 /// solid. contactSides: those that may touch other bodies. own: none where this rank
 /// could not read its pieces. choosesBlocks: the files may have sides of others. Collective.
-std::optional<PieceBody> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
-                                      int halvings, bool choosesBlocks, const Comm& comm);
+std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
+                                       int halvings, bool choosesBlocks, const Comm& comm);
 
 // Steps of this and of drawnParts(), in this order. Collective, all of them.
 
 /// The part is what this rank has read; it becomes all cells around own vertices.
-void gatherAroundOwn(PieceBody& body, const Comm& comm);
+void gatherAroundOwn(BodyPieces& body, const Comm& comm);
 /// Finds the vertices on sides of contact.
-void findTouching(PieceBody& body, const std::vector<std::string>& sides, const Comm& comm);
+void findTouching(BodyPieces& body, const std::vector<std::string>& sides, const Comm& comm);
 /// Rank 0 gets the cells with a facet of the boundary, from the owner of its lowest vertex, those at contact, and from
 /// each rank one of each kind.
-void gatherOuter(PieceBody& body, const Comm& comm);
+void gatherOuter(BodyPieces& body, const Comm& comm);
 /// All parts get the cells at contact.
-void addCellsAtContact(PieceBody& body, const Comm& comm);
+void addCellsAtContact(BodyPieces& body, const Comm& comm);
 /// The part gets all cells that have a vertex in common with one that has an own vertex. Its owners are those in the
 /// end (drawnParts).
-void addHalo(PieceBody& body, const Comm& comm);
+void addHalo(BodyPieces& body, const Comm& comm);
 /// What the part has to be told of the whole.
-RefinedNumbers::Whole wholeOf(const PieceBody& body, const Comm& comm);
+RefinedNumbers::Whole wholeOf(const BodyPieces& body, const Comm& comm);
 
 } // namespace ndframe

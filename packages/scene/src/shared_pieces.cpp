@@ -16,7 +16,7 @@ namespace ndframe
 namespace
 {
 
-using Number = PieceBody::Number;
+using Number = BodyPieces::Number;
 
 bool isOnAll(bool isSo, const Comm& comm)
 {
@@ -110,7 +110,7 @@ CommonNumbers renumber(std::vector<Number>& ids, const Comm& comm)
 }
 
 /// Whether all ranks have the same coordinates of what they share.
-bool agree(const PieceBody& body, const Comm& comm)
+bool agree(const BodyPieces& body, const Comm& comm)
 {
   const Mesh& mesh = body.part.mesh;
   Vector values = mesh.points;
@@ -126,7 +126,7 @@ bool agree(const PieceBody& body, const Comm& comm)
 }
 
 /// Per cell the owner of its lowest vertex, who is the cell's.
-std::vector<int> cellOwners(const PieceBody& body)
+std::vector<int> cellOwners(const BodyPieces& body)
 {
   const Mesh& mesh = body.part.mesh;
   std::vector<int> owners;
@@ -136,7 +136,7 @@ std::vector<int> cellOwners(const PieceBody& body)
 }
 
 /// What is counted and summed up by the owners of lowest vertices.
-void measure(PieceBody& body, const Comm& comm)
+void measure(BodyPieces& body, const Comm& comm)
 {
   const Mesh& mesh = body.part.mesh;
   Vector sums(5, 0.0), ofKinds(mesh.groups.names.size(), 0.0); // the volume; of so many vertices from two on, simplices
@@ -159,7 +159,7 @@ void measure(PieceBody& body, const Comm& comm)
 }
 
 /// Whether all cells are joined by facets.
-bool isOnePart(const PieceBody& body, const Comm& comm)
+bool isOnePart(const BodyPieces& body, const Comm& comm)
 {
   JoinedNumbers own(body.part.mesh.numCells());
   for (const auto& [cell, neighbour] : neighbourCells(body.part.mesh))
@@ -199,12 +199,12 @@ bool isOnePart(const PieceBody& body, const Comm& comm)
 
 } // namespace
 
-std::optional<PieceBody> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
-                                      int halvings, bool choosesBlocks, const Comm& comm)
+std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
+                                       int halvings, bool choosesBlocks, const Comm& comm)
 {
   if (!isOnAll(own && own->mesh.dim == 3 && own->mesh.notes.empty(), comm))
     return std::nullopt;
-  PieceBody body;
+  BodyPieces body;
   body.part = std::move(*own);
   body.halvings = halvings;
   Mesh& mesh = body.part.mesh;

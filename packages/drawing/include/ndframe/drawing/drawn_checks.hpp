@@ -8,11 +8,11 @@ namespace ndframe
 {
 
 /// Throws InputError where no body has a named side: how sides get names.
-void refuseNamelessSides(const DrawnScene& scene);
+void refuseNamelessSides(const DrawnAssembly& scene);
 
 /// Throws InputError for a body of parts that nothing connects, which would need a support each: places on two of them,
 /// and how they become bodies.
-void refuseUnconnectedParts(const DrawnScene& scene);
+void refuseUnconnectedParts(const DrawnAssembly& scene);
 
 /// Throws InputError for a name of a body that a list of names cannot hold: with a comma or a brace.
 void refuseNamesOfLists(const std::vector<std::string>& bodies);
@@ -26,6 +26,6 @@ struct DrawnOverlap
 };
 
 /// The first overlap of plane bodies, if there is one.
-std::optional<DrawnOverlap> overlapOf(const DrawnScene& scene);
+std::optional<DrawnOverlap> overlapOf(const DrawnAssembly& scene);
 
 } // namespace ndframe

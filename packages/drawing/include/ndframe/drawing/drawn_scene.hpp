@@ -41,7 +41,7 @@ struct DrawnBody
 /// Sides of two bodies that may touch, and how far apart they begin (a length).
 struct DrawnContact
 {
-  /// Place of the first body in DrawnScene::bodies.
+  /// Place of the first body in DrawnAssembly::bodies.
   std::size_t first, second; ///< place of the second body
   /// Name of the first body's side.
   std::string firstSide, secondSide; ///< name of the second body's side
@@ -49,7 +49,7 @@ struct DrawnContact
 };
 
 /// Everything that a drawing says.
-struct DrawnScene
+struct DrawnAssembly
 {
   int dim;                            ///< of space, 2 or 3
   double extent;                      ///< diagonal of the box around all bodies

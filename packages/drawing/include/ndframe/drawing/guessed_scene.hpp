@@ -18,7 +18,7 @@ class GuessedScene
 {
 public:
   /// The scene must live as long. Throws InputError where no side is left to hold a body.
-  explicit GuessedScene(const DrawnScene& scene);
+  explicit GuessedScene(const DrawnAssembly& scene);
 
   static constexpr const char* holdName = "hold"; ///< of the supports Hold
 
@@ -44,7 +44,7 @@ private:
   void writeComponents(const Vector3& vector, DeckWriter& deck) const;
   std::size_t numNeighbours(std::size_t body) const;
 
-  const DrawnScene& scene_;
+  const DrawnAssembly& scene_;
   std::size_t base_;
   std::set<std::size_t> held_; ///< bodies that need no Hold
 };

@@ -1,4 +1,4 @@
-#include "ndframe/scene/piece_scene.hpp"
+#include "ndframe/scene/drawn_pieces.hpp"
 
 #include <algorithm>
 #include <limits>
@@ -17,7 +17,7 @@ namespace ndframe
 namespace
 {
 
-using Number = PieceBody::Number;
+using Number = BodyPieces::Number;
 
 /// A vertex that touches one of an earlier body, or of the same, which decides who owns both.
 struct Partner
@@ -82,12 +82,12 @@ std::optional<NumberedMesh> readOwn(const MeshSource& source, std::int64_t count
 }
 
 /// Ranks have about as many vertices each, and enough of them.
-bool canBeParts(const PieceScene& pieces, const Comm& comm)
+bool canBeParts(const DrawnPieces& pieces, const Comm& comm)
 {
   constexpr double mostUneven = 1.2; // the largest part, relative to the mean
   Number vertices = 0;
   Vector largest{0.0};
-  for (const std::optional<PieceBody>& body : pieces.bodies)
+  for (const std::optional<BodyPieces>& body : pieces.bodies)
     if (body) {
       vertices += body->counts[0];
       largest[0] += double(std::count(body->owners.begin(), body->owners.end(), comm.rank()));
@@ -98,7 +98,7 @@ bool canBeParts(const PieceScene& pieces, const Comm& comm)
 }
 
 /// On rank 0: the vertices that touch others.
-std::vector<Partner> partnersOf(const PieceScene& pieces, const DrawnScene& drawn, const std::vector<int>& bodies)
+std::vector<Partner> partnersOf(const DrawnPieces& pieces, const DrawnScene& drawn, const std::vector<int>& bodies)
 {
   const JoinedVertices joined = joinedVertices(*drawn.model, bodies);
   std::vector<Partner> partners;
@@ -121,7 +121,7 @@ class OwnedPart
 {
 public:
   /// first: number of each body's first vertex among all.
-  OwnedPart(PieceScene& scene, int body, const std::vector<Partner>& partners, const std::vector<Number>& first)
+  OwnedPart(DrawnPieces& scene, int body, const std::vector<Partner>& partners, const std::vector<Number>& first)
       : scene_(scene), body_(*scene.bodies[std::size_t(body)]), first_(first), number_(body), partners_(partners)
   {}
 
@@ -147,7 +147,7 @@ private:
 
   int ownerOf(const Partner& partner) const
   {
-    const PieceBody& other = *scene_.bodies[std::size_t(partner.firstBody)];
+    const BodyPieces& other = *scene_.bodies[std::size_t(partner.firstBody)];
     return other.touchingOwners[placeIn(other.touching, partner.firstVertex)];
   }
 
@@ -163,8 +163,8 @@ private:
     return orders;
   }
 
-  const PieceScene& scene_;
-  PieceBody& body_;
+  const DrawnPieces& scene_;
+  BodyPieces& body_;
   const std::vector<Number>& first_;
   int number_;
   const std::vector<Partner>& partners_;
@@ -172,8 +172,8 @@ private:
 
 } // namespace
 
-std::optional<PieceScene> readPieces(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
-                                     Ledger& ledger)
+std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
+                                      Ledger& ledger)
 {
   const bool isKnown = std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySettings& body) {
     return body.isRigid || knowsSidesOnly(body, components);
@@ -184,7 +184,7 @@ std::optional<PieceScene> readPieces(const SceneSettings& scene, const SceneComp
   const std::vector<std::int64_t> counts = piecesOfRanks(scene, components, comm);
   if (counts.empty())
     return std::nullopt;
-  PieceScene pieces;
+  DrawnPieces pieces;
   for (std::size_t b = 0; b < counts.size(); ++b) {
     const BodySettings& body = scene.bodies[b];
     pieces.bodies.emplace_back();
@@ -202,10 +202,10 @@ std::optional<PieceScene> readPieces(const SceneSettings& scene, const SceneComp
   return canBeParts(pieces, comm) ? std::optional(std::move(pieces)) : std::nullopt;
 }
 
-DrawnScene outerScene(PieceScene& pieces)
+DrawnScene outerScene(DrawnPieces& pieces)
 {
   DrawnScene drawn;
-  for (std::optional<PieceBody>& body : pieces.bodies) {
+  for (std::optional<BodyPieces>& body : pieces.bodies) {
     drawn.asked.push_back(body ? body->halvings : 0);
     drawn.inside.push_back(body ? InsideOfBody{body->measure, body->cellsOfKinds} : InsideOfBody{});
     drawn.meshes.push_back(body ? std::move(body->outer.mesh) : Mesh());
@@ -218,7 +218,7 @@ DrawnScene outerScene(PieceScene& pieces)
   return drawn;
 }
 
-std::vector<DrawnPart> drawnParts(PieceScene&& pieces, const DrawnScene& drawn, bool withHalo, const Comm& comm)
+std::vector<DrawnPart> drawnParts(DrawnPieces&& pieces, const DrawnScene& drawn, bool withHalo, const Comm& comm)
 {
   std::vector<int> bodies;
   std::vector<Number> first{0};

@@ -10,7 +10,7 @@ namespace ndframe
 {
 
 /// What a rank has of a mesh of which it has read its pieces. Vertices and cells have their numbers in the whole.
-struct PieceBody
+struct BodyPieces
 {
   using Number = RefinedNumbers::Number;
 
@@ -30,10 +30,10 @@ struct PieceBody
 };
 
 /// A scene of which every rank has read its pieces of the meshes (`NAME.e.N`), and no rank the whole.
-struct PieceScene
+struct DrawnPieces
 {
-  std::vector<std::optional<PieceBody>> bodies; ///< per body; none for rigid ones
-  std::int64_t numPieces = 0;                   ///< that this rank has read
+  std::vector<std::optional<BodyPieces>> bodies; ///< per body; none for rigid ones
+  std::int64_t numPieces = 0;                    ///< that this rank has read
 };
 
 /// Reads the meshes where all are pieces of files, as many for each rank, and all that a scene needs to know of them is
@@ -41,15 +41,15 @@ struct PieceScene
 /// sides; bodies that touch each other have the same Refine. None where ranks cannot share them so, or evenly (20 %),
 /// or where something is wrong with the pieces, which shows when they are read as a whole. Vertices have the numbers
 /// that they would have then. Collective.
-std::optional<PieceScene> readPieces(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
-                                     Ledger& ledger);
+std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
+                                      Ledger& ledger);
 
 /// The scene on the outer cells of the bodies, which are given away, for buildDrawn(). On rank 0.
-DrawnScene outerScene(PieceScene& pieces);
+DrawnScene outerScene(DrawnPieces& pieces);
 
 /// This rank's parts of the drawn bodies that are not rigid, as sharedModel() takes them. Vertices are those
 /// of a rank whose pieces have them, contact pairs those of the first body's. drawn: with the model, of rank 0.
 /// Collective.
-std::vector<DrawnPart> drawnParts(PieceScene&& pieces, const DrawnScene& drawn, bool withHalo, const Comm& comm);
+std::vector<DrawnPart> drawnParts(DrawnPieces&& pieces, const DrawnScene& drawn, bool withHalo, const Comm& comm);
 
 } // namespace ndframe
