@@ -192,9 +192,11 @@ def drawn_scene(draw):
     return f"{kind} {more}", pair, settings, more
 
 
-def in_pieces(program, deck, pieces):
-    """The settings that make the deck read its meshes in pieces, which are written next to it."""
-    done = subprocess.run([program.path, "-i", deck, "--decompose", str(pieces)], cwd=deck.parent, capture_output=True, text=True)
+def in_pieces(program, deck, pieces, *settings):
+    """The settings that make the deck read its meshes in pieces, which are written next to it; settings: of those meshes. None if it
+    is refused."""
+    options = [part for setting in settings for part in ("--set", setting)]
+    done = subprocess.run([program.path, "-i", deck, *options, "--decompose", str(pieces)], cwd=deck.parent, capture_output=True, text=True)
     if done.returncode != 0:
         return None
     told = shlex.split(done.stdout.split("the deck reads them with", 1)[1].replace("\\\n", " "))

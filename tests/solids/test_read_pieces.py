@@ -7,8 +7,6 @@ shared_solids.py.
 
 import pathlib
 import re
-import shlex
-import subprocess
 import sys
 import unittest
 from xml.etree import ElementTree
@@ -18,7 +16,7 @@ import numpy
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from runs import Program
-from shared_solids import difference
+from shared_solids import difference, in_pieces
 from shares_test import DECKS, MPIEXEC, NDFRAME, SharesTest, add
 
 CELLS = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]  # 1526 vertices
@@ -38,12 +36,9 @@ class Pieces(SharesTest):
 
     def decomposed(self, deck, pieces, *settings):
         """The settings that make the deck read its meshes in pieces."""
-        options = [part for setting in settings for part in ("--set", setting)]
-        done = subprocess.run([NDFRAME, "-i", str(deck), *options, "--decompose", str(pieces)], cwd=self.folder, capture_output=True,
-                              text=True)
-        self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
-        told = shlex.split(done.stdout.split("the deck reads them with", 1)[1].replace("\\\n", " "))
-        return [setting.replace("/Mesh/File=", f"/Mesh/File={self.folder}/") for setting in told if setting != "--set"]
+        read = in_pieces(self.program, deck, pieces, *settings)
+        self.assertIsNotNone(read)
+        return read
 
     def compare(self, root, pieces, ranks, *settings, bodies=2, drawn=(), areRead=True):
         """drawn: what the meshes are before they are in pieces."""
@@ -143,7 +138,7 @@ class Pieces(SharesTest):
         root = self.bare("punch-3d")
         self.compare(root, 4, 3, drawn=CELLS, areRead=False)  # not as many for each
         self.compare(root, 2, 2, drawn=["Bodies/punch/Mesh/Cells={2, 2, 2}", "Bodies/foundation/Mesh/Cells={4, 4, 2}"], areRead=False)
-        probes = add(add(root, "Output"), "Probes") if root.find("*[@name='Output']") is None else add(root.find("*[@name='Output']"), "Probes")
+        probes = add(add(root, "Output"), "Probes")
         add(probes, "inside", Body="punch", At=[0.5, 0.5, 0.5])
         self.compare(root, 2, 2, drawn=CELLS, areRead=False)
 

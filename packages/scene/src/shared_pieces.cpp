@@ -23,6 +23,15 @@ bool isOnAll(bool isSo, const Comm& comm)
   return comm.sum(std::int64_t(isSo)) == comm.size();
 }
 
+/// A solid that can be numbered, and of which there is nothing to be noted that is not of a part alone.
+bool isPlain(const NumberedMesh& part)
+{
+  const auto isNegative = [](Number number) { return number < 0; };
+  return part.mesh.dim == 3 && part.mesh.notes.empty() &&
+         std::none_of(part.points.begin(), part.points.end(), isNegative) &&
+         std::none_of(part.cells.begin(), part.cells.end(), isNegative);
+}
+
 /// The names that any rank has, each once, on all ranks.
 std::vector<std::string> namesOfAll(const std::vector<std::string>& names, const Comm& comm)
 {
@@ -202,7 +211,7 @@ bool isOnePart(const BodyPieces& body, const Comm& comm)
 std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
                                        int halvings, bool choosesBlocks, const Comm& comm)
 {
-  if (!isOnAll(own && own->mesh.dim == 3 && own->mesh.notes.empty(), comm))
+  if (!isOnAll(own && isPlain(*own), comm))
     return std::nullopt;
   BodyPieces body;
   body.part = std::move(*own);
