@@ -1,7 +1,6 @@
 #include "ndframe/algebra/common_numbers.hpp"
 
 #include <algorithm>
-#include <iterator>
 
 #include "exchange.hpp"
 #include "ndframe/algebra/shared_values.hpp"
@@ -20,14 +19,26 @@ class KeyBlock
 public:
   explicit KeyBlock(const std::vector<std::vector<std::int64_t>>& told)
   {
-    for (const std::vector<std::int64_t>& ofRank : told) {
-      ofRanks_.emplace_back();
-      for (auto entry = ofRank.begin(); entry != ofRank.end(); entry += entries)
-        std::copy_n(entry, entries, ofRanks_.back().emplace_back().begin());
-      all_.insert(all_.end(), ofRanks_.back().begin(), ofRanks_.back().end());
-    }
+    const auto eachKey = [&](const auto& take) {
+      for (std::size_t rank = 0; rank < told.size(); ++rank)
+        for (auto entry = told[rank].begin(); entry != told[rank].end(); entry += entries) {
+          CommonKey key{};
+          std::copy_n(entry, entries, key.begin());
+          take(rank, key);
+        }
+    };
+    eachKey([this](std::size_t, const CommonKey& key) { all_.push_back(key); });
     std::sort(all_.begin(), all_.end());
     all_.erase(std::unique(all_.begin(), all_.end()), all_.end());
+    places_.resize(told.size());
+    having_.resize(all_.size(), {-1, -1});
+    eachKey([this](std::size_t rank, const CommonKey& key) {
+      const auto place = std::size_t(std::lower_bound(all_.begin(), all_.end(), key) - all_.begin());
+      places_[rank].push_back(place);
+      auto& [lowest, highest] = having_[place];
+      lowest = lowest < 0 ? int(rank) : lowest;
+      highest = int(rank);
+    });
   }
 
   std::int64_t count() const { return std::int64_t(all_.size()); }
@@ -35,31 +46,21 @@ public:
   /// Per rank, for each of its keys: its number, counted from `first` on, and its owner.
   std::vector<std::vector<std::int64_t>> answers(std::int64_t first, std::int64_t bound) const
   {
-    std::vector<std::vector<std::int64_t>> result(ofRanks_.size());
-    std::vector<std::pair<int, int>> having(all_.size(), {-1, -1}); // lowest and highest rank
-    const auto placeOf = [&](const CommonKey& key) {
-      return std::lower_bound(all_.begin(), all_.end(), key) - all_.begin();
-    };
-    for (std::size_t rank = 0; rank < ofRanks_.size(); ++rank)
-      for (const CommonKey& key : ofRanks_[rank]) {
-        auto& [lowest, highest] = having[std::size_t(placeOf(key))];
-        lowest = lowest < 0 ? int(rank) : lowest;
-        highest = int(rank);
-      }
-    for (std::size_t rank = 0; rank < ofRanks_.size(); ++rank)
-      for (const CommonKey& key : ofRanks_[rank]) {
-        const auto place = placeOf(key);
-        const auto& [lowest, highest] = having[std::size_t(place)];
-        const std::int64_t stripe = key[0] * stripes / bound;
+    std::vector<std::vector<std::int64_t>> result(places_.size());
+    for (std::size_t rank = 0; rank < places_.size(); ++rank)
+      for (const std::size_t place : places_[rank]) {
+        const auto& [lowest, highest] = having_[place];
+        const std::int64_t stripe = all_[place][0] * stripes / bound;
         result[rank].insert(result[rank].end(),
-                            {first + place, (lowest + highest + stripe) % 2 == 0 ? lowest : highest});
+                            {first + std::int64_t(place), (lowest + highest + stripe) % 2 == 0 ? lowest : highest});
       }
     return result;
   }
 
 private:
-  std::vector<std::vector<CommonKey>> ofRanks_;
-  std::vector<CommonKey> all_; ///< ascending
+  std::vector<CommonKey> all_;                   ///< ascending
+  std::vector<std::pair<int, int>> having_;      ///< per key: the lowest and the highest rank that has it
+  std::vector<std::vector<std::size_t>> places_; ///< per rank, for each of its keys: its place among all
 };
 
 } // namespace
@@ -75,20 +76,14 @@ CommonNumbers commonNumbers(const std::vector<CommonKey>& keys, std::int64_t bou
   for (const CommonKey& key : keys)
     told[blockOf(key)].insert(told[blockOf(key)].end(), key.begin(), key.end());
   const KeyBlock block(exchanged(told, comm));
-  const Vector counts = gatheredFrom({double(block.count())}, comm);
-  std::int64_t first = 0;
+  const auto [first, count] = beforeAndAll(block.count(), comm);
   CommonNumbers result;
-  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
-    first += int(rank) < comm.rank() ? std::int64_t(counts[rank]) : 0;
-    result.count += std::int64_t(counts[rank]);
-  }
-  const auto answers = exchanged(block.answers(first, bound), comm);
-  std::vector<std::size_t> next(answers.size(), 0);
+  result.count = count;
+  InOrder answers(exchanged(block.answers(first, bound), comm));
   for (const CommonKey& key : keys) {
     const std::size_t rank = blockOf(key);
-    result.numbers.push_back(answers[rank][next[rank]]);
-    result.owners.push_back(int(answers[rank][next[rank] + 1]));
-    next[rank] += 2;
+    result.numbers.push_back(answers.next(rank));
+    result.owners.push_back(int(answers.next(rank)));
   }
   return result;
 }

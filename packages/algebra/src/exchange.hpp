@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <numeric>
+#include <utility>
 #include <vector>
 
 #include "mpi_comm.hpp"
@@ -68,5 +69,18 @@ std::vector<std::vector<Value>> exchanged(const std::vector<std::vector<Value>>&
     result.emplace_back(in.begin() + takenAt[rank], in.begin() + takenAt[rank] + taken[rank]);
   return result;
 }
+
+/// What ranks have sent, one value after the other of each.
+template <class Value>
+class InOrder
+{
+public:
+  explicit InOrder(std::vector<std::vector<Value>> sent) : sent_(std::move(sent)), next_(sent_.size(), 0) {}
+  const Value& next(std::size_t rank) { return sent_[rank][next_[rank]++]; }
+
+private:
+  std::vector<std::vector<Value>> sent_; ///< per rank
+  std::vector<std::size_t> next_;
+};
 
 } // namespace ndframe

@@ -48,13 +48,10 @@ std::vector<int> ownersOf(const std::vector<Global>& numbers, const IndexMap& ma
       answers.back().push_back(found->second);
     }
   }
-  const auto told = exchanged(answers, comm);
-  std::vector<std::size_t> next(told.size(), 0);
+  InOrder told(exchanged(answers, comm));
   std::vector<int> result;
-  for (const Global number : numbers) {
-    const auto rank = std::size_t(number / blockSize);
-    result.push_back(told[rank][next[rank]++]);
-  }
+  for (const Global number : numbers)
+    result.push_back(told.next(std::size_t(number / blockSize)));
   return result;
 }
 

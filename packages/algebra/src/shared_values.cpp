@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <iterator>
+#include <numeric>
 
 #include "exchange.hpp"
 #include "ndframe/algebra/dense.hpp"
@@ -153,6 +154,13 @@ Vector gatheredFrom(const Vector& own, const Comm& comm)
   Vector all(total);
   MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(), MPI_DOUBLE, mpiComm(comm));
   return all;
+}
+
+std::array<std::int64_t, 2> beforeAndAll(std::int64_t own, const Comm& comm)
+{
+  const Vector counts = gatheredFrom({double(own)}, comm);
+  const auto sum = [&](auto last) { return std::int64_t(std::accumulate(counts.begin(), last, 0.0)); };
+  return {sum(counts.begin() + comm.rank()), sum(counts.end())};
 }
 
 std::string firstText(const std::string& own, const Comm& comm)

@@ -9,8 +9,7 @@ namespace ndframe
 
 PartGraph::PartGraph(const BodyPiece& piece, const CellTree& own, const Comm& comm) : own_(int(own.parts().size()))
 {
-  const Vector counts = gatheredFrom({double(own_)}, comm);
-  first_ = int(std::accumulate(counts.begin(), counts.begin() + comm.rank(), 0.0));
+  first_ = int(beforeAndAll(own_, comm)[0]);
   Vector measures;
   for (const CellTree::Part& part : own.parts())
     measures.push_back(cellMeasure(piece.model.mesh, part.cells.front()));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "ndframe/base/joined_numbers.hpp"
 #include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
@@ -33,6 +34,14 @@ std::vector<std::pair<int, int>> neighbourCells(const Mesh& mesh)
       pairs.emplace_back(facets.at(place) / (mesh.dim + 1), facets.at(place + 1) / (mesh.dim + 1));
   }
   return pairs;
+}
+
+std::vector<int> connectedParts(const Mesh& mesh, int& count)
+{
+  JoinedNumbers cells(mesh.numCells());
+  for (const auto& [cell, neighbour] : neighbourCells(mesh))
+    cells.join(cell, neighbour);
+  return std::move(cells).numbered(count);
 }
 
 } // namespace ndframe

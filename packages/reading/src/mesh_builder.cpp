@@ -126,7 +126,6 @@ void MeshBuilder::dropUnusedPoints()
     v = renumbered[v];
 }
 
-/// Coordinates that are round-off beside the mesh's size are zero: sin(pi) of a script is meant to be.
 void MeshBuilder::requirePlane() const
 {
   std::array<double, 3> low{INFINITY, INFINITY, INFINITY};
@@ -191,7 +190,7 @@ Mesh MeshBuilder::finish()
   if (mesh_.dim == 2)
     requirePlane();
   dropUnusedPoints();
-  if (!mesh_.points.empty()) {
+  if (!mesh_.points.empty()) { // sin(pi) of a script is meant to be zero
     const auto [low, high] = std::minmax_element(mesh_.points.begin(), mesh_.points.end());
     dropRoundOff(mesh_.points, *high - *low);
   }

@@ -1,7 +1,6 @@
 #include "scene_file.hpp"
 
 #include <algorithm>
-#include <array>
 #include <filesystem>
 #include <iterator>
 #include <numeric>
@@ -54,14 +53,6 @@ void keepAll(PendingFile& piece, const std::string& name, const Comm& comm)
 std::int64_t ownFacets(const std::vector<Facet>& facets, int numOwnCells)
 {
   return std::count_if(facets.begin(), facets.end(), [numOwnCells](Facet facet) { return facet.cell < numOwnCells; });
-}
-
-/// What the processes before this one have, and what all have.
-std::array<std::int64_t, 2> beforeAndAll(std::int64_t own, const Comm& comm)
-{
-  const Vector counts = gatheredFrom({double(own)}, comm);
-  const auto sum = [&](auto last) { return std::int64_t(std::accumulate(counts.begin(), last, 0.0)); };
-  return {sum(counts.begin() + comm.rank()), sum(counts.end())};
 }
 
 /// The blocks of a body: own cells of a process follow those of the processes before it.

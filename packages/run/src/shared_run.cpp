@@ -84,7 +84,9 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
   const Model& model = *drawn.model;
   const std::vector<int> bodies = model.elasticBodies();
   if (bodies.empty() || !model.solvesWhole || (tools.settings.output.checkpoint && hasSlits(model)) ||
-      (tools.settings.accuracy && isCut(model))) // the next meshes are made from those that are not
+      ((tools.settings.accuracy || model.isOuter) &&
+       isCut(model)) || // the next meshes are made from those that are not
+      (model.isOuter && pushInside(model)))
     return false;
   std::int64_t together = 0; // those that touch others are solved together
   for (const int body : bodies)
@@ -116,7 +118,7 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh
   buildDrawn(drawn, scene, tools.components, earlier, tools.ledger);
   Model& model = *drawn.model;
   offerWhole(model, *tools.coupling, scene.interfaceOperator);
-  if (!canBeShared(drawn, tools) || (model.isOuter && (isCut(model) || pushInside(model))))
+  if (!canBeShared(drawn, tools))
     return std::nullopt;
   checkModel(model, tools, Comm::single());
   const auto timer = timeStage(tools.ledger, Stage::Check);

@@ -6,6 +6,7 @@
 
 namespace ndframe
 {
+
 JoinedVertices joinedVertices(const Model& model, const std::vector<int>& bodies)
 {
   std::vector<int> first{0}; // vertex of each body, and the number of all

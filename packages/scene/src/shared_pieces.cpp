@@ -170,20 +170,12 @@ void measure(BodyPieces& body, const Comm& comm)
 /// Whether all cells are joined by facets.
 bool isOnePart(const BodyPieces& body, const Comm& comm)
 {
-  JoinedNumbers own(body.part.mesh.numCells());
-  for (const auto& [cell, neighbour] : neighbourCells(body.part.mesh))
-    own.join(cell, neighbour);
   int count = 0;
-  const std::vector<int> parts = std::move(own).numbered(count);
-  const Vector counts = gatheredFrom({double(count)}, comm);
-  double first = 0.0, all = 0.0;
-  for (std::size_t rank = 0; rank < counts.size(); ++rank) {
-    first += int(rank) < comm.rank() ? counts[rank] : 0.0;
-    all += counts[rank];
-  }
+  const std::vector<int> parts = connectedParts(body.part.mesh, count);
+  const auto [first, all] = beforeAndAll(count, comm);
   Vector numbers;
   for (const int part : parts)
-    numbers.push_back(first + part);
+    numbers.push_back(double(first + part));
   const Vector mine = numbers;
   sharedByOwners(
       body.part.cells, cellOwners(body), [&](Number cell) { return placeOf(body.part.cells, cell); }, comm)

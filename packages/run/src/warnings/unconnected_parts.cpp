@@ -3,11 +3,11 @@
 #include <fmt/format.h>
 
 #include "checks.hpp"
-#include "ndframe/base/joined_numbers.hpp"
 #include "ndframe/mesh/boundary.hpp"
 
 namespace ndframe
 {
+
 /// Parts of a mesh that share no facet are bodies of their own: nothing is carried from one to the other.
 void findUnconnectedParts(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
@@ -18,11 +18,8 @@ void findUnconnectedParts(const Model& model, const SceneSettings& scene, Diagno
     if (body.isRigid)
       continue;
     const Mesh& mesh = body.mesh;
-    JoinedNumbers cells(mesh.numCells());
-    for (const auto& [cell, neighbour] : neighbourCells(mesh))
-      cells.join(cell, neighbour);
     int count = 0;
-    const std::vector<int> parts = std::move(cells).numbered(count);
+    const std::vector<int> parts = connectedParts(mesh, count);
     if (count < 2)
       continue;
     const auto cell = int(std::find(parts.begin(), parts.end(), 1) - parts.begin());

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <functional>
 #include <vector>
@@ -66,6 +67,9 @@ void takeLargest(Vector& values, const Comm& comm);
 void takeExtremes(Vector& smallest, Vector& largest, const Comm& comm);
 /// All ranks' values one after the other, on every rank; ranks may have different numbers of them. Collective.
 Vector gatheredFrom(const Vector& own, const Comm& comm);
+
+/// How much the ranks before this one have, and how much all have. own: what this one has. Collective.
+std::array<std::int64_t, 2> beforeAndAll(std::int64_t own, const Comm& comm);
 
 /// The text of the first rank that has one, on every rank. Collective.
 std::string firstText(const std::string& own, const Comm& comm);
