@@ -2,6 +2,7 @@
 
 #include <numeric>
 
+#include <fmt/format.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -61,6 +62,23 @@ TEST(LevelStart, ChangesNothingButTheWork)
               count(cold, {"Krylov iterations", "vertex iterations"}));
     EXPECT_GT(carried.ledger->counted("vertex passes"), 0) << "of the first level, of which nothing is known";
     EXPECT_LT(carried.ledger->counted("vertex passes"), cold.ledger->counted("vertex passes")) << target;
+  }
+}
+
+/// Another mesh would cost as much again as all before.
+TEST(Levels, ThatNarrowlyMissTheTargetTakeMoreSteps)
+{
+  const auto usual = plate({"Accuracy/Target=0.3"}).run();
+  const double bound = levelsOf(usual).front().relative;
+  ASSERT_LT(bound, 0.3);
+  for (const double share : {0.997, 0.8}) {
+    const std::string target = fmt::format("Accuracy/Target={:.6f}", share * bound);
+    const auto outcome = plate({target.c_str()}).run();
+    EXPECT_EQ(levelsOf(outcome).size(), share > 0.9 ? 1 : 2) << target;
+    EXPECT_LE(levelsOf(outcome).back().relative, share * bound);
+    EXPECT_EQ(levelsOf(outcome).back().doubt, "");
+    const double first = levelsOf(outcome).front().relative / bound;
+    EXPECT_TRUE(share > 0.9 ? first < share : std::abs(first - 1.0) < 1e-4) << first;
   }
 }
 

@@ -49,9 +49,10 @@ std::vector<double> stressOf(const ExactField& field, const Elasticity& law, con
     Vector local;
     for (int a = 0; a < nodes.nodesPerCell; ++a)
       local.insert(local.end(), u.begin() + nodes.cell(0)[a] * d(), u.begin() + (nodes.cell(0)[a] + 1) * d());
-    double lambda[4] = {1.0}, strain[6];
+    double lambda[4] = {1.0}, strain[6], gradients[(d() + 1) * d()];
+    barycentricGradients<d()>(mesh.points.data(), gradients);
     std::vector<double> stress(std::size_t(law.strains()));
-    stressAt<d(), p()>(mesh.points.data(), law, lambda, local.data(), strain, stress.data());
+    stressAt<d(), p()>(gradients, law, lambda, local.data(), strain, stress.data());
     return stress;
   });
 }

@@ -19,11 +19,13 @@ namespace
 
 constexpr double roundOff = 1e-12;
 
-StressCorrection recovered(const test::Problem& problem, const StressRecovery& recovery, Ledger& ledger)
+StressCorrection recovered(const test::Problem& problem, const StressRecovery& recovery, Ledger& ledger,
+                           double enough = 0.0)
 {
   const RecoveryScene scene{{&problem.body}, {problem.data}, {}};
   SceneField field;
   field.displacement = {&problem.displacement};
+  field.enough = enough;
   return test::recoverWhole(recovery, scene, {field}, ledger)[0].corrections[0];
 }
 
@@ -196,6 +198,27 @@ TEST_P(GlobalRecovery, TakesStepsAsLongAsTheyGainEnough)
   EXPECT_EQ(stepsTaken(problem, {{"Least Gain", 0.01}, {"Steps", 5}}), 5);
   EXPECT_EQ(stepsTaken(problem, {{"Least Gain", 0.0}, {"Steps", 50}}), 50);
   EXPECT_EQ(stepsTaken(problem, {{"Steps", 0}}), 0);
+}
+
+/// Where what is enough is near, and only there.
+TEST_P(GlobalRecovery, TakesMoreStepsToABoundThatIsEnough)
+{
+  const auto problem = sampleProblem(GetParam(), "clamped");
+  const auto recovery =
+      test::makeRecovery("Global", {{"Degree", double(problem.data.degree)}, {"Least Gain", 0.03}, {"Steps", 60}});
+  const auto stepsTo = [&](double enough) {
+    Ledger ledger;
+    recovered(problem, *recovery, ledger, enough);
+    return ledger.counted("recovery steps");
+  };
+  const std::int64_t usual = stepsTo(0.0);
+  const auto energyAfter = [&](std::int64_t steps) { return energyOf(problem, recovered(problem, int(steps))); };
+  for (const std::int64_t more : {1, 2, 3})
+    EXPECT_EQ(stepsTo(0.5 * (energyAfter(usual + more - 1) + energyAfter(usual + more))), usual + more);
+  for (const std::int64_t before : {0, 1, 3})
+    EXPECT_EQ(stepsTo(1.001 * energyAfter(usual - before)), usual);
+  EXPECT_EQ(stepsTo(0.3 * energyAfter(usual)), usual) << "out of reach";
+  EXPECT_LT(stepsTo(0.999 * energyAfter(60)), 60) << "given up where it turns out to be out of reach";
 }
 
 TEST_P(GlobalRecovery, SweepsOfAutomaticHalveTheGain)

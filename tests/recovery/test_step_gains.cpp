@@ -60,6 +60,19 @@ TEST(StepGains, AreNotBelowSoonAfterAStoppedStep)
   EXPECT_NEAR(gains.lowered(), 14e-6, 1e-15);
 }
 
+TEST(StepGains, WillReachWhatIsAFewStepsAway)
+{
+  StepGains gains(1.0);
+  for (int step = 0; step < 4; ++step)
+    gains.add(0.02 * std::pow(0.98, step)); // a hundredth of the bound a step, about
+  const double square = std::pow(0.98, 4);
+  EXPECT_TRUE(gains.willReach(0.999 * square));
+  EXPECT_TRUE(gains.willReach(0.9 * square));
+  EXPECT_FALSE(gains.willReach(0.8 * square));
+  EXPECT_FALSE(gains.willReach(1.001 * square)) << "it is there";
+  EXPECT_FALSE(gains.willReach(0.0));
+}
+
 /// A descent with a least gain of zero takes all its steps.
 TEST(StepGains, OfNothingAreZero)
 {

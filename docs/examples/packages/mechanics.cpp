@@ -15,7 +15,9 @@ int main()
   const double points[6] = {0, 0, 2, 0, 0, 1}, lambda[3] = {1.0 / 3.0, 1.0 / 3.0, 1.0 / 3.0};
   const double u[6] = {0, 0, 0.02, 0, 0, -0.01 * nu};
   double strain[3], stress[3], K[36], work = 0.0;
-  stressAt<2, 1>(points, law, lambda, u, strain, stress);
+  double gradients[6];
+  barycentricGradients<2>(points, gradients);
+  stressAt<2, 1>(gradients, law, lambda, u, strain, stress);
   elementStiffness<2, 1>(points, law, simplexRule(2, 0), K);
   for (int i = 0; i < 6; ++i)
     for (int j = 0; j < 6; ++j)

@@ -33,7 +33,9 @@ AdaptiveRun::AdaptiveRun(RunTools tools, const AccuracyComponents& components, R
       transfer_(components.contactTransfers.build(options_.lists.transfer)),
       stopping_(components.levelStoppings.build(options_.lists.stopping)), balances_(stopping_->allowed(1.0, 1.0) > 0.0)
 {
-  tools_.errors->estimators = {Estimator::Global}; // all that a level needs
+  tools_.errors->estimators = {Estimator::Global};                                   // all that a level needs
+  const double ofDisplacement = options_.of == AccuracyOf::Displacement ? 1.0 : 2.0; // the mean stress is half as wrong
+  tools_.errors->enough = {ofDisplacement * options_.target, options_.relative};
   run_.startSeconds = wallSeconds();
   run_.energies = std::move(energies);
   run_.plan = Plan(tools_.settings, *tools_.solver, tools_.comm.size());

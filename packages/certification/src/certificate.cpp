@@ -85,7 +85,7 @@ void Certifier::admitTractions()
   }
   if (!wants(Estimator::Discretization))
     return;
-  auto& sides = separate_.field;
+  IntermediateField& sides = separate_.field;
   sides.tractions[0] = admitTraction(scene_, state.tractionDirichlet, sign);
   sides.tractions[1] = state.tractionDirichlet == state.tractionNeumann
                            ? sides.tractions[0]
@@ -138,8 +138,8 @@ void Certifier::solveIntermediateFields()
 SceneField Certifier::globalField() const
 {
   SceneField field = makeSceneField(global_.field);
-  field.optimise = options_.optimises(recovery_, scene_.dim());
-  if (field.optimise)
+  field.enough = options_.enough.square(scene_.norm);
+  if (field.optimise = options_.optimises(recovery_, scene_.dim()); field.optimise)
     setOpening(scene_, global_.field, admissible_, field);
   return field;
 }

@@ -15,14 +15,14 @@ CellStress makeCellStress(const BodyModel& body, int cell, const SortedCell& sor
   const CellField<dim, order> field(body, displacement, cell);
   CellStress stress;
   stress.dim = dim;
-  double gradients[(dim + 1) * dim], strain[6];
-  stress.measure = barycentricGradients<dim>(field.points, gradients);
+  stress.measure = field.measure;
+  double strain[6];
   for (int v = 0; v <= dim; ++v) {
     const int local = sorted.local[std::size_t(v)];
     double lambda[dim + 1] = {};
     lambda[local] = 1.0;
     field.evaluate(lambda, strain, stress.atVertex[v]);
-    std::copy_n(gradients + local * dim, dim, stress.gradient[v]);
+    std::copy_n(field.gradients + local * dim, dim, stress.gradient[v]);
   }
   return stress;
 }

@@ -36,13 +36,12 @@ template <int dim, int order>
 void addDivergence(const CellField<dim, order>& field, double factor, double* div)
 {
   constexpr int strains = CellField<dim, order>::strains;
-  double gradLambda[(dim + 1) * dim], strain[strains], sigma[strains], part[dim];
-  barycentricGradients<dim>(field.points, gradLambda);
+  double strain[strains], sigma[strains], part[dim];
   for (int v = 0; v <= dim; ++v) {
     double lambda[dim + 1] = {};
     lambda[v] = 1.0;
     field.evaluate(lambda, strain, sigma);
-    divergenceForce<dim>(gradLambda + v * dim, sigma, part);
+    divergenceForce<dim>(field.gradients + v * dim, sigma, part);
     for (int k = 0; k < dim; ++k)
       div[k] += factor * part[k];
   }

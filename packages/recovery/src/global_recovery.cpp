@@ -115,6 +115,7 @@ private:
         all[f].opening = &fields_[f].opening;
       }
       all[f].beside = fields_[f].beside;
+      all[f].enough = fields_[f].enough;
     }
     return all;
   }
@@ -253,18 +254,20 @@ std::unique_ptr<StressRecovery> makeGlobalRecovery(int degree, const DescentEnd&
 
 void registerGlobalRecovery(Registry<StressRecovery>& registry)
 {
-  registry.add("Global",
-               "Solids: all tractions of a body together, as many steps of conjugate gradients towards the minimum "
-               "energy as lower the bound; faster and sharper than stars there.",
-               {{"Degree", 0, inClosedRange(0, highestDegree),
-                 "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
-                {"Least Gain", usualEnd.leastGain, inClosedRange(0.0, 1.0),
-                 "Steps end when each lowers the bound by less than this share of it, in the mean of the last four; 0: "
-                 "all of Steps are taken. 0.01 takes some 11 on well-shaped cells and more where cells are stretched."},
-                {"Steps", usualEnd.most, atLeast(0), "No more steps of conjugate gradients than this."}},
-               [](const Params& p) {
-                 return makeGlobalRecovery(p.get<int>("Degree"), {p.get<int>("Steps"), p.get<double>("Least Gain")});
-               });
+  registry.add(
+      "Global",
+      "Solids: all tractions of a body together, as many steps of conjugate gradients towards the minimum "
+      "energy as lower the bound; faster and sharper than stars there.",
+      {{"Degree", 0, inClosedRange(0, highestDegree),
+        "Degree of the stresses: the order of the displacements or one more; 0 means the order."},
+       {"Least Gain", usualEnd.leastGain, inClosedRange(0.0, 1.0),
+        "Steps end when each lowers the bound by less than this share of it, in the mean of the last four; 0: "
+        "all of Steps are taken. 0.01 takes some 11 on well-shaped cells and more where cells are stretched. With a "
+        "target, a few more are taken where they will reach it."},
+       {"Steps", usualEnd.most, atLeast(0), "No more steps of conjugate gradients than this."}},
+      [](const Params& p) {
+        return makeGlobalRecovery(p.get<int>("Degree"), {p.get<int>("Steps"), p.get<double>("Least Gain")});
+      });
 }
 
 } // namespace ndframe

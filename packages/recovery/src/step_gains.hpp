@@ -33,6 +33,12 @@ public:
     const double before = squares_[squares_.size() - 1 - steps], now = squares_.back();
     return steps > 0 && before > 0.0 && now > 0.0 ? 1.0 - std::pow(now / before, 0.5 / double(steps)) : 1.0;
   }
+  /// Whether B^2 is above this, and some more steps with gains like those at present bring it there.
+  bool willReach(double square) const
+  {
+    constexpr double more = 7.0; // gains halve with every fifth step, about: in all they are worth so many
+    return squares_.back() > square && squares_.back() * std::pow(1.0 - mean(), 2.0 * more) <= square;
+  }
   /// Whether m steps were taken, none of them stopped, and the mean is below this.
   bool areBelow(double least) const { return sinceStopped_ >= together && mean() < least; }
 

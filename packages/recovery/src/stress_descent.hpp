@@ -21,6 +21,7 @@ struct DescentField
   ContactTraction* traction = nullptr;
   const Vector* opening = nullptr; ///< SceneField::opening; with a traction
   double beside = 0.0;             ///< SceneField::beside
+  double enough = 0.0;             ///< SceneField::enough
 };
 
 /// When a descent ends.

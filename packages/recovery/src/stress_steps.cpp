@@ -155,11 +155,11 @@ int StressDescent::lower(std::size_t number, const DescentEnd& end)
 /// Takes steps until they gain too little; how many.
 int StressDescent::descend(Steps& steps, PressureRoom* room, std::size_t field, const DescentEnd& end)
 {
-  Vector square{energies_[field] + fields_[field].beside};
-  takeLargest(square, comm_); // the same to the bit on all ranks, which have to end together
-  StepGains gains(square.front());
+  Vector squares{energies_[field] + fields_[field].beside, fields_[field].enough};
+  takeLargest(squares, comm_); // the same to the bit on all ranks, which have to end together
+  StepGains gains(squares[0]);
   int taken = 0;
-  while (taken < end.most && steps.rz > 0.0 && !gains.areBelow(end.leastGain)) {
+  while (taken < end.most && steps.rz > 0.0 && (!gains.areBelow(end.leastGain) || gains.willReach(squares[1]))) {
     const std::optional<double> lowered = take(steps, room);
     if (!lowered)
       break;

@@ -16,11 +16,14 @@ struct CellField
 
   const Elasticity& law;                                                  ///< of the cell, in the body
   double points[(dim + 1) * dim], /**< of the vertices */ u[nodes * dim]; ///< node by node, global axes
+  double gradients[(dim + 1) * dim];                                      ///< of the barycentric coordinates
+  double measure;                                                         ///< signed, as the vertices are given
 
   /// displacement: numNodes * dim, global axes. body must outlive the field.
   CellField(const BodyModel& body, const Vector& displacement, int cell) : law(body.laws(cell))
   {
     cellPoints(body.mesh, cell, points);
+    measure = barycentricGradients<dim>(points, gradients);
     for (int a = 0; a < nodes; ++a)
       std::copy_n(displacement.data() + std::size_t(body.nodes.cell(cell)[a]) * dim, dim, u + a * dim);
   }
@@ -28,7 +31,7 @@ struct CellField
   /// Voigt strain and stress K eps(u) at barycentric coordinates lambda.
   void evaluate(const double* lambda, double* strain, double* stress) const
   {
-    stressAt<dim, order>(points, law, lambda, u, strain, stress);
+    stressAt<dim, order>(gradients, law, lambda, u, strain, stress);
   }
 
   /// The stress as (xx, yy, zz, xy, yz, xz).

@@ -52,6 +52,16 @@ const Names<ErrorMode>& errorModeNames();       ///< of Mode
 const Names<TractionType>& tractionTypeNames(); ///< of Traction
 const Names<TractionMean>& tractionMeanNames(); ///< of the traction's mean
 
+/// A bound of the displacement's error that is enough; 0: there is none.
+struct EnoughBound
+{
+  double value = 0.0;
+  bool isRelative = false; ///< value is over the energy norm of the solution
+
+  /// Of a bound a thousandth below: those that are found step by step do not know of all. norm: of the solution.
+  double square(double norm) const;
+};
+
 /// The list Error Estimation, read.
 struct ErrorOptions
 {
@@ -67,6 +77,7 @@ struct ErrorOptions
   int refinements = 0;                                 ///< of the reference: halvings of every edge
   std::int64_t maximumDofs = 0;                        ///< of the reference
   bool touches = false;                                ///< the deck has interfaces
+  EnoughBound enough;                                  ///< of a run with a target
 
   bool wants(Estimator estimator) const; ///< it is among the estimators
   bool needsGlobalField() const;         ///< one admissible traction on both sides and the fields u~ in balance with it

@@ -80,14 +80,14 @@ void elementStiffness(const double* points, const Elasticity& law, const Quadrat
       K[i * dofs + j] = K[j * dofs + i];
 }
 
-/// Voigt stress D eps(u) at the barycentric point lambda. u: nodes x dim element displacements.
+/// Voigt stress D eps(u) at the barycentric point lambda, whose gradients are gradLambda ((dim + 1) x dim).
+/// u: nodes x dim element displacements.
 template <int dim, int order>
-void stressAt(const double* points, const Elasticity& law, const double* lambda, const double* u, double* strain,
+void stressAt(const double* gradLambda, const Elasticity& law, const double* lambda, const double* u, double* strain,
               double* stress)
 {
   constexpr int nodes = Lagrange<dim, order>::nodes, strains = dim == 2 ? 3 : 6;
-  double gradLambda[(dim + 1) * dim], gradients[nodes * dim];
-  barycentricGradients<dim>(points, gradLambda);
+  double gradients[nodes * dim];
   Lagrange<dim, order>::gradients(lambda, gradLambda, gradients);
   double grad[dim][dim] = {};
   for (int a = 0; a < nodes; ++a)

@@ -33,6 +33,8 @@ struct SceneField
   /// What the square of the bound has beside |c|^2 and, with `optimise`, 2 int t^ (u~1_N - u~2_N - g), about: it does
   /// not change with the stress and t^. For who measures how fast the bound falls; 0: nothing is known.
   double beside = 0.0;
+  /// The square of a bound that is enough: steps go on where a few more will reach it; 0: there is none.
+  double enough = 0.0;
 };
 
 struct ScenePieces;
