@@ -64,7 +64,10 @@ public:
         face.fromSide(side, own.data(), int(size), sums.data() + f * size);
       });
     }
-    unknowns_.gradient(sums, 1, gradient);
+    Vector room;
+    unknowns_.gradient(
+        [&](int face, double* forces) { std::copy_n(sums.data() + std::size_t(face) * size, size, forces); }, 1, room,
+        gradient);
     return gradient;
   }
 

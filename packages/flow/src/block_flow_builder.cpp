@@ -135,21 +135,20 @@ void BlockFlow::Builder::joinWithin()
       append(record, face.spring.centre);
       send(out, block(face.half[0]), record);
     }
-  std::map<std::array<Number, 2>, Spring> springs; // in one order, whoever sent them
+  std::vector<WrenchFlow::Link> links;
+  std::vector<NumberPair> cells;
   for (const Vector& values : exchangedValues(out, comm_))
     for (ValuesReader reader(values); reader;) {
       const Number first = reader.number(), second = reader.number();
       const double conductance = reader.value(), size = reader.value();
-      springs.emplace(std::array{first, second}, Spring::ofFace(reader.direction(), conductance, size));
+      cells.push_back({first, second});
+      links.push_back(
+          {{placeOf(near_, first), placeOf(near_, second)}, Spring::ofFace(reader.direction(), conductance, size)});
     }
+  inner_ = inOrder(cells, links);
   std::vector<Direction> centres;
   for (std::size_t at = 0; at < places.size(); at += perCell)
     centres.push_back({places[at], places[at + 1], places[at + 2]});
-  std::vector<WrenchFlow::Link> links;
-  for (const auto& [cells, spring] : springs) {
-    inner_.emplace(cells, int(links.size()));
-    links.push_back({{placeOf(near_, cells[0]), placeOf(near_, cells[1])}, spring});
-  }
   flow_.within_ = std::make_unique<WrenchFlow>(std::move(centres), std::move(links));
 }
 
@@ -250,10 +249,10 @@ std::vector<Vector> BlockFlow::Builder::sentCrossings() const
 
 void BlockFlow::Builder::takeCrossings()
 {
-  std::map<std::array<Number, 2>, Crossing> found;
+  std::vector<NumberPair> pairs;
   for (const Vector& values : sentCrossings())
     for (ValuesReader reader(values); reader;) {
-      std::array<Number, 2> cells{};
+      NumberPair cells{};
       std::array<int, 2> sets{};
       for (std::size_t side = 0; side < 2; ++side) {
         cells[side] = reader.number();
@@ -261,15 +260,13 @@ void BlockFlow::Builder::takeCrossings()
       }
       const auto [low, high] = std::minmax({sets[0], sets[1]});
       const double conductance = reader.value(), size = reader.value();
-      found.emplace(cells, Crossing{linkOf_.at({low, high}),
-                                    sets[0] == low ? 1.0 : -1.0,
-                                    {placeOf(near_, cells[0]), placeOf(near_, cells[1])},
-                                    Spring::ofFace(reader.direction(), conductance, size)});
+      pairs.push_back(cells);
+      flow_.crossings_.push_back({linkOf_.at({low, high}),
+                                  sets[0] == low ? 1.0 : -1.0,
+                                  {placeOf(near_, cells[0]), placeOf(near_, cells[1])},
+                                  Spring::ofFace(reader.direction(), conductance, size)});
     }
-  for (const auto& [cells, crossing] : found) {
-    crossing_.emplace(cells, int(flow_.crossings_.size()));
-    flow_.crossings_.push_back(crossing);
-  }
+  crossing_ = inOrder(pairs, flow_.crossings_);
 }
 
 /// Own half facets learn where their flow is.
@@ -281,10 +278,10 @@ void BlockFlow::Builder::findPlaces()
       if (twin < 0)
         continue;
       const Number mine = number(cell), theirs = number(twin / 4);
-      const std::array<Number, 2> cells{std::min(mine, theirs), std::max(mine, theirs)};
+      const NumberPair cells{std::min(mine, theirs), std::max(mine, theirs)};
       const bool isCrossing = block(half) != block(twin);
       flow_.places_.push_back(
-          {half, isCrossing ? crossing_.at(cells) : inner_.at(cells), isCrossing, mine < theirs ? 1.0 : -1.0});
+          {half, placeOf(isCrossing ? crossing_ : inner_, cells), isCrossing, mine < theirs ? 1.0 : -1.0});
     }
 }
 

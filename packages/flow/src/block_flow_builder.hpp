@@ -3,6 +3,7 @@
 #include <map>
 
 #include "ndframe/flow/block_flow.hpp"
+#include "pairs_in_order.hpp"
 
 namespace ndframe
 {
@@ -65,12 +66,11 @@ private:
   std::vector<std::vector<int>> ranksOf_; ///< per block
   std::vector<int> twins_;                ///< per half facet of the held mesh that on the other side, -1: none
   std::vector<OwnFace> faces_;
-  std::vector<Number> near_;                      ///< numbers of the near cells, ascending
-  std::vector<Direction> setCentres_;             ///< per set of the body
-  std::vector<int> setOfPart_;                    ///< per part of flow_.within_
-  std::map<std::array<int, 2>, int> linkOf_;      ///< per pair of sets
-  std::map<std::array<Number, 2>, int> inner_;    ///< links of within_ at own cells
-  std::map<std::array<Number, 2>, int> crossing_; ///< crossings at near cells
+  std::vector<Number> near_;                 ///< numbers of the near cells, ascending
+  std::vector<Direction> setCentres_;        ///< per set of the body
+  std::vector<int> setOfPart_;               ///< per part of flow_.within_
+  std::map<std::array<int, 2>, int> linkOf_; ///< per pair of sets
+  std::vector<NumberPair> inner_, crossing_; ///< cells of within_'s links and of the crossings, ascending
 };
 
 } // namespace ndframe

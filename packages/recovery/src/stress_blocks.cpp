@@ -86,7 +86,7 @@ CellBlocks::Pair StressBlocks::insideAt(const StressEdge& edge, std::size_t step
 {
   const auto& ring = edge.ring;
   const StressEdge::Step &out = ring[step], &in = ring[(step + ring.size() - 1) % ring.size()];
-  if (out.through.rows() > 0 || in.through.rows() > 0)
+  if (out.through != nullptr || in.through != nullptr)
     return {-1, -1};
   const auto facet = [&](const StressEdge::Step& taken) {
     const StressFace& face = (*faces_)[taken.face];

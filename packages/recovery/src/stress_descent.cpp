@@ -126,18 +126,17 @@ double StressDescent::startEnergy(std::size_t field) const
   return std::accumulate(contact.begin(), contact.end(), sum.front());
 }
 
-/// Half the derivative of 2 int t^ w by the tractions of faces in contact.
-void StressDescent::addOpening(const Vector& opening, double unit, Vector& faceForces) const
+/// Half the derivative of 2 int t^ w by the traction of a face in contact, over a unit.
+void StressDescent::addOpening(int f, const Vector& opening, double unit, double* forces) const
 {
+  const int number = (*faces_)[f].contact;
+  if (number < 0 || !sharing_.owns(f))
+    return;
   const auto modes = std::size_t(facetData()) / 3;
-  for (int f = 0; f < faces_->size(); ++f)
-    if (const int number = (*faces_)[f].contact; number >= 0 && sharing_.owns(f)) {
-      const ContactPatch& patch = (*contact_)[std::size_t(number)];
-      for (std::size_t k = 0; k < modes; ++k)
-        for (std::size_t i = 0; i < 3; ++i)
-          faceForces[(std::size_t(f) * modes + k) * 3 + i] +=
-              patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit;
-    }
+  const ContactPatch& patch = (*contact_)[std::size_t(number)];
+  for (std::size_t k = 0; k < modes; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      forces[3 * k + i] += patch.normal[i] * opening[std::size_t(number) * modes + k] / patch.measure / unit;
 }
 
 /// The blocks of StressBlocks that stay as they are with these patches held, and those of other ranks.

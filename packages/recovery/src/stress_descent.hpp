@@ -81,12 +81,12 @@ private:
   void findMatrices();
   void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
   void addStart(int batch, const std::function<void(const double*, double*)>& multiply);
-  void gradientOf(Vector& faceForces, Rounded& gradient) const;
+  void gradientOf(const StressUnknowns::FaceForces& ofFace, Vector& ofCarriers, Rounded& gradient) const;
   void gather(int batch, const Rounded& tractions, float* x) const;
   void cellForces(const Rounded& tractions, double unit, Rounded& result) const;
   template <class Number>
-  void faceForces(const std::vector<Number>& cellForces, double unit, Vector& result) const;
-  void addOpening(const Vector& opening, double unit, Vector& faceForces) const;
+  void faceForces(int face, const std::vector<Number>& cellForces, double unit, double* sum) const;
+  void addOpening(int face, const Vector& opening, double unit, double* forces) const;
   double dotOfAll(const Rounded& a, const Rounded& b) const;
   void fetch(Rounded& unknowns) const;
   void ofContact(int face, const Steps& steps, double* T) const;

@@ -134,7 +134,7 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
   const bool isClosed = open == around.end();
   int face = isClosed ? around.front() : *open, cell = faces_[face].cell[0];
   if (!isClosed) // into the body: a traction on its only cell is the opposite of what leaves a cell before it
-    edge.ring.push_back({face, -1.0, -1});
+    edge.ring.push_back({face, -1, -1.0});
   for (std::size_t step = 0; step < around.size(); ++step) {
     const auto next = std::find_if(around.begin(), around.end(), [&](int f) {
       const auto& cells = faces_[f].cell;
@@ -144,7 +144,7 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
       return;
     face = *next;
     const auto& cells = faces_[face].cell;
-    edge.ring.push_back({face, cells[0] == cell ? 1.0 : -1.0, cell});
+    edge.ring.push_back({face, cell, cells[0] == cell ? 1.0 : -1.0});
     cell = cells[0] == cell ? cells[1] : cells[0];
     if (cell < 0 || (isClosed && face == around.front()))
       break;
@@ -161,7 +161,7 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
     return;
   for (StressEdge::Step& taken : edge.ring)
     if (edge.unknowns < wrenchSize(3) || !faces_[taken.face].isInside())
-      taken.through = throughMatrix(edge, basis, taken, faces_[taken.face]);
+      taken.through = std::make_unique<const DenseMatrix>(throughMatrix(edge, basis, taken, faces_[taken.face]));
   edges_.push_back(std::move(edge));
 }
 
@@ -198,11 +198,11 @@ DenseMatrix Rings::circulating(const StressEdge& edge) const
 
 ThroughMatrix::ThroughMatrix(const StressEdge& edge, const StressEdge::Step& step, const StressFace& face)
 {
-  if (step.through.rows() > 0) {
-    rows = step.through.rows();
-    cols = step.through.cols();
+  if (step.through != nullptr) {
+    rows = step.through->rows();
+    cols = step.through->cols();
     for (int k = 0; k < cols; ++k)
-      std::copy_n(step.through.col(k), rows, values.begin() + std::ptrdiff_t(6) * k);
+      std::copy_n(step.through->col(k), rows, values.begin() + std::ptrdiff_t(6) * k);
     return;
   }
   rows = cols = wrenchSize(3);

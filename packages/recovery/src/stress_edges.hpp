@@ -11,11 +11,11 @@ struct StressEdge
 {
   struct Step
   {
-    int face;
-    double sign;           ///< of the traction on the face's first cell
-    int cell;              ///< the one that the step leaves
-    DenseMatrix through{}; ///< amounts of the face's carrier, sign included: its columns x unknowns of the edge; empty
-                           ///< where all wrenches may circulate and the face takes them all
+    int face, cell; ///< the cell that the step leaves
+    double sign;    ///< of the traction on the face's first cell
+    /// Amounts of the face's carrier, sign included: its columns x unknowns of the edge; null where all wrenches may
+    /// circulate and the face takes them all.
+    std::unique_ptr<const DenseMatrix> through{};
   };
   std::vector<Step> ring; ///< closed inside; at supported boundaries from one facet there to another
   Direction middle{};
@@ -23,7 +23,7 @@ struct StressEdge
   int unknowns = 0; ///< the wrenches that may circulate: six, or those that all faces of the ring can take
 };
 
-/// StressEdge::Step::through whether it is empty or not.
+/// StressEdge::Step::through whether it is there or not.
 struct ThroughMatrix
 {
   ThroughMatrix() = default;

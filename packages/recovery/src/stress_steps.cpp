@@ -58,41 +58,39 @@ void StressDescent::cellForces(const Rounded& tractions, double unit, Rounded& r
   });
 }
 
-/// What the cells' forces, over a unit, amount to on every face.
+/// What the cells' forces, over a unit, amount to on a face.
 template <class Number>
-void StressDescent::faceForces(const std::vector<Number>& cellForces, double unit, Vector& result) const
+void StressDescent::faceForces(int f, const std::vector<Number>& cellForces, double unit, double* sum) const
 {
   const int size = facetData();
-  result.resize(std::size_t(faces_->size()) * std::size_t(size));
-  runInRanges(faces_->size(), threads_, [&](int first, int last) {
-    for (int f = first; f < last; ++f) {
-      const StressFace& face = (*faces_)[f];
-      const auto forces = [&](std::size_t side) {
-        return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
-      };
-      double* sum = result.data() + std::ptrdiff_t(f) * size;
-      if (face.turned.rows() > 0) {
-        std::array<double, 18> other{}; // facet data at most
-        std::copy_n(forces(0), size, sum);
-        std::copy_n(forces(1), size, other.begin());
-        face.fromSide(1, other.data(), size, sum);
-      } else if (face.isBoundary())
-        std::copy_n(forces(0), size, sum);
-      else
-        std::transform(forces(0), forces(0) + size, forces(1), sum,
-                       [](Number own, Number other) { return double(own) - double(other); });
-      for (int i = 0; i < size; ++i)
-        sum[i] /= unit;
-    }
-  });
+  const StressFace& face = (*faces_)[f];
+  const auto forces = [&](std::size_t side) {
+    return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
+  };
+  if (face.turned.rows() > 0) {
+    std::array<double, 18> other{}; // facet data at most
+    std::copy_n(forces(0), size, sum);
+    std::copy_n(forces(1), size, other.begin());
+    face.fromSide(1, other.data(), size, sum);
+  } else if (face.isBoundary())
+    std::copy_n(forces(0), size, sum);
+  else
+    std::transform(forces(0), forces(0) + size, forces(1), sum,
+                   [](Number own, Number other) { return double(own) - double(other); });
+  for (int i = 0; i < size; ++i)
+    sum[i] /= unit;
 }
 
 /// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks. Summed
 /// in double precision and rounded once, so that it is the same however cells are shared out.
-void StressDescent::gradientOf(Vector& faceForces, Rounded& gradient) const
+void StressDescent::gradientOf(const StressUnknowns::FaceForces& ofFace, Vector& ofCarriers, Rounded& gradient) const
 {
+  if (comm_.size() == 1) {
+    unknowns_.gradient(ofFace, threads_, ofCarriers, gradient);
+    return;
+  }
   Vector all;
-  unknowns_.gradient(faceForces, threads_, all);
+  unknowns_.gradient(ofFace, threads_, ofCarriers, all);
   sharing_.values().add([this](int block) { return blocks_.placeOf(block); }, all);
   gradient.resize(all.size());
   std::transform(all.begin(), all.end(), gradient.begin(), [](double value) { return float(value); });
@@ -119,7 +117,7 @@ struct StressDescent::Steps
 {
   double force, traction;                      ///< units, of residuals and of directions
   Rounded residual, p, Ap, tractions, ofCells; ///< p, Ap: the direction and what the energy makes of it
-  Vector ofFaces, x;                           ///< forces on faces; the sum of the steps
+  Vector ofCarriers, x;                        ///< forces on the faces' carriers; the sum of the steps
   std::vector<char> still;                     ///< blocks that are held
   double rz = 0.0;
   bool wasStopped = false; ///< the last one, where a facet in contact reached its limit
@@ -177,12 +175,15 @@ StressDescent::Steps StressDescent::begin(const DescentField& field, Vector star
   steps.force = sharing_.unitOf(largestEntry(start));
   steps.traction = steps.force * blocks_.unit();
   steps.still = std::move(still);
-  faceForces(start, steps.force, steps.ofFaces);
-  if (field.traction != nullptr)
-    addOpening(*field.opening, steps.force, steps.ofFaces);
+  gradientOf(
+      [&](int face, double* forces) {
+        faceForces(face, start, steps.force, forces);
+        if (field.traction != nullptr)
+          addOpening(face, *field.opening, steps.force, forces);
+      },
+      steps.ofCarriers, steps.residual);
   const std::size_t size = start.size();
   start = {}; // its memory is needed again
-  gradientOf(steps.ofFaces, steps.residual);
   for (float& value : steps.residual)
     value = -value;
   steps.ofCells.assign(size, 0.0F);
@@ -195,12 +196,11 @@ StressDescent::Steps StressDescent::begin(const DescentField& field, Vector star
 /// What the step lowers the energy by; none where there was no step to take.
 std::optional<double> StressDescent::take(Steps& steps, PressureRoom* room) const
 {
-  auto& [force, traction, residual, p, Ap, tractions, ofCells, ofFaces, x, still, rz, wasStopped] = steps;
+  auto& [force, traction, residual, p, Ap, tractions, ofCells, ofCarriers, x, still, rz, wasStopped] = steps;
   fetch(p);
   unknowns_.tractions(p, threads_, tractions);
   cellForces(tractions, blocks_.unit(), ofCells);
-  faceForces(ofCells, 1.0, ofFaces);
-  gradientOf(ofFaces, Ap);
+  gradientOf([&](int face, double* forces) { faceForces(face, ofCells, 1.0, forces); }, ofCarriers, Ap);
   const double curvature = dotOfAll(p, Ap);
   if (!(curvature > 0.0))
     return std::nullopt;

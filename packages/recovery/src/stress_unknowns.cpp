@@ -20,14 +20,12 @@ void addColumns(const DenseMatrix& columns, const Number* factors, Number* T)
 }
 
 /// sums = columns^T G
-template <class Number>
-void multiplyColumns(const DenseMatrix& columns, const Number* G, Number* sums)
+void multiplyColumns(const DenseMatrix& columns, const double* G, double* sums)
 {
   for (int k = 0; k < columns.cols(); ++k) {
-    double sum = 0.0;
+    sums[k] = 0.0;
     for (int i = 0; i < columns.rows(); ++i)
-      sum += columns(i, k) * double(G[i]);
-    sums[k] = Number(sum);
+      sums[k] += columns(i, k) * G[i];
   }
 }
 
@@ -58,7 +56,7 @@ void StressUnknowns::listPlaces()
   for (const StressEdge& edge : edges_) {
     for (std::size_t s = 0; s < edge.ring.size(); ++s) {
       const StressEdge::Step& step = edge.ring[s];
-      ofEdges_.push_back({step.face, step.through.rows() > 0 ? int(s) : -1, step.sign});
+      ofEdges_.push_back({step.face, step.through != nullptr ? int(s) : -1, step.sign});
       ++firstOfFace_[std::size_t(step.face) + 1];
     }
     firstOfEdge_.push_back(int(ofEdges_.size()));
@@ -113,7 +111,7 @@ std::array<Result, 6> StressUnknowns::amounts(int f, const std::vector<Number>& 
     const Place& place = ofFaces_[std::size_t(at)];
     const Number* z = unknowns.data() + blocks_.ofEdge(std::size_t(place.other));
     if (place.step >= 0) {
-      const DenseMatrix& through = edges_[std::size_t(place.other)].ring[std::size_t(place.step)].through;
+      const DenseMatrix& through = *edges_[std::size_t(place.other)].ring[std::size_t(place.step)].through;
       for (int k = 0; k < through.cols(); ++k)
         for (int i = 0; i < through.rows(); ++i)
           sum[i] += through(i, k) * double(z[k]);
@@ -131,29 +129,28 @@ std::array<Result, 6> StressUnknowns::amounts(int f, const std::vector<Number>& 
   return {Result(sum[0]), Result(sum[1]), Result(sum[2]), Result(sum[3]), Result(sum[4]), Result(sum[5])};
 }
 
-/// What forces on the faces of an edge's ring are for its wrench; ofCarriers: first of what each face has.
+/// What forces on the carriers of an edge's ring are for its wrench.
 template <class Number>
-void StressUnknowns::addForces(int e, const std::vector<Number>& ofCarriers, Number* result) const
+void StressUnknowns::ofEdge(int e, const Vector& ofCarriers, Number* result) const
 {
-  const auto size = std::ptrdiff_t(faces_.cells().facetData());
   const Frame& edge = edgeFrames_[std::size_t(e)];
   double sum[6] = {};
   for (int at = firstOfEdge_[std::size_t(e)]; at < firstOfEdge_[std::size_t(e) + 1]; ++at) {
     const Place& place = ofEdges_[std::size_t(at)];
-    const Number* forces = ofCarriers.data() + place.other * size;
+    const double* forces = ofCarriers.data() + std::ptrdiff_t(place.other) * 6;
     if (place.step >= 0) {
-      const DenseMatrix& through = edges_[std::size_t(e)].ring[std::size_t(place.step)].through;
+      const DenseMatrix& through = *edges_[std::size_t(e)].ring[std::size_t(place.step)].through;
       for (int k = 0; k < through.cols(); ++k)
         for (int i = 0; i < through.rows(); ++i)
-          sum[k] += through(i, k) * double(forces[i]);
+          sum[k] += through(i, k) * forces[i];
       continue;
     }
     const Frame& face = faceFrames_[std::size_t(place.other)];
-    const double scale = place.sign / face.size, M[3] = {double(forces[3]), double(forces[4]), double(forces[5])},
+    const double *M = forces + 3, scale = place.sign / face.size,
                  arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      sum[i] += place.sign * double(forces[i]) + scale * (M[j] * arm[k] - M[k] * arm[j]);
+      sum[i] += place.sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
       sum[3 + i] += scale * edge.size * M[i];
     }
   }
@@ -163,29 +160,33 @@ void StressUnknowns::addForces(int e, const std::vector<Number>& ofCarriers, Num
 }
 
 template <class Number>
-void StressUnknowns::gradient(std::vector<Number>& faceForces, int threads, std::vector<Number>& gradient) const
+void StressUnknowns::gradient(const FaceForces& ofFace, int threads, Vector& ofCarriers,
+                              std::vector<Number>& gradient) const
 {
   const auto size = std::size_t(faces_.cells().facetData());
   gradient.resize(std::size_t(blocks_.size()));
+  ofCarriers.resize(std::size_t(faces_.size()) * 6);
   runInRanges(faces_.size(), threads, [&](int first, int last) {
     for (int f = first; f < last; ++f) {
+      double G[18] = {}, y[18] = {}, *carried = ofCarriers.data() + std::size_t(f) * 6; // facet data at most
+      std::fill_n(carried, 6, 0.0);
       if (!faces_.isNear(f))
         continue;
-      Number *G = faceForces.data() + std::size_t(f) * size, *y = gradient.data() + blocks_.ofFace(f),
-             ofCarriers[6] = {};
+      ofFace(f, G);
       if (isInside_[std::size_t(f)] != 0) {
-        FaceFrameOf<Number>(splits_[std::size_t(f)]).forces(G, y, ofCarriers);
+        FaceFrame(splits_[std::size_t(f)]).forces(G, y, carried);
         std::copy_n(G + StressFace::linear, size - StressFace::linear, y + StressFace::ownLinear);
       } else {
         multiplyColumns(faces_[f].free->own, G, y);
-        multiplyColumns(faces_[f].free->carrier, G, ofCarriers);
+        multiplyColumns(faces_[f].free->carrier, G, carried);
       }
-      std::copy_n(ofCarriers, 6, G);
+      const int begin = blocks_.ofFace(f), end = blocks_.ofFace(f + 1);
+      std::transform(y, y + (end - begin), gradient.data() + begin, [](double value) { return Number(value); });
     }
   });
   runInRanges(int(edges_.size()), threads, [&](int first, int last) {
     for (int e = first; e < last; ++e)
-      addForces(e, faceForces, gradient.data() + blocks_.ofEdge(std::size_t(e)));
+      ofEdge(e, ofCarriers, gradient.data() + blocks_.ofEdge(std::size_t(e)));
   });
 }
 
@@ -193,6 +194,7 @@ template void StressUnknowns::tractions(const Vector&, int, Vector&) const;
 template void StressUnknowns::tractions(const std::vector<float>&, int, std::vector<float>&) const;
 template void StressUnknowns::tractionsOf(int, const std::vector<float>&, double*) const;
 template void StressUnknowns::tractionsOf(int, const Vector&, double*) const;
-template void StressUnknowns::gradient(Vector&, int, Vector&) const;
+template void StressUnknowns::gradient(const FaceForces&, int, Vector&, Vector&) const;
+template void StressUnknowns::gradient(const FaceForces&, int, Vector&, std::vector<float>&) const;
 
 } // namespace ndframe

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <functional>
+
 #include "stress_blocks.hpp"
 
 namespace ndframe
@@ -18,9 +20,12 @@ public:
   /// The same of one face.
   template <class Number, class Result>
   void tractionsOf(int face, const std::vector<Number>& unknowns, Result* T) const;
-  /// By the unknowns, from that by the tractions of the faces that an own cell has, which are overwritten.
+  /// What is known by the tractions of a face: forces on them, facet data of them. Any thread may ask.
+  using FaceForces = std::function<void(int face, double* forces)>;
+  /// By the unknowns, from that by the tractions of the faces that an own cell has. ofCarriers: room for six numbers a
+  /// face. Gradient: float (rounded once) or double.
   template <class Number>
-  void gradient(std::vector<Number>& faceForces, int threads, std::vector<Number>& gradient) const;
+  void gradient(const FaceForces& ofFace, int threads, Vector& ofCarriers, std::vector<Number>& gradient) const;
 
 private:
   /// Where a face or an edge is, and its size: wrenches are about the point, moments over the size.
@@ -40,7 +45,7 @@ private:
   template <class Number, class Result>
   std::array<Result, 6> amounts(int face, const std::vector<Number>& unknowns) const;
   template <class Number>
-  void addForces(int edge, const std::vector<Number>& ofCarriers, Number* sum) const;
+  void ofEdge(int edge, const Vector& ofCarriers, Number* result) const;
   FaceFrame split(int face, double /*one*/) const { return faces_[face].frame(); }
   const FaceFrameOf<float>& split(int face, float /*one*/) const { return splits_[std::size_t(face)]; }
 
