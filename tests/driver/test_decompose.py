@@ -8,6 +8,9 @@ import sys
 import tempfile
 import unittest
 
+import netCDF4
+import numpy
+
 NDFRAME, DECKS, MPIEXEC = sys.argv[1], pathlib.Path(sys.argv[2]), sys.argv[3]
 
 
@@ -55,9 +58,59 @@ class Decompose(unittest.TestCase):
     def test_sides_that_are_cut_and_a_rigid_body(self):
         self.the_same_answer("rigid-cylinder", 2)
 
+    def test_a_body_alone(self):
+        self.the_same_answer("beam-3d", 3)
+
+    def places(self, body, pieces, piece, side):
+        """The vertices that a piece has of a side, and the number of its elements."""
+        with netCDF4.Dataset(self.folder / f"punch-3d.{body}.e.{pieces}.{piece}") as file:
+            if "num_nodes" not in file.dimensions:
+                return set(), 0
+            points = numpy.array([file[f"coord{axis}"][:] for axis in "xyz"]).T
+            names = [row.tobytes().split(b"\0")[0].decode() for row in file["ss_names"][:]]
+            number = names.index(side) + 1
+            if f"elem_ss{number}" not in file.variables:
+                return set(), file.dimensions["num_elem"].size
+            cells = file["connect1"][:][file[f"elem_ss{number}"][:] - 1]
+            local = numpy.array([(0, 1, 3), (1, 2, 3), (0, 2, 3), (0, 1, 2)])[file[f"side_ss{number}"][:] - 1]
+            return ({tuple(points[node - 1]) for node in numpy.take_along_axis(cells, local, 1).flat},
+                    file.dimensions["num_elem"].size)
+
+    def test_what_touches_is_in_one_piece(self):
+        """Pieces with one number are one part of the scene, about as large as the others; of a body some are empty."""
+        pieces, settings = 8, ["--set", "Bodies/punch/Mesh/Cells={6, 6, 6}", "--set", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]
+        self.call("punch-3d", *settings, "--decompose", str(pieces))
+        sizes, above, below, common = [], [], [], 0
+        for piece in range(pieces):
+            (punch, ours), (foundation, theirs) = self.places("punch", pieces, piece, "bottom"), self.places("foundation", pieces, piece, "contact")
+            sizes.append((ours, theirs))
+            above.append(punch)
+            below.append(foundation)
+            common += len(punch & foundation)
+        self.assertIn(0, [size for pair in sizes for size in pair])
+        self.assertLess(max(map(sum, sizes)), 1.3 * sum(map(sum, sizes)) / pieces)
+        self.assertEqual(set.union(*above), set.union(*below))
+        self.assertGreater(common, 0.5 * sum(map(len, above)))  # a cell belongs to the piece of one of its vertices
+
+    def test_vtk_opens_all_pieces_with_an_empty_one(self):
+        try:
+            from vtkmodules.vtkIOIOSS import vtkIOSSReader
+        except ImportError:
+            self.skipTest("VTK is not installed")
+        self.call("punch-3d", "--set", "Bodies/punch/Mesh/Cells={6, 6, 6}", "--set", "Bodies/foundation/Mesh/Cells={12, 12, 6}",
+                  "--decompose", "8")
+        sizes = [self.places("punch", 8, piece, "bottom")[1] for piece in range(8)]
+        reader = vtkIOSSReader()
+        reader.SetScanForRelatedFiles(True)
+        reader.SetFileName(str(self.folder / f"punch-3d.punch.e.8.{sizes.index(0)}"))
+        reader.Update()
+        block = reader.GetOutputDataObject(0).GetPartitionedDataSet(0)
+        parts = [block.GetPartition(piece) for piece in range(block.GetNumberOfPartitions())]
+        self.assertEqual(sum(part.GetNumberOfCells() for part in parts if part), sum(sizes))
+
     def test_too_many_pieces_are_refused(self):
-        done = self.call("punch", "--set", "Bodies/punch/Mesh/Cells={1, 1}", "--decompose", "9", code=2)
-        self.assertRegex(done.stderr, r'"punch" has \d cells, too few for 9 pieces\.')
+        done = self.call("punch", "--decompose", "999999", code=2)
+        self.assertRegex(done.stderr, r"Bodies:? have [\d ]+ cells together, too few for 999999 pieces\.")
         self.assertEqual(list(self.folder.iterdir()), [])
 
     def test_groups_that_overlap_are_refused(self):

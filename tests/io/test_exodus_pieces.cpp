@@ -57,6 +57,22 @@ TEST(ShareCells, GivesEveryPieceACell)
   }
 }
 
+TEST(CellsOfPieces, GivesACellToThePieceOfItsLowestVertexAndPerhapsNothingToAnother)
+{
+  const TwoBodies two;
+  std::vector<std::vector<int>> pieces;
+  for (const ExodusBody& body : two.bodies)
+    pieces.emplace_back(std::size_t(body.mesh->numPoints()), 3);
+  pieces[0][std::size_t(two.first.cell(0)[0])] = 1;
+  const ExodusSharing sharing = cellsOfPieces(two.bodies, 5, pieces);
+  EXPECT_EQ(sharing.pieces, 5);
+  EXPECT_EQ(numCellsOf(sharing, 1) + numCellsOf(sharing, 3), 8);
+  for (int cell = 0; cell < two.first.numCells(); ++cell) {
+    const int lowest = *std::min_element(two.first.cell(cell), two.first.cell(cell) + 3);
+    EXPECT_EQ(sharing.owner[0][std::size_t(cell)], pieces[0][std::size_t(lowest)]);
+  }
+}
+
 TEST(ShareCells, RefusesMorePiecesThanCells)
 {
   const TwoBodies two;

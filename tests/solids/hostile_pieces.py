@@ -1,6 +1,6 @@
 """Pieces of meshes with something wrong: hostile_pieces.py NDFRAME [--scenes N] [--seed FIRST].
 
-Random changes of the pieces of a punch (numbers of nodes and elements, coordinates, cells, side sets, names, bytes) on one process, which
+Random changes of the pieces of the body below a punch (numbers of nodes and elements, coordinates, cells, side sets, names, bytes) on one process, which
 joins them, and on two ranks, which read a piece each: both refuse with the same message, or give the same answer. No run ends as a bug.
 Prints what differs, and how many scenes were refused and answered.
 """
@@ -50,7 +50,7 @@ NUMBERS = (-1, 0, -(2**31), 2**31 - 1)
 
 
 def changes(draw, files):
-    side = f"ss{draw.randint(1, 6)}"
+    side = f"ss{draw.randint(1, 10)}"
     number = lambda values: draw.choice((*NUMBERS, some(draw, values)))
     return {
         "nodes alike": lambda: renumber_alike(draw, files, "node_num_map"),
@@ -69,7 +69,7 @@ def changes(draw, files):
 
 def damage(draw, folder):
     """What was changed."""
-    pieces = sorted(folder.glob("*.punch.e.2.*"))
+    pieces = sorted(folder.glob("*.foundation.e.2.*"))
     kind = draw.choice(("bytes", "twice", *(name for name in changes(draw, [])),))
     if kind == "bytes":
         path = draw.choice(pieces)
@@ -91,7 +91,7 @@ def damage(draw, folder):
 
 def message(run):
     """What the screen says of the mistake."""
-    return re.findall(r"(?m)^.*Bodies/punch.*$", run.screen)
+    return re.findall(r"(?m)^.*Bodies/foundation.*$", run.screen)
 
 
 def judge(program, seed):

@@ -11,6 +11,7 @@
 #include "ndframe/io/exodus_pieces.hpp"
 #include "ndframe/report/outputs.hpp"
 #include "ndframe/scene/read_meshes.hpp"
+#include "ndframe/scene/vertex_pieces.hpp"
 
 namespace ndframe
 {
@@ -42,23 +43,31 @@ std::vector<ExodusPart> blocksOf(const BodySettings& body, const Mesh& mesh)
   return blocks;
 }
 
-void refuseWhatCannotBe(const BodySettings& body, const Mesh& mesh, int pieces)
+void refuseWhatCannotBe(const SceneSettings& scene, const std::vector<const Mesh*>& meshes, int pieces)
 {
-  if (body.shape.get<std::string>("Type") == "Tied")
-    throw InputError(body.shape.mistake(
-        "", "several bodies are tied to one here; decompose the deck without Tied interfaces, which can be tied after "
-            "that."));
-  if (mesh.numCells() < pieces)
-    throw InputError(body.shape.mistake(
-        "", fmt::format("\"{}\" has {} cells, too few for {} pieces.", body.name, mesh.numCells(), pieces)));
+  std::int64_t cells = 0;
+  for (std::size_t b = 0; b < meshes.size(); ++b) {
+    if (meshes[b] == nullptr)
+      continue;
+    const Params& shape = scene.bodies[b].shape;
+    if (shape.get<std::string>("Type") == "Tied")
+      throw InputError(shape.mistake(
+          "", "several bodies are tied to one here; decompose the deck without Tied interfaces, which can be tied "
+              "after that."));
+    cells += meshes[b]->numCells();
+  }
+  if (cells < pieces)
+    throw InputError(
+        scene.bodiesPlace.mistake("", fmt::format("have {} cells together, too few for {} pieces.", cells, pieces)));
 }
 
 /// Writes all pieces of a mesh; they appear when the last one is complete.
-void writePieces(const std::string& path, const BodySettings& body, const Mesh& mesh, int pieces)
+void writePieces(const std::string& path, const BodySettings& body, const Mesh& mesh,
+                 const std::vector<int>& pieceOfVertex, int pieces)
 {
   const NodeMap nodes = makeNodeMap(mesh, 1);
   const std::vector<ExodusBody> bodies{{"", &mesh, &nodes, blocksOf(body, mesh)}};
-  const ExodusSharing sharing = shareCells(bodies, pieces);
+  const ExodusSharing sharing = cellsOfPieces(bodies, pieces, {pieceOfVertex});
   std::vector<std::unique_ptr<PendingFile>> files;
   for (int piece = 0; piece < pieces; ++piece)
     files.push_back(std::make_unique<PendingFile>(pieceName(path, pieces, piece), [&](const std::string& temporary) {
@@ -69,11 +78,11 @@ void writePieces(const std::string& path, const BodySettings& body, const Mesh& 
 }
 
 /// The pieces of a body's mesh as drawn, and the settings that make the deck read them, whose Refine stays.
-std::string writeBody(const BodySettings& body, const Mesh& mesh, int pieces, const std::string& stem)
+std::string writeBody(const BodySettings& body, const Mesh& mesh, const std::vector<int>& pieceOfVertex, int pieces,
+                      const std::string& stem)
 {
-  refuseWhatCannotBe(body, mesh, pieces);
   const std::string path = fmt::format("{}.{}.e", stem, body.name);
-  writePieces(path, body, mesh, pieces);
+  writePieces(path, body, mesh, pieceOfVertex, pieces);
   return fmt::format(" \\\n    --set \"Bodies/{0}/Mesh/Type=Exodus\" --set \"Bodies/{0}/Mesh/File={1}.{2}\"", body.name,
                      path, pieces);
 }
@@ -83,15 +92,23 @@ std::string writeBody(const BodySettings& body, const Mesh& mesh, int pieces, co
 std::string decompose(const RunSettings& settings, int pieces, const Components& components,
                       const std::string& deckName, const Comm& comm)
 {
+  const SceneSettings& scene = settings.scene;
   Model model;
   Ledger ledger;
-  updateMeshes(model, settings.scene, components, comm, ledger);
+  updateMeshes(model, scene, components, comm, ledger);
   std::string text;
   writeOnFirstRank(comm, [&] {
+    std::vector<const Mesh*> meshes;
+    for (std::size_t b = 0; b < model.bodies.size(); ++b) {
+      const BodyModel& body = model.bodies[b];
+      meshes.push_back(scene.bodies[b].isRigid ? nullptr : body.drawn ? body.drawn.get() : &body.mesh);
+    }
+    refuseWhatCannotBe(scene, meshes, pieces);
+    const std::vector<std::vector<int>> pieceOfVertex = piecesOfVertices(meshes, scene, pieces);
     const std::string stem = outputStem(settings.output, deckName).string();
-    for (std::size_t b = 0; b < model.bodies.size(); ++b)
-      if (const BodyModel& body = model.bodies[b]; !settings.scene.bodies[b].isRigid)
-        text += writeBody(settings.scene.bodies[b], body.drawn ? *body.drawn : body.mesh, pieces, stem);
+    for (std::size_t b = 0; b < meshes.size(); ++b)
+      if (meshes[b] != nullptr)
+        text += writeBody(scene.bodies[b], *meshes[b], pieceOfVertex[b], pieces, stem);
   });
   return fmt::format("  wrote {} piece{} of each mesh; the deck reads them with{}", pieces, pieces == 1 ? "" : "s",
                      text);

@@ -37,7 +37,7 @@ bool isPieceOf(const std::string& whole, const std::string& name)
   return pieces && piece && *piece < *pieces && name == pieceName(whole, *pieces, *piece);
 }
 
-/// A piece without cells gets one of the largest piece: readers expect the variables of the nodes in every piece.
+/// A piece without cells gets one of the largest piece.
 void fillEmptyPieces(ExodusSharing& sharing)
 {
   std::vector<int> cells(std::size_t(sharing.pieces), 0);
@@ -68,23 +68,34 @@ std::vector<ExodusStep> restricted(const std::vector<ExodusStep>& steps, const P
 
 } // namespace
 
+ExodusSharing cellsOfPieces(const std::vector<ExodusBody>& bodies, int pieces,
+                            const std::vector<std::vector<int>>& pieceOfVertex)
+{
+  ExodusSharing sharing{pieces, {}};
+  for (std::size_t b = 0; b < bodies.size(); ++b) {
+    const Mesh& mesh = *bodies[b].mesh;
+    sharing.owner.emplace_back();
+    for (int cell = 0; cell < mesh.numCells(); ++cell) {
+      const int lowest = *std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1);
+      sharing.owner.back().push_back(pieceOfVertex[b][std::size_t(lowest)]);
+    }
+  }
+  return sharing;
+}
+
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces,
                          const std::vector<std::vector<int>>& pieceOfVertex)
 {
-  ExodusSharing sharing{pieces, {}};
+  std::vector<std::vector<int>> own;
   std::size_t cells = 0;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Mesh& mesh = *bodies[b].mesh;
-    const std::vector<int> owner =
-        pieceOfVertex.empty() ? partitionNodes(mesh.cells, mesh.dim + 1, mesh.numPoints(), pieces) : pieceOfVertex[b];
-    sharing.owner.emplace_back();
+  for (const ExodusBody& body : bodies) {
+    const Mesh& mesh = *body.mesh;
     cells += std::size_t(mesh.numCells());
-    for (int cell = 0; cell < mesh.numCells(); ++cell) {
-      const int lowest = *std::min_element(mesh.cell(cell), mesh.cell(cell) + mesh.dim + 1);
-      sharing.owner.back().push_back(owner[std::size_t(lowest)]);
-    }
+    if (pieceOfVertex.empty())
+      own.push_back(partitionNodes(mesh.cells, mesh.dim + 1, mesh.numPoints(), pieces));
   }
   NDFRAME_ASSERT(cells >= std::size_t(pieces), "a piece has a cell");
+  ExodusSharing sharing = cellsOfPieces(bodies, pieces, pieceOfVertex.empty() ? own : pieceOfVertex);
   fillEmptyPieces(sharing);
   return sharing;
 }

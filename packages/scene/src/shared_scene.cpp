@@ -7,7 +7,6 @@
 
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/base/grouped.hpp"
-#include "ndframe/mesh/partition.hpp"
 #include "ndframe/scene/joined_vertices.hpp"
 
 namespace ndframe
@@ -28,27 +27,18 @@ std::vector<int> drawnBodies(const SceneSettings& scene)
 /// Who owns the drawn vertices of the bodies that are not rigid.
 std::vector<DrawnOwners> shareOut(const DrawnScene& scene, const std::vector<int>& bodies, int ranks)
 {
-  constexpr double most = 1e9; // METIS adds them up in 32 bits
   const Model& drawn = *scene.model;
   const JoinedVertices joined = joinedVertices(drawn, bodies);
-  std::vector<double> counts(std::size_t(joined.count), 0.0);
-  std::vector<int> cells, weights;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    scene.numbers[std::size_t(bodies[b])].countNodes(joined.numbers[b], counts);
-    for (const int point : drawn.bodies[std::size_t(bodies[b])].mesh.cells)
-      cells.push_back(joined(b, point));
+  std::vector<const Mesh*> meshes;
+  std::vector<const RefinedNumbers*> numbers;
+  for (const int body : bodies) {
+    meshes.push_back(&drawn.bodies[std::size_t(body)].mesh);
+    numbers.push_back(&scene.numbers[std::size_t(body)]);
   }
-  const double scale = std::min(1.0, most / std::accumulate(counts.begin(), counts.end(), 0.0));
-  for (const double count : counts)
-    weights.push_back(std::max(1, int(scale * count)));
-  const int perCell = drawn.bodies[std::size_t(bodies.front())].mesh.dim + 1;
-  const std::vector<int> rank = partitionNodes(cells, perCell, joined.count, ranks, weights);
+  std::vector<std::vector<int>> rankOf = partitionJoined(joined, meshes, numbers, ranks);
   std::vector<DrawnOwners> owners;
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    owners.push_back({joined.numbers[b], {}});
-    for (const int number : joined.numbers[b])
-      owners.back().ranks.push_back(rank[std::size_t(number)]);
-  }
+  for (std::size_t b = 0; b < bodies.size(); ++b)
+    owners.push_back({joined.numbers[b], std::move(rankOf[b])});
   return owners;
 }
 

@@ -14,13 +14,18 @@ namespace ndframe
 /// Which piece of a scene each cell belongs to: one piece for each process of a run.
 struct ExodusSharing
 {
-  int pieces = 1;                      ///< how many; each has a cell
+  int pieces = 1;                      ///< how many
   std::vector<std::vector<int>> owner; ///< per body and cell, the piece, from 0
 };
 
-/// A cell belongs to the piece of its lowest node, which is a vertex. pieceOfVertex: per body and vertex; empty: each
-/// body's vertices are shared out by mesh/partition.hpp. A piece that would have no cell gets one of the largest piece.
-/// There must be as many cells as pieces.
+/// A cell belongs to the piece of its lowest node, which is a vertex. pieceOfVertex: per body and vertex. Pieces may
+/// have no cells: for meshes without fields.
+ExodusSharing cellsOfPieces(const std::vector<ExodusBody>& bodies, int pieces,
+                            const std::vector<std::vector<int>>& pieceOfVertex);
+
+/// The same for pieces with fields: one that would have no cell gets one of the largest piece, as readers expect the
+/// variables of the nodes in every piece. pieceOfVertex: empty: each body's vertices are shared out by
+/// mesh/partition.hpp. There must be as many cells as pieces.
 ExodusSharing shareCells(const std::vector<ExodusBody>& bodies, int pieces,
                          const std::vector<std::vector<int>>& pieceOfVertex = {});
 
