@@ -200,7 +200,7 @@ std::optional<double> StressDescent::take(Steps& steps, PressureRoom* room) cons
   fetch(p);
   unknowns_.tractions(p, threads_, tractions);
   cellForces(tractions, blocks_.unit(), ofCells);
-  gradientOf([&](int face, double* forces) { faceForces(face, ofCells, 1.0, forces); }, ofCarriers, Ap);
+  gradientOf([&](int face, double* forces) { faceForces(face, steps.ofCells, 1.0, forces); }, ofCarriers, Ap);
   const double curvature = dotOfAll(p, Ap);
   if (!(curvature > 0.0))
     return std::nullopt;
