@@ -84,10 +84,11 @@ def numbers(summary):
         yield "force", "contact force", interface["contact_force"]
         yield "nodes", "nodes", interface["nodes"]
     for probe in summary.get("probes", []):
-        for k, value in enumerate(probe["displacement"]):
-            yield "displacement", f"{probe['name']} displacement {k}", value
-        for key, value in probe.get("stress", {}).items():
-            yield "stress", f"{probe['name']} stress {key}", value
+        for place in probe.get("points", [probe]):
+            for k, value in enumerate(place["displacement"]):
+                yield "displacement", f"{probe['name']} displacement {k}", value
+            for key, value in place.get("stress", {}).items():
+                yield "stress", f"{probe['name']} stress {key}", value
         for k, value in enumerate([*probe.get("force", ()), *probe.get("moment", ())]):
             yield "stress", f"{probe['name']} force {k}", value
 
@@ -240,7 +241,7 @@ def judge(program, seed):
     about = f"{seed}: {kind}, {ranks} ranks, {' '.join(given)}"
     with tempfile.TemporaryDirectory() as folder:
         deck = write_scene(folder, *pair, settings)
-        if more != "tied" and not isPlain:
+        if more != "tied":
             add_probes(deck, draw, pair)
         read = arePieces and in_pieces(program, deck, ranks * other.choice((1, 1, 2)))
         one, shared = program.run(deck, *given), program.run(deck, *given, *(read or ()), ranks=ranks)

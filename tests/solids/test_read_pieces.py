@@ -16,10 +16,12 @@ import numpy
 
 sys.path.append(str(pathlib.Path(__file__).parent.parent / "accuracy"))
 from runs import Program
-from shared_solids import difference, in_pieces
+from shared_solids import EXACT, difference, in_pieces
 from shares_test import DECKS, MPIEXEC, NDFRAME, SharesTest, add
 
 CELLS = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]  # 1526 vertices
+COARSE = ["Bodies/punch/Mesh/Cells={4, 4, 4}", "Bodies/foundation/Mesh/Cells={8, 8, 4}"]
+REFINED = ["Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1"]
 GIVEN = ["Linear Solver/Type=Multigrid", "Output/Exodus=false"]
 CERTIFIED = ["Error Estimation/Estimators={Global}", "Error Estimation/Check Equilibrium=true"]
 
@@ -47,6 +49,10 @@ class Pieces(SharesTest):
         one = self.program.run(deck, *drawn, *settings, *GIVEN)
         shared = self.program.run(deck, *settings, *GIVEN, *read, ranks=ranks)
         self.assertIsNone(difference(one, shared), shared.screen)
+        self.assertAlmostEqual(shared.summary["energy"] / one.summary["energy"], 1.0, delta=1e-10)
+        if one.summary["errors"] is not None:
+            bounds = [run.summary["errors"]["global"]["relative"] for run in (one, shared)]
+            self.assertAlmostEqual(*bounds, delta=1e-8 * bounds[0] + EXACT)
         self.assertEqual(self.piecesOf(shared), bodies * pieces // ranks if areRead else 0, shared.screen)
         self.assertEqual(len(re.findall(f"(read|made) [a-z ]*by the {ranks} processes", shared.screen)), bodies if areRead else 0, shared.screen)
         return shared
@@ -86,8 +92,7 @@ class Pieces(SharesTest):
         self.compare(self.bare("punch-3d"), 3, 3, *CERTIFIED, drawn=CELLS)
 
     def test_refined(self):
-        self.compare(self.bare("punch-3d"), 2, 2, "Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1", *CERTIFIED,
-                     drawn=["Bodies/punch/Mesh/Cells={4, 4, 4}", "Bodies/foundation/Mesh/Cells={8, 8, 4}"])
+        self.compare(self.bare("punch-3d"), 2, 2, *REFINED, *CERTIFIED, drawn=COARSE)
 
     def test_one_body_alone(self):
         self.compare(self.bare("beam-3d"), 2, 2, *CERTIFIED, bodies=1, drawn=["Bodies/beam/Mesh/Cells={12, 6, 6}"])
@@ -152,9 +157,66 @@ class Pieces(SharesTest):
         root = self.bare("punch-3d")
         self.compare(root, 4, 3, drawn=CELLS, areRead=False)  # not as many for each
         self.compare(root, 2, 2, drawn=["Bodies/punch/Mesh/Cells={2, 2, 2}", "Bodies/foundation/Mesh/Cells={4, 4, 2}"], areRead=False)
+
+    @staticmethod
+    def probed(root, *places):
+        """Points and lines (From, To) of the bodies."""
         probes = add(add(root, "Output"), "Probes")
-        add(probes, "inside", Body="punch", At=[0.5, 0.5, 0.5])
-        self.compare(root, 2, 2, drawn=CELLS, areRead=False)
+        for k, (body, *ends) in enumerate(places):
+            add(probes, f"probe {k}", Body=body, **({"At": ends[0]} if len(ends) == 1 else {"From": ends[0], "To": ends[1], "Points": 41}))
+        return root
+
+    def test_probes(self):
+        """At a vertex, in a cell, on a facet and an edge inside, at contact, and along lines through both bodies."""
+        inside = [("punch", [0.5, 0.5, 0.5]), ("punch", [0.41, 0.37, 0.43]), ("foundation", [1.0, 1.0, -0.5]), ("foundation", [0.7, 0.75, -0.61])]
+        border = [("punch", [0.3, 0.3, 0.0]), ("foundation", [0.3, 0.3, 0.0])]
+        lines = [("punch", [0.01, 0.02, 0.0], [0.9, 1.0, 0.97]), ("foundation", [0.1, 0.1, 0.0], [2.0, 2.0, -1.0])]
+        root = self.probed(self.bare("punch-3d"), *inside, *border, *lines)
+        for pieces, ranks in ((2, 2), (6, 3)):
+            shared = self.compare(root, pieces, ranks, drawn=CELLS)
+            self.assertEqual(len(shared.summary["probes"]), 8)
+        self.compare(root, 2, 2, *REFINED, *CERTIFIED, drawn=COARSE)
+
+    def test_probes_outside(self):
+        for wrong in ([("punch", [0.5, 0.5, 1.5])], [("foundation", [0.5, 0.5, -0.5], [0.5, 0.5, 0.5])], [("punch", [0.5, 0.5, -1e-3])]):
+            self.refused_alike(self.probed(self.bare("punch-3d"), *wrong), "outside of")
+        self.refused_alike(self.probed(self.bare("punch-3d"), ("punch", [0.5, 0.5])), "At has 2 coordinates and the body 3 dimensions")
+
+    def pinned(self, *points):
+        """The punch stands on points (place, and the displacements there) instead of its rollers."""
+        root = self.bare("punch-3d")
+        supports = root.find("*[@name='Bodies']/*[@name='punch']/*[@name='Supports']")
+        for support in list(supports):
+            supports.remove(support)
+        for k, (place, values) in enumerate(points):
+            add(supports, f"point {k}", Type="Point", At=place, **values)
+        return root
+
+    def test_supports_of_points(self):
+        root = self.pinned(([0.0, 0.0, 1.0], {"X": "0", "Y": "0"}), ([1.0, 0.0, 1.0], {"Y": "1e-3*x"}))
+        inside = self.pinned(([0.5, 0.5, 0.5], {"X": "0", "Y": "0"}), ([0.5, 1.0 / 3.0, 0.5], {"X": "0"}))
+        for deck in (root, inside):
+            self.compare(deck, 2, 2, drawn=CELLS)
+            self.compare(deck, 3, 3, *CERTIFIED, drawn=CELLS)
+        self.compare(self.pinned(([0.5, 0.5, 0.5], {"X": "0", "Y": "0"}), ([0.5, 0.25, 0.5], {"X": "0"})), 2, 2, *REFINED, drawn=COARSE)
+
+    def test_points_where_no_vertex_is(self):
+        held = ([0.0, 0.0, 1.0], {"X": "0", "Y": "0"})
+        self.refused_alike(self.pinned(held, ([0.51, 0.5, 0.5], {"Y": "0"})), "no vertex of the mesh lies within")
+        self.refused_alike(self.pinned(held, ([0.5, 0.5], {"Y": "0"})), "At has 2 coordinates and the body 3 dimensions")
+        self.refused_alike(self.pinned(held, ([0.0, 0.0, 0.5], {"X": "0"})), "")  # turns about z: a rigid motion is free
+
+    def refused_alike(self, root, message):
+        """In the words of one process."""
+        read = self.decomposed(self.deck(self.bare("punch-3d")), 2, *CELLS)
+        deck = self.deck(root)
+        one, several = (self.program.run(deck, *GIVEN, *read, ranks=ranks) for ranks in (1, 2))
+        said = [re.findall(r"(?m)^.*scene\.xml:\d+: .*$", run.screen) for run in (one, several)]
+        self.assertEqual(one.code, 2, one.screen)
+        self.assertEqual(several.code, 2, several.screen)
+        self.assertEqual(*said)
+        self.assertEqual(len(said[0]), 1, one.screen)
+        self.assertIn(message, said[0][0])
 
     def refused(self, message, damage):
         """What is wrong with pieces is said as it is where they are read as a whole."""

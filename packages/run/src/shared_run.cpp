@@ -72,11 +72,20 @@ bool pushInside(const Model& model)
   return false;
 }
 
-/// What nothing but the boundaries of the bodies says.
-bool asksInside(const RunSettings& settings)
+/// Per body the points of its probes.
+std::vector<AskedPoints> probedPoints(const RunSettings& settings)
 {
-  const std::vector<ProbeOptions>& probes = settings.output.probes;
-  return std::any_of(probes.begin(), probes.end(), [](const ProbeOptions& probe) { return !probe.wanted().empty(); });
+  std::vector<AskedPoints> points;
+  for (const BodySettings& body : settings.scene.bodies) {
+    points.emplace_back();
+    for (const ProbeOptions& probe : settings.output.probes)
+      if (probe.body == body.name) {
+        points.back().tolerance = std::max(points.back().tolerance, probe.tolerance);
+        for (std::vector<double>& at : probe.wanted())
+          points.back().inCells.push_back(std::move(at));
+      }
+  }
+  return points;
 }
 
 bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
@@ -182,7 +191,7 @@ SceneToShare sceneToShare(const Model& known, const RunTools& tools)
   if (tools.settings.accuracy || !mayBeShared(tools) || isKnown(known, scene))
     return {};
   if (std::optional<DrawnPieces> pieces =
-          asksInside(tools.settings) ? std::nullopt : readPieces(scene, tools.components, tools.comm, tools.ledger))
+          readPieces(scene, tools.components, probedPoints(tools.settings), tools.comm, tools.ledger))
   {
     SceneToShare toShare = sceneOf([&] { return outerScene(*pieces); }, {}, tools);
     toShare.pieces = std::move(pieces);

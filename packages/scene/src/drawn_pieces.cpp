@@ -28,16 +28,23 @@ struct Partner
   Number firstVertex;
 };
 
-/// Nothing is asked of the inside of a body.
+/// Nothing is asked of the inside of a body but at points.
 bool knowsSidesOnly(const BodySettings& body, const SceneComponents& components)
 {
-  const auto isOfSide = [&](const Params& list) {
-    const auto support = components.supports.build(list);
-    return !support->holdsPoint() && !support->holdsMeanMotion();
-  };
   const bool hasMaterial = body.regions.empty() || body.material; // else cells without one have to be told
-  return hasMaterial && std::all_of(body.supports.begin(), body.supports.end(), isOfSide) &&
-         std::none_of(body.loads.begin(), body.loads.end(), [](const Params& load) { return load.has("At"); });
+  return hasMaterial && std::none_of(body.supports.begin(), body.supports.end(), [&](const Params& list) {
+           return components.supports.build(list)->holdsMeanMotion();
+         });
+}
+
+/// The points that supports hold.
+std::vector<std::vector<double>> heldPoints(const BodySettings& body)
+{
+  std::vector<std::vector<double>> points;
+  for (const Params& support : body.supports)
+    if (support.has("At"))
+      points.push_back(support.get<std::vector<double>>("At"));
+  return points;
 }
 
 /// Bodies that touch are halved as often; none touches itself.
@@ -172,8 +179,8 @@ private:
 
 } // namespace
 
-std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
-                                      Ledger& ledger)
+std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components,
+                                      std::vector<AskedPoints> points, const Comm& comm, Ledger& ledger)
 {
   const bool isKnown = std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySettings& body) {
     return body.isRigid || knowsSidesOnly(body, components);
@@ -190,10 +197,11 @@ std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneCom
     pieces.bodies.emplace_back();
     if (body.isRigid)
       continue;
+    points[b].nearVertices = heldPoints(body);
+    const PieceSettings settings{contactSides(scene, body.name), std::move(points[b]), halvingsOf(body.shape),
+                                 !body.shape.get<std::vector<std::string>>("Blocks").empty()};
     const auto source = components.meshSources.build(body.shape);
-    const bool choosesBlocks = !body.shape.get<std::vector<std::string>>("Blocks").empty();
-    pieces.bodies[b] = sharedPieces(readOwn(source->drawn(), counts[b], comm), contactSides(scene, body.name),
-                                    halvingsOf(body.shape), choosesBlocks, comm);
+    pieces.bodies[b] = sharedPieces(readOwn(source->drawn(), counts[b], comm), settings, comm);
     if (!pieces.bodies[b])
       return std::nullopt;
     addCellsAtContact(*pieces.bodies[b], comm);
@@ -209,9 +217,10 @@ DrawnScene outerScene(DrawnPieces& pieces)
     drawn.asked.push_back(body ? body->halvings : 0);
     drawn.inside.push_back(body ? InsideOfBody{body->measure, body->cellsOfKinds} : InsideOfBody{});
     drawn.meshes.push_back(body ? std::move(body->outer.mesh) : Mesh());
-    drawn.numbers.push_back(
-        body ? RefinedNumbers(drawn.meshes.back(), body->halvings, {body->cells, body->counts, {}, {}})
-             : RefinedNumbers(Mesh(), 0));
+    drawn.numbers.push_back( // of vertices alone
+        body
+            ? RefinedNumbers(drawn.meshes.back(), body->halvings, {body->cells, body->counts, {body->outer.points}, {}})
+            : RefinedNumbers(Mesh(), 0));
   }
   drawn.halvings = drawn.asked;
   drawn.before.resize(drawn.meshes.size());

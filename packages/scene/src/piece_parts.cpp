@@ -1,6 +1,7 @@
 #include "piece_parts.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "ndframe/algebra/common_numbers.hpp"
@@ -10,6 +11,7 @@
 #include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/base/ascending.hpp"
 #include "ndframe/mesh/boundary.hpp"
+#include "ndframe/mesh/cells_of_points.hpp"
 
 namespace ndframe
 {
@@ -56,6 +58,66 @@ NumberedMesh joinedWith(const NumberedMesh& own, const std::vector<std::string>&
   return joined(parts);
 }
 
+/// The diagonal of the box around the parts of all ranks.
+double diameterOfAll(const Mesh& mesh, const Comm& comm)
+{
+  Vector low(std::size_t(mesh.dim), INFINITY), high(std::size_t(mesh.dim), -INFINITY);
+  for (int point = 0; point < mesh.numPoints(); ++point)
+    for (std::size_t k = 0; k < low.size(); ++k) {
+      low[k] = std::min(low[k], mesh.point(point)[k]);
+      high[k] = std::max(high[k], mesh.point(point)[k]);
+    }
+  takeExtremes(low, high, comm);
+  double squares = 0.0;
+  for (std::size_t k = 0; k < low.size(); ++k)
+    squares += (high[k] - low[k]) * (high[k] - low[k]);
+  return std::sqrt(squares);
+}
+
+/// The first of the vertices nearest to a point.
+int nearestVertex(const Mesh& mesh, const std::vector<double>& at)
+{
+  int nearest = 0;
+  double least = INFINITY;
+  for (int point = 0; point < mesh.numPoints(); ++point) {
+    double squared = 0.0;
+    for (std::size_t k = 0; k < at.size(); ++k)
+      squared += (mesh.point(point)[k] - at[k]) * (mesh.point(point)[k] - at[k]);
+    if (squared < least) {
+      least = squared;
+      nearest = point;
+    }
+  }
+  return nearest;
+}
+
+/// The points that have as many coordinates as the mesh; a mistake is told of others.
+std::vector<std::vector<double>> inSpaceOf(const Mesh& mesh, const std::vector<std::vector<double>>& points)
+{
+  std::vector<std::vector<double>> fit;
+  for (const std::vector<double>& point : points)
+    if (int(point.size()) == mesh.dim)
+      fit.push_back(point);
+  return fit;
+}
+
+/// Marks the part's cells that points ask of. Collective.
+void markAsked(std::vector<char>& isMarked, const Mesh& mesh, const AskedPoints& points, const Comm& comm)
+{
+  constexpr double wider = 1.0 + 1e-6; // rank 0 decides what is outside
+  if (!points.inCells.empty()) {
+    const double reach = wider * points.tolerance * diameterOfAll(mesh, comm);
+    for (const auto& places : cellsOfPoints(mesh, inSpaceOf(mesh, points.inCells), reach))
+      for (const PointInCell& place : places)
+        isMarked[std::size_t(place.cell)] = 1;
+  }
+  if (mesh.numCells() > 0)
+    for (const std::vector<double>& point : inSpaceOf(mesh, points.nearVertices)) {
+      const auto at = std::find(mesh.cells.begin(), mesh.cells.end(), nearestVertex(mesh, point)) - mesh.cells.begin();
+      isMarked[std::size_t(at / (mesh.dim + 1))] = 1;
+    }
+}
+
 } // namespace
 
 void findTouching(BodyPieces& body, const std::vector<std::string>& sides, const Comm& comm)
@@ -75,7 +137,7 @@ void findTouching(BodyPieces& body, const std::vector<std::string>& sides, const
   }
 }
 
-void gatherOuter(BodyPieces& body, const Comm& comm)
+void gatherOuter(BodyPieces& body, const AskedPoints& points, const Comm& comm)
 {
   const Mesh& mesh = body.part.mesh;
   std::vector<char> isOuter(std::size_t(mesh.numCells()), 0);
@@ -89,6 +151,7 @@ void gatherOuter(BodyPieces& body, const Comm& comm)
     if (const auto first = std::find(mesh.groups.kind.begin(), mesh.groups.kind.end(), int(kind));
         first != mesh.groups.kind.end())
       isOuter[std::size_t(first - mesh.groups.kind.begin())] = 1;
+  markAsked(isOuter, mesh, points, comm);
   std::vector<std::string> sent(std::size_t(comm.size()));
   const NumberedMesh outer = joined(
       {body.part.only([&](int cell) { return isOuter[std::size_t(cell)] != 0; }), around(body.touching, body.part)});

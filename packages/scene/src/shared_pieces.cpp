@@ -200,19 +200,19 @@ bool isOnePart(const BodyPieces& body, const Comm& comm)
 
 } // namespace
 
-std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const std::vector<std::string>& contactSides,
-                                       int halvings, bool choosesBlocks, const Comm& comm)
+std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const PieceSettings& settings, const Comm& comm)
 {
   if (!isOnAll(own && isPlain(*own), comm))
     return std::nullopt;
   BodyPieces body;
   body.part = std::move(*own);
-  body.halvings = halvings;
+  body.halvings = settings.halvings;
   Mesh& mesh = body.part.mesh;
   takeAllSides(mesh, comm);
-  if (!dropEmptySides(mesh.sides, comm) && !choosesBlocks) // a note says so where they are read as a whole
+  if (!dropEmptySides(mesh.sides, comm) && !settings.choosesBlocks) // a note says so where they are read as a whole
     return std::nullopt;
   takeAllGroups(mesh, comm);
+  const std::vector<std::string>& contactSides = settings.contactSides;
   const bool areThere = std::all_of(contactSides.begin(), contactSides.end(),
                                     [&](const std::string& side) { return mesh.findSide(side) != nullptr; });
   if (!areThere)
@@ -229,7 +229,7 @@ std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const st
     return std::nullopt;
   measure(body, comm);
   findTouching(body, contactSides, comm);
-  gatherOuter(body, comm);
+  gatherOuter(body, settings.points, comm);
   return body;
 }
 

@@ -25,8 +25,17 @@ struct BodyPieces
   /// The vertices of its sides of contact, of all ranks, ascending, and who owns each.
   std::vector<Number> touching;
   std::vector<int> touchingOwners;
-  /// On rank 0: all cells with a facet of the boundary, or that touch sides of contact, and some of each kind.
+  /// On rank 0: all cells with a facet of the boundary, or that touch sides of contact, some of each kind, and those
+  /// at points that are asked of.
   NumberedMesh outer;
+};
+
+/// Points of a body that a scene asks of.
+struct AskedPoints
+{
+  std::vector<std::vector<double>> inCells; ///< which cells hold them: coordinates, perhaps not as many as the body has
+  double tolerance = 0.0;                   ///< how far outside they may be, relative to the body's diameter
+  std::vector<std::vector<double>> nearVertices; ///< the same: which vertex is nearest
 };
 
 /// A scene of which every rank has read its pieces of the meshes (`NAME.e.N`), and no rank the whole.
@@ -37,12 +46,13 @@ struct DrawnPieces
 };
 
 /// Reads the meshes where all are pieces of files, as many for each rank, and all that a scene needs to know of them is
-/// at their boundaries: solids, each one connected part with a material, perhaps beside regions, and with supports of
-/// sides; bodies that touch each other have the same Refine. None where ranks cannot share them so, or evenly (20 %),
-/// or where something is wrong with the pieces, which shows when they are read as a whole. Vertices have the numbers
-/// that they would have then. Collective.
-std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components, const Comm& comm,
-                                      Ledger& ledger);
+/// at their boundaries, or at points: solids, each one connected part with a material, perhaps beside regions, and with
+/// supports of sides or points; bodies that touch each other have the same Refine. None where ranks cannot share them
+/// so, or evenly (20 %), or where something is wrong with the pieces, which shows when they are read as a whole.
+/// Vertices have the numbers that they would have then. points: per body those asked of besides its supports'.
+/// Collective.
+std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components,
+                                      std::vector<AskedPoints> points, const Comm& comm, Ledger& ledger);
 
 /// The scene on the outer cells of the bodies, which are given away, for buildDrawn(). On rank 0.
 DrawnScene outerScene(DrawnPieces& pieces);
