@@ -204,17 +204,10 @@ def in_pieces(program, deck, pieces, *settings):
     return [setting.replace("/Mesh/File=", f"/Mesh/File={deck.parent}/") for setting in told if setting != "--set"]
 
 
-def without_weight(solid):
-    """Forces on sides alone, if there are any."""
-    left = {name: load for name, load in solid.loads.items() if not any("Body Force" in entry for entry in load)}
-    solid.loads = left or solid.loads
-
-
 def judge(program, seed):
     draw = random.Random(f"shared {seed}")
     other = random.Random(f"pieces {seed}")
     arePieces = other.random() < 0.4
-    isPlain = arePieces and other.random() < 0.8  # as ranks can read them for themselves
     kind, pair, settings, more = drawn_scene(draw)
     ranks, halvings = draw.randint(2, 6), draw.choice((0, 0, 1, 1, 2) if more != "cut" else (0, 0, 1))
     if arePieces and halvings > 0:  # of meshes that are fine enough before
@@ -230,9 +223,6 @@ def judge(program, seed):
     for solid in solids[:1] if more == "tied" else solids:  # of tied ones one may have a material besides its regions
         if more == "regions" or draw.random() < 0.2:
             divide(draw, solid)
-    if isPlain and other.random() < 0.8:
-        for solid in solids:
-            without_weight(solid)
     given = [f"Bodies/{solid.name}/Mesh/Refine={halvings}" for solid in solids]
     given += ["Linear Solver/Type=Multigrid", "Coupling/Type=Monolithic", "Output/Exodus=false"]
     if draw.random() < 0.6:

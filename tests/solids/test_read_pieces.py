@@ -144,14 +144,65 @@ class Pieces(SharesTest):
         self.assertEqual(self.piecesOf(shared), 2, shared.screen)
         self.assertAlmostEqual(shared.summary["energy"], whole.summary["energy"], delta=1e-8)
 
+    def weighted(self, root, **components):
+        """A body force on the punch, which contact alone holds along z."""
+        loads = root.find("*[@name='Bodies']/*[@name='punch']/*[@name='Loads']")
+        add(loads, "weight", Type="Body Force", **components)
+        return root
+
     def test_a_body_force(self):
-        root = self.bare("punch-3d")
-        loads = next(part for part in root.iter("ParameterList") if part.get("name") == "Loads")
-        add(loads, "weight", Type="Body Force", Z="-0.1*(1+x)")
-        self.compare(root, 2, 2, drawn=CELLS, areRead=False)  # of a body that contact holds
+        root = self.weighted(self.bare("punch-3d"), Z="-0.1*(1+x)")
+        self.compare(root, 2, 2, drawn=CELLS)
+        self.compare(root, 3, 3, *CERTIFIED, drawn=CELLS)
+        self.compare(root, 2, 2, *REFINED, drawn=COARSE)
         supports = next(part for part in root.iter("ParameterList") if part.get("name") == "Supports")
         add(supports, "foot", Type="Clamp", Side="back")
         self.compare(root, 2, 2, *CERTIFIED, drawn=CELLS)
+
+    def test_a_body_force_that_lifts(self):
+        """The pressure on the top pushes down with 1: what the whole body is pulled with decides, not what its outer cells are."""
+        self.compare(self.weighted(self.bare("punch-3d"), Z="0.9"), 2, 2, drawn=CELLS)
+        self.stopped_alike(self.weighted(self.bare("punch-3d"), Z="1.1"), "NOT CONVERGED")
+        self.refused_alike(self.weighted(self.bare("punch-3d"), Z="log((x-0.5)*(x-0.5)+(y-0.5)*(y-0.5)+(z-0.5)*(z-0.5)-0.01)"), " is nan at (")
+
+    def stopped_alike(self, root, message):
+        """Without an answer, in the words of one process."""
+        read = self.decomposed(self.deck(self.bare("punch-3d")), 2, *CELLS)
+        runs = [self.program.run(self.deck(root), *GIVEN, *read, ranks=ranks) for ranks in (1, 2)]
+        self.assertEqual(len({run.code for run in runs}), 1)
+        self.assertNotEqual(runs[0].code, 0)
+        said = [re.findall(f"(?m)^.*{message}.*$", run.screen) for run in runs]
+        self.assertEqual(len(said[0]), 1, runs[0].screen)
+        self.assertEqual(*said)
+        self.assertIn("read in pieces by the 2 processes", runs[1].screen)
+
+    def held(self, **support):
+        """The mean motion of the punch is held instead of its rollers."""
+        root = self.bare("punch-3d")
+        supports = root.find("*[@name='Bodies']/*[@name='punch']/*[@name='Supports']")
+        for part in list(supports):
+            supports.remove(part)
+        add(supports, "mean", Type="Hold", **support)
+        return root
+
+    def test_mean_motions(self):
+        for root in (self.held(), self.held(Side="top"), self.weighted(self.held(), Z="-0.1")):
+            self.compare(root, 2, 2, drawn=CELLS)
+            self.compare(root, 3, 3, *CERTIFIED, drawn=CELLS)
+        self.compare(self.held(), 2, 2, *REFINED, *CERTIFIED, drawn=COARSE)
+
+    def test_mean_motions_out_of_balance(self):
+        self.refused_alike(self.weighted(self.held(), X="0.25", Z="-0.1"), "a force (0.25, 0, 0)")
+        self.refused_alike(self.weighted(self.held(), Y="x-0.5"), "the loads are not in equilibrium")
+        self.compare(self.weighted(self.held(), X="sin(2*pi*z)"), 2, 2, drawn=CELLS)
+
+    def test_mean_motions_without_a_free_vertex(self):
+        """Only middles of edges can be pinned, which rank 0 does not know of outer cells."""
+        root = self.held()
+        bodies = root.find("*[@name='Bodies']/*[@name='punch']")
+        bodies.remove(bodies.find("*[@name='Loads']"))
+        add(bodies.find("*[@name='Supports']"), "down", Type="Displacement", Side="top", Z="-0.01*(1+x)")
+        self.compare(root, 2, 2, drawn=["Bodies/punch/Mesh/Cells={12, 12, 1}", "Bodies/foundation/Mesh/Cells={24, 24, 4}"], areRead=False)
 
     def test_where_rank_0_has_to_know_more(self):
         root = self.bare("punch-3d")

@@ -7,6 +7,7 @@
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/algebra/threads.hpp"
 #include "ndframe/run/warnings.hpp"
+#include "ndframe/scene/holds.hpp"
 #include "ndframe/scene/stage.hpp"
 
 namespace ndframe
@@ -59,19 +60,6 @@ bool isCut(const Model& model)
                      [](const BodyModel& body) { return !body.isRigid && !body.parents.empty(); });
 }
 
-/// Loads inside a body that can move: only who has all of it knows what they do to it.
-bool pushInside(const Model& model)
-{
-  for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    const BodyModel& body = model.bodies[b];
-    if (model.freeMotions[b].cols() > 0 && std::any_of(body.loads.begin(), body.loads.end(), [&](const auto& load) {
-          return load->facets(body.mesh) == nullptr;
-        }))
-      return true;
-  }
-  return false;
-}
-
 /// Per body the points of its probes.
 std::vector<AskedPoints> probedPoints(const RunSettings& settings)
 {
@@ -93,9 +81,8 @@ bool canBeShared(const DrawnScene& drawn, const RunTools& tools)
   const Model& model = *drawn.model;
   const std::vector<int> bodies = model.elasticBodies();
   if (bodies.empty() || !model.solvesWhole || (tools.settings.output.checkpoint && hasSlits(model)) ||
-      ((tools.settings.accuracy || model.isOuter) &&
-       isCut(model)) || // the next meshes are made from those that are not
-      (model.isOuter && pushInside(model)))
+      ((tools.settings.accuracy || model.isOuter()) &&
+       isCut(model))) // the next meshes are made from those that are not
     return false;
   std::int64_t together = 0; // those that touch others are solved together
   for (const int body : bodies)
@@ -124,7 +111,11 @@ std::optional<ToldScene> tell(DrawnScene& drawn, const std::vector<InterfaceMesh
   if (!areLarge(drawn, tools) || !drawsHeldPoints(drawn, tools.settings.scene))
     return std::nullopt;
   const SceneSettings& scene = tools.settings.scene;
-  buildDrawn(drawn, scene, tools.components, earlier, tools.ledger);
+  try {
+    buildDrawn(drawn, scene, tools.components, earlier, tools.ledger);
+  } catch (const InsideNeeded&) {
+    return std::nullopt;
+  }
   Model& model = *drawn.model;
   offerWhole(model, *tools.coupling, scene.interfaceOperator);
   if (!canBeShared(drawn, tools))

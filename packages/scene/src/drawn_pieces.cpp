@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "inside_forces.hpp"
 #include "ndframe/algebra/from_rank_zero.hpp"
 #include "ndframe/algebra/shared_values.hpp"
 #include "ndframe/base/ascending.hpp"
@@ -27,15 +28,6 @@ struct Partner
   int firstBody;
   Number firstVertex;
 };
-
-/// Nothing is asked of the inside of a body but at points.
-bool knowsSidesOnly(const BodySettings& body, const SceneComponents& components)
-{
-  const bool hasMaterial = body.regions.empty() || body.material; // else cells without one have to be told
-  return hasMaterial && std::none_of(body.supports.begin(), body.supports.end(), [&](const Params& list) {
-           return components.supports.build(list)->holdsMeanMotion();
-         });
-}
 
 /// The points that supports hold.
 std::vector<std::vector<double>> heldPoints(const BodySettings& body)
@@ -182,10 +174,10 @@ private:
 std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components,
                                       std::vector<AskedPoints> points, const Comm& comm, Ledger& ledger)
 {
-  const bool isKnown = std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySettings& body) {
-    return body.isRigid || knowsSidesOnly(body, components);
+  const bool haveMaterials = std::all_of(scene.bodies.begin(), scene.bodies.end(), [&](const BodySettings& body) {
+    return body.isRigid || body.regions.empty() || body.material; // else cells without one have to be told
   });
-  if (!isKnown || !touchOthersAlike(scene))
+  if (!haveMaterials || !touchOthersAlike(scene))
     return std::nullopt;
   const auto timer = timeStage(ledger, Stage::Read);
   const std::vector<std::int64_t> counts = piecesOfRanks(scene, components, comm);
@@ -204,6 +196,10 @@ std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneCom
     pieces.bodies[b] = sharedPieces(readOwn(source->drawn(), counts[b], comm), settings, comm);
     if (!pieces.bodies[b])
       return std::nullopt;
+    const auto forces = forcesInside(*pieces.bodies[b], body, components, scene.order, comm);
+    if (!forces)
+      return std::nullopt;
+    pieces.bodies[b]->forcesInside = *forces;
     addCellsAtContact(*pieces.bodies[b], comm);
     pieces.numPieces += counts[b];
   }
@@ -215,7 +211,7 @@ DrawnScene outerScene(DrawnPieces& pieces)
   DrawnScene drawn;
   for (std::optional<BodyPieces>& body : pieces.bodies) {
     drawn.asked.push_back(body ? body->halvings : 0);
-    drawn.inside.push_back(body ? InsideOfBody{body->measure, body->cellsOfKinds} : InsideOfBody{});
+    drawn.inside.push_back(body ? InsideOfBody{body->measure, body->cellsOfKinds, body->forcesInside} : InsideOfBody{});
     drawn.meshes.push_back(body ? std::move(body->outer.mesh) : Mesh());
     drawn.numbers.push_back( // of vertices alone
         body

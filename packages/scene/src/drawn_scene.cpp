@@ -222,15 +222,17 @@ void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneCompon
       scene, components,
       [&](const BodySettings&) {
         const std::size_t b = next++;
-        return GivenMesh(std::move(drawn.meshes[b]), {}, std::move(drawn.before[b]));
+        GivenMesh given(std::move(drawn.meshes[b]), {}, std::move(drawn.before[b]));
+        if (!drawn.inside.empty())
+          given.inside = std::move(drawn.inside[b].forces);
+        return given;
       },
       earlier);
   drawn.meshes.clear();
-  drawn.model->isOuter = !drawn.inside.empty();
   const std::vector<InterfaceMesh>& interfaces = drawn.model->interfaces;
   const bool isCut =
       std::any_of(interfaces.begin(), interfaces.end(), [](const InterfaceMesh& one) { return one.isCut; });
-  if (isCut && !drawn.model->isOuter)                     // outer cells that are cut are not shared out
+  if (isCut && !drawn.model->isOuter())                   // outer cells that are cut are not shared out
     for (const int body : drawn.model->elasticBodies()) { // the numbers are of meshes that were not
       const auto b = std::size_t(body);
       const BodyModel& whole = drawn.model->bodies[b];

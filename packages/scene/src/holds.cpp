@@ -20,7 +20,7 @@ constexpr double balanced = 1e-9;
 /// A node whose pin would stand nearer than this to those before it (in unit motions) is no use.
 constexpr double independent = 1e-6;
 
-/// Nodes where nothing is prescribed and nothing touches.
+/// Nodes where nothing is prescribed and nothing touches; of outer cells vertices alone.
 std::vector<int> untouchedNodes(const Model& model, int body)
 {
   const BodyModel& here = model.bodies[std::size_t(body)];
@@ -33,7 +33,7 @@ std::vector<int> untouchedNodes(const Model& model, int body)
         if (side.body == body)
           isTouched[std::size_t(node)] = 1;
   std::vector<int> untouched;
-  for (int node = 0; node < here.nodes.numNodes(); ++node)
+  for (int node = 0; node < (model.isOuter() ? here.mesh.numPoints() : here.nodes.numNodes()); ++node)
     if (!isTouched[std::size_t(node)])
       untouched.push_back(node);
   return untouched;
@@ -117,6 +117,8 @@ void resolveHold(Model& model, int body, std::size_t support, Diagnostics& diagn
   const Params& params = here.supports[support]->params();
   HeldMean hold{body, support, partOf(freeTogether(model), offsetOf(model, body), model.rigid[b].size()), {}, {}};
   hold.pins = choosePins(model, body, hold.motions);
+  if (model.isOuter() && int(hold.pins.size()) < hold.motions.cols())
+    throw InsideNeeded();
   if (hold.motions.cols() == 0 || int(hold.pins.size()) < hold.motions.cols()) {
     diagnostics.add(params.mistake("", hold.motions.cols() == 0
                                            ? "supports and contact hold all motions of this body already; remove it."
@@ -184,8 +186,14 @@ void refuseImbalance(const Model& model, Diagnostics& diagnostics)
     const NodalField all = model.loads[b].all();
     for (const double force : all)
       loads += std::abs(force);
-    for (std::size_t j = 0; j < work.size(); ++j)
-      work[j] += workAlong(model.bodies[b], model.rigid[b], ofBody(model, model.jointMotions, int(j), int(b)), all);
+    const ForcesInside inside = model.inside[b].value_or(ForcesInside());
+    loads += inside.sum;
+    for (std::size_t j = 0; j < work.size(); ++j) {
+      const Vector motion = ofBody(model, model.jointMotions, int(j), int(b));
+      work[j] += workAlong(model.bodies[b], model.rigid[b], motion, all);
+      for (std::size_t mode = 0; mode < inside.work.size(); ++mode)
+        work[j] += motion[mode] * inside.work[mode];
+    }
   }
   const Vector forces = pinForces(model, work);
   largest = largestEntry(forces);

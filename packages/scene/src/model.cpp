@@ -272,6 +272,8 @@ Model buildModel(const SceneSettings& scene, const SceneComponents& components, 
   for (const BodySettings& body : scene.bodies)
     collecting(diagnostics, [&] { meshes.emplace_back(withoutIdleGroups(meshOf(body), body)); });
   diagnostics.throwIfAny();
+  for (const CutMesh& mesh : meshes)
+    model.inside.push_back(mesh.inside);
   const auto pairings = matchSides(scene, components, earlier, meshes, model.told.get());
   for (std::size_t b = 0; b < meshes.size(); ++b)
     collecting(diagnostics, [&] {

@@ -113,6 +113,11 @@ void addMotions(RigidNetwork& network, const Model& model, std::size_t b)
       work += dotProduct(force, u);
       magnitude += std::sqrt(dotProduct(force, force) * dotProduct(u, u));
     });
+    const ForcesInside inside = model.inside[b].value_or(ForcesInside());
+    for (std::size_t mode = 0; mode < inside.work.size(); ++mode) {
+      work += motion[mode] * inside.work[mode];
+      magnitude += std::abs(motion[mode]) * inside.magnitude[mode];
+    }
     network.work.push_back(work);
     network.magnitude.push_back(magnitude);
     const double turning = std::accumulate(motion.begin() + body.nodes.dim, motion.end(), 0.0,

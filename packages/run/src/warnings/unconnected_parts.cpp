@@ -11,7 +11,7 @@ namespace ndframe
 /// Parts of a mesh that share no facet are bodies of their own: nothing is carried from one to the other.
 void findUnconnectedParts(const Model& model, const SceneSettings& scene, Diagnostics& found)
 {
-  if (model.isOuter) // those who have the rest have seen that it is one part
+  if (model.isOuter()) // those who have the rest have seen that it is one part
     return;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
     const BodyModel& body = model.bodies[b];

@@ -22,6 +22,7 @@ struct BodyPieces
   Number cells = 0;                 ///< the same
   std::vector<Number> cellsOfKinds; ///< the same: per kind (CellGroups)
   double measure = 0.0;             ///< the same: a volume
+  ForcesInside forcesInside;        ///< of all its cells but `outer`
   /// The vertices of its sides of contact, of all ranks, ascending, and who owns each.
   std::vector<Number> touching;
   std::vector<int> touchingOwners;
@@ -46,11 +47,10 @@ struct DrawnPieces
 };
 
 /// Reads the meshes where all are pieces of files, as many for each rank, and all that a scene needs to know of them is
-/// at their boundaries, or at points: solids, each one connected part with a material, perhaps beside regions, and with
-/// supports of sides or points; bodies that touch each other have the same Refine. None where ranks cannot share them
-/// so, or evenly (20 %), or where something is wrong with the pieces, which shows when they are read as a whole.
-/// Vertices have the numbers that they would have then. points: per body those asked of besides its supports'.
-/// Collective.
+/// at their boundaries, or at points: solids, each one connected part with a material, perhaps beside regions; bodies
+/// that touch each other have the same Refine. None where ranks cannot share them so, or evenly (20 %), or where
+/// something is wrong with the pieces, which shows when they are read as a whole. Vertices have the numbers that they
+/// would have then. points: per body those asked of besides its supports'. Collective.
 std::optional<DrawnPieces> readPieces(const SceneSettings& scene, const SceneComponents& components,
                                       std::vector<AskedPoints> points, const Comm& comm, Ledger& ledger);
 

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <functional>
+#include <optional>
 #include <vector>
 
 #include "ndframe/assembly/body_system.hpp"
@@ -37,6 +39,14 @@ struct NodeSide
   double held = 0.0;                       ///< that displacement
 };
 
+/// What the loads on the cells of a body that are not there (Model::isOuter) do.
+struct ForcesInside
+{
+  Vector work;      ///< per mode of its rigid basis; empty: there are none
+  Vector magnitude; ///< the same: sum of |force| |displacement|
+  double sum = 0.0; ///< of the absolute values of all components
+};
+
 /// The scene: what the deck says, read and checked, before anything is assembled.
 struct Model
 {
@@ -51,7 +61,7 @@ struct Model
   std::vector<HeldMean> holds;              ///< one per support Hold
   std::vector<InterfaceMesh> interfaces;    ///< in the order of the deck
   ContactConditions conditions = ContactConditions::Nodal; ///< on all interfaces
-  bool isOuter = false;     ///< only cells at the boundary are there, each body being one connected part (DrawnScene)
+  std::vector<std::optional<ForcesInside>> inside;         ///< per body; none where all cells are there
   bool solvesWhole = false; ///< whether bodies in contact may be solved by iterations on all of them together
   SceneRecipe recipe;       ///< what it was made from; empty when it is not to be reused
   /// Of a scene of which ranks have shares: what is told of its bodies as a whole; null otherwise.
@@ -62,6 +72,11 @@ struct Model
   /// False where supports prescribe the normal displacement of an interface node on both bodies.
   bool carriesContact(const InterfaceMesh& interface, int node) const;
 
+  /// Only cells at the boundary are there, each body being one connected part (DrawnScene).
+  bool isOuter() const
+  {
+    return std::any_of(inside.begin(), inside.end(), [](const auto& ofBody) { return ofBody.has_value(); });
+  }
   int bodyIndex(const std::string& name) const; ///< -1 if there is none
   std::vector<int> elasticBodies() const;       ///< the numbers of the bodies that are not rigid
   std::vector<int> numDofs() const;    ///< per body, of all ranks, as far as an int goes: the same on all of them
@@ -94,6 +109,8 @@ struct GivenMesh
   NodeMap nodes; ///< empty: made when the body is built
   /// Of a rank's part of a body (BodyModel::share), which has been cut; null: the mesh is the body's.
   std::shared_ptr<const BodyShare> share{};
+  /// Of a mesh that has the outer cells of a body alone (Model::isOuter); else none.
+  std::optional<ForcesInside> inside{};
   std::shared_ptr<const Mesh> drawn; ///< before its edges were halved: its facets say how n turns; null: it is `mesh`
 };
 

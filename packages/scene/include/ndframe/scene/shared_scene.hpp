@@ -13,6 +13,7 @@ struct InsideOfBody
 {
   double measure = 0.0;                   ///< a volume
   std::vector<std::int64_t> cellsOfKinds; ///< per kind (CellGroups)
+  ForcesInside forces;
 };
 
 /// A scene on the meshes as they are drawn, which are refined, if at all, after they have been shared out. One rank has
@@ -56,7 +57,8 @@ DrawnScene drawnOn(const std::vector<Mesh>& meshes, const SceneSettings& scene, 
 /// their supports leave free.
 bool drawsHeldPoints(const DrawnScene& drawn, const SceneSettings& scene);
 
-/// Makes the model. earlier, InputError: like buildModel().
+/// Makes the model. earlier, InputError: like buildModel(); InsideNeeded (scene/holds.hpp): of outer cells alone none
+/// can be made.
 void buildDrawn(DrawnScene& drawn, const SceneSettings& scene, const SceneComponents& components,
                 const std::vector<InterfaceMesh>& earlier, Ledger& ledger);
 
