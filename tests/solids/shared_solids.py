@@ -44,7 +44,15 @@ def reasons(bound):
 UNBALANCED = "holds a point"  # where the recovery leaves what no stress balances depends on how cells are shared out
 
 
-def differs_in_bounds(one, shared):
+def shaken(program, deck, given, solids, bound):
+    """How far the bound of one process is from those of scenes that are the same but for round-off of a modulus, relative: cells that
+    cuts make thin are ill-conditioned for a given number of steps in single precision (up to 3e-4 has been seen)."""
+    moduli = [f"Bodies/{solid.name}/Material/Young Modulus={solid.young * (1 + k * 1e-13)!r}" for solid in solids for k in range(1, 5)]
+    runs = [program.run(deck, *given, modulus) for modulus in moduli]
+    return max(abs(run.summary["errors"]["global"]["absolute"] / bound - 1) for run in runs)
+
+
+def differs_in_bounds(one, shared, same):
     isUnbalanced = one is not None and UNBALANCED in str(one["global"].get("reason"))
     if (one is None) != (shared is None):
         return "a certificate without another"
@@ -53,7 +61,7 @@ def differs_in_bounds(one, shared):
         if (first is None) != (second is None):
             return f"no {name}"
         least = EXACT * one["global"]["absolute"] / one["global"]["relative"] if first and one["global"]["relative"] else 0.0
-        if first and not isUnbalanced and abs(first["absolute"] - second["absolute"]) > SAME_BOUND * one["global"]["absolute"] + least:
+        if first and not isUnbalanced and abs(first["absolute"] - second["absolute"]) > same * one["global"]["absolute"] + least:
             return f"{name} {first['absolute']!r} and {second['absolute']!r}"
         if first and reasons(first) != reasons(second):
             return f"{name} guaranteed: {first.get('reason')!r} and {second.get('reason')!r}"
@@ -119,7 +127,7 @@ def table(text):
     return {tuple(round(float(row[x]), 9) for x in "xyz"): (float(row["pressure"]), float(row["gap"])) for row in rows}
 
 
-def difference(one, shared):
+def difference(one, shared, same=SAME_BOUND):
     if one.code != shared.code:
         return f"exit codes {one.code} and {shared.code}: {one.screen[-400:]} / {shared.screen[-400:]}"
     if one.code != 0:
@@ -144,7 +152,7 @@ def difference(one, shared):
                 return f"{name} at {place}: {values[k]} and {there[place][k]}"
     if shared.summary["residuals"]["equilibrium"] > 1e-7:
         return f"residual {shared.summary['residuals']['equilibrium']}"
-    return differs_in_bounds(one.summary["errors"], shared.summary["errors"])
+    return differs_in_bounds(one.summary["errors"], shared.summary["errors"], same)
 
 
 def divide(draw, solid):
@@ -235,10 +243,14 @@ def judge(program, seed):
             add_probes(deck, draw, pair)
         read = arePieces and in_pieces(program, deck, ranks * other.choice((1, 1, 2)))
         one, shared = program.run(deck, *given), program.run(deck, *given, *(read or ()), ranks=ranks)
+        wrong = difference(one, shared)
+        if wrong and one.code == 0 and one.summary["errors"] and difference(one, shared, same=1.0) is None:
+            spread = shaken(program, deck, given, solids, one.summary["errors"]["global"]["absolute"])
+            wrong = difference(one, shared, same=SAME_BOUND + 2 * spread)
     counts = shared.summary["ledger"]["counts"] if shared.summary else {}
     if counts.get("pieces read"):
         more = f"{more} in pieces".strip()
-    return difference(one, shared), (one.code, counts.get("shared bodies", 0) > 0, more), f"{about} {' in pieces' if read else ''}"
+    return wrong, (one.code, counts.get("shared bodies", 0) > 0, more), f"{about} {' in pieces' if read else ''}"
 
 
 def main():
