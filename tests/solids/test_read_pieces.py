@@ -19,8 +19,8 @@ from runs import Program
 from shared_solids import EXACT, difference, in_pieces
 from shares_test import DECKS, MPIEXEC, NDFRAME, SharesTest, add
 
-CELLS = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]  # 1526 vertices
-COARSE = ["Bodies/punch/Mesh/Cells={4, 4, 4}", "Bodies/foundation/Mesh/Cells={8, 8, 4}"]
+CELLS = ["Bodies/punch/Mesh/Cells={5, 5, 5}", "Bodies/foundation/Mesh/Cells={10, 10, 5}"]  # 942 vertices: enough for 4 ranks
+COARSE = ["Bodies/punch/Mesh/Cells={4, 4, 4}", "Bodies/foundation/Mesh/Cells={8, 8, 4}"]  # 530: for 2
 REFINED = ["Bodies/punch/Mesh/Refine=1", "Bodies/foundation/Mesh/Refine=1"]
 GIVEN = ["Linear Solver/Type=Multigrid", "Output/Exodus=false"]
 CERTIFIED = ["Error Estimation/Estimators={Global}", "Error Estimation/Check Equilibrium=true"]
@@ -106,7 +106,7 @@ class Pieces(SharesTest):
         for part in list(root.iter("ParameterList")):
             for parameter in part.findall("*[@name='Neumann Side']"):
                 part.remove(parameter)
-        self.compare(root, 2, 2, *CERTIFIED, bodies=1, drawn=["Bodies/punch/Mesh/Cells={8, 8, 8}"])
+        self.compare(root, 2, 2, *CERTIFIED, bodies=1, drawn=["Bodies/punch/Mesh/Cells={7, 7, 7}"])
 
     def test_bodies_and_regions_in_one_file(self):
         """What a run has written, with a piece of the beam of another material, in pieces of both bodies."""
@@ -116,9 +116,9 @@ class Pieces(SharesTest):
         add(root.find("*[@name='Bodies']/*[@name='punch']"), "Regions",
             lambda regions: add(regions, "core", lambda core: add(core, "Material", Young_Modulus=10.0, Poisson_Ratio=0.2,
                                                                   Hypothesis="Three Dimensional")))
-        self.compare(root, 2, 2, *CERTIFIED, drawn=CELLS)
-        whole = self.program.run(self.deck(root), *CELLS, *GIVEN)
-        done, _ = self.run_deck(root, 2, *CELLS, *GIVEN[:1], "Output/Exodus Files=Pieces", name="drawn")
+        self.compare(root, 2, 2, *CERTIFIED, drawn=COARSE)
+        whole = self.program.run(self.deck(root), *COARSE, *GIVEN)
+        done, _ = self.run_deck(root, 2, *COARSE, *GIVEN[:1], "Output/Exodus Files=Pieces", name="drawn")
         self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
         sides = {"punch": ("left", "front", "top", "bottom"), "foundation": ("left", "front", "bottom", "contact")}
         for body, blocks in (("punch", "{punch, punch:core}"), ("foundation", "{foundation}")):
@@ -152,22 +152,22 @@ class Pieces(SharesTest):
 
     def test_a_body_force(self):
         root = self.weighted(self.bare("punch-3d"), Z="-0.1*(1+x)")
-        self.compare(root, 2, 2, drawn=CELLS)
+        self.compare(root, 2, 2, drawn=COARSE)
         self.compare(root, 3, 3, *CERTIFIED, drawn=CELLS)
         self.compare(root, 2, 2, *REFINED, drawn=COARSE)
         supports = next(part for part in root.iter("ParameterList") if part.get("name") == "Supports")
         add(supports, "foot", Type="Clamp", Side="back")
-        self.compare(root, 2, 2, *CERTIFIED, drawn=CELLS)
+        self.compare(root, 2, 2, *CERTIFIED, drawn=COARSE)
 
     def test_a_body_force_that_lifts(self):
         """The pressure on the top pushes down with 1: what the whole body is pulled with decides, not what its outer cells are."""
-        self.compare(self.weighted(self.bare("punch-3d"), Z="0.9"), 2, 2, drawn=CELLS)
+        self.compare(self.weighted(self.bare("punch-3d"), Z="0.9"), 2, 2, drawn=COARSE)
         self.stopped_alike(self.weighted(self.bare("punch-3d"), Z="1.1"), "NOT CONVERGED")
         self.refused_alike(self.weighted(self.bare("punch-3d"), Z="log((x-0.5)*(x-0.5)+(y-0.5)*(y-0.5)+(z-0.5)*(z-0.5)-0.01)"), " is nan at (")
 
     def stopped_alike(self, root, message):
         """Without an answer, in the words of one process."""
-        read = self.decomposed(self.deck(self.bare("punch-3d")), 2, *CELLS)
+        read = self.decomposed(self.deck(self.bare("punch-3d")), 2, *COARSE)
         runs = [self.program.run(self.deck(root), *GIVEN, *read, ranks=ranks) for ranks in (1, 2)]
         self.assertEqual(len({run.code for run in runs}), 1)
         self.assertNotEqual(runs[0].code, 0)
@@ -187,14 +187,14 @@ class Pieces(SharesTest):
 
     def test_mean_motions(self):
         for root in (self.held(), self.held(Side="top"), self.weighted(self.held(), Z="-0.1")):
-            self.compare(root, 2, 2, drawn=CELLS)
+            self.compare(root, 2, 2, drawn=COARSE)
             self.compare(root, 3, 3, *CERTIFIED, drawn=CELLS)
         self.compare(self.held(), 2, 2, *REFINED, *CERTIFIED, drawn=COARSE)
 
     def test_mean_motions_out_of_balance(self):
         self.refused_alike(self.weighted(self.held(), X="0.25", Z="-0.1"), "a force (0.25, 0, 0)")
         self.refused_alike(self.weighted(self.held(), Y="x-0.5"), "the loads are not in equilibrium")
-        self.compare(self.weighted(self.held(), X="sin(2*pi*z)"), 2, 2, drawn=CELLS)
+        self.compare(self.weighted(self.held(), X="sin(2*pi*z)"), 2, 2, drawn=COARSE)
 
     def test_mean_motions_without_a_free_vertex(self):
         """Only middles of edges can be pinned, which rank 0 does not know of outer cells."""
@@ -246,9 +246,10 @@ class Pieces(SharesTest):
     def test_supports_of_points(self):
         root = self.pinned(([0.0, 0.0, 1.0], {"X": "0", "Y": "0"}), ([1.0, 0.0, 1.0], {"Y": "1e-3*x"}))
         inside = self.pinned(([0.5, 0.5, 0.5], {"X": "0", "Y": "0"}), ([0.5, 1.0 / 3.0, 0.5], {"X": "0"}))
+        sixths = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]
         for deck in (root, inside):
-            self.compare(deck, 2, 2, drawn=CELLS)
-            self.compare(deck, 3, 3, *CERTIFIED, drawn=CELLS)
+            self.compare(deck, 2, 2, drawn=sixths)
+            self.compare(deck, 3, 3, *CERTIFIED, drawn=sixths)
         self.compare(self.pinned(([0.5, 0.5, 0.5], {"X": "0", "Y": "0"}), ([0.5, 0.25, 0.5], {"X": "0"})), 2, 2, *REFINED, drawn=COARSE)
 
     def test_points_where_no_vertex_is(self):
@@ -259,7 +260,7 @@ class Pieces(SharesTest):
 
     def refused_alike(self, root, message):
         """In the words of one process."""
-        read = self.decomposed(self.deck(self.bare("punch-3d")), 2, *CELLS)
+        read = self.decomposed(self.deck(self.bare("punch-3d")), 2, *COARSE)
         deck = self.deck(root)
         one, several = (self.program.run(deck, *GIVEN, *read, ranks=ranks) for ranks in (1, 2))
         said = [re.findall(r"(?m)^.*scene\.xml:\d+: .*$", run.screen) for run in (one, several)]
@@ -272,7 +273,7 @@ class Pieces(SharesTest):
     def refused(self, message, damage):
         """What is wrong with pieces is said as it is where they are read as a whole."""
         deck = self.deck(self.bare("punch-3d"))
-        read = self.decomposed(deck, 2, *CELLS)
+        read = self.decomposed(deck, 2, *COARSE)
         damage(self.folder)
         one, several = (self.program.run(deck, *GIVEN, *read, ranks=ranks) for ranks in (1, 2))
         for run in (one, several):
