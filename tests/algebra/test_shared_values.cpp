@@ -87,6 +87,26 @@ TEST(SharedValues, GatheredAndLargestAreTheSameOnAllRanks)
   EXPECT_EQ(largest, (Vector{double(ranks - 1), 0.0}));
 }
 
+TEST(Reductions, AreCountedWithTheLargestOfThem)
+{
+  const int ranks = Ring::ranks();
+  Ledger ledger;
+  countReductions(ledger); // of the tests before
+  ledger.restart();
+  Vector values(5, 1.0);
+  test::comm().sum(values);
+  test::comm().sum(std::int64_t(1));
+  takeLargest(values, test::comm());
+  countReductions(ledger);
+  gatheredFrom(Vector(4, 1.0), test::comm());
+  countReductions(ledger);
+  countReductions(ledger);
+  const std::map<std::string, std::int64_t> counts{{"reductions", 5},
+                                                   {"reduction bytes", 40 + 8 + 40 + 4 * ranks + 32 * ranks},
+                                                   {"largest reduction", std::max(40, 32 * ranks)}};
+  EXPECT_EQ(ledger.counts(), ranks > 1 ? counts : decltype(counts)());
+}
+
 TEST(SharedValues, AMatrixThatIsNotDefiniteOnOneRankIsSoOnAll)
 {
   const int last = test::comm().size() - 1;

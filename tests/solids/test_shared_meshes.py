@@ -91,6 +91,22 @@ class MeshesAsDrawn(unittest.TestCase):
         self.compare(self.boxes, *CELLS, "Error Estimation/Estimators={Global}", "Error Estimation/Check Equilibrium=true",
                      several=(2, 3))
 
+    def test_no_reduction_grows_with_the_bodies(self):
+        """From one mesh to one with eight times the cells and four times the facets of contact."""
+        largest, dofs, tables = [], [], []
+        for halvings in (0, 1):
+            refined = [f"Bodies/{body}/Mesh/Refine={halvings}" for body in ("punch", "foundation")]
+            run = self.program.run(self.boxes, *CELLS, *refined, "Error Estimation/Estimators={Global}", MULTIGRID, NO_EXODUS, ranks=2)
+            self.assertEqual(run.code, 0, run.screen)
+            counts = run.summary["ledger"]["counts"]
+            self.assertGreater(counts["shared bodies"], 0)
+            self.assertGreater(counts["reduction bytes"], counts["largest reduction"])
+            largest.append(counts["largest reduction"])
+            dofs.append(sum(body["dofs"] for body in run.summary["bodies"]))
+            tables.append(run.summary["interfaces"][0]["nodes"])
+        self.assertGreater(dofs[1], 7 * dofs[0])
+        self.assertLess(largest[1] / largest[0], 1.2 * tables[1] / tables[0], largest)
+
     def test_stars_want_whole_bodies(self):
         self.assertEqual(self.shares(MULTIGRID, "Error Estimation/Estimators={Global}", ranks=3), 2)
         self.assertEqual(self.shares(MULTIGRID, "Error Estimation/Estimators={Global}", "Error Estimation/Recovery/Type=Star",

@@ -318,6 +318,14 @@ def iterations_hold_their_own(tree):
             yield Problem(file.name, 1, "has nothing of all ranks any more: take it from MAY_SEE_ALL_RANKS")
 
 
+def reductions_are_counted(tree):
+    """What all ranks get from all of them is in the ledger, so that tests see how large it is."""
+    for file in tree.product_code:
+        reductions = list(re.finditer(r"\bMPI_I?all(?:reduce|gatherv?)\(", file.code, re.IGNORECASE))
+        if file.package == "algebra" and len(reductions) > len(re.findall(r"\btellReduction\(", file.code)):
+            yield Problem(file.name, line_of(file.code, reductions[-1].start()), "tellReduction() is missing: what ranks reduce is counted")
+
+
 def nothing_is_unfinished(tree):
     for file in tree.texts:
         for number, line in enumerate(file.raw.splitlines(), start=1):
@@ -372,6 +380,7 @@ RULES = [
     what_is_thrown_is_an_exception,
     products_are_widened_first,
     iterations_hold_their_own,
+    reductions_are_counted,
     nothing_is_unfinished,
     headers_are_guarded,
     headers_are_included,

@@ -233,6 +233,12 @@ class StructureCheck(unittest.TestCase):
             self.assertFalse([problem for problem in problems(header) if "too; give" in str(problem)])
 
 
+    def test_reductions_that_are_not_counted(self):
+        lines = "#include <mpi.h>\nvoid f(double& x)\n{\n  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);\n%s}\n"
+        self.assert_one(self.found(packages__algebra__src__t_dot_cpp=lines % ""), "packages/algebra/src/t.cpp:4", "tellReduction() is missing")
+        self.assertEqual(self.found(packages__algebra__src__t_dot_cpp=lines % "  tellReduction(8);\n"), [])
+
+
 class FunctionFinder(unittest.TestCase):
     def names(self, text):
         return [(f.name, f.line, f.num_lines) for f in cpp_text.functions(textwrap.dedent(text))]

@@ -1,14 +1,15 @@
 #include "ndframe/algebra/comm.hpp"
 
+#include <algorithm>
 #include <cstdlib>
-#include <limits>
+#include <utility>
 
 #include <fmt/format.h>
 #include <mpi.h>
 
-#include "mpi_comm.hpp"
+#include "exchange.hpp"
 #include "ndframe/algebra/launcher.hpp"
-#include "ndframe/base/diagnostics.hpp"
+#include "ndframe/base/ledger.hpp"
 
 namespace ndframe
 {
@@ -36,13 +37,42 @@ std::vector<void (*)()>& endsBefore()
   return ends;
 }
 
-int mpiCount(std::size_t n)
+/// What ranks got from each other since it was counted; MPI is called by one thread.
+struct Reductions
 {
-  NDFRAME_ASSERT(n <= std::size_t(std::numeric_limits<int>::max()), "a message is too long for MPI");
-  return int(n);
+  std::int64_t number = 0, bytes = 0, largest = 0;
+};
+Reductions uncounted;
+
+template <class Values>
+void broadcastTo(const Comm& comm, Values& values, MPI_Datatype type)
+{
+  if (comm.size() == 1)
+    return;
+  std::int64_t length = std::int64_t(values.size());
+  MPI_Bcast(&length, 1, MPI_INT64_T, 0, mpiComm(comm));
+  values.resize(std::size_t(length));
+  MPI_Bcast(values.data(), messageLength(values.size()), type, 0, mpiComm(comm));
 }
 
 } // namespace
+
+void tellReduction(std::size_t bytes)
+{
+  ++uncounted.number;
+  uncounted.bytes += std::int64_t(bytes);
+  uncounted.largest = std::max(uncounted.largest, std::int64_t(bytes));
+}
+
+void countReductions(Ledger& ledger)
+{
+  const Reductions now = std::exchange(uncounted, {});
+  if (now.number == 0)
+    return;
+  ledger.count("reductions", now.number);
+  ledger.count("reduction bytes", now.bytes);
+  ledger.count("largest reduction", std::max<std::int64_t>(0, now.largest - ledger.counted("largest reduction")));
+}
 
 Comm Comm::world(int& argc, char**& argv)
 {
@@ -79,35 +109,29 @@ Comm Comm::split(int colour) const
 
 void Comm::sum(Vector& values) const
 {
-  if (size_ > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), mpiCount(values.size()), MPI_DOUBLE, MPI_SUM, mpiComm(*this));
+  if (size_ == 1)
+    return;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_SUM, mpiComm(*this));
+  tellReduction(values.size() * sizeof(double));
 }
 
 std::int64_t Comm::sum(std::int64_t value) const
 {
-  if (size_ > 1)
-    MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, mpiComm(*this));
+  if (size_ == 1)
+    return value;
+  MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, mpiComm(*this));
+  tellReduction(sizeof value);
   return value;
 }
 
 void Comm::broadcast(Vector& values) const
 {
-  if (size_ == 1)
-    return;
-  std::int64_t length = std::int64_t(values.size());
-  MPI_Bcast(&length, 1, MPI_INT64_T, 0, mpiComm(*this));
-  values.resize(std::size_t(length));
-  MPI_Bcast(values.data(), mpiCount(values.size()), MPI_DOUBLE, 0, mpiComm(*this));
+  broadcastTo(*this, values, MPI_DOUBLE);
 }
 
 void Comm::broadcast(std::string& text) const
 {
-  if (size_ == 1)
-    return;
-  std::int64_t length = std::int64_t(text.size());
-  MPI_Bcast(&length, 1, MPI_INT64_T, 0, mpiComm(*this));
-  text.resize(std::size_t(length));
-  MPI_Bcast(text.data(), mpiCount(text.size()), MPI_CHAR, 0, mpiComm(*this));
+  broadcastTo(*this, text, MPI_CHAR);
 }
 
 void Comm::abort(int exitCode) const

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+
 #include <mpi.h>
 
 #include "ndframe/algebra/comm.hpp"
@@ -12,5 +14,8 @@ inline MPI_Comm mpiComm(const Comm& comm)
 {
   return comm.size() == 1 ? MPI_COMM_SELF : MPI_Comm_f2c(comm.communicator());
 }
+
+/// That all ranks got so many bytes from all of them: see countReductions().
+void tellReduction(std::size_t bytes);
 
 } // namespace ndframe

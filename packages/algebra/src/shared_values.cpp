@@ -125,8 +125,10 @@ SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std:
 
 void takeLargest(Vector& values, const Comm& comm)
 {
-  if (comm.size() > 1)
-    MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_MAX, mpiComm(comm));
+  if (comm.size() == 1)
+    return;
+  MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_MAX, mpiComm(comm));
+  tellReduction(values.size() * sizeof(double));
 }
 
 void takeExtremes(Vector& smallest, Vector& largest, const Comm& comm)
@@ -151,8 +153,10 @@ Vector gatheredFrom(const Vector& own, const Comm& comm)
     first[rank] = messageLength(total);
     total += std::size_t(counts[rank]);
   }
+  tellReduction(counts.size() * sizeof(int));
   Vector all(total);
   MPI_Allgatherv(own.data(), count, MPI_DOUBLE, all.data(), counts.data(), first.data(), MPI_DOUBLE, mpiComm(comm));
+  tellReduction(total * sizeof(double));
   return all;
 }
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "ndframe/algebra/comm.hpp"
 #include "ndframe/condensation/trust.hpp"
 #include "ndframe/run/body_results.hpp"
 #include "ndframe/run/contact_ends.hpp"
@@ -231,8 +232,9 @@ RunSummary completeSummary(const Run& run, const RunSettings& settings, const Co
   return summary;
 }
 
-void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds)
+void copyLedger(RunSummary& summary, Ledger& ledger, double startSeconds)
 {
+  countReductions(ledger);
   summary.counts = ledger.counts();
   summary.stages.clear();
   for (const auto& stage : ledger.stages())

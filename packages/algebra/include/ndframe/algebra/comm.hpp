@@ -7,14 +7,15 @@
 namespace ndframe
 {
 
+class Ledger;
+
 /// Numbers of any unit, one after the other.
 using Vector = std::vector<double>;
 
 /// The processes of a run. A run without mpirun has one and starts no MPI; MPI itself is started on first need only.
 /// A program that has its own processes hands in their communicator.
 ///
-/// Meshes, interface vectors and solutions are replicated on all ranks; only the matrix rows and the factors are
-/// distributed. All functions are collective.
+/// All functions are collective.
 class Comm
 {
 public:
@@ -49,6 +50,11 @@ private:
   int size_;
   int communicator_;
 };
+
+/// Enters in the ledger what all ranks got from all of them since the last call: "reductions", which are sums, extremes
+/// and gathered lists, "reduction bytes" of their results, and "largest reduction", bytes. What libraries reduce for
+/// themselves is not counted, nor what one rank sends to all. Enters nothing where there is one rank.
+void countReductions(Ledger& ledger);
 
 /// Starts MPI if it is not running (MUMPS needs it even on one rank). Finalised at exit by finishMpi().
 void startMpi();

@@ -21,8 +21,9 @@ std::vector<RoleSummary> rolesOf(const Run& run);
 /// The outline in run.summary with what the run computed; without a solution only why there is none. Collective.
 RunSummary completeSummary(const Run& run, const RunSettings& settings, const Comm& comm);
 
-/// Copies counts, stages and memory; called again after the files are written.
-void copyLedger(RunSummary& summary, const Ledger& ledger, double startSeconds);
+/// Copies counts, those of reductions among them (countReductions), stages and memory; called again after the files are
+/// written.
+void copyLedger(RunSummary& summary, Ledger& ledger, double startSeconds);
 
 /// Why a result is not what the equations ask for: the iteration did not converge, or a residual is too large. Empty
 /// when it is right. Of a run with a target the iteration is not asked: the bound holds for the state of any sweep, and
