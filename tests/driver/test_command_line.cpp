@@ -156,7 +156,7 @@ TEST_F(Program, PlansWithoutReadingAMesh)
   EXPECT_EQ(result.exitCode, 0);
   for (const char* line :
        {"  gmsh                skip   no .geo script: the library is not loaded\n",
-        "  mpi                 skip   one process: MPI is not started\n",
+        "  mpi                 skip   one process: MPI is started for large solids alone\n",
         "  krylov              skip   no iterative linear solver is named: Tpetra is loaded for large solids alone\n",
         "  couple              run    Monolithic\n",
         "  certificate         skip   the deck has no list Error Estimation\n",

@@ -79,7 +79,7 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Gmsh, settings.outline.needsGmsh, "a body's mesh is a .geo script",
       "no .geo script: the library is not loaded");
   add(Stage::Mpi, ranks > 1 || solver.needsMpi(ranks), processesText(ranks, solver.name(ranks), chooses),
-      "one process: MPI is not started");
+      chooses ? "one process: MPI is started for large solids alone" : "one process: MPI is not started");
   add(Stage::Krylov, iterates(settings.linearSolver),
       fmt::format("linear solver {}: Tpetra, Belos and the like are loaded", settings.linearSolver),
       krylovSkipped(chooses));
