@@ -232,7 +232,6 @@ class StructureCheck(unittest.TestCase):
         for header in (GOOD_HEADER, unnamed, "#pragma once\n\nstruct Answer;\n"):
             self.assertFalse([problem for problem in problems(header) if "too; give" in str(problem)])
 
-
     def test_reductions_that_are_not_counted(self):
         lines = "#include <mpi.h>\nvoid f(double& x)\n{\n  MPI_Allreduce(MPI_IN_PLACE, &x, 1, MPI_DOUBLE, MPI_SUM, MPI_COMM_WORLD);\n%s}\n"
         self.assert_one(self.found(packages__algebra__src__t_dot_cpp=lines % ""), "packages/algebra/src/t.cpp:4", "tellReduction() is missing")

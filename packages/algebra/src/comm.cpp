@@ -109,18 +109,12 @@ Comm Comm::split(int colour) const
 
 void Comm::sum(Vector& values) const
 {
-  if (size_ == 1)
-    return;
-  MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_SUM, mpiComm(*this));
-  tellReduction(values.size() * sizeof(double));
+  reduceAll(values.data(), values.size(), MPI_SUM, *this);
 }
 
 std::int64_t Comm::sum(std::int64_t value) const
 {
-  if (size_ == 1)
-    return value;
-  MPI_Allreduce(MPI_IN_PLACE, &value, 1, MPI_INT64_T, MPI_SUM, mpiComm(*this));
-  tellReduction(sizeof value);
+  reduceAll(&value, 1, MPI_SUM, *this);
   return value;
 }
 

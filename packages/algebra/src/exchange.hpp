@@ -41,6 +41,16 @@ inline int messageLength(std::size_t count)
   return int(count);
 }
 
+/// Values of all ranks become, on every rank, what the operation makes of them. Collective.
+template <class Value>
+void reduceAll(Value* values, std::size_t count, MPI_Op operation, const Comm& comm)
+{
+  if (comm.size() == 1)
+    return;
+  MPI_Allreduce(MPI_IN_PLACE, values, messageLength(count), mpiType<Value>(), operation, mpiComm(comm));
+  tellReduction(count * sizeof(Value));
+}
+
 /// Per rank the piece that it has for this one. pieces: per rank, what it gets from this one. Collective.
 template <class Value>
 std::vector<std::vector<Value>> exchanged(const std::vector<std::vector<Value>>& pieces, const Comm& comm)

@@ -125,10 +125,7 @@ SharedValues sharedByOwners(const std::vector<std::int64_t>& numbers, const std:
 
 void takeLargest(Vector& values, const Comm& comm)
 {
-  if (comm.size() == 1)
-    return;
-  MPI_Allreduce(MPI_IN_PLACE, values.data(), messageLength(values.size()), MPI_DOUBLE, MPI_MAX, mpiComm(comm));
-  tellReduction(values.size() * sizeof(double));
+  reduceAll(values.data(), values.size(), MPI_MAX, comm);
 }
 
 void takeExtremes(Vector& smallest, Vector& largest, const Comm& comm)
