@@ -15,24 +15,23 @@ namespace ndframe
 namespace
 {
 
-/// Gives the columns this rank's numbers and sorts a row's blocks by them.
-void renumberRow(BlockMatrix& K, std::size_t r, std::vector<std::pair<int, std::int64_t>>& order,
-                 std::vector<double>& given)
+/// Gives the columns this rank's numbers, number[column]. Owned ones come first; they and ghosts stay ascending.
+void renumberRow(BlockMatrix& K, std::size_t r, const std::vector<int>& number,
+                 std::vector<std::pair<int, std::int64_t>>& order)
 {
   const std::int64_t first = K.rowPtr[r], last = K.rowPtr[r + 1], size = std::int64_t(K.dim) * K.dim;
   order.clear();
-  for (std::int64_t b = first; b < last; ++b)
-    order.emplace_back(K.nodes.local(K.cols[std::size_t(b)]), b - first);
-  std::sort(order.begin(), order.end());
+  for (const bool owned : {true, false})
+    for (std::int64_t b = first; b < last; ++b)
+      if (const int column = number[std::size_t(K.cols[std::size_t(b)])]; K.nodes.owns(column) == owned)
+        order.emplace_back(column, b - first);
   for (std::int64_t b = first; b < last; ++b)
     K.cols[std::size_t(b)] = order[std::size_t(b - first)].first;
   if (K.values.empty())
     return;
-  given.assign(K.values.begin() + first * size, K.values.begin() + last * size);
-  for (std::int64_t b = first; b < last; ++b) {
-    const std::int64_t place = order[std::size_t(b - first)].second;
-    std::copy_n(given.begin() + place * size, size, K.values.begin() + b * size);
-  }
+  const std::vector<double> given(K.values.begin() + first * size, K.values.begin() + last * size);
+  for (std::int64_t b = first; b < last; ++b)
+    std::copy_n(given.begin() + order[std::size_t(b - first)].second * size, size, K.values.begin() + b * size);
 }
 
 BlockMatrix inLargePages(BlockMatrix K)
@@ -51,16 +50,17 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
 {
   const bool isWhole = IndexMap::Global(owned.size()) == numNodes;
   std::vector<IndexMap::Global> needed;
-  std::vector<char> isNeeded(isWhole ? 0 : std::size_t(numNodes), 0);
+  std::vector<int> number(isWhole ? 0 : std::size_t(numNodes), -1);
   for (const int node : cols)
-    if (!isWhole && !std::exchange(isNeeded[std::size_t(node)], char(1)))
+    if (!isWhole && std::exchange(number[std::size_t(node)], 0) < 0)
       needed.push_back(node);
   BlockMatrix K{dim, IndexMap(numNodes, {owned.begin(), owned.end()}, std::move(needed)), std::move(rowPtr),
                 std::move(cols), std::move(values)};
+  for (int node = 0; !isWhole && node < K.nodes.size(); ++node)
+    number[std::size_t(K.nodes.global(node))] = node;
   std::vector<std::pair<int, std::int64_t>> order;
-  std::vector<double> given;
   for (std::size_t r = 0; !isWhole && r < owned.size(); ++r)
-    renumberRow(K, r, order, given);
+    renumberRow(K, r, number, order);
   return inLargePages(std::move(K));
 }
 
