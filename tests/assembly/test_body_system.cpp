@@ -63,6 +63,20 @@ TEST_P(Assembled, IsSymmetricOverAllRanks)
   }
 }
 
+/// Bit by bit.
+TEST_P(Assembled, IsTheSameOnceItsMemoryWasGivenBack)
+{
+  const std::vector<double> before = system.K.values;
+  const double largest = system.largestDiagonal(comm);
+  giveBackStiffness(system);
+  EXPECT_EQ(system.K.values.capacity(), 0);
+  assembleAgain(system, body);
+  EXPECT_EQ(system.K.values, before);
+  EXPECT_EQ(system.largestDiagonal(comm), largest);
+  assembleAgain(system, body); // is there
+  EXPECT_EQ(system.K.values, before);
+}
+
 TEST_P(Assembled, AnnulsTheRigidMotionsInTheNodesOwnAxes)
 {
   EXPECT_EQ(system.dofs.frames.anyTurned(), GetParam().rotation != 0.0);

@@ -96,8 +96,8 @@ TEST_P(Equilibrium, OfLoadsReactionsAndContactOnEveryBody)
     const Vector contact = contactForces(run.model, run.condensed, run.solved.coupling.state, int(b));
     const Wrench loads = wrenchOf(body.nodes, run.model.loads[b].all()), pressed = wrenchOf(body.nodes, contact);
     const Wrench held = wrenchOf(run.summary.bodies[b].supports, body.mesh.dim);
-    const Vector reactions = supportForces(run.model, run.condensed, run.solved.coupling.state, int(b),
-                                           run.solved.fields[b].u.back(), alone());
+    const Vector reactions =
+        supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), run.solved.fields[b]);
     const double scale =
         scaleOf(body.nodes, run.model.loads[b].all()) + scaleOf(body.nodes, contact) + scaleOf(body.nodes, reactions);
     ASSERT_GT(scale, 0.0) << body.name;

@@ -31,7 +31,7 @@ int main()
 
   const auto contact = contactNodes(model, condensed, state, fields, 0);
   const ResidualSummary residual = residuals(model, condensed, state, fields, contact, comm);
-  const Vector forces = supportForces(model, condensed, state, 1, fields[1].u[0], comm);
+  const Vector forces = supportForces(model, condensed, state, 1, fields[1]);
   const SupportSummary ground = supportReactions(model.bodies[1], forces, comm)[0];
   // The clamp carries what is pressed, and the blocks are in equilibrium.
   const bool ok = std::abs(ground.force[1] - 0.01) < 1e-13 && residual.equilibrium < 1e-10 &&

@@ -34,16 +34,15 @@ void renumberRow(BlockMatrix& K, std::size_t r, const std::vector<int>& number,
     std::copy_n(given.begin() + order[std::size_t(b - first)].second * size, size, K.values.begin() + b * size);
 }
 
-BlockMatrix inLargePages(BlockMatrix K)
-{
-  const std::size_t size = K.cols.size() * std::size_t(K.dim) * std::size_t(K.dim);
-  K.values.reserve(size);
-  useLargePages(K.values.data(), size * sizeof(double));
-  K.values.resize(size, 0.0);
-  return K;
-}
-
 } // namespace
+
+void BlockMatrix::makeValues()
+{
+  const std::size_t size = cols.size() * std::size_t(dim) * std::size_t(dim);
+  values.reserve(size);
+  useLargePages(values.data(), size * sizeof(double));
+  values.resize(size, 0.0);
+}
 
 BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector<int>& owned,
                            std::vector<std::int64_t> rowPtr, std::vector<int> cols, std::vector<double> values)
@@ -61,7 +60,8 @@ BlockMatrix withOwnColumns(int dim, IndexMap::Global numNodes, const std::vector
   std::vector<std::pair<int, std::int64_t>> order;
   for (std::size_t r = 0; !isWhole && r < owned.size(); ++r)
     renumberRow(K, r, number, order);
-  return inLargePages(std::move(K));
+  K.makeValues();
+  return K;
 }
 
 BlockMatrix withoutIdleGhosts(int dim, const IndexMap& nodes, std::vector<std::int64_t> rowPtr, std::vector<int> cols,
@@ -82,7 +82,9 @@ BlockMatrix withoutIdleGhosts(int dim, const IndexMap& nodes, std::vector<std::i
   for (std::size_t b = 0; b < cols.size() && !nodes.isWhole(); ++b)
     cols[b] = number[std::size_t(cols[b])];
   const IndexMap held = nodes.isWhole() ? nodes : IndexMap(nodes.globalSize(), std::move(owned), std::move(ghosts));
-  return inLargePages({dim, held, std::move(rowPtr), std::move(cols), std::move(values)});
+  BlockMatrix K{dim, held, std::move(rowPtr), std::move(cols), std::move(values)};
+  K.makeValues();
+  return K;
 }
 
 int BlockMatrix::rowOf(IndexMap::Global node) const
@@ -125,19 +127,6 @@ Vector diagonal(const BlockMatrix& K, const Comm& comm)
   }
   comm.sum(d);
   return d;
-}
-
-double meanDiagonal(const BlockMatrix& K, const Comm& comm)
-{
-  Vector sums{0.0, double(K.numRows()) * K.dim};
-  for (int r = 0; r < K.numRows(); ++r) {
-    const double* entry = K.block(r, r);
-    NDFRAME_ASSERT(entry != nullptr, "a row has no diagonal block");
-    for (int i = 0; i < K.dim; ++i)
-      sums[0] += entry[i * K.dim + i];
-  }
-  comm.sum(sums);
-  return sums[0] / sums[1];
 }
 
 } // namespace ndframe

@@ -74,6 +74,21 @@ void addCells(BlockMatrix& K, const BodyModel& body, const Frames& frames, const
   }
 }
 
+/// The entries of K, which are zero.
+void fill(BodySystem& system, const BodyModel& body)
+{
+  BlockMatrix& K = system.K;
+  std::vector<int> local(std::size_t(body.nodes.numNodes()), -1);
+  for (int i = 0; i < K.nodes.size(); ++i)
+    local[std::size_t(system.share ? system.partNodes[std::size_t(i)] : K.nodes.global(i))] = i;
+  withDimAndOrder(body.mesh.dim, body.nodes.order,
+                  [&](auto d, auto p) { addCells<d(), p()>(K, body, system.dofs.frames, local); });
+  for (int r = 0; r < K.numRows(); ++r)
+    if (const double* block = K.block(r, r))
+      for (int i = 0; i < K.dim; ++i)
+        system.largestOwn = std::max(system.largestOwn, std::abs(block[std::ptrdiff_t(i) * (K.dim + 1)]));
+}
+
 /// Numbers the nodes of K as the whole body does: both ascend.
 void shareOut(BodySystem& system, const std::shared_ptr<const BodyShare>& share)
 {
@@ -133,15 +148,11 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes,
                         const SparseField& load)
 {
-  BodySystem system{std::move(dofs), makeSparsity(body.nodes, ownedNodes), {}, {}, {}};
-  std::vector<int> local(std::size_t(body.nodes.numNodes()), -1);
-  for (int i = 0; i < system.K.nodes.size(); ++i)
-    local[std::size_t(system.K.nodes.global(i))] = i;
-  withDimAndOrder(body.mesh.dim, body.nodes.order,
-                  [&](auto d, auto p) { addCells<d(), p()>(system.K, body, system.dofs.frames, local); });
-  system.load = inOwnAxes(load, system.dofs.frames);
+  BodySystem system{std::move(dofs), makeSparsity(body.nodes, ownedNodes), {}};
   if (body.share)
     shareOut(system, body.share);
+  fill(system, body);
+  system.load = inOwnAxes(load, system.dofs.frames);
   return system;
 }
 
@@ -185,14 +196,27 @@ Vector BodySystem::productOfPart(const Vector& u) const
   return product;
 }
 
+Vector BodySystem::forcesOf(const Vector& u, const Comm& comm) const
+{
+  return share ? productOfPart(u) : multiply(K, u, comm);
+}
+
 double BodySystem::largestDiagonal(const Comm& comm) const
 {
-  Vector own;
-  for (int r = 0; r < K.numRows(); ++r)
-    if (const double* block = K.block(r, r))
-      for (int i = 0; i < K.dim; ++i)
-        own.push_back(block[std::ptrdiff_t(i) * (K.dim + 1)]);
-  return largestModulus(own, comm);
+  return largestModulus({largestOwn}, comm);
+}
+
+void giveBackStiffness(BodySystem& system)
+{
+  Vector().swap(system.K.values);
+}
+
+void assembleAgain(BodySystem& system, const BodyModel& body)
+{
+  if (!system.K.values.empty())
+    return;
+  system.K.makeValues();
+  fill(system, body);
 }
 
 } // namespace ndframe

@@ -29,12 +29,14 @@ public:
       : settings_(settings), options_(options), scene_(scene), recovery_(recovery), comm_(comm), ledger_(ledger)
   {}
 
-  Certificate run(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference)
+  Certificate run(const CertificateComponents& components, std::shared_ptr<const ReferenceSolution>& reference,
+                  const std::function<void()>& onFields)
   {
     if (options_.needsTraction()) {
       admitTractions();
       solveIntermediateFields();
     }
+    onFields();
     if (options_.recoversStress())
       recoverStresses();
     if (options_.checkEquilibrium)
@@ -130,9 +132,6 @@ void Certifier::solveIntermediateFields()
   if (wants(Estimator::Discretization))
     fields.push_back(&separate_.field);
   solveFields(scene_, fields, recovery_.settles(scene_.dim()) && !measuresFields(options_) && areOfOneSize(scene_));
-  for (const BodyTrace& trace : scene_.condensed.interface.bodies)
-    if (trace.isSolvedWhole())
-      trace.whole->forget(); // the recovery needs the memory
 }
 
 SceneField Certifier::globalField() const
@@ -289,12 +288,12 @@ void Certifier::compare(const CertificateComponents& components, std::shared_ptr
 Certificate certify(const SceneSettings& settings, const ErrorOptions& options, const CertificateComponents& components,
                     const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
                     const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
-                    std::shared_ptr<const ReferenceSolution>& reference)
+                    std::shared_ptr<const ReferenceSolution>& reference, const std::function<void()>& onFields)
 {
   const auto recovery = components.recoveries.build(options.recoveryList);
   const CertifiedScene scene =
       makeScene(model, condensed, coupling, fields, recovery->degree(model.bodies.front().nodes.order), comm);
-  return Certifier(settings, options, scene, *recovery, comm, ledger).run(components, reference);
+  return Certifier(settings, options, scene, *recovery, comm, ledger).run(components, reference, onFields);
 }
 
 } // namespace ndframe

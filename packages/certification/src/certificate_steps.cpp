@@ -56,6 +56,7 @@ CertifiedScene makeScene(const Model& model, const CondensedModel& condensed, co
   CertifiedScene scene{model,
                        condensed,
                        coupling,
+                       fields,
                        {},
                        {},
                        contactPatches(model),

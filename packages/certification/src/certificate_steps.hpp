@@ -19,6 +19,7 @@ struct CertifiedScene
   const Model& model;
   const CondensedModel& condensed;
   const CouplingResult& coupling;
+  const std::vector<BodyFields>& fields; ///< per body; the last state is the certified one
   std::vector<const BodyModel*> bodies;
   std::vector<NodalField> solved;    ///< u_h per body, global axes
   std::vector<ContactPatch> patches; ///< of all interfaces

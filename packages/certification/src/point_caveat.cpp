@@ -60,8 +60,7 @@ std::string pointCaveat(const CertifiedScene& scene, const Comm& comm)
   Vector total{0.0}; // shares are complete at own nodes
   std::vector<NodalField> reactions;
   for (std::size_t b = 0; b < scene.bodies.size(); ++b) {
-    const NodalField u = scene.condensed.systems[b].dofs.frames.toLocal(scene.solved[b]);
-    reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), u, comm));
+    reactions.push_back(supportForces(scene.model, scene.condensed, scene.coupling.state, int(b), scene.fields[b]));
     const NodalField load = scene.condensed.systems[b].load.all();
     for (const NodalField* forces : {&std::as_const(reactions[b]), &load})
       for (const double force : *forces)

@@ -189,7 +189,7 @@ private:
       traces_[b] = makeTrace(model_, int(b), nodes, layouts_[b]);
     kept_.push_back(whatIsKept(b));
     if (b == result_.systems.size())
-      result_.systems.push_back({layouts_[b], {}, {}, {}, {}}); // a place for condenseBody()
+      result_.systems.push_back({layouts_[b], {}, {}}); // a place for condenseBody()
     if (!kept_[b].factor)
       result_.condensed[b].reset();
   }
@@ -204,6 +204,7 @@ private:
     if (!kept_[b].factor) {
       system = assemble(model_, b, std::move(layouts_[b]), *owners_, comm_);
     } else { // other loads or prescribed values, the same matrix
+      assembleAgain(system, model_.bodies[b]);
       system.dofs = std::move(layouts_[b]);
       system.load = inOwnAxes(model_.loads[b], system.dofs.frames);
     }

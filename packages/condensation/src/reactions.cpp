@@ -102,10 +102,10 @@ NodalField contactForces(const Model& model, const CondensedModel& condensed, co
 }
 
 NodalField supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
-                         const Vector& u, const Comm& comm)
+                         const BodyFields& fields)
 {
   const BodySystem& system = condensed.systems[std::size_t(body)];
-  Vector forces = system.share ? system.productOfPart(u) : multiply(system.K, u, comm);
+  Vector forces = fields.forces.whole();
   const NodalField inGlobalAxes = contactForces(model, condensed, state, body);
   const NodalField contact = system.dofs.frames.toLocal(inGlobalAxes);
   system.load.addTo(forces, -1.0);

@@ -29,12 +29,12 @@ void takeLargestOf(Balance& balance, const Comm& comm)
   balance = {values[0], values[1], values[2], values[3] > 0.0};
 }
 
-Balance balance(const BodySystem& system, const BodyTrace* trace, const InterfaceState& state, const Vector& u,
+Balance balance(const BodySystem& system, const BodyTrace* trace, const InterfaceState& state, const BodyFields& fields,
                 const Comm& comm)
 {
-  Vector residual = system.share ? system.productOfPart(u) : multiply(system.K, u, comm);
+  Vector residual = fields.forces.whole();
   Balance result;
-  result.roundOff = lastDigits * system.largestDiagonal(comm) * largestEntry(u);
+  result.roundOff = lastDigits * system.largestDiagonal(comm) * largestEntry(fields.u.back());
   result.force = system.load.largest();
   result.loaded = result.force > 0.0;
   system.load.addTo(residual, -1.0);
@@ -96,7 +96,7 @@ ResidualSummary residuals(const Model& model, const CondensedModel& condensed, c
   std::vector<Balance> bodies;
   double opening = 0.0, force = 0.0, roundOff = 0.0;
   for (std::size_t b = 0; b < model.bodies.size(); ++b) {
-    bodies.push_back(balance(condensed.systems[b], condensed.trace(int(b)), state, fields[b].u.back(), comm));
+    bodies.push_back(balance(condensed.systems[b], condensed.trace(int(b)), state, fields[b], comm));
     Vector moved{largestEntry(fields[b].displacement.back())};
     if (model.bodies[b].share)
       takeLargest(moved, comm);

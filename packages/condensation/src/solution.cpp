@@ -161,6 +161,7 @@ std::vector<BodyFields> recoverFields(const Model& model, const CondensedModel& 
       all[b].displacement.push_back(system.dofs.frames.toGlobal(moved));
       all[b].u.push_back(atNodes(std::move(full), system.K.dim));
     }
+    all[b].forces = atNodes(system.forcesOf(all[b].u.back(), comm), system.K.dim);
   });
   for (std::size_t s = 0; s < states.size(); ++s) {
     std::vector<NodalField*> ofState;

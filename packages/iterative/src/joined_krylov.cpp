@@ -3,6 +3,7 @@
 #include "cycle_count.hpp"
 #include "joined_equations.hpp"
 #include "joined_level.hpp"
+#include "own_dofs.hpp"
 
 namespace ndframe
 {

@@ -154,6 +154,7 @@ private:
 BlockMatrix galerkinMatrix(const RankProblem& problem, const LinearInterpolation& P, const Comm& comm)
 {
   const BlockMatrix& K = *problem.matrix;
+  NDFRAME_ASSERT(!K.values.empty() || K.cols.empty(), "the matrix was given back");
   const auto endsOf = [&P](int row) {
     const auto& [a, b] = P.ends[std::size_t(row)];
     return std::vector<Global>{P.vertices.global(a), P.vertices.global(b)};

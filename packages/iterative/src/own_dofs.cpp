@@ -58,6 +58,20 @@ Vector ownSizes(const BlockMatrix& K, const Vector& held)
   return sumsOfRows(K, held, [](double product) { return std::abs(product); });
 }
 
+double meanDiagonal(const BlockMatrix& K, const Comm& comm)
+{
+  NDFRAME_ASSERT(!K.values.empty() || K.cols.empty(), "the matrix was given back");
+  Vector sums{0.0, double(K.numRows()) * K.dim};
+  for (int r = 0; r < K.numRows(); ++r) {
+    const double* entry = K.block(r, r);
+    NDFRAME_ASSERT(entry != nullptr, "a row has no diagonal block");
+    for (int i = 0; i < K.dim; ++i)
+      sums[0] += entry[i * K.dim + i];
+  }
+  comm.sum(sums);
+  return sums[0] / sums[1];
+}
+
 double normOf(const Vector& own, const Comm& comm)
 {
   if (comm.size() == 1)

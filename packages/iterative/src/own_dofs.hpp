@@ -18,6 +18,8 @@ Vector gathered(const BlockMatrix& K, const double* own, const Comm& comm); ///<
 Vector ownProduct(const BlockMatrix& K, const Vector& held);
 Vector ownSizes(const BlockMatrix& K, const Vector& held); ///< |K| |u|, the moduli of the entries
 double normOf(const Vector& own, const Comm& comm);        ///< of all ranks. Collective
+/// Mean of the diagonal over all rows of all ranks, a scale for springs and tolerances. Collective.
+double meanDiagonal(const BlockMatrix& K, const Comm& comm);
 
 /// The dofs of this rank's nodes, those of one body after those of another, and where the kept dofs of all bodies are
 /// among them. Only kept values are on all ranks.

@@ -169,7 +169,7 @@ void completeBodies(RunSummary& all, const Run& run, double strainLimit, const C
     if (body.share)
       comm.sum(summary.loadForce);
     summary.supports = supportReactions(
-        body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), local, comm), comm);
+        body, supportForces(run.model, run.condensed, run.solved.coupling.state, int(b), run.solved.fields[b]), comm);
     summary.displacement = largestDisplacement(body, run.solved.fields[b].displacement.back(), comm);
   }
 }

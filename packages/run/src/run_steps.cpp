@@ -217,9 +217,10 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer)
   observer.roles(run.summary.coupling->roles);
 }
 
-Solved solve(Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+Solved solve(Model& model, CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
              const CouplingStart& start)
 {
+  assembleAgain(condensed, model, tools.ledger);
   Solved solved;
   solved.failure = failureOf([&] {
     if (tools.settings.outline.interfaces > 0)
@@ -242,14 +243,15 @@ void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingSt
     run.failure = "not converged: " + run.solved.doubt;
 }
 
-Certified certify(const Model& model, const CondensedModel& condensed, const Solved& solved,
+Certified certify(const Model& model, CondensedModel& condensed, const Solved& solved,
                   std::shared_ptr<const ReferenceSolution> reference, const RunTools& tools)
 {
-  Certified certified;
-  certified.reference = std::move(reference);
+  Certified certified{{}, std::move(reference), {}};
+  assembleAgain(condensed, model, tools.ledger);
   certified.failure = failureOf([&] {
-    certified.certificate = certify(tools.settings.scene, *tools.errors, tools.components, model, condensed,
-                                    solved.coupling, solved.fields, tools.comm, tools.ledger, certified.reference);
+    certified.certificate =
+        certify(tools.settings.scene, *tools.errors, tools.components, model, condensed, solved.coupling, solved.fields,
+                tools.comm, tools.ledger, certified.reference, [&] { giveBackStiffness(condensed); });
   });
   return certified;
 }
@@ -278,11 +280,10 @@ void certifyRun(Run& run, const RunTools& tools)
 
 void attempt(Run& run, RunObserver& observer, const std::function<void()>& steps)
 {
-  const auto failure = failureOf(steps);
-  if (failure.empty())
-    return;
-  run.certificate.reset();
-  giveUp(run.solved, failure, observer);
+  if (const auto failure = failureOf(steps); !failure.empty()) {
+    run.certificate.reset();
+    giveUp(run.solved, failure, observer);
+  }
 }
 
 void finishRun(Run& run, const RunTools& tools)

@@ -39,6 +39,7 @@ struct BlockMatrix
   /// The block (block row, column as in `cols`); null if not in the pattern.
   const double* block(int r, int column) const;
   double* block(int r, int column); ///< the same, to be written
+  void makeValues();                ///< zeros where the pattern has no values yet, in large pages
 };
 
 /// The rows of `owned` nodes, ascending, whose columns are numbers of all ranks' nodes, ascending in a row: numbers
@@ -73,8 +74,6 @@ Vector multiply(const BlockMatrix& K, const Vector& x, const Comm& comm);
 
 /// The diagonal, replicated on all ranks.
 Vector diagonal(const BlockMatrix& K, const Comm& comm);
-/// Mean of the diagonal over all rows of all ranks, a scale for springs and tolerances.
-double meanDiagonal(const BlockMatrix& K, const Comm& comm);
 
 /// What computing a row of a product may leave, relative to the product of the moduli: unit round-offs, and something
 /// for the length of the rows.

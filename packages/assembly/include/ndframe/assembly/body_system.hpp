@@ -64,11 +64,14 @@ struct BodySystem
   /// Of a body that is shared out: K numbers nodes as the whole body does, all else as the part; null otherwise.
   std::shared_ptr<const BodyShare> share{};
   std::vector<int> partNodes{}; ///< then per node that K holds its number in the part
+  double largestOwn = 0.0;      ///< the largest entry of K's diagonal in this rank's rows
 
   /// f - K u_prescribed: the load once the fixed dofs are moved to their values. Numbered as K.
   SparseField effectiveLoad(const Comm& comm) const;
   /// K u at the dofs of own nodes, zero elsewhere; u at all nodes of the part. Of a shared body. Local.
   Vector productOfPart(const Vector& u) const;
+  /// K u of all nodes, or of a shared body that of productOfPart(). Collective.
+  Vector forcesOf(const Vector& u, const Comm& comm) const;
   /// The largest entry of the diagonal. Collective.
   double largestDiagonal(const Comm& comm) const;
 };
@@ -79,6 +82,11 @@ BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector
 
 /// The same, integrating the loads.
 BodySystem assembleBody(const BodyModel& body, DofLayout dofs, const std::vector<int>& ownedNodes);
+
+/// Gives back the entries of K, most of a system's memory; what K is for cannot be asked then.
+void giveBackStiffness(BodySystem& system);
+/// K again, where it was given back.
+void assembleAgain(BodySystem& system, const BodyModel& body);
 
 /// f of equation (19) for a set of loads, in the nodes' own axes: a new load case needs nothing else.
 NodalField assembleLoad(const BodyModel& body, const Frames& frames);

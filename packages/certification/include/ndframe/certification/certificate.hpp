@@ -1,5 +1,6 @@
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 
@@ -38,10 +39,12 @@ struct Certificate
 /// Section 5: everything that the options (the deck's Error Estimation, or less) ask for, for the final state of a run.
 /// Collective.
 /// `fields`: the final state is their last. `reference`: of an earlier run or null; kept where it suits, else replaced.
-/// Throws NotConverged when no admissible traction exists.
-Certificate certify(const SceneSettings& settings, const ErrorOptions& options, const CertificateComponents& components,
-                    const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
-                    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
-                    std::shared_ptr<const ReferenceSolution>& reference);
+/// onFields: called when no matrix of the scene will be read any more; what it gives back, recovery and estimators
+/// have. Throws NotConverged when no admissible traction exists.
+Certificate certify(
+    const SceneSettings& settings, const ErrorOptions& options, const CertificateComponents& components,
+    const Model& model, const CondensedModel& condensed, const CouplingResult& coupling,
+    const std::vector<BodyFields>& fields, const Comm& comm, Ledger& ledger,
+    std::shared_ptr<const ReferenceSolution>& reference, const std::function<void()>& onFields = [] {});
 
 } // namespace ndframe

@@ -41,6 +41,12 @@ void offerWhole(Model& model, const Coupling& coupling, const Params& representa
 /// Told of every body that is factored, and how.
 using FactorObserver = std::function<void(const std::string& body, const std::string& description)>;
 
+/// Gives back what bodies that are solved by iterations have for that, their matrices included: most of the memory of a
+/// scene of solids. Solutions and the layouts of dofs stay.
+void giveBackStiffness(CondensedModel& condensed);
+/// The matrices again, where they were given back; solvers set up again by themselves what they need.
+void assembleAgain(CondensedModel& condensed, const Model& model, Ledger& ledger);
+
 /// One factorisation per body, whatever follows.
 ///
 /// What `previous` was made from in the same way is taken over ("factors reused" in the ledger, which must be the one

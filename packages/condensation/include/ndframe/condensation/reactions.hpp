@@ -21,9 +21,9 @@ struct SupportSummary
 
 /// What the supports of a body do to it in one state: nodal forces in global axes (numNodes * dim), zero where nothing
 /// is prescribed. With loads and contact forces they balance every body, moments too, to the round-off of K u.
-/// u: in the nodes' own axes. Collective.
+/// fields: of the body and that state.
 NodalField supportForces(const Model& model, const CondensedModel& condensed, const InterfaceState& state, int body,
-                         const Vector& u, const Comm& comm);
+                         const BodyFields& fields);
 
 /// The contact forces on the nodes of a body, global axes: C Lambda along n_c on the Dirichlet body, against it on the
 /// Neumann body (of the traction that each was solved with).

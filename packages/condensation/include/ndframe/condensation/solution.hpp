@@ -15,6 +15,7 @@ struct BodyFields
   std::vector<NodalField> u; ///< per state, in the nodes' own axes, without the free motions that the coupling
                              ///< found separately: strains have all their digits
   std::vector<NodalField> displacement; ///< per state, global axes (numNodes * dim), with all motions
+  NodalField forces;                    ///< K u of the last state, in the nodes' own axes, as BodySystem::forcesOf
 };
 
 /// True residuals of the returned state, each relative to a scale of the same unit (0 is perfect).

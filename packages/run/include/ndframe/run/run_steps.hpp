@@ -57,14 +57,15 @@ void findRoles(Run& run, const RunTools& tools, RunObserver& observer);
 
 /// Sweeps, displacements, contact. Where there is no solution and that lies in the problem, the result says why. start:
 /// with the spectrum that the coupling needs (Run::spectrum).
-Solved solve(Model& model, const CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
+Solved solve(Model& model, CondensedModel& condensed, const RunTools& tools, RunObserver& observer,
              const CouplingStart& start);
 
 /// The same into the run, whose certificate is of another state then. Throws NotConverged without a solution.
 void solveRun(Run& run, const RunTools& tools, RunObserver& observer, CouplingStart start = {});
 
-/// The certificate of a solution. reference: of this run or an earlier one; may be null.
-Certified certify(const Model& model, const CondensedModel& condensed, const Solved& solved,
+/// The certificate of a solution. reference: of this run or an earlier one; may be null. Matrices of bodies that are
+/// solved by iterations are given back meanwhile; solve() makes them again.
+Certified certify(const Model& model, CondensedModel& condensed, const Solved& solved,
                   std::shared_ptr<const ReferenceSolution> reference, const RunTools& tools);
 
 /// The certificate of the run's last state; without one Run::failure says why.
