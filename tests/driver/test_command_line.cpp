@@ -252,7 +252,7 @@ TEST_F(Program, PlansItsMemoryAndRefusesWhatCannotFit)
                                "--set", "Bodies/foundation/Mesh/Cells={40, 40, 20}"});
     return call(more).out;
   };
-  EXPECT_THAT(large({}), HasSubstr("memory: about 2.4 GB for some 1 013 766 dofs;"));
+  EXPECT_THAT(large({}), HasSubstr("memory: about 2 GB for some 1 013 766 dofs;"));
   EXPECT_THAT(large({"--set", "Error Estimation/Estimators={}"}),
               HasSubstr("memory: about 1.4 GB for some 1 013 766 dofs;"));
   EXPECT_THAT(large({"--set", "Bodies/punch/Material/Poisson Ratio=0.499"}),
