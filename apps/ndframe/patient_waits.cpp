@@ -56,16 +56,6 @@ int MPI_Waitall(int count, MPI_Request requests[], MPI_Status statuses[])
   return waitAsleep([&](int* isDone) { return PMPI_Testall(count, requests, isDone, statuses); });
 }
 
-int MPI_Send(const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm)
-{
-  if (!sharesProcessors())
-    return PMPI_Send(data, count, type, to, tag, comm);
-  MPI_Request request = MPI_REQUEST_NULL;
-  if (const int error = PMPI_Isend(data, count, type, to, tag, comm, &request); error != MPI_SUCCESS)
-    return error;
-  return MPI_Wait(&request, MPI_STATUS_IGNORE);
-}
-
 int MPI_Recv(void* data, int count, MPI_Datatype type, int from, int tag, MPI_Comm comm, MPI_Status* status)
 {
   if (!sharesProcessors())
@@ -76,8 +66,8 @@ int MPI_Recv(void* data, int count, MPI_Datatype type, int from, int tag, MPI_Co
   return MPI_Wait(&request, status);
 }
 
-// A collective function: where who waits sleeps, its non-blocking form until it ends.
-#define NDFRAME_COLLECTIVE(name, begin, parameters, ...)                                                               \
+// A function that blocks: where who waits sleeps, its non-blocking form until it ends.
+#define NDFRAME_BLOCKING(name, begin, parameters, ...)                                                                 \
   int name parameters                                                                                                  \
   {                                                                                                                    \
     if (!sharesProcessors())                                                                                           \
@@ -88,57 +78,59 @@ int MPI_Recv(void* data, int count, MPI_Datatype type, int from, int tag, MPI_Co
     return MPI_Wait(&request, MPI_STATUS_IGNORE);                                                                      \
   }
 
-NDFRAME_COLLECTIVE(MPI_Barrier, PMPI_Ibarrier, (MPI_Comm comm), comm)
+NDFRAME_BLOCKING(MPI_Send, PMPI_Isend, (const void* data, int count, MPI_Datatype type, int to, int tag, MPI_Comm comm),
+                 data, count, type, to, tag, comm)
 
-NDFRAME_COLLECTIVE(MPI_Bcast, PMPI_Ibcast, (void* data, int count, MPI_Datatype type, int root, MPI_Comm comm), data,
-                   count, type, root, comm)
+NDFRAME_BLOCKING(MPI_Barrier, PMPI_Ibarrier, (MPI_Comm comm), comm)
 
-NDFRAME_COLLECTIVE(MPI_Allreduce, PMPI_Iallreduce,
-                   (const void* own, void* all, int count, MPI_Datatype type, MPI_Op operation, MPI_Comm comm), own,
-                   all, count, type, operation, comm)
+NDFRAME_BLOCKING(MPI_Bcast, PMPI_Ibcast, (void* data, int count, MPI_Datatype type, int root, MPI_Comm comm), data,
+                 count, type, root, comm)
 
-NDFRAME_COLLECTIVE(MPI_Reduce, PMPI_Ireduce,
-                   (const void* own, void* all, int count, MPI_Datatype type, MPI_Op operation, int root,
-                    MPI_Comm comm),
-                   own, all, count, type, operation, root, comm)
+NDFRAME_BLOCKING(MPI_Allreduce, PMPI_Iallreduce,
+                 (const void* own, void* all, int count, MPI_Datatype type, MPI_Op operation, MPI_Comm comm), own, all,
+                 count, type, operation, comm)
 
-NDFRAME_COLLECTIVE(MPI_Scan, PMPI_Iscan,
-                   (const void* own, void* all, int count, MPI_Datatype type, MPI_Op operation, MPI_Comm comm), own,
-                   all, count, type, operation, comm)
+NDFRAME_BLOCKING(MPI_Reduce, PMPI_Ireduce,
+                 (const void* own, void* all, int count, MPI_Datatype type, MPI_Op operation, int root, MPI_Comm comm),
+                 own, all, count, type, operation, root, comm)
 
-NDFRAME_COLLECTIVE(MPI_Gather, PMPI_Igather,
-                   (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn,
-                    int root, MPI_Comm comm),
-                   out, numOut, typeOut, in, numIn, typeIn, root, comm)
+NDFRAME_BLOCKING(MPI_Scan, PMPI_Iscan,
+                 (const void* own, void* all, int count, MPI_Datatype type, MPI_Op operation, MPI_Comm comm), own, all,
+                 count, type, operation, comm)
 
-NDFRAME_COLLECTIVE(MPI_Gatherv, PMPI_Igatherv,
-                   (const void* out, int numOut, MPI_Datatype typeOut, void* in, const int numsIn[],
-                    const int firstIn[], MPI_Datatype typeIn, int root, MPI_Comm comm),
-                   out, numOut, typeOut, in, numsIn, firstIn, typeIn, root, comm)
+NDFRAME_BLOCKING(MPI_Gather, PMPI_Igather,
+                 (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn, int root,
+                  MPI_Comm comm),
+                 out, numOut, typeOut, in, numIn, typeIn, root, comm)
 
-NDFRAME_COLLECTIVE(MPI_Scatter, PMPI_Iscatter,
-                   (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn,
-                    int root, MPI_Comm comm),
-                   out, numOut, typeOut, in, numIn, typeIn, root, comm)
+NDFRAME_BLOCKING(MPI_Gatherv, PMPI_Igatherv,
+                 (const void* out, int numOut, MPI_Datatype typeOut, void* in, const int numsIn[], const int firstIn[],
+                  MPI_Datatype typeIn, int root, MPI_Comm comm),
+                 out, numOut, typeOut, in, numsIn, firstIn, typeIn, root, comm)
 
-NDFRAME_COLLECTIVE(MPI_Allgather, PMPI_Iallgather,
-                   (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn,
-                    MPI_Comm comm),
-                   out, numOut, typeOut, in, numIn, typeIn, comm)
+NDFRAME_BLOCKING(MPI_Scatter, PMPI_Iscatter,
+                 (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn, int root,
+                  MPI_Comm comm),
+                 out, numOut, typeOut, in, numIn, typeIn, root, comm)
 
-NDFRAME_COLLECTIVE(MPI_Allgatherv, PMPI_Iallgatherv,
-                   (const void* out, int numOut, MPI_Datatype typeOut, void* in, const int numsIn[],
-                    const int firstIn[], MPI_Datatype typeIn, MPI_Comm comm),
-                   out, numOut, typeOut, in, numsIn, firstIn, typeIn, comm)
+NDFRAME_BLOCKING(MPI_Allgather, PMPI_Iallgather,
+                 (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn,
+                  MPI_Comm comm),
+                 out, numOut, typeOut, in, numIn, typeIn, comm)
 
-NDFRAME_COLLECTIVE(MPI_Alltoall, PMPI_Ialltoall,
-                   (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn,
-                    MPI_Comm comm),
-                   out, numOut, typeOut, in, numIn, typeIn, comm)
+NDFRAME_BLOCKING(MPI_Allgatherv, PMPI_Iallgatherv,
+                 (const void* out, int numOut, MPI_Datatype typeOut, void* in, const int numsIn[], const int firstIn[],
+                  MPI_Datatype typeIn, MPI_Comm comm),
+                 out, numOut, typeOut, in, numsIn, firstIn, typeIn, comm)
 
-NDFRAME_COLLECTIVE(MPI_Alltoallv, PMPI_Ialltoallv,
-                   (const void* out, const int numsOut[], const int firstOut[], MPI_Datatype typeOut, void* in,
-                    const int numsIn[], const int firstIn[], MPI_Datatype typeIn, MPI_Comm comm),
-                   out, numsOut, firstOut, typeOut, in, numsIn, firstIn, typeIn, comm)
+NDFRAME_BLOCKING(MPI_Alltoall, PMPI_Ialltoall,
+                 (const void* out, int numOut, MPI_Datatype typeOut, void* in, int numIn, MPI_Datatype typeIn,
+                  MPI_Comm comm),
+                 out, numOut, typeOut, in, numIn, typeIn, comm)
+
+NDFRAME_BLOCKING(MPI_Alltoallv, PMPI_Ialltoallv,
+                 (const void* out, const int numsOut[], const int firstOut[], MPI_Datatype typeOut, void* in,
+                  const int numsIn[], const int firstIn[], MPI_Datatype typeIn, MPI_Comm comm),
+                 out, numsOut, firstOut, typeOut, in, numsIn, firstIn, typeIn, comm)
 
 } // extern "C"

@@ -21,7 +21,7 @@ public:
   {
     if (system_.share)
       system_.share->fetch(x, system_.K.dim);
-    Vector r = system_.share ? system_.productOfPart(x) : multiply(system_.K, x, comm_);
+    Vector r = system_.forcesOf(x, comm_);
     for (std::size_t dof = 0; dof < r.size(); ++dof)
       r[dof] = system_.dofs.roles[dof] != DofRole::Fixed ? load[dof] - r[dof] : 0.0;
     if (system_.share)
