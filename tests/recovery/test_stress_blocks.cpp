@@ -53,9 +53,13 @@ public:
       });
       if (rounded) {
         const double unit = blocks.unit();
-        std::vector<float> few(x.begin(), x.end()), result(x.size());
+        std::vector<float> few(x.size(), 0.0F), result(x.size(), 0.0F); // cell after cell
+        const std::size_t numbers = 4 * size;
+        for (std::size_t i = 0; i < numbers * lanes; ++i)
+          few[i % lanes * numbers + i / lanes] = float(x[i]);
         matrices_.multiplyRounded(batch, unit, few.data(), result.data());
-        std::transform(result.begin(), result.end(), forces.begin(), [=](float value) { return value / unit; });
+        for (std::size_t i = 0; i < numbers * lanes; ++i)
+          forces[i] = result[i % lanes * numbers + i / lanes] / unit;
       } else
         matrices_.multiply(batch, x.data(), forces.data());
       each(batch, [&](const StressFace& face, std::size_t side, std::size_t f, std::size_t facet, std::size_t lane) {

@@ -36,10 +36,10 @@ void BlockFlow::Builder::fetch(std::vector<int>& ofHeld) const
 }
 
 /// To all ranks with cells in a box.
-void BlockFlow::Builder::send(std::vector<Vector>& out, int block, const Vector& record) const
+void BlockFlow::Builder::send(std::vector<Vector>& out, int block, std::initializer_list<double> record) const
 {
   for (const int rank : ranksOf_[std::size_t(block)])
-    out[std::size_t(rank)].insert(out[std::size_t(rank)].end(), record.begin(), record.end());
+    out[std::size_t(rank)].insert(out[std::size_t(rank)].end(), record);
 }
 
 void BlockFlow::Builder::findOwn()
@@ -75,21 +75,32 @@ void BlockFlow::Builder::findBlocks()
     ranksOf_[std::size_t(all[at])].push_back(int(all[at + 1]));
 }
 
+/// Of a cell in the order of the cells behind them, so that where cells' numbers ascend pairs of cells do.
 void BlockFlow::Builder::findFaces()
 {
   const std::vector<SortedCell> cells = sortedCells(mesh_);
   twins_ = facetTwins(cells, 3);
-  for (const int cell : flow_.own_)
-    for (int half = cell * 4; half < cell * 4 + 4; ++half) {
+  Vector volumes;
+  for (int cell = 0; cell < mesh_.numCells(); ++cell)
+    volumes.push_back(cellMeasure(mesh_, cell));
+  faces_.reserve(2 * flow_.own_.size());
+  std::vector<int> halves;
+  for (const int cell : flow_.own_) {
+    halves.clear();
+    for (int half = cell * 4; half < cell * 4 + 4; ++half)
+      if (const int twin = twins_[std::size_t(half)]; twin >= 0 && number(twin / 4) >= number(cell))
+        halves.push_back(half);
+    const auto behind = [this](int half) { return number(twins_[std::size_t(half)] / 4); };
+    std::sort(halves.begin(), halves.end(), [&](int a, int b) { return behind(a) < behind(b); });
+    for (const int half : halves) {
       const int twin = twins_[std::size_t(half)];
-      if (twin < 0 || number(twin / 4) < number(cell))
-        continue;
       const Facet facet{cell, cells[std::size_t(cell)].local[std::size_t(half % 4)]};
       double normal[3];
       const double area = facetNormal(mesh_, facet, normal), size = std::sqrt(area);
-      const double conductance = area * area / (cellMeasure(mesh_, cell) + cellMeasure(mesh_, twin / 4));
-      faces_.push_back({{half, twin}, Spring::ofFace(facetCentre(mesh_, facet), conductance, size), size});
+      const double conductance = area * area / (volumes[std::size_t(cell)] + volumes[std::size_t(twin / 4)]);
+      faces_.push_back({{half, twin}, facetCentre(mesh_, facet), conductance, size});
     }
+  }
 }
 
 /// All ranks with cells in a box get all its cells.
@@ -129,12 +140,10 @@ void BlockFlow::Builder::joinWithin()
   flow_.shared_.fetch([](int cell) { return SharedValues::Place{std::size_t(cell) * perCell, perCell}; }, places);
   std::vector<Vector> out(std::size_t(comm_.size()));
   for (const OwnFace& face : faces_)
-    if (staysInside(face)) {
-      Vector record{double(number(face.half[0] / 4)), double(number(face.half[1] / 4)), face.spring.conductance,
-                    face.size};
-      append(record, face.spring.centre);
-      send(out, block(face.half[0]), record);
-    }
+    if (staysInside(face))
+      send(out, block(face.half[0]),
+           {double(number(face.half[0] / 4)), double(number(face.half[1] / 4)), face.conductance, face.size,
+            face.centre[0], face.centre[1], face.centre[2]});
   std::vector<WrenchFlow::Link> links;
   std::vector<NumberPair> cells;
   for (const Vector& values : exchangedValues(out, comm_))
@@ -199,7 +208,7 @@ void BlockFlow::Builder::joinBetween()
   for (const OwnFace& face : faces_)
     if (!staysInside(face)) {
       const auto [low, high] = std::minmax({setOf(face.half[0]), setOf(face.half[1])});
-      own[{low, high}].push_back(face.spring);
+      own[{low, high}].push_back(Spring::ofFace(face.centre, face.conductance, face.size));
     }
   Vector records;
   for (const auto& [sets, springs] : own) {
@@ -236,8 +245,8 @@ std::vector<Vector> BlockFlow::Builder::sentCrossings() const
     Vector record;
     for (const int half : face.half)
       record.insert(record.end(), {double(number(half / 4)), double(flow_.setOf_[std::size_t(half / 4)])});
-    record.insert(record.end(), {face.spring.conductance, face.size});
-    append(record, face.spring.centre);
+    record.insert(record.end(), {face.conductance, face.size});
+    append(record, face.centre);
     std::set<int> ranks;
     for (const int half : face.half)
       ranks.insert(ranksOf_[std::size_t(block(half))].begin(), ranksOf_[std::size_t(block(half))].end());
@@ -269,20 +278,37 @@ void BlockFlow::Builder::takeCrossings()
   crossing_ = inOrder(pairs, flow_.crossings_);
 }
 
-/// Own half facets learn where their flow is.
+/// Own half facets learn where their flow is: both sides of a face at once, where they are own.
 void BlockFlow::Builder::findPlaces()
 {
+  std::vector<int> found(flow_.halves_, -1);
+  std::array<std::size_t, 2> next{}; // of the pairs inside and of the crossings: most follow one another
+  const auto find = [&](const NumberPair& cells, bool isCrossing) {
+    const std::vector<NumberPair>& pairs = isCrossing ? crossing_ : inner_;
+    std::size_t& place = next[std::size_t(isCrossing)];
+    if (place >= pairs.size() || pairs[place] != cells)
+      place = std::size_t(placeOf(pairs, cells));
+    return int(place++);
+  };
+  flow_.places_.reserve(2 * faces_.size());
+  const auto add = [&](int half, int number, bool isCrossing, double sign) {
+    flow_.places_.push_back({half, number, isCrossing, sign});
+    found[std::size_t(half)] = number;
+  };
+  for (const OwnFace& face : faces_) {
+    const bool isCrossing = !staysInside(face);
+    const auto [half, twin] = face.half;
+    const int place = find({number(half / 4), number(twin / 4)}, isCrossing);
+    add(half, place, isCrossing, 1.0);
+    if (isOwn(twin / 4))
+      add(twin, place, isCrossing, -1.0);
+  }
   for (const int cell : flow_.own_)
-    for (int half = cell * 4; half < cell * 4 + 4; ++half) {
-      const int twin = twins_[std::size_t(half)];
-      if (twin < 0)
-        continue;
-      const Number mine = number(cell), theirs = number(twin / 4);
-      const NumberPair cells{std::min(mine, theirs), std::max(mine, theirs)};
-      const bool isCrossing = block(half) != block(twin);
-      flow_.places_.push_back(
-          {half, placeOf(isCrossing ? crossing_ : inner_, cells), isCrossing, mine < theirs ? 1.0 : -1.0});
-    }
+    for (int half = cell * 4; half < cell * 4 + 4; ++half)
+      if (const int twin = twins_[std::size_t(half)]; twin >= 0 && found[std::size_t(half)] < 0) {
+        const bool isCrossing = block(half) != block(twin);
+        add(half, find({number(twin / 4), number(cell)}, isCrossing), isCrossing, -1.0);
+      }
 }
 
 } // namespace ndframe

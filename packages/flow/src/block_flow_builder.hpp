@@ -1,5 +1,6 @@
 #pragma once
 
+#include <initializer_list>
 #include <map>
 
 #include "ndframe/flow/block_flow.hpp"
@@ -35,8 +36,8 @@ private:
   struct OwnFace
   {
     std::array<int, 2> half; ///< of the held mesh
-    Spring spring;
-    double size;
+    Direction centre;
+    double conductance, size;
   };
 
   bool isOwn(int cell) const { return piece_ == nullptr || piece_->owns(cell); }
@@ -45,7 +46,7 @@ private:
   bool staysInside(const OwnFace& face) const { return block(face.half[0]) == block(face.half[1]); }
   /// What cells of other ranks have, too.
   void fetch(std::vector<int>& ofHeld) const;
-  void send(std::vector<Vector>& out, int block, const Vector& record) const;
+  void send(std::vector<Vector>& out, int block, std::initializer_list<double> record) const;
 
   void findOwn();
   void findBlocks();

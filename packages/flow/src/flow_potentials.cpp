@@ -12,39 +12,35 @@ namespace
 
 constexpr int wrench = 6;
 
-/// L L^T in place in the lower triangle, row by row; the diagonal holds inverses. Columns of `values` become solutions:
-/// a wrench a row.
-void solveLaplacian(std::vector<double>& L, std::size_t size, double* values)
+/// U^T D^-1 U in the upper triangle of a symmetric matrix, row by row, D the diagonal of U; columns of `values` become
+/// solutions: a wrench a row. Most of a star's cells are no neighbours, so most of U is zero.
+void solveLaplacian(std::vector<double>& U, std::size_t size, double* values)
 {
-  for (std::size_t i = 0; i < size; ++i) {
-    double* row = L.data() + i * size;
-    for (std::size_t j = 0; j <= i; ++j) {
-      const double* other = L.data() + j * size;
-      double sum = row[j];
-      for (std::size_t k = 0; k < j; ++k)
-        sum -= row[k] * other[k];
-      if (j == i && !(sum > 0.0))
-        throw NotPositiveDefinite(int(i));
-      row[j] = j == i ? 1.0 / std::sqrt(sum) : sum * other[j];
-    }
-  }
   const auto add = [&](std::size_t to, double factor, std::size_t from) {
     for (std::size_t c = 0; c < wrench; ++c)
       values[to * wrench + c] += factor * values[from * wrench + c];
   };
-  const auto scale = [&](std::size_t row) {
-    for (std::size_t c = 0; c < wrench; ++c)
-      values[row * wrench + c] *= L[row * size + row];
-  };
-  for (std::size_t i = 0; i < size; ++i) {
-    for (std::size_t k = 0; k < i; ++k)
-      add(i, -L[i * size + k], k);
-    scale(i);
+  for (std::size_t k = 0; k < size; ++k) {
+    const double* pivot = U.data() + k * size;
+    if (!(pivot[k] > 0.0))
+      throw NotPositiveDefinite(int(k));
+    for (std::size_t i = k + 1; i < size; ++i) {
+      if (pivot[i] == 0.0)
+        continue;
+      const double factor = -pivot[i] / pivot[k];
+      double* row = U.data() + i * size;
+      for (std::size_t j = i; j < size; ++j)
+        row[j] += factor * pivot[j];
+      add(i, factor, k);
+    }
   }
-  for (std::size_t i = size; i-- > 0;) {
-    scale(i);
-    for (std::size_t k = 0; k < i; ++k)
-      add(k, -L[i * size + k], i);
+  for (std::size_t k = size; k-- > 0;) {
+    const double* pivot = U.data() + k * size;
+    for (std::size_t i = k + 1; i < size; ++i)
+      if (pivot[i] != 0.0)
+        add(k, -pivot[i], i);
+    for (std::size_t c = 0; c < wrench; ++c)
+      values[k * wrench + c] /= pivot[k];
   }
 }
 

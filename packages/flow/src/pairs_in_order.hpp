@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
+#include <functional>
 #include <numeric>
 #include <vector>
 
@@ -15,6 +16,8 @@ using NumberPair = std::array<std::int64_t, 2>;
 template <class Value>
 std::vector<NumberPair> inOrder(const std::vector<NumberPair>& pairs, std::vector<Value>& values)
 {
+  if (std::adjacent_find(pairs.begin(), pairs.end(), std::greater_equal<>()) == pairs.end())
+    return pairs;
   std::vector<int> order(pairs.size());
   std::iota(order.begin(), order.end(), 0);
   std::sort(order.begin(), order.end(), [&](int a, int b) { return pairs[std::size_t(a)] < pairs[std::size_t(b)]; });

@@ -64,12 +64,10 @@ std::vector<Wrench> FlowSettler::lacks(const StressCorrection& correction) const
   return result;
 }
 
-/// Tractions on a cell's facet: carriers times amounts.
-void FlowSettler::add(int cell, int facet, const Vector& amounts, StressCorrection& correction) const
+/// The data of tractions on a cell's facet.
+double* FlowSettler::tractions(int cell, int facet, StressCorrection& correction) const
 {
-  face(cell, facet)
-      .addCarried(amounts.data(),
-                  correction.tractions.data() + (std::ptrdiff_t(cell) * 4 + facet) * faces_.cells().facetData());
+  return correction.tractions.data() + (std::ptrdiff_t(cell) * 4 + facet) * faces_.cells().facetData();
 }
 
 /// Supports take what each part of the body lacks in all: the smallest tractions that do.
@@ -117,54 +115,63 @@ void FlowSettler::give(const Support& support, const Vector& motion, std::vector
     for (int i = 0; i < wrench; ++i)
       taken[std::size_t(i)] -= own.free->reach(i, k) * amount;
   }
-  add(support.cell, support.facet, amounts, correction);
+  own.addCarried(amounts.data(), tractions(support.cell, support.facet, correction));
   taken = movedWrench(taken, own.centre, own.size, centre(support.cell), 1.0);
   for (std::size_t i = 0; i < taken.size(); ++i)
     lacks[std::size_t(support.cell)][i] += taken[i];
 }
 
-void FlowSettler::pass(StressCorrection& correction, const Comm& comm) const
+void FlowSettler::pass(std::vector<Wrench> lacks, StressCorrection& correction, const Comm& comm) const
 {
-  std::vector<Wrench> own = lacks(correction);
-  react(own, correction, comm);
-  const std::vector<Wrench> through = flow_.through(own);
+  react(lacks, correction, comm);
+  const std::vector<Wrench> through = flow_.through(lacks);
+  const int first = faces_.cells().number(body_, 0), size = faces_.cells().facetData();
   for (int cell = 0; cell < mesh_.numCells(); ++cell)
     for (int facet = 0; facet < 4 && isOwn(cell); ++facet) {
       const StressFace& passed = face(cell, facet);
-      if (!passed.isInside())
+      const std::size_t side = passed.sideOf(first + cell);
+      if (!passed.isInside() || (side == 1 && isOwn(passed.cell[0] - first)))
         continue;
-      const Wrench& sent = through[std::size_t(cell) * 4 + std::size_t(facet)];
-      Vector amounts;
-      for (std::size_t i = 0; i < sent.size(); ++i)
-        amounts.push_back(i < 3 ? sent[i] : sent[i] / passed.size);
-      add(cell, facet, amounts, correction);
+      Wrench amounts = through[std::size_t(cell) * 4 + std::size_t(facet)];
+      for (std::size_t i = 3; i < amounts.size(); ++i)
+        amounts[i] /= passed.size;
+      std::array<double, 18> T{}; // facet data at most
+      passed.addCarried(amounts.data(), T.data());
+      const auto add = [&](double* sum, double sign) {
+        for (int i = 0; i < size; ++i)
+          sum[i] += sign * T[std::size_t(i)];
+      };
+      add(tractions(cell, facet, correction), 1.0);
+      if (const int other = passed.cell[1 - side] - first; isOwn(other))
+        add(tractions(other, passed.facet[1 - side], correction), -1.0);
     }
 }
 
-/// Moments over the size of the cell.
-void FlowSettler::measure(StressCorrection& correction, const Comm& comm) const
+/// The largest of what cells lack, moments over the size of the cell.
+double FlowSettler::largestOf(const std::vector<Wrench>& lacks, const Comm& comm) const
 {
   Vector largest{0.0};
-  const std::vector<Wrench> left = lacks(correction);
   for (int cell = 0; cell < mesh_.numCells(); ++cell) {
     if (!isOwn(cell))
       continue;
     const double size = std::cbrt(cellMeasure(mesh_, cell));
-    for (std::size_t i = 0; i < left.front().size(); ++i)
-      largest[0] = std::max(largest[0], std::abs(left[std::size_t(cell)][i]) / (i < 3 ? 1.0 : size));
+    for (std::size_t i = 0; i < std::tuple_size_v<Wrench>; ++i)
+      largest[0] = std::max(largest[0], std::abs(lacks[std::size_t(cell)][i]) / (i < 3 ? 1.0 : size));
   }
   takeLargest(largest, comm);
-  correction.imbalance = largest[0];
+  return largest[0];
 }
 
 void FlowSettler::settle(StressCorrection& correction, const Comm& comm) const
 {
   constexpr double less = 0.1; // else it is what nothing takes
   double before = 0.0;
+  std::vector<Wrench> left = lacks(correction);
   do {
     before = correction.imbalance;
-    pass(correction, comm);
-    measure(correction, comm);
+    pass(std::move(left), correction, comm);
+    left = lacks(correction);
+    correction.imbalance = largestOf(left, comm);
   } while (correction.imbalance > 0.0 && correction.imbalance < less * before &&
            correction.imbalance > roundOff * correction.force);
 }

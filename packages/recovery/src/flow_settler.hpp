@@ -37,9 +37,9 @@ private:
   void give(const Support& support, const Vector& motion, std::vector<Wrench>& lacks,
             StressCorrection& correction) const;
   void react(std::vector<Wrench>& lacks, StressCorrection& correction, const Comm& comm) const;
-  void add(int cell, int facet, const Vector& amounts, StressCorrection& correction) const;
-  void pass(StressCorrection& correction, const Comm& comm) const;
-  void measure(StressCorrection& correction, const Comm& comm) const;
+  double* tractions(int cell, int facet, StressCorrection& correction) const;
+  void pass(std::vector<Wrench> lacks, StressCorrection& correction, const Comm& comm) const;
+  double largestOf(const std::vector<Wrench>& lacks, const Comm& comm) const;
 
   int body_;
   const StressFaces& faces_;

@@ -17,6 +17,7 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
       seats_(faces.seats()), edges_(stressEdges(faces)), sharing_(faces, edges_, comm), ofClasses_(faces.cells()),
       blocks_(faces, edges_, ofClasses_), unknowns_(faces, edges_, blocks_), matrices_(faces.cells(), ofClasses_)
 {
+  listFacets();
   for (const DescentField& field : fields_) {
     if (field.traction != nullptr) {
       Vector ofPatches(field.traction->shares.size(), 0.0);
@@ -24,7 +25,8 @@ StressDescent::StressDescent(const StressFaces& faces, const std::vector<Contact
         add(change.face, change.T.data(), field, ofPatches);
       addPatches(ofPatches, field);
     }
-    start_.emplace_back(std::size_t(faces.cells().size()) * 4 * std::size_t(facetData()), 0.0);
+    start_.emplace_back(std::size_t(faces.cells().size()) * 4 * std::size_t(facetData()), 0.0F);
+    startUnits_.push_back(0.0);
     batches_.emplace_back(std::size_t(matrices_.numBatches()));
   }
   findMatrices();
@@ -44,56 +46,72 @@ std::array<std::int64_t, 2> StressDescent::numMatrices() const
   return {comm_.sum(ofClasses_.numOwn() + cells), std::int64_t(most.front())};
 }
 
+void StressDescent::listFacets()
+{
+  facets_.reserve(std::size_t(faces_->size()));
+  for (const StressFace& face : faces_->all())
+    facets_.push_back({face.cell[0] * 4 + face.facet[0], face.turned.rows() > 0 ? Facets::turned
+                                                         : face.isBoundary()    ? -1
+                                                                                : face.cell[1] * 4 + face.facet[1]});
+}
+
 /// Those of this rank.
 void StressDescent::findMatrices()
 {
-  constexpr int together = 16; // batches whose parts of blocks are kept until they are added in order
+  constexpr int together = 16; // batches of which is kept what is then added in order
   constexpr std::size_t lanes = StressMatrices::lanes;
+  Vector forces(startSize() * std::size_t(together));
   for (int first = 0; first < matrices_.numBatches(); first += together) {
     const int last = std::min(first + together, matrices_.numBatches());
     std::array<Vector, std::size_t(together) * lanes> parts;
     runInRanges(last - first, threads_, [&](int from, int to) {
       CellBlocks work(*faces_);
       Vector space;
-      for (int batch = first + from; batch < first + to; ++batch)
-        findMatrices(batch, work, space, parts.data() + std::size_t(batch - first) * lanes);
+      for (int i = from; i < to; ++i)
+        findMatrices(first + i, work, space, parts.data() + std::size_t(i) * lanes,
+                     forces.data() + std::size_t(i) * startSize());
     });
-    for (int batch = first; batch < last; ++batch)
+    for (int batch = first; batch < last; ++batch) {
       for (int c = 0; c < matrices_.sizeOf(batch); ++c)
         blocks_.add(matrices_.cells(batch)[c], parts[std::size_t(batch - first) * lanes + std::size_t(c)]);
+      keepStart(batch, forces.data() + std::size_t(batch - first) * startSize());
+    }
   }
 }
 
 /// Of one batch, its parts of blocks per lane, and the start.
-void StressDescent::findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts)
+void StressDescent::findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts, double* forces)
 {
   const int* cells = matrices_.cells(batch);
   const int count = matrices_.sizeOf(batch);
   if (matrices_.isOfClass(batch)) {
     for (int c = 0; c < count; ++c)
       parts[c] = blocks_.partsOfClass(cells[c]);
-    addStart(batch, [&](const double* x, double* forces) { matrices_.multiplyData(batch, x, forces); });
+    findStart(
+        batch, [&](const double* x, double* result) { matrices_.multiplyData(batch, x, result); }, forces);
   } else
     matrices_.find(batch, space, [&](const CellFacets& found) {
       work.compute(found);
       for (int c = 0; c < count; ++c)
         parts[c] = blocks_.parts(work, c, cells[c]);
-      addStart(batch, [&](const double* x, double* forces) { matrices_.multiplyData(found, x, forces); });
+      findStart(
+          batch, [&](const double* x, double* result) { matrices_.multiplyData(found, x, result); }, forces);
     });
   for (int c = 0; c < count; ++c)
     watch_.cellIsRead();
 }
 
-/// A_E x_E of all fields' corrections in a batch's cells; multiply(x, forces) per number and lane.
-void StressDescent::addStart(int batch, const std::function<void(const double*, double*)>& multiply)
+/// A_E x_E of all fields' corrections in a batch's cells, per field, number and lane; multiply(x, forces) per number
+/// and lane.
+void StressDescent::findStart(int batch, const std::function<void(const double*, double*)>& multiply, double* forces)
 {
   constexpr std::size_t lanes = StressMatrices::lanes;
   const int* cells = matrices_.cells(batch);
   const int count = matrices_.sizeOf(batch);
   const ReferenceStress& reference = faces_->cells().any().reference();
   const auto tractions = std::size_t(reference.tractions), loads = std::size_t(reference.loads);
-  for (std::size_t f = 0; f < fields_.size(); ++f) {
-    std::array<double, StressMatrices::mostNumbers> x{}, forces{};
+  for (std::size_t f = 0; f < fields_.size(); ++f, forces += StressMatrices::mostNumbers) {
+    std::array<double, StressMatrices::mostNumbers> x{};
     for (std::size_t c = 0; c < std::size_t(count); ++c) {
       const int body = faces_->cells().bodyOf(cells[c]);
       const auto cell = std::size_t(cells[c] - faces_->cells().number(body, 0));
@@ -103,13 +121,39 @@ void StressDescent::addStart(int batch, const std::function<void(const double*, 
       for (std::size_t i = 0; i < loads; ++i)
         x[(tractions + i) * lanes + c] = correction.loads[cell * loads + i];
     }
-    multiply(x.data(), forces.data());
+    const std::size_t used = (tractions + loads) * lanes;
+    multiply(x.data(), forces);
     const auto bySize = [](double a, double b) { return std::abs(a) < std::abs(b); };
-    batches_[f][std::size_t(batch)] = {std::inner_product(x.begin(), x.end(), forces.begin(), 0.0),
+    batches_[f][std::size_t(batch)] = {std::inner_product(x.begin(), x.begin() + std::ptrdiff_t(used), forces, 0.0),
                                        std::abs(*std::max_element(x.begin(), x.end(), bySize))};
-    for (std::size_t c = 0; c < std::size_t(count); ++c)
+  }
+}
+
+/// Rounds what findStart() has found. Units follow from the first cells that have anything, and rise where others have
+/// far more: single precision has room for 1e38 of them.
+void StressDescent::keepStart(int batch, const double* forces)
+{
+  constexpr std::size_t lanes = StressMatrices::lanes;
+  constexpr double room = 1e20;
+  const std::size_t tractions = std::size_t(facetData()) * 4;
+  for (std::size_t f = 0; f < fields_.size(); ++f, forces += StressMatrices::mostNumbers) {
+    double largest = 0.0;
+    for (std::size_t i = 0; i < tractions * lanes; ++i)
+      largest = std::max(largest, std::abs(forces[i]));
+    double& unit = startUnits_[f];
+    if (largest > room * unit) {
+      const double raised = powerOfTwo(largest);
+      if (unit > 0.0)
+        for (float& value : start_[f])
+          value = float(value * (unit / raised));
+      unit = raised;
+    }
+    const double factor = unit > 0.0 ? 1.0 / unit : 0.0;
+    for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
+      float* own = start_[f].data() + std::size_t(matrices_.cells(batch)[c]) * tractions;
       for (std::size_t i = 0; i < tractions; ++i)
-        start_[f][std::size_t(cells[c]) * tractions + i] = forces[i * lanes + c];
+        own[i] = float(forces[i * lanes + c] * factor);
+    }
   }
 }
 

@@ -76,16 +76,18 @@ private:
   int descend(Steps& steps, PressureRoom* room, std::size_t field, const DescentEnd& end);
   bool isDone(std::size_t field) const;
   double startEnergy(std::size_t field) const;
-  Steps begin(const DescentField& field, Vector start, std::vector<char> still) const;
+  Steps begin(std::size_t field, std::vector<char> still);
   std::optional<double> take(Steps& steps, PressureRoom* room) const;
   void findMatrices();
-  void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts);
-  void addStart(int batch, const std::function<void(const double*, double*)>& multiply);
+  void findMatrices(int batch, CellBlocks& work, Vector& space, Vector* parts, double* forces);
+  void findStart(int batch, const std::function<void(const double*, double*)>& multiply, double* forces);
+  void keepStart(int batch, const double* forces);
+  std::size_t startSize() const { return fields_.size() * StressMatrices::mostNumbers; }
   void gradientOf(const StressUnknowns::FaceForces& ofFace, Vector& ofCarriers, Rounded& gradient) const;
-  void gather(int batch, const Rounded& tractions, float* x) const;
+  void gather(int cell, const Rounded& tractions, float* x) const;
   void cellForces(const Rounded& tractions, double unit, Rounded& result) const;
-  template <class Number>
-  void faceForces(int face, const std::vector<Number>& cellForces, double unit, double* sum) const;
+  void listFacets();
+  void faceForces(int face, const Rounded& cellForces, double factor, double* sum) const;
   void addOpening(int face, const Vector& opening, double unit, double* forces) const;
   double dotOfAll(const Rounded& a, const Rounded& b) const;
   void fetch(Rounded& unknowns) const;
@@ -102,8 +104,16 @@ private:
   const DescentWatch& watch_;
   Comm comm_;
   int threads_;
+  /// The facets of a face, cell by cell; the second is -1 on the boundary, and `turned` where modes have another order.
+  struct Facets
+  {
+    static constexpr int turned = -2;
+    int first, second;
+  };
   std::vector<StressFaces::Seat> seats_;
-  std::vector<Vector> start_;               ///< per field A_E x_E, by tractions and cell by cell; zero at ghosts
+  std::vector<Facets> facets_;              ///< per face
+  std::vector<Rounded> start_;              ///< per field A_E x_E / startUnits_, by tractions, cell by cell; zero at ghosts
+  Vector startUnits_;                       ///< per field, powers of two; 0 while all is zero
   std::vector<std::vector<Start>> batches_; ///< per field and batch
   Vector energies_;                         ///< per field
   std::vector<StressEdge> edges_;

@@ -141,11 +141,11 @@ void StressFaces::addFaces(int body, std::size_t more)
       face.cell[side] = cells_->number(body, facet.cell);
       face.facet[side] = sortedFacet(mesh, facet);
     }
-    const Vector arms = findGeometry(face);
+    findGeometry(face);
     if (face.isInside())
       face.higher = cells_->facetData() - StressFace::linear;
     else
-      freeReactions(face, arms);
+      freeReactions(face);
     for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side)
       faceOf_[std::size_t(face.cell[side]) * 4 + std::size_t(face.facet[side])] = size();
     faces_.push_back(std::move(face));
@@ -153,10 +153,15 @@ void StressFaces::addFaces(int body, std::size_t more)
   }
 }
 
-/// Centre, size and arms; returns the arms of all modes.
-Vector StressFaces::findGeometry(StressFace& face) const
+/// Centre, size and arms.
+void StressFaces::findGeometry(StressFace& face) const
 {
-  const auto vertices = corners(cells_->mesh(face.cell[0]), cells_->sorted(face.cell[0]), face.facet[0]);
+  const Mesh& mesh = cells_->mesh(face.cell[0]);
+  const SortedCell cell = cells_->sorted(face.cell[0]);
+  std::array<const double*, 3> vertices{};
+  for (int v = 0, place = 0; v < 4; ++v)
+    if (v != face.facet[0])
+      vertices[std::size_t(place++)] = mesh.point(cell.vertices[std::size_t(v)]);
   Direction e{}, f{};
   for (std::size_t i = 0; i < 3; ++i) {
     face.centre[i] = (vertices[0][i] + vertices[1][i] + vertices[2][i]) / 3.0;
@@ -166,28 +171,30 @@ Vector StressFaces::findGeometry(StressFace& face) const
   Direction normal{};
   addCross(e, f.data(), 0.5, normal.data());
   face.size = std::sqrt(std::sqrt(dotProduct(normal, normal)));
-  Vector arms = momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
-  for (std::size_t k = 0; k < 2; ++k)
-    std::copy_n(arms.data() + 3 * (k + 1), 3, face.arms[k].begin());
-  return arms;
+  const double* means = cells_->any().facetMeans().data() + 3;
+  for (Direction& arm : face.arms)
+    for (std::size_t v = 0; v < 3; ++v, ++means)
+      for (std::size_t i = 0; i < 3; ++i)
+        arm[i] += *means * (vertices[v][i] - face.centre[i]);
 }
 
-void StressFaces::freeReactions(StressFace& face, const Vector& arms)
+void StressFaces::freeReactions(StressFace& face)
 {
   const int body = cells_->bodyOf(face.cell[0]);
   const StarBody& star = cells_->body(body);
   const int boundary = star.boundaryIndex(face.cell[0] - cells_->number(body, 0), face.facet[0]);
   if (boundary < 0) {
-    freeAlong(face, arms, nullptr, 0);
+    freeAlong(face, nullptr, 0);
     return;
   }
   const auto& data = star.data().boundary[std::size_t(boundary)];
-  freeAlong(face, arms, data.directions.data(), data.supported);
+  freeAlong(face, data.directions.data(), data.supported);
 }
 
-/// Tractions along some directions.
-void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count)
+/// Tractions along some directions: linear ones, and those beyond, which have no wrench.
+void StressFaces::freeAlong(StressFace& face, const Direction* directions, int count)
 {
+  constexpr int linear = 3; // modes
   const int modes = cells_->any().facetModes(), data = cells_->facetData();
   if (count == 0) {
     if (!none_)
@@ -196,13 +203,23 @@ void StressFaces::freeAlong(StressFace& face, const Vector& arms, const Directio
     face.free = none_;
     return;
   }
-  DenseMatrix reactions(data, count * modes);
-  for (int mode = 0, column = 0; mode < modes; ++mode)
+  DenseMatrix reactions(data, count * linear);
+  for (int mode = 0, column = 0; mode < linear; ++mode)
     for (int d = 0; d < count; ++d, ++column)
       std::copy_n(directions[d].begin(), 3, reactions.col(column) + std::ptrdiff_t(3) * mode);
-  const DenseMatrix wrenches = multiply(wrenchMap(3, arms, modes, face.size), reactions);
+  DenseMatrix wrenches(6, reactions.cols());
+  for (int column = 0; column < wrenches.cols(); ++column) {
+    const Wrench has = face.wrench(reactions.col(column), face.centre.data(), face.size);
+    std::copy(has.begin(), has.end(), wrenches.col(column));
+  }
   const DenseMatrix idle = nullSpace(wrenches, rigidTolerance), busy = nullSpace(transposed(idle), rigidTolerance);
-  FreeTractions free{multiply(reactions, idle), multiply(reactions, busy), multiply(wrenches, busy), {}};
+  FreeTractions free{
+      DenseMatrix(data, idle.cols() + count * (modes - linear)), multiply(reactions, busy), multiply(wrenches, busy), {}};
+  const DenseMatrix own = multiply(reactions, idle);
+  std::copy_n(own.data(), std::ptrdiff_t(data) * own.cols(), free.own.data());
+  for (int mode = linear, column = own.cols(); mode < modes; ++mode)
+    for (int d = 0; d < count; ++d, ++column)
+      std::copy_n(directions[d].begin(), 3, free.own.col(column) + std::ptrdiff_t(3) * mode);
   free.choose = pseudoInverse(free.reach, rigidTolerance);
   face.free = std::make_shared<FreeTractions>(std::move(free));
 }
@@ -231,10 +248,10 @@ void StressFaces::joinContact(const std::vector<ContactPatch>& contact)
     face.theirs = patch.sides[1].places;
     if (count == 2 && face.theirs != std::array{0, 1, 2})
       face.turned = inOrder(patch.sides[1]);
-    const Vector arms = findGeometry(face);
-    if (!isFree || (count == 2 && !coincide(face, arms, patch.normal)))
+    findGeometry(face);
+    if (!isFree || (count == 2 && !coincide(face, patch.normal)))
       continue;
-    freeAlong(face, arms, &patch.normal, 1);
+    freeAlong(face, &patch.normal, 1);
     for (std::size_t side = 0; side < count; ++side)
       joined_[std::size_t(within(face.cell[side], face.facet[side]))] = size();
     faces_.push_back(std::move(face));
@@ -244,11 +261,14 @@ void StressFaces::joinContact(const std::vector<ContactPatch>& contact)
 
 /// Whether equal normal tractions have the same wrench on the second cell, to round-off: its points may differ from the
 /// first one's along the normal only.
-bool StressFaces::coincide(const StressFace& face, const Vector& arms, const Direction& normal) const
+bool StressFaces::coincide(const StressFace& face, const Direction& normal) const
 {
   constexpr double roundOff = 1e-13;
-  const auto vertices = corners(cells_->mesh(face.cell[1]), cells_->sorted(face.cell[1]), face.facet[1]);
-  const Vector theirs = momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
+  const auto armsOn = [&](std::size_t side) {
+    const auto vertices = corners(cells_->mesh(face.cell[side]), cells_->sorted(face.cell[side]), face.facet[side]);
+    return momentArms(cells_->any().facetMeans(), vertices, face.centre.data(), 3);
+  };
+  const Vector arms = armsOn(0), theirs = armsOn(1);
   for (std::size_t at = 0; at < arms.size(); at += 3) {
     Direction apart{};
     for (std::size_t i = 0; i < 3; ++i) {

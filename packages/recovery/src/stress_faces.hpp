@@ -104,11 +104,11 @@ public:
 
 private:
   void addFaces(int body, std::size_t more);
-  Vector findGeometry(StressFace& face) const;
-  void freeAlong(StressFace& face, const Vector& arms, const Direction* directions, int count);
-  void freeReactions(StressFace& face, const Vector& arms);
+  void findGeometry(StressFace& face) const;
+  void freeAlong(StressFace& face, const Direction* directions, int count);
+  void freeReactions(StressFace& face);
   void joinContact(const std::vector<ContactPatch>& contact);
-  bool coincide(const StressFace& face, const Vector& arms, const Direction& normal) const;
+  bool coincide(const StressFace& face, const Direction& normal) const;
 
   const StressCells* cells_;
   std::vector<StressFace> faces_;

@@ -64,7 +64,12 @@ double StressSharing::unitOf(double largest) const
 {
   Vector ofAll{largest};
   takeLargest(ofAll, comm_);
-  return ofAll.front() > 0.0 ? std::exp2(std::ceil(std::log2(ofAll.front()))) : 1.0;
+  return powerOfTwo(ofAll.front());
+}
+
+double powerOfTwo(double number)
+{
+  return number > 0.0 ? std::exp2(std::ceil(std::log2(number))) : 1.0;
 }
 
 } // namespace ndframe

@@ -16,7 +16,7 @@ public:
   bool owns(int block) const { return owns_[std::size_t(block)] != 0; }
   const SharedValues& values() const { return values_; } ///< of blocks
   const Comm& comm() const { return comm_; }
-  /// A power of two, which rounds nothing, from the largest of all ranks' numbers on; one if that is zero. Collective.
+  /// The powerOfTwo() of the largest of all ranks' numbers. Collective.
   double unitOf(double largest) const;
 
 private:
@@ -27,5 +27,8 @@ private:
   std::vector<SharedWith> with_; ///< per rank, while they are listed
   SharedValues values_;
 };
+
+/// The least that is not below a number: to divide by it rounds nothing. One for zero.
+double powerOfTwo(double number);
 
 } // namespace ndframe

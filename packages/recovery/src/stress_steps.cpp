@@ -10,75 +10,73 @@
 namespace ndframe
 {
 
-/// The tractions of a batch's cells, per number and lane.
-void StressDescent::gather(int batch, const Rounded& tractions, float* x) const
+/// The tractions of a cell.
+void StressDescent::gather(int cell, const Rounded& tractions, float* x) const
 {
-  constexpr std::size_t lanes = StressMatrices::lanes;
-  const auto size = std::size_t(facetData()), count = std::size_t(matrices_.sizeOf(batch));
-  std::array<std::array<float, 18>, lanes> turned{}; // facet data at most
-  std::array<const float*, lanes> T;
-  std::array<float, lanes> sign{};
-  for (int facet = 0; facet < 4; ++facet, x += size * lanes) {
-    T.fill(turned[0].data());
-    for (std::size_t c = 0; c < count; ++c) {
-      const StressFaces::Seat& seat = seats_[std::size_t(matrices_.cells(batch)[c]) * 4 + std::size_t(facet)];
-      T[c] = tractions.data() + std::size_t(seat.face) * size;
-      sign[c] = seat.sign;
-      if (seat.sign != 0.0F)
-        continue;
-      std::array<double, 18> given{}, result{};
-      std::copy_n(T[c], size, given.begin());
-      (*faces_)[seat.face].toSide(1, given.data(), int(size), result.data());
-      std::transform(result.begin(), result.end(), turned[c].begin(), [](double value) { return float(value); });
-      T[c] = turned[c].data();
-      sign[c] = 1.0F;
+  const int size = facetData();
+  for (int facet = 0; facet < 4; ++facet, x += size) {
+    const auto [face, sign] = seats_[std::size_t(cell) * 4 + std::size_t(facet)];
+    const float* T = tractions.data() + std::ptrdiff_t(face) * size;
+    if (sign != 0.0F) {
+      for (int i = 0; i < size; ++i)
+        x[i] = sign * T[i];
+      continue;
     }
-    for (std::size_t i = 0; i < size; ++i)
-      for (std::size_t c = 0; c < lanes; ++c)
-        x[i * lanes + c] = sign[c] * T[c][i];
+    std::array<double, 18> given{}, result{}; // facet data at most
+    std::copy_n(T, size, given.begin());
+    (*faces_)[face].toSide(1, given.data(), size, result.data());
+    std::transform(result.begin(), result.begin() + size, x, [](double value) { return float(value); });
   }
 }
 
 /// unit A_E times the cells' tractions, per cell of this rank.
 void StressDescent::cellForces(const Rounded& tractions, double unit, Rounded& result) const
 {
-  constexpr std::size_t lanes = StressMatrices::lanes;
   const auto size = std::size_t(facetData()) * 4;
   runInRanges(matrices_.numBatches(), threads_, [&](int first, int last) {
     std::array<float, StressMatrices::mostNumbers> x, forces;
     for (int batch = first; batch < last; ++batch) {
-      gather(batch, tractions, x.data());
+      const int* cells = matrices_.cells(batch);
+      const auto count = std::size_t(matrices_.sizeOf(batch));
+      for (std::size_t c = 0; c < count; ++c)
+        gather(cells[c], tractions, x.data() + c * size);
       matrices_.multiplyRounded(batch, unit, x.data(), forces.data());
-      for (std::size_t c = 0; c < std::size_t(matrices_.sizeOf(batch)); ++c) {
-        float* own = result.data() + std::size_t(matrices_.cells(batch)[c]) * size;
-        for (std::size_t i = 0; i < size; ++i)
-          own[i] = forces[i * lanes + c];
-      }
+      for (std::size_t c = 0; c < count; ++c)
+        std::copy_n(forces.data() + c * size, size, result.data() + std::size_t(cells[c]) * size);
     }
   });
 }
 
-/// What the cells' forces, over a unit, amount to on a face.
-template <class Number>
-void StressDescent::faceForces(int f, const std::vector<Number>& cellForces, double unit, double* sum) const
+/// What the cells' forces, times a factor, amount to on a face.
+void StressDescent::faceForces(int f, const Rounded& cellForces, double factor, double* sum) const
 {
   const int size = facetData();
-  const StressFace& face = (*faces_)[f];
-  const auto forces = [&](std::size_t side) {
-    return cellForces.data() + (std::ptrdiff_t(face.cell[side]) * 4 + face.facet[side]) * size;
-  };
-  if (face.turned.rows() > 0) {
-    std::array<double, 18> other{}; // facet data at most
-    std::copy_n(forces(0), size, sum);
-    std::copy_n(forces(1), size, other.begin());
-    face.fromSide(1, other.data(), size, sum);
-  } else if (face.isBoundary())
-    std::copy_n(forces(0), size, sum);
-  else
-    std::transform(forces(0), forces(0) + size, forces(1), sum,
-                   [](Number own, Number other) { return double(own) - double(other); });
+  constexpr std::size_t ahead = 12;
+  if (std::size_t(f) + ahead < facets_.size()) {
+    const auto [first, second] = facets_[std::size_t(f) + ahead];
+    for (const int facet : {first, std::max(second, 0)}) {
+      const float* soon = cellForces.data() + std::ptrdiff_t(facet) * size;
+      __builtin_prefetch(soon);
+      __builtin_prefetch(soon + size - 1);
+    }
+  }
+  const auto [first, second] = facets_[std::size_t(f)];
+  const float* own = cellForces.data() + std::ptrdiff_t(first) * size;
+  if (second >= 0) {
+    const float* other = cellForces.data() + std::ptrdiff_t(second) * size;
+    for (int i = 0; i < size; ++i)
+      sum[i] = factor * (double(own[i]) - double(other[i]));
+    return;
+  }
   for (int i = 0; i < size; ++i)
-    sum[i] /= unit;
+    sum[i] = factor * double(own[i]);
+  if (second != Facets::turned)
+    return;
+  const StressFace& face = (*faces_)[f];
+  const float* theirs = cellForces.data() + (std::ptrdiff_t(face.cell[1]) * 4 + face.facet[1]) * size;
+  std::array<double, 18> other{}; // facet data at most
+  std::transform(theirs, theirs + size, other.begin(), [factor](float value) { return factor * double(value); });
+  face.fromSide(1, other.data(), size, sum);
 }
 
 /// By the own unknowns, from what all ranks have of that by the faces' tractions; zero at those of other ranks. Summed
@@ -132,8 +130,7 @@ int StressDescent::lower(std::size_t number, const DescentEnd& end)
   std::optional<PressureRoom> room;
   if (field.traction != nullptr)
     room.emplace(*faces_, *contact_, *field.traction, comm_);
-  Steps steps =
-      begin(field, std::move(start_[number]), held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
+  Steps steps = begin(number, held(room ? room->held() : std::vector<char>(contact_->size(), 1)));
   const int taken = descend(steps, room ? &*room : nullptr, number, end);
   const Vector x = std::move(steps.x);
   const double unit = steps.traction;
@@ -169,24 +166,28 @@ int StressDescent::descend(Steps& steps, PressureRoom* room, std::size_t field, 
   return taken;
 }
 
-StressDescent::Steps StressDescent::begin(const DescentField& field, Vector start, std::vector<char> still) const
+/// The start becomes room for the forces of cells.
+StressDescent::Steps StressDescent::begin(std::size_t number, std::vector<char> still)
 {
+  const DescentField& field = fields_[number];
   Steps steps{};
-  steps.force = sharing_.unitOf(largestEntry(start));
+  steps.ofCells = std::move(start_[number]);
+  double largest = 0.0;
+  for (const float value : steps.ofCells)
+    largest = std::max(largest, std::abs(double(value)));
+  steps.force = sharing_.unitOf(largest * startUnits_[number]);
   steps.traction = steps.force * blocks_.unit();
   steps.still = std::move(still);
+  const double factor = startUnits_[number] / steps.force;
   gradientOf(
       [&](int face, double* forces) {
-        faceForces(face, start, steps.force, forces);
+        faceForces(face, steps.ofCells, factor, forces);
         if (field.traction != nullptr)
           addOpening(face, *field.opening, steps.force, forces);
       },
       steps.ofCarriers, steps.residual);
-  const std::size_t size = start.size();
-  start = {}; // its memory is needed again
   for (float& value : steps.residual)
     value = -value;
-  steps.ofCells.assign(size, 0.0F);
   steps.x.assign(steps.residual.size(), 0.0);
   blocks_.precondition(steps.residual, steps.still, threads_, steps.p);
   steps.rz = dotOfAll(steps.residual, steps.p);

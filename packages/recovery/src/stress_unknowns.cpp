@@ -53,10 +53,14 @@ void StressUnknowns::listPlaces()
 {
   firstOfFace_.assign(faceFrames_.size() + 1, 0);
   firstOfEdge_.push_back(0);
+  std::size_t steps = 0;
+  for (const StressEdge& edge : edges_)
+    steps += edge.ring.size();
+  ofEdges_.reserve(steps);
   for (const StressEdge& edge : edges_) {
     for (std::size_t s = 0; s < edge.ring.size(); ++s) {
       const StressEdge::Step& step = edge.ring[s];
-      ofEdges_.push_back({step.face, step.through != nullptr ? int(s) : -1, step.sign});
+      ofEdges_.push_back({step.face, std::int16_t(step.through != nullptr ? int(s) : -1), std::int16_t(step.sign)});
       ++firstOfFace_[std::size_t(step.face) + 1];
     }
     firstOfEdge_.push_back(int(ofEdges_.size()));
@@ -118,11 +122,11 @@ std::array<Result, 6> StressUnknowns::amounts(int f, const std::vector<Number>& 
       continue;
     }
     const Frame& edge = edgeFrames_[std::size_t(place.other)];
-    const double scale = place.sign / face.size,
+    const double sign = place.sign, scale = sign / face.size,
                  arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      sum[i] += place.sign * double(z[i]);
+      sum[i] += sign * double(z[i]);
       sum[3 + i] += scale * (edge.size * double(z[3 + i]) + arm[j] * double(z[k]) - arm[k] * double(z[j]));
     }
   }
@@ -146,15 +150,15 @@ void StressUnknowns::ofEdge(int e, const Vector& ofCarriers, Number* result) con
       continue;
     }
     const Frame& face = faceFrames_[std::size_t(place.other)];
-    const double *M = forces + 3, scale = place.sign / face.size,
+    const double *M = forces + 3, sign = place.sign, scale = sign / face.size,
                  arm[3] = {edge.point[0] - face.point[0], edge.point[1] - face.point[1], edge.point[2] - face.point[2]};
     for (std::size_t i = 0; i < 3; ++i) {
       const std::size_t j = (i + 1) % 3, k = (i + 2) % 3;
-      sum[i] += place.sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
+      sum[i] += sign * forces[i] + scale * (M[j] * arm[k] - M[k] * arm[j]);
       sum[3 + i] += scale * edge.size * M[i];
     }
   }
-  const int unknowns = edges_[std::size_t(e)].unknowns;
+  const int unknowns = blocks_.ofEdge(std::size_t(e) + 1) - blocks_.ofEdge(std::size_t(e));
   for (int k = 0; k < unknowns; ++k)
     result[k] = Number(sum[k]);
 }

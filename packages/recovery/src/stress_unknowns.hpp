@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <functional>
 
 #include "stress_blocks.hpp"
@@ -36,9 +37,9 @@ private:
   /// A step of an edge's ring through a face.
   struct Place
   {
-    int other;   ///< the edge of a face, the face of an edge
-    int step;    ///< in the ring; -1 where wrenches go through as they are
-    double sign; ///< there, of the traction on the face's first cell
+    int other;         ///< the edge of a face, the face of an edge
+    std::int16_t step; ///< in the ring; -1 where wrenches go through as they are
+    std::int16_t sign; ///< there, of the traction on the face's first cell
   };
 
   void listPlaces();

@@ -63,6 +63,7 @@ WrenchBalance::Around WrenchBalance::around(int vertex) const
   star.begin = body_->around().begin(vertex);
   star.end = body_->around().end(vertex);
   star.point = mesh.point(vertex);
+  star.apex.reserve(std::size_t(star.numCells()));
   double largest = 0.0;
   for (const int* cell = star.begin; cell != star.end; ++cell) {
     int apex = 0;
@@ -86,6 +87,9 @@ WrenchBalance::Around WrenchBalance::around(int vertex) const
 void WrenchBalance::findLinks(Around& star) const
 {
   const int first = faces_->cells().number(number_, 0);
+  const auto most = std::size_t(star.numCells()) * 3; // of faces at the vertex
+  star.links.reserve(most);
+  star.faces.reserve(most);
   for (int c = 0; c < star.numCells(); ++c)
     for (int facet = 0; facet < 4; ++facet) {
       const int cell = star.begin[c], number = faces_->within(first + cell, facet);

@@ -29,6 +29,24 @@ inline __attribute__((always_inline)) void multiplyUpTo(const void* A, const flo
 }
 
 typedef float Floats __attribute__((vector_size(sizeof(float) * lanes)));
+typedef float HalfFloats __attribute__((vector_size(sizeof(float) * lanes / 2)));
+
+/// y = factor A x, as many rows as nine vectors have numbers; all sums stay in registers.
+template <class Numbers>
+inline __attribute__((always_inline)) void multiplyNine(const float* A, const float* x, float factor, float* y)
+{
+  constexpr std::size_t together = 9, width = sizeof(Numbers) / sizeof(float), size = together * width;
+  Numbers sums[together] = {}, column;
+  for (std::size_t j = 0; j < size; ++j, A += size) {
+#pragma GCC unroll 9
+    for (std::size_t k = 0; k < together; ++k) {
+      load(A + k * width, column);
+      sums[k] += column * x[j];
+    }
+  }
+  for (std::size_t k = 0; k < together; ++k)
+    store(factor * sums[k], y + k * width);
+}
 
 } // namespace
 
@@ -41,6 +59,14 @@ NDFRAME_EVERY_PROCESSOR void multiplyRounded(const void* A, const float* x, std:
     multiplyUpTo<6>(A, x, 6, factor, y);
   else
     multiplyUpTo<18>(A, x, size, factor, y);
+}
+
+NDFRAME_EVERY_PROCESSOR void multiplyCell(const float* A, const float* x, std::size_t size, float factor, float* y)
+{
+  if (size == 9 * lanes)
+    multiplyNine<Floats>(A, x, factor, y);
+  else
+    multiplyNine<HalfFloats>(A, x, factor, y);
 }
 
 void multiplyTriangle(const void* triangle, const float* x, std::size_t size, double factor, float* y)

@@ -160,23 +160,34 @@ void StressMatrices::pushRounded(const Batch& batch, double unit, const float* T
 void StressMatrices::multiplyRounded(int number, double unit, const float* T, float* forces) const
 {
   const Batch& batch = batches_[std::size_t(number)];
-  const int cell = batch.cells[0];
-  if (batch.number >= 0 && batch.isRound)
-    return pushRounded(batch, unit, T, forces);
-  if (batch.number < 0 && ofClasses_->rounded(cell) != nullptr) {
-    multiplyTable(ofClasses_->rounded(cell), tractions_, tractions_, tractions_, T, forces);
-    std::array<float, lanes> scale{};
-    for (std::size_t lane = 0; lane < std::size_t(batch.count); ++lane)
-      scale[lane] = float(unit * ofClasses_->unit(cell) * cells_->classes().scale(batch.cells[lane]));
-    for (std::size_t at = 0; at < tractions_ * lanes; ++at)
-      forces[at] *= scale[at % lanes];
+  const auto count = std::size_t(batch.count);
+  if (const float* table = batch.number < 0 ? ofClasses_->rounded(batch.cells[0]) : nullptr; table != nullptr) {
+    const double ofClass = unit * ofClasses_->unit(batch.cells[0]);
+    for (std::size_t c = 0; c < count; ++c)
+      block_kernels::multiplyCell(table, T + c * tractions_, tractions_,
+                                  float(ofClass * cells_->classes().scale(batch.cells[c])), forces + c * tractions_);
     return;
   }
-  std::array<double, mostNumbers> x, result;
-  std::transform(T, T + tractions_ * lanes, x.begin(), [](float value) { return double(value); });
+  const auto besides = [&](const auto& given, auto& sideBySide) {
+    for (std::size_t c = 0; c < count; ++c)
+      for (std::size_t i = 0; i < tractions_; ++i)
+        sideBySide[i * lanes + c] = given[c * tractions_ + i];
+  };
+  const auto apart = [&](const auto& sideBySide, double factor) {
+    for (std::size_t c = 0; c < count; ++c)
+      for (std::size_t i = 0; i < tractions_; ++i)
+        forces[c * tractions_ + i] = float(factor * double(sideBySide[i * lanes + c]));
+  };
+  if (batch.isRound && batch.number >= 0) {
+    std::array<float, mostNumbers> x{}, result;
+    besides(T, x);
+    pushRounded(batch, unit, x.data(), result.data());
+    return apart(result, 1.0);
+  }
+  std::array<double, mostNumbers> x{}, result;
+  besides(T, x);
   multiply(number, x.data(), result.data());
-  std::transform(result.data(), result.data() + tractions_ * lanes, forces,
-                 [unit](double value) { return float(unit * value); });
+  apart(result, unit);
 }
 
 void StressMatrices::multiplyData(int number, const double* x, double* forces) const

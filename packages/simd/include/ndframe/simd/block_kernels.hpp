@@ -44,6 +44,9 @@ bool invert(double* A, int size, double least);
 void multiplyRounded(const void* A, const float* x, std::size_t size, float factor, float* y);
 void multiplyTriangle(const void* triangle, const float* x, std::size_t size, double factor, float* y);
 
+/// y = factor A x for a symmetric matrix in single precision of 36 or 72 rows, the tractions of a cell.
+void multiplyCell(const float* A, const float* x, std::size_t size, float factor, float* y);
+
 /// y = F^-1 x for `count` / 3 vectors, and in place forces = units F^-T forces; F^-1 and units per lane.
 void pullBack(const float* inverse, const float* x, std::size_t count, float* y);
 void push(const float* inverse, const float* units, std::size_t count, float* forces);

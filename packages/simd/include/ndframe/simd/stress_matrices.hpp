@@ -46,7 +46,7 @@ public:
   /// forces = A_E T for the cells of a batch; both per number and lane, global axes.
   void multiply(int batch, const double* T, double* forces) const;
   /// The same times `unit`, which makes T and forces numbers of the order of one: in single precision where cells are
-  /// not stretched, four digits and more.
+  /// not stretched, four digits and more. T and forces cell after cell, room for all lanes.
   void multiplyRounded(int batch, double unit, const float* T, float* forces) const;
   /// The same for tractions and loads, T and G, and by both, in double precision: of a batch with a class, and of found
   /// cells.
