@@ -23,6 +23,9 @@ double largestFall(int dim, bool isMadeAnew)
     return 0.22;
   return isMadeAnew ? 0.5 : 0.45;
 }
+/// In space the last step may be longer than those that others begin from, once the bound is below a tenth: before
+/// that predictions do not reach so far, and a miss costs as much as the two steps that it saves (docs/accuracy.md).
+constexpr double lastFall = 0.42, foreseen = 0.1;
 /// The last step aims below the target: predictions are off by some per cent, and a miss costs one more mesh.
 double aimAtTarget(int dim)
 {
@@ -265,7 +268,9 @@ MeshPlan MeshPlanner::planFor(double wanted) const
 MeshPlan MeshPlanner::nextStep(std::int64_t maximumDofs) const
 {
   const double way = aimAtTarget(dim_) * target_ / bound_;
-  const double steps = std::max(1.0, std::ceil(std::log(way) / std::log(largestFall(dim_, makesSolidsAnew()))));
+  const double fall = largestFall(dim_, makesSolidsAnew());
+  const bool mayBeLonger = dim_ == 3 && !makesSolidsAnew() && relative_ <= foreseen;
+  const double steps = way >= (mayBeLonger ? lastFall : fall) ? 1.0 : std::ceil(std::log(way) / std::log(fall));
   double wanted = bound_ * std::min(smallestFall, std::pow(way, 1.0 / steps));
   MeshPlan plan = planFor(wanted);
   const double most = worthwhile * bound_;

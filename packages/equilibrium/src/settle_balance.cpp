@@ -109,6 +109,8 @@ void agreeOnImbalance(StressCorrection& correction, const Comm& comm)
 
 bool needsSettling(const Mesh& mesh, const StressCorrection& correction, const Comm& comm)
 {
+  if (correction.imbalance > unseen * correction.force)
+    return true;
   Vector smallest{HUGE_VAL}, largest{0.0};
   for (int cell = 0; cell < mesh.numCells(); ++cell)
     for (int facet = 0; facet <= mesh.dim; ++facet) {

@@ -161,23 +161,19 @@ void InitialTractions::subtractBodyLoads()
       }
 }
 
-void InitialTractions::addTraction(int cell, int facet, int apex, const double* vertex, double size, Wrench& sum) const
+Wrench InitialTractions::wrenchOf(const StressFace& face, int cell, int facet, int apex, const double* vertex,
+                                  double size) const
 {
-  double own[linear] = {};
-  const double* T = own;
   const int at = prescribedAt_.empty() ? -1 : prescribedAt_[std::size_t(cell) * 4 + std::size_t(facet)];
   if (at >= 0)
-    T = prescribed_.data() + at + std::ptrdiff_t(apex) * linear;
-  else {
-    const auto& table = ofVertices_[std::size_t(apex)];
-    const double* whole = tractions(cell, facet);
-    for (std::size_t k = 0; k < modes; ++k)
-      for (std::size_t i = 0; i < 3; ++i)
-        own[3 * k + i] = table[k][0] * whole[i] + table[k][1] * whole[3 + i] + table[k][2] * whole[6 + i];
-  }
-  const Wrench has = faceOf(cell, facet).wrench(T, vertex, size);
-  for (std::size_t i = 0; i < has.size(); ++i)
-    sum[i] += has[i];
+    return face.wrench(prescribed_.data() + at + std::ptrdiff_t(apex) * linear, vertex, size);
+  double own[linear];
+  const auto& table = ofVertices_[std::size_t(apex)];
+  const double* whole = tractions(cell, facet);
+  for (std::size_t k = 0; k < modes; ++k)
+    for (std::size_t i = 0; i < 3; ++i)
+      own[3 * k + i] = table[k][0] * whole[i] + table[k][1] * whole[3 + i] + table[k][2] * whole[6 + i];
+  return face.wrench(own, vertex, size);
 }
 
 void InitialTractions::addLoad(int cell, int apex, const double* vertex, double size, Wrench& sum) const

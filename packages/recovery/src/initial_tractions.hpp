@@ -18,10 +18,10 @@ public:
   InitialTractions(int body, const StressFaces& faces, const FieldInput& field, StressCorrection& correction,
                    int threads);
 
-  /// Adds the wrench of a star's part of the tractions at a cell's facet, about the star's vertex, moments over `size`.
-  /// apex: number of the vertex among the facet's.
-  void addTraction(int cell, int facet, int apex, const double* vertex, double size, Wrench& sum) const;
-  /// The same of a star's part of a cell's loads. apex: number of the vertex among the cell's.
+  /// The wrench of a star's part of the tractions at a cell's facet, which is `face`, about the star's vertex, moments
+  /// over `size`. apex: number of the vertex among the facet's.
+  Wrench wrenchOf(const StressFace& face, int cell, int facet, int apex, const double* vertex, double size) const;
+  /// Adds that of a star's part of a cell's loads. apex: number of the vertex among the cell's.
   void addLoad(int cell, int apex, const double* vertex, double size, Wrench& sum) const;
   /// What sigma~ and loads of a cell amount to: a sum of absolute values.
   double force(int cell) const { return forces_[std::size_t(cell)]; }
@@ -35,10 +35,6 @@ private:
   void putFace(const StressFace& face);
   void putPrescribed(const StressFace& face, int cell);
   void subtractBodyLoads();
-  const StressFace& faceOf(int cell, int facet) const
-  {
-    return (*faces_)[faces_->within(faces_->cells().number(number_, cell), facet)];
-  }
   double* tractions(int cell, int facet) const
   {
     return correction_->tractions.data() + (std::ptrdiff_t(cell) * 4 + facet) * faces_->cells().facetData();

@@ -239,11 +239,17 @@ void StressDescent::add(int f, const double* change, const DescentField& field, 
   std::array<double, 18> T{}; // facet data at most
   for (std::size_t side = 0; side < 2 && face.cell[side] >= 0; ++side) {
     const int body = cells.bodyOf(face.cell[side]), cell = face.cell[side] - cells.number(body, 0);
-    face.toSide(side, change, size, T.data());
     double* sum =
         field.corrections[std::size_t(body)]->tractions.data() + (std::ptrdiff_t(cell) * 4 + face.facet[side]) * size;
+    const double* own = change;
+    double sign = sideSign(side);
+    if (side == 1 && face.turned.rows() > 0) {
+      face.toSide(side, change, size, T.data());
+      own = T.data();
+      sign = 1.0;
+    }
     for (int i = 0; i < size; ++i)
-      sum[i] += T[std::size_t(i)];
+      sum[i] += sign * own[i];
   }
   if (field.traction != nullptr && face.contact >= 0 && sharing_.owns(f))
     addNormal(std::size_t(face.contact), change, *field.traction, ofPatches);

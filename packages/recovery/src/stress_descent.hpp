@@ -111,9 +111,9 @@ private:
     int first, second;
   };
   std::vector<StressFaces::Seat> seats_;
-  std::vector<Facets> facets_;              ///< per face
-  std::vector<Rounded> start_;              ///< per field A_E x_E / startUnits_, by tractions, cell by cell; zero at ghosts
-  Vector startUnits_;                       ///< per field, powers of two; 0 while all is zero
+  std::vector<Facets> facets_; ///< per face
+  std::vector<Rounded> start_; ///< per field A_E x_E / startUnits_, by tractions, cell by cell; zero at ghosts
+  Vector startUnits_;          ///< per field, powers of two; 0 while all is zero
   std::vector<std::vector<Start>> batches_; ///< per field and batch
   Vector energies_;                         ///< per field
   std::vector<StressEdge> edges_;

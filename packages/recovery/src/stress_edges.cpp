@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
+#include <tuple>
 
 #include "ndframe/assembly/rigid_modes.hpp"
 
@@ -40,6 +41,8 @@ public:
         result[std::size_t(n++)] = first + cell.vertices[std::size_t(i)];
     return result;
   }
+
+  int size() const { return first_.back(); }
 
   int representative(int vertex) const
   {
@@ -88,6 +91,7 @@ public:
 
 private:
   void add(const std::array<int, 2>& vertices, const std::vector<int>& around);
+  void place(StressEdge& edge, const std::array<int, 2>& vertices) const;
   DenseMatrix circulating(const StressEdge& edge) const;
 
   const StressFaces& faces_;
@@ -95,32 +99,53 @@ private:
   std::vector<StressEdge> edges_;
 };
 
-/// Edges by their vertices: which faces meet there.
+/// Edges by their vertices, the lower one first, which takes no comparisons: which faces meet there.
 std::vector<StressEdge> Rings::find()
 {
   struct Part
   {
-    std::array<int, 2> vertices;
-    int face;
+    int other, face; ///< the higher vertex
   };
-  std::vector<Part> parts;
-  for (int f = 0; f < faces_.size(); ++f) {
-    if (faces_.isReplaced(f))
-      continue;
-    auto v = vertices_.vertices(faces_[f], 0);
-    for (int& vertex : v)
-      vertex = vertices_.representative(vertex);
-    for (const auto& [a, b] : {std::array{v[0], v[1]}, std::array{v[0], v[2]}, std::array{v[1], v[2]}})
-      parts.push_back({{std::min(a, b), std::max(a, b)}, f});
-  }
-  std::stable_sort(parts.begin(), parts.end(), [](const Part& a, const Part& b) { return a.vertices < b.vertices; });
-  for (std::size_t first = 0, last = 0; first < parts.size(); first = last) {
-    std::vector<int> around;
-    for (last = first; last < parts.size() && parts[last].vertices == parts[first].vertices; ++last)
-      around.push_back(parts[last].face);
-    add(parts[first].vertices, around);
+  std::vector<int> firstOf(std::size_t(vertices_.size()) + 1, 0);
+  const auto eachPart = [&](const auto& take) {
+    for (int f = 0; f < faces_.size(); ++f) {
+      if (faces_.isReplaced(f))
+        continue;
+      auto v = vertices_.vertices(faces_[f], 0);
+      for (int& vertex : v)
+        vertex = vertices_.representative(vertex);
+      for (const auto& [a, b] : {std::array{v[0], v[1]}, std::array{v[0], v[2]}, std::array{v[1], v[2]}})
+        take(std::size_t(std::min(a, b)), Part{std::max(a, b), f});
+    }
+  };
+  eachPart([&](std::size_t vertex, const Part&) { ++firstOf[vertex + 1]; });
+  std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());
+  std::vector<Part> parts(std::size_t(firstOf.back()));
+  std::vector<int> next(firstOf.begin(), firstOf.end() - 1);
+  eachPart([&](std::size_t vertex, const Part& part) { parts[std::size_t(next[vertex]++)] = part; });
+  edges_.reserve(parts.size() / 4); // some five faces meet at an edge
+  std::vector<int> around;
+  for (int vertex = 0; vertex < vertices_.size(); ++vertex) {
+    const auto end = parts.begin() + firstOf[std::size_t(vertex) + 1];
+    auto part = parts.begin() + firstOf[std::size_t(vertex)];
+    std::sort(part, end,
+              [](const Part& a, const Part& b) { return std::tie(a.other, a.face) < std::tie(b.other, b.face); });
+    while (part != end) {
+      const int other = part->other;
+      for (around.clear(); part != end && part->other == other; ++part)
+        around.push_back(part->face);
+      add({vertex, other}, around);
+    }
   }
   return std::move(edges_);
+}
+
+void Rings::place(StressEdge& edge, const std::array<int, 2>& vertices) const
+{
+  const double *a = vertices_.point(vertices[0]), *b = vertices_.point(vertices[1]);
+  edge.length = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  for (std::size_t i = 0; i < 3; ++i)
+    edge.middle[i] = 0.5 * (a[i] + b[i]);
 }
 
 /// Walks from face to face through the cells between them.
@@ -131,6 +156,7 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
   const auto isOpen = [&](int f) { return faces_[f].isBoundary(); };
   const auto open = std::find_if(around.begin(), around.end(), isOpen);
   StressEdge edge;
+  edge.ring.reserve(around.size());
   const bool isClosed = open == around.end();
   int face = isClosed ? around.front() : *open, cell = faces_[face].cell[0];
   if (!isClosed) // into the body: a traction on its only cell is the opposite of what leaves a cell before it
@@ -151,10 +177,7 @@ void Rings::add(const std::array<int, 2>& vertices, const std::vector<int>& arou
   }
   if (edge.ring.size() != around.size())
     return;
-  const double *a = vertices_.point(vertices[0]), *b = vertices_.point(vertices[1]);
-  edge.length = std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
-  for (std::size_t i = 0; i < 3; ++i)
-    edge.middle[i] = 0.5 * (a[i] + b[i]);
+  place(edge, vertices);
   const DenseMatrix basis = circulating(edge);
   edge.unknowns = basis.cols();
   if (edge.unknowns == 0)

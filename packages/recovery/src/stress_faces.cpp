@@ -183,10 +183,8 @@ void StressFaces::freeReactions(StressFace& face)
   const int body = cells_->bodyOf(face.cell[0]);
   const StarBody& star = cells_->body(body);
   const int boundary = star.boundaryIndex(face.cell[0] - cells_->number(body, 0), face.facet[0]);
-  if (boundary < 0) {
-    freeAlong(face, nullptr, 0);
-    return;
-  }
+  if (boundary < 0)
+    return freeAlong(face, nullptr, 0);
   const auto& data = star.data().boundary[std::size_t(boundary)];
   freeAlong(face, data.directions.data(), data.supported);
 }
@@ -213,8 +211,10 @@ void StressFaces::freeAlong(StressFace& face, const Direction* directions, int c
     std::copy(has.begin(), has.end(), wrenches.col(column));
   }
   const DenseMatrix idle = nullSpace(wrenches, rigidTolerance), busy = nullSpace(transposed(idle), rigidTolerance);
-  FreeTractions free{
-      DenseMatrix(data, idle.cols() + count * (modes - linear)), multiply(reactions, busy), multiply(wrenches, busy), {}};
+  FreeTractions free{DenseMatrix(data, idle.cols() + count * (modes - linear)),
+                     multiply(reactions, busy),
+                     multiply(wrenches, busy),
+                     {}};
   const DenseMatrix own = multiply(reactions, idle);
   std::copy_n(own.data(), std::ptrdiff_t(data) * own.cols(), free.own.data());
   for (int mode = linear, column = own.cols(); mode < modes; ++mode)

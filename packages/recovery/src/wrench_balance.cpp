@@ -148,10 +148,9 @@ DenseMatrix WrenchBalance::imbalance(const Around& star, std::size_t field, doub
       const StressFace& own = face(faces_->within(first + cell, facet));
       if (facet == apex || own.cell[0] != first + cell)
         continue;
-      Wrench has{}; // the same on both sides
-      initial.addTraction(cell, facet, Star::apexOnFacet(apex, facet), star.point, star.size, has);
+      const Wrench has = initial.wrenchOf(own, cell, facet, Star::apexOnFacet(apex, facet), star.point, star.size);
       for (int i = 0; i < wrench; ++i)
-        needed(i, c) -= has[std::size_t(i)];
+        needed(i, c) -= has[std::size_t(i)]; // the same on both sides
       if (!own.isInside())
         continue;
       const int other = star.place(own.cell[1] - first);
