@@ -47,10 +47,10 @@ class Program:
         self.mpiexec = mpiexec
         self.seconds = seconds
 
-    def run(self, deck, *settings, ranks=1, look=lambda folder: None):
-        """Runs a deck with settings as of --set, in a folder that is removed afterwards; look: at what is in it."""
+    def run(self, deck, *settings, ranks=1, look=lambda folder: None, options=()):
+        """Runs a deck with settings as of --set and other options, in a folder that is removed afterwards; look: at what is in it."""
         launch = [self.mpiexec, "--oversubscribe", "-np", str(ranks)] if ranks > 1 else []
-        command = [*launch, str(self.path), "-i", str(pathlib.Path(deck).resolve())]
+        command = [*launch, str(self.path), "-i", str(pathlib.Path(deck).resolve()), *options]
         for setting in settings:
             command += ["--set", setting]
         with tempfile.TemporaryDirectory() as folder:

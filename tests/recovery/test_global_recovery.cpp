@@ -1,5 +1,6 @@
 // The recovery of solids: balance whatever the conditions, the energy falls with every step, towards the least one.
 
+#include <algorithm>
 #include <cmath>
 
 #include <gmock/gmock.h>
@@ -167,6 +168,37 @@ TEST_P(GlobalRecovery, TellsTheEnergyThatItLeaves)
       EXPECT_EQ(descent.lower({30, 0.0}), 30);
       EXPECT_NEAR(descent.energy(0), energyOf(problem, correction), 1e-5 * energyOf(problem, correction)) << kind;
     }
+}
+
+/// Starts are kept in single precision, in units that the first cells with anything decide on.
+TEST_P(GlobalRecovery, DoesNotDependOnHowLittleTheFirstCellsHave)
+{
+  const auto energyWith = [](const Mesh& mesh, double little) {
+    const auto problem =
+        test::solved(test::makeBody(mesh, GetParam().order, test::conditions(3, "clamped")), GetParam().degree);
+    const StarBody body(problem.body, problem.data);
+    const StressCells cells({&body});
+    const StressFaces faces(cells);
+    StressCorrection correction = recovered(problem, 0);
+    for (Vector* data : {&correction.tractions, &correction.loads})
+      std::for_each(data->begin(), data->begin() + std::ptrdiff_t(data->size() / 2),
+                    [little](double& value) { value *= little; });
+    const DescentWatch watch{[] {}, [](double) {}};
+    const std::vector<ContactPatch> none;
+    StressDescent descent(faces, none, {{{&correction}}}, watch, Comm::single(), 1);
+    const double before = descent.energy(0);
+    descent.lower({20, 0.0});
+    return std::array{before, descent.energy(0)};
+  };
+  for (const Mesh& mesh : {test::sampleMesh(3, 35.0), test::box({3, 3, 3}, "Right", 35.0)}) { // alone, in classes
+    const auto [start, end] = energyWith(mesh, 0.0);
+    EXPECT_LT(end, 0.99 * start);
+    for (const double little : {1e-10, 1e-60}) {
+      const auto [before, after] = energyWith(mesh, little);
+      EXPECT_NEAR(before, start, 1e-6 * start) << little;
+      EXPECT_NEAR(after, end, 1e-5 * start) << little;
+    }
+  }
 }
 
 TEST_P(GlobalRecovery, TakesMoreStepsWhereCellsAreStretched)
