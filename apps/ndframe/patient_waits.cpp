@@ -3,6 +3,7 @@
 #include <initializer_list>
 
 #include <mpi.h>
+#include <sched.h>
 #include <unistd.h>
 
 /// Where several processes share a processor, who waits sleeps. MPI offers its processor to the others instead, over
@@ -23,18 +24,21 @@ bool sharesProcessors()
   return shares;
 }
 
-/// test(&isDone) until it is.
+/// test(&isDone) until it is. A nap is longer than most messages of a small scene take: before it the processor is
+/// offered to the others some times (a scene of 864 cells on three processes: 16 -> 2.8 s).
 template <class Test>
 int waitAsleep(const Test& test)
 {
-  constexpr int atOnce = 4; // what is about to arrive
+  constexpr int atOnce = 4, soon = 40; // tests of what is about to arrive, and of what others may be about to send
   constexpr timespec nap{0, 20'000};
   for (int tried = 0;; ++tried) {
     int isDone = 0;
     if (const int error = test(&isDone); isDone != 0 || error != MPI_SUCCESS)
       return error;
-    if (tried >= atOnce)
+    if (tried >= soon)
       nanosleep(&nap, nullptr);
+    else if (tried >= atOnce)
+      sched_yield();
   }
 }
 
