@@ -1,54 +1,32 @@
 #include "ndframe/equilibrium/facet_twins.hpp"
 
 #include <algorithm>
-#include <numeric>
+
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {
-namespace
-{
 
-struct HalfFacet
-{
-  std::array<int, 2> others{-1, -1}; ///< its vertices but the lowest
-  int number = 0;
-};
-
-} // namespace
-
-/// Half facets are sorted by their lowest vertices first, which takes no comparisons.
 std::vector<int> facetTwins(const std::vector<SortedCell>& cells, int dim)
 {
-  const auto vertexOf = [](const SortedCell& cell, int facet, int v) {
-    return cell.vertices[std::size_t(v < facet ? v : v + 1)];
-  };
-  int vertices = 0;
-  for (const SortedCell& cell : cells)
-    vertices = std::max(vertices, cell.vertices[std::size_t(dim)] + 1);
-  std::vector<int> next(std::size_t(vertices) + 1, 0);
-  for (const SortedCell& cell : cells)
+  std::vector<int> vertices;
+  vertices.reserve(cells.size() * std::size_t(dim + 1) * std::size_t(dim));
+  int numVertices = 0;
+  for (const SortedCell& cell : cells) {
+    numVertices = std::max(numVertices, cell.vertices[std::size_t(dim)] + 1);
     for (int facet = 0; facet <= dim; ++facet)
-      ++next[std::size_t(vertexOf(cell, facet, 0)) + 1];
-  std::partial_sum(next.begin(), next.end(), next.begin());
-  const std::vector<int> first = next;
-  std::vector<HalfFacet> halves(cells.size() * std::size_t(dim + 1));
-  int number = 0;
-  for (const SortedCell& cell : cells)
-    for (int facet = 0; facet <= dim; ++facet, ++number) {
-      HalfFacet& half = halves[std::size_t(next[std::size_t(vertexOf(cell, facet, 0))]++)];
-      half.number = number;
-      for (int v = 1; v < dim; ++v)
-        half.others[std::size_t(v) - 1] = vertexOf(cell, facet, v);
+      for (int v = 0; v <= dim; ++v)
+        if (v != facet)
+          vertices.push_back(cell.vertices[std::size_t(v)]);
+  }
+  const VertexTuples halves(std::move(vertices), dim, numVertices);
+  std::vector<int> twin(std::size_t(halves.size()), -1);
+  for (int place = 0, end = 0; place < halves.size(); place = end) {
+    end = halves.groupEnd(place);
+    for (; place + 1 < end; ++place) {
+      twin[std::size_t(halves.at(place))] = halves.at(place + 1);
+      twin[std::size_t(halves.at(place + 1))] = halves.at(place);
     }
-  std::vector<int> twin(halves.size(), -1);
-  for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-    const auto begin = halves.begin() + first[v], end = halves.begin() + first[v + 1];
-    std::sort(begin, end, [](const auto& a, const auto& b) { return a.others < b.others; });
-    for (auto half = begin; half != end && half + 1 != end; ++half)
-      if (half->others == (half + 1)->others) {
-        twin[std::size_t(half->number)] = (half + 1)->number;
-        twin[std::size_t((half + 1)->number)] = half->number;
-      }
   }
   return twin;
 }

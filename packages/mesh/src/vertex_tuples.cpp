@@ -20,7 +20,13 @@ VertexTuples::VertexTuples(std::vector<int> tuples, int width, int numVertices)
   std::vector<int> next(bucket_.begin(), bucket_.end() - 1);
   for (int t = 0; t < size(); ++t)
     order_[next[tuple(t)[0]]++] = t;
-  const auto before = [this](int a, int b) { return less(tuple(a), tuple(b)) || (!less(tuple(b), tuple(a)) && a < b); };
+  const auto before = [this](int a, int b) { // in a bucket the first vertices are the same
+    const int *first = tuple(a), *second = tuple(b);
+    for (int i = 1; i < width_; ++i)
+      if (first[i] != second[i])
+        return first[i] < second[i];
+    return a < b;
+  };
   for (int v = 0; v < numVertices; ++v)
     std::sort(order_.begin() + bucket_[v], order_.begin() + bucket_[v + 1], before);
 }

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numeric>
-#include <tuple>
 
 #include "ndframe/assembly/rigid_modes.hpp"
+#include "ndframe/mesh/vertex_tuples.hpp"
 
 namespace ndframe
 {
@@ -99,43 +99,31 @@ private:
   std::vector<StressEdge> edges_;
 };
 
-/// Edges by their vertices, the lower one first, which takes no comparisons: which faces meet there.
+/// Edges by their vertices: which faces meet there.
 std::vector<StressEdge> Rings::find()
 {
-  struct Part
-  {
-    int other, face; ///< the higher vertex
-  };
-  std::vector<int> firstOf(std::size_t(vertices_.size()) + 1, 0);
-  const auto eachPart = [&](const auto& take) {
-    for (int f = 0; f < faces_.size(); ++f) {
-      if (faces_.isReplaced(f))
-        continue;
-      auto v = vertices_.vertices(faces_[f], 0);
-      for (int& vertex : v)
-        vertex = vertices_.representative(vertex);
-      for (const auto& [a, b] : {std::array{v[0], v[1]}, std::array{v[0], v[2]}, std::array{v[1], v[2]}})
-        take(std::size_t(std::min(a, b)), Part{std::max(a, b), f});
-    }
-  };
-  eachPart([&](std::size_t vertex, const Part&) { ++firstOf[vertex + 1]; });
-  std::partial_sum(firstOf.begin(), firstOf.end(), firstOf.begin());
-  std::vector<Part> parts(std::size_t(firstOf.back()));
-  std::vector<int> next(firstOf.begin(), firstOf.end() - 1);
-  eachPart([&](std::size_t vertex, const Part& part) { parts[std::size_t(next[vertex]++)] = part; });
-  edges_.reserve(parts.size() / 4); // some five faces meet at an edge
+  std::vector<int> ends, faceOf; // per face and edge of it
+  ends.reserve(std::size_t(faces_.size()) * 6);
+  faceOf.reserve(std::size_t(faces_.size()) * 3);
+  for (int f = 0; f < faces_.size(); ++f) {
+    if (faces_.isReplaced(f))
+      continue;
+    auto v = vertices_.vertices(faces_[f], 0);
+    for (int& vertex : v)
+      vertex = vertices_.representative(vertex);
+    ends.insert(ends.end(), {v[0], v[1], v[0], v[2], v[1], v[2]});
+    faceOf.insert(faceOf.end(), 3, f);
+  }
+  const VertexTuples parts(std::move(ends), 2, vertices_.size());
+  edges_.reserve(faceOf.size() / 4); // some five faces meet at an edge
   std::vector<int> around;
-  for (int vertex = 0; vertex < vertices_.size(); ++vertex) {
-    const auto end = parts.begin() + firstOf[std::size_t(vertex) + 1];
-    auto part = parts.begin() + firstOf[std::size_t(vertex)];
-    std::sort(part, end,
-              [](const Part& a, const Part& b) { return std::tie(a.other, a.face) < std::tie(b.other, b.face); });
-    while (part != end) {
-      const int other = part->other;
-      for (around.clear(); part != end && part->other == other; ++part)
-        around.push_back(part->face);
-      add({vertex, other}, around);
-    }
+  for (int place = 0, end = 0; place < parts.size(); place = end) {
+    end = parts.groupEnd(place);
+    around.clear();
+    for (int at = place; at < end; ++at)
+      around.push_back(faceOf[std::size_t(parts.at(at))]);
+    const int* vertices = parts.tuple(parts.at(place));
+    add({vertices[0], vertices[1]}, around);
   }
   return std::move(edges_);
 }

@@ -10,7 +10,7 @@ void agreeOnImbalance(StressCorrection& correction, const Comm& comm);
 
 /// True when what u~ lacks of finite element equilibrium, spread over the smallest facets, could be seen in the
 /// equilibrium of sigma^: a solver that stopped early, or round-off on meshes that are strongly graded and in bodies
-/// that move much more than they deform.
+/// that move much more than they deform. Ranks have to agree on the correction's imbalance and force. Collective.
 bool needsSettling(const Mesh& mesh, const StressCorrection& correction, const Comm& comm);
 
 /// Takes what u~ lacks of finite element equilibrium out of the balance of sigma^: where the solver stopped, and

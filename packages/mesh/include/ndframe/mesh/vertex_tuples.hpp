@@ -20,13 +20,14 @@ public:
   int size() const { return int(order_.size()); } ///< number of tuples
   /// Tuple number at a place of the ordering.
   int at(int place) const { return order_[place]; }
+  /// Its vertices, ascending.
+  const int* tuple(int number) const { return tuples_.data() + std::size_t(number) * std::size_t(width_); }
   /// One past the last place whose tuple equals the one at `place`, which must be the first of its group.
   int groupEnd(int place) const;
   /// Places [first, second) of the tuples equal to `tuple` (which is sorted in place).
   std::pair<int, int> find(int* tuple) const;
 
 private:
-  const int* tuple(int number) const { return tuples_.data() + std::size_t(number) * std::size_t(width_); }
   bool less(const int* a, const int* b) const;
 
   int width_;
