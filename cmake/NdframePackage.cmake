@@ -37,9 +37,11 @@ function(ndframe_package name)
   install(DIRECTORY include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT development)
 endfunction()
 
-# Of tests that start programs, perhaps on more ranks than there are cores: who waits leaves its core to others.
+# Of tests that start programs, perhaps on more ranks than there are cores: who waits leaves its core to others. mpirun would
+# wait for one or two seconds after every run whose exit code is not 0.
 set(NDFRAME_RUN_ENVIRONMENT
-    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OPENBLAS_NUM_THREADS=1;OMPI_MCA_mpi_yield_when_idle=1")
+    "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OPENBLAS_NUM_THREADS=1;OMPI_MCA_mpi_yield_when_idle=1"
+    "OMPI_MCA_odls_base_sigkill_timeout=0")
 
 set(NDFRAME_TEST_ENVIRONMENT "OMPI_ALLOW_RUN_AS_ROOT=1;OMPI_ALLOW_RUN_AS_ROOT_CONFIRM=1;OMPI_MCA_rmaps_base_oversubscribe=1")
 

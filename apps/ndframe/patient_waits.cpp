@@ -1,10 +1,9 @@
-#include <cstdlib>
 #include <ctime>
-#include <initializer_list>
 
 #include <mpi.h>
 #include <sched.h>
-#include <unistd.h>
+
+#include "ndframe/algebra/launcher.hpp"
 
 /// Where several processes share a processor, who waits sleeps. MPI offers its processor to the others instead, over
 /// and over: on four processes with two processors that took a third of all processor time, and a tenth where
@@ -15,12 +14,7 @@ namespace
 
 bool sharesProcessors()
 {
-  static const bool shares = [] {
-    for (const char* name : {"OMPI_COMM_WORLD_LOCAL_SIZE", "MPI_LOCALNRANKS", "MV2_COMM_WORLD_LOCAL_SIZE"})
-      if (const char* const count = std::getenv(name))
-        return std::atol(count) > sysconf(_SC_NPROCESSORS_ONLN);
-    return false;
-  }();
+  static const bool shares = ndframe::launcherOfThisProcess().sharesProcessors();
   return shares;
 }
 

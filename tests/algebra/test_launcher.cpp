@@ -20,8 +20,9 @@ protected:
   NoLauncher()
   {
     for (const char* name :
-         {"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK", "PMI_SIZE", "PMI_RANK", "MV2_COMM_WORLD_SIZE",
-          "MV2_COMM_WORLD_RANK", "SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "SLURM_NTASKS", "PMIX_RANK"})
+         {"OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_RANK", "OMPI_COMM_WORLD_LOCAL_SIZE", "PMI_SIZE", "PMI_RANK",
+          "MPI_LOCALNRANKS", "MV2_COMM_WORLD_SIZE", "MV2_COMM_WORLD_RANK", "MV2_COMM_WORLD_LOCAL_SIZE",
+          "SLURM_STEP_NUM_TASKS", "SLURM_PROCID", "SLURM_NTASKS", "PMIX_RANK"})
     {
       const char* const value = std::getenv(name);
       before_[name] = value == nullptr ? std::nullopt : std::optional<std::string>(value);
@@ -91,6 +92,27 @@ TEST_F(NoLauncher, MpirunWithinAStepOfSlurmIsTheLauncher)
   set("OMPI_COMM_WORLD_RANK", "1");
   EXPECT_EQ(launcherOfThisProcess().size, 2);
   EXPECT_EQ(launcherOfThisProcess().rank, 1);
+}
+
+TEST_F(NoLauncher, ProcessesOfThisMachineAreCountedWhereTheLauncherSaysSo)
+{
+  EXPECT_FALSE(launcherOfThisProcess().startedAllHere());
+  for (const auto& [size, here] :
+       {std::pair("OMPI_COMM_WORLD_SIZE", "OMPI_COMM_WORLD_LOCAL_SIZE"), std::pair("PMI_SIZE", "MPI_LOCALNRANKS"),
+        std::pair("MV2_COMM_WORLD_SIZE", "MV2_COMM_WORLD_LOCAL_SIZE")})
+  {
+    set(size, "100000"); // more than any machine has processors
+    EXPECT_FALSE(launcherOfThisProcess().startedAllHere()) << "it may be on several";
+    EXPECT_FALSE(launcherOfThisProcess().sharesProcessors());
+    set(here, "1");
+    EXPECT_FALSE(launcherOfThisProcess().startedAllHere()) << here;
+    EXPECT_FALSE(launcherOfThisProcess().sharesProcessors());
+    set(here, "100000");
+    EXPECT_TRUE(launcherOfThisProcess().startedAllHere()) << here;
+    EXPECT_TRUE(launcherOfThisProcess().sharesProcessors());
+    unsetenv(size);
+    unsetenv(here);
+  }
 }
 
 TEST_F(NoLauncher, VariablesThatAreNoNumbersSayNothing)

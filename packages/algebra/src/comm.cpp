@@ -21,10 +21,14 @@ void initMpi(int* argc, char*** argv)
 {
   if (mpiIsRunning())
     return;
-  // Alone, Open MPI would spend 0.2 s looking for networks; what the user has set goes first.
-  if (!launcherOfThisProcess().mayHaveStartedMore()) {
+  // Open MPI would spend 0.2 s looking for networks that nobody needs who is alone or on one machine, and 0.2 s on the
+  // start of a helper that could start more processes; what the user has set goes first.
+  const Launcher launcher = launcherOfThisProcess();
+  if (!launcher.mayHaveStartedMore() || launcher.startedAllHere())
     setenv("OMPI_MCA_pml", "ob1", 0);
+  if (!launcher.mayHaveStartedMore()) {
     setenv("OMPI_MCA_btl", "self", 0);
+    setenv("OMPI_MCA_ess_singleton_isolated", "1", 0);
   }
   int provided = 0;
   MPI_Init_thread(argc, argv, MPI_THREAD_FUNNELED, &provided);

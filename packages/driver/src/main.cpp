@@ -137,7 +137,12 @@ std::string planText(const RunSettings& settings, const Components& components, 
 
 void greet(const RunSettings& settings, const CommandLine& options, const Log& log)
 {
-  log.line(fmt::format("ndframe {}   {}   ({})\n", versionText(), settings.title, options.deck));
+  log.line(fmt::format("ndframe {}   {}   ({})", versionText(), settings.title, options.deck));
+  if (const Launcher launcher = launcherOfThisProcess(); launcher.sharesProcessors())
+    log.line(fmt::format("  note: {} processes wait for each other here, for there are fewer processors; one on each "
+                         "processor takes less time.",
+                         launcher.sizeHere));
+  log.line("");
 }
 
 /// Runs the cases of a list Study or Load Cases.

@@ -44,10 +44,16 @@ std::string krylovSkipped(bool choosesSolver)
                        : "neither Krylov nor Multigrid as linear solver: Tpetra is not loaded";
 }
 
+/// What Automatic takes instead where it has to.
+std::string largeText(bool choosesSolver)
+{
+  return choosesSolver ? ", Multigrid for large solids" : "";
+}
+
 std::string processesText(int ranks, const std::string& solver, bool choosesSolver)
 {
   return fmt::format("{}, linear solver {}{}", counted(std::size_t(ranks), "process", "processes"), solver,
-                     choosesSolver ? ", Multigrid for large solids" : "");
+                     largeText(choosesSolver));
 }
 
 std::string sharesText(const RunSettings& settings, int ranks)
@@ -87,7 +93,8 @@ Plan::Plan(const RunSettings& settings, const LinearSolver& solver, int ranks)
   add(Stage::Read, true, counted(bodies, "body", "bodies") + again + sharesText(settings, ranks), {});
   add(Stage::Check, true, "sides, pairing and supports are checked before anything is assembled" + again, {});
   add(Stage::Assemble, true, counted(bodies, "matrix", "matrices") + again, {});
-  add(Stage::Factor, true, fmt::format("once per body, {} in all ({}){}", bodies, solver.name(ranks), again), {});
+  add(Stage::Factor, true,
+      fmt::format("once per body, {} in all ({}{}){}", bodies, solver.name(ranks), largeText(chooses), again), {});
   const std::string met = settings.outline.findsInterfaces ? "interfaces as Automatic finds them"
                                                            : counted(interfaces, "interface", "interfaces");
   add(Stage::Interface, touches, met + " condensed" + again, noInterface);
