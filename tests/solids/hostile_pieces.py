@@ -21,7 +21,7 @@ from shared_solids import difference, in_pieces
 
 DECK = pathlib.Path(__file__).parent.parent.parent / "decks/punch-3d.xml"
 GIVEN = ["Linear Solver/Type=Multigrid", "Output/Exodus=false"]
-CELLS = ["Bodies/punch/Mesh/Cells={6, 6, 6}", "Bodies/foundation/Mesh/Cells={12, 12, 6}"]
+CELLS = ["Bodies/punch/Mesh/Cells={4, 4, 4}", "Bodies/foundation/Mesh/Cells={8, 8, 4}"]  # enough vertices for two ranks
 
 
 def renumber_alike(draw, files, name):
