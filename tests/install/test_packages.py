@@ -28,7 +28,8 @@ class Packages(unittest.TestCase):
         cls.addClassCleanup(holder.cleanup)
         cls.folder = pathlib.Path(holder.name).resolve()
         done = call("cpack", "--config", BUILD / "CPackConfig.cmake", "-B", cls.folder / "packages", "-D",
-                    "CPACK_COMPONENTS_ALL=program;development" + (";documentation" if CAN_BUILD_SITE else ""))
+                    "CPACK_COMPONENTS_ALL=program;development" + (";documentation" if CAN_BUILD_SITE else ""), "-D",
+                    "CPACK_DEBIAN_COMPRESSION_TYPE=gzip")  # in a third of the time
         if done.returncode != 0:
             raise AssertionError(done.stdout + done.stderr)
         cls.packages = {path.name.split("_")[0]: path for path in (cls.folder / "packages").glob("*.deb")}
