@@ -16,7 +16,7 @@ struct Launcher
 
   /// True where only MPI can tell who else was started.
   bool mayHaveStartedMore() const { return present && size != 1; }
-  /// True where no process is on another machine, as far as the launcher says.
+  /// True where the launcher says that all its processes are on this machine.
   bool startedAllHere() const { return size > 0 && sizeHere == size; }
   /// True where processes of this machine must wait for each other's processors (those that the system has online).
   bool sharesProcessors() const;
