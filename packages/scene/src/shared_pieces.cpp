@@ -32,19 +32,29 @@ bool isPlain(const NumberedMesh& part)
          std::none_of(part.cells.begin(), part.cells.end(), isNegative);
 }
 
-/// The names that any rank has, each once, on all ranks.
-std::vector<std::string> namesOfAll(const std::vector<std::string>& names, const Comm& comm)
+using Names = std::vector<std::string>;
+
+/// The lists of names, none of them empty, that any rank has, each once, on all ranks.
+std::vector<Names> listsOfAll(const std::vector<Names>& lists, const Comm& comm)
 {
-  std::string own;
-  for (const std::string& name : names)
-    own += name + '\n';
-  std::vector<std::string> all;
-  for (const std::string& text : exchangedBytes(std::vector<std::string>(std::size_t(comm.size()), own), comm))
+  std::string own; // an empty name ends a list
+  for (const Names& list : lists) {
+    for (const std::string& name : list)
+      own += name + '\0';
+    own += '\0';
+  }
+  std::vector<Names> all;
+  Names list;
+  for (const std::string& text : exchangedBytes(Names(std::size_t(comm.size()), own), comm))
     for (std::size_t first = 0, last = 0; first < text.size(); first = last + 1) {
-      last = text.find('\n', first);
-      const std::string name = text.substr(first, last - first);
-      if (std::find(all.begin(), all.end(), name) == all.end())
-        all.push_back(name);
+      last = text.find('\0', first);
+      if (last > first) {
+        list.push_back(text.substr(first, last - first));
+        continue;
+      }
+      if (std::find(all.begin(), all.end(), list) == all.end())
+        all.push_back(list);
+      list.clear();
     }
   return all;
 }
@@ -52,26 +62,22 @@ std::vector<std::string> namesOfAll(const std::vector<std::string>& names, const
 /// Gives the mesh of each rank the sides of all.
 void takeAllSides(Mesh& mesh, const Comm& comm)
 {
-  std::vector<std::string> names;
+  std::vector<Names> names;
   for (const Side& side : mesh.sides)
-    names.push_back(side.name);
+    names.push_back({side.name});
   std::vector<Side> all;
-  for (const std::string& name : namesOfAll(names, comm)) {
-    const Side* const known = mesh.findSide(name);
-    all.push_back(known != nullptr ? *known : Side{name, {}});
+  for (const Names& name : listsOfAll(names, comm)) {
+    const Side* const known = mesh.findSide(name.front());
+    all.push_back(known != nullptr ? *known : Side{name.front(), {}});
   }
   mesh.sides = std::move(all);
 }
 
-/// Gives the mesh of each rank the groups of all: cells of a file with element blocks belong to one each.
-void takeAllGroups(Mesh& mesh, const Comm& comm)
+/// Gives the mesh of each rank the kinds of cells of all.
+void takeAllKinds(Mesh& mesh, const Comm& comm)
 {
-  std::vector<std::string> names;
-  for (const std::vector<std::string>& ofKind : mesh.groups.names)
-    names.insert(names.end(), ofKind.begin(), ofKind.end());
   CellGroups groups;
-  for (const std::string& name : namesOfAll(names, comm))
-    groups.findOrAdd({name});
+  groups.names = listsOfAll(mesh.groups.names, comm);
   for (const int kind : mesh.groups.kind)
     groups.kind.push_back(groups.findOrAdd(mesh.groups.names[std::size_t(kind)]));
   mesh.groups = std::move(groups);
@@ -211,7 +217,7 @@ std::optional<BodyPieces> sharedPieces(std::optional<NumberedMesh> own, const Pi
   takeAllSides(mesh, comm);
   if (!dropEmptySides(mesh.sides, comm) && !settings.choosesBlocks) // a note says so where they are read as a whole
     return std::nullopt;
-  takeAllGroups(mesh, comm);
+  takeAllKinds(mesh, comm);
   const std::vector<std::string>& contactSides = settings.contactSides;
   const bool areThere = std::all_of(contactSides.begin(), contactSides.end(),
                                     [&](const std::string& side) { return mesh.findSide(side) != nullptr; });
