@@ -14,6 +14,9 @@ function(ndframe_module target)
   install(TARGETS ${target} LIBRARY DESTINATION ${NDFRAME_MODULE_DIR})
 endfunction()
 
+# Packages that compute little and spend much of the compiler's time: not optimised under the sanitizers, in half of it.
+set(NDFRAME_QUICK_PACKAGES run accuracy report drawing driver)
+
 # ndframe_package(NAME [MODULE] SOURCES ... [DEPENDS packages ...] [LIBRARIES third-party targets ...] [PUBLIC_LIBRARIES ...])
 # One static library `ndframe_NAME` (installed as ndframe::NAME) with its headers in packages/NAME/include/ndframe/NAME.
 function(ndframe_package name)
@@ -29,6 +32,9 @@ function(ndframe_package name)
   target_include_directories(${target} PUBLIC $<BUILD_INTERFACE:${CMAKE_CURRENT_SOURCE_DIR}/include>
                                               $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}>)
   target_compile_features(${target} PUBLIC cxx_std_17)
+  if(NDFRAME_SANITIZE AND name IN_LIST NDFRAME_QUICK_PACKAGES)
+    target_compile_options(${target} PRIVATE -O0)
+  endif()
   list(TRANSFORM ARG_DEPENDS PREPEND ndframe_)
   target_link_libraries(${target} PUBLIC ${ARG_DEPENDS} ${ARG_PUBLIC_LIBRARIES}
                                   PRIVATE $<BUILD_INTERFACE:ndframe_options> ${ARG_LIBRARIES})
@@ -56,19 +62,45 @@ function(ndframe_compile_quickly target)
   endif()
 endfunction()
 
-# ndframe_test(NAME SOURCES ... PACKAGES ...): a GoogleTest program; every TEST in it becomes one ctest entry. Under the
-# sanitizers the program is one entry: to start two thousand processes would take longer than the tests.
-function(ndframe_test name)
-  cmake_parse_arguments(ARG "" "" "SOURCES;PACKAGES;LIBRARIES" ${ARGN})
-  add_executable(${name} ${ARG_SOURCES})
+# Half of a build is the compilation of tests. A build with sanitizers can take the objects of another one instead: what is
+# looked into is then the packages and the program, not the tests themselves. .ci/run does so.
+set(NDFRAME_TEST_OBJECTS "" CACHE PATH "Folder of a finished build whose objects of tests are linked; empty: tests are compiled")
+
+# ndframe_test_objects(NAME SOURCES...): a program or library of tests has these sources, or their objects of another build.
+function(ndframe_test_objects name)
+  set(record objects/${name}.txt)
+  if(NDFRAME_TEST_OBJECTS)
+    file(STRINGS ${NDFRAME_TEST_OBJECTS}/${record} objects)
+    target_sources(${name} PRIVATE ${objects})
+    set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
+  else()
+    target_sources(${name} PRIVATE ${ARGN})
+    file(GENERATE OUTPUT ${PROJECT_BINARY_DIR}/${record} CONTENT "$<JOIN:$<TARGET_OBJECTS:${name}>,\n>\n")
+  endif()
   ndframe_compile_in_groups(${name})
+endfunction()
+
+option(NDFRAME_ALL_SCENES "Under the sanitizers, too, all tests of a program and as many random scenes as in the release build" OFF)
+
+# ndframe_test(NAME SOURCES ... PACKAGES ... [LONG ...]): a GoogleTest program; every TEST in it becomes one ctest entry. Under the
+# sanitizers the program is one entry: to start two thousand processes would take longer than the tests. LONG: patterns of tests
+# that take long there, and reach no code that others do not.
+function(ndframe_test name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;PACKAGES;LIBRARIES;LONG" ${ARGN})
+  add_executable(${name})
+  ndframe_test_objects(${name} ${ARG_SOURCES})
   list(TRANSFORM ARG_PACKAGES PREPEND ndframe_)
   target_link_libraries(${name} PRIVATE ndframe_options ${ARG_PACKAGES} ${ARG_LIBRARIES} GTest::gtest GTest::gmock ndframe_test_main
                                        ndframe_patient_waits)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   ndframe_compile_quickly(${name})
   if(NDFRAME_SANITIZE)
-    add_test(NAME ${name} COMMAND ${name})
+    set(chosen "")
+    if(ARG_LONG AND NOT NDFRAME_ALL_SCENES)
+      list(JOIN ARG_LONG ":" patterns)
+      set(chosen --gtest_filter=-${patterns})
+    endif()
+    add_test(NAME ${name} COMMAND ${name} ${chosen})
     list(LENGTH ARG_SOURCES length) # who takes long starts first
     set_tests_properties(${name} PROPERTIES TIMEOUT 1500 COST ${length} ENVIRONMENT "${NDFRAME_TEST_ENVIRONMENT}")
   else()
@@ -76,11 +108,17 @@ function(ndframe_test name)
   endif()
 endfunction()
 
-# ndframe_mpi_test(NAME RANKS r1 r2 ...): the same program again as one ctest entry per rank count.
+# ndframe_mpi_test(NAME RANKS r1 r2 ... [TESTS ...]): the same program again as one ctest entry per rank count. TESTS: patterns of
+# those that do something else on several ranks than on one, where the others take long.
 function(ndframe_mpi_test name)
-  cmake_parse_arguments(ARG "" "" "RANKS" ${ARGN})
+  cmake_parse_arguments(ARG "" "" "RANKS;TESTS" ${ARGN})
+  set(chosen "")
+  if(ARG_TESTS)
+    list(JOIN ARG_TESTS ":" patterns)
+    set(chosen --gtest_filter=${patterns})
+  endif()
   foreach(ranks IN LISTS ARG_RANKS)
-    add_test(NAME ${name}.np${ranks} COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${ranks} $<TARGET_FILE:${name}>)
+    add_test(NAME ${name}.np${ranks} COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${ranks} $<TARGET_FILE:${name}> ${chosen})
     set_tests_properties(${name}.np${ranks} PROPERTIES PROCESSORS 2 TIMEOUT 600 COST 20
                          ENVIRONMENT "${NDFRAME_RUN_ENVIRONMENT}")
   endforeach()

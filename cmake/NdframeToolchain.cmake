@@ -20,10 +20,10 @@ if(NDFRAME_LLD)
 endif()
 if(NDFRAME_SANITIZE)
   # A null pointer or the end of an object is an address that the address sanitizer sees; checks of them before every
-  # access double the compiler's time.
+  # access double the compiler's time. Checks of the type behind a base class take a fifth of it, for a dozen casts.
   target_compile_options(ndframe_options INTERFACE
     -fsanitize=address -fno-omit-frame-pointer
-    "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:NDFRAME_IS_TEST>>>:-fsanitize=undefined;-fno-sanitize=null,alignment,object-size;-fno-sanitize-recover=undefined>")
+    "$<$<NOT:$<BOOL:$<TARGET_PROPERTY:NDFRAME_IS_TEST>>>:-fsanitize=undefined;-fno-sanitize=null,alignment,object-size,vptr;-fno-sanitize-recover=undefined>")
   # The sanitizer calls dlopen in our stead, and only the old kind of path holds for callers that are not the program.
   target_link_options(ndframe_options INTERFACE -fsanitize=address,undefined LINKER:--disable-new-dtags)
 endif()

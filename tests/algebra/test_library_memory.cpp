@@ -11,6 +11,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "common/test_main.hpp"
 #include "ndframe/algebra/threads.hpp"
 
 using namespace ndframe;
@@ -48,9 +49,8 @@ class MemoryLimit : public testing::Test
 protected:
   void SetUp() override
   {
-#if defined(__SANITIZE_ADDRESS__)
-    GTEST_SKIP();
-#endif
+    if (test::isSanitized())
+      GTEST_SKIP();
     testing::FLAGS_gtest_death_test_style = "threadsafe";
   }
 };

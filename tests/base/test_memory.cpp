@@ -7,6 +7,7 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include "common/test_main.hpp"
 #include "ndframe/base/memory.hpp"
 
 using namespace ndframe;
@@ -89,9 +90,8 @@ TEST_F(Machine, WithoutFilesNobodyTells)
 
 TEST(MemoryLeft, IsLessUnderALimitOfTheProcess)
 {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "its shadow memory does not fit under a limit";
-#endif
+  if (test::isSanitized())
+    GTEST_SKIP() << "its shadow memory does not fit under a limit";
   rlimit before{};
   getrlimit(RLIMIT_DATA, &before);
   rlimit limit = before;

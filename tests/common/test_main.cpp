@@ -14,6 +14,15 @@ const ndframe::Comm& ndframe::test::comm()
   return *worldComm;
 }
 
+bool ndframe::test::isSanitized()
+{
+#if defined(__SANITIZE_ADDRESS__)
+  return true;
+#else
+  return false;
+#endif
+}
+
 int main(int argc, char** argv)
 {
   testing::InitGoogleTest(&argc, argv);

@@ -27,6 +27,11 @@ std::string quoted(const std::string& text)
 
 } // namespace
 
+std::string programPath()
+{
+  return NDFRAME_PROGRAM;
+}
+
 ProgramResult runProgram(const std::vector<std::string>& arguments, const std::string& folder,
                          const std::string& program)
 {

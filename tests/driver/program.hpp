@@ -13,9 +13,12 @@ struct ProgramResult
   std::string out, err;
 };
 
+/// The built ndframe.
+std::string programPath();
+
 /// Starts ndframe with these arguments in a folder and waits for it.
 ProgramResult runProgram(const std::vector<std::string>& arguments, const std::string& folder,
-                         const std::string& program = NDFRAME_PROGRAM);
+                         const std::string& program = programPath());
 
 std::string contentsOf(const std::string& path);
 void writeFile(const std::string& path, const std::string& text);

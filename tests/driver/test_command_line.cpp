@@ -168,7 +168,7 @@ TEST_F(Program, PlansWithoutReadingAMesh)
 /// A copy of the program looks for the module beside itself.
 TEST_F(Program, NeedsTheKrylovModuleOnlyWhereADeckAsksForIt)
 {
-  std::filesystem::copy_file(NDFRAME_PROGRAM, path("ndframe"));
+  std::filesystem::copy_file(programPath(), path("ndframe"));
   const auto copyCall = [this](const std::vector<std::string>& arguments) {
     return runProgram(arguments, path("."), path("ndframe"));
   };
@@ -225,8 +225,8 @@ TEST_F(Program, SaysWhenTheWorkingDirectoryIsGone)
 {
   const auto inGone = [this](const std::string& arguments) {
     const std::string gone = path("gone"), err = path("err");
-    const std::string script = "mkdir " + gone + "; cd " + gone + "; rmdir " + gone + "; " + NDFRAME_PROGRAM +
-                               " -q -i " + shippedDeck("punch") + arguments + " 2> " + err;
+    const std::string script = "mkdir " + gone + "; cd " + gone + "; rmdir " + gone + "; " + programPath() + " -q -i " +
+                               shippedDeck("punch") + arguments + " 2> " + err;
     const int status = std::system(script.c_str());
     return std::pair(WEXITSTATUS(status), contentsOf(err));
   };

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include "common/test_main.hpp"
 #include "gmsh_library.hpp"
 #include "meshing/mesh_deck.hpp"
 
@@ -175,9 +176,8 @@ TEST(GmshErrors, ScriptsWithoutEndAreEnded)
 
 TEST(GmshErrors, ScriptsTakeNoMoreThanTheFreeMemory)
 {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "its shadow memory does not fit under a limit";
-#endif
+  if (isSanitized())
+    GTEST_SKIP() << "its shadow memory does not fit under a limit";
   EXPECT_GT(freeMemory(), 1 << 20);
   const std::string fine = scratchFile("fine.geo", square + "Mesh.MeshSizeFactor = 2e-3;\n");
   const std::int64_t limit = std::int64_t(200) << 20; // the library takes most of it

@@ -13,6 +13,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include "common/test_main.hpp"
 #include "ndframe/base/diagnostics.hpp"
 #include "ndframe/reading/file_error.hpp"
 
@@ -117,9 +118,8 @@ TEST(ChildProcess, EndlessWorkIsEnded)
 
 TEST(ChildProcess, WorkThatTakesTooMuchMemoryIsRefused)
 {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "its shadow memory does not fit under a limit";
-#endif
+  if (test::isSanitized())
+    GTEST_SKIP() << "its shadow memory does not fit under a limit";
   const std::int64_t limit = 64 << 20;
   const auto taking = [](std::size_t bytes) {
     return [bytes] { return std::to_string(std::string(bytes, 'x').size()); };
@@ -134,9 +134,8 @@ TEST(ChildProcess, WorkThatTakesTooMuchMemoryIsRefused)
 
 TEST(ChildProcess, ThreadThatTakesTooMuchMemoryIsNoCrash)
 {
-#if defined(__SANITIZE_ADDRESS__)
-  GTEST_SKIP() << "its shadow memory does not fit under a limit";
-#endif
+  if (test::isSanitized())
+    GTEST_SKIP() << "its shadow memory does not fit under a limit";
   const auto work = [] {
     std::thread([] { std::string(std::size_t(256) << 20, 'x'); }).join();
     return std::string();
