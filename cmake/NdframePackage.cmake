@@ -71,6 +71,7 @@ function(ndframe_test_objects name)
   set(record objects/${name}.txt)
   if(NDFRAME_TEST_OBJECTS)
     file(STRINGS ${NDFRAME_TEST_OBJECTS}/${record} objects)
+    set_property(DIRECTORY APPEND PROPERTY CMAKE_CONFIGURE_DEPENDS ${NDFRAME_TEST_OBJECTS}/${record})
     target_sources(${name} PRIVATE ${objects})
     set_target_properties(${name} PROPERTIES LINKER_LANGUAGE CXX)
   else()
@@ -81,6 +82,16 @@ function(ndframe_test_objects name)
 endfunction()
 
 option(NDFRAME_ALL_SCENES "Under the sanitizers, too, all tests of a program and as many random scenes as in the release build" OFF)
+
+# ndframe_without(VARIABLE PATTERNS...): the argument with which a GoogleTest program leaves out tests; empty without patterns.
+function(ndframe_without variable)
+  list(JOIN ARGN ":" patterns)
+  if(NOT ARGN)
+    set(${variable} "" PARENT_SCOPE)
+  else()
+    set(${variable} --gtest_filter=-${patterns} PARENT_SCOPE)
+  endif()
+endfunction()
 
 # ndframe_test(NAME SOURCES ... PACKAGES ... [LONG ...]): a GoogleTest program; every TEST in it becomes one ctest entry. Under the
 # sanitizers the program is one entry: to start two thousand processes would take longer than the tests. LONG: patterns of tests
@@ -95,11 +106,10 @@ function(ndframe_test name)
   target_include_directories(${name} PRIVATE ${PROJECT_SOURCE_DIR}/tests)
   ndframe_compile_quickly(${name})
   if(NDFRAME_SANITIZE)
-    set(chosen "")
-    if(ARG_LONG AND NOT NDFRAME_ALL_SCENES)
-      list(JOIN ARG_LONG ":" patterns)
-      set(chosen --gtest_filter=-${patterns})
+    if(NDFRAME_ALL_SCENES)
+      set(ARG_LONG "")
     endif()
+    ndframe_without(chosen ${ARG_LONG})
     add_test(NAME ${name} COMMAND ${name} ${chosen})
     list(LENGTH ARG_SOURCES length) # who takes long starts first
     set_tests_properties(${name} PROPERTIES TIMEOUT 1500 COST ${length} ENVIRONMENT "${NDFRAME_TEST_ENVIRONMENT}")
@@ -108,15 +118,11 @@ function(ndframe_test name)
   endif()
 endfunction()
 
-# ndframe_mpi_test(NAME RANKS r1 r2 ... [TESTS ...]): the same program again as one ctest entry per rank count. TESTS: patterns of
-# those that do something else on several ranks than on one, where the others take long.
+# ndframe_mpi_test(NAME RANKS r1 r2 ... [LONG ...]): the same program again as one ctest entry per rank count. LONG: patterns of
+# tests that are left out, because they take long and every rank does the same.
 function(ndframe_mpi_test name)
-  cmake_parse_arguments(ARG "" "" "RANKS;TESTS" ${ARGN})
-  set(chosen "")
-  if(ARG_TESTS)
-    list(JOIN ARG_TESTS ":" patterns)
-    set(chosen --gtest_filter=${patterns})
-  endif()
+  cmake_parse_arguments(ARG "" "" "RANKS;LONG" ${ARGN})
+  ndframe_without(chosen ${ARG_LONG})
   foreach(ranks IN LISTS ARG_RANKS)
     add_test(NAME ${name}.np${ranks} COMMAND ${MPIEXEC_EXECUTABLE} --oversubscribe -np ${ranks} $<TARGET_FILE:${name}> ${chosen})
     set_tests_properties(${name}.np${ranks} PROPERTIES PROCESSORS 2 TIMEOUT 600 COST 20
