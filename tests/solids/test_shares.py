@@ -141,14 +141,14 @@ class Shares(SharesTest):
         root, caught = self.bare("contact-loss-3d"), 0
         whole = {ranks: self.right(root, ranks, *self.LOSS, name=f"whole{ranks}") for ranks in (1, 3)}
         self.assertEqual(self.parts("whole3"), [], "a run that has ended leaves no parts")
-        for first, passes in ((3, 1), (3, 2), (1, 1), (1, 2)):
+        for first, passes, others in ((3, 1, (1, 3, 4)), (3, 2, (2, 3)), (1, 1, (1, 3)), (1, 2, (2, 4))):
             self.put({})
             if not self.killed(root, first, "killed", passes, *self.LOSS):
                 continue
             caught += 1
             kept = {path.name: path.read_bytes() for path in self.folder.glob("killed.checkpoint*")}
             self.assertEqual(len(self.parts("killed")) >= 3, first == 3, kept.keys())
-            for ranks in (1, 2, 3, 4):
+            for ranks in others:
                 self.go_on(root, kept, ranks, first, whole[first])
             if first == 3:
                 name = next(name for name in kept if name.endswith(".3.1"))

@@ -51,13 +51,13 @@ double cellHeight(const Mesh& mesh, int cell)
 }
 
 /// Goes through the cells once; tractions wait on their facet for the neighbour's. Defects are absolute until all cells
-/// have been seen. Points are enough to determine the polynomials.
+/// have been seen. Points are enough to determine the polynomials: tractions of degree q, divergences of q - 1.
 class EquilibriumSearch
 {
 public:
   EquilibriumSearch(const BodyModel& body, const StaticData& data, const FieldInput& field)
       : body_(body), displacement_(*field.displacement), mesh_(body.mesh), data_(data), prescribed_(body, data, field),
-        load_(loadBasis(data.dim, data.degree)), cellRule_(simplexRule(data.dim, 2 * data.degree)),
+        load_(loadBasis(data.dim, data.degree)), cellRule_(simplexRule(data.dim, 2 * (data.degree - 1))),
         facetRule_(simplexRule(data.dim - 1, 2 * data.degree))
   {}
 
