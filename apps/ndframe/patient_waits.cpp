@@ -47,12 +47,13 @@ extern "C" {
 /// Offers the processor to others; MPI does so after every test that finds nothing. Beside another program that always
 /// computes, an offer takes a slice of that one's time, 3 ms and more (Linux 6.18), where a message takes microseconds:
 /// after such an offer naps stand for the next ones. A scene of 864 cells beside two such programs on two processors:
-/// 14 -> 3 s on three processes, 8.4 -> 2.4 s with MUMPS.
+/// 15 -> 3 s on three processes, 20 -> 5 s on four.
 int sched_yield() noexcept
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds dear(1);
-  constexpr int napsInstead = 100;
+  constexpr int napsInstead =
+      30; // a hundred cost tests of small scenes on three processes a sixth of their time, alone on the machine
   static thread_local int naps = 0;
   if (naps > 0) {
     --naps;
