@@ -52,8 +52,7 @@ int sched_yield() noexcept
 {
   using Clock = std::chrono::steady_clock;
   constexpr std::chrono::milliseconds dear(1);
-  constexpr int napsInstead =
-      30; // a hundred cost tests of small scenes on three processes a sixth of their time, alone on the machine
+  constexpr int napsInstead = 30; // a hundred cost small scenes, alone on the machine, a sixth of their time
   static thread_local int naps = 0;
   if (naps > 0) {
     --naps;
