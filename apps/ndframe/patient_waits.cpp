@@ -56,7 +56,8 @@ int sched_yield() noexcept
   static thread_local int naps = 0;
   if (naps > 0) {
     --naps;
-    return nanosleep(&nap, nullptr);
+    nanosleep(&nap, nullptr);
+    return 0;
   }
   const Clock::time_point before = Clock::now();
   const auto error = int(syscall(SYS_sched_yield));
